@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdio>
+#include <cstdlib>
+
+/// Broken invariant of our own code: checked in debug builds and wherever FOREFRONT_ASSERTS is set, also when
+/// optimised. Never used for bad input; that is reported by Diagnostics.
+#if defined(FOREFRONT_ASSERTS)
+#define FOREFRONT_ASSERT(condition)                                                                                    \
+    do {                                                                                                               \
+        if (!(condition)) {                                                                                            \
+            std::fprintf(stderr, "%s:%d: invariant broken: %s\n", __FILE__, __LINE__, #condition);                     \
+            std::abort();                                                                                              \
+        }                                                                                                              \
+    } while (false)
+#else
+#define FOREFRONT_ASSERT(condition) static_cast<void>(sizeof((condition) ? 1 : 0))
+#endif

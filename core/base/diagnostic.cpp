@@ -1,0 +1,60 @@
+#include "core/base/diagnostic.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace forefront {
+
+std::string toString(const Diagnostic &diagnostic) {
+    std::string text;
+    if (!diagnostic.file.empty()) {
+        text += diagnostic.file;
+        if (diagnostic.line > 0) {
+            text += ':' + std::to_string(diagnostic.line);
+            if (diagnostic.column > 0) {
+                text += ':' + std::to_string(diagnostic.column);
+            }
+        }
+        text += ": ";
+    }
+    switch (diagnostic.severity) {
+    case Severity::Error:
+        text += "error: ";
+        break;
+    case Severity::Warning:
+        text += "warning: ";
+        break;
+    case Severity::Note:
+        text += "note: ";
+        break;
+    }
+    text += diagnostic.message;
+    if (diagnostic.at) {
+        char place[80];
+        std::snprintf(place, sizeof place, " at (%.9g, %.9g)", diagnostic.at->x, diagnostic.at->y);
+        text += place;
+    }
+    if (!diagnostic.code.empty()) {
+        text += " [" + diagnostic.code + ']';
+    }
+    if (!diagnostic.advice.empty()) {
+        text += "; " + diagnostic.advice;
+    }
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text;
+}
+
+bool hasErrors(const Diagnostics &diagnostics) {
+    return std::any_of(diagnostics.begin(), diagnostics.end(),
+                       [](const Diagnostic &d) { return d.severity == Severity::Error; });
+}
+
+Diagnostics error(std::string code, std::string message, std::string advice) {
+    Diagnostic diagnostic;
+    diagnostic.code = std::move(code);
+    diagnostic.message = std::move(message);
+    diagnostic.advice = std::move(advice);
+    return {std::move(diagnostic)};
+}
+
+} // namespace forefront

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/domain/domain.hpp"
+
+namespace forefront {
+
+/// All faults of a domain at once, each with coordinates and ids; empty when the domain can be meshed.
+/// Codes: non-finite, empty-domain, bad-index, bad-tag, zero-length, duplicate-node, duplicate-segment,
+/// crossing-segments, touching-segments, overlapping-segments, open-chain, unreferenced-node, hole-outside,
+/// region-marker-outside, point-outside, segment-outside. Exact predicates throughout; O(n log n) on ordinary input. At
+/// most `limit` faults are listed and the rest counted in a last Note.
+Diagnostics validate(const Domain &domain, std::size_t limit = 200);
+
+/// What `repair` changed; one Note each in `changes`.
+struct Repaired {
+    Domain domain;
+    Diagnostics changes;
+};
+
+/// Safe repairs, only on request: merges duplicate nodes, drops duplicate and zero-length segments and unreferenced
+/// nodes, splits segments at crossings and touching nodes, drops overlapping parts. What cannot be repaired safely
+/// (open chains, non-finite numbers, empty domain) stays and is reported by `validate` afterwards.
+Result<Repaired> repair(const Domain &domain);
+
+} // namespace forefront

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace forefront {
+
+/// Point or vector of the plane, in domain units.
+struct Vec2 {
+    double x = 0.0;
+    double y = 0.0;
+
+    friend constexpr bool operator==(Vec2, Vec2) = default;
+};
+
+constexpr Vec2 operator+(Vec2 a, Vec2 b) {
+    return {a.x + b.x, a.y + b.y};
+}
+constexpr Vec2 operator-(Vec2 a, Vec2 b) {
+    return {a.x - b.x, a.y - b.y};
+}
+constexpr Vec2 operator*(double s, Vec2 v) {
+    return {s * v.x, s * v.y};
+}
+constexpr Vec2 operator*(Vec2 v, double s) {
+    return s * v;
+}
+constexpr Vec2 &operator+=(Vec2 &a, Vec2 b) {
+    return a = a + b;
+}
+
+constexpr double dot(Vec2 a, Vec2 b) {
+    return a.x * b.x + a.y * b.y;
+}
+/// z component of a × b; positive when b lies counter-clockwise of a.
+constexpr double cross(Vec2 a, Vec2 b) {
+    return a.x * b.y - a.y * b.x;
+}
+constexpr double lengthSquared(Vec2 v) {
+    return dot(v, v);
+}
+inline double length(Vec2 v) {
+    return std::sqrt(lengthSquared(v));
+}
+inline double distance(Vec2 a, Vec2 b) {
+    return length(b - a);
+}
+constexpr double distanceSquared(Vec2 a, Vec2 b) {
+    return lengthSquared(b - a);
+}
+constexpr Vec2 midpoint(Vec2 a, Vec2 b) {
+    return {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
+}
+/// v turned by +90 degrees: points to the left of v.
+constexpr Vec2 leftNormal(Vec2 v) {
+    return {-v.y, v.x};
+}
+constexpr Vec2 lerp(Vec2 a, Vec2 b, double t) {
+    return a + t * (b - a);
+}
+inline bool isFinite(Vec2 v) {
+    return std::isfinite(v.x) && std::isfinite(v.y);
+}
+
+/// Axis-parallel box; empty when constructed.
+struct Box2 {
+    Vec2 min{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    Vec2 max{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+
+    friend constexpr bool operator==(const Box2 &, const Box2 &) = default;
+
+    constexpr bool empty() const { return !(min.x <= max.x && min.y <= max.y); }
+    constexpr void add(Vec2 p) {
+        min = {std::min(min.x, p.x), std::min(min.y, p.y)};
+        max = {std::max(max.x, p.x), std::max(max.y, p.y)};
+    }
+    constexpr void add(const Box2 &box) {
+        min = {std::min(min.x, box.min.x), std::min(min.y, box.min.y)};
+        max = {std::max(max.x, box.max.x), std::max(max.y, box.max.y)};
+    }
+    constexpr Vec2 size() const { return max - min; }
+    constexpr Vec2 centre() const { return midpoint(min, max); }
+    double diagonal() const { return empty() ? 0.0 : length(size()); }
+    constexpr bool contains(Vec2 p) const { return min.x <= p.x && p.x <= max.x && min.y <= p.y && p.y <= max.y; }
+    constexpr bool overlaps(const Box2 &b) const {
+        return min.x <= b.max.x && b.min.x <= max.x && min.y <= b.max.y && b.min.y <= max.y;
+    }
+    constexpr Box2 grown(double margin) const {
+        return {{min.x - margin, min.y - margin}, {max.x + margin, max.y + margin}};
+    }
+};
+
+constexpr Box2 boxOf(Vec2 a, Vec2 b) {
+    Box2 box;
+    box.add(a);
+    box.add(b);
+    return box;
+}
+constexpr Box2 boxAround(Vec2 centre, double radius) {
+    return {{centre.x - radius, centre.y - radius}, {centre.x + radius, centre.y + radius}};
+}
+
+} // namespace forefront

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "core/base/progress.hpp"
+#include "core/base/result.hpp"
+#include "core/domain/domain.hpp"
+#include "core/edit/document.hpp"
+#include "core/mesh/mesh.hpp"
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace forefront {
+
+struct ImportOptions {
+    double curveTolerance =
+        0.0; ///< greatest distance between a curve and its polyline, in file units; 0: 1/2000 of the drawing's size
+    std::size_t maxBytes = std::size_t{2} << 30; ///< larger files are refused
+};
+
+/// A file format the program reads or writes.
+struct FileFormat {
+    const char *id;        ///< "msh2", "msh41", "vtu", ... as used by --format and in menus
+    const char *name;      ///< "Gmsh MSH 2.2"
+    const char *extension; ///< with the dot, ".msh"
+    bool readsDomain, readsMesh, writesMesh;
+};
+std::span<const FileFormat> fileFormats();
+
+/// Own project file or any domain format, by extension and content: .json/.forefront project, GeoJSON, .poly/.node,
+/// .svg, .msh (its boundary). Faults carry file and line (or byte) and never depend on trusting a count in the file.
+Result<Document> readDocument(const std::filesystem::path &path, const ImportOptions &options = {});
+/// Domain of any file that readDocument reads.
+Result<Domain> readDomain(const std::filesystem::path &path, const ImportOptions &options = {});
+/// A mesh: MSH 2.2 or 4.1 (ASCII), VTU, VTK legacy, MEDIT, Abaqus, SU2, Triangle .node/.ele, OBJ.
+Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &options = {});
+/// Spacing from a background mesh file with nodal values (MSH $NodeData), or the spacing of a project file.
+Result<SpacingSpec> readSpacing(const std::filesystem::path &path, const ImportOptions &options = {});
+
+/// Writes a mesh; the format by id, or by extension when empty (.msh is MSH 2.2). Atomic: a temporary file beside it,
+/// then renamed. Triangle: PATH.node, PATH.ele and PATH.edge. SVG draws the mesh.
+Status writeMesh(const std::filesystem::path &path, const Mesh &mesh, std::string_view formatId = {},
+                 const Progress &progress = {});
+
+/// Own project file, versioned JSON. Atomic.
+Status writeProject(const std::filesystem::path &path, const Document &document);
+/// The JSON text of a project and back; for the recovery journal and tests.
+std::string projectText(const Document &document);
+Result<Document> parseProject(std::string_view text, const std::string &fileName);
+
+/// Writes bytes atomically: temporary file in the same folder, flushed, renamed.
+Status writeFileAtomically(const std::filesystem::path &path, std::string_view bytes);
+
+} // namespace forefront

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/base/ids.hpp"
+#include "core/geometry/vec2.hpp"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace forefront {
+
+/// Nodes of an element, counter-clockwise.
+using Element = std::array<NodeId, 3>;
+
+/// An edge of the mesh that carries a tag: boundary, interface between regions, or constraint.
+struct TaggedEdge {
+    NodeId a = kNoNode;
+    NodeId b = kNoNode;
+    std::int32_t tag = 1;
+};
+
+struct TaggedNode {
+    NodeId node = kNoNode;
+    std::int32_t tag = 1;
+};
+
+/// A triangle mesh with tags. Edge k of an element joins its nodes k and (k+1)%3.
+struct Mesh {
+    std::vector<Vec2> nodes;
+    std::vector<Element> elements;
+    std::vector<std::int32_t> regions; ///< region tag per element; empty: all 1
+    std::vector<TaggedEdge> edges;     ///< boundary and constraint edges
+    std::vector<TaggedNode> points;    ///< constraint points
+    std::map<std::int32_t, std::string> boundaryNames;
+    std::map<std::int32_t, std::string> regionNames;
+
+    std::int32_t region(std::size_t element) const { return regions.empty() ? 1 : regions[element]; }
+    Box2 bounds() const;
+};
+
+/// Hash of coordinates, elements, regions, edges, points and their tags: equal exactly when the meshes are equal bit
+/// for bit.
+std::uint64_t meshHash(const Mesh &mesh);
+
+} // namespace forefront

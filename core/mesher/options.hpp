@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/domain/domain.hpp"
+#include "core/spacing/spacing_spec.hpp"
+
+#include <cstdint>
+
+namespace forefront {
+
+/// The background grid that answers the searches of the front. It changes the work, never the mesh.
+enum class GridKind : std::uint8_t { None, Uniform, Hierarchical };
+
+struct MeshingOptions {
+    GridKind grid = GridKind::Hierarchical;
+    int gridColumns = 0; ///< uniform grid only; 0: chosen from the domain and the spacing
+    int gridRows = 0;
+    bool keepBoundary = false; ///< domain segments are edges of the mesh exactly as given
+    bool improve = true;       ///< swap and smooth after the front has closed
+    unsigned threads = 1;      ///< the mesh does not depend on it
+
+    friend bool operator==(const MeshingOptions &, const MeshingOptions &) = default;
+};
+
+/// All that a meshing run depends on.
+struct MeshingJob {
+    Domain domain;
+    SpacingSpec spacing;
+    MeshingOptions options;
+};
+
+} // namespace forefront

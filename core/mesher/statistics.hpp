@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+
+namespace forefront {
+
+/// Work counters of a run. Sums; divide by `advances`.
+struct WorkCounters {
+    std::uint64_t advances = 0; ///< elements made plus deferrals
+    std::uint64_t elements = 0;
+    std::uint64_t frontSum = 0;  ///< Σ segments of Γ before each advance: mean Nb = frontSum / advances
+    std::uint64_t delivered = 0; ///< Σ segments delivered by the grid: Nc
+    std::uint64_t tested = 0;    ///< Σ exact segment tests: Ns; the same for every grid
+    std::uint64_t cellsVisited = 0;
+    std::uint64_t candidates = 0;
+    std::uint64_t newNodes = 0;
+    std::uint64_t deferrals = 0; ///< advances without an element
+    std::uint64_t forced = 0;    ///< elements made by the closing stage (existing nodes only)
+
+    double frontMean() const { return mean(frontSum); }
+    double neighboursMean() const { return mean(delivered); }
+    double testsMean() const { return mean(tested); }
+
+  private:
+    double mean(std::uint64_t sum) const {
+        return advances == 0 ? 0.0 : static_cast<double>(sum) / static_cast<double>(advances);
+    }
+};
+
+} // namespace forefront

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "core/mesher/options.hpp"
+#include "core/session/snapshot.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+namespace forefront {
+
+/// How far one step goes.
+enum class Granularity : std::uint8_t {
+    Event,   ///< one moment inside an advance
+    Advance, ///< one front advance: at most one element
+    Layer    ///< until every segment that was on Γ has been advanced from or closed
+};
+
+/// A meshing run on a worker thread, with a timeline that goes forward and back. All members are called from one thread
+/// (the UI's) and return at once; results arrive in latest(). Destruction cancels and joins.
+class MeshingSession {
+  public:
+    /// `wake` is called from the worker whenever a new snapshot is there (to wake a waiting event loop); may be empty.
+    explicit MeshingSession(std::function<void()> wake = {});
+    ~MeshingSession();
+    MeshingSession(const MeshingSession &) = delete;
+    MeshingSession &operator=(const MeshingSession &) = delete;
+
+    /// Starts a new run; an earlier one is cancelled. `runToEnd`: mesh at full speed to the end; else pause before the
+    /// first advance.
+    void start(std::shared_ptr<const MeshingJob> job, bool runToEnd);
+    /// Runs on to the end at full speed, then improves.
+    void finish();
+    /// Plays forward (or back, with a negative rate) at a number of advances per second from the position of the
+    /// cursor; at the known end, it computes on. Playing from the end starts again at the beginning.
+    void play(double advancesPerSecond);
+    void pause();
+    /// Steps n (negative: back) and pauses.
+    void step(Granularity granularity, std::int64_t n);
+    /// Goes to a position in [0, known] (further: computes on) and pauses.
+    void seek(std::uint64_t advance);
+    /// Stops what is running within 100 ms; the partial mesh stays and can be stepped through.
+    void cancel();
+    /// Forgets the run.
+    void clear();
+
+    /// Layers wanted from now on.
+    void want(SnapshotLayers layers);
+    /// The newest snapshot, never null. Wait-free for the caller.
+    std::shared_ptr<const SessionSnapshot> latest() const;
+    /// True while the worker has something to do (a command pending, playing, running, improving).
+    bool busy() const;
+
+  private:
+    struct Worker;
+    std::unique_ptr<Worker> worker_;
+};
+
+} // namespace forefront
