@@ -52,7 +52,7 @@ struct Domain {
     std::map<std::int32_t, std::string> boundaryNames;
     std::map<std::int32_t, std::string> regionNames;
 
-    Box2 bounds() const;
+    Box2 bounds() const; ///< of all nodes with finite coordinates
 };
 
 /// Name of a tag: the given one, or the default.
