@@ -1,0 +1,177 @@
+#include "core/base/ids.hpp"
+#include "core/edit/document.hpp"
+#include "core/edit/hole_markers.hpp"
+
+#include <algorithm>
+
+namespace forefront {
+namespace {
+
+/// A walk along segments that meet two by two.
+struct Chain {
+    std::vector<std::uint32_t> nodes; ///< a closed one does not repeat its first node
+    std::vector<std::int32_t> tags;   ///< one per segment
+    bool closed = false;
+};
+
+/// Chains the segments of one role: at every node where exactly two of them meet the walk goes on.
+class Chainer {
+  public:
+    Chainer(const Domain &domain, SegmentRole role) : domain_(domain), role_(role) {
+        starts_.assign(domain.nodes.size() + 1, 0);
+        for (const DomainSegment &segment : domain.segments) {
+            if (takes(segment)) {
+                ++starts_[segment.a + 1];
+                ++starts_[segment.b + 1];
+            }
+        }
+        for (std::size_t k = 1; k < starts_.size(); ++k) {
+            starts_[k] += starts_[k - 1];
+        }
+        around_.resize(starts_.back());
+        std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
+        for (std::uint32_t s = 0; s < domain.segments.size(); ++s) {
+            if (takes(domain.segments[s])) {
+                around_[next[domain.segments[s].a]++] = s;
+                around_[next[domain.segments[s].b]++] = s;
+            }
+        }
+        used_.assign(domain.segments.size(), false);
+    }
+
+    /// Open chains first (from ends and junctions), then the loops; each in order of its first segment.
+    std::vector<Chain> chains() {
+        std::vector<Chain> result;
+        for (std::uint32_t s = 0; s < domain_.segments.size(); ++s) {
+            const DomainSegment &segment = domain_.segments[s];
+            if (!takes(segment)) {
+                continue;
+            }
+            if (!used_[s] && degree(segment.a) != 2) {
+                result.push_back(walk(s, segment.a));
+            }
+            if (!used_[s] && degree(segment.b) != 2) {
+                result.push_back(walk(s, segment.b));
+            }
+        }
+        for (std::uint32_t s = 0; s < domain_.segments.size(); ++s) {
+            if (takes(domain_.segments[s]) && !used_[s]) {
+                result.push_back(walk(s, domain_.segments[s].a));
+            }
+        }
+        return result;
+    }
+
+  private:
+    bool takes(const DomainSegment &segment) const {
+        return segment.role == role_ && segment.a < domain_.nodes.size() && segment.b < domain_.nodes.size();
+    }
+    std::uint32_t degree(std::uint32_t node) const { return starts_[node + 1] - starts_[node]; }
+
+    Chain walk(std::uint32_t segment, std::uint32_t from) {
+        Chain chain;
+        chain.nodes.push_back(from);
+        std::uint32_t at = from;
+        while (segment != kNoIndex) {
+            used_[segment] = true;
+            const DomainSegment &s = domain_.segments[segment];
+            at = s.a == at ? s.b : s.a;
+            chain.tags.push_back(s.tag);
+            chain.nodes.push_back(at);
+            segment = kNoIndex;
+            if (degree(at) == 2) {
+                for (std::uint32_t k = starts_[at]; k < starts_[at + 1]; ++k) {
+                    if (!used_[around_[k]]) {
+                        segment = around_[k];
+                        break;
+                    }
+                }
+            }
+        }
+        if (at == from && chain.tags.size() > 2) {
+            chain.closed = true;
+            chain.nodes.pop_back();
+        }
+        return chain;
+    }
+
+    const Domain &domain_;
+    SegmentRole role_;
+    std::vector<std::uint32_t> starts_; ///< per node, into around_
+    std::vector<std::uint32_t> around_; ///< segments by node
+    std::vector<bool> used_;
+};
+
+std::shared_ptr<const Shape> shapeOf(const Chain &chain, const Domain &domain, SegmentRole role, std::uint32_t id) {
+    auto shape = std::make_shared<Shape>();
+    shape->id = id;
+    shape->kind = chain.closed ? ShapeKind::Polygon : ShapeKind::Polyline;
+    shape->use = role == SegmentRole::Boundary ? ShapeUse::Boundary : ShapeUse::Constraint;
+    shape->nodes.reserve(chain.nodes.size());
+    for (const std::uint32_t node : chain.nodes) {
+        shape->nodes.push_back(domain.nodes[node]);
+    }
+    shape->tag = chain.tags.front();
+    if (std::any_of(chain.tags.begin(), chain.tags.end(), [&](std::int32_t tag) { return tag != shape->tag; })) {
+        shape->segmentTags = chain.tags;
+    }
+    return shape;
+}
+
+std::shared_ptr<const Shape> pointShape(Vec2 at, ShapeUse use, std::int32_t tag, std::uint32_t id) {
+    auto shape = std::make_shared<Shape>();
+    shape->id = id;
+    shape->kind = ShapeKind::Point;
+    shape->use = use;
+    shape->nodes = {at};
+    shape->tag = tag;
+    return shape;
+}
+
+void addPoints(const Domain &domain, Document &document) {
+    std::vector<bool> used(domain.nodes.size(), false);
+    for (const DomainSegment &segment : domain.segments) {
+        if (segment.a < used.size() && segment.b < used.size()) {
+            used[segment.a] = used[segment.b] = true;
+        }
+    }
+    for (const ConstraintPoint &point : domain.points) {
+        if (point.node < used.size()) {
+            used[point.node] = true;
+            document.shapes.push_back(
+                pointShape(domain.nodes[point.node], ShapeUse::Constraint, point.tag, document.nextId++));
+        }
+    }
+    // A node that nothing uses stays visible (and is reported by validation) instead of being dropped silently.
+    for (std::size_t node = 0; node < used.size(); ++node) {
+        if (!used[node]) {
+            document.shapes.push_back(pointShape(domain.nodes[node], ShapeUse::Boundary, 1, document.nextId++));
+        }
+    }
+}
+
+void addChains(const Domain &domain, Document &document) {
+    for (const SegmentRole role : {SegmentRole::Boundary, SegmentRole::Constraint}) {
+        for (const Chain &chain : Chainer(domain, role).chains()) {
+            document.shapes.push_back(shapeOf(chain, domain, role, document.nextId++));
+        }
+    }
+}
+
+} // namespace
+
+Document fromDomain(const Domain &domain) {
+    Document document;
+    if (domain.insideRule == InsideRule::HoleMarkers) {
+        addChains(withEvenOddRoles(domain), document);
+    } else {
+        addChains(domain, document);
+    }
+    addPoints(domain, document);
+    document.regionMarkers = domain.regionMarkers;
+    document.boundaryNames = domain.boundaryNames;
+    document.regionNames = domain.regionNames;
+    return document;
+}
+
+} // namespace forefront

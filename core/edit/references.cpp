@@ -1,0 +1,96 @@
+#include "core/edit/references.hpp"
+
+#include "core/edit/shape_geometry.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace forefront {
+
+const Shape *findShape(const Document &document, std::uint32_t id) {
+    const auto found =
+        std::find_if(document.shapes.begin(), document.shapes.end(), [id](const auto &s) { return s->id == id; });
+    return found == document.shapes.end() ? nullptr : found->get();
+}
+
+void Selection::prune(const Document &document) {
+    std::unordered_map<std::uint32_t, const Shape *> byId;
+    byId.reserve(document.shapes.size());
+    for (const auto &shape : document.shapes) {
+        byId.emplace(shape->id, shape.get());
+    }
+    const auto find = [&](std::uint32_t id) {
+        const auto found = byId.find(id);
+        return found == byId.end() ? nullptr : found->second;
+    };
+    std::erase_if(shapes, [&](std::uint32_t id) { return find(id) == nullptr; });
+    std::erase_if(nodes, [&](NodeRef ref) {
+        const Shape *shape = find(ref.shape);
+        return shape == nullptr || ref.node >= handleCount(*shape);
+    });
+    std::erase_if(segments, [&](SegmentRef ref) {
+        const Shape *shape = find(ref.shape);
+        return shape == nullptr || ref.segment >= taggedSegments(*shape);
+    });
+    std::erase_if(sources, [&](std::uint32_t k) { return k >= document.spacing.sources.size(); });
+    std::erase_if(markers, [&](std::uint32_t k) { return k >= document.regionMarkers.size(); });
+}
+
+Selection selectAll(const Document &document) {
+    Selection all;
+    for (const auto &shape : document.shapes) {
+        all.shapes.insert(shape->id);
+    }
+    for (std::uint32_t k = 0; k < document.spacing.sources.size(); ++k) {
+        all.sources.insert(k);
+    }
+    for (std::uint32_t k = 0; k < document.regionMarkers.size(); ++k) {
+        all.markers.insert(k);
+    }
+    return all;
+}
+
+Box2 boundsOf(const Document &document, const Selection &selection) {
+    Box2 box;
+    for (const auto &shape : document.shapes) {
+        if (selection.shapes.contains(shape->id)) {
+            box.add(boundsOf(*shape));
+        }
+    }
+    for (const NodeRef ref : selection.nodes) {
+        if (const Shape *shape = findShape(document, ref.shape)) {
+            const std::vector<Vec2> handles = handlesOf(*shape);
+            if (ref.node < handles.size()) {
+                box.add(handles[ref.node]);
+            }
+        }
+    }
+    for (const SegmentRef ref : selection.segments) {
+        if (const Shape *shape = findShape(document, ref.shape)) {
+            const Outline outline = outlineOf(*shape, document.circleTolerance);
+            if (shape->kind == ShapeKind::Circle) {
+                box.add(boundsOf(*shape));
+            } else if (ref.segment < outline.segmentCount()) {
+                box.add(outline.from(ref.segment));
+                box.add(outline.to(ref.segment));
+            }
+        }
+    }
+    for (const std::uint32_t k : selection.sources) {
+        if (k < document.spacing.sources.size()) {
+            const SizeSource &source = document.spacing.sources[k];
+            box.add(boxAround(source.a, source.radius));
+            if (source.shape == SourceShape::Line) {
+                box.add(boxAround(source.b, source.radius));
+            }
+        }
+    }
+    for (const std::uint32_t k : selection.markers) {
+        if (k < document.regionMarkers.size()) {
+            box.add(document.regionMarkers[k].at);
+        }
+    }
+    return box;
+}
+
+} // namespace forefront

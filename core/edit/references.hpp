@@ -1,0 +1,54 @@
+#pragma once
+
+#include "core/edit/document.hpp"
+
+#include <compare>
+#include <set>
+
+namespace forefront {
+
+/// A handle of a shape: see handlesOf().
+struct NodeRef {
+    std::uint32_t shape = 0; ///< Shape::id
+    std::uint32_t node = 0;  ///< index of the handle
+
+    friend auto operator<=>(const NodeRef &, const NodeRef &) = default;
+};
+
+/// A segment of a shape: see outlineOf(); of a circle always 0.
+struct SegmentRef {
+    std::uint32_t shape = 0;
+    std::uint32_t segment = 0;
+
+    friend auto operator<=>(const SegmentRef &, const SegmentRef &) = default;
+};
+
+/// What is selected. References are by id, so they outlive edits; prune() drops those that no longer point anywhere.
+struct Selection {
+    std::set<std::uint32_t> shapes;
+    std::set<NodeRef> nodes;
+    std::set<SegmentRef> segments;
+    std::set<std::uint32_t> sources; ///< index into SpacingSpec::sources
+    std::set<std::uint32_t> markers; ///< index into Document::regionMarkers
+
+    bool empty() const {
+        return shapes.empty() && nodes.empty() && segments.empty() && sources.empty() && markers.empty();
+    }
+    void clear() { *this = {}; }
+    void prune(const Document &document);
+    /// Number of things selected.
+    std::size_t size() const {
+        return shapes.size() + nodes.size() + segments.size() + sources.size() + markers.size();
+    }
+
+    friend bool operator==(const Selection &, const Selection &) = default;
+};
+
+/// The shape of an id, or null.
+const Shape *findShape(const Document &document, std::uint32_t id);
+/// Every shape, source and region marker.
+Selection selectAll(const Document &document);
+/// Bounds of what is selected; empty if nothing is.
+Box2 boundsOf(const Document &document, const Selection &selection);
+
+} // namespace forefront

@@ -1,0 +1,225 @@
+#include "core/edit/shape_commands.hpp"
+#include "core/edit/shape_geometry.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace forefront {
+namespace {
+
+/// Handles to move or delete, by shape; shapes that are selected whole are left out.
+std::map<std::uint32_t, std::set<std::uint32_t>> handlesOfSelection(const Document &document,
+                                                                    const Selection &selection, bool withSegments) {
+    std::map<std::uint32_t, std::set<std::uint32_t>> handles;
+    for (const NodeRef node : selection.nodes) {
+        if (!selection.shapes.contains(node.shape)) {
+            handles[node.shape].insert(node.node);
+        }
+    }
+    if (withSegments) {
+        for (const SegmentRef segment : selection.segments) {
+            const Shape *shape = findShape(document, segment.shape);
+            if (shape == nullptr || selection.shapes.contains(segment.shape)) {
+                continue;
+            }
+            const auto count = static_cast<std::uint32_t>(handleCount(*shape));
+            handles[segment.shape].insert(segment.segment);
+            if (shape->kind != ShapeKind::Circle) {
+                handles[segment.shape].insert((segment.segment + 1) % count);
+            }
+        }
+    }
+    return handles;
+}
+
+void moveWhole(Shape &shape, Vec2 by) {
+    for (Vec2 &node : shape.nodes) {
+        node += by;
+    }
+}
+
+Status moveHandles(Shape &shape, const std::set<std::uint32_t> &handles, Vec2 by) {
+    const std::vector<Vec2> before = handlesOf(shape);
+    // With its centre selected a circle moves whole; its point then moves along with it.
+    if (shape.kind == ShapeKind::Circle && handles.contains(0)) {
+        moveWhole(shape, by);
+        return {};
+    }
+    for (const std::uint32_t handle : handles) {
+        if (handle >= before.size()) {
+            return error("no-such-node", "there is no such node");
+        }
+        placeHandle(shape, handle, before[handle] + by);
+    }
+    return {};
+}
+
+/// Removes nodes, joining their neighbours; a removed node takes along the segment that starts at it.
+void removeNodes(Shape &shape, const std::set<std::uint32_t> &handles) {
+    if (shape.kind == ShapeKind::Rectangle) {
+        shape.nodes = outlineOf(shape, 1.0).nodes;
+        shape.kind = ShapeKind::Polygon;
+    }
+    if (shape.kind == ShapeKind::Circle) {
+        shape.nodes.clear();
+        return;
+    }
+    for (auto handle = handles.rbegin(); handle != handles.rend(); ++handle) {
+        if (*handle >= shape.nodes.size()) {
+            continue;
+        }
+        shape.nodes.erase(shape.nodes.begin() + *handle);
+        if (!shape.segmentTags.empty()) {
+            const auto last = static_cast<std::uint32_t>(shape.segmentTags.size() - 1);
+            shape.segmentTags.erase(shape.segmentTags.begin() + std::min(*handle, last));
+        }
+    }
+}
+
+/// What is left of a shape without some of its segments: polylines; nothing of a circle.
+std::vector<Shape> withoutSegments(const Shape &shape, const std::set<SegmentRef> &gone) {
+    std::vector<Shape> pieces;
+    const auto removed = [&](std::size_t k) { return gone.contains({shape.id, static_cast<std::uint32_t>(k)}); };
+    const Outline outline = outlineOf(shape, 1.0);
+    const std::size_t count = shape.kind == ShapeKind::Circle ? 0 : outline.segmentCount();
+    // Around a closed outline the walk starts behind a removed segment, so that no piece is cut at its first node.
+    std::size_t start = 0;
+    while (outline.closed && start < count && !removed(start)) {
+        ++start;
+    }
+    bool open = false;
+    for (std::size_t step = 0; step < count; ++step) {
+        const std::size_t k = (start + step) % count;
+        if (removed(k)) {
+            open = false;
+            continue;
+        }
+        if (!open) {
+            Shape piece = shape;
+            piece.kind = ShapeKind::Polyline;
+            piece.nodes = {outline.from(k)};
+            piece.segmentTags.clear();
+            pieces.push_back(std::move(piece));
+            open = true;
+        }
+        pieces.back().nodes.push_back(outline.to(k));
+        pieces.back().segmentTags.push_back(segmentTag(shape, k));
+    }
+    return pieces;
+}
+
+SizeSource moved(SizeSource source, Vec2 by) {
+    source.a += by;
+    source.b += by;
+    return source;
+}
+
+} // namespace
+
+Result<Document> moveSelection(const Document &document, const Selection &selection, Vec2 by) {
+    if (!isFinite(by)) {
+        return error("bad-number", "a distance is not a finite number");
+    }
+    Document next = document;
+    const auto handles = handlesOfSelection(document, selection, true);
+    for (auto &pointer : next.shapes) {
+        const bool whole = selection.shapes.contains(pointer->id);
+        const auto part = handles.find(pointer->id);
+        if (!whole && part == handles.end()) {
+            continue;
+        }
+        Shape shape = *pointer;
+        if (whole) {
+            moveWhole(shape, by);
+        } else if (Status status = moveHandles(shape, part->second, by); !status.empty()) {
+            return status;
+        }
+        if (Diagnostics faults = checkShape(shape); !faults.empty()) {
+            return faults;
+        }
+        pointer = std::make_shared<const Shape>(std::move(shape));
+    }
+    for (const std::uint32_t k : selection.sources) {
+        if (k < next.spacing.sources.size()) {
+            next.spacing.sources[k] = moved(next.spacing.sources[k], by);
+        }
+    }
+    for (const std::uint32_t k : selection.markers) {
+        if (k < next.regionMarkers.size()) {
+            next.regionMarkers[k].at += by;
+        }
+    }
+    return next;
+}
+
+Document deleteSelection(const Document &document, const Selection &selection) {
+    Document next = document;
+    const auto handles = handlesOfSelection(document, selection, false);
+    std::vector<std::shared_ptr<const Shape>> kept;
+    for (const auto &pointer : document.shapes) {
+        if (selection.shapes.contains(pointer->id)) {
+            continue;
+        }
+        const auto part = handles.find(pointer->id);
+        const bool segmentGone = std::any_of(selection.segments.begin(), selection.segments.end(),
+                                             [&](SegmentRef ref) { return ref.shape == pointer->id; });
+        if (part == handles.end() && !segmentGone) {
+            kept.push_back(pointer);
+            continue;
+        }
+        std::vector<Shape> pieces{*pointer};
+        if (part != handles.end()) {
+            removeNodes(pieces.front(), part->second);
+        } else {
+            pieces = withoutSegments(*pointer, selection.segments);
+        }
+        for (Shape &piece : pieces) {
+            if (checkShape(piece).empty()) {
+                piece.id = &piece == &pieces.front() ? pointer->id : next.nextId++;
+                kept.push_back(std::make_shared<const Shape>(std::move(piece)));
+            }
+        }
+    }
+    next.shapes = std::move(kept);
+    for (auto k = selection.sources.rbegin(); k != selection.sources.rend(); ++k) {
+        if (*k < next.spacing.sources.size()) {
+            next.spacing.sources.erase(next.spacing.sources.begin() + *k);
+        }
+    }
+    for (auto k = selection.markers.rbegin(); k != selection.markers.rend(); ++k) {
+        if (*k < next.regionMarkers.size()) {
+            next.regionMarkers.erase(next.regionMarkers.begin() + *k);
+        }
+    }
+    return next;
+}
+
+Result<Document> duplicateSelection(const Document &document, const Selection &selection, Vec2 by, Selection *copies) {
+    std::vector<Shape> shapes;
+    for (const auto &shape : document.shapes) {
+        if (selection.shapes.contains(shape->id)) {
+            shapes.push_back(*shape);
+            moveWhole(shapes.back(), by);
+        }
+    }
+    Selection fresh;
+    for (std::uint32_t k = 0; k < shapes.size(); ++k) {
+        fresh.shapes.insert(document.nextId + k);
+    }
+    Result<Document> next = addShapes(document, std::move(shapes));
+    if (!next) {
+        return next;
+    }
+    for (const std::uint32_t k : selection.sources) {
+        if (k < document.spacing.sources.size()) {
+            fresh.sources.insert(static_cast<std::uint32_t>(next->spacing.sources.size()));
+            next->spacing.sources.push_back(moved(document.spacing.sources[k], by));
+        }
+    }
+    if (copies != nullptr) {
+        *copies = std::move(fresh);
+    }
+    return next;
+}
+
+} // namespace forefront

@@ -1,0 +1,82 @@
+#pragma once
+
+#include "core/edit/document.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+namespace forefront {
+
+inline Shape makeShape(ShapeKind kind, std::vector<Vec2> nodes, ShapeUse use = ShapeUse::Boundary,
+                       std::int32_t tag = 1) {
+    Shape shape;
+    shape.kind = kind;
+    shape.use = use;
+    shape.nodes = std::move(nodes);
+    shape.tag = tag;
+    return shape;
+}
+
+inline Shape square(Vec2 low, double side, ShapeUse use = ShapeUse::Boundary) {
+    return makeShape(ShapeKind::Polygon, {low, low + Vec2{side, 0}, low + Vec2{side, side}, low + Vec2{0, side}}, use);
+}
+
+/// A segment by its coordinates, smaller end first: compares domains whatever the order of nodes and segments.
+using PlacedSegment = std::tuple<double, double, double, double, std::int32_t, int>;
+
+inline std::vector<PlacedSegment> placedSegments(const Domain &domain) {
+    std::vector<PlacedSegment> placed;
+    for (const DomainSegment &s : domain.segments) {
+        Vec2 a = domain.nodes[s.a], b = domain.nodes[s.b];
+        if (std::tuple(b.x, b.y) < std::tuple(a.x, a.y)) {
+            std::swap(a, b);
+        }
+        placed.emplace_back(a.x, a.y, b.x, b.y, s.tag, static_cast<int>(s.role));
+    }
+    std::sort(placed.begin(), placed.end());
+    return placed;
+}
+
+inline std::vector<std::pair<double, double>> placedNodes(const Domain &domain) {
+    std::vector<std::pair<double, double>> placed;
+    for (const Vec2 node : domain.nodes) {
+        placed.emplace_back(node.x, node.y);
+    }
+    std::sort(placed.begin(), placed.end());
+    return placed;
+}
+
+/// Even-odd over Boundary segments.
+inline bool insideEvenOdd(const Domain &domain, Vec2 p) {
+    bool inside = false;
+    for (const DomainSegment &s : domain.segments) {
+        const Vec2 a = domain.nodes[s.a], b = domain.nodes[s.b];
+        if (s.role == SegmentRole::Boundary && (a.y > p.y) != (b.y > p.y) &&
+            p.x < a.x + (b.x - a.x) * ((p.y - a.y) / (b.y - a.y))) {
+            inside = !inside;
+        }
+    }
+    return inside;
+}
+
+/// Small deterministic generator for property tests.
+class Random {
+  public:
+    explicit Random(std::uint64_t seed) : state_(seed * 0x9e3779b97f4a7c15ULL + 1) {}
+    std::uint64_t next() {
+        state_ ^= state_ << 13;
+        state_ ^= state_ >> 7;
+        state_ ^= state_ << 17;
+        return state_;
+    }
+    std::uint32_t below(std::uint32_t n) { return static_cast<std::uint32_t>((next() >> 32) % n); }
+    double real(double low, double high) { return low + (high - low) * static_cast<double>(next() >> 11) * 0x1.0p-53; }
+    Vec2 place(double extent) { return {real(-extent, extent), real(-extent, extent)}; }
+
+  private:
+    std::uint64_t state_;
+};
+
+} // namespace forefront
