@@ -1,0 +1,208 @@
+#include "core/mesh/quality.hpp"
+
+#include "core/mesh/edge_table.hpp"
+#include "core/spacing/spacing_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+namespace forefront {
+
+double shapeFactor(Vec2 a, Vec2 b, Vec2 c) {
+    const Vec2 ab = b - a, ac = c - a, bc = c - b;
+    const double sum = lengthSquared(ab) + lengthSquared(ac) + lengthSquared(bc);
+    return sum > 0.0 ? 2.0 * std::numbers::sqrt3 * cross(ab, ac) / sum : 0.0;
+}
+
+double spacingConformity(double segmentLength, double rho) {
+    return segmentLength < rho ? segmentLength / rho : rho / segmentLength;
+}
+
+std::vector<float> shapeFactors(const Mesh &mesh) {
+    std::vector<float> alpha(mesh.elements.size());
+    for (std::size_t e = 0; e < alpha.size(); ++e) {
+        const Element &n = mesh.elements[e];
+        alpha[e] = static_cast<float>(
+            shapeFactor(mesh.nodes[index(n[0])], mesh.nodes[index(n[1])], mesh.nodes[index(n[2])]));
+    }
+    return alpha;
+}
+
+namespace {
+
+/// Product of many factors in (0, 1] by its logarithm, with few calls of log.
+class LogProduct {
+  public:
+    void multiply(double factor) {
+        if (product_ < 1e-100 || factor < 1e-100) {
+            flush();
+        }
+        product_ *= factor;
+    }
+    double logarithm() {
+        flush();
+        return sum_;
+    }
+
+  private:
+    void flush() {
+        sum_ += std::log(product_);
+        product_ = 1.0;
+    }
+    double product_ = 1.0;
+    double sum_ = 0.0;
+};
+
+/// Extreme angles by their cotangents, which fall as the angle grows.
+class AngleRange {
+  public:
+    void add(Vec2 a, Vec2 b, Vec2 c) {
+        const double twiceArea = cross(b - a, c - a);
+        if (!(twiceArea > 0.0)) {
+            flat_ = true;
+            return;
+        }
+        const double atA = dot(b - a, c - a), atB = dot(a - b, c - b), atC = dot(a - c, b - c);
+        greatestCot_ = std::max(greatestCot_, std::max({atA, atB, atC}) / twiceArea);
+        leastCot_ = std::min(leastCot_, std::min({atA, atB, atC}) / twiceArea);
+    }
+    double least() const { return flat_ ? 0.0 : degrees(greatestCot_); }
+    double greatest() const { return flat_ ? 180.0 : degrees(leastCot_); }
+
+  private:
+    static double degrees(double cot) { return std::atan2(1.0, cot) * 180.0 / std::numbers::pi; }
+
+    double greatestCot_ = -std::numeric_limits<double>::infinity();
+    double leastCot_ = std::numeric_limits<double>::infinity();
+    bool flat_ = false;
+};
+
+/// Mean of δ over segments, with ρ evaluated in blocks.
+class ConformityMean {
+  public:
+    explicit ConformityMean(const SpacingField &spacing) : spacing_(spacing) {}
+    void add(Vec2 a, Vec2 b) {
+        middles_[used_] = midpoint(a, b);
+        lengths_[used_] = distance(a, b);
+        if (++used_ == kBlock) {
+            flush();
+        }
+    }
+    double mean() {
+        flush();
+        return count_ == 0 ? 0.0 : sum_ / static_cast<double>(count_);
+    }
+
+  private:
+    static constexpr std::size_t kBlock = 512;
+
+    void flush() {
+        std::array<double, kBlock> rho;
+        spacing_.atMany({middles_.data(), used_}, {rho.data(), used_});
+        for (std::size_t i = 0; i < used_; ++i) {
+            sum_ += spacingConformity(lengths_[i], rho[i]);
+        }
+        count_ += used_;
+        used_ = 0;
+    }
+
+    const SpacingField &spacing_;
+    std::array<Vec2, kBlock> middles_;
+    std::array<double, kBlock> lengths_;
+    std::size_t used_ = 0, count_ = 0;
+    double sum_ = 0.0;
+};
+
+void measureShapes(const Mesh &mesh, MeshQuality &quality) {
+    LogProduct product;
+    AngleRange angles;
+    double sum = 0.0, twiceArea = 0.0;
+    bool allPositive = true;
+    quality.alphaMin = std::numeric_limits<double>::infinity();
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+        const Element &n = mesh.elements[e];
+        const Vec2 a = mesh.nodes[index(n[0])], b = mesh.nodes[index(n[1])], c = mesh.nodes[index(n[2])];
+        const double alpha = shapeFactor(a, b, c);
+        sum += alpha;
+        twiceArea += cross(b - a, c - a);
+        angles.add(a, b, c);
+        if (alpha < quality.alphaMin) {
+            quality.alphaMin = alpha;
+            quality.worst = ElementId{static_cast<std::uint32_t>(e)};
+        }
+        allPositive = allPositive && alpha > 0.0;
+        if (alpha > 0.0) {
+            product.multiply(alpha);
+        }
+        const double bin = std::clamp(alpha, 0.0, 1.0) * static_cast<double>(kHistogramBins);
+        ++quality.alphaHistogram[std::min(static_cast<std::size_t>(bin), kHistogramBins - 1)];
+    }
+    const auto count = static_cast<double>(mesh.elements.size());
+    quality.area = 0.5 * twiceArea;
+    quality.alphaMean = sum / count;
+    quality.alphaGeometricMean = allPositive ? std::exp(product.logarithm() / count) : 0.0;
+    quality.minAngle = angles.least();
+    quality.maxAngle = angles.greatest();
+}
+
+void measurePercentiles(const Mesh &mesh, MeshQuality &quality) {
+    std::vector<float> alpha = shapeFactors(mesh);
+    const auto take = [&alpha](double fraction) {
+        const auto rank = static_cast<std::ptrdiff_t>(fraction * static_cast<double>(alpha.size() - 1));
+        std::nth_element(alpha.begin(), alpha.begin() + rank, alpha.end());
+        return static_cast<double>(alpha[static_cast<std::size_t>(rank)]);
+    };
+    quality.alpha50 = take(0.50);
+    quality.alpha5 = take(0.05);
+    quality.alpha1 = take(0.01);
+}
+
+void measureEdges(const Mesh &mesh, const SpacingField *spacing, MeshQuality &quality) {
+    std::optional<ConformityMean> conformity;
+    if (spacing != nullptr) {
+        conformity.emplace(*spacing);
+    }
+    std::vector<bool> onBoundary(mesh.nodes.size(), false);
+    EdgeTable(mesh).forEach([&](NodeId a, NodeId b, std::span<const HalfEdge> sides) {
+        ++quality.segments;
+        if (sides.size() == 1) {
+            onBoundary[index(a)] = onBoundary[index(b)] = true;
+        }
+        if (conformity) {
+            conformity->add(mesh.nodes[index(a)], mesh.nodes[index(b)]);
+        }
+    });
+    quality.deltaMean = conformity ? conformity->mean() : 0.0;
+
+    std::vector<std::uint32_t> elementsAt(mesh.nodes.size(), 0);
+    for (const Element &element : mesh.elements) {
+        for (const NodeId node : element) {
+            ++elementsAt[index(node)];
+        }
+    }
+    for (std::size_t n = 0; n < elementsAt.size(); ++n) {
+        if (!onBoundary[n] && elementsAt[n] > 0) {
+            ++quality.valence[std::min<std::size_t>(elementsAt[n], quality.valence.size() - 1)];
+        }
+    }
+}
+
+} // namespace
+
+MeshQuality measure(const Mesh &mesh, const SpacingField *spacing) {
+    MeshQuality quality;
+    quality.nodes = mesh.nodes.size();
+    quality.elements = mesh.elements.size();
+    if (mesh.elements.empty()) {
+        return quality;
+    }
+    measureShapes(mesh, quality);
+    measurePercentiles(mesh, quality);
+    measureEdges(mesh, spacing, quality);
+    return quality;
+}
+
+} // namespace forefront
