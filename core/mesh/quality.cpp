@@ -25,8 +25,8 @@ std::vector<float> shapeFactors(const Mesh &mesh) {
     std::vector<float> alpha(mesh.elements.size());
     for (std::size_t e = 0; e < alpha.size(); ++e) {
         const Element &n = mesh.elements[e];
-        alpha[e] = static_cast<float>(
-            shapeFactor(mesh.nodes[index(n[0])], mesh.nodes[index(n[1])], mesh.nodes[index(n[2])]));
+        alpha[e] =
+            static_cast<float>(shapeFactor(mesh.nodes[index(n[0])], mesh.nodes[index(n[1])], mesh.nodes[index(n[2])]));
     }
     return alpha;
 }

@@ -1,0 +1,179 @@
+#include "core/domain/validate.hpp"
+#include "core/mesh/edge_table.hpp"
+#include "core/mesh/verify.hpp"
+#include "core/mesh/verify_discrete.hpp"
+
+#include <algorithm>
+
+namespace forefront {
+
+namespace {
+
+/// Edges that may lie along segments of the domain, in rows by node: the tagged ones, or all where a file format
+/// keeps no tags.
+class ChainEdges {
+  public:
+    explicit ChainEdges(const Mesh &mesh) : offsets_(mesh.nodes.size() + 1, 0) {
+        std::vector<std::pair<NodeId, NodeId>> edges;
+        if (!carriesNoTags(mesh)) {
+            for (const TaggedEdge &edge : mesh.edges) {
+                edges.emplace_back(edge.a, edge.b);
+            }
+        } else {
+            EdgeTable(mesh).forEach(
+                [&edges](NodeId a, NodeId b, std::span<const HalfEdge>) { edges.emplace_back(a, b); });
+        }
+        for (const auto &[a, b] : edges) {
+            ++offsets_[index(a)];
+            ++offsets_[index(b)];
+        }
+        std::uint32_t sum = 0;
+        for (std::uint32_t &offset : offsets_) {
+            sum += offset;
+            offset = sum;
+        }
+        others_.resize(sum);
+        for (const auto &[a, b] : edges) {
+            others_[--offsets_[index(a)]] = b;
+            others_[--offsets_[index(b)]] = a;
+        }
+    }
+    std::span<const NodeId> at(NodeId node) const {
+        const std::uint32_t begin = offsets_[index(node)];
+        return {others_.data() + begin, offsets_[index(node) + 1] - begin};
+    }
+
+  private:
+    std::vector<std::uint32_t> offsets_;
+    std::vector<NodeId> others_;
+};
+
+/// Nodes of the mesh from one end of a straight segment to the other along edges that leave it by no more than
+/// `tolerance`; empty when there is no such chain.
+std::vector<NodeId> chain(const Mesh &mesh, const ChainEdges &edges, NodeId from, NodeId to, double tolerance) {
+    const Vec2 a = mesh.nodes[index(from)];
+    const Vec2 along = mesh.nodes[index(to)] - a;
+    const double squared = lengthSquared(along);
+    const double greatestCross = tolerance * std::sqrt(squared);
+    std::vector<NodeId> nodes{from};
+    double reached = 0.0;
+    while (nodes.back() != to) {
+        NodeId best = kNoNode;
+        double bestCross = greatestCross, bestAt = 0.0;
+        for (const NodeId next : edges.at(nodes.back())) {
+            const Vec2 p = mesh.nodes[index(next)] - a;
+            const double at = dot(along, p), off = std::abs(cross(along, p));
+            const bool ahead = at > reached && (at < squared || next == to);
+            if (ahead && off <= bestCross && (best == kNoNode || off < bestCross || at < bestAt)) {
+                best = next;
+                bestCross = off;
+                bestAt = at;
+            }
+        }
+        if (best == kNoNode) {
+            return {};
+        }
+        nodes.push_back(best);
+        reached = bestAt;
+    }
+    return nodes;
+}
+
+/// The domain with its segments cut as the mesh has cut them.
+DiscreteDomain cutAsMeshed(const Mesh &mesh, const DiscreteDomain &given, double tolerance, FaultList &faults) {
+    DiscreteDomain cut;
+    cut.nodes = mesh.nodes;
+    cut.regions = given.regions;
+    const NodeFinder finder(mesh);
+    const ChainEdges edges(mesh);
+    for (const DiscreteSegment &s : given.segments) {
+        const Vec2 a = given.nodes[s.a], b = given.nodes[s.b];
+        const NodeId from = finder.find(a), to = finder.find(b);
+        const std::string name = std::to_string(s.source) + " (tag " + std::to_string(s.tag) + ')';
+        if (from == kNoNode || to == kNoNode) {
+            faults.add("missing-node", "an end of domain segment " + name + " is no node of the mesh's boundary",
+                       from == kNoNode ? a : b, {s.source});
+            continue;
+        }
+        const std::vector<NodeId> nodes = chain(mesh, edges, from, to, tolerance);
+        if (nodes.empty()) {
+            faults.add("missing-segment", "domain segment " + name + " is not covered by edges of the mesh",
+                       midpoint(a, b), {s.source});
+        }
+        for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+            DiscreteSegment piece = s;
+            piece.a = static_cast<std::uint32_t>(nodes[i]);
+            piece.b = static_cast<std::uint32_t>(nodes[i + 1]);
+            cut.segments.push_back(piece);
+        }
+    }
+    for (const ConstraintPoint &point : given.points) {
+        const NodeId node = finder.find(given.nodes[point.node]);
+        if (node == kNoNode) {
+            faults.add("missing-point", "constraint point " + std::to_string(point.node) + " is no node of the mesh",
+                       given.nodes[point.node], {point.node});
+        } else {
+            cut.points.push_back({static_cast<std::uint32_t>(node), point.tag});
+        }
+    }
+    return cut;
+}
+
+/// Nodes put into a straight segment are rounded, so the cut domain's area may differ by that much.
+double areaTolerance(const DiscreteDomain &domain, const EnclosedArea &enclosed) {
+    double perimeter = 0.0, greatest = 0.0;
+    for (const DiscreteSegment &s : domain.segments) {
+        perimeter += distance(domain.nodes[s.a], domain.nodes[s.b]);
+    }
+    for (const Vec2 p : domain.nodes) {
+        greatest = std::max({greatest, std::abs(p.x), std::abs(p.y)});
+    }
+    return 1e-11 * (enclosed.magnitude + std::abs(enclosed.area)) +
+           8.0 * std::numeric_limits<double>::epsilon() * greatest * perimeter;
+}
+
+} // namespace
+
+Diagnostics verifyAgainst(const Mesh &mesh, const Domain &domain, std::size_t limit) {
+    Diagnostics found = verify(mesh, limit);
+    if (found.empty()) {
+        found = validate(domain, limit);
+    }
+    if (hasErrors(found)) {
+        return found;
+    }
+    SpacingSpec spec;
+    spec.size = domain.bounds().diagonal();
+    const auto spacing = SpacingField::build(spec, domain);
+    if (!spacing) {
+        return spacing.faults();
+    }
+    const Result<DiscreteDomain> given = discretise(domain, **spacing, true);
+    if (!given) {
+        return given.faults();
+    }
+    FaultList faults(limit);
+    DiscreteDomain cut = cutAsMeshed(mesh, *given, 1e-9 * domain.bounds().diagonal(), faults);
+    if (!faults.clean()) {
+        return faults.take();
+    }
+    const EnclosedArea whole = enclosedArea(*given);
+    if (!(std::abs(meshArea(mesh) - whole.area) <= areaTolerance(*given, whole))) {
+        faults.add("area",
+                   "the area of the mesh is " + std::to_string(meshArea(mesh)) + " instead of " +
+                       std::to_string(whole.area),
+                   mesh.bounds().centre());
+    }
+    // Areas of faces are those of the cut domain from here on; the sum was compared above.
+    if (!cut.regions.empty()) {
+        double rest = enclosedArea(cut).area;
+        for (std::size_t i = 1; i < cut.regions.size(); ++i) {
+            rest -= cut.regions[i].area;
+        }
+        cut.regions[0].area = rest;
+    }
+    checkAgainst(mesh, cut, faults);
+    return faults.take();
+}
+
+} // namespace forefront

@@ -1,0 +1,245 @@
+#include "core/mesh/edge_table.hpp"
+#include "core/mesh/mesh.hpp"
+#include "core/mesh/quality.hpp"
+#include "core/mesh/topology.hpp"
+#include "core/spacing/spacing_field.hpp"
+#include "tests/unit/mesh_samples.hpp"
+
+#include <doctest/doctest.h>
+
+#include <map>
+
+using namespace forefront;
+using samples::node;
+
+TEST_CASE("Mesh: bounds enclose all nodes and are empty without nodes") {
+    CHECK(Mesh{}.bounds().empty());
+    const Mesh mesh = samples::square(3, 2, 0.2, {10.0, -5.0});
+    CHECK(mesh.bounds() == Box2{{10.0, -5.0}, {11.0, -4.0}});
+}
+
+TEST_CASE("meshHash: any change of coordinates, elements, regions, edges, points or tags changes it") {
+    Mesh mesh = samples::square(4, 4, 0.2);
+    mesh.regions.assign(mesh.elements.size(), 1);
+    mesh.points = {{node(7), 1}};
+    const std::uint64_t before = meshHash(mesh);
+    CHECK(meshHash(Mesh(mesh)) == before);
+
+    const auto differs = [&](auto &&change) {
+        Mesh other = mesh;
+        change(other);
+        return meshHash(other) != before;
+    };
+    CHECK(differs([](Mesh &m) { m.nodes[3].x = std::nextafter(m.nodes[3].x, 9.0); }));
+    CHECK(differs([](Mesh &m) { m.nodes.push_back({}); }));
+    CHECK(differs([](Mesh &m) { std::swap(m.elements[0], m.elements[1]); }));
+    CHECK(differs([](Mesh &m) { std::swap(m.elements[0][0], m.elements[0][1]); }));
+    CHECK(differs([](Mesh &m) { m.regions[5] = 2; }));
+    CHECK(differs([](Mesh &m) { m.edges[2].tag = 9; }));
+    CHECK(differs([](Mesh &m) { m.edges.pop_back(); }));
+    CHECK(differs([](Mesh &m) { m.points[0].tag = 3; }));
+    CHECK(differs([](Mesh &m) { m.points[0].node = node(8); }));
+}
+
+TEST_CASE("meshHash: absent regions are the same as region 1 everywhere") {
+    Mesh mesh = samples::square(2, 2);
+    const std::uint64_t before = meshHash(mesh);
+    mesh.regions.assign(mesh.elements.size(), 1);
+    CHECK(meshHash(mesh) == before);
+}
+
+namespace {
+
+/// Neighbours by comparing all pairs of elements.
+std::vector<std::array<ElementId, 3>> neighboursByPairs(const Mesh &mesh) {
+    std::vector<std::array<ElementId, 3>> result(mesh.elements.size(), {kNoElement, kNoElement, kNoElement});
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+        for (std::size_t f = 0; f < mesh.elements.size(); ++f) {
+            for (unsigned i = 0; i < 9 && e != f; ++i) {
+                const Element &m = mesh.elements[e], &n = mesh.elements[f];
+                if (m[i / 3] == n[(i % 3 + 1) % 3] && m[(i / 3 + 1) % 3] == n[i % 3]) {
+                    result[e][i / 3] = ElementId{static_cast<std::uint32_t>(f)};
+                }
+            }
+        }
+    }
+    return result;
+}
+
+/// n triangles about node 0 in an order by chance.
+Mesh fan(std::size_t n) {
+    Mesh mesh;
+    mesh.nodes.push_back({});
+    for (std::size_t i = 0; i < n; ++i) {
+        const double angle = 6.283185307179586 * static_cast<double>(i) / static_cast<double>(n);
+        mesh.nodes.push_back({std::cos(angle), std::sin(angle)});
+        mesh.elements.push_back({node(0), node(1 + i), node(1 + (i + 1) % n)});
+    }
+    samples::Random random(3);
+    for (std::size_t i = n; i > 1; --i) {
+        std::swap(mesh.elements[i - 1], mesh.elements[random.below(i)]);
+    }
+    return mesh;
+}
+
+} // namespace
+
+TEST_CASE("elementNeighbours: agrees with a comparison of all pairs of elements") {
+    const Mesh mesh = samples::square(9, 7, 0.2);
+    CHECK(elementNeighbours(mesh) == neighboursByPairs(mesh));
+}
+
+TEST_CASE("elementNeighbours: a node of very high valence in any order is joined right") {
+    const Mesh mesh = fan(500);
+    CHECK(elementNeighbours(mesh) == neighboursByPairs(mesh));
+    const Mesh large = fan(200'000);
+    std::size_t open = 0;
+    for (const auto &row : elementNeighbours(large)) {
+        open += static_cast<std::size_t>(std::count(row.begin(), row.end(), kNoElement));
+    }
+    CHECK(open == 200'000);
+}
+
+TEST_CASE("elementNeighbours: of an edge with three elements the first two are joined") {
+    Mesh mesh;
+    mesh.nodes = {{0, 0}, {1, 0}, {0, 1}, {0, -1}, {1, 1}};
+    mesh.elements = {{node(0), node(1), node(2)}, {node(1), node(0), node(3)}, {node(0), node(1), node(4)}};
+    const auto neighbours = elementNeighbours(mesh);
+    CHECK(neighbours[0][0] == ElementId{1});
+    CHECK(neighbours[1][0] == ElementId{0});
+    CHECK(neighbours[2][0] == kNoElement);
+}
+
+TEST_CASE("EdgeTable: visits each edge once, in order, with the half-edges that run along it") {
+    const Mesh mesh = samples::square(6, 5, 0.2);
+    std::map<std::pair<NodeId, NodeId>, std::size_t> expected;
+    for (const Element &e : mesh.elements) {
+        for (unsigned k = 0; k < 3; ++k) {
+            ++expected[std::minmax(e[k], e[(k + 1) % 3])];
+        }
+    }
+    auto next = expected.begin();
+    const EdgeTable table(mesh);
+    table.forEach([&](NodeId a, NodeId b, std::span<const HalfEdge> sides) {
+        REQUIRE(next != expected.end());
+        CHECK(next->first == std::pair(a, b));
+        CHECK(next->second == sides.size());
+        CHECK(table.find(b, a).data() == sides.data());
+        ++next;
+    });
+    CHECK(next == expected.end());
+    CHECK(table.find(node(0), node(41)).empty());
+    CHECK(table.find(node(0), node(4000)).empty());
+}
+
+TEST_CASE("nodeElements: lists for each node exactly the elements that name it") {
+    const Mesh mesh = samples::square(5, 5, 0.2);
+    const NodeElements rows = nodeElements(mesh);
+    REQUIRE(rows.offsets.size() == mesh.nodes.size() + 1);
+    CHECK(rows.offsets.back() == 3 * mesh.elements.size());
+    for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+        std::vector<ElementId> expected;
+        for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+            if (std::count(mesh.elements[e].begin(), mesh.elements[e].end(), node(n)) > 0) {
+                expected.push_back(ElementId{static_cast<std::uint32_t>(e)});
+            }
+        }
+        const std::vector<ElementId> got(rows.elements.begin() + rows.offsets[n],
+                                         rows.elements.begin() + rows.offsets[n + 1]);
+        CHECK(got == expected);
+    }
+}
+
+TEST_CASE("shapeFactor: 1 equilateral, √3/2 right isosceles, 0 flat, negative clockwise, the same at any size") {
+    const double h = std::sqrt(3.0) / 2.0;
+    CHECK(shapeFactor({0, 0}, {1, 0}, {0.5, h}) == doctest::Approx(1.0).epsilon(1e-14));
+    CHECK(shapeFactor({0, 0}, {1, 0}, {0, 1}) == doctest::Approx(h).epsilon(1e-14));
+    CHECK(shapeFactor({0, 0}, {0, 1e-9}, {1e-9, 0}) == doctest::Approx(-h).epsilon(1e-14));
+    CHECK(shapeFactor({0, 0}, {1, 1}, {2, 2}) == 0.0);
+    CHECK(shapeFactor({3, 3}, {3, 3}, {3, 3}) == 0.0);
+}
+
+TEST_CASE("spacingConformity: 1 at the wanted length, alike for too long and too short") {
+    CHECK(spacingConformity(0.5, 0.5) == 1.0);
+    CHECK(spacingConformity(1.0, 4.0) == 0.25);
+    CHECK(spacingConformity(4.0, 1.0) == 0.25);
+}
+
+namespace {
+
+class ConstantSpacing : public SpacingField {
+  public:
+    explicit ConstantSpacing(double rho) : rho_(rho) {}
+    double at(Vec2) const override { return rho_; }
+    void atMany(std::span<const Vec2>, std::span<double> rho) const override {
+        std::fill(rho.begin(), rho.end(), rho_);
+    }
+    SpacingSample sample(Vec2) const override { return {rho_, SpacingOrigin::Constant, 0, "constant"}; }
+    double least() const override { return rho_; }
+    double greatest() const override { return rho_; }
+
+  private:
+    double rho_;
+};
+
+} // namespace
+
+TEST_CASE("measure: a lattice of right triangles has known figures") {
+    const Mesh mesh = samples::square(20, 20, 0.0, {1e5, -1e5});
+    const MeshQuality q = measure(mesh, nullptr);
+    CHECK(q.nodes == 441);
+    CHECK(q.elements == 800);
+    CHECK(q.segments == 441 + 800 - 1);
+    CHECK(q.area == doctest::Approx(1.0).epsilon(1e-9));
+    CHECK(q.alphaMean == doctest::Approx(std::sqrt(3.0) / 2.0).epsilon(1e-6));
+    CHECK(q.alphaGeometricMean == doctest::Approx(std::sqrt(3.0) / 2.0).epsilon(1e-6));
+    CHECK(q.minAngle == doctest::Approx(45.0).epsilon(1e-6));
+    CHECK(q.maxAngle == doctest::Approx(90.0).epsilon(1e-6));
+    CHECK(q.deltaMean == 0.0);
+    CHECK(q.alphaHistogram[34] == 800);
+    std::uint64_t inner = 0;
+    for (const std::uint64_t n : q.valence) {
+        inner += n;
+    }
+    CHECK(inner == 19 * 19);
+}
+
+TEST_CASE("measure: conformity is the mean over all segments") {
+    const Mesh mesh = samples::square(8, 8);
+    const ConstantSpacing spacing(0.125);
+    // 2·8·9 segments of length 1/8, 64 diagonals that are √2 too long.
+    const double expected = (144.0 + 64.0 / std::sqrt(2.0)) / 208.0;
+    CHECK(measure(mesh, &spacing).deltaMean == doctest::Approx(expected).epsilon(1e-12));
+}
+
+TEST_CASE("measure: means, least and percentiles agree with their definitions") {
+    const Mesh mesh = samples::square(30, 30, 0.24);
+    const MeshQuality q = measure(mesh, nullptr);
+    std::vector<float> alpha = shapeFactors(mesh);
+    CHECK(alpha[index(q.worst)] == doctest::Approx(q.alphaMin).epsilon(1e-6));
+    double sum = 0.0, logs = 0.0;
+    for (const float a : alpha) {
+        sum += static_cast<double>(a);
+        logs += std::log(static_cast<double>(a));
+    }
+    const auto count = static_cast<double>(alpha.size());
+    CHECK(q.alphaMean == doctest::Approx(sum / count).epsilon(1e-6));
+    CHECK(q.alphaGeometricMean == doctest::Approx(std::exp(logs / count)).epsilon(1e-6));
+    CHECK(q.alphaGeometricMean < q.alphaMean);
+    std::sort(alpha.begin(), alpha.end());
+    CHECK(q.alpha1 == static_cast<double>(alpha[static_cast<std::size_t>(0.01 * (count - 1))]));
+    CHECK(q.alpha5 == static_cast<double>(alpha[static_cast<std::size_t>(0.05 * (count - 1))]));
+    CHECK(q.alpha50 == static_cast<double>(alpha[static_cast<std::size_t>(0.50 * (count - 1))]));
+}
+
+TEST_CASE("measure: a flat element makes the least angle 0 and the geometric mean 0; an empty mesh measures nothing") {
+    Mesh mesh;
+    mesh.nodes = {{0, 0}, {1, 0}, {2, 0}, {1, 1}};
+    mesh.elements = {{node(0), node(1), node(2)}, {node(0), node(2), node(3)}};
+    const MeshQuality q = measure(mesh, nullptr);
+    CHECK(q.minAngle == 0.0);
+    CHECK(q.maxAngle == 180.0);
+    CHECK(q.alphaMin == 0.0);
+    CHECK(q.alphaGeometricMean == 0.0);
+    CHECK(measure(Mesh{}, nullptr).elements == 0);
+}

@@ -1,0 +1,279 @@
+#include "core/mesh/verify.hpp"
+#include "tests/unit/mesh_samples.hpp"
+
+#include <doctest/doctest.h>
+
+#include <limits>
+#include <map>
+
+using namespace forefront;
+using samples::codes;
+using samples::node;
+using Codes = std::set<std::string>;
+
+namespace {
+
+/// Two triangles on a square without tags, room for more.
+Mesh twoTriangles() {
+    Mesh mesh;
+    mesh.nodes = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    mesh.elements = {{node(0), node(1), node(2)}, {node(0), node(2), node(3)}};
+    return mesh;
+}
+
+/// Adds a copy of a mesh, moved, with nodes of its own.
+void append(Mesh &mesh, const Mesh &other, Vec2 by) {
+    const std::size_t first = mesh.nodes.size();
+    for (const Vec2 p : other.nodes) {
+        mesh.nodes.push_back(p + by);
+    }
+    for (const Element &e : other.elements) {
+        mesh.elements.push_back({node(first + index(e[0])), node(first + index(e[1])), node(first + index(e[2]))});
+    }
+}
+
+/// The outermost cells of a square of 6 x 6, nodes numbered anew.
+Mesh squareRing() {
+    const Mesh whole = samples::square(6, 6);
+    Mesh ring;
+    std::vector<NodeId> numbers(whole.nodes.size(), kNoNode);
+    for (Element e : whole.elements) {
+        const Vec2 sum = whole.nodes[index(e[0])] + whole.nodes[index(e[1])] + whole.nodes[index(e[2])];
+        if (std::max(std::abs(sum.x - 1.5), std::abs(sum.y - 1.5)) < 1.0) {
+            continue;
+        }
+        for (NodeId &n : e) {
+            if (numbers[index(n)] == kNoNode) {
+                numbers[index(n)] = node(ring.nodes.size());
+                ring.nodes.push_back(whole.nodes[index(n)]);
+            }
+            n = numbers[index(n)];
+        }
+        ring.elements.push_back(e);
+    }
+    return ring;
+}
+
+bool at(const Diagnostics &faults, Vec2 place) {
+    return std::any_of(faults.begin(), faults.end(), [&](const Diagnostic &d) { return d.at && *d.at == place; });
+}
+
+} // namespace
+
+TEST_CASE("verify: good meshes have no fault, at the origin and far from it") {
+    for (const Vec2 offset : {Vec2{}, Vec2{1e5, -1e5}, Vec2{-3e5, 1e-3}}) {
+        const Mesh mesh = samples::square(20, 15, 0.24, offset);
+        CHECK_MESSAGE(verify(mesh).empty(), samples::list(verify(mesh)));
+    }
+    CHECK(verify(twoTriangles()).empty());
+    CHECK(verify(Mesh{}).empty());
+}
+
+TEST_CASE("verify: holes, several parts, parts in holes and parts that share one node are no fault") {
+    const Mesh ring = squareRing();
+    Mesh parts = ring;
+    Mesh island = twoTriangles();
+    for (Vec2 &p : island.nodes) {
+        p = 0.25 * p;
+    }
+    append(parts, island, {0.375, 0.375});
+    append(parts, ring, {2.0, 0.0});
+    CHECK_MESSAGE(verify(parts).empty(), samples::list(verify(parts)));
+
+    Mesh pinched = twoTriangles();
+    pinched.nodes.insert(pinched.nodes.end(), {{2, 1}, {2, 2}, {1, 2}});
+    pinched.elements.insert(pinched.elements.end(), {{node(2), node(4), node(5)}, {node(2), node(5), node(6)}});
+    CHECK_MESSAGE(verify(pinched).empty(), samples::list(verify(pinched)));
+}
+
+TEST_CASE("verify: the two sides of a slit with nodes of their own are no fault") {
+    Mesh mesh = twoTriangles();
+    mesh.nodes = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}, {1, 1}};
+    mesh.elements = {{node(0), node(1), node(2)}, {node(4), node(5), node(3)}};
+    CHECK_MESSAGE(verify(mesh).empty(), samples::list(verify(mesh)));
+}
+
+TEST_CASE("verify: indices that do not exist are reported before anything follows them") {
+    Mesh mesh = twoTriangles();
+    mesh.elements[1][2] = node(4);
+    CHECK(codes(verify(mesh)) == Codes{"bad-index"});
+    mesh = twoTriangles();
+    mesh.edges = {{node(0), node(9), 1}};
+    CHECK(codes(verify(mesh)) == Codes{"bad-index"});
+    mesh = twoTriangles();
+    mesh.points = {{kNoNode, 1}};
+    CHECK(codes(verify(mesh)) == Codes{"bad-index"});
+    mesh = twoTriangles();
+    mesh.regions = {1};
+    CHECK(codes(verify(mesh)) == Codes{"bad-index"});
+}
+
+TEST_CASE("verify: coordinates that are no finite numbers are reported") {
+    for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+        Mesh mesh = twoTriangles();
+        mesh.nodes[3].y = bad;
+        const Diagnostics faults = verify(mesh);
+        CHECK(codes(faults) == Codes{"non-finite"});
+        CHECK(faults[0].ids == std::vector<std::uint32_t>{3});
+    }
+}
+
+TEST_CASE("verify: a clockwise element is inverted; alone it breaks nothing else") {
+    Mesh mesh;
+    mesh.nodes = {{0, 0}, {3, 0}, {0, 3}};
+    mesh.elements = {{node(0), node(2), node(1)}};
+    const Diagnostics faults = verify(mesh);
+    CHECK(codes(faults).count("inverted-element") == 1);
+    CHECK(at(faults, {1, 1}));
+}
+
+TEST_CASE("verify: an inner node moved over the opposite side inverts elements and nothing else") {
+    Mesh mesh = samples::square(4, 4);
+    mesh.nodes[6] = {0.5 + 0.3, 0.25}; // node (1,1), its neighbour (2,1) is at (0.5, 0.25)
+    CHECK(codes(verify(mesh)) == Codes{"inverted-element"});
+}
+
+TEST_CASE("verify: an element without area is reported by the exact sign only") {
+    Mesh mesh;
+    mesh.nodes = {{0.1, 0.1}, {0.3, 0.3}, {0.7, 0.7}}; // rounded, but all on the line x = y
+    mesh.elements = {{node(0), node(1), node(2)}};
+    CHECK(codes(verify(mesh)).count("zero-area") == 1);
+    mesh.nodes[1].y = std::nextafter(mesh.nodes[1].y, 0.0); // to the right of 0-2 by the least amount
+    CHECK_MESSAGE(verify(mesh).empty(), samples::list(verify(mesh)));
+    mesh.nodes[1].y = std::nextafter(std::nextafter(mesh.nodes[1].y, 1.0), 1.0);
+    CHECK(codes(verify(mesh)).count("inverted-element") == 1);
+}
+
+TEST_CASE("verify: an edge with three elements and two elements on one side of an edge do not conform") {
+    Mesh mesh = twoTriangles();
+    mesh.nodes.push_back({2, 1.5});
+    mesh.elements.push_back({node(0), node(4), node(2)}); // third element at edge 0-2
+    Diagnostics faults = verify(mesh);
+    CHECK(codes(faults) == Codes{"non-conforming"});
+    CHECK(at(faults, {0.5, 0.5}));
+
+    mesh = twoTriangles();
+    mesh.elements = {{node(0), node(1), node(2)}, {node(0), node(1), node(3)}};
+    faults = verify(mesh);
+    CHECK(codes(faults) == Codes{"non-conforming"});
+    CHECK(at(faults, {0.5, 0.0}));
+}
+
+TEST_CASE("verify: a node inside an edge it does not belong to hangs") {
+    Mesh mesh;
+    mesh.nodes = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 1}};
+    // 0-2 is one edge below, two edges above.
+    mesh.elements = {{node(0), node(1), node(2)}, {node(0), node(4), node(3)}, {node(4), node(2), node(3)}};
+    const Diagnostics faults = verify(mesh);
+    CHECK(codes(faults) == Codes{"hanging-node"});
+    CHECK(at(faults, {1, 1}));
+    // A part that touches another with a corner in the middle of its side hangs too.
+    Mesh touching = twoTriangles();
+    append(touching, twoTriangles(), {1.0, 0.5});
+    CHECK(codes(verify(touching)) == Codes{"hanging-node"});
+}
+
+TEST_CASE("verify: parts that cross, cover or contain each other overlap") {
+    for (const Vec2 by : {Vec2{0.5, 0.5}, Vec2{0.5, 0.0}, Vec2{0.3, -0.2}, Vec2{0.0, 0.0}}) {
+        Mesh mesh = twoTriangles();
+        append(mesh, twoTriangles(), by);
+        CHECK(codes(verify(mesh)).count("overlapping") == 1);
+    }
+    Mesh crossing = twoTriangles();
+    append(crossing, twoTriangles(), {0.5, 0.5});
+    CHECK(codes(verify(crossing)) == Codes{"overlapping"});
+    Mesh inner = twoTriangles();
+    for (Vec2 &p : inner.nodes) {
+        p = 0.5 * p;
+    }
+    Mesh mesh = twoTriangles();
+    append(mesh, inner, {0.25, 0.25});
+    CHECK(codes(verify(mesh)) == Codes{"overlapping"});
+}
+
+TEST_CASE("verify: a strip that winds upon itself overlaps") {
+    // A strip of quadrilaterals around the origin, a bit more than one turn at constant radius.
+    Mesh mesh;
+    const std::size_t steps = 36;
+    for (std::size_t i = 0; i <= steps + 3; ++i) {
+        const double angle = 6.283185307179586 * static_cast<double>(i) / static_cast<double>(steps) + 0.01;
+        const double drift = 0.01 * static_cast<double>(i);
+        for (const double r : {1.0 + drift, 2.0 + drift}) {
+            mesh.nodes.push_back({r * std::cos(angle), r * std::sin(angle)});
+        }
+    }
+    for (std::size_t i = 0; i < steps + 3; ++i) {
+        mesh.elements.push_back({node(2 * i), node(2 * i + 1), node(2 * i + 3)});
+        mesh.elements.push_back({node(2 * i), node(2 * i + 3), node(2 * i + 2)});
+    }
+    CHECK(codes(verify(mesh)) == Codes{"overlapping"});
+    mesh.elements.resize(2 * (steps - 3)); // less than a turn
+    mesh.nodes.resize(2 * (steps - 2));
+    CHECK_MESSAGE(verify(mesh).empty(), samples::list(verify(mesh)));
+}
+
+TEST_CASE("verify: elements that go twice around an inner node overlap, though all are counter-clockwise") {
+    Mesh mesh;
+    mesh.nodes.push_back({0, 0});
+    const std::size_t n = 12; // two turns of six
+    for (std::size_t i = 0; i < n; ++i) {
+        const double angle = 2.0 * 6.283185307179586 * static_cast<double>(i) / static_cast<double>(n);
+        const double r = i < 6 ? 1.0 : 1.3;
+        mesh.nodes.push_back({r * std::cos(angle), r * std::sin(angle)});
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        mesh.elements.push_back({node(0), node(1 + i), node(1 + (i + 1) % n)});
+    }
+    CHECK(codes(verify(mesh)).count("overlapping") == 1);
+}
+
+TEST_CASE("verify: a handle contradicts Euler's formula") {
+    // Two square rings, seven cells wide, that cross in cells (6,3) and (3,6). They share the first one, as a torus
+    // with a hole laid flat would, and lie upon each other in the second.
+    Mesh mesh;
+    std::map<std::array<int, 3>, NodeId> ids;
+    const auto at = [&](int x, int y, int ring) {
+        const bool shared = (x == 6 || x == 7) && (y == 3 || y == 4);
+        const auto [it, fresh] = ids.try_emplace({x, y, shared ? 0 : ring}, node(mesh.nodes.size()));
+        if (fresh) {
+            mesh.nodes.push_back({static_cast<double>(x), static_cast<double>(y)});
+        }
+        return it->second;
+    };
+    for (const int ring : {1, 2}) {
+        for (int i = 0; i < 49; ++i) {
+            const int x = i % 7 + (ring == 2 ? 3 : 0), y = i / 7 + (ring == 2 ? 3 : 0);
+            const bool rim = i % 7 == 0 || i % 7 == 6 || i / 7 == 0 || i / 7 == 6;
+            if (rim && !(ring == 2 && x == 6 && y == 3)) {
+                const NodeId a = at(x, y, ring), b = at(x + 1, y, ring), c = at(x + 1, y + 1, ring),
+                             d = at(x, y + 1, ring);
+                mesh.elements.insert(mesh.elements.end(), {{a, b, c}, {a, c, d}});
+            }
+        }
+    }
+    CHECK(codes(verify(mesh)) == Codes{"euler", "overlapping"});
+}
+
+TEST_CASE("verify: nodes without elements and tagged edges that are no edges are reported") {
+    Mesh mesh = twoTriangles();
+    mesh.nodes.push_back({5, 5});
+    Diagnostics faults = verify(mesh);
+    CHECK(codes(faults) == Codes{"unreferenced-node"});
+    CHECK(at(faults, {5, 5}));
+    mesh = twoTriangles();
+    mesh.edges = {{node(0), node(1), 1}, {node(1), node(3), 7}};
+    faults = verify(mesh);
+    CHECK(codes(faults) == Codes{"missing-tagged-edge"});
+    CHECK(at(faults, {0.5, 0.5}));
+}
+
+TEST_CASE("verify: lists at most `limit` faults and counts the rest") {
+    Mesh mesh = twoTriangles();
+    for (int i = 0; i < 10; ++i) {
+        mesh.nodes.push_back({5.0 + i, 5});
+    }
+    const Diagnostics faults = verify(mesh, 4);
+    REQUIRE(faults.size() == 5);
+    CHECK(faults.back().severity == Severity::Note);
+    CHECK(faults.back().message.find('6') != std::string::npos);
+}
