@@ -1,0 +1,46 @@
+#include "core/spacing/boundary_spacing.hpp"
+
+namespace forefront {
+
+std::vector<PlacedSegment> placedSegments(const Domain &domain) {
+    std::vector<PlacedSegment> placed;
+    placed.reserve(domain.segments.size());
+    for (std::size_t i = 0; i < domain.segments.size(); ++i) {
+        const DomainSegment &segment = domain.segments[i];
+        if (segment.a >= domain.nodes.size() || segment.b >= domain.nodes.size()) {
+            continue;
+        }
+        const PlacedSegment candidate{domain.nodes[segment.a], domain.nodes[segment.b], static_cast<std::uint32_t>(i)};
+        const double length = candidate.length();
+        if (std::isfinite(length) && length > 0.0) {
+            placed.push_back(candidate);
+        }
+    }
+    return placed;
+}
+
+Box2 spacingBox(const Domain &domain) {
+    Box2 box;
+    for (const Vec2 node : domain.nodes) {
+        // Beyond this, squares of distances overflow.
+        if (isFinite(node) && std::fabs(node.x) < 1e150 && std::fabs(node.y) < 1e150) {
+            box.add(node);
+        }
+    }
+    if (box.empty()) {
+        return {{0.0, 0.0}, {1.0, 1.0}};
+    }
+    const double extent = std::max(box.size().x, box.size().y);
+    const double offset =
+        std::max({std::fabs(box.min.x), std::fabs(box.max.x), std::fabs(box.min.y), std::fabs(box.max.y), 1e-140});
+    return extent > 0.0 ? box : box.grown(offset * 1e-3);
+}
+
+void addBoundarySites(const Domain &domain, double minimum, double gradation, SiteSet &sites) {
+    for (const PlacedSegment &segment : placedSegments(domain)) {
+        sites.add(limited(SizeSite::segment(segment.a, segment.b, segment.length(), gradation), minimum, gradation),
+                  {SpacingOrigin::Boundary, SiteReason::SegmentLength, segment.index});
+    }
+}
+
+} // namespace forefront

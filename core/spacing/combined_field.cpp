@@ -1,0 +1,137 @@
+#include "core/spacing/combined_field.hpp"
+
+#include "core/base/assert.hpp"
+
+#include <array>
+#include <cstdio>
+
+namespace forefront {
+namespace {
+
+std::string shortNumber(double value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.4g", value);
+    return text.data();
+}
+
+/// Box corners and, for the lower bound, the nearest approach of a site to the box.
+double greatestOverBox(const SizeSite &site, const Box2 &box) {
+    return std::max(
+        {site.at(box.min), site.at(box.max), site.at({box.min.x, box.max.y}), site.at({box.max.x, box.min.y})});
+}
+double leastOverBox(const SizeSite &site, const Box2 &box) {
+    return std::max(site.size, site.at(box.centre()) - site.growth * 0.5 * box.diagonal());
+}
+
+} // namespace
+
+void ConstantField::atMany(std::span<const Vec2> points, std::span<double> rho) const {
+    FOREFRONT_ASSERT(points.size() == rho.size());
+    std::fill(rho.begin(), rho.end(), rho_);
+}
+
+SpacingSample ConstantField::sample(Vec2) const {
+    const char *const words = origin_ == SpacingOrigin::Minimum   ? "least spacing"
+                              : origin_ == SpacingOrigin::Maximum ? "greatest spacing"
+                                                                  : "constant";
+    return {rho_, origin_, 0, words};
+}
+
+SpacingSample ExpressionField::sample(Vec2 p) const {
+    return {expression_.at(p), SpacingOrigin::Expression, 0, "expression " + expression_.text()};
+}
+
+CombinedField::CombinedField(SpacingParts parts, const Box2 &box) : parts_(std::move(parts)) {
+    least_ = greatest_ = parts_.cap;
+    const auto include = [this](double low, double high) {
+        least_ = std::min(least_, low);
+        greatest_ = std::min(greatest_, high);
+    };
+    for (const SizeSite &site : parts_.few.sites) {
+        include(leastOverBox(site, box), greatestOverBox(site, box));
+    }
+    if (parts_.expression) {
+        include(parts_.expression->least(), parts_.expression->greatest());
+    }
+    if (parts_.tree) {
+        include(parts_.tree->least(), parts_.tree->greatest());
+    }
+    least_ = std::max(least_, parts_.minimum);
+    greatest_ = std::max(greatest_, parts_.minimum);
+}
+
+void CombinedField::atMany(std::span<const Vec2> points, std::span<double> rho) const {
+    FOREFRONT_ASSERT(points.size() == rho.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        rho[i] = inlineAt(points[i]);
+    }
+}
+
+SpacingSample CombinedField::sample(Vec2 p) const {
+    SpacingSample sample{parts_.cap, parts_.capOrigin, 0, "constant"};
+    if (parts_.capOrigin == SpacingOrigin::Maximum) {
+        sample.describe = "greatest spacing";
+    } else if (parts_.capOrigin == SpacingOrigin::Automatic) {
+        sample.describe = "automatic: size of the domain";
+    }
+    for (std::size_t i = 0; i < parts_.few.sites.size(); ++i) {
+        if (parts_.few.sites[i].at(p) < sample.rho) {
+            describeSite(parts_.few.sites[i], parts_.few.labels[i], p, sample);
+        }
+    }
+    if (parts_.expression && parts_.expression->at(p) < sample.rho) {
+        sample = {parts_.expression->at(p), SpacingOrigin::Expression, 0, "expression " + parts_.expression->text()};
+    }
+    if (parts_.tree && parts_.tree->at(p) < sample.rho) {
+        const std::size_t winner = parts_.tree->winner(p);
+        describeSite(parts_.tree->sites()[winner], parts_.treeLabels[winner], p, sample);
+    }
+    if (sample.rho <= parts_.minimum) {
+        sample.origin = SpacingOrigin::Minimum;
+        sample.describe = "least spacing";
+    }
+    sample.rho = inlineAt(p);
+    return sample;
+}
+
+void CombinedField::describeSite(const SizeSite &site, const SiteLabel &label, Vec2 p, SpacingSample &sample) const {
+    sample.rho = site.at(p);
+    sample.origin = label.origin;
+    sample.source = label.index;
+    const std::string number = std::to_string(label.index);
+    const std::string automatic = label.origin == SpacingOrigin::Automatic ? "automatic: " : "";
+    const std::string limit = "limited by gradation " + shortNumber(parts_.gradation) + " from ";
+    switch (label.reason) {
+    case SiteReason::Source: {
+        const std::string &name = parts_.sourceNames[label.index];
+        sample.describe = name.empty() ? "source " + number : "source '" + name + "'";
+        return;
+    }
+    case SiteReason::PaintEdge:
+        sample.describe = limit + "the painted patch";
+        break;
+    case SiteReason::BackgroundEdge:
+        sample.describe = limit + "the background mesh";
+        break;
+    case SiteReason::ExpressionEdge:
+        sample.describe = limit + "the expression";
+        break;
+    case SiteReason::SegmentLength:
+        sample.describe = automatic + "length of boundary segment " + number;
+        return;
+    case SiteReason::Channel:
+        sample.describe = automatic + "narrow channel at boundary segment " + number;
+        return;
+    case SiteReason::Corner:
+        sample.describe = automatic + "sharp corner at node " + number;
+        return;
+    case SiteReason::LonePoint:
+        sample.describe = automatic + "near point " + number;
+        return;
+    }
+    const Vec2 from = site.nearest(p);
+    sample.describe += " at (" + shortNumber(from.x) + ", " + shortNumber(from.y) + ")";
+    sample.origin = SpacingOrigin::Gradation;
+}
+
+} // namespace forefront

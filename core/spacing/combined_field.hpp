@@ -1,0 +1,86 @@
+#pragma once
+
+#include "core/spacing/expression_spacing.hpp"
+#include "core/spacing/site_set.hpp"
+#include "core/spacing/site_tree.hpp"
+#include "core/spacing/spacing_field.hpp"
+
+#include <optional>
+
+namespace forefront {
+
+/// The same spacing everywhere.
+class ConstantField final : public SpacingField {
+  public:
+    ConstantField(double rho, SpacingOrigin origin) : rho_(rho), origin_(origin) {}
+    double at(Vec2) const override { return rho_; }
+    void atMany(std::span<const Vec2> points, std::span<double> rho) const override;
+    SpacingSample sample(Vec2 p) const override;
+    double least() const override { return rho_; }
+    double greatest() const override { return rho_; }
+
+  private:
+    double rho_;
+    SpacingOrigin origin_;
+};
+
+/// An expression alone, limits included.
+class ExpressionField final : public SpacingField {
+  public:
+    explicit ExpressionField(ExpressionSpacing expression) : expression_(std::move(expression)) {}
+    double at(Vec2 p) const override { return expression_.at(p); }
+    void atMany(std::span<const Vec2> points, std::span<double> rho) const override { expression_.atMany(points, rho); }
+    SpacingSample sample(Vec2 p) const override;
+    double least() const override { return expression_.least(); }
+    double greatest() const override { return expression_.greatest(); }
+
+  private:
+    ExpressionSpacing expression_;
+};
+
+/// What a combined field is made of. Every part is already clamped and limited, so that the minimum of them is, too.
+struct SpacingParts {
+    double cap = 0.0; ///< constant, maximum or greatest automatic spacing: finite wherever nothing else is
+    SpacingOrigin capOrigin = SpacingOrigin::Constant;
+    double minimum = 0.0;
+    double gradation = 0.0; ///< in force for painted, boundary and automatic parts
+    std::optional<ExpressionSpacing> expression;
+    SiteSet few;                  ///< looked at one by one
+    std::optional<SiteTree> tree; ///< many
+    std::vector<SiteLabel> treeLabels;
+    std::vector<std::string> sourceNames; ///< of SpacingSpec::sources
+};
+
+/// Minimum of all parts.
+class CombinedField final : public SpacingField {
+  public:
+    /// The bounds are those over `box`.
+    CombinedField(SpacingParts parts, const Box2 &box);
+    double at(Vec2 p) const override { return inlineAt(p); }
+    void atMany(std::span<const Vec2> points, std::span<double> rho) const override;
+    SpacingSample sample(Vec2 p) const override;
+    double least() const override { return least_; }
+    double greatest() const override { return greatest_; }
+
+  private:
+    double inlineAt(Vec2 p) const {
+        double rho = parts_.cap;
+        for (const SizeSite &site : parts_.few.sites) {
+            rho = std::min(rho, site.at(p));
+        }
+        if (parts_.expression) {
+            rho = std::min(rho, parts_.expression->at(p));
+        }
+        if (parts_.tree) {
+            rho = std::min(rho, parts_.tree->at(p));
+        }
+        return std::max(rho, parts_.minimum);
+    }
+    void describeSite(const SizeSite &site, const SiteLabel &label, Vec2 p, SpacingSample &sample) const;
+
+    SpacingParts parts_;
+    double least_ = 0.0;
+    double greatest_ = 0.0;
+};
+
+} // namespace forefront

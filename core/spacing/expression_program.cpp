@@ -1,0 +1,232 @@
+#include "core/spacing/expression_program.hpp"
+
+#include "core/base/assert.hpp"
+#include "core/spacing/expression_operations.hpp"
+#include "core/spacing/expression_parser.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace forefront {
+namespace {
+
+using Op = ExpressionOp;
+
+double applyUnary(const ExpressionInstruction &instruction, double a) {
+    return withUnary(instruction.op, [&](auto f) { return f(a, instruction.constant); });
+}
+double applyBinary(Op op, double a, double b, Vec2 p) {
+    return withBinary(op, [&](auto f) { return f(a, b, p); });
+}
+
+/// The form of a binary operation with a constant second operand, if there is one that gives the same doubles.
+std::optional<Op> withConstantSecond(Op op, double constant) {
+    switch (op) {
+    case Op::Add:
+        return Op::AddBy;
+    case Op::Subtract:
+        return Op::SubtractBy;
+    case Op::Multiply:
+        return Op::MultiplyBy;
+    case Op::Divide:
+        return Op::DivideBy;
+    case Op::Minimum:
+        return Op::MinimumBy;
+    case Op::Maximum:
+        return Op::MaximumBy;
+    case Op::Power:
+        if (constant == 2.0) {
+            return Op::Square;
+        }
+        return constant == 3.0 ? std::optional(Op::Cube) : std::nullopt;
+    default:
+        return std::nullopt;
+    }
+}
+std::optional<Op> withConstantFirst(Op op) {
+    switch (op) {
+    case Op::Add:
+        return Op::AddBy;
+    case Op::Subtract:
+        return Op::SubtractFrom;
+    case Op::Multiply:
+        return Op::MultiplyBy;
+    case Op::Minimum:
+        return Op::MinimumOf;
+    case Op::Maximum:
+        return Op::MaximumOf;
+    default:
+        return std::nullopt;
+    }
+}
+
+/// Folds constants and gives operations their constant operands.
+class Optimiser {
+  public:
+    std::vector<ExpressionInstruction> run(const std::vector<ExpressionInstruction> &source) {
+        for (const ExpressionInstruction &instruction : source) {
+            switch (operandCount(instruction.op)) {
+            case 0:
+                begins_.push_back(code_.size());
+                code_.push_back(instruction);
+                break;
+            case 1:
+                addUnary(instruction);
+                break;
+            case 2:
+                addBinary(instruction.op);
+                break;
+            default:
+                begins_.resize(begins_.size() - 2);
+                code_.push_back(instruction);
+            }
+        }
+        return std::move(code_);
+    }
+
+  private:
+    bool isConstant(std::size_t begin, std::size_t end) const {
+        return end == begin + 1 && code_[begin].op == Op::Push;
+    }
+    void addUnary(const ExpressionInstruction &instruction) {
+        if (isConstant(begins_.back(), code_.size())) {
+            code_.back().constant = applyUnary(instruction, code_.back().constant);
+        } else {
+            code_.push_back(instruction);
+        }
+    }
+    void addBinary(Op op) {
+        const std::size_t second = begins_.back();
+        begins_.pop_back();
+        const std::size_t first = begins_.back();
+        const bool secondConstant = isConstant(second, code_.size());
+        const bool firstConstant = isConstant(first, second);
+        if (firstConstant && secondConstant && op != Op::Distance) {
+            const double value = applyBinary(op, code_[first].constant, code_[second].constant, {});
+            code_.resize(first);
+            code_.push_back({Op::Push, value});
+            return;
+        }
+        if (const auto form = secondConstant ? withConstantSecond(op, code_[second].constant) : std::nullopt) {
+            code_.back() = {*form, code_[second].constant};
+            return;
+        }
+        if (const auto form = firstConstant ? withConstantFirst(op) : std::nullopt) {
+            const double constant = code_[first].constant;
+            code_.erase(code_.begin() + static_cast<std::ptrdiff_t>(first));
+            code_.push_back({*form, constant});
+            return;
+        }
+        code_.push_back({op, 0.0});
+    }
+
+    std::vector<ExpressionInstruction> code_;
+    std::vector<std::size_t> begins_; ///< where the code of each stack entry starts
+};
+
+std::size_t stackNeeded(const std::vector<ExpressionInstruction> &code) {
+    std::size_t entries = 0;
+    std::size_t most = 0;
+    for (const ExpressionInstruction &instruction : code) {
+        entries += 1;
+        entries -= static_cast<std::size_t>(operandCount(instruction.op));
+        most = std::max(most, entries);
+    }
+    return most;
+}
+
+constexpr std::size_t kBlock = 32;
+using Block = std::array<double, kBlock>;
+
+/// One instruction over a block of points. `top` is the number of entries before the instruction.
+void runBlock(const ExpressionInstruction &instruction, std::span<const Vec2> points, Block *stack, std::size_t top) {
+    const std::size_t n = points.size();
+    switch (operandCount(instruction.op)) {
+    case 0:
+        for (std::size_t i = 0; i < n; ++i) {
+            stack[top][i] = instruction.op == Op::PushX   ? points[i].x
+                            : instruction.op == Op::PushY ? points[i].y
+                                                          : instruction.constant;
+        }
+        return;
+    case 1:
+        withUnary(instruction.op, [&](auto f) {
+            double *const a = stack[top - 1].data();
+            for (std::size_t i = 0; i < n; ++i) {
+                a[i] = f(a[i], instruction.constant);
+            }
+        });
+        return;
+    case 2:
+        withBinary(instruction.op, [&](auto f) {
+            double *const a = stack[top - 2].data();
+            const double *const b = stack[top - 1].data();
+            for (std::size_t i = 0; i < n; ++i) {
+                a[i] = f(a[i], b[i], points[i]);
+            }
+        });
+        return;
+    default:
+        for (std::size_t i = 0; i < n; ++i) {
+            stack[top - 3][i] = stack[top - 3][i] != 0.0 ? stack[top - 2][i] : stack[top - 1][i];
+        }
+    }
+}
+
+} // namespace
+
+std::variant<ExpressionProgram, ExpressionFault> ExpressionProgram::compile(std::string_view text) {
+    auto parsed = parseExpression(text);
+    if (auto *fault = std::get_if<ExpressionFault>(&parsed)) {
+        return std::move(*fault);
+    }
+    ExpressionProgram program;
+    program.code_ = Optimiser().run(std::get<0>(parsed));
+    if (stackNeeded(program.code_) > kDeepest) {
+        return ExpressionFault{0, "The expression is nested too deeply"};
+    }
+    return program;
+}
+
+double ExpressionProgram::evaluate(Vec2 p) const {
+    std::array<double, kDeepest> stack;
+    double top = 0.0; // topmost entry; stack[below - 1] is the next
+    std::size_t below = 0;
+    bool first = true;
+    for (const ExpressionInstruction &instruction : code_) {
+        const Op op = instruction.op;
+        if (op > Op::Distance && op != Op::Select) {
+            top = applyUnary(instruction, top);
+        } else if (op > Op::Push && op != Op::Select) {
+            --below;
+            top = applyBinary(op, stack[below], top, p);
+        } else if (op == Op::Select) {
+            below -= 2;
+            top = stack[below] != 0.0 ? stack[below + 1] : top;
+        } else {
+            if (!first) {
+                stack[below++] = top;
+            }
+            first = false;
+            top = op == Op::PushX ? p.x : (op == Op::PushY ? p.y : instruction.constant);
+        }
+    }
+    return top;
+}
+
+void ExpressionProgram::evaluateMany(std::span<const Vec2> points, std::span<double> values) const {
+    FOREFRONT_ASSERT(points.size() == values.size());
+    std::array<Block, kDeepest> stack;
+    for (std::size_t begin = 0; begin < points.size(); begin += kBlock) {
+        const auto part = points.subspan(begin, std::min(kBlock, points.size() - begin));
+        std::size_t top = 0;
+        for (const ExpressionInstruction &instruction : code_) {
+            runBlock(instruction, part, stack.data(), top);
+            top = top + 1 - static_cast<std::size_t>(operandCount(instruction.op));
+        }
+        std::copy_n(stack[0].begin(), part.size(), values.begin() + static_cast<std::ptrdiff_t>(begin));
+    }
+}
+
+} // namespace forefront

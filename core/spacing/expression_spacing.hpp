@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/domain/domain.hpp"
+#include "core/spacing/expression_program.hpp"
+#include "core/spacing/spacing_spec.hpp"
+
+#include <string>
+
+namespace forefront {
+
+/// An expression as spacing: always finite and > 0, whatever the formula gives between the probed places.
+class ExpressionSpacing {
+  public:
+    /// Compiles `spec.expression` and probes it at 65 x 65 places of the box and at the domain's nodes. Faults:
+    /// expression-syntax; expression-value with the first bad place: NaN anywhere, values <= 0 unless a minimum is
+    /// given, infinity unless a maximum is given.
+    static Result<ExpressionSpacing> build(const SpacingSpec &spec, const Domain &domain, const Box2 &box);
+
+    double at(Vec2 p) const { return made(program_.evaluate(p)); }
+    void atMany(std::span<const Vec2> points, std::span<double> rho) const;
+    const std::string &text() const { return text_; }
+    /// Bounds over the box it was built for.
+    double least() const { return least_; }
+    double greatest() const { return greatest_; }
+
+  private:
+    // Written so that NaN becomes the ceiling.
+    double made(double value) const {
+        const double low = value < floor_ ? floor_ : value;
+        return low <= ceiling_ ? low : ceiling_;
+    }
+
+    ExpressionProgram program_;
+    std::string text_;
+    double floor_ = 0.0;   ///< 1e-9 of the box's diagonal, or the minimum given
+    double ceiling_ = 0.0; ///< 1e3 of the diagonal, or the maximum given
+    double least_ = 0.0;
+    double greatest_ = 0.0;
+};
+
+} // namespace forefront

@@ -1,0 +1,258 @@
+#include "core/spacing/site_tree.hpp"
+
+#include "core/base/assert.hpp"
+
+namespace forefront {
+
+/// Builds level by level, so that a limit of memory strikes everywhere alike.
+class SiteTreeBuilder {
+  public:
+    SiteTreeBuilder(std::vector<SizeSite> sites, const Box2 &box) : box_(box) {
+        tree_.sites_ = std::move(sites);
+        const double extent = std::max({box.size().x, box.size().y, 1e-300});
+        tree_.corner_ = box.min;
+        tree_.unit_ = extent / static_cast<double>(1U << kTopLevel);
+        tree_.toUnits_ = 1.0 / tree_.unit_;
+        const auto cellsAcross = [&](double size) {
+            const double cells = std::ceil(size * tree_.toUnits_ / static_cast<double>(1U << SiteTree::kBits));
+            return static_cast<std::uint32_t>(std::clamp(cells, 1.0, static_cast<double>(kTableCells)));
+        };
+        tree_.columns_ = cellsAcross(box.size().x);
+        rows_ = cellsAcross(box.size().y);
+        const auto span = [](std::uint32_t cells) {
+            return std::nextafter(static_cast<double>(cells) * (1U << SiteTree::kBits), 0.0);
+        };
+        tree_.spanX_ = span(tree_.columns_);
+        tree_.spanY_ = span(rows_);
+        tree_.cells_.assign(static_cast<std::size_t>(tree_.columns_) * rows_, 0);
+        tree_.least_ = std::numeric_limits<double>::infinity();
+    }
+
+    std::optional<SiteTree> run(const Progress &progress) {
+        startAtRoot();
+        for (int level = kTopLevel; !cells_.empty(); --level) {
+            full_ = tree_.cells_.size() + 4 * cells_.size() > kMostCells || tree_.lists_.size() > kMostEntries;
+            nextCells_.clear();
+            nextLists_.clear();
+            for (std::size_t i = 0; i < cells_.size(); ++i) {
+                if ((i & 255U) == 0 && progress.cancelled()) {
+                    return std::nullopt;
+                }
+                treat(cells_[i], level);
+            }
+            cells_.swap(nextCells_);
+            lists_.swap(nextLists_);
+        }
+        tree_.cells_.shrink_to_fit();
+        tree_.lists_.shrink_to_fit();
+        tree_.smooth_.shrink_to_fit();
+        return std::move(tree_);
+    }
+
+  private:
+    static constexpr int kTableBits = 6;
+    static constexpr std::uint32_t kTableCells = 1U << kTableBits;
+    static constexpr int kTopLevel = SiteTree::kBits + kTableBits;
+    static constexpr std::size_t kShortList = 4;
+    static constexpr std::size_t kLongestTested = 48;
+    static constexpr std::size_t kLongestList = 64;
+    static constexpr std::size_t kMostCells = 4'000'000;
+    static constexpr std::size_t kMostEntries = 6'000'000;
+
+    struct Cell {
+        std::uint32_t slot = 0; ///< where its entry is; unused above the table
+        std::uint32_t x = 0;    ///< lower left corner, in units
+        std::uint32_t y = 0;
+        std::uint32_t first = 0; ///< candidates of its parent
+        std::uint32_t count = 0;
+    };
+    struct Competitor {
+        std::uint32_t site = 0;
+        double value = 0.0; ///< at the centre of the cell
+    };
+
+    void startAtRoot() {
+        lists_.resize(tree_.sites_.size());
+        for (std::size_t i = 0; i < lists_.size(); ++i) {
+            lists_[i] = static_cast<std::uint32_t>(i);
+        }
+        cells_ = {Cell{0, 0, 0, 0, static_cast<std::uint32_t>(lists_.size())}};
+    }
+    Vec2 place(double x, double y) const { return tree_.corner_ + tree_.unit_ * Vec2{x, y}; }
+    const SizeSite &site(const Competitor &competitor) const { return tree_.sites_[competitor.site]; }
+    double least(Vec2 p) const {
+        double value = std::numeric_limits<double>::infinity();
+        for (const Competitor &competitor : competitors_) {
+            value = std::min(value, site(competitor).at(p));
+        }
+        return value;
+    }
+
+    /// Keeps the sites that may win somewhere within `reach` of the centre: a site changes by at most growth·reach.
+    void compete(const Cell &cell, Vec2 centre, double reach) {
+        competitors_.clear();
+        double bound = std::numeric_limits<double>::infinity();
+        for (std::uint32_t i = 0; i < cell.count; ++i) {
+            const std::uint32_t index = lists_[cell.first + i];
+            const SizeSite &candidate = tree_.sites_[index];
+            const double value = candidate.at(centre);
+            bound = std::min(bound, value + candidate.growth * reach);
+            if (value - candidate.growth * reach <= bound) {
+                competitors_.push_back({index, value});
+            }
+        }
+        std::erase_if(competitors_, [&](const Competitor &c) { return c.value - site(c).growth * reach > bound; });
+        FOREFRONT_ASSERT(!competitors_.empty());
+    }
+
+    void treat(const Cell &cell, int level) {
+        const double span = static_cast<double>(1U << level);
+        const double size = span * tree_.unit_;
+        const Vec2 centre = place(cell.x + 0.5 * span, cell.y + 0.5 * span);
+        const double reach = 0.70711 * size;
+        compete(cell, centre, reach);
+        if (level > SiteTree::kBits) {
+            descendToTable(cell, level);
+            return;
+        }
+        const bool last = level == 0 || full_;
+        if (competitors_.size() <= kShortList || (last && competitors_.size() <= kLongestList)) {
+            storeList(cell, span, centre, reach);
+        } else if (last || isSmooth(cell, span, centre, size)) {
+            storeSmooth(cell, span);
+        } else {
+            split(cell, level);
+        }
+    }
+
+    /// True if bilinear values are good enough in the whole cell; leaves the corner values in samples_.
+    bool isSmooth(const Cell &cell, double span, Vec2 centre, double size) {
+        double growth = 0.0;
+        double low = std::numeric_limits<double>::infinity();
+        bool touched = false;
+        for (const Competitor &competitor : competitors_) {
+            const SizeSite &s = site(competitor);
+            growth = std::max(growth, s.growth);
+            low = std::min(low, std::max(s.size, competitor.value - 0.70711 * size * s.growth));
+            touched = touched || competitor.value - s.size <= 0.8 * size * s.growth;
+        }
+        if (growth * size <= SiteTree::kTolerance * low) {
+            return true; // cannot change more than the tolerance
+        }
+        // A kink at a site could hide between the samples.
+        if (touched || (competitors_.size() > kLongestTested && growth * size > 0.5 * low)) {
+            return false;
+        }
+        const double x = cell.x;
+        const double y = cell.y;
+        const double h = 0.5 * span;
+        const double a = least(place(x, y));
+        const double b = least(place(x + span, y));
+        const double c = least(place(x, y + span));
+        const double d = least(place(x + span, y + span));
+        const auto near = [](double exact, double interpolated) {
+            return std::fabs(exact - interpolated) <= SiteTree::kTolerance * exact;
+        };
+        return near(least(centre), 0.25 * (a + b + c + d)) && near(least(place(x + h, y)), 0.5 * (a + b)) &&
+               near(least(place(x, y + h)), 0.5 * (a + c)) && near(least(place(x + span, y + h)), 0.5 * (b + d)) &&
+               near(least(place(x + h, y + span)), 0.5 * (c + d));
+    }
+
+    void descendToTable(const Cell &cell, int level) {
+        const std::uint32_t half = 1U << (level - 1);
+        const std::uint32_t first = pushCompetitors();
+        for (std::uint32_t child = 0; child < 4; ++child) {
+            Cell next{0, cell.x + (child & 1U) * half, cell.y + (child >> 1) * half, first, 0};
+            next.count = static_cast<std::uint32_t>(competitors_.size());
+            const std::uint32_t column = next.x >> SiteTree::kBits;
+            const std::uint32_t row = next.y >> SiteTree::kBits;
+            if (column < tree_.columns_ && row < rows_) {
+                next.slot = row * tree_.columns_ + column;
+                nextCells_.push_back(next);
+            }
+        }
+    }
+    void split(const Cell &cell, int level) {
+        const std::uint32_t half = 1U << (level - 1);
+        const std::uint32_t first = pushCompetitors();
+        const auto group = static_cast<std::uint32_t>(tree_.cells_.size());
+        tree_.cells_.resize(group + 4, 0);
+        tree_.cells_[cell.slot] = group | SiteTree::kSplit;
+        for (std::uint32_t child = 0; child < 4; ++child) {
+            nextCells_.push_back({group + child, cell.x + (child & 1U) * half, cell.y + (child >> 1) * half, first,
+                                  static_cast<std::uint32_t>(competitors_.size())});
+        }
+    }
+    std::uint32_t pushCompetitors() {
+        const auto first = static_cast<std::uint32_t>(nextLists_.size());
+        for (const Competitor &competitor : competitors_) {
+            nextLists_.push_back(competitor.site);
+        }
+        return first;
+    }
+
+    void storeList(const Cell &cell, double span, Vec2 centre, double reach) {
+        // The likeliest winner first; ties by index keep the order independent of anything but the sites.
+        std::sort(competitors_.begin(), competitors_.end(), [](const Competitor &p, const Competitor &q) {
+            return p.value != q.value ? p.value < q.value : p.site < q.site;
+        });
+        tree_.cells_[cell.slot] = static_cast<std::uint32_t>(tree_.lists_.size());
+        tree_.lists_.push_back(static_cast<std::uint32_t>(competitors_.size()));
+        double high = std::numeric_limits<double>::infinity();
+        for (const Competitor &competitor : competitors_) {
+            tree_.lists_.push_back(competitor.site);
+            const SizeSite &s = site(competitor);
+            tree_.least_ = std::min(tree_.least_, std::max(s.size, competitor.value - s.growth * reach));
+            double most = 0.0; // distance to a convex shape is greatest at a corner
+            for (std::uint32_t corner = 0; corner < 4; ++corner) {
+                most = std::max(most, s.at(place(cell.x + (corner & 1U) * span, cell.y + (corner >> 1) * span)));
+            }
+            high = std::min(high, most);
+        }
+        static_cast<void>(centre);
+        tree_.greatest_ = std::max(tree_.greatest_, high);
+    }
+    void storeSmooth(const Cell &cell, double span) {
+        SiteTree::Corners corners{};
+        for (std::uint32_t corner = 0; corner < 4; ++corner) {
+            corners[corner] =
+                static_cast<float>(least(place(cell.x + (corner & 1U) * span, cell.y + (corner >> 1) * span)));
+            tree_.least_ = std::min(tree_.least_, static_cast<double>(corners[corner]));
+            tree_.greatest_ = std::max(tree_.greatest_, static_cast<double>(corners[corner]));
+        }
+        tree_.cells_[cell.slot] = static_cast<std::uint32_t>(tree_.smooth_.size()) | SiteTree::kSmooth;
+        tree_.smooth_.push_back(corners);
+    }
+
+    SiteTree tree_;
+    Box2 box_;
+    std::uint32_t rows_ = 1;
+    bool full_ = false;
+    std::vector<Cell> cells_; ///< of the level in work, and their candidates
+    std::vector<std::uint32_t> lists_;
+    std::vector<Cell> nextCells_;
+    std::vector<std::uint32_t> nextLists_;
+    std::vector<Competitor> competitors_;
+};
+
+std::optional<SiteTree> SiteTree::build(std::vector<SizeSite> sites, const Box2 &box, const Progress &progress) {
+    FOREFRONT_ASSERT(!sites.empty() && !box.empty());
+    return SiteTreeBuilder(std::move(sites), box).run(progress);
+}
+
+std::size_t SiteTree::winner(Vec2 p) const {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < sites_.size(); ++i) {
+        if (sites_[i].at(p) < sites_[best].at(p)) {
+            best = i;
+        }
+    }
+    return best;
+}
+
+std::size_t SiteTree::bytes() const {
+    return sites_.size() * sizeof(SizeSite) + (cells_.size() + lists_.size()) * sizeof(std::uint32_t) +
+           smooth_.size() * sizeof(Corners);
+}
+
+} // namespace forefront

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "core/geometry/vec2.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace forefront {
+
+/// A place that demands a spacing: `size` within `radius` of the segment from `a` to a + `ab` (a point where ab = 0),
+/// growing by `growth` per unit of distance beyond. The common form of size sources, boundary lengths, features and
+/// the reach of a gradation limit. One cache line.
+struct SizeSite {
+    Vec2 a;
+    Vec2 ab;
+    double inverse = 0.0; ///< 1 / |ab|², 0 for a point
+    double radius = 0.0;
+    double size = 1.0;
+    double growth = 0.0;
+
+    static SizeSite point(Vec2 at, double size, double growth, double radius = 0.0) {
+        return {at, {}, 0.0, radius, size, growth};
+    }
+    static SizeSite segment(Vec2 a, Vec2 b, double size, double growth, double radius = 0.0) {
+        const Vec2 ab = b - a;
+        const double square = lengthSquared(ab);
+        const double inverse = square > 0.0 ? 1.0 / square : 0.0;
+        return {a, std::isfinite(inverse) ? ab : Vec2{}, std::isfinite(inverse) ? inverse : 0.0, radius, size, growth};
+    }
+
+    Vec2 nearest(Vec2 p) const { return a + std::clamp(dot(p - a, ab) * inverse, 0.0, 1.0) * ab; }
+    double distanceTo(Vec2 p) const { return std::max(0.0, distance(nearest(p), p) - radius); }
+    double at(Vec2 p) const { return size + growth * distanceTo(p); }
+};
+
+/// The site after its size is raised to `minimum` and its growth lowered to at most `gradation`: the exact result of
+/// limiting max(site, minimum), since the distance to a convex shape offsets into the distance to its neighbourhood.
+inline SizeSite limited(SizeSite site, double minimum, double gradation) {
+    if (site.size < minimum) {
+        if (site.growth > 0.0) {
+            site.radius += (minimum - site.size) / site.growth;
+        }
+        site.size = minimum;
+    }
+    site.growth = std::min(site.growth, gradation);
+    return site;
+}
+
+} // namespace forefront

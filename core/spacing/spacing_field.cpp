@@ -1,0 +1,125 @@
+#include "core/spacing/spacing_field.hpp"
+
+#include "core/spacing/automatic.hpp"
+#include "core/spacing/boundary_spacing.hpp"
+#include "core/spacing/combined_field.hpp"
+#include "core/spacing/spec_check.hpp"
+
+#include <limits>
+
+namespace forefront {
+namespace {
+
+constexpr double kUsualGradation = 0.25; ///< of painted, boundary and automatic parts where none is given
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+constexpr std::size_t kFew = 6; ///< sites up to this number are looked at one by one
+
+SizeSite siteOf(const SizeSource &source) {
+    return source.shape == SourceShape::Line
+               ? SizeSite::segment(source.a, source.b, source.size, source.growth, source.radius)
+               : SizeSite::point(source.a, source.size, source.growth, source.radius);
+}
+
+/// Gathers the parts of one specification.
+class FieldBuilder {
+  public:
+    FieldBuilder(const SpacingSpec &spec, const Domain &domain, const Progress &progress)
+        : spec_(spec), domain_(domain), progress_(progress), box_(spacingBox(domain)) {
+        parts_.minimum = spec.minimum.value_or(0.0);
+        parts_.gradation = spec.gradation.value_or(kUsualGradation);
+    }
+
+    Result<std::shared_ptr<const SpacingField>> run() {
+        if (Diagnostics faults = checkSpec(spec_); !faults.empty()) {
+            return faults;
+        }
+        setCap();
+        if (spec_.expression) {
+            auto expression = ExpressionSpacing::build(spec_, domain_, box_);
+            if (!expression) {
+                return expression.faults();
+            }
+            parts_.expression = std::move(*expression);
+        }
+        addSources();
+        if (spec_.fromBoundary) {
+            addBoundarySites(domain_, parts_.minimum, parts_.gradation, sites_);
+        }
+        if (spec_.automatic()) {
+            addAutomatic();
+        }
+        return finish();
+    }
+
+  private:
+    void lowerCap(double size, SpacingOrigin origin) {
+        if (size < parts_.cap) {
+            parts_.cap = size;
+            parts_.capOrigin = origin;
+        }
+    }
+    void setCap() {
+        parts_.cap = kNoLimit;
+        if (spec_.size) {
+            lowerCap(*spec_.size, SpacingOrigin::Constant);
+        }
+        if (spec_.maximum) {
+            lowerCap(*spec_.maximum, SpacingOrigin::Maximum);
+        }
+        if (parts_.cap < parts_.minimum) {
+            parts_.cap = parts_.minimum;
+            parts_.capOrigin = SpacingOrigin::Minimum;
+        }
+    }
+    void addSources() {
+        for (std::size_t i = 0; i < spec_.sources.size(); ++i) {
+            sites_.add(limited(siteOf(spec_.sources[i]), parts_.minimum, spec_.gradation.value_or(kNoLimit)),
+                       {SpacingOrigin::Source, SiteReason::Source, static_cast<std::uint32_t>(i)});
+            parts_.sourceNames.push_back(spec_.sources[i].name);
+        }
+    }
+    void addAutomatic() {
+        AutomaticSpacing automatic = automaticSpacing(domain_, box_, parts_.minimum, parts_.gradation, progress_);
+        lowerCap(automatic.greatest, SpacingOrigin::Automatic);
+        for (std::size_t i = 0; i < automatic.sites.sites.size(); ++i) {
+            sites_.add(automatic.sites.sites[i], automatic.sites.labels[i]);
+        }
+    }
+    Result<std::shared_ptr<const SpacingField>> finish() {
+        if (sites_.sites.size() <= kFew) {
+            parts_.few = std::move(sites_);
+        } else {
+            parts_.tree = SiteTree::build(std::move(sites_.sites), box_, progress_);
+            parts_.treeLabels = std::move(sites_.labels);
+            if (!parts_.tree) {
+                return error("cancelled", "Preparing the spacing was cancelled");
+            }
+        }
+        const bool sited = parts_.tree || !parts_.few.sites.empty();
+        if (!sited && !parts_.expression) {
+            return std::shared_ptr<const SpacingField>(
+                std::make_shared<ConstantField>(std::max(parts_.cap, parts_.minimum), parts_.capOrigin));
+        }
+        if (!sited && !spec_.size) {
+            return std::shared_ptr<const SpacingField>(
+                std::make_shared<ExpressionField>(std::move(*parts_.expression)));
+        }
+        return std::shared_ptr<const SpacingField>(std::make_shared<CombinedField>(std::move(parts_), box_));
+    }
+
+    const SpacingSpec &spec_;
+    const Domain &domain_;
+    const Progress &progress_;
+    Box2 box_;
+    SpacingParts parts_;
+    SiteSet sites_;
+};
+
+} // namespace
+
+Result<std::shared_ptr<const SpacingField>> SpacingField::build(const SpacingSpec &spec, const Domain &domain,
+                                                                const Progress &progress) {
+    return FieldBuilder(spec, domain, progress).run();
+}
+
+} // namespace forefront
