@@ -27,8 +27,8 @@ class SiteTree {
     static std::optional<SiteTree> build(std::vector<SizeSite> sites, const Box2 &box, const Progress &progress = {});
 
     double at(Vec2 p) const {
-        const double u = std::clamp((p.x - corner_.x) * toUnits_, 0.0, spanX_);
-        const double v = std::clamp((p.y - corner_.y) * toUnits_, 0.0, spanY_);
+        const double u = std::min(spanX_, std::max(0.0, (p.x - corner_.x) * toUnits_));
+        const double v = std::min(spanY_, std::max(0.0, (p.y - corner_.y) * toUnits_));
         const auto ix = static_cast<std::uint32_t>(u);
         const auto iy = static_cast<std::uint32_t>(v);
         const std::uint32_t *cell = &cells_[(iy >> kBits) * columns_ + (ix >> kBits)];

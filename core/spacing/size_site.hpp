@@ -29,7 +29,14 @@ struct SizeSite {
     }
 
     Vec2 nearest(Vec2 p) const { return a + std::clamp(dot(p - a, ab) * inverse, 0.0, 1.0) * ab; }
-    double distanceTo(Vec2 p) const { return std::max(0.0, distance(nearest(p), p) - radius); }
+    double distanceTo(Vec2 p) const {
+        const double x = p.x - a.x;
+        const double y = p.y - a.y;
+        const double t = std::min(1.0, std::max(0.0, (x * ab.x + y * ab.y) * inverse)); // no branch
+        const double dx = x - t * ab.x;
+        const double dy = y - t * ab.y;
+        return std::max(0.0, std::sqrt(dx * dx + dy * dy) - radius);
+    }
     double at(Vec2 p) const { return size + growth * distanceTo(p); }
 };
 
