@@ -1,0 +1,199 @@
+#include "core/edit/pick_index.hpp"
+
+#include "core/edit/shape_geometry.hpp"
+#include "core/geometry/polygon.hpp"
+
+#include <limits>
+
+namespace forefront {
+namespace {
+
+Vec2 nearestOnSegment(Vec2 a, Vec2 b, Vec2 p, double &t) {
+    const Vec2 along = b - a;
+    const double square = lengthSquared(along);
+    t = square > 0.0 ? std::clamp(dot(p - a, along) / square, 0.0, 1.0) : 0.0;
+    return lerp(a, b, t);
+}
+
+Vec2 nearestOnCircle(Vec2 centre, Vec2 on, Vec2 p) {
+    const Vec2 arm = p - centre;
+    const double reach = length(arm);
+    return reach > 0.0 ? centre + (distance(centre, on) / reach) * arm : on;
+}
+
+} // namespace
+
+PickIndex::PickIndex(std::shared_ptr<const Document> document) : document_(std::move(document)) {
+    std::vector<Box2> handleBoxes, lineBoxes, shapeBoxes;
+    for (std::uint32_t k = 0; k < document_->shapes.size(); ++k) {
+        const Shape &shape = *document_->shapes[k];
+        shapeBoxes.push_back(boundsOf(shape));
+        const std::vector<Vec2> handles = handlesOf(shape);
+        for (std::uint32_t part = 0; part < handles.size(); ++part) {
+            handles_.push_back({k, part, handles[part], handles[part]});
+            handleBoxes.push_back(boxOf(handles[part], handles[part]));
+        }
+        if (shape.kind == ShapeKind::Circle || shape.kind == ShapeKind::Point) {
+            lines_.push_back({k, 0, shape.nodes.front(), shape.nodes.back()});
+            lineBoxes.push_back(shapeBoxes.back());
+            continue;
+        }
+        const Outline outline = outlineOf(shape, document_->circleTolerance);
+        for (std::uint32_t part = 0; part < outline.segmentCount(); ++part) {
+            lines_.push_back({k, part, outline.from(part), outline.to(part)});
+            lineBoxes.push_back(boxOf(outline.from(part), outline.to(part)));
+        }
+    }
+    handleTree_ = BoxTree(handleBoxes);
+    lineTree_ = BoxTree(lineBoxes);
+    shapeTree_ = BoxTree(shapeBoxes);
+}
+
+double PickIndex::lineDistance(const Entry &entry, Vec2 p) const {
+    if (document_->shapes[entry.shape]->kind == ShapeKind::Circle) {
+        return std::abs(distance(entry.a, p) - distance(entry.a, entry.b));
+    }
+    return distanceToSegment(entry.a, entry.b, p);
+}
+
+std::optional<NodeHit> PickIndex::node(Vec2 p, double tolerance, const Filter &filter) const {
+    std::uint32_t best = kNoIndex;
+    double limit = tolerance;
+    handleTree_.query(boxAround(p, tolerance), [&](std::uint32_t item) {
+        const double d = distance(handles_[item].a, p);
+        const bool nearer = d < limit || (d == limit && (best == kNoIndex || item > best));
+        if (nearer && (!filter || filter(*document_->shapes[handles_[item].shape]))) {
+            best = item;
+            limit = d;
+        }
+    });
+    if (best == kNoIndex) {
+        return std::nullopt;
+    }
+    const Entry &entry = handles_[best];
+    return NodeHit{{document_->shapes[entry.shape]->id, entry.part}, entry.a, limit};
+}
+
+std::optional<SegmentHit> PickIndex::segment(Vec2 p, double tolerance, const Filter &filter) const {
+    std::uint32_t best = kNoIndex;
+    double limit = tolerance;
+    lineTree_.query(boxAround(p, tolerance), [&](std::uint32_t item) {
+        const Shape &shape = *document_->shapes[lines_[item].shape];
+        const double d = lineDistance(lines_[item], p);
+        const bool nearer = d < limit || (d == limit && (best == kNoIndex || item > best));
+        if (nearer && shape.kind != ShapeKind::Point && (!filter || filter(shape))) {
+            best = item;
+            limit = d;
+        }
+    });
+    if (best == kNoIndex) {
+        return std::nullopt;
+    }
+    const Entry &entry = lines_[best];
+    const Shape &shape = *document_->shapes[entry.shape];
+    SegmentHit hit{{shape.id, entry.part}, entry.a, entry.b, {}, 0.0, limit};
+    if (shape.kind == ShapeKind::Circle) {
+        hit.at = hit.a = hit.b = nearestOnCircle(entry.a, entry.b, p);
+    } else {
+        hit.at = nearestOnSegment(entry.a, entry.b, p, hit.t);
+    }
+    return hit;
+}
+
+std::uint32_t PickIndex::shape(Vec2 p, double tolerance) const {
+    std::uint32_t best = kNoIndex;
+    double limit = tolerance;
+    lineTree_.query(boxAround(p, tolerance), [&](std::uint32_t item) {
+        const double d = lineDistance(lines_[item], p);
+        if (d < limit || (d == limit && (best == kNoIndex || item > best))) {
+            best = item;
+            limit = d;
+        }
+    });
+    if (best != kNoIndex) {
+        return document_->shapes[lines_[best].shape]->id;
+    }
+    std::uint32_t smallest = kNoIndex;
+    double area = std::numeric_limits<double>::infinity();
+    shapeTree_.query(boxAround(p, 0.0), [&](std::uint32_t k) {
+        const Shape &shape = *document_->shapes[k];
+        if (contains(shape, p) && areaOf(shape) < area) {
+            area = areaOf(shape);
+            smallest = shape.id;
+        }
+    });
+    return smallest;
+}
+
+std::optional<PickIndex::SourceHit> PickIndex::source(Vec2 p, double tolerance) const {
+    std::optional<SourceHit> best;
+    double limit = tolerance;
+    const auto take = [&](double d, SourceHit hit) {
+        if (d <= limit) {
+            limit = d;
+            best = hit;
+        }
+    };
+    const std::vector<SizeSource> &sources = document_->spacing.sources;
+    for (std::uint32_t k = 0; k < sources.size(); ++k) {
+        take(distance(p, sources[k].a), {k, SourceHit::Part::A});
+        if (sources[k].shape == SourceShape::Line) {
+            take(distance(p, sources[k].b), {k, SourceHit::Part::B});
+        }
+    }
+    const bool onEnd = best.has_value();
+    // Ends and centres win over what lies between or around them.
+    for (std::uint32_t k = 0; k < sources.size() && !onEnd; ++k) {
+        if (sources[k].shape == SourceShape::Line) {
+            take(distanceToSegment(sources[k].a, sources[k].b, p), {k, SourceHit::Part::Whole});
+        } else if (sources[k].shape == SourceShape::Circle) {
+            take(std::abs(distance(p, sources[k].a) - sources[k].radius), {k, SourceHit::Part::Rim});
+        }
+    }
+    return best;
+}
+
+std::optional<std::uint32_t> PickIndex::marker(Vec2 p, double tolerance) const {
+    std::optional<std::uint32_t> best;
+    double limit = tolerance;
+    for (std::uint32_t k = 0; k < document_->regionMarkers.size(); ++k) {
+        const double d = distance(p, document_->regionMarkers[k].at);
+        if (d <= limit) {
+            limit = d;
+            best = k;
+        }
+    }
+    return best;
+}
+
+Selection PickIndex::inBox(const Box2 &box, bool handles) const {
+    Selection selection;
+    if (handles) {
+        handleTree_.query(box, [&](std::uint32_t item) {
+            selection.nodes.insert({document_->shapes[handles_[item].shape]->id, handles_[item].part});
+        });
+        return selection;
+    }
+    const auto holds = [&](const Box2 &inner) {
+        return !inner.empty() && box.contains(inner.min) && box.contains(inner.max);
+    };
+    shapeTree_.query(box, [&](std::uint32_t k) {
+        if (holds(boundsOf(*document_->shapes[k]))) {
+            selection.shapes.insert(document_->shapes[k]->id);
+        }
+    });
+    for (std::uint32_t k = 0; k < document_->spacing.sources.size(); ++k) {
+        const SizeSource &source = document_->spacing.sources[k];
+        if (box.contains(source.a) && (source.shape != SourceShape::Line || box.contains(source.b))) {
+            selection.sources.insert(k);
+        }
+    }
+    for (std::uint32_t k = 0; k < document_->regionMarkers.size(); ++k) {
+        if (box.contains(document_->regionMarkers[k].at)) {
+            selection.markers.insert(k);
+        }
+    }
+    return selection;
+}
+
+} // namespace forefront

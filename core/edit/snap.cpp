@@ -1,0 +1,104 @@
+#include "core/edit/snap.hpp"
+
+#include <numbers>
+
+namespace forefront {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+/// Unit vector; exact along the axes.
+Vec2 direction(double degrees) {
+    const double turn = std::remainder(degrees, 360.0);
+    if (turn == 0.0) {
+        return {1.0, 0.0};
+    }
+    if (turn == 90.0 || turn == -90.0) {
+        return {0.0, turn > 0.0 ? 1.0 : -1.0};
+    }
+    if (turn == 180.0 || turn == -180.0) {
+        return {-1.0, 0.0};
+    }
+    return {std::cos(turn * kDegree), std::sin(turn * kDegree)};
+}
+
+Vec2 alongAngle(Vec2 anchor, Vec2 p, double degrees) {
+    const Vec2 ray = direction(degrees);
+    return anchor + std::max(0.0, dot(p - anchor, ray)) * ray;
+}
+
+Vec2 applyLocks(const SnapQuery &query) {
+    const SnapLocks &locks = query.locks;
+    Vec2 p = query.at;
+    if (query.anchor) {
+        const Vec2 anchor = *query.anchor;
+        if (locks.angle) {
+            p = locks.distance ? anchor + *locks.distance * direction(*locks.angle)
+                               : alongAngle(anchor, p, *locks.angle);
+        } else if (locks.distance) {
+            const Vec2 arm = p - anchor;
+            const double reach = length(arm);
+            p = anchor + *locks.distance * (reach > 0.0 ? (1.0 / reach) * arm : Vec2{1.0, 0.0});
+        }
+    }
+    if (locks.x) {
+        p.x = *locks.x;
+    }
+    if (locks.y) {
+        p.y = *locks.y;
+    }
+    return p;
+}
+
+std::optional<Vec2> gridPoint(const SnapQuery &query) {
+    if (!(query.gridPitch > 0.0)) {
+        return std::nullopt;
+    }
+    const Vec2 point{std::round(query.at.x / query.gridPitch) * query.gridPitch,
+                     std::round(query.at.y / query.gridPitch) * query.gridPitch};
+    const double reach = std::min(query.tolerance, 0.35 * query.gridPitch);
+    return distance(point, query.at) <= reach ? std::optional(point) : std::nullopt;
+}
+
+} // namespace
+
+Snapped snap(const PickIndex &index, const SnapQuery &query) {
+    if (query.locks.any()) {
+        return {applyLocks(query), SnapKind::Locked, {}};
+    }
+    if (query.off) {
+        return {query.at, SnapKind::None, {}};
+    }
+    if (query.angle && query.anchor) {
+        const Vec2 arm = query.at - *query.anchor;
+        const double degrees = std::atan2(arm.y, arm.x) / kDegree;
+        return {
+            alongAngle(*query.anchor, query.at, std::round(degrees / kSnapAngle) * kSnapAngle), SnapKind::Angle, {}};
+    }
+    if (const auto node = index.node(query.at, query.tolerance, query.filter)) {
+        return {node->at, SnapKind::Node, {}};
+    }
+    if (const auto segment = index.segment(query.at, query.tolerance, query.filter)) {
+        return {segment->at, SnapKind::Segment, segment};
+    }
+    if (const auto point = gridPoint(query)) {
+        return {*point, SnapKind::Grid, {}};
+    }
+    return {query.at, SnapKind::None, {}};
+}
+
+double gridPitch(double unitsPerPixel, double leastPixels) {
+    const double least = unitsPerPixel * leastPixels;
+    if (!(least > 0.0) || !std::isfinite(least)) {
+        return 0.0;
+    }
+    const double decade = std::pow(10.0, std::floor(std::log10(least)));
+    for (const double step : {1.0, 2.0, 5.0}) {
+        if (step * decade >= least) {
+            return step * decade;
+        }
+    }
+    return 10.0 * decade;
+}
+
+} // namespace forefront

@@ -1,0 +1,256 @@
+#include "core/edit/pick_index.hpp"
+#include "core/edit/region_commands.hpp"
+#include "core/edit/shape_commands.hpp"
+#include "core/edit/shape_geometry.hpp"
+#include "core/edit/snap.hpp"
+#include "core/edit/spacing_commands.hpp"
+#include "core/geometry/polygon.hpp"
+#include "tests/unit/edit_support.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace forefront;
+
+namespace {
+
+std::shared_ptr<const Document> documentOf(std::vector<Shape> shapes) {
+    Result<Document> document = addShapes({}, std::move(shapes));
+    REQUIRE(document.ok());
+    return std::make_shared<const Document>(*std::move(document));
+}
+
+std::shared_ptr<const Document> randomDocument(std::uint64_t seed, int count) {
+    Random random(seed);
+    std::vector<Shape> shapes;
+    for (int k = 0; k < count; ++k) {
+        const Vec2 at = random.place(10);
+        switch (random.below(5)) {
+        case 0:
+            shapes.push_back(square(at, random.real(0.1, 4)));
+            break;
+        case 1:
+            shapes.push_back(makeShape(ShapeKind::Circle, {at, at + random.place(3)}));
+            break;
+        case 2:
+            shapes.push_back(makeShape(ShapeKind::Rectangle, {at, at + random.place(3)}));
+            break;
+        case 3:
+            shapes.push_back(makeShape(ShapeKind::Polyline, {at, random.place(10), random.place(10)}));
+            break;
+        default:
+            shapes.push_back(makeShape(ShapeKind::Point, {at}, ShapeUse::Constraint));
+        }
+    }
+    return documentOf(std::move(shapes));
+}
+
+} // namespace
+
+TEST_CASE("BoxTree: query and nearest agree with looking at every box") {
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        Random random(seed);
+        std::vector<Box2> boxes(random.below(400));
+        for (Box2 &box : boxes) {
+            const Vec2 at = random.place(10);
+            box = boxOf(at, at + random.place(random.below(3)));
+        }
+        const BoxTree tree(boxes);
+        for (int k = 0; k < 30; ++k) {
+            const Box2 window = boxAround(random.place(12), random.real(0, 3));
+            std::set<std::uint32_t> found, wanted;
+            tree.query(window, [&](std::uint32_t item) { CHECK(found.insert(item).second); });
+            double limit = 5.0, least = 5.0;
+            const Vec2 p = random.place(12);
+            const auto toCorner = [&](std::uint32_t item) { return distance(p, boxes[item].min); };
+            const std::uint32_t nearest = tree.nearest(p, limit, toCorner);
+            std::uint32_t oracle = kNoIndex;
+            for (std::uint32_t item = 0; item < boxes.size(); ++item) {
+                if (boxes[item].overlaps(window)) {
+                    wanted.insert(item);
+                }
+                if (toCorner(item) < least) {
+                    least = toCorner(item);
+                    oracle = item;
+                }
+            }
+            REQUIRE(found == wanted);
+            REQUIRE(nearest == oracle);
+            REQUIRE(limit == least);
+        }
+    }
+}
+
+TEST_CASE("PickIndex: nodes and segments are those that a search through everything finds") {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        const auto document = randomDocument(seed, 60);
+        const PickIndex index(document);
+        Random random(seed + 1000);
+        for (int k = 0; k < 60; ++k) {
+            const Vec2 p = random.place(11);
+            const double tolerance = random.real(0, 2);
+            double node = 1e9, segment = 1e9;
+            for (const auto &shape : document->shapes) {
+                for (const Vec2 handle : handlesOf(*shape)) {
+                    node = std::min(node, distance(p, handle));
+                }
+                if (shape->kind == ShapeKind::Circle) {
+                    segment = std::min(segment, std::abs(distance(p, shape->nodes[0]) - circleRadius(*shape)));
+                    continue;
+                }
+                const Outline outline = outlineOf(*shape, document->circleTolerance);
+                for (std::size_t s = 0; s < outline.segmentCount(); ++s) {
+                    segment = std::min(segment, distanceToSegment(outline.from(s), outline.to(s), p));
+                }
+            }
+            const auto nodeHit = index.node(p, tolerance);
+            const auto segmentHit = index.segment(p, tolerance);
+            REQUIRE(nodeHit.has_value() == (node <= tolerance));
+            REQUIRE(segmentHit.has_value() == (segment <= tolerance));
+            if (nodeHit) {
+                REQUIRE(nodeHit->distance == node);
+                const Shape *shape = findShape(*document, nodeHit->ref.shape);
+                REQUIRE(handlesOf(*shape)[nodeHit->ref.node] == nodeHit->at);
+            }
+            if (segmentHit) {
+                REQUIRE(segmentHit->distance == doctest::Approx(segment));
+                REQUIRE(distance(segmentHit->at, p) == doctest::Approx(segment).epsilon(1e-9));
+            }
+        }
+    }
+}
+
+TEST_CASE("PickIndex: of nodes in one place the one drawn last is taken, unless it is filtered out") {
+    const auto document = documentOf({square({0, 0}, 1), square({1, 0}, 1)});
+    const PickIndex index(document);
+    CHECK(index.node({1.01, 0}, 0.1)->ref == NodeRef{2, 0});
+    CHECK(index.node({1.01, 0}, 0.1, [](const Shape &shape) { return shape.id != 2; })->ref == NodeRef{1, 1});
+    CHECK_FALSE(index.node({1.01, 0}, 0.001).has_value());
+}
+
+TEST_CASE("PickIndex: a line is picked before an inside, and the smallest inside wins") {
+    const auto document =
+        documentOf({square({0, 0}, 10), square({2, 2}, 4), makeShape(ShapeKind::Circle, {{4, 4}, {5, 4}})});
+    const PickIndex index(document);
+    CHECK(index.shape({1, 1}, 0.1) == 1);
+    CHECK(index.shape({2.5, 2.5}, 0.1) == 2);
+    CHECK(index.shape({4, 4.5}, 0.1) == 3);
+    CHECK(index.shape({0.05, 5}, 0.1) == 1);
+    CHECK(index.shape({5.05, 4}, 0.1) == 3);
+    CHECK(index.shape({11, 11}, 0.1) == kNoIndex);
+}
+
+TEST_CASE("PickIndex: sources by their parts, markers, and boxes") {
+    Document drawn = *documentOf({square({0, 0}, 1), makeShape(ShapeKind::Circle, {{5, 5}, {6, 5}})});
+    drawn = *addSource(drawn, {SourceShape::Line, {0, 8}, {4, 8}, 0.0, 0.1, 0.2, ""});
+    drawn = *addSource(drawn, {SourceShape::Circle, {8, 8}, {}, 1.0, 0.1, 0.2, ""});
+    drawn = *addRegionMarker(drawn, {{0.5, 0.5}, 1});
+    const PickIndex index(std::make_shared<const Document>(drawn));
+    using Part = PickIndex::SourceHit::Part;
+    CHECK(index.source({0.02, 8}, 0.1)->part == Part::A);
+    CHECK(index.source({4, 8.02}, 0.1)->part == Part::B);
+    CHECK(index.source({2, 8.05}, 0.1)->part == Part::Whole);
+    CHECK(index.source({9.05, 8}, 0.1)->source == 1);
+    CHECK(index.source({9.05, 8}, 0.1)->part == Part::Rim);
+    CHECK_FALSE(index.source({6, 8}, 0.1).has_value());
+    CHECK(index.marker({0.55, 0.5}, 0.1) == 0);
+    CHECK_FALSE(index.marker({0.65, 0.5}, 0.1).has_value());
+
+    const Selection shapes = index.inBox({{-1, -1}, {5, 9}}, false);
+    CHECK(shapes.shapes == std::set<std::uint32_t>{1});
+    CHECK(shapes.sources == std::set<std::uint32_t>{0});
+    CHECK(shapes.markers.size() == 1);
+    CHECK(index.inBox({{0.5, -1}, {5.5, 5.5}}, true).nodes == std::set<NodeRef>{{1, 1}, {1, 2}, {2, 0}});
+}
+
+TEST_CASE("PickIndex: a hundred thousand nodes are searched a hundred thousand times in no time") {
+    std::vector<Shape> shapes;
+    for (int k = 0; k < 100; ++k) {
+        std::vector<Vec2> ring;
+        for (int i = 0; i < 1000; ++i) {
+            const double angle = 0.00628318 * i;
+            ring.push_back({k * 3.0 + std::cos(angle), std::sin(angle)});
+        }
+        shapes.push_back(makeShape(ShapeKind::Polygon, ring));
+    }
+    const PickIndex index(documentOf(std::move(shapes)));
+    Random random(3);
+    int found = 0;
+    for (int k = 0; k < 100000; ++k) {
+        // The filter is asked once for every node within the reach: a count of work that does not depend on the
+        // machine.
+        index.node({random.real(0, 300), random.real(-1, 1)}, 0.01, [&](const Shape &) { return ++found > 0; });
+    }
+    CHECK(found > 1000);
+    CHECK(found < 400000);
+}
+
+TEST_CASE("snap: nodes before segments before the grid, nothing with ctrl") {
+    const PickIndex index(documentOf({square({0, 0}, 4)}));
+    SnapQuery query;
+    query.tolerance = 0.2;
+    query.gridPitch = 1.0;
+    query.at = {4.1, 0.1};
+    CHECK(snap(index, query).kind == SnapKind::Node);
+    CHECK(snap(index, query).at == Vec2{4, 0});
+    query.at = {2.05, 0.1};
+    CHECK(snap(index, query).kind == SnapKind::Segment);
+    CHECK(snap(index, query).at == Vec2{2.05, 0});
+    query.at = {2.1, 2.9};
+    CHECK(snap(index, query).kind == SnapKind::Grid);
+    CHECK(snap(index, query).at == Vec2{2, 3});
+    query.at = {2.5, 2.5};
+    CHECK(snap(index, query).kind == SnapKind::None);
+    query.at = {4.1, 0.1};
+    query.off = true;
+    CHECK(snap(index, query).at == query.at);
+    query.off = false;
+    query.filter = [](const Shape &) { return false; };
+    CHECK(snap(index, query).kind == SnapKind::Grid);
+}
+
+TEST_CASE("snap: shift keeps to multiples of 15 degrees from the anchor, exactly so along the axes") {
+    const PickIndex index(documentOf({}));
+    SnapQuery query;
+    query.anchor = Vec2{1, 1};
+    query.angle = true;
+    query.at = {5, 1.3};
+    CHECK(snap(index, query).at == Vec2{5, 1});
+    query.at = {0.8, -7};
+    CHECK(snap(index, query).at.x == 1.0);
+    query.at = {4, 4.2};
+    const Vec2 diagonal = snap(index, query).at - *query.anchor;
+    CHECK(diagonal.x == doctest::Approx(diagonal.y));
+    query.at = {3, 2};
+    const Vec2 thirty = snap(index, query).at - *query.anchor;
+    CHECK(std::atan2(thirty.y, thirty.x) == doctest::Approx(std::acos(-1.0) / 6));
+}
+
+TEST_CASE("snap: locked coordinates hold whatever else would draw") {
+    const PickIndex index(documentOf({square({0, 0}, 4)}));
+    SnapQuery query;
+    query.tolerance = 0.5;
+    query.at = {4.1, 0.1};
+    query.locks.x = 3.25;
+    CHECK(snap(index, query).at == Vec2{3.25, 0.1});
+    CHECK(snap(index, query).kind == SnapKind::Locked);
+    query.locks = {};
+    query.anchor = Vec2{1, 1};
+    query.locks.distance = 2.0;
+    CHECK(distance(snap(index, query).at, {1, 1}) == doctest::Approx(2));
+    query.locks.angle = 90.0;
+    CHECK(snap(index, query).at == Vec2{1, 3});
+    query.locks.distance.reset();
+    query.at = {7, 5};
+    CHECK(snap(index, query).at == Vec2{1, 5});
+    query.locks.y = 9.0;
+    CHECK(snap(index, query).at == Vec2{1, 9});
+}
+
+TEST_CASE("gridPitch: one, two or five times a power of ten, at least as wide as asked") {
+    CHECK(gridPitch(1.0 / 24.0) == doctest::Approx(1));
+    CHECK(gridPitch(0.01) == doctest::Approx(0.5));
+    CHECK(gridPitch(0.06) == doctest::Approx(2));
+    CHECK(gridPitch(3.0) == doctest::Approx(100));
+    CHECK(gridPitch(0.0) == 0.0);
+    CHECK(gridPitch(std::nan("")) == 0.0);
+}
