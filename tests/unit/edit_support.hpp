@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-namespace forefront {
+namespace forefront::edit_test {
 
 inline Shape makeShape(ShapeKind kind, std::vector<Vec2> nodes, ShapeUse use = ShapeUse::Boundary,
                        std::int32_t tag = 1) {
@@ -79,4 +79,4 @@ class Random {
     std::uint64_t state_;
 };
 
-} // namespace forefront
+} // namespace forefront::edit_test

@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 
 using namespace forefront;
+using namespace forefront::edit_test;
 
 namespace {
 

@@ -10,6 +10,7 @@
 #include <numbers>
 
 using namespace forefront;
+using namespace forefront::edit_test;
 
 namespace {
 

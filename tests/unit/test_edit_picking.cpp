@@ -10,6 +10,7 @@
 #include <doctest/doctest.h>
 
 using namespace forefront;
+using namespace forefront::edit_test;
 
 namespace {
 

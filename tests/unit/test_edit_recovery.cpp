@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 using namespace forefront;
+using namespace forefront::edit_test;
 using namespace std::chrono_literals;
 
 namespace {
