@@ -13,9 +13,7 @@ AutomaticSpacing automaticSpacing(const Domain &domain, const Box2 &box, double 
                                   const Progress &) {
     AutomaticSpacing automatic;
     automatic.greatest = box.diagonal() / kAcross;
-    std::vector<PlacedSegment> segments = placedSegments(domain);
-    dropDominated(domain, gradation, segments);
-    for (const PlacedSegment &segment : segments) {
+    for (const PlacedSegment &segment : placedSegments(domain)) {
         const double length = segment.length();
         if (length < automatic.greatest) {
             automatic.sites.add(limited(SizeSite::segment(segment.a, segment.b, length, gradation), minimum, gradation),

@@ -1,0 +1,27 @@
+#version 330 core
+// Inside of the domain: plain, or coloured by the node spacing ρ on a logarithmic scale.
+in vec2 pixel;
+
+uniform vec2 viewport;
+uniform sampler2D mask;   // one texel a pixel: coverage of the domain
+uniform sampler2D raster; // ln ρ
+uniform vec2 rasterLeast; // corner of the raster in pixels
+uniform vec2 rasterSize;  // pixels
+uniform vec2 range;       // ln ρ at the ends of the map
+uniform sampler2D map;
+uniform vec4 plain;
+uniform float tint; // 0: plain only; opacity of the map over it
+
+out vec4 result;
+
+void main() {
+    float inside = texture(mask, pixel / viewport).r;
+    vec3 rgb = plain.rgb;
+    if (tint > 0.0) {
+        float value = texture(raster, (pixel - rasterLeast) / rasterSize).r;
+        float t = clamp((value - range.x) / max(range.y - range.x, 1e-6), 0.0, 1.0);
+        vec3 colour = texture(map, vec2(t * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb;
+        rgb = mix(rgb, colour, tint);
+    }
+    result = vec4(rgb, plain.a * inside);
+}

@@ -1,0 +1,36 @@
+#version 330 core
+in vec3 corner;
+flat in float shade;
+
+uniform vec4 face;        // of elements without a colour of their own
+uniform vec4 edge;
+uniform float edgeWidth;  // pixels, of the whole edge
+uniform int coloured;     // 1: by value and map
+uniform float opacity;    // of the coloured faces
+uniform sampler2D map;
+uniform float badBelow;   // elements below are hatched
+uniform vec4 hatch;
+uniform vec2 isolate;     // values shown alone; x > y: all
+out vec4 result;
+
+void main() {
+    vec3 rate = fwidth(corner);
+    vec3 pixels = corner / max(rate, vec3(1e-9));
+    float nearest = min(min(pixels.x, pixels.y), pixels.z);
+    // Heights of the triangle in pixels; below a few of them edges would be solid colour, so they fade.
+    float least = 1.0 / max(max(rate.x, rate.y), rate.z);
+    float line = clamp(0.5 * edgeWidth + 0.5 - nearest, 0.0, 1.0) * smoothstep(1.5, 9.0, least);
+    vec4 fill = coloured == 1 ? vec4(texture(map, vec2(clamp(shade, 0.0, 1.0) * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb, opacity) : face;
+    if (coloured == 1 && shade < badBelow) {
+        float stripe = abs(fract((gl_FragCoord.x + gl_FragCoord.y) / 7.0) - 0.5) * 7.0;
+        fill = mix(fill, vec4(hatch.rgb, 1.0), hatch.a * clamp(1.75 - stripe, 0.0, 1.0));
+    }
+    if (isolate.x <= isolate.y && (shade < isolate.x || shade >= isolate.y)) {
+        fill.a *= 0.10;
+        line *= 0.25;
+    }
+    float edgeAlpha = edge.a * line;
+    float alpha = edgeAlpha + fill.a * (1.0 - edgeAlpha);
+    vec3 rgb = alpha > 0.0 ? (edge.rgb * edgeAlpha + fill.rgb * fill.a * (1.0 - edgeAlpha)) / alpha : vec3(0.0);
+    result = vec4(rgb, alpha);
+}

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "ui/input/keys.hpp"
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace forefront {
+
+struct AppContext;
+
+struct Shortcut {
+    int key = 0; ///< 0: none
+    Modifiers modifiers;
+    friend bool operator==(Shortcut, Shortcut) = default;
+};
+/// "Ctrl+Shift+Z", "Space", ".".
+std::string toString(Shortcut shortcut);
+
+/// A thing the program can do: an entry of a menu and of the palette, a shortcut, a step of a script.
+struct Action {
+    std::string id;                  ///< "file.save"; in menus the widget "menu/file.save"
+    std::string menu;                ///< "File", "Edit", "View", "Mesh", "Learn", "Help"; empty: palette only
+    std::string title;               ///< "Save"
+    std::vector<Shortcut> shortcuts; ///< the first is shown
+    std::function<void(AppContext &)> run;
+    std::function<bool(const AppContext &)> enabled{};        ///< absent: always
+    std::function<bool(const AppContext &)> checked{};        ///< absent: no check mark
+    std::function<std::string(const AppContext &)> dynamic{}; ///< title that changes, such as "Undo move node"
+    bool separatorBefore = false;
+    bool repeats = false; ///< its shortcut fires again while held
+};
+
+class ActionRegistry {
+  public:
+    /// Order of addition is the order in menus. An action with an id already known replaces it in place.
+    void add(Action action);
+    const Action *find(std::string_view id) const;
+    const std::vector<Action> &all() const { return actions_; }
+    /// Runs the enabled action of a shortcut. False if there is none.
+    bool runShortcut(Shortcut shortcut, bool repeated, AppContext &context) const;
+    bool run(std::string_view id, AppContext &context) const;
+
+  private:
+    std::vector<Action> actions_;
+};
+
+/// Actions of the shell: view, run, help.
+void addShellActions(ActionRegistry &actions);
+/// Actions of files and editing (in ui/dialogs).
+void addEditActions(ActionRegistry &actions);
+
+} // namespace forefront

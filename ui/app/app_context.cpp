@@ -1,0 +1,32 @@
+#include "ui/app/app_context.hpp"
+
+namespace forefront {
+
+void View::goTo(Vec2 place, double now) {
+    camera.centre = place;
+    flag = place;
+    flagTime = now;
+}
+
+void ToolBox::choose(std::string_view id, AppContext &context) {
+    for (std::size_t i = 0; i < tools.size(); ++i) {
+        if (tools[i]->id() == id && i != active) {
+            current().deactivate(context);
+            active = i;
+            current().activate(context);
+            context.animate();
+            return;
+        }
+    }
+}
+
+LayerSlot *AppContext::layer(std::string_view id) {
+    for (LayerSlot &slot : layers) {
+        if (slot.layer->id() == id) {
+            return &slot;
+        }
+    }
+    return nullptr;
+}
+
+} // namespace forefront

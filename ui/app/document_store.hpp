@@ -1,0 +1,56 @@
+#pragma once
+
+#include "core/edit/history.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace forefront {
+
+/// The open document, its history and its file. Documents are immutable; every change is a labelled command that can be
+/// undone.
+class DocumentStore {
+  public:
+    std::shared_ptr<const Document> current() const { return history_.shared(); }
+    /// Differs between any two documents that were ever open here; undo returns to the number from before.
+    std::uint64_t revision() const { return (loads_ << 40) + history_.revision(); }
+    /// Makes `next` the current document. Changes that follow one another with the same non-empty `stroke` are one undo
+    /// step until endStroke(): a drag, a stroke of the brush. False if nothing changed.
+    bool apply(Document next, std::string label, std::string_view stroke = {}) {
+        return history_.commit(std::move(label), std::move(next), stroke);
+    }
+    void endStroke() { history_.endStroke(); }
+    void abandonStroke() { history_.abandonStroke(); }
+    bool undo() { return history_.undo(); }
+    bool redo() { return history_.redo(); }
+    std::string undoLabel() const { return std::string(history_.undoLabel()); }
+    std::string redoLabel() const { return std::string(history_.redoLabel()); }
+    History &history() { return history_; }
+    const History &history() const { return history_; }
+
+    /// Another document altogether; its history starts here. `path` empty: in no file yet. `dirty`: asks to be saved
+    /// although nothing was done to it (recovered, imported).
+    void load(Document document, std::filesystem::path path, bool dirty = false) {
+        history_ = History(std::move(document), "Open");
+        dirty ? history_.markUnsaved() : history_.markSaved();
+        path_ = std::move(path);
+        ++loads_;
+    }
+    const std::filesystem::path &path() const { return path_; }
+    bool dirty() const { return history_.dirty(); }
+    void markSaved(std::filesystem::path path) {
+        path_ = std::move(path);
+        history_.markSaved();
+    }
+
+  private:
+    History history_;
+    std::filesystem::path path_;
+    std::uint64_t loads_ = 1;
+};
+
+} // namespace forefront

@@ -1,0 +1,316 @@
+#include "ui/app/editor.hpp"
+
+#include "core/io/files.hpp"
+#include "ui/app/assets.hpp"
+#include "ui/app/canvas_input.hpp"
+#include "ui/app/imgui_bridge.hpp"
+#include "ui/app/state_file.hpp"
+#include "ui/canvas/canvas.hpp"
+#include "ui/shell/shell.hpp"
+#include "ui/widgets.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace forefront {
+
+struct Editor::Parts {
+    Parts(Platform &platform, EditorOptions given)
+        : options(std::move(given)), bridge(platform), context{.platform = platform}, canvas(platform) {}
+
+    EditorOptions options;
+    InputQueue input;
+    ImGuiBridge bridge;
+    AppContext context;
+    Canvas canvas;
+    CanvasInput canvasInput;
+    Settings savedSettings;
+    std::string shownTitle;
+    double lastFrame = 0.0;
+    std::uint64_t frames = 0;
+    std::uint64_t liveRevision = 0;
+    PixelSize size;
+
+    void refreshLook();
+    void takeResults();
+    void meshLive();
+    void handleEvents(const std::vector<InputEvent> &events);
+    void buildInterface();
+    void showTitle();
+    void applyCursor();
+    void rememberSettings();
+};
+
+namespace {
+
+CursorShape cursorOf(ImGuiMouseCursor cursor) {
+    switch (cursor) {
+    case ImGuiMouseCursor_TextInput:
+        return CursorShape::Text;
+    case ImGuiMouseCursor_ResizeEW:
+        return CursorShape::ResizeHorizontal;
+    case ImGuiMouseCursor_ResizeNS:
+        return CursorShape::ResizeVertical;
+    case ImGuiMouseCursor_Hand:
+        return CursorShape::Hand;
+    default:
+        return CursorShape::Arrow;
+    }
+}
+
+bool sameSettings(const Settings &a, const Settings &b) {
+    return a.theme == b.theme && a.scale == b.scale && a.panelWidth == b.panelWidth && a.tabsHeight == b.tabsHeight &&
+           a.hints == b.hints && a.recentFiles == b.recentFiles;
+}
+
+} // namespace
+
+Editor::Editor(Platform &platform, EditorOptions options) : parts_(std::make_unique<Parts>(platform, std::move(options))) {
+    AppContext &c = parts_->context;
+    const auto wake = [&platform] { platform.wake(); };
+    if (!parts_->options.settingsFolder.empty()) {
+        c.settings = loadSettings(parts_->options.settingsFolder / "settings.json");
+    }
+    parts_->savedSettings = c.settings;
+    c.runs = std::make_unique<RunControl>(c.store, c.log, wake);
+    c.previews = std::make_unique<Preview>(wake);
+    c.preview = c.previews->latest();
+    c.openFile = [this](const std::filesystem::path &file) { open(file); };
+    c.tools.tools = makeTools();
+    for (auto &layer : makeLayers()) {
+        const bool visible = layer->visibleAtStart();
+        c.layers.push_back({std::move(layer), visible});
+    }
+    c.panels = makePanels();
+    addEditActions(c.actions);
+    addShellActions(c.actions);
+    c.tools.current().activate(c);
+    if (!parts_->options.file.empty()) {
+        open(parts_->options.file);
+    } else if (parts_->options.sample) {
+        const std::vector<Sample> gallery = samples();
+        if (gallery.empty()) {
+            c.log.add(Diagnostic{.severity = Severity::Warning, .code = "no-assets", .message = "the samples were not found", .advice = "set FOREFRONT_ASSETS to the folder assets"});
+        } else {
+            open(gallery.front().path);
+        }
+    }
+}
+
+Editor::~Editor() {
+    parts_->rememberSettings();
+}
+
+AppContext &Editor::context() {
+    return parts_->context;
+}
+InputQueue &Editor::input() {
+    return parts_->input;
+}
+std::uint64_t Editor::frames() const {
+    return parts_->frames;
+}
+bool Editor::running() const {
+    return !parts_->context.quit;
+}
+
+bool Editor::settled() const {
+    const AppContext &c = parts_->context;
+    return parts_->input.empty() && !parts_->input.replaying() && c.redraw <= 0 && !c.previews->busy() && !c.run().busy();
+}
+
+double Editor::sleepSeconds() const {
+    const AppContext &c = parts_->context;
+    if (c.redraw > 0 || !parts_->input.empty() || parts_->input.replaying()) {
+        return 0.0;
+    }
+    return std::clamp(c.nextFrameAt - c.platform.now(), 0.001, 0.5);
+}
+
+bool Editor::open(const std::filesystem::path &file) {
+    AppContext &c = parts_->context;
+    Result<Document> document = readDocument(file);
+    if (!document) {
+        c.log.add(document.faults());
+        return false;
+    }
+    const bool project = file.extension() == ".json" || file.extension() == ".forefront";
+    const std::filesystem::path assets = assetFolder();
+    const bool sample = !assets.empty() && file.parent_path() == assets / "samples";
+    // A sample or an imported drawing is not saved over.
+    c.document().load(std::move(document).value(), project && !sample ? file : std::filesystem::path());
+    c.run().clear();
+    c.selection.clear();
+    c.view.isolatedBin.reset();
+    c.view.fitPending = true;
+    c.animate();
+    return true;
+}
+
+void Editor::Parts::refreshLook() {
+    const double scale = context.platform.contentScale() * context.settings.scale;
+    const auto wanted = static_cast<float>(std::round(scale * 64.0) / 64.0);
+    const bool fonts = context.fonts.body == nullptr || wanted != context.scale;
+    if (fonts) {
+        context.scale = wanted;
+        std::string warning;
+        context.fonts = loadFonts(wanted, warning);
+        if (!warning.empty() && frames == 0) {
+            context.log.add(Diagnostic{.severity = Severity::Warning, .code = "missing-font", .message = warning});
+        }
+        bridge.fontsChanged();
+        context.animate();
+    }
+    if (fonts || frames == 0 || context.theme.kind != context.settings.theme) {
+        context.theme = makeTheme(context.settings.theme);
+        applyTheme(context.theme, context.scale);
+        context.animate();
+    }
+}
+
+void Editor::Parts::takeResults() {
+    context.log.setTime(context.platform.now());
+    SnapshotLayers wanted{.mesh = false, .front = false};
+    for (const LayerSlot &slot : context.layers) {
+        if (slot.visible) {
+            slot.layer->request(wanted);
+        }
+    }
+    wanted.mesh = true; // the panels speak of it
+    context.run().want(wanted);
+    const auto before = context.run().snapshot();
+    context.run().refresh();
+    context.previews->submit(context.document().current(), context.document().revision());
+    const auto known = context.preview;
+    context.preview = context.previews->latest();
+    if (before != context.run().snapshot() || known != context.preview) {
+        context.animate();
+    }
+}
+
+void Editor::Parts::meshLive() {
+    const std::uint64_t revision = context.document().revision();
+    const bool ready = context.run().live && revision != liveRevision && context.preview->revision == revision;
+    if (ready) {
+        liveRevision = revision;
+        if (!hasErrors(context.preview->faults) && !context.document().current()->shapes.empty()) {
+            context.run().mesh();
+        }
+    }
+}
+
+void Editor::Parts::handleEvents(const std::vector<InputEvent> &events) {
+    for (const InputEvent &event : events) {
+        if (event.kind == InputKind::Close) {
+            context.closeRequested = true;
+        } else if (event.kind == InputKind::Drop) {
+            for (const std::string &path : event.paths) {
+                context.openFile(path);
+            }
+        } else {
+            canvasInput.dispatch(event, context);
+        }
+    }
+    if (!events.empty()) {
+        context.redraw = 3;
+    }
+    if (context.closeRequested) {
+        context.closeRequested = false;
+        if (!context.actions.run("file.quit", context)) {
+            context.quit = true;
+        }
+    }
+}
+
+void Editor::Parts::buildInterface() {
+    const shell::Layout layout = shell::layOut(context);
+    Camera &camera = context.view.camera;
+    if (!(camera.viewport == layout.canvas)) {
+        // The place in the middle stays in the middle.
+        camera.viewport = layout.canvas;
+        context.animate();
+    }
+    if (context.view.fitPending && frames >= 1) {
+        context.view.fitPending = false;
+        context.actions.run("view.fit", context);
+    }
+    ui::markRect(context, "canvas", layout.canvas);
+    shell::drawMenuBar(context, layout.menu);
+    shell::drawToolStrip(context, layout.tools);
+    shell::drawColumn(context, layout.column);
+    shell::drawTimeline(context, layout.timeline);
+    shell::drawStatusBar(context, layout.status);
+    shell::drawToolOptions(context, layout.canvas);
+    shell::drawCanvasNotes(context, layout.canvas);
+    context.dialogs.draw(context);
+}
+
+void Editor::Parts::showTitle() {
+    const std::filesystem::path &path = context.document().path();
+    const std::string name = path.empty() ? "untitled" : path.filename().string();
+    const std::string title = (context.document().dirty() ? "\xe2\x80\xa2 " : "") + name + " \xe2\x80\x93 Forefront";
+    if (title != shownTitle) {
+        shownTitle = title;
+        context.platform.setTitle(title);
+    }
+}
+
+void Editor::Parts::applyCursor() {
+    const bool onCanvas = context.view.pointer.has_value() && !ImGui::GetIO().WantCaptureMouse;
+    if (canvasInput.panning()) {
+        context.platform.setCursor(CursorShape::Move);
+    } else if (onCanvas) {
+        context.platform.setCursor(context.tools.current().cursor());
+    } else {
+        context.platform.setCursor(cursorOf(ImGui::GetMouseCursor()));
+    }
+}
+
+void Editor::Parts::rememberSettings() {
+    if (!options.settingsFolder.empty() && !sameSettings(savedSettings, context.settings)) {
+        saveSettings(options.settingsFolder / "settings.json", context.settings);
+        savedSettings = context.settings;
+    }
+}
+
+void Editor::frame() {
+    Parts &p = *parts_;
+    AppContext &c = p.context;
+    c.nextFrameAt = 1e300;
+    --c.redraw;
+    const double now = c.platform.now();
+    const PixelSize size = c.platform.framebufferSize();
+    if (!(size == p.size)) {
+        p.size = size;
+        c.animate();
+    }
+    if (size.width <= 0 || size.height <= 0) {
+        return; // minimised
+    }
+    const std::vector<InputEvent> events = p.input.takeFrame();
+    p.refreshLook();
+    p.takeResults();
+    p.bridge.beginFrame(events, now - p.lastFrame);
+    p.lastFrame = now;
+    c.widgets.beginFrame();
+    p.handleEvents(events);
+    p.meshLive();
+    p.buildInterface();
+    p.canvas.draw(c);
+    p.applyCursor();
+    p.bridge.endFrame();
+    c.widgets.endFrame();
+    c.platform.present();
+    p.showTitle();
+    if (!ImGui::IsAnyItemActive()) {
+        p.rememberSettings();
+    }
+    ++p.frames;
+    if (!p.options.stateFile.empty()) {
+        writeStateFile(p.options.stateFile, *this);
+    }
+}
+
+} // namespace forefront

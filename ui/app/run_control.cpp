@@ -1,0 +1,126 @@
+#include "ui/app/run_control.hpp"
+
+#include "ui/app/document_store.hpp"
+#include "ui/app/message_log.hpp"
+#include "ui/widgets.hpp"
+
+#include <algorithm>
+
+namespace forefront {
+
+RunControl::RunControl(DocumentStore &document, MessageLog &log, std::function<void()> wake)
+    : document_(document), log_(log), session_(std::move(wake)), snapshot_(session_.latest()) {}
+
+void RunControl::refresh() {
+    snapshot_ = session_.latest();
+    const SessionSnapshot &s = *snapshot_;
+    if (s.run == loggedRun_ && s.state == loggedState_) {
+        return;
+    }
+    const bool news = s.run != loggedRun_ || s.state == RunState::Failed || s.state == RunState::Finished ||
+                      s.state == RunState::Cancelled;
+    if (news && s.state == RunState::Failed) {
+        log_.add(s.diagnostics);
+    } else if (news && s.state == RunState::Cancelled && loggedState_ != RunState::Cancelled) {
+        log_.note(ui::format("Cancelled after %llu advances; the partial mesh can be stepped through",
+                             static_cast<unsigned long long>(s.known)));
+    } else if (news && s.state == RunState::Finished && loggedState_ != RunState::Paused) {
+        log_.note(ui::format("%llu triangles, %llu nodes in %.3g s; least \xce\xb1 %.3f, mean %.3f",
+                             static_cast<unsigned long long>(s.quality.elements),
+                             static_cast<unsigned long long>(s.quality.nodes), s.secondsMesh + s.secondsImprove,
+                             s.quality.alphaMin, s.quality.alphaMean));
+    }
+    loggedRun_ = s.run;
+    loggedState_ = s.state;
+}
+
+void RunControl::want(SnapshotLayers layers) {
+    session_.want(layers);
+}
+
+void RunControl::start(bool runToEnd) {
+    const std::shared_ptr<const Document> document = document_.current();
+    auto job = std::make_shared<MeshingJob>();
+    job->domain = toDomain(*document);
+    job->spacing = document->spacing;
+    job->options = document->options;
+    session_.start(std::move(job), runToEnd);
+    started_ = true;
+    startedRevision_ = document_.revision();
+}
+
+bool RunControl::startIfNeeded() {
+    if (hasRun() && !outOfDate()) {
+        return false;
+    }
+    start(false);
+    return true;
+}
+
+void RunControl::mesh() {
+    start(true);
+}
+
+void RunControl::togglePlay() {
+    if (playing()) {
+        session_.pause();
+        return;
+    }
+    startIfNeeded();
+    session_.play(speed_ * kAdvancesPerSecond);
+}
+
+void RunControl::step(Granularity granularityOfStep, std::int64_t n) {
+    if (!hasRun()) {
+        start(false);
+    }
+    session_.step(granularityOfStep, n);
+}
+
+void RunControl::seek(std::uint64_t advance) {
+    if (!hasRun()) {
+        start(false);
+    }
+    session_.seek(advance);
+}
+
+void RunControl::seekEnd() {
+    if (!hasRun()) {
+        start(false);
+    }
+    if (snapshot_->complete) {
+        session_.seek(snapshot_->known);
+    } else {
+        session_.finish();
+    }
+}
+
+void RunControl::cancel() {
+    session_.cancel();
+}
+
+void RunControl::clear() {
+    session_.clear();
+    started_ = false;
+}
+
+bool RunControl::playing() const {
+    return snapshot_->state == RunState::Running;
+}
+
+bool RunControl::hasRun() const {
+    return started_ && snapshot_->state != RunState::Failed;
+}
+
+bool RunControl::outOfDate() const {
+    return started_ && startedRevision_ != document_.revision();
+}
+
+void RunControl::setSpeed(double factor) {
+    speed_ = std::clamp(factor, kSlowest, kFastest);
+    if (playing()) {
+        session_.play(speed_ * kAdvancesPerSecond);
+    }
+}
+
+} // namespace forefront

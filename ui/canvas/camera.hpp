@@ -1,0 +1,68 @@
+#pragma once
+
+#include "core/geometry/vec2.hpp"
+
+#include <algorithm>
+
+namespace forefront {
+
+/// Rectangle in framebuffer pixels, y down.
+struct PixelRect {
+    double x = 0.0, y = 0.0, width = 0.0, height = 0.0;
+
+    bool contains(Vec2 p) const { return p.x >= x && p.x < x + width && p.y >= y && p.y < y + height; }
+    Vec2 centre() const { return {x + 0.5 * width, y + 0.5 * height}; }
+    friend bool operator==(const PixelRect &, const PixelRect &) = default;
+};
+
+/// Maps the plane (y up, double precision) to framebuffer pixels (y down).
+struct Camera {
+    Vec2 centre;             ///< place shown in the middle of the viewport
+    double zoom = 50.0;      ///< pixels per domain unit, > 0
+    PixelRect viewport;      ///< the canvas in the framebuffer
+    double minZoom = 1e-12;  ///< bounds of zoom, set from the size of the drawing
+    double maxZoom = 1e12;
+
+    Vec2 toPixel(Vec2 p) const {
+        const Vec2 middle = viewport.centre();
+        return {middle.x + (p.x - centre.x) * zoom, middle.y - (p.y - centre.y) * zoom};
+    }
+    Vec2 toPlane(Vec2 pixel) const {
+        const Vec2 middle = viewport.centre();
+        return {centre.x + (pixel.x - middle.x) / zoom, centre.y - (pixel.y - middle.y) / zoom};
+    }
+    /// The part of the plane in view.
+    Box2 visible() const {
+        const Vec2 half{0.5 * viewport.width / zoom, 0.5 * viewport.height / zoom};
+        return {centre - half, centre + half};
+    }
+    /// Length in domain units of `pixels` pixels.
+    double length(double pixels) const { return pixels / zoom; }
+
+    void pan(Vec2 pixels) { centre = centre - Vec2{pixels.x / zoom, -pixels.y / zoom}; }
+    /// Zooms by `factor`; the place under `pixel` stays there.
+    void zoomAt(Vec2 pixel, double factor) {
+        const Vec2 fixed = toPlane(pixel);
+        zoom = std::clamp(zoom * factor, minZoom, maxZoom);
+        const Vec2 moved = toPlane(pixel);
+        centre += fixed - moved;
+    }
+    /// Shows `box` whole, with a margin as a part of the viewport.
+    void fit(const Box2 &box, double margin = 0.08) {
+        if (box.empty() || viewport.width <= 0.0 || viewport.height <= 0.0) {
+            return;
+        }
+        const Vec2 size = box.size();
+        const double extent = std::max({size.x, size.y, 1e-9 * std::max({1.0, std::abs(box.max.x), std::abs(box.max.y)})});
+        minZoom = 0.02 * std::min(viewport.width, viewport.height) / extent;
+        maxZoom = 1e7 * std::max(viewport.width, viewport.height) / extent;
+        const double usable = 1.0 - 2.0 * margin;
+        zoom = usable * std::min(viewport.width / std::max(size.x, 1e-3 * extent),
+                                 viewport.height / std::max(size.y, 1e-3 * extent));
+        centre = box.centre();
+    }
+
+    friend bool operator==(const Camera &, const Camera &) = default;
+};
+
+} // namespace forefront

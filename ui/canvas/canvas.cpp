@@ -1,0 +1,199 @@
+#include "ui/canvas/canvas.hpp"
+
+#include "core/base/hash.hpp"
+#include "ui/app/app_context.hpp"
+#include "ui/canvas/canvas_painter.hpp"
+#include "ui/gl/gl_kit.hpp"
+
+#include <glad/gl.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace forefront {
+
+namespace {
+
+/// A texture to draw to, kept between frames.
+class Target {
+  public:
+    Target() {
+        glGenFramebuffers(1, &framebuffer_);
+        glGenTextures(1, &texture_);
+    }
+    ~Target() {
+        glDeleteFramebuffers(1, &framebuffer_);
+        glDeleteTextures(1, &texture_);
+    }
+    Target(const Target &) = delete;
+    Target &operator=(const Target &) = delete;
+
+    unsigned framebuffer() const { return framebuffer_; }
+
+    void resize(PixelSize size) {
+        if (size == size_) {
+            return;
+        }
+        size_ = size;
+        glBindTexture(GL_TEXTURE_2D, texture_);
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size.width, size.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
+    }
+
+  private:
+    unsigned framebuffer_ = 0, texture_ = 0;
+    PixelSize size_;
+};
+
+void clearTo(Colour colour) {
+    const auto channel = [&](unsigned shift) { return static_cast<float>((colour >> shift) & 0xffU) / 255.0F; };
+    glClearColor(channel(0), channel(8), channel(16), 1.0F);
+    glClear(GL_COLOR_BUFFER_BIT);
+}
+
+std::uint64_t stillStamp(const LayerFrame &frame, const std::vector<LayerSlot> &layers) {
+    Hash64 hash;
+    const Camera &camera = frame.camera;
+    for (const double number : {camera.centre.x, camera.centre.y, camera.zoom, camera.viewport.width, camera.viewport.height, frame.scale}) {
+        hash.add(number);
+    }
+    hash.add(static_cast<std::uint64_t>(frame.theme.kind));
+    for (const LayerSlot &slot : layers) {
+        hash.add(slot.visible ? slot.layer->stillVersion(frame) : ~std::uint64_t{0});
+    }
+    return hash.value();
+}
+
+} // namespace
+
+struct Canvas::Parts {
+    GlKit gl;
+    Target still;
+    std::uint64_t stillStamp = 0;
+    std::uint64_t stillDraws = 0;
+    bool drawn = false;
+    Domain domain; ///< of the document of `domainRevision`
+    std::uint64_t domainRevision = 0;
+
+    void drawStill(AppContext &context, const LayerFrame &frame);
+    void drawLive(AppContext &context, const LayerFrame &frame);
+    void drawOverlays(AppContext &context, const LayerFrame &frame);
+};
+
+Canvas::Canvas(Platform &) : parts_(std::make_unique<Parts>()) {}
+
+Canvas::~Canvas() = default;
+
+std::uint64_t Canvas::stillDraws() const {
+    return parts_->stillDraws;
+}
+
+void Canvas::Parts::drawStill(AppContext &context, const LayerFrame &frame) {
+    const PixelRect &rect = frame.camera.viewport;
+    const PixelSize size{static_cast<int>(rect.width), static_cast<int>(rect.height)};
+    const std::uint64_t stamp = forefront::stillStamp(frame, context.layers);
+    if (drawn && stamp == stillStamp) {
+        return;
+    }
+    stillStamp = stamp;
+    drawn = true;
+    ++stillDraws;
+    still.resize(size);
+    glBindFramebuffer(GL_FRAMEBUFFER, still.framebuffer());
+    glViewport(0, 0, size.width, size.height);
+    clearTo(frame.theme.canvas);
+    for (LayerSlot &slot : context.layers) {
+        if (slot.visible) {
+            slot.layer->drawStill(frame);
+        }
+    }
+}
+
+void Canvas::Parts::drawLive(AppContext &context, const LayerFrame &frame) {
+    const PixelRect &rect = frame.camera.viewport;
+    const int x = static_cast<int>(rect.x), width = static_cast<int>(rect.width), height = static_cast<int>(rect.height);
+    const int y = context.platform.framebufferSize().height - static_cast<int>(rect.y) - height;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, still.framebuffer());
+    glBlitFramebuffer(0, 0, width, height, x, y, x + width, y + height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, context.platform.targetFramebuffer());
+    glViewport(x, y, width, height);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(x, y, width, height);
+    for (LayerSlot &slot : context.layers) {
+        if (slot.visible) {
+            slot.layer->drawLive(frame);
+        }
+    }
+    glDisable(GL_SCISSOR_TEST);
+}
+
+void Canvas::Parts::drawOverlays(AppContext &context, const LayerFrame &frame) {
+    const PixelRect &rect = frame.camera.viewport;
+    ImDrawList &list = *ImGui::GetBackgroundDrawList();
+    list.PushClipRect({static_cast<float>(rect.x), static_cast<float>(rect.y)},
+                      {static_cast<float>(rect.x + rect.width), static_cast<float>(rect.y + rect.height)});
+    CanvasPainter painter(list, frame.camera, frame.scale);
+    for (LayerSlot &slot : context.layers) {
+        if (slot.visible) {
+            slot.layer->drawOverlay(painter, frame);
+        }
+    }
+    context.tools.current().drawOverlay(painter, context);
+    constexpr double kFlagSeconds = 2.5;
+    const double age = context.platform.now() - context.view.flagTime;
+    if (context.view.flag && age < kFlagSeconds) {
+        const double t = age / kFlagSeconds;
+        painter.ring(*context.view.flag, 14.0 + 10.0 * std::abs(std::sin(6.0 * age)), fade(context.theme.accent, 1.0 - t * t), 2.5);
+        context.animate();
+    }
+    Vec2 corner{rect.x + rect.width - 14.0 * frame.scale, rect.y + rect.height - 14.0 * frame.scale};
+    for (LayerSlot &slot : context.layers) {
+        if (slot.visible) {
+            const double height = slot.layer->drawLegend(painter, frame, corner);
+            corner.y -= height > 0.0 ? height + 10.0 * frame.scale : 0.0;
+        }
+    }
+    list.PopClipRect();
+}
+
+void Canvas::draw(AppContext &context) {
+    if (parts_->domainRevision != context.document().revision()) {
+        parts_->domainRevision = context.document().revision();
+        parts_->domain = toDomain(*context.document().current());
+    }
+    const LayerFrame frame{.camera = context.view.camera,
+                           .theme = context.theme,
+                           .fonts = context.fonts,
+                           .scale = static_cast<double>(context.scale),
+                           .snapshot = context.run().now(),
+                           .document = *context.document().current(),
+                           .domain = parts_->domain,
+                           .revision = context.document().revision(),
+                           .preview = *context.preview,
+                           .raster = context.previews->raster(),
+                           .selection = context.selection,
+                           .isolatedBin = context.view.isolatedBin,
+                           .outOfDate = context.run().outOfDate(),
+                           .layers = context.layers,
+                           .gl = parts_->gl};
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_SCISSOR_TEST);
+    glEnable(GL_BLEND);
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    parts_->drawStill(context, frame);
+    const PixelSize size = context.platform.framebufferSize();
+    glBindFramebuffer(GL_FRAMEBUFFER, context.platform.targetFramebuffer());
+    glViewport(0, 0, size.width, size.height);
+    clearTo(context.theme.panel);
+    parts_->drawLive(context, frame);
+    parts_->drawOverlays(context, frame);
+    glViewport(0, 0, size.width, size.height);
+}
+
+} // namespace forefront

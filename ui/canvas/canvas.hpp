@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+namespace forefront {
+
+class Platform;
+struct AppContext;
+
+/// The drawing area: draws all visible layers beneath the windows of Dear ImGui. The still parts of the layers are kept
+/// in a texture.
+class Canvas {
+  public:
+    explicit Canvas(Platform &platform);
+    ~Canvas();
+    Canvas(const Canvas &) = delete;
+    Canvas &operator=(const Canvas &) = delete;
+
+    /// Draws to the target framebuffer, and overlays to Dear ImGui's background list. Between NewFrame and Render.
+    void draw(AppContext &context);
+    /// How often the still parts were drawn anew; for tests.
+    std::uint64_t stillDraws() const;
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+} // namespace forefront

@@ -1,0 +1,185 @@
+#include "ui/canvas/canvas_painter.hpp"
+
+#include <imgui.h>
+
+#include <cmath>
+#include <vector>
+
+namespace forefront {
+
+namespace {
+
+// Far outside of the window floats lose the direction of a line; nothing beyond this is visible anyway.
+constexpr double kFar = 1.0e5;
+
+bool clipToFar(Vec2 &a, Vec2 &b) {
+    // Liang–Barsky against the square [-kFar, kFar]².
+    const Vec2 d = b - a;
+    double t0 = 0.0, t1 = 1.0;
+    const double p[4] = {-d.x, d.x, -d.y, d.y};
+    const double q[4] = {a.x + kFar, kFar - a.x, a.y + kFar, kFar - a.y};
+    for (int i = 0; i < 4; ++i) {
+        if (p[i] == 0.0) {
+            if (q[i] < 0.0) {
+                return false;
+            }
+        } else if (p[i] < 0.0) {
+            t0 = std::max(t0, q[i] / p[i]);
+        } else {
+            t1 = std::min(t1, q[i] / p[i]);
+        }
+    }
+    if (!(t0 <= t1)) {
+        return false;
+    }
+    const Vec2 from = a;
+    a = from + t0 * d;
+    b = from + t1 * d;
+    return true;
+}
+
+ImVec2 im(Vec2 p) {
+    return {static_cast<float>(std::clamp(p.x, -kFar, kFar)), static_cast<float>(std::clamp(p.y, -kFar, kFar))};
+}
+
+float im(double v) {
+    return static_cast<float>(v);
+}
+
+} // namespace
+
+void CanvasPainter::line(Vec2 a, Vec2 b, Colour colour, double width) {
+    Vec2 p = camera_.toPixel(a), q = camera_.toPixel(b);
+    if (clipToFar(p, q)) {
+        list_.AddLine(im(p), im(q), colour, im(width * scale_));
+    }
+}
+
+void CanvasPainter::dashed(Vec2 a, Vec2 b, Colour colour, double width, double dash) {
+    Vec2 p = camera_.toPixel(a), q = camera_.toPixel(b);
+    if (!clipToFar(p, q)) {
+        return;
+    }
+    const double whole = length(q - p), stride = 2.0 * dash * scale_;
+    if (whole < stride || whole / stride > 2000.0) {
+        list_.AddLine(im(p), im(q), colour, im(width * scale_));
+        return;
+    }
+    for (double at = 0.0; at < whole; at += stride) {
+        const double end = std::min(at + 0.5 * stride, whole);
+        list_.AddLine(im(lerp(p, q, at / whole)), im(lerp(p, q, end / whole)), colour, im(width * scale_));
+    }
+}
+
+void CanvasPainter::arrow(Vec2 a, Vec2 b, Colour colour, double width, double head) {
+    Vec2 p = camera_.toPixel(a), q = camera_.toPixel(b);
+    if (!clipToFar(p, q)) {
+        return;
+    }
+    const double whole = length(q - p);
+    const double size = std::min(head * scale_, 0.45 * whole);
+    if (size < 2.0) {
+        list_.AddLine(im(p), im(q), colour, im(width * scale_));
+        return;
+    }
+    const Vec2 along = (1.0 / whole) * (q - p);
+    const Vec2 neck = q - size * along, side = 0.42 * size * leftNormal(along);
+    list_.AddLine(im(p), im(neck), colour, im(width * scale_));
+    list_.AddTriangleFilled(im(q), im(neck + side), im(neck - side), colour);
+}
+
+void CanvasPainter::polyline(std::span<const Vec2> points, bool closed, Colour colour, double width) {
+    if (points.size() < 2) {
+        return;
+    }
+    std::vector<ImVec2> pixels;
+    pixels.reserve(points.size());
+    for (const Vec2 p : points) {
+        pixels.push_back(im(camera_.toPixel(p)));
+    }
+    list_.AddPolyline(pixels.data(), static_cast<int>(pixels.size()), colour, closed ? ImDrawFlags_Closed : 0,
+                      im(width * scale_));
+}
+
+void CanvasPainter::triangle(Vec2 a, Vec2 b, Vec2 c, Colour fill) {
+    list_.AddTriangleFilled(im(camera_.toPixel(a)), im(camera_.toPixel(b)), im(camera_.toPixel(c)), fill);
+}
+
+void CanvasPainter::rectangle(const Box2 &box, Colour colour, double width) {
+    list_.AddRect(im(camera_.toPixel({box.min.x, box.max.y})), im(camera_.toPixel({box.max.x, box.min.y})), colour, 0.0F,
+                  0, im(width * scale_));
+}
+
+void CanvasPainter::fillRectangle(const Box2 &box, Colour fill) {
+    list_.AddRectFilled(im(camera_.toPixel({box.min.x, box.max.y})), im(camera_.toPixel({box.max.x, box.min.y})), fill);
+}
+
+void CanvasPainter::dot(Vec2 centre, double radius, Colour fill) {
+    list_.AddCircleFilled(im(camera_.toPixel(centre)), im(radius * scale_), fill);
+}
+
+void CanvasPainter::ring(Vec2 centre, double radius, Colour colour, double width) {
+    list_.AddCircle(im(camera_.toPixel(centre)), im(radius * scale_), colour, 0, im(width * scale_));
+}
+
+void CanvasPainter::handle(Vec2 centre, double radius, Colour fill, Colour border) {
+    const Vec2 p = camera_.toPixel(centre);
+    const double r = std::round(radius * scale_);
+    const Vec2 middle{std::round(p.x), std::round(p.y)};
+    list_.AddRectFilled(im(middle - Vec2{r, r}), im(middle + Vec2{r, r}), fill, im(1.5 * scale_));
+    list_.AddRect(im(middle - Vec2{r, r}), im(middle + Vec2{r, r}), border, im(1.5 * scale_), 0, im(1.25 * scale_));
+}
+
+void CanvasPainter::cross(Vec2 centre, double radius, Colour colour, double width) {
+    const Vec2 p = camera_.toPixel(centre);
+    const double r = radius * scale_;
+    list_.AddLine(im(p + Vec2{-r, -r}), im(p + Vec2{r, r}), colour, im(width * scale_));
+    list_.AddLine(im(p + Vec2{-r, r}), im(p + Vec2{r, -r}), colour, im(width * scale_));
+}
+
+void CanvasPainter::circle(Vec2 centre, double radius, Colour colour, double width) {
+    const double r = radius * camera_.zoom;
+    if (r < kFar) {
+        list_.AddCircle(im(camera_.toPixel(centre)), im(r), colour, 0, im(width * scale_));
+    }
+}
+
+void CanvasPainter::disc(Vec2 centre, double radius, Colour fill) {
+    list_.AddCircleFilled(im(camera_.toPixel(centre)), im(std::min(radius * camera_.zoom, kFar)), fill);
+}
+
+void CanvasPainter::dashedCircle(Vec2 centre, double radius, Colour colour, double width) {
+    const double r = radius * camera_.zoom;
+    if (r < 3.0 || r > kFar) {
+        return;
+    }
+    const int dashes = std::clamp(static_cast<int>(2.0 * 3.14159265 * r / (12.0 * scale_)), 8, 400);
+    const ImVec2 middle = im(camera_.toPixel(centre));
+    for (int i = 0; i < dashes; ++i) {
+        const double from = 2.0 * 3.14159265358979 * i / dashes;
+        list_.PathArcTo(middle, im(r), im(from), im(from + 3.14159265358979 / dashes), 4);
+        list_.PathStroke(colour, 0, im(width * scale_));
+    }
+}
+
+PixelRect CanvasPainter::label(Vec2 at, Vec2 offset, std::string_view text, Colour colour, Colour plate, ImFont *font) {
+    ImFont *used = font != nullptr ? font : ImGui::GetFont();
+    const ImVec2 size = used->CalcTextSizeA(used->FontSize, 1e9F, 0.0F, text.data(), text.data() + text.size());
+    const Vec2 p = camera_.toPixel(at) + scale_ * offset;
+    const Vec2 corner{std::round(p.x), std::round(p.y)};
+    const double padX = 5.0 * scale_, padY = 2.0 * scale_;
+    const PixelRect rect{corner.x - padX, corner.y - padY, im(size.x) + 2.0 * padX, im(size.y) + 2.0 * padY};
+    list_.AddRectFilled(im({rect.x, rect.y}), im({rect.x + rect.width, rect.y + rect.height}), plate, im(4.0 * scale_));
+    list_.AddText(used, used->FontSize, im(corner), colour, text.data(), text.data() + text.size());
+    return rect;
+}
+
+void CanvasPainter::text(Vec2 at, std::string_view text, Colour colour, ImFont *font) {
+    ImFont *used = font != nullptr ? font : ImGui::GetFont();
+    const ImVec2 size = used->CalcTextSizeA(used->FontSize, 1e9F, 0.0F, text.data(), text.data() + text.size());
+    const Vec2 p = camera_.toPixel(at);
+    list_.AddText(used, used->FontSize, im({std::round(p.x - 0.5 * size.x), std::round(p.y - 0.5 * size.y)}), colour,
+                  text.data(), text.data() + text.size());
+}
+
+} // namespace forefront

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "ui/canvas/camera.hpp"
+#include "ui/style/colour.hpp"
+
+#include <span>
+#include <string_view>
+
+struct ImDrawList;
+struct ImFont;
+
+namespace forefront {
+
+/// Draws the few things over the canvas that change with every frame: tool overlays, labels, candidates. Places are in
+/// domain units, widths and radii in design pixels (scaled for HiDPI here). Thousands of primitives are fine, millions
+/// are not: those are layers of their own on the GPU.
+class CanvasPainter {
+  public:
+    CanvasPainter(ImDrawList &list, const Camera &camera, double scale) : list_(list), camera_(camera), scale_(scale) {}
+
+    void line(Vec2 a, Vec2 b, Colour colour, double width = 1.5);
+    void dashed(Vec2 a, Vec2 b, Colour colour, double width = 1.5, double dash = 6.0);
+    /// A line with a filled head at b.
+    void arrow(Vec2 a, Vec2 b, Colour colour, double width = 2.0, double head = 9.0);
+    void polyline(std::span<const Vec2> points, bool closed, Colour colour, double width = 1.5);
+    void triangle(Vec2 a, Vec2 b, Vec2 c, Colour fill);
+    void rectangle(const Box2 &box, Colour colour, double width = 1.0);
+    void fillRectangle(const Box2 &box, Colour fill);
+    /// Radius in design pixels.
+    void dot(Vec2 centre, double radius, Colour fill);
+    void ring(Vec2 centre, double radius, Colour colour, double width = 1.5);
+    /// Square node handle, `radius` its half side in design pixels.
+    void handle(Vec2 centre, double radius, Colour fill, Colour border);
+    void cross(Vec2 centre, double radius, Colour colour, double width = 1.5);
+    /// Radius in domain units.
+    void circle(Vec2 centre, double radius, Colour colour, double width = 1.5);
+    void disc(Vec2 centre, double radius, Colour fill);
+    void dashedCircle(Vec2 centre, double radius, Colour colour, double width = 1.5);
+    /// Text on a rounded plate; `offset` in design pixels from the place. Returns its rectangle in pixels.
+    PixelRect label(Vec2 at, Vec2 offset, std::string_view text, Colour colour, Colour plate, ImFont *font = nullptr);
+    /// Bare text centred on the place.
+    void text(Vec2 at, std::string_view text, Colour colour, ImFont *font = nullptr);
+
+    const Camera &camera() const { return camera_; }
+    double scale() const { return scale_; }
+    ImDrawList &list() { return list_; }
+
+  private:
+    ImDrawList &list_;
+    const Camera &camera_;
+    double scale_;
+};
+
+} // namespace forefront

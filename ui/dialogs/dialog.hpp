@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace forefront {
+
+struct AppContext;
+
+/// A modal dialog: drawn in the middle over the dimmed window, closed by Esc unless it says otherwise. Opened by
+/// context.dialogs.open(std::make_unique<...>()); several stack.
+class Dialog {
+  public:
+    virtual ~Dialog() = default;
+    virtual const char *id() const = 0;
+    virtual std::string title() const = 0;
+    /// Width and height in design pixels; height 0: as high as the content.
+    virtual float width() const { return 480.0F; }
+    virtual float height() const { return 0.0F; }
+    virtual bool closesOnEscape() const { return true; }
+    /// Draws the content. False: close it.
+    virtual bool draw(AppContext &context) = 0;
+};
+
+class DialogHost {
+  public:
+    void open(std::unique_ptr<Dialog> dialog) { opening_.push_back(std::move(dialog)); }
+    /// The dialog on top, or null.
+    const Dialog *top() const { return stack_.empty() ? nullptr : stack_.back().get(); }
+    bool any() const { return !stack_.empty() || !opening_.empty(); }
+    void closeAll();
+    /// Draws all; called once per frame by the editor.
+    void draw(AppContext &context);
+
+  private:
+    void drawFrom(std::size_t level, AppContext &context, std::vector<bool> &keep);
+
+    std::vector<std::unique_ptr<Dialog>> stack_;
+    std::vector<std::unique_ptr<Dialog>> opening_;
+};
+
+} // namespace forefront

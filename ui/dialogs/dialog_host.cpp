@@ -1,0 +1,87 @@
+#include "ui/app/app_context.hpp"
+#include "ui/widgets.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace forefront {
+
+void DialogHost::closeAll() {
+    stack_.clear();
+    opening_.clear();
+}
+
+void DialogHost::drawFrom(std::size_t level, AppContext &context, std::vector<bool> &keep) {
+    Dialog &dialog = *stack_[level];
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const std::string title = dialog.title() + "###dialog" + dialog.id();
+    const float margin = context.px(24);
+    const float width = std::min(context.px(static_cast<double>(dialog.width())), size.x - margin);
+    const float height = std::min(context.px(static_cast<double>(dialog.height())), size.y - margin);
+    ImGui::SetNextWindowPos({std::round(size.x / 2), std::round(size.y / 2)}, ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowSize({width, dialog.height() > 0.0F ? height : 0.0F});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, size.y - margin});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(22), context.px(18)));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.px(10));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, context.theme.popup);
+    ImGui::PushStyleColor(ImGuiCol_PopupBg, context.theme.popup);
+    if (!ImGui::IsPopupOpen(title.c_str())) {
+        ImGui::OpenPopup(title.c_str());
+    }
+    if (ImGui::BeginPopupModal(title.c_str(), nullptr,
+                               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                                   ImGuiWindowFlags_NoSavedSettings)) {
+        ImGui::PushFont(context.fonts.title);
+        ImGui::TextUnformatted(dialog.title().c_str());
+        ImGui::PopFont();
+        const std::string name = std::string("dialog/") + dialog.id();
+        ImGui::SameLine(ImGui::GetWindowWidth() - context.px(22 + 26));
+        if (ui::iconButton(context, name + "/close", icon::kCross, "Close (Esc)", false, dialog.closesOnEscape(), 26.0F)) {
+            keep[level] = false;
+        }
+        ImGui::Dummy({0, context.px(4)});
+        const bool isTop = level + 1 == keep.size();
+        const bool escape = isTop && dialog.closesOnEscape() && ImGui::IsKeyPressed(key::kEscape, false) &&
+                            !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId);
+        if (!dialog.draw(context) || escape) {
+            keep[level] = false;
+        }
+        const ImVec2 at = ImGui::GetWindowPos(), extent = ImGui::GetWindowSize();
+        ui::markRect(context, name, {at.x, at.y, extent.x, extent.y});
+        // A dialog over this one must be begun inside of it, or Dear ImGui closes this one.
+        if (!isTop) {
+            drawFrom(level + 1, context, keep);
+        }
+        if (!keep[level]) {
+            ImGui::CloseCurrentPopup();
+        }
+        ImGui::EndPopup();
+    }
+    ImGui::PopStyleColor(2);
+    ImGui::PopStyleVar(3);
+}
+
+void DialogHost::draw(AppContext &context) {
+    for (std::unique_ptr<Dialog> &dialog : opening_) {
+        stack_.push_back(std::move(dialog));
+        context.animate();
+    }
+    opening_.clear();
+    // Dialogs opened while another draws wait in opening_ for the next frame, so that the stack stands still here.
+    const std::size_t count = stack_.size();
+    std::vector<bool> keep(count, true);
+    if (count > 0) {
+        drawFrom(0, context, keep);
+    }
+    for (std::size_t i = count; i-- > 0;) {
+        if (!keep[i]) {
+            stack_.erase(stack_.begin() + static_cast<std::ptrdiff_t>(i));
+            context.animate();
+        }
+    }
+}
+
+} // namespace forefront

@@ -1,0 +1,112 @@
+#include "ui/gl/gl_kit.hpp"
+
+#include "ui/gl/domain_mask.hpp"
+#include "ui/gl/split.hpp"
+#include "ui/style/colour_map.hpp"
+
+#include <glad/gl.h>
+
+#include <array>
+
+namespace forefront {
+
+namespace {
+
+unsigned smoothTexture(int filter) {
+    unsigned texture = 0;
+    glGenTextures(1, &texture);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    return texture;
+}
+
+unsigned mapTexture(Colour (*map)(double)) {
+    std::array<Colour, 256> colours{};
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+        colours[i] = map(static_cast<double>(i) / 255.0);
+    }
+    const unsigned texture = smoothTexture(GL_LINEAR);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 256, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, colours.data());
+    return texture;
+}
+
+} // namespace
+
+GlKit::GlKit()
+    : lines_("line"), boxes_("box"), mesh_("mesh"), field_("field"), viridis_(mapTexture(forefront::viridis)),
+      cividis_(mapTexture(forefront::cividis)) {
+    glGenVertexArrays(1, &emptyArray_);
+    mask_ = smoothTexture(GL_NEAREST);
+    raster_ = smoothTexture(GL_LINEAR);
+}
+
+GlKit::~GlKit() {
+    glDeleteTextures(1, &viridis_);
+    glDeleteTextures(1, &cividis_);
+    glDeleteTextures(1, &mask_);
+    glDeleteTextures(1, &raster_);
+    glDeleteVertexArrays(1, &emptyArray_);
+}
+
+void GlKit::setCamera(const ShaderProgram &program, const Camera &camera) const {
+    const SplitPoint centre(camera.centre);
+    program.set("centreHigh", static_cast<double>(centre.x.high), static_cast<double>(centre.y.high));
+    program.set("centreLow", static_cast<double>(centre.x.low), static_cast<double>(centre.y.low));
+    program.set("zoom", static_cast<float>(camera.zoom));
+    program.set("viewport", camera.viewport.width, camera.viewport.height);
+}
+
+void GlKit::updateMask(const Domain &domain, std::uint64_t revision, const Camera &camera) {
+    glBindTexture(GL_TEXTURE_2D, mask_);
+    if (revision == maskRevision_ && camera == maskCamera_) {
+        return;
+    }
+    maskRevision_ = revision;
+    maskCamera_ = camera;
+    const int width = static_cast<int>(camera.viewport.width), height = static_cast<int>(camera.viewport.height);
+    const std::vector<std::uint8_t> mask = rasteriseDomain(domain, camera, width, height);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, width, height, 0, GL_RED, GL_UNSIGNED_BYTE, mask.data());
+}
+
+void GlKit::updateRaster(const FieldTint &tint) {
+    glBindTexture(GL_TEXTURE_2D, raster_);
+    if (tint.version != rasterVersion_) {
+        rasterVersion_ = tint.version;
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, tint.columns, tint.rows, 0, GL_RED, GL_FLOAT, tint.logRho->data());
+    }
+}
+
+void GlKit::drawField(const Domain &domain, std::uint64_t revision, const Camera &camera, Colour plain,
+                      const FieldTint *tint) {
+    const ShaderProgram &program = field_;
+    program.use();
+    setCamera(program, camera);
+    glActiveTexture(GL_TEXTURE0);
+    updateMask(domain, revision, camera);
+    program.set("mask", 0);
+    program.set("plain", plain);
+    program.set("tint", tint != nullptr ? static_cast<float>(tint->opacity) : 0.0F);
+    program.set("raster", 1);
+    program.set("map", 2);
+    if (tint != nullptr) {
+        glActiveTexture(GL_TEXTURE1);
+        updateRaster(*tint);
+        glActiveTexture(GL_TEXTURE2);
+        glBindTexture(GL_TEXTURE_2D, viridis_);
+        const Vec2 middle{0.5 * camera.viewport.width, 0.5 * camera.viewport.height};
+        const Vec2 least = middle + camera.zoom * (tint->box.min - camera.centre);
+        program.set("rasterLeast", least.x, least.y);
+        program.set("rasterSize", tint->box.size().x * camera.zoom, tint->box.size().y * camera.zoom);
+        program.set("range", tint->least, tint->greatest);
+        glActiveTexture(GL_TEXTURE0);
+    }
+    glBindVertexArray(emptyArray_);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindVertexArray(0);
+}
+
+} // namespace forefront

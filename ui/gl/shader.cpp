@@ -1,0 +1,82 @@
+#include "ui/gl/shader.hpp"
+
+#include <glad/gl.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+namespace forefront {
+
+namespace {
+
+[[noreturn]] void fail(const std::string &what, const char *log) {
+    std::fprintf(stderr, "shader %s: %s\n", what.c_str(), log);
+    std::abort();
+}
+
+unsigned compile(unsigned kind, const std::string &name) {
+    const char *text = shaderText(name);
+    if (text == nullptr) {
+        fail(name, "not embedded");
+    }
+    const unsigned shader = glCreateShader(kind);
+    glShaderSource(shader, 1, &text, nullptr);
+    glCompileShader(shader);
+    int done = 0;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &done);
+    if (done == 0) {
+        std::array<char, 2048> log{};
+        glGetShaderInfoLog(shader, static_cast<int>(log.size()), nullptr, log.data());
+        fail(name, log.data());
+    }
+    return shader;
+}
+
+} // namespace
+
+ShaderProgram::ShaderProgram(std::string_view name) : program_(glCreateProgram()) {
+    const unsigned vertex = compile(GL_VERTEX_SHADER, std::string(name) + "_vertex");
+    const unsigned fragment = compile(GL_FRAGMENT_SHADER, std::string(name) + "_fragment");
+    glAttachShader(program_, vertex);
+    glAttachShader(program_, fragment);
+    glLinkProgram(program_);
+    glDeleteShader(vertex);
+    glDeleteShader(fragment);
+    int done = 0;
+    glGetProgramiv(program_, GL_LINK_STATUS, &done);
+    if (done == 0) {
+        std::array<char, 2048> log{};
+        glGetProgramInfoLog(program_, static_cast<int>(log.size()), nullptr, log.data());
+        fail(std::string(name), log.data());
+    }
+}
+
+ShaderProgram::~ShaderProgram() {
+    glDeleteProgram(program_);
+}
+
+void ShaderProgram::use() const {
+    glUseProgram(program_);
+}
+
+int ShaderProgram::location(const char *uniform) const {
+    return glGetUniformLocation(program_, uniform);
+}
+
+void ShaderProgram::set(const char *uniform, float value) const {
+    glUniform1f(location(uniform), value);
+}
+void ShaderProgram::set(const char *uniform, int value) const {
+    glUniform1i(location(uniform), value);
+}
+void ShaderProgram::set(const char *uniform, double x, double y) const {
+    glUniform2f(location(uniform), static_cast<float>(x), static_cast<float>(y));
+}
+void ShaderProgram::set(const char *uniform, Colour colour) const {
+    const auto channel = [&](unsigned shift) { return static_cast<float>((colour >> shift) & 0xffU) / 255.0F; };
+    glUniform4f(location(uniform), channel(0), channel(8), channel(16), channel(24));
+}
+
+} // namespace forefront

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "ui/style/colour.hpp"
+
+#include <string_view>
+
+namespace forefront {
+
+/// Text of shaders/NAME.glsl, embedded at build time; null if there is none.
+const char *shaderText(std::string_view name);
+
+/// A linked program of shaders/NAME_vertex.glsl and shaders/NAME_fragment.glsl. A fault in a shader is a broken
+/// invariant of ours: it is printed and ends the program.
+class ShaderProgram {
+  public:
+    explicit ShaderProgram(std::string_view name);
+    ~ShaderProgram();
+    ShaderProgram(const ShaderProgram &) = delete;
+    ShaderProgram &operator=(const ShaderProgram &) = delete;
+
+    void use() const;
+    // The program must be in use.
+    void set(const char *uniform, float value) const;
+    void set(const char *uniform, int value) const;
+    void set(const char *uniform, double x, double y) const;
+    void set(const char *uniform, Colour colour) const;
+
+  private:
+    int location(const char *uniform) const;
+
+    unsigned program_ = 0;
+};
+
+} // namespace forefront

@@ -1,0 +1,116 @@
+#include "ui/input/input_queue.hpp"
+
+#include <sstream>
+
+namespace forefront {
+
+namespace {
+
+/// What has changed in a frame so far.
+struct FrameChanges {
+    bool moved = false, button = false, scrolled = false, key = false, text = false;
+
+    /// True if `event` may not share a frame with what has changed already. A move after a button change would shift the
+    /// click; two changes of a button or key would hide each other; text belongs to the key before it.
+    bool conflicts(const InputEvent &event) const {
+        switch (event.kind) {
+        case InputKind::MouseMove:
+            return button || scrolled;
+        case InputKind::MouseButton:
+            return button || scrolled || key;
+        case InputKind::Scroll:
+            return button || scrolled || key;
+        case InputKind::Key:
+            return key || text || button || scrolled;
+        case InputKind::Text:
+            return button || scrolled;
+        default:
+            return false;
+        }
+    }
+
+    void note(const InputEvent &event) {
+        moved = moved || event.kind == InputKind::MouseMove;
+        button = button || event.kind == InputKind::MouseButton;
+        scrolled = scrolled || event.kind == InputKind::Scroll;
+        key = key || event.kind == InputKind::Key;
+        text = text || event.kind == InputKind::Text;
+    }
+};
+
+} // namespace
+
+void InputQueue::push(InputEvent event) {
+    events_.push_back(std::move(event));
+}
+
+std::vector<InputEvent> InputQueue::takeFrame() {
+    ++frame_;
+    while (!replay_.empty() && replay_.front().frame <= frame_) {
+        events_.push_back(std::move(replay_.front().event));
+        replay_.pop_front();
+    }
+    std::vector<InputEvent> taken;
+    FrameChanges changes;
+    while (!events_.empty() && !changes.conflicts(events_.front())) {
+        changes.note(events_.front());
+        taken.push_back(std::move(events_.front()));
+        events_.pop_front();
+    }
+    if (recordFrom_) {
+        for (const InputEvent &event : taken) {
+            recorded_.push_back({frame_ - *recordFrom_, event});
+        }
+    }
+    return taken;
+}
+
+void InputQueue::startRecording() {
+    recordFrom_ = frame_;
+    recorded_.clear();
+}
+
+std::string InputQueue::recording() const {
+    std::ostringstream out;
+    out.precision(17);
+    for (const Timed &timed : recorded_) {
+        const InputEvent &e = timed.event;
+        out << timed.frame << ' ' << static_cast<int>(e.kind) << ' ' << e.x << ' ' << e.y << ' ' << e.code << ' '
+            << int{e.pressed} << ' ' << int{e.repeated} << ' ' << int{e.modifiers.bits};
+        for (const std::string &path : e.paths) {
+            out << '\t' << path;
+        }
+        out << '\n';
+    }
+    return out.str();
+}
+
+bool InputQueue::replay(const std::string &recording) {
+    std::istringstream lines(recording);
+    std::deque<Timed> read;
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream fields(line.substr(0, line.find('\t')));
+        Timed timed;
+        int kind = 0, pressed = 0, repeated = 0, modifiers = 0;
+        InputEvent &e = timed.event;
+        if (!(fields >> timed.frame >> kind >> e.x >> e.y >> e.code >> pressed >> repeated >> modifiers) || kind < 0 ||
+            kind > static_cast<int>(InputKind::Close)) {
+            return false;
+        }
+        e.kind = static_cast<InputKind>(kind);
+        e.pressed = pressed != 0;
+        e.repeated = repeated != 0;
+        e.modifiers.bits = static_cast<std::uint8_t>(modifiers & 7);
+        for (std::size_t tab = line.find('\t'); tab != std::string::npos;) {
+            const std::size_t end = line.find('\t', tab + 1);
+            e.paths.push_back(line.substr(tab + 1, end == std::string::npos ? end : end - tab - 1));
+            tab = end;
+        }
+        timed.frame += frame_;
+        read.push_back(std::move(timed));
+    }
+    replay_ = std::move(read);
+    return true;
+}
+
+} // namespace forefront

@@ -1,0 +1,80 @@
+#pragma once
+
+#include "core/session/snapshot.hpp"
+#include "ui/app/preview.hpp"
+#include "ui/canvas/camera.hpp"
+#include "ui/platform/platform.hpp"
+#include "ui/style/fonts.hpp"
+#include "ui/style/theme.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace forefront {
+
+class CanvasPainter;
+class GlKit;
+struct Document;
+struct LayerSlot;
+struct Selection;
+
+/// All a layer may draw from. Valid for one frame.
+struct LayerFrame {
+    const Camera &camera;
+    const Theme &theme;
+    const Fonts &fonts;
+    double scale; ///< pixels per design pixel
+    const SessionSnapshot &snapshot;
+    const Document &document;
+    const Domain &domain;   ///< of the document as drawn
+    std::uint64_t revision; ///< of the document
+    const DocumentPreview &preview;
+    std::shared_ptr<const SpacingRaster> raster;
+    const Selection &selection;
+    std::optional<int> isolatedBin;
+    bool outOfDate;
+    const std::vector<LayerSlot> &layers;
+    GlKit &gl; ///< shared shaders and buffers
+
+    bool visible(std::string_view id) const;
+};
+
+/// A layer of the canvas. One file a layer, one line in makeLayers(). Layers are drawn in the order of makeLayers(), all
+/// still parts first.
+class Layer {
+  public:
+    virtual ~Layer() = default;
+    /// Stable name; the switch is the widget "layer/ID".
+    virtual const char *id() const = 0;
+    virtual const char *name() const = 0;
+    virtual bool visibleAtStart() const { return true; }
+    /// What the session must deliver while the layer is visible.
+    virtual void request(SnapshotLayers &) const {}
+
+    /// The heavy part. Kept in a texture and drawn again only when the camera, the theme or this number changes.
+    virtual std::uint64_t stillVersion(const LayerFrame &) const { return 0; }
+    virtual void drawStill(const LayerFrame &) {}
+    /// Drawn with OpenGL in every frame, over all still parts.
+    virtual void drawLive(const LayerFrame &) {}
+    /// Few lines and text, over everything drawn with OpenGL.
+    virtual void drawOverlay(CanvasPainter &, const LayerFrame &) {}
+    /// Draws a legend with its lower right corner at `corner` (pixels) and returns its height in pixels; 0: none.
+    virtual double drawLegend(CanvasPainter &, const LayerFrame &, Vec2 corner) {
+        static_cast<void>(corner);
+        return 0.0;
+    }
+};
+
+struct LayerSlot {
+    std::unique_ptr<Layer> layer;
+    bool visible = true;
+};
+
+/// Ids of the layers, lowest first: domain, spacing, grid, quality, mesh, boundary, front, candidates, tests, labels.
+/// All layers from the lowest to the topmost.
+std::vector<std::unique_ptr<Layer>> makeLayers();
+
+} // namespace forefront

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "ui/layers/layer.hpp"
+
+#include <memory>
+
+namespace forefront {
+
+/// Inside of the domain, its boundary, constraints and isolated points.
+std::unique_ptr<Layer> makeDomainLayer();
+
+} // namespace forefront

@@ -1,0 +1,130 @@
+#include "ui/platform/egl_platform.hpp"
+
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <glad/gl.h>
+
+#include <algorithm>
+
+namespace forefront {
+
+struct EglPlatform::Context {
+    EGLDisplay display = EGL_NO_DISPLAY;
+    EGLContext context = EGL_NO_CONTEXT;
+
+    Context() = default;
+    Context(const Context &) = delete;
+    Context &operator=(const Context &) = delete;
+    ~Context() {
+        if (display != EGL_NO_DISPLAY) {
+            eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+            if (context != EGL_NO_CONTEXT) {
+                eglDestroyContext(display, context);
+            }
+            eglTerminate(display);
+        }
+    }
+};
+
+namespace {
+
+bool openContext(EGLDisplay &display, EGLContext &context, std::string &fault) {
+    display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
+    if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) == EGL_FALSE) {
+        fault = "EGL offers no surfaceless display (is libegl-mesa0 installed?)";
+        return false;
+    }
+    if (eglBindAPI(EGL_OPENGL_API) == EGL_FALSE) {
+        fault = "EGL offers no desktop OpenGL";
+        return false;
+    }
+    const EGLint configAttributes[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_DONT_CARE, EGL_NONE};
+    EGLConfig config = nullptr;
+    EGLint count = 0;
+    eglChooseConfig(display, configAttributes, &config, 1, &count);
+    const EGLint contextAttributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                        3,
+                                        EGL_CONTEXT_MINOR_VERSION,
+                                        3,
+                                        EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                        EGL_NONE};
+    context = eglCreateContext(display, count > 0 ? config : nullptr, EGL_NO_CONTEXT, contextAttributes);
+    if (context == EGL_NO_CONTEXT ||
+        eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_FALSE) {
+        fault = "EGL gives no OpenGL 3.3 core context (is libgl1-mesa-dri installed?)";
+        return false;
+    }
+    return true;
+}
+
+} // namespace
+
+std::unique_ptr<EglPlatform> EglPlatform::create(PixelSize size, double contentScale, std::string &fault) {
+    auto context = std::make_unique<Context>();
+    if (!openContext(context->display, context->context, fault)) {
+        return nullptr;
+    }
+    if (gladLoadGL(reinterpret_cast<GLADloadfunc>(eglGetProcAddress)) == 0) {
+        fault = "the OpenGL functions cannot be loaded";
+        return nullptr;
+    }
+    return std::unique_ptr<EglPlatform>(new EglPlatform(std::move(context), size, contentScale));
+}
+
+EglPlatform::EglPlatform(std::unique_ptr<Context> context, PixelSize size, double contentScale)
+    : context_(std::move(context)), size_(size), scale_(contentScale) {
+    makeFramebuffer();
+}
+
+EglPlatform::~EglPlatform() {
+    dropFramebuffer();
+}
+
+Platform::GlFunction (*EglPlatform::glLoader() const)(const char *) {
+    return eglGetProcAddress;
+}
+
+void EglPlatform::poll(InputQueue &, double) {}
+
+void EglPlatform::resize(PixelSize size, double contentScale) {
+    size_ = size;
+    scale_ = contentScale;
+    dropFramebuffer();
+    makeFramebuffer();
+}
+
+void EglPlatform::makeFramebuffer() {
+    glGenRenderbuffers(1, &colour_);
+    glBindRenderbuffer(GL_RENDERBUFFER, colour_);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, size_.width, size_.height);
+    glGenRenderbuffers(1, &depthStencil_);
+    glBindRenderbuffer(GL_RENDERBUFFER, depthStencil_);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, size_.width, size_.height);
+    glGenFramebuffers(1, &framebuffer_);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, depthStencil_);
+}
+
+void EglPlatform::dropFramebuffer() {
+    glDeleteFramebuffers(1, &framebuffer_);
+    glDeleteRenderbuffers(1, &colour_);
+    glDeleteRenderbuffers(1, &depthStencil_);
+}
+
+std::vector<std::uint8_t> EglPlatform::pixels() const {
+    const std::size_t stride = static_cast<std::size_t>(size_.width) * 4;
+    const std::size_t rows = static_cast<std::size_t>(size_.height);
+    std::vector<std::uint8_t> bottomUp(stride * rows);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, size_.width, size_.height, GL_RGBA, GL_UNSIGNED_BYTE, bottomUp.data());
+    std::vector<std::uint8_t> picture(bottomUp.size());
+    for (std::size_t row = 0; row < rows; ++row) {
+        std::copy_n(&bottomUp[(rows - 1 - row) * stride], stride, &picture[row * stride]);
+    }
+    return picture;
+}
+
+} // namespace forefront

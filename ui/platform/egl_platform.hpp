@@ -1,0 +1,51 @@
+#pragma once
+
+#include "ui/platform/platform.hpp"
+
+#include <memory>
+
+namespace forefront {
+
+/// Headless: EGL without a surface, drawing to a framebuffer object, no X server, every frame 1/60 s.
+class EglPlatform final : public Platform {
+  public:
+    /// Null, with the reason in `fault`, where EGL gives no OpenGL 3.3 context.
+    static std::unique_ptr<EglPlatform> create(PixelSize size, double contentScale, std::string &fault);
+    ~EglPlatform() override;
+
+    GlFunction (*glLoader() const)(const char *) override;
+    PixelSize framebufferSize() const override { return size_; }
+    double contentScale() const override { return scale_; }
+    double now() const override { return static_cast<double>(frames_) / 60.0; }
+    void poll(InputQueue &queue, double waitSeconds) override;
+    void wake() override {}
+    unsigned targetFramebuffer() const override { return framebuffer_; }
+    void present() override { ++frames_; }
+    void setTitle(const std::string &title) override { title_ = title; }
+    void setIcon(PixelSize, const std::vector<std::uint8_t> &) override {}
+    void setCursor(CursorShape shape) override { cursor_ = shape; }
+    std::string clipboard() const override { return clipboard_; }
+    void setClipboard(const std::string &text) override { clipboard_ = text; }
+
+    void resize(PixelSize size, double contentScale);
+    const std::string &title() const { return title_; }
+    CursorShape cursor() const { return cursor_; }
+    /// The picture last drawn: RGBA, row by row from the top.
+    std::vector<std::uint8_t> pixels() const;
+
+  private:
+    struct Context;
+    EglPlatform(std::unique_ptr<Context> context, PixelSize size, double contentScale);
+    void makeFramebuffer();
+    void dropFramebuffer();
+
+    std::unique_ptr<Context> context_;
+    PixelSize size_;
+    double scale_ = 1.0;
+    std::uint64_t frames_ = 0;
+    unsigned framebuffer_ = 0, colour_ = 0, depthStencil_ = 0;
+    std::string title_, clipboard_;
+    CursorShape cursor_ = CursorShape::Arrow;
+};
+
+} // namespace forefront

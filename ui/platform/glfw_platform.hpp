@@ -1,0 +1,44 @@
+#pragma once
+
+#include "ui/platform/platform.hpp"
+
+#include <array>
+#include <memory>
+
+struct GLFWwindow;
+struct GLFWcursor;
+
+namespace forefront {
+
+/// A window of the desktop.
+class GlfwPlatform final : public Platform {
+  public:
+    /// Null, with the reason in `fault`, where there is no display or no OpenGL 3.3. Size in design pixels.
+    static std::unique_ptr<GlfwPlatform> create(PixelSize size, const std::string &title, std::string &fault);
+    ~GlfwPlatform() override;
+
+    GlFunction (*glLoader() const)(const char *) override;
+    PixelSize framebufferSize() const override;
+    double contentScale() const override;
+    double now() const override;
+    void poll(InputQueue &queue, double waitSeconds) override;
+    void wake() override;
+    unsigned targetFramebuffer() const override { return 0; }
+    void present() override;
+    void setTitle(const std::string &title) override;
+    void setIcon(PixelSize size, const std::vector<std::uint8_t> &rgba) override;
+    void setCursor(CursorShape shape) override;
+    std::string clipboard() const override;
+    void setClipboard(const std::string &text) override;
+
+  private:
+    struct Callbacks;
+    explicit GlfwPlatform(GLFWwindow *window);
+
+    GLFWwindow *window_;
+    InputQueue pending_; ///< filled by callbacks, emptied by poll()
+    std::array<GLFWcursor *, 8> cursors_{};
+    CursorShape cursor_ = CursorShape::Arrow;
+};
+
+} // namespace forefront

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "ui/input/input_queue.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace forefront {
+
+struct PixelSize {
+    int width = 0, height = 0;
+    friend bool operator==(PixelSize, PixelSize) = default;
+};
+
+enum class CursorShape : std::uint8_t { Arrow, Hand, Text, Crosshair, ResizeHorizontal, ResizeVertical, Move, Hidden };
+
+/// Where the editor runs: a GLFW window, or headless on EGL with a fixed time step. The editor is the same in both.
+class Platform {
+  public:
+    using GlFunction = void (*)();
+
+    virtual ~Platform() = default;
+    /// Loads OpenGL functions of the context that this platform has made current.
+    virtual GlFunction (*glLoader() const)(const char *) = 0;
+    virtual PixelSize framebufferSize() const = 0;
+    /// Pixels per design pixel: Xft.dpi / 96 or the monitor's scale; without the user's own slider.
+    virtual double contentScale() const = 0;
+    /// Seconds; headless: frames / 60.
+    virtual double now() const = 0;
+    /// Queues what has happened; sleeps at most `waitSeconds` (0: not at all) while nothing does.
+    virtual void poll(InputQueue &queue, double waitSeconds) = 0;
+    /// Ends a sleep in poll(); callable from any thread.
+    virtual void wake() = 0;
+    /// The framebuffer object to draw to.
+    virtual unsigned targetFramebuffer() const = 0;
+    virtual void present() = 0;
+    virtual void setTitle(const std::string &title) = 0;
+    /// RGBA, row by row from the top.
+    virtual void setIcon(PixelSize size, const std::vector<std::uint8_t> &rgba) = 0;
+    virtual void setCursor(CursorShape shape) = 0;
+    virtual std::string clipboard() const = 0;
+    virtual void setClipboard(const std::string &text) = 0;
+};
+
+} // namespace forefront

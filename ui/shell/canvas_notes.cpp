@@ -1,0 +1,154 @@
+#include "ui/shell/shell.hpp"
+#include "ui/widgets.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace forefront::shell {
+
+namespace {
+
+constexpr ImGuiWindowFlags kFloating = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
+                                       ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing |
+                                       ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+/// A small plate on the canvas; `pivotX` 0: x is its left edge, 0.5: its middle, 1: its right edge.
+class Plate {
+  public:
+    Plate(AppContext &context, const char *name, double x, double y, float pivotX, float pivotY) {
+        ImGui::SetNextWindowPos({static_cast<float>(x), static_cast<float>(y)}, ImGuiCond_Always, {pivotX, pivotY});
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(12), context.px(8)));
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.px(8));
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
+        ImGui::PushStyleColor(ImGuiCol_WindowBg, fade(context.theme.popup, 0.96));
+        ImGui::Begin(name, nullptr, kFloating);
+    }
+    ~Plate() {
+        ImGui::End();
+        ImGui::PopStyleColor();
+        ImGui::PopStyleVar(3);
+    }
+    Plate(const Plate &) = delete;
+    Plate &operator=(const Plate &) = delete;
+};
+
+void key(AppContext &context, const char *text) {
+    const ImVec2 size = ImGui::CalcTextSize(text);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 pad{context.px(6), context.px(2)};
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled({at.x, at.y - pad.y}, {at.x + size.x + 2 * pad.x, at.y + size.y + pad.y}, context.theme.raised, context.px(4));
+    list.AddText({at.x + pad.x, at.y}, context.theme.accent, text);
+    ImGui::Dummy({size.x + 2 * pad.x, size.y});
+    ImGui::SameLine(0, context.px(6));
+}
+
+void drawHints(AppContext &context, const PixelRect &canvas) {
+    if (!context.settings.hints) {
+        return;
+    }
+    const Plate plate(context, "##hints", canvas.centre().x, canvas.y + canvas.height - 14.0 * static_cast<double>(context.scale), 0.5F, 1.0F);
+    const struct {
+        const char *key, *text;
+    } hints[] = {{"2", "mesh"}, {"Space", "replay the front"}, {".", "step"}, {"B", "paint finer"}, {"?", "all shortcuts"}};
+    for (const auto &hint : hints) {
+        key(context, hint.key);
+        ui::muted(context, hint.text);
+        ImGui::SameLine(0, context.px(16));
+    }
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(context.px(4), 0));
+    if (ui::button(context, "hints/close", icon::kCross, ui::ButtonKind::Quiet)) {
+        context.settings.hints = false;
+    }
+    ImGui::PopStyleVar();
+}
+
+void drawOutOfDate(AppContext &context, const PixelRect &canvas) {
+    if (!context.run().outOfDate() || context.run().now().state == RunState::Empty) {
+        return;
+    }
+    const double scale = static_cast<double>(context.scale);
+    const Plate plate(context, "##outofdate", canvas.x + canvas.width - 12.0 * scale, canvas.y + 12.0 * scale, 1.0F, 0.0F);
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, context.theme.warn);
+    ImGui::TextUnformatted((std::string(icon::kClock) + "  mesh out of date").c_str());
+    ImGui::PopStyleColor();
+    ui::mark(context, "canvas/outofdate");
+    ImGui::SameLine(0, context.px(12));
+    if (ui::button(context, "canvas/remesh", "Mesh  2", ui::ButtonKind::Primary)) {
+        context.actions.run("run.mesh", context);
+    }
+}
+
+void drawProgress(AppContext &context, const PixelRect &canvas) {
+    const SessionSnapshot &run = context.run().now();
+    const bool working = run.state == RunState::Preparing || run.state == RunState::Improving ||
+                         (run.state == RunState::Running && run.progress > 0.0 && run.rate > 2.0 * RunControl::kFastest * RunControl::kAdvancesPerSecond);
+    if (!working) {
+        return;
+    }
+    const double scale = static_cast<double>(context.scale);
+    const Plate plate(context, "##progress", canvas.centre().x, canvas.y + 14.0 * scale, 0.5F, 0.0F);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(run.stage.empty() ? "working" : run.stage.c_str());
+    ImGui::SameLine(0, context.px(12));
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 size{context.px(180), context.px(6)};
+    const float y = at.y + (ImGui::GetFrameHeight() - size.y) / 2;
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled({at.x, y}, {at.x + size.x, y + size.y}, context.theme.raised, size.y / 2);
+    const float done = size.x * static_cast<float>(std::clamp(run.progress, 0.03, 1.0));
+    list.AddRectFilled({at.x, y}, {at.x + done, y + size.y}, context.theme.accent, size.y / 2);
+    ImGui::Dummy({size.x, ImGui::GetFrameHeight()});
+    ImGui::SameLine(0, context.px(12));
+    if (ui::button(context, "canvas/cancel", "Cancel  Esc")) {
+        context.actions.run("run.cancel", context);
+    }
+}
+
+/// The newest error for some seconds, with a way to its place.
+void drawNewestError(AppContext &context, const PixelRect &canvas) {
+    constexpr double kShown = 9.0;
+    const auto &entries = context.log.entries();
+    if (entries.empty() || entries.back().diagnostic.severity == Severity::Note) {
+        return;
+    }
+    const MessageLog::Entry &entry = entries.back();
+    const double age = context.platform.now() - entry.time;
+    if (age > kShown) {
+        return;
+    }
+    context.wakeAt(entry.time + kShown);
+    const double scale = static_cast<double>(context.scale);
+    const double y = canvas.y + canvas.height - (context.settings.hints ? 62.0 : 14.0) * scale;
+    const Plate plate(context, "##error", canvas.centre().x, y, 0.5F, 1.0F);
+    const bool fault = entry.diagnostic.severity == Severity::Error;
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, fault ? context.theme.bad : context.theme.warn);
+    ImGui::TextUnformatted(fault ? icon::kError : icon::kWarning);
+    ImGui::PopStyleColor();
+    ImGui::SameLine(0, context.px(8));
+    ImGui::PushTextWrapPos(context.px(520));
+    ImGui::TextUnformatted(entry.diagnostic.message.c_str());
+    ImGui::PopTextWrapPos();
+    ui::mark(context, "canvas/error");
+    if (entry.diagnostic.at) {
+        ImGui::SameLine(0, context.px(12));
+        if (ui::button(context, "canvas/error/goto", "Show place")) {
+            context.view.goTo(*entry.diagnostic.at, context.platform.now());
+        }
+    }
+}
+
+} // namespace
+
+void drawCanvasNotes(AppContext &context, const PixelRect &canvas) {
+    drawHints(context, canvas);
+    drawOutOfDate(context, canvas);
+    drawProgress(context, canvas);
+    drawNewestError(context, canvas);
+}
+
+} // namespace forefront::shell

@@ -1,0 +1,160 @@
+#include "ui/shell/shell.hpp"
+#include "ui/widgets.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace forefront::shell {
+
+namespace {
+
+std::string capitals(const char *text) {
+    std::string result(text);
+    std::transform(result.begin(), result.end(), result.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    return result;
+}
+
+/// An edge that can be dragged; returns the distance dragged in pixels along its normal.
+float splitter(AppContext &context, const char *name, const PixelRect &rect, bool vertical) {
+    ImGui::SetCursorScreenPos({static_cast<float>(rect.x), static_cast<float>(rect.y)});
+    ImGui::InvisibleButton(name, {static_cast<float>(rect.width), static_cast<float>(rect.height)});
+    ui::mark(context, name);
+    const bool lit = ImGui::IsItemHovered() || ImGui::IsItemActive();
+    if (lit) {
+        ImGui::SetMouseCursor(vertical ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
+        const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+        const ImVec2 middle{(min.x + max.x) / 2, (min.y + max.y) / 2};
+        const float half = context.px(1);
+        ImGui::GetWindowDrawList()->AddRectFilled(vertical ? ImVec2(middle.x - half, min.y) : ImVec2(min.x, middle.y - half),
+                                                  vertical ? ImVec2(middle.x + half, max.y) : ImVec2(max.x, middle.y + half),
+                                                  fade(context.theme.accent, 0.8));
+    }
+    if (!ImGui::IsItemActive()) {
+        return 0.0F;
+    }
+    return vertical ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y;
+}
+
+/// Heading with a triangle; remembers in Dear ImGui's storage whether the panel is folded.
+bool panelHeading(AppContext &context, const Panel &panel) {
+    const std::string name = std::string("panel/") + panel.id();
+    bool *folded = ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID(panel.id()), false);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x, height = context.px(22);
+    if (ImGui::InvisibleButton(name.c_str(), {width, height})) {
+        *folded = !*folded;
+    }
+    const bool hovered = ImGui::IsItemHovered();
+    ui::mark(context, name);
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    ImGui::PushFont(context.fonts.heading);
+    const float y = at.y + (height - ImGui::GetFontSize()) / 2;
+    const Colour colour = hovered ? context.theme.text : context.theme.muted;
+    list.AddText({at.x, y}, colour, *folded ? icon::kRight : icon::kDown);
+    list.AddText({at.x + context.px(14), y}, colour, capitals(panel.title()).c_str());
+    ImGui::PopFont();
+    return !*folded;
+}
+
+void drawStacked(AppContext &context, float height) {
+    ImGui::BeginChild("stacked", {0, height}, false, ImGuiWindowFlags_NoNav);
+    bool first = true;
+    for (const auto &panel : context.panels) {
+        if (panel->place() != PanelPlace::Stacked) {
+            continue;
+        }
+        ImGui::PushID(panel->id());
+        if (!first) {
+            ImGui::Dummy({0, context.px(2)});
+            const ImVec2 at = ImGui::GetCursorScreenPos();
+            ImGui::GetWindowDrawList()->AddLine({at.x - context.px(12), at.y}, {at.x + ImGui::GetContentRegionAvail().x + context.px(12), at.y},
+                                                context.theme.line);
+            ImGui::Dummy({0, context.px(1)});
+        }
+        first = false;
+        if (panelHeading(context, *panel)) {
+            if (panel->height() > 0.0) {
+                ImGui::BeginChild("content", {0, context.px(panel->height())}, false, ImGuiWindowFlags_NoNav);
+                panel->draw(context);
+                ImGui::EndChild();
+            } else {
+                panel->draw(context);
+            }
+        }
+        ImGui::PopID();
+    }
+    ImGui::EndChild();
+}
+
+void drawTabs(AppContext &context) {
+    int *chosen = ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("tab"), 0);
+    std::vector<Panel *> tabs;
+    for (const auto &panel : context.panels) {
+        if (panel->place() == PanelPlace::Tabbed) {
+            tabs.push_back(panel.get());
+        }
+    }
+    if (tabs.empty()) {
+        return;
+    }
+    *chosen = std::clamp(*chosen, 0, static_cast<int>(tabs.size()) - 1);
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    ImGui::PushFont(context.fonts.heading);
+    const float height = context.px(24);
+    for (std::size_t i = 0; i < tabs.size(); ++i) {
+        const std::string title = capitals(tabs[i]->title());
+        const ImVec2 size = ImGui::CalcTextSize(title.c_str());
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const std::string name = std::string("panel/") + tabs[i]->id();
+        if (ImGui::InvisibleButton(name.c_str(), {size.x + context.px(2), height})) {
+            *chosen = static_cast<int>(i);
+        }
+        ui::mark(context, name);
+        const bool here = *chosen == static_cast<int>(i);
+        const Colour colour = here || ImGui::IsItemHovered() ? context.theme.text : context.theme.muted;
+        list.AddText({at.x, at.y + (height - size.y) / 2}, colour, title.c_str());
+        if (here) {
+            list.AddRectFilled({at.x, at.y + height - context.px(2)}, {at.x + size.x, at.y + height}, context.theme.accent,
+                               context.px(1));
+        }
+        ImGui::SameLine(0, context.px(16));
+    }
+    ImGui::PopFont();
+    ImGui::NewLine();
+    ImGui::BeginChild("tabcontent", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    tabs[static_cast<std::size_t>(*chosen)]->draw(context);
+    ImGui::EndChild();
+}
+
+} // namespace
+
+void drawColumn(AppContext &context, const PixelRect &rect) {
+    if (rect.width < 1.0) {
+        return;
+    }
+    beginRegion("##column", rect, context.theme.panel, context.px(12), context.px(6));
+    const float edge = static_cast<float>(rect.x);
+    ImGui::GetWindowDrawList()->AddLine({edge, static_cast<float>(rect.y)}, {edge, static_cast<float>(rect.y + rect.height)},
+                                        context.theme.line);
+    const double scale = static_cast<double>(context.scale);
+    const double tabs = std::clamp(context.settings.tabsHeight * scale, 60.0, std::max(60.0, rect.height - 80.0 * scale));
+    const float stacked = static_cast<float>(rect.height - tabs) - context.px(10);
+    drawStacked(context, stacked);
+    const double splitY = rect.y + rect.height - tabs - 5.0 * scale;
+    const float line = static_cast<float>(splitY + 3.0 * scale);
+    ImGui::GetWindowDrawList()->AddLine({edge, line}, {edge + static_cast<float>(rect.width), line}, context.theme.line);
+    const float dragged = splitter(context, "splitter/tabs", {rect.x + 6 * scale, splitY, rect.width - 6 * scale, 6.0 * scale}, false);
+    context.settings.tabsHeight = std::clamp(context.settings.tabsHeight - static_cast<double>(dragged) / scale, 90.0, 900.0);
+    ImGui::SetCursorScreenPos({edge + context.px(12), line + context.px(3)});
+    ImGui::BeginChild("tabs", {static_cast<float>(rect.width) - context.px(24), 0}, false, ImGuiWindowFlags_NoNav);
+    drawTabs(context);
+    ImGui::EndChild();
+    const float wider = splitter(context, "splitter/column", {rect.x, rect.y, 6.0 * scale, rect.height}, true);
+    context.settings.panelWidth = std::clamp(context.settings.panelWidth - static_cast<double>(wider) / scale, 240.0, 640.0);
+    ImGui::End();
+}
+
+} // namespace forefront::shell

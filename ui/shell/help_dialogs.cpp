@@ -1,0 +1,240 @@
+#include "ui/shell/help_dialogs.hpp"
+
+#include "core/base/version.hpp"
+#include "ui/widgets.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace forefront {
+
+namespace {
+
+class ShortcutSheet final : public Dialog {
+  public:
+    const char *id() const override { return "shortcuts"; }
+    std::string title() const override { return "Shortcuts"; }
+    float width() const override { return 860.0F; }
+
+    bool draw(AppContext &context) override {
+        const float column = (ImGui::GetContentRegionAvail().x - context.px(36)) / 3.0F;
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(8), context.px(5)));
+        ImGui::BeginGroup();
+        group(context, "TOOLS", column, [&] {
+            for (const auto &tool : context.tools.tools) {
+                row(context, column, toString({tool->key(), {}}), tool->name());
+            }
+        });
+        ImGui::EndGroup();
+        ImGui::SameLine(0, context.px(18));
+        ImGui::BeginGroup();
+        group(context, "MESH AND TIMELINE", column, [&] { actionRows(context, column, {"Mesh"}); });
+        group(context, "DRAWING", column, [&] {
+            for (const auto &[keys, text] : kDrawing) {
+                row(context, column, keys, text);
+            }
+        });
+        ImGui::EndGroup();
+        ImGui::SameLine(0, context.px(18));
+        ImGui::BeginGroup();
+        group(context, "FILES AND EDITING", column, [&] { actionRows(context, column, {"File", "Edit"}); });
+        group(context, "VIEW", column, [&] {
+            row(context, column, "Wheel", "zoom at the pointer");
+            row(context, column, "Space + drag", "move the view");
+            actionRows(context, column, {"View", "Help"});
+        });
+        ImGui::EndGroup();
+        ImGui::PopStyleVar();
+        return true;
+    }
+
+  private:
+    static constexpr std::array<std::pair<const char *, const char *>, 7> kDrawing{{
+        {"Enter", "close or end the path"},
+        {"Backspace", "remove the last node"},
+        {"X Y D Q", "lock x, y, distance, angle"},
+        {"0\xe2\x80\xa6" "9", "numeric entry"},
+        {"Shift / Ctrl", "angle snap / no snap"},
+        {"[ ]", "brush radius"},
+        {"Shift + [ ]", "brush spacing"},
+    }};
+
+    template <class Rows>
+    static void group(AppContext &context, const char *title, float width, Rows rows) {
+        ui::heading(context, title);
+        rows();
+        ImGui::Dummy({width, context.px(8)});
+    }
+
+    static void row(AppContext &context, float width, const std::string &keys, const std::string &text) {
+        const float left = ImGui::GetCursorPosX();
+        ImGui::PushStyleColor(ImGuiCol_Text, context.theme.accent);
+        ImGui::TextUnformatted(keys.c_str());
+        ImGui::PopStyleColor();
+        ImGui::SameLine(left + 0.42F * width);
+        ImGui::TextUnformatted(text.c_str());
+    }
+
+    static void actionRows(AppContext &context, float width, std::initializer_list<std::string_view> menus) {
+        for (const Action &action : context.actions.all()) {
+            const bool wanted = std::find(menus.begin(), menus.end(), action.menu) != menus.end();
+            if (!wanted || action.shortcuts.empty()) {
+                continue;
+            }
+            std::string keys = toString(action.shortcuts.front());
+            if (action.shortcuts.size() > 1 && keys.size() < 3) {
+                keys += "  " + toString(action.shortcuts[1]);
+            }
+            row(context, width, keys, action.title);
+        }
+    }
+};
+
+std::string lowered(std::string_view text) {
+    std::string result(text);
+    std::transform(result.begin(), result.end(), result.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return result;
+}
+
+/// Every word of the query occurs in the text.
+bool matches(const std::string &text, const std::string &query) {
+    const std::string low = lowered(text);
+    for (std::size_t at = 0; at < query.size();) {
+        const std::size_t end = std::min(query.find(' ', at), query.size());
+        if (low.find(query.substr(at, end - at)) == std::string::npos) {
+            return false;
+        }
+        at = end + 1;
+    }
+    return true;
+}
+
+class Palette final : public Dialog {
+  public:
+    const char *id() const override { return "palette"; }
+    std::string title() const override { return "Command palette"; }
+    float width() const override { return 520.0F; }
+    float height() const override { return 440.0F; }
+
+    bool draw(AppContext &context) override {
+        ui::inputText(context, "palette/query", query_, "Type what you want to do", -1.0F, false, first_);
+        first_ = false;
+        const std::vector<const Action *> found = search(context);
+        move(static_cast<int>(found.size()));
+        const Action *run = nullptr;
+        ImGui::BeginChild("found", {0, 0}, false, ImGuiWindowFlags_NoNav);
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            const Action &action = *found[i];
+            const std::string title = action.dynamic ? action.dynamic(context) : action.title;
+            const std::string label = action.menu.empty() ? title : action.menu + "  \xe2\x80\xba  " + title;
+            const std::string keys = action.shortcuts.empty() ? "" : toString(action.shortcuts.front());
+            const bool chosen = static_cast<int>(i) == chosen_;
+            if (ui::selectable(context, "palette/" + action.id, label, chosen, keys)) {
+                run = &action;
+            }
+            if (chosen && moved_) {
+                ImGui::SetScrollHereY();
+            }
+        }
+        ImGui::EndChild();
+        if (ImGui::IsKeyPressed(key::kEnter, false) && chosen_ < static_cast<int>(found.size())) {
+            run = found[static_cast<std::size_t>(chosen_)];
+        }
+        if (run == nullptr) {
+            return true;
+        }
+        run->run(context);
+        return false;
+    }
+
+  private:
+    std::vector<const Action *> search(const AppContext &context) const {
+        std::vector<const Action *> found;
+        const std::string query = lowered(query_);
+        for (const Action &action : context.actions.all()) {
+            const bool enabled = !action.enabled || action.enabled(context);
+            if (enabled && action.id != "view.palette" && matches(action.menu + " " + action.title, query)) {
+                found.push_back(&action);
+            }
+        }
+        return found;
+    }
+
+    void move(int count) {
+        const int before = chosen_;
+        chosen_ += ImGui::IsKeyPressed(key::kDown) ? 1 : 0;
+        chosen_ -= ImGui::IsKeyPressed(key::kUp) ? 1 : 0;
+        chosen_ = std::clamp(chosen_, 0, std::max(0, count - 1));
+        moved_ = chosen_ != before;
+    }
+
+    std::string query_;
+    int chosen_ = 0;
+    bool first_ = true, moved_ = false;
+};
+
+class ScaleDialog final : public Dialog {
+  public:
+    const char *id() const override { return "scale"; }
+    std::string title() const override { return "Size of the interface"; }
+    float width() const override { return 420.0F; }
+
+    bool draw(AppContext &context) override {
+        if (percent_ <= 0.0) {
+            percent_ = 100.0 * context.settings.scale;
+        }
+        ui::small(context, "On top of the scale of the screen. It takes effect when the slider is let go.", true);
+        ui::slider(context, "scale/slider", percent_, 75.0, 300.0, "%.0f %%");
+        if (ImGui::IsItemDeactivatedAfterEdit()) {
+            context.settings.scale = percent_ / 100.0;
+        }
+        ImGui::Dummy({0, context.px(4)});
+        if (ui::button(context, "scale/reset", "100 %")) {
+            percent_ = 100.0;
+            context.settings.scale = 1.0;
+        }
+        ImGui::SameLine(ImGui::GetContentRegionMax().x - context.px(90));
+        return !ui::button(context, "scale/done", "Done", ui::ButtonKind::Primary, true, 90.0F);
+    }
+
+  private:
+    double percent_ = 0.0;
+};
+
+class About final : public Dialog {
+  public:
+    const char *id() const override { return "about"; }
+    std::string title() const override { return "Forefront"; }
+    float width() const override { return 460.0F; }
+
+    bool draw(AppContext &context) override {
+        ui::muted(context, std::string("Version ") + kVersion);
+        ImGui::PushTextWrapPos(0.0F);
+        ImGui::TextUnformatted("Planar triangle meshes by the advancing front technique of S. H. Lo: draw a domain, paint "
+                               "the node spacing, and watch the front step forward and back.");
+        ImGui::PopTextWrapPos();
+        ui::small(context, "MIT licence. Built on Dear ImGui, GLFW, FreeType, Inter and Font Awesome.", true);
+        return true;
+    }
+};
+
+} // namespace
+
+std::unique_ptr<Dialog> makeShortcutSheet() {
+    return std::make_unique<ShortcutSheet>();
+}
+std::unique_ptr<Dialog> makePalette() {
+    return std::make_unique<Palette>();
+}
+std::unique_ptr<Dialog> makeScaleDialog() {
+    return std::make_unique<ScaleDialog>();
+}
+std::unique_ptr<Dialog> makeAbout() {
+    return std::make_unique<About>();
+}
+
+} // namespace forefront

@@ -1,0 +1,104 @@
+#include "ui/shell/shell.hpp"
+#include "ui/app/assets.hpp"
+#include "ui/widgets.hpp"
+
+#include <imgui.h>
+
+#include <array>
+
+namespace forefront::shell {
+
+namespace {
+
+constexpr std::array<const char *, 6> kMenus{"File", "Edit", "View", "Mesh", "Learn", "Help"};
+
+void drawMenu(AppContext &context, const char *menu) {
+    bool first = true;
+    for (const Action &action : context.actions.all()) {
+        if (action.menu != menu) {
+            continue;
+        }
+        if (action.separatorBefore && !first) {
+            ImGui::Separator();
+        }
+        first = false;
+        ui::actionItem(context, action);
+    }
+}
+
+std::string titleText(const AppContext &context) {
+    const std::filesystem::path &path = context.document().path();
+    std::string title = path.empty() ? "untitled" : path.filename().string();
+    if (context.document().dirty()) {
+        title += " \xe2\x80\xa2";
+    }
+    return title;
+}
+
+void drawRightEnd(AppContext &context, const PixelRect &rect) {
+    const std::string title = titleText(context);
+    const float width = static_cast<float>(rect.width);
+    const float titleWidth = ImGui::CalcTextSize(title.c_str()).x;
+    ImGui::SameLine((width - titleWidth) / 2);
+    ui::muted(context, title);
+    const float icon = context.px(26);
+    ImGui::SameLine(width - context.px(10) - 3 * icon - 2 * context.px(4));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(4), 0));
+    ImGui::SetCursorPosY((static_cast<float>(rect.height) - icon) / 2);
+    if (ui::iconButton(context, "menu/palette", icon::kSearch, "Command palette (Ctrl+P)", false, true, 26.0F)) {
+        context.actions.run("view.palette", context);
+    }
+    ImGui::SameLine();
+    const bool dark = context.theme.kind == ThemeKind::Dark;
+    if (ui::iconButton(context, "menu/theme", dark ? icon::kSun : icon::kMoon, dark ? "Light theme" : "Dark theme",
+                       false, true, 26.0F)) {
+        context.actions.run("view.theme", context);
+    }
+    ImGui::SameLine();
+    if (ui::iconButton(context, "menu/shortcuts", icon::kKeyboard, "Shortcuts (?)", false, true, 26.0F)) {
+        context.actions.run("help.shortcuts", context);
+    }
+    ImGui::PopStyleVar();
+}
+
+} // namespace
+
+void drawMenuBar(AppContext &context, const PixelRect &rect) {
+    beginRegion("##menubar", rect, context.theme.panel, context.px(10), 0);
+    const float height = static_cast<float>(rect.height);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(context.px(9), context.px(4)));
+    for (const char *menu : kMenus) {
+        const std::string popup = std::string("##menu") + menu;
+        const bool open = ImGui::IsPopupOpen(popup.c_str());
+        ImGui::SetCursorPosY((height - ImGui::GetFrameHeight()) / 2);
+        const std::string name = std::string("menu/") + menu;
+        ImGui::PushStyleColor(ImGuiCol_Button, open ? context.theme.hovered : Colour{0});
+        const bool pressed = ImGui::Button(menu);
+        ImGui::PopStyleColor();
+        ui::mark(context, name);
+        const ImVec2 corner{ImGui::GetItemRectMin().x, static_cast<float>(rect.y + rect.height)};
+        // Once a menu is open, its neighbours open as the pointer passes over them.
+        const bool slides = !open && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId) &&
+                            ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByPopup);
+        if (pressed || slides) {
+            ImGui::OpenPopup(popup.c_str());
+        }
+        ImGui::SetNextWindowPos(corner);
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(6), context.px(6)));
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(10), context.px(7)));
+        if (ImGui::BeginPopup(popup.c_str())) {
+            drawMenu(context, menu);
+            ImGui::EndPopup();
+        }
+        ImGui::PopStyleVar(2);
+        ImGui::SameLine(0, context.px(2));
+    }
+    ImGui::PopStyleVar();
+    ImGui::SetCursorPosY((height - ImGui::GetFontSize()) / 2);
+    drawRightEnd(context, rect);
+    const float y = static_cast<float>(rect.y + rect.height) - 1.0F;
+    ImGui::GetWindowDrawList()->AddLine({0, y}, {static_cast<float>(rect.width), y}, context.theme.line);
+    ImGui::End();
+}
+
+} // namespace forefront::shell

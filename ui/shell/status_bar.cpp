@@ -1,0 +1,107 @@
+#include "ui/shell/shell.hpp"
+#include "core/base/hash.hpp"
+#include "ui/widgets.hpp"
+
+#include <imgui.h>
+
+#include <cmath>
+
+namespace forefront::shell {
+
+namespace {
+
+/// Writes cells from left to right, hairlines between them.
+class Cells {
+  public:
+    Cells(AppContext &context, const PixelRect &rect) : context_(context), rect_(rect), x_(rect.x) {}
+
+    /// `least`: design pixels kept free so that changing digits do not push the rest about.
+    void add(const std::string &name, const std::string &text, Colour colour, double least = 0.0) {
+        const double scale = static_cast<double>(context_.scale);
+        const double pad = 10.0 * scale;
+        const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+        const double width = std::max(static_cast<double>(size.x), least * scale) + 2.0 * pad;
+        ImDrawList &list = *ImGui::GetWindowDrawList();
+        if (x_ > rect_.x) {
+            list.AddLine({static_cast<float>(x_), static_cast<float>(rect_.y + 6.0 * scale)},
+                         {static_cast<float>(x_), static_cast<float>(rect_.y + rect_.height - 6.0 * scale)},
+                         context_.theme.line);
+        }
+        list.AddText({static_cast<float>(x_ + pad), static_cast<float>(rect_.y + (rect_.height - static_cast<double>(size.y)) / 2.0)},
+                     colour, text.c_str());
+        last_ = {x_, rect_.y, width, rect_.height};
+        ui::markRect(context_, "status/" + name, last_);
+        x_ += width;
+    }
+    bool clicked(const char *name) const {
+        ImGui::SetCursorScreenPos({static_cast<float>(last_.x), static_cast<float>(last_.y)});
+        return ImGui::InvisibleButton(name, {static_cast<float>(last_.width), static_cast<float>(last_.height)});
+    }
+    double at() const { return x_; }
+
+  private:
+    AppContext &context_;
+    PixelRect rect_;
+    PixelRect last_;
+    double x_;
+};
+
+std::string pointerText(const View &view) {
+    if (!view.pointer) {
+        return "x \xe2\x80\x93   y \xe2\x80\x93";
+    }
+    const double step = view.camera.length(1.0);
+    const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step))), 0, 9);
+    return ui::format("x %.*f   y %.*f", decimals, view.pointer->x, decimals, view.pointer->y);
+}
+
+} // namespace
+
+void drawStatusBar(AppContext &context, const PixelRect &rect) {
+    if (rect.height < 1.0) {
+        return;
+    }
+    beginRegion("##status", rect, context.theme.panel, 0, 0);
+    ImGui::GetWindowDrawList()->AddLine({0, static_cast<float>(rect.y)}, {static_cast<float>(rect.width), static_cast<float>(rect.y)},
+                                        context.theme.line);
+    ImGui::PushFont(context.fonts.small);
+    const Theme &theme = context.theme;
+    const SessionSnapshot &run = context.run().now();
+    Cells cells(context, rect);
+    cells.add("pointer", pointerText(context.view), theme.muted, 150);
+    if (run.quality.elements > 0) {
+        cells.add("counts", ui::count(run.quality.elements) + " \xe2\x96\xb3   " + ui::count(run.quality.nodes) + " \xe2\x97\x8f", theme.text, 100);
+        cells.add("quality", ui::format("\xce\xb1 %.3f   min\xe2\x88\xa0 %.1f\xc2\xb0", run.quality.alphaMean, run.quality.minAngle), theme.text, 120);
+    } else if (context.preview->estimatedElements > 0.0) {
+        cells.add("estimate", "about " + ui::count(static_cast<std::uint64_t>(context.preview->estimatedElements)) + " \xe2\x96\xb3", theme.muted, 100);
+    }
+    if (run.complete && run.meshHash != 0) {
+        cells.add("hash", "hash " + toHex(run.meshHash).substr(0, 8), theme.muted);
+        if (cells.clicked("hash")) {
+            context.platform.setClipboard(toHex(run.meshHash));
+            context.log.note("Mesh hash copied: " + toHex(run.meshHash));
+        }
+        ui::tooltip(context, "Equal exactly when the mesh is equal bit for bit. Click to copy.");
+    }
+    const std::size_t faults = context.preview->faults.size();
+    if (faults > 0) {
+        cells.add("faults", std::string(icon::kWarning) + "  " + std::to_string(faults), theme.warn);
+        if (cells.clicked("faults")) {
+            context.actions.run("view.firstFault", context);
+        }
+        ui::tooltip(context, toString(context.preview->faults.front()) + "\nClick to go there.");
+    }
+    const std::string hint = context.tools.current().statusText(context);
+    if (!hint.empty()) {
+        const ImVec2 size = ImGui::CalcTextSize(hint.c_str());
+        const double x = rect.x + rect.width - static_cast<double>(size.x) - 12.0 * static_cast<double>(context.scale);
+        if (x > cells.at() + 8.0) {
+            ImGui::GetWindowDrawList()->AddText({static_cast<float>(x), static_cast<float>(rect.y + (rect.height - static_cast<double>(size.y)) / 2.0)},
+                                                theme.muted, hint.c_str());
+        }
+    }
+    ImGui::PopFont();
+    ImGui::End();
+}
+
+} // namespace forefront::shell

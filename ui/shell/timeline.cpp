@@ -1,0 +1,171 @@
+#include "ui/shell/shell.hpp"
+#include "ui/widgets.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace forefront::shell {
+
+namespace {
+
+Colour markColour(const Theme &theme, MarkKind kind) {
+    switch (kind) {
+    case MarkKind::NewNode:
+        return fade(theme.accent, 0.55);
+    case MarkKind::Closure:
+        return theme.good;
+    case MarkKind::Deferral:
+        return theme.warn;
+    case MarkKind::Forced:
+        return theme.bad;
+    }
+    return theme.muted;
+}
+
+void drawTransport(AppContext &context) {
+    const bool playing = context.run().playing();
+    const struct {
+        const char *name, *icon, *tip, *action;
+    } buttons[] = {
+        {"timeline/start", icon::kToStart, "To the start (Home)", "run.start"},
+        {"timeline/back", icon::kBack, "One step back ( , )  Shift: 100", "run.back"},
+        {"timeline/play", playing ? icon::kPause : icon::kPlay, playing ? "Pause (Space)" : "Play (Space)", "run.play"},
+        {"timeline/forward", icon::kForward, "One step on ( . )  Shift: 100", "run.forward"},
+        {"timeline/end", icon::kToEnd, "To the end (End)", "run.end"},
+    };
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(2), 0));
+    for (const auto &button : buttons) {
+        const Action *action = context.actions.find(button.action);
+        const bool enabled = action != nullptr && (!action->enabled || action->enabled(context));
+        if (ui::iconButton(context, button.name, button.icon, button.tip, false, enabled, 30.0F)) {
+            context.actions.run(button.action, context);
+        }
+        ImGui::SameLine();
+    }
+    ImGui::PopStyleVar();
+}
+
+void drawSpeed(AppContext &context) {
+    const double speed = context.run().speed();
+    double exponent = std::log10(speed);
+    const std::string shown = ui::format(speed < 9.95 ? "%.1f\xc3\x97" : "%.0f\xc3\x97", speed);
+    if (ui::slider(context, "timeline/speed", exponent, std::log10(RunControl::kSlowest),
+                   std::log10(RunControl::kFastest), shown.c_str(), false, 96.0F)) {
+        context.run().setSpeed(std::pow(10.0, exponent));
+    }
+    ui::tooltip(context, "Speed of playing; 1\xc3\x97 is 10 advances a second");
+    ImGui::SameLine(0, context.px(8));
+    int granularity = static_cast<int>(context.run().granularity);
+    static constexpr const char *kNames[] = {"Event", "Element", "Layer"};
+    if (ui::segmented(context, "timeline/granularity", kNames, granularity, 190.0F)) {
+        context.run().granularity = static_cast<Granularity>(granularity);
+    }
+}
+
+/// The bar that can be dragged: known part, marks, position.
+void drawScrubber(AppContext &context, float width, float height) {
+    const SessionSnapshot &run = context.run().now();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::InvisibleButton("##scrubber", {width, height});
+    ui::mark(context, "timeline/scrubber", run.known > 0);
+    const bool active = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    const Theme &theme = context.theme;
+    const float middle = at.y + height / 2, half = context.px(3);
+    const float left = at.x + context.px(7), right = at.x + width - context.px(7);
+    list.AddRectFilled({left, middle - half}, {right, middle + half}, theme.raised, half);
+    if (run.known == 0) {
+        return;
+    }
+    const double known = static_cast<double>(run.known);
+    const auto place = [&](double advance) { return left + static_cast<float>(advance / known) * (right - left); };
+    if (run.marks) {
+        for (const TimelineMark &mark : *run.marks) {
+            const bool major = mark.kind != MarkKind::NewNode;
+            const float x = std::round(place(static_cast<double>(mark.advance)));
+            const float reach = context.px(major ? 8 : 5);
+            list.AddLine({x, middle + context.px(4)}, {x, middle + reach + context.px(1)}, markColour(theme, mark.kind), 1.0F);
+        }
+    }
+    const float x = place(static_cast<double>(run.advance));
+    list.AddRectFilled({left, middle - half}, {x, middle + half}, theme.accent, half);
+    list.AddCircleFilled({x, middle}, context.px(active ? 7.5 : hovered ? 7.0 : 6.0), theme.text, 24);
+    list.AddCircleFilled({x, middle}, context.px(3), theme.accent, 16);
+    if (active) {
+        const float t = std::clamp((ImGui::GetIO().MousePos.x - left) / (right - left), 0.0F, 1.0F);
+        const auto wanted = static_cast<std::uint64_t>(std::llround(static_cast<double>(t) * known));
+        if (wanted != run.advance) {
+            context.run().seek(wanted);
+        }
+    } else if (hovered) {
+        const float t = std::clamp((ImGui::GetIO().MousePos.x - left) / (right - left), 0.0F, 1.0F);
+        ui::tooltip(context, "Advance " + ui::count(static_cast<std::uint64_t>(std::llround(static_cast<double>(t) * known))));
+    }
+}
+
+std::string captionText(const SessionSnapshot &run) {
+    switch (run.state) {
+    case RunState::Empty:
+        return "Press 2 to mesh, or Space to watch the front advance.";
+    case RunState::Failed:
+        return run.diagnostics.empty() ? "The domain cannot be meshed." : toString(run.diagnostics.front());
+    case RunState::Preparing:
+    case RunState::Improving:
+        return run.stage + "\xe2\x80\xa6";
+    default:
+        break;
+    }
+    if (run.explanation) {
+        return caption(*run.explanation, run.eventCount > 0 ? run.eventCursor : run.explanation->events.size());
+    }
+    if (run.advance == 0) {
+        return "\xce\x93 is the boundary of the domain: nothing is meshed yet.";
+    }
+    if (run.complete && run.advance == run.known) {
+        return "\xce\x93 = \xe2\x88\x85: the domain is meshed" + std::string(run.improved ? " and improved." : ".");
+    }
+    return {};
+}
+
+std::string positionText(const SessionSnapshot &run) {
+    std::string text = ui::count(run.advance) + " / " + ui::count(run.known);
+    if (!run.complete && run.known > 0) {
+        text += "+";
+    }
+    return text;
+}
+
+} // namespace
+
+void drawTimeline(AppContext &context, const PixelRect &rect) {
+    beginRegion("##timeline", rect, context.theme.panel, context.px(10), context.px(8));
+    const float y = static_cast<float>(rect.y);
+    ImGui::GetWindowDrawList()->AddLine({0, y}, {static_cast<float>(rect.width), y}, context.theme.line);
+    const SessionSnapshot &run = context.run().now();
+    drawTransport(context);
+    ImGui::SameLine(0, context.px(10));
+    ImGui::SetCursorPosY(context.px(10));
+    drawSpeed(context);
+    const std::string position = positionText(run);
+    const float right = static_cast<float>(rect.width) - context.px(14);
+    const float positionWidth = std::max(ImGui::CalcTextSize(position.c_str()).x, context.px(96));
+    const float left = context.px(10) + 5 * context.px(30) + 4 * context.px(2) + context.px(10) + context.px(96) + context.px(8) + context.px(190) + context.px(14);
+    ImGui::SetCursorPos({left, context.px(10)});
+    drawScrubber(context, std::max(context.px(40), right - positionWidth - context.px(10) - left), context.px(26));
+    ImGui::SetCursorPos({right - ImGui::CalcTextSize(position.c_str()).x, context.px(14)});
+    ImGui::TextUnformatted(position.c_str());
+    ui::mark(context, "timeline/position");
+    const std::string words = captionText(run);
+    ImGui::SetCursorPos({context.px(14), context.px(50)});
+    ImGui::PushStyleColor(ImGuiCol_Text, run.state == RunState::Failed ? context.theme.bad : context.theme.text);
+    ImGui::PushClipRect({0, y}, {static_cast<float>(rect.width) - context.px(14), y + static_cast<float>(rect.height)}, true);
+    ImGui::TextUnformatted(words.c_str());
+    ImGui::PopClipRect();
+    ImGui::PopStyleColor();
+    ui::mark(context, "timeline/caption");
+    ImGui::End();
+}
+
+} // namespace forefront::shell

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+namespace forefront {
+
+/// Colour with straight alpha; red in the lowest byte, as Dear ImGui packs it.
+using Colour = std::uint32_t;
+
+/// 0xRRGGBB and opacity in [0, 1].
+constexpr Colour rgb(std::uint32_t hex, double alpha = 1.0) {
+    const auto a = static_cast<std::uint32_t>(alpha * 255.0 + 0.5);
+    return ((hex >> 16) & 0xffU) | (hex & 0xff00U) | ((hex & 0xffU) << 16) | (a << 24);
+}
+
+/// The same colour, `alpha` times as opaque.
+constexpr Colour fade(Colour colour, double alpha) {
+    const auto a = static_cast<std::uint32_t>(static_cast<double>(colour >> 24) * alpha + 0.5);
+    return (colour & 0x00ffffffU) | (std::min<std::uint32_t>(a, 255U) << 24);
+}
+
+/// a at t = 0, b at t = 1, channel by channel.
+constexpr Colour mix(Colour a, Colour b, double t) {
+    Colour result = 0;
+    for (unsigned shift = 0; shift < 32; shift += 8) {
+        const double u = (a >> shift) & 0xffU, v = (b >> shift) & 0xffU;
+        result |= static_cast<Colour>(u + (v - u) * t + 0.5) << shift;
+    }
+    return result;
+}
+
+} // namespace forefront

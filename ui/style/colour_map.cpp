@@ -1,0 +1,34 @@
+#include "ui/style/colour_map.hpp"
+
+#include <array>
+#include <cmath>
+#include <span>
+
+namespace forefront {
+
+namespace {
+
+constexpr std::array<std::uint32_t, 20> kViridis{0x440154, 0x481567, 0x482677, 0x453781, 0x404788, 0x39568c, 0x33638d,
+                                                 0x2d708e, 0x287d8e, 0x238a8d, 0x1f968b, 0x20a387, 0x29af7f, 0x3cbb75,
+                                                 0x55c667, 0x73d055, 0x95d840, 0xb8de29, 0xdce319, 0xfde725};
+constexpr std::array<std::uint32_t, 10> kCividis{0x00204d, 0x00336f, 0x39486b, 0x575c6d, 0x707173,
+                                                 0x8a8779, 0xa69d75, 0xc4b56c, 0xe4cf5b, 0xffea46};
+
+Colour between(std::span<const std::uint32_t> support, double t) {
+    const double last = static_cast<double>(support.size() - 1);
+    const double at = std::clamp(t, 0.0, 1.0) * last;
+    const auto i = static_cast<std::size_t>(std::min(std::floor(at), last - 1.0));
+    return mix(rgb(support[i]), rgb(support[i + 1]), at - static_cast<double>(i));
+}
+
+} // namespace
+
+Colour viridis(double t) {
+    return between(kViridis, t);
+}
+
+Colour cividis(double t) {
+    return between(kCividis, t);
+}
+
+} // namespace forefront

@@ -1,0 +1,370 @@
+#include "ui/widgets.hpp"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <cstdlib>
+
+namespace forefront::ui {
+
+namespace {
+
+/// Scope that pushes the widget's name as Dear ImGui's id.
+struct Id {
+    explicit Id(std::string_view name) { ImGui::PushID(name.data(), name.data() + name.size()); }
+    ~Id() { ImGui::PopID(); }
+    Id(const Id &) = delete;
+    Id &operator=(const Id &) = delete;
+};
+
+struct Disabled {
+    explicit Disabled(bool disabled) : disabled_(disabled) {
+        if (disabled_) {
+            ImGui::BeginDisabled();
+        }
+    }
+    ~Disabled() {
+        if (disabled_) {
+            ImGui::EndDisabled();
+        }
+    }
+    Disabled(const Disabled &) = delete;
+    Disabled &operator=(const Disabled &) = delete;
+
+  private:
+    bool disabled_;
+};
+
+float widthOf(const AppContext &context, float width) {
+    return width < 0.0F ? -1.0F : context.px(width);
+}
+
+void pushButtonColours(const Theme &theme, ButtonKind kind, bool on) {
+    Colour rest = theme.raised, hover = theme.hovered, press = theme.pressed, text = theme.text;
+    if (kind == ButtonKind::Primary) {
+        rest = theme.accent;
+        hover = mix(theme.accent, theme.text, 0.15);
+        press = mix(theme.accent, theme.panel, 0.2);
+        text = theme.onAccent;
+    } else if (kind == ButtonKind::Quiet) {
+        rest = on ? fade(theme.accent, 0.2) : Colour{0};
+        text = on ? theme.accent : theme.text;
+    }
+    ImGui::PushStyleColor(ImGuiCol_Button, rest);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, hover);
+    ImGui::PushStyleColor(ImGuiCol_ButtonActive, press);
+    ImGui::PushStyleColor(ImGuiCol_Text, text);
+}
+
+} // namespace
+
+void markRect(AppContext &context, std::string_view name, const PixelRect &rect, bool enabled) {
+    context.widgets.add(name, {rect, enabled, true});
+}
+
+void mark(AppContext &context, std::string_view name, bool enabled) {
+    const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+    context.widgets.add(name, {{min.x, min.y, max.x - min.x, max.y - min.y}, enabled, ImGui::IsItemVisible()});
+}
+
+bool button(AppContext &context, std::string_view name, std::string_view label, ButtonKind kind, bool enabled,
+            float width) {
+    const Id id(name);
+    const Disabled disabled(!enabled);
+    pushButtonColours(context.theme, kind, false);
+    const bool pressed = ImGui::Button(std::string(label).c_str(), {widthOf(context, width), 0.0F});
+    ImGui::PopStyleColor(4);
+    mark(context, name, enabled);
+    return pressed;
+}
+
+bool iconButton(AppContext &context, std::string_view name, const char *icon, const std::string &tip, bool on,
+                bool enabled, float size) {
+    bool pressed = false;
+    {
+        const Id id(name);
+        const Disabled disabled(!enabled);
+        pushButtonColours(context.theme, ButtonKind::Quiet, on);
+        ImGui::PushFont(context.fonts.icons);
+        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
+        pressed = ImGui::Button(icon, {context.px(size), context.px(size)});
+        ImGui::PopStyleVar();
+        ImGui::PopFont();
+        ImGui::PopStyleColor(4);
+        mark(context, name, enabled);
+    }
+    tooltip(context, tip);
+    return pressed;
+}
+
+bool checkbox(AppContext &context, std::string_view name, std::string_view label, bool &value) {
+    const Id id(name);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(context.px(2), context.px(2)));
+    const bool changed = ImGui::Checkbox(std::string(label).c_str(), &value);
+    ImGui::PopStyleVar();
+    mark(context, name);
+    return changed;
+}
+
+bool eyeSwitch(AppContext &context, std::string_view name, std::string_view label, bool &value, float width) {
+    const Id id(name);
+    const float height = context.px(24);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const bool pressed = ImGui::InvisibleButton("eye", {context.px(width), height});
+    if (pressed) {
+        value = !value;
+    }
+    mark(context, name);
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    if (ImGui::IsItemHovered()) {
+        list.AddRectFilled(at, {at.x + context.px(width), at.y + height}, context.theme.raised, context.px(5));
+    }
+    const Colour colour = value ? context.theme.text : context.theme.faint;
+    const float middle = at.y + (height - ImGui::GetFontSize()) / 2;
+    list.AddText({at.x + context.px(6), middle}, value ? context.theme.accent : context.theme.faint,
+                 value ? icon::kEye : icon::kEyeClosed);
+    list.AddText({at.x + context.px(28), middle}, colour, label.data(), label.data() + label.size());
+    return pressed;
+}
+
+bool segmented(AppContext &context, std::string_view name, std::span<const char *const> labels, int &choice,
+               float width) {
+    const Id id(name);
+    const float whole = width > 0.0F ? context.px(width) : ImGui::GetContentRegionAvail().x;
+    const float each = whole / static_cast<float>(labels.size());
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float height = context.px(26);
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(at, {at.x + whole, at.y + height}, context.theme.raised, context.px(6));
+    bool changed = false;
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        const ImVec2 corner{at.x + each * static_cast<float>(i), at.y};
+        ImGui::SetCursorScreenPos(corner);
+        const bool here = choice == static_cast<int>(i);
+        if (ImGui::InvisibleButton(labels[i], {each, height}) && !here) {
+            choice = static_cast<int>(i);
+            changed = true;
+        }
+        mark(context, std::string(name) + "/" + labels[i]);
+        const float inset = context.px(2);
+        if (here) {
+            list.AddRectFilled({corner.x + inset, corner.y + inset}, {corner.x + each - inset, corner.y + height - inset},
+                               context.theme.pressed, context.px(5));
+        }
+        const ImVec2 size = ImGui::CalcTextSize(labels[i]);
+        list.AddText({corner.x + (each - size.x) / 2, corner.y + (height - size.y) / 2},
+                     here ? context.theme.text : context.theme.muted, labels[i]);
+    }
+    ImGui::SetCursorScreenPos({at.x, at.y + height});
+    ImGui::Dummy({whole, 0.0F});
+    return changed;
+}
+
+bool combo(AppContext &context, std::string_view name, std::span<const char *const> labels, int &choice, float width) {
+    const Id id(name);
+    ImGui::SetNextItemWidth(widthOf(context, width));
+    const char *shown = choice >= 0 && choice < static_cast<int>(labels.size()) ? labels[static_cast<std::size_t>(choice)] : "";
+    bool changed = false;
+    const bool open = ImGui::BeginCombo("##combo", shown);
+    mark(context, name);
+    if (open) {
+        for (std::size_t i = 0; i < labels.size(); ++i) {
+            if (ImGui::Selectable(labels[i], choice == static_cast<int>(i))) {
+                choice = static_cast<int>(i);
+                changed = true;
+            }
+            mark(context, std::string(name) + "/" + labels[i]);
+        }
+        ImGui::EndCombo();
+    }
+    return changed;
+}
+
+bool slider(AppContext &context, std::string_view name, double &value, double least, double greatest,
+            const char *pattern, bool logarithmic, float width) {
+    const Id id(name);
+    ImGui::SetNextItemWidth(widthOf(context, width));
+    const bool changed = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &least, &greatest, pattern,
+                                             ImGuiSliderFlags_AlwaysClamp |
+                                                 (logarithmic ? ImGuiSliderFlags_Logarithmic : 0));
+    mark(context, name);
+    return changed;
+}
+
+bool inputText(AppContext &context, std::string_view name, std::string &value, std::string_view hint, float width,
+               bool onEnter, bool focus) {
+    const Id id(name);
+    ImGui::SetNextItemWidth(widthOf(context, width));
+    if (focus) {
+        ImGui::SetKeyboardFocusHere();
+    }
+    const ImGuiInputTextFlags flags = onEnter ? ImGuiInputTextFlags_EnterReturnsTrue : ImGuiInputTextFlags_None;
+    const bool changed = ImGui::InputTextWithHint("##text", std::string(hint).c_str(), &value, flags);
+    mark(context, name);
+    return changed;
+}
+
+bool inputNumber(AppContext &context, std::string_view name, double &value, const char *unit, float width) {
+    const Id id(name);
+    ImGui::SetNextItemWidth(widthOf(context, width));
+    double entered = value;
+    const std::string pattern = std::string("%.6g") + (*unit != 0 ? " " : "") + unit;
+    ImGui::InputDouble("##number", &entered, 0.0, 0.0, pattern.c_str(), ImGuiInputTextFlags_AutoSelectAll);
+    mark(context, name);
+    // Dear ImGui parses while typing; the number counts once the field is left, so that "12" is not first a 1.
+    auto &typed = context.widgets.typedNumbers;
+    if (entered != value && std::isfinite(entered)) {
+        typed.insert_or_assign(std::string(name), entered);
+    }
+    const auto found = typed.find(name);
+    if (found == typed.end() || ImGui::IsItemActive()) {
+        return false;
+    }
+    const bool changed = ImGui::IsItemDeactivatedAfterEdit() && found->second != value;
+    value = changed ? found->second : value;
+    typed.erase(found);
+    return changed;
+}
+
+bool selectable(AppContext &context, std::string_view name, std::string_view label, bool selected,
+                std::string_view detail) {
+    const Id id(name);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x, height = context.px(26);
+    const bool pressed = ImGui::Selectable("##row", selected, ImGuiSelectableFlags_None, {width, height});
+    mark(context, name);
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    const float y = at.y + (height - ImGui::GetFontSize()) / 2;
+    list.AddText({at.x + context.px(8), y}, context.theme.text, label.data(), label.data() + label.size());
+    if (!detail.empty()) {
+        const ImVec2 size = ImGui::CalcTextSize(detail.data(), detail.data() + detail.size());
+        list.AddText({at.x + width - size.x - context.px(8), y}, context.theme.muted, detail.data(),
+                     detail.data() + detail.size());
+    }
+    return pressed;
+}
+
+bool link(AppContext &context, std::string_view name, std::string_view text) {
+    const Id id(name);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 size = ImGui::CalcTextSize(text.data(), text.data() + text.size());
+    const bool pressed = ImGui::InvisibleButton("link", size);
+    const bool hovered = ImGui::IsItemHovered();
+    mark(context, name);
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    list.AddText(at, context.theme.accent, text.data(), text.data() + text.size());
+    if (hovered) {
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+        list.AddLine({at.x, at.y + size.y}, {at.x + size.x, at.y + size.y}, context.theme.accent);
+    }
+    return pressed;
+}
+
+void actionItem(AppContext &context, const Action &action) {
+    const bool enabled = !action.enabled || action.enabled(context);
+    const bool checked = action.checked && action.checked(context);
+    const std::string title = action.dynamic ? action.dynamic(context) : action.title;
+    const std::string shortcut = action.shortcuts.empty() ? std::string() : toString(action.shortcuts.front());
+    const std::string name = "menu/" + action.id;
+    const Id id(name);
+    const bool chosen = ImGui::MenuItem(title.c_str(), shortcut.c_str(), checked, enabled);
+    mark(context, name, enabled);
+    if (chosen) {
+        action.run(context);
+    }
+}
+
+void heading(AppContext &context, std::string_view text) {
+    ImGui::PushFont(context.fonts.heading);
+    ImGui::PushStyleColor(ImGuiCol_Text, context.theme.muted);
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+}
+
+void field(AppContext &context, std::string_view label, std::string_view value, float column) {
+    const float left = ImGui::GetCursorPosX();
+    muted(context, label);
+    ImGui::SameLine(left + context.px(column));
+    ImGui::TextUnformatted(value.data(), value.data() + value.size());
+}
+
+void muted(AppContext &context, std::string_view text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, context.theme.muted);
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::PopStyleColor();
+}
+
+void small(AppContext &context, std::string_view text, bool wrap) {
+    ImGui::PushFont(context.fonts.small);
+    ImGui::PushStyleColor(ImGuiCol_Text, context.theme.muted);
+    if (wrap) {
+        ImGui::PushTextWrapPos(0.0F);
+    }
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    if (wrap) {
+        ImGui::PopTextWrapPos();
+    }
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+}
+
+void tooltip(AppContext &context, std::string_view text) {
+    if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+        return;
+    }
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(9), context.px(6)));
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(context.px(320));
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+    ImGui::PopStyleVar();
+}
+
+bool badge(AppContext &context, std::string_view name, std::string_view text, Colour colour) {
+    const Id id(name);
+    ImGui::PushFont(context.fonts.small);
+    const ImVec2 size = ImGui::CalcTextSize(text.data(), text.data() + text.size());
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 box{size.x + context.px(18), size.y + context.px(8)};
+    const bool pressed = ImGui::InvisibleButton("badge", box);
+    const bool hovered = ImGui::IsItemHovered();
+    mark(context, name);
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(at, {at.x + box.x, at.y + box.y}, fade(colour, hovered ? 0.35 : 0.2), box.y / 2);
+    list.AddText({at.x + context.px(9), at.y + context.px(4)}, colour, text.data(), text.data() + text.size());
+    ImGui::PopFont();
+    return pressed;
+}
+
+std::string count(std::uint64_t value) {
+    const std::string digits = std::to_string(value);
+    std::string grouped;
+    for (std::size_t i = 0; i < digits.size(); ++i) {
+        if (i > 0 && (digits.size() - i) % 3 == 0) {
+            grouped += "\xe2\x80\xaf"; // narrow no-break space
+        }
+        grouped += digits[i];
+    }
+    return grouped;
+}
+
+std::string format(const char *pattern, ...) {
+    va_list arguments;
+    va_start(arguments, pattern);
+    char buffer[512];
+    std::vsnprintf(buffer, sizeof buffer, pattern, arguments);
+    va_end(arguments);
+    return buffer;
+}
+
+std::string number(double value, int digits) {
+    return format("%.*g", digits, value);
+}
+
+} // namespace forefront::ui

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "ui/app/app_context.hpp"
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+/// Widgets of Dear ImGui in the dress of the program. Each registers its name and rectangle, so that scripts and tests
+/// can say "click file/save". Names are paths, unique within a frame: "dialog/export/format".
+namespace forefront::ui {
+
+/// Registers the item just drawn with Dear ImGui itself.
+void mark(AppContext &context, std::string_view name, bool enabled = true);
+/// Registers any rectangle.
+void markRect(AppContext &context, std::string_view name, const PixelRect &rect, bool enabled = true);
+
+enum class ButtonKind : std::uint8_t { Plain, Primary, Quiet };
+/// Width in design pixels; 0: as wide as the label, negative: all that is left.
+bool button(AppContext &context, std::string_view name, std::string_view label, ButtonKind kind = ButtonKind::Plain,
+            bool enabled = true, float width = 0.0F);
+/// A square button with an icon; `on`: lit. Size in design pixels.
+bool iconButton(AppContext &context, std::string_view name, const char *icon, const std::string &tooltip,
+                bool on = false, bool enabled = true, float size = 32.0F);
+bool checkbox(AppContext &context, std::string_view name, std::string_view label, bool &value);
+/// A switch with an eye and a label, lit when on; for layers.
+bool eyeSwitch(AppContext &context, std::string_view name, std::string_view label, bool &value, float width);
+/// One of several exclusive choices side by side; true when it changed. `width` of the whole in design pixels; 0: all.
+bool segmented(AppContext &context, std::string_view name, std::span<const char *const> labels, int &choice,
+               float width = 0.0F);
+bool combo(AppContext &context, std::string_view name, std::span<const char *const> labels, int &choice,
+           float width = -1.0F);
+/// Logarithmic or linear slider. `format` as printf for a double.
+bool slider(AppContext &context, std::string_view name, double &value, double least, double greatest,
+            const char *format, bool logarithmic = false, float width = -1.0F);
+/// Text in one line. True when it changed (with `onEnter`: when Enter was pressed).
+bool inputText(AppContext &context, std::string_view name, std::string &value, std::string_view hint = {},
+               float width = -1.0F, bool onEnter = false, bool focus = false);
+/// A number as text; accepts only finite numbers. True when a new number was entered and Enter or Tab pressed or the
+/// field left.
+bool inputNumber(AppContext &context, std::string_view name, double &value, const char *unit = "", float width = -1.0F);
+/// A whole line that can be chosen. True when clicked.
+bool selectable(AppContext &context, std::string_view name, std::string_view label, bool selected,
+                std::string_view detail = {});
+/// Text in the accent colour that can be clicked.
+bool link(AppContext &context, std::string_view name, std::string_view text);
+/// Menu entry that runs an action of the registry.
+void actionItem(AppContext &context, const Action &action);
+
+/// Small capitals over a group.
+void heading(AppContext &context, std::string_view text);
+/// Muted label, then the value in the same line at a fixed column (design pixels).
+void field(AppContext &context, std::string_view label, std::string_view value, float column = 108.0F);
+void muted(AppContext &context, std::string_view text);
+void small(AppContext &context, std::string_view text, bool wrap = false);
+/// Shows `text` while the last item is hovered.
+void tooltip(AppContext &context, std::string_view text);
+/// A coloured pill with text, such as "out of date"; true when clicked.
+bool badge(AppContext &context, std::string_view name, std::string_view text, Colour colour);
+
+/// "12 345": digits grouped by thin gaps for people.
+std::string count(std::uint64_t number);
+/// printf into a string.
+std::string format(const char *pattern, ...) __attribute__((format(printf, 1, 2)));
+/// A length with as many digits as it takes, no more: "0.05", "12.3".
+std::string number(double value, int digits = 4);
+
+} // namespace forefront::ui
