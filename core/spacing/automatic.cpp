@@ -13,7 +13,9 @@ AutomaticSpacing automaticSpacing(const Domain &domain, const Box2 &box, double 
                                   const Progress &) {
     AutomaticSpacing automatic;
     automatic.greatest = box.diagonal() / kAcross;
-    for (const PlacedSegment &segment : placedSegments(domain)) {
+    std::vector<PlacedSegment> segments = placedSegments(domain);
+    dropDominated(domain, gradation, segments);
+    for (const PlacedSegment &segment : segments) {
         const double length = segment.length();
         if (length < automatic.greatest) {
             automatic.sites.add(limited(SizeSite::segment(segment.a, segment.b, length, gradation), minimum, gradation),

@@ -1,5 +1,7 @@
 #include "core/spacing/boundary_spacing.hpp"
 
+#include <limits>
+
 namespace forefront {
 
 std::vector<PlacedSegment> placedSegments(const Domain &domain) {
@@ -36,8 +38,32 @@ Box2 spacingBox(const Domain &domain) {
     return extent > 0.0 ? box : box.grown(offset * 1e-3);
 }
 
+void dropDominated(const Domain &domain, double gradation, std::vector<PlacedSegment> &segments) {
+    std::vector<double> shortest(domain.nodes.size(), std::numeric_limits<double>::infinity());
+    const auto ends = [&](const PlacedSegment &segment) { return domain.segments[segment.index]; };
+    for (const PlacedSegment &segment : segments) {
+        for (const std::uint32_t node : {ends(segment).a, ends(segment).b}) {
+            shortest[node] = std::min(shortest[node], segment.length());
+        }
+    }
+    std::erase_if(segments, [&](const PlacedSegment &segment) {
+        const double length = segment.length();
+        const auto neighbour = [&](std::uint32_t node) {
+            return shortest[node] < length ? shortest[node] : std::numeric_limits<double>::infinity();
+        };
+        const double a = neighbour(ends(segment).a);
+        const double b = neighbour(ends(segment).b);
+        // The demands of the neighbours grow along the segment and meet where they ask for most.
+        const double growth = gradation * length;
+        const double most = std::fabs(a - b) <= growth ? 0.5 * (a + b + growth) : std::min(a, b) + growth;
+        return most <= length; // false where neither end has a shorter neighbour
+    });
+}
+
 void addBoundarySites(const Domain &domain, double minimum, double gradation, SiteSet &sites) {
-    for (const PlacedSegment &segment : placedSegments(domain)) {
+    std::vector<PlacedSegment> segments = placedSegments(domain);
+    dropDominated(domain, gradation, segments);
+    for (const PlacedSegment &segment : segments) {
         sites.add(limited(SizeSite::segment(segment.a, segment.b, segment.length(), gradation), minimum, gradation),
                   {SpacingOrigin::Boundary, SiteReason::SegmentLength, segment.index});
     }

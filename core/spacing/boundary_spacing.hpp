@@ -19,6 +19,10 @@ std::vector<PlacedSegment> placedSegments(const Domain &domain);
 /// Box of the domain's finite nodes; the unit square where there are none; widened where it has no extent.
 Box2 spacingBox(const Domain &domain);
 
+/// Drops the segments whose own length is never the least demand: at both ends of such a segment a neighbour asks for
+/// less, growth included, and so it does everywhere.
+void dropDominated(const Domain &domain, double gradation, std::vector<PlacedSegment> &segments);
+
 /// One site a segment, of the segment's length, growing by `gradation`: short segments draw small elements to them,
 /// long ones are cut where shorter ones are near.
 void addBoundarySites(const Domain &domain, double minimum, double gradation, SiteSet &sites);

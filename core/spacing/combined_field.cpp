@@ -53,6 +53,9 @@ CombinedField::CombinedField(SpacingParts parts, const Box2 &box) : parts_(std::
     if (parts_.expression) {
         include(parts_.expression->least(), parts_.expression->greatest());
     }
+    if (parts_.paint) {
+        include(parts_.paint->least(), std::numeric_limits<double>::infinity());
+    }
     if (parts_.tree) {
         include(parts_.tree->least(), parts_.tree->greatest());
     }
@@ -81,6 +84,9 @@ SpacingSample CombinedField::sample(Vec2 p) const {
     }
     if (parts_.expression && parts_.expression->at(p) < sample.rho) {
         sample = {parts_.expression->at(p), SpacingOrigin::Expression, 0, "expression " + parts_.expression->text()};
+    }
+    if (parts_.paint && parts_.paint->at(p) < sample.rho) {
+        sample = {parts_.paint->at(p), SpacingOrigin::Paint, 0, "painted"};
     }
     if (parts_.tree && parts_.tree->at(p) < sample.rho) {
         const std::size_t winner = parts_.tree->winner(p);

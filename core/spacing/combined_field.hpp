@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/spacing/expression_spacing.hpp"
+#include "core/spacing/painted_part.hpp"
 #include "core/spacing/site_set.hpp"
 #include "core/spacing/site_tree.hpp"
 #include "core/spacing/spacing_field.hpp"
@@ -45,6 +46,7 @@ struct SpacingParts {
     double minimum = 0.0;
     double gradation = 0.0; ///< in force for painted, boundary and automatic parts
     std::optional<ExpressionSpacing> expression;
+    std::optional<PaintedPart> paint;
     SiteSet few;                  ///< looked at one by one
     std::optional<SiteTree> tree; ///< many
     std::vector<SiteLabel> treeLabels;
@@ -70,6 +72,9 @@ class CombinedField final : public SpacingField {
         }
         if (parts_.expression) {
             rho = std::min(rho, parts_.expression->at(p));
+        }
+        if (parts_.paint) {
+            rho = std::min(rho, parts_.paint->at(p));
         }
         if (parts_.tree) {
             rho = std::min(rho, parts_.tree->at(p));

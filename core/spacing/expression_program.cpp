@@ -13,11 +13,81 @@ namespace {
 
 using Op = ExpressionOp;
 
+/// Runs one instruction on a stack whose topmost entry is `top` and whose next is below[-1].
+struct ScalarStep {
+    double &top;
+    double *&below;
+    double constant;
+    Vec2 p;
+
+    template <class F>
+    void push(F f) {
+        *below++ = top;
+        top = f(p, constant);
+    }
+    template <class F>
+    void unary(F f) {
+        top = f(top, constant);
+    }
+    template <class F>
+    void binary(F f) {
+        --below;
+        top = f(*below, top, p);
+    }
+    void select() {
+        below -= 2;
+        top = below[0] != 0.0 ? below[1] : top;
+    }
+};
+
+/// The same on a block of points, entry by entry; `top` points behind the topmost entry.
+constexpr std::size_t kBlock = 32;
+using Block = std::array<double, kBlock>;
+struct BlockStep {
+    Block *&top;
+    double constant;
+    std::span<const Vec2> points;
+
+    template <class F>
+    void push(F f) {
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            (*top)[i] = f(points[i], constant);
+        }
+        ++top;
+    }
+    template <class F>
+    void unary(F f) {
+        double *const a = top[-1].data();
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            a[i] = f(a[i], constant);
+        }
+    }
+    template <class F>
+    void binary(F f) {
+        --top;
+        double *const a = top[-1].data();
+        const double *const b = top[0].data();
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            a[i] = f(a[i], b[i], points[i]);
+        }
+    }
+    void select() {
+        top -= 2;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            top[-1][i] = top[-1][i] != 0.0 ? top[0][i] : top[1][i];
+        }
+    }
+};
+
 double applyUnary(const ExpressionInstruction &instruction, double a) {
-    return withUnary(instruction.op, [&](auto f) { return f(a, instruction.constant); });
+    double *below = nullptr;
+    dispatch(instruction.op, ScalarStep{a, below, instruction.constant, {}});
+    return a;
 }
-double applyBinary(Op op, double a, double b, Vec2 p) {
-    return withBinary(op, [&](auto f) { return f(a, b, p); });
+double applyBinary(Op op, double a, double b) {
+    double *below = &a + 1;
+    dispatch(op, ScalarStep{b, below, 0.0, {}});
+    return b;
 }
 
 /// The form of a binary operation with a constant second operand, if there is one that gives the same doubles.
@@ -103,7 +173,7 @@ class Optimiser {
         const bool secondConstant = isConstant(second, code_.size());
         const bool firstConstant = isConstant(first, second);
         if (firstConstant && secondConstant && op != Op::Distance) {
-            const double value = applyBinary(op, code_[first].constant, code_[second].constant, {});
+            const double value = applyBinary(op, code_[first].constant, code_[second].constant);
             code_.resize(first);
             code_.push_back({Op::Push, value});
             return;
@@ -136,44 +206,6 @@ std::size_t stackNeeded(const std::vector<ExpressionInstruction> &code) {
     return most;
 }
 
-constexpr std::size_t kBlock = 32;
-using Block = std::array<double, kBlock>;
-
-/// One instruction over a block of points. `top` is the number of entries before the instruction.
-void runBlock(const ExpressionInstruction &instruction, std::span<const Vec2> points, Block *stack, std::size_t top) {
-    const std::size_t n = points.size();
-    switch (operandCount(instruction.op)) {
-    case 0:
-        for (std::size_t i = 0; i < n; ++i) {
-            stack[top][i] = instruction.op == Op::PushX   ? points[i].x
-                            : instruction.op == Op::PushY ? points[i].y
-                                                          : instruction.constant;
-        }
-        return;
-    case 1:
-        withUnary(instruction.op, [&](auto f) {
-            double *const a = stack[top - 1].data();
-            for (std::size_t i = 0; i < n; ++i) {
-                a[i] = f(a[i], instruction.constant);
-            }
-        });
-        return;
-    case 2:
-        withBinary(instruction.op, [&](auto f) {
-            double *const a = stack[top - 2].data();
-            const double *const b = stack[top - 1].data();
-            for (std::size_t i = 0; i < n; ++i) {
-                a[i] = f(a[i], b[i], points[i]);
-            }
-        });
-        return;
-    default:
-        for (std::size_t i = 0; i < n; ++i) {
-            stack[top - 3][i] = stack[top - 3][i] != 0.0 ? stack[top - 2][i] : stack[top - 1][i];
-        }
-    }
-}
-
 } // namespace
 
 std::variant<ExpressionProgram, ExpressionFault> ExpressionProgram::compile(std::string_view text) {
@@ -190,27 +222,11 @@ std::variant<ExpressionProgram, ExpressionFault> ExpressionProgram::compile(std:
 }
 
 double ExpressionProgram::evaluate(Vec2 p) const {
-    std::array<double, kDeepest> stack;
-    double top = 0.0; // topmost entry; stack[below - 1] is the next
-    std::size_t below = 0;
-    bool first = true;
+    std::array<double, kDeepest + 1> stack; // [0]: what the first push puts away
+    double *below = stack.data();
+    double top = 0.0;
     for (const ExpressionInstruction &instruction : code_) {
-        const Op op = instruction.op;
-        if (op > Op::Distance && op != Op::Select) {
-            top = applyUnary(instruction, top);
-        } else if (op > Op::Push && op != Op::Select) {
-            --below;
-            top = applyBinary(op, stack[below], top, p);
-        } else if (op == Op::Select) {
-            below -= 2;
-            top = stack[below] != 0.0 ? stack[below + 1] : top;
-        } else {
-            if (!first) {
-                stack[below++] = top;
-            }
-            first = false;
-            top = op == Op::PushX ? p.x : (op == Op::PushY ? p.y : instruction.constant);
-        }
+        dispatch(instruction.op, ScalarStep{top, below, instruction.constant, p});
     }
     return top;
 }
@@ -220,10 +236,9 @@ void ExpressionProgram::evaluateMany(std::span<const Vec2> points, std::span<dou
     std::array<Block, kDeepest> stack;
     for (std::size_t begin = 0; begin < points.size(); begin += kBlock) {
         const auto part = points.subspan(begin, std::min(kBlock, points.size() - begin));
-        std::size_t top = 0;
+        Block *top = stack.data();
         for (const ExpressionInstruction &instruction : code_) {
-            runBlock(instruction, part, stack.data(), top);
-            top = top + 1 - static_cast<std::size_t>(operandCount(instruction.op));
+            dispatch(instruction.op, BlockStep{top, instruction.constant, part});
         }
         std::copy_n(stack[0].begin(), part.size(), values.begin() + static_cast<std::ptrdiff_t>(begin));
     }

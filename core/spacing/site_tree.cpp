@@ -7,7 +7,7 @@ namespace forefront {
 /// Builds level by level, so that a limit of memory strikes everywhere alike.
 class SiteTreeBuilder {
   public:
-    SiteTreeBuilder(std::vector<SizeSite> sites, const Box2 &box) : box_(box) {
+    SiteTreeBuilder(std::vector<SizeSite> sites, const Box2 &box) {
         tree_.sites_ = std::move(sites);
         const double extent = std::max({box.size().x, box.size().y, 1e-300});
         tree_.corner_ = box.min;
@@ -53,7 +53,7 @@ class SiteTreeBuilder {
     static constexpr int kTableBits = 6;
     static constexpr std::uint32_t kTableCells = 1U << kTableBits;
     static constexpr int kTopLevel = SiteTree::kBits + kTableBits;
-    static constexpr std::size_t kShortList = 4;
+    static constexpr std::size_t kShortList = 5;
     static constexpr std::size_t kLongestTested = 48;
     static constexpr std::size_t kLongestList = 64;
     static constexpr std::size_t kMostCells = 4'000'000;
@@ -117,23 +117,25 @@ class SiteTreeBuilder {
         }
         const bool last = level == 0 || full_;
         if (competitors_.size() <= kShortList || (last && competitors_.size() <= kLongestList)) {
-            storeList(cell, span, centre, reach);
-        } else if (last || isSmooth(cell, span, centre, size)) {
+            storeList(cell, span, reach);
+        } else if (last || isSmooth(cell, span, size)) {
             storeSmooth(cell, span);
         } else {
             split(cell, level);
         }
     }
 
-    /// True if bilinear values are good enough in the whole cell; leaves the corner values in samples_.
-    bool isSmooth(const Cell &cell, double span, Vec2 centre, double size) {
+    /// True if bilinear values are good enough in the whole cell.
+    bool isSmooth(const Cell &cell, double span, double size) const {
         double growth = 0.0;
         double low = std::numeric_limits<double>::infinity();
+        double middle = std::numeric_limits<double>::infinity();
         bool touched = false;
         for (const Competitor &competitor : competitors_) {
             const SizeSite &s = site(competitor);
             growth = std::max(growth, s.growth);
             low = std::min(low, std::max(s.size, competitor.value - 0.70711 * size * s.growth));
+            middle = std::min(middle, competitor.value);
             touched = touched || competitor.value - s.size <= 0.8 * size * s.growth;
         }
         if (growth * size <= SiteTree::kTolerance * low) {
@@ -153,7 +155,7 @@ class SiteTreeBuilder {
         const auto near = [](double exact, double interpolated) {
             return std::fabs(exact - interpolated) <= SiteTree::kTolerance * exact;
         };
-        return near(least(centre), 0.25 * (a + b + c + d)) && near(least(place(x + h, y)), 0.5 * (a + b)) &&
+        return near(middle, 0.25 * (a + b + c + d)) && near(least(place(x + h, y)), 0.5 * (a + b)) &&
                near(least(place(x, y + h)), 0.5 * (a + c)) && near(least(place(x + span, y + h)), 0.5 * (b + d)) &&
                near(least(place(x + h, y + span)), 0.5 * (c + d));
     }
@@ -191,7 +193,7 @@ class SiteTreeBuilder {
         return first;
     }
 
-    void storeList(const Cell &cell, double span, Vec2 centre, double reach) {
+    void storeList(const Cell &cell, double span, double reach) {
         // The likeliest winner first; ties by index keep the order independent of anything but the sites.
         std::sort(competitors_.begin(), competitors_.end(), [](const Competitor &p, const Competitor &q) {
             return p.value != q.value ? p.value < q.value : p.site < q.site;
@@ -209,7 +211,6 @@ class SiteTreeBuilder {
             }
             high = std::min(high, most);
         }
-        static_cast<void>(centre);
         tree_.greatest_ = std::max(tree_.greatest_, high);
     }
     void storeSmooth(const Cell &cell, double span) {
@@ -225,7 +226,6 @@ class SiteTreeBuilder {
     }
 
     SiteTree tree_;
-    Box2 box_;
     std::uint32_t rows_ = 1;
     bool full_ = false;
     std::vector<Cell> cells_; ///< of the level in work, and their candidates

@@ -41,17 +41,30 @@ class FieldBuilder {
             }
             parts_.expression = std::move(*expression);
         }
+        if (!spec_.paint.tiles.empty()) {
+            auto painted = PaintedPart::build(spec_.paint, box_, parts_.minimum);
+            if (!painted) {
+                return painted.faults();
+            }
+            parts_.paint = std::move(*painted);
+            PaintedPart::addSites(spec_.paint, parts_.minimum, parts_.gradation, sites_);
+        }
         addSources();
         if (spec_.fromBoundary) {
             addBoundarySites(domain_, parts_.minimum, parts_.gradation, sites_);
         }
-        if (spec_.automatic()) {
+        if (saysNothingSomewhere()) {
             addAutomatic();
         }
         return finish();
     }
 
   private:
+    /// True where no part covers the whole domain in its own right: automatic spacing does, then. Paint reaches
+    /// everywhere by gradation, but what it says far away is no one's wish.
+    bool saysNothingSomewhere() const {
+        return !spec_.size && !spec_.expression && spec_.sources.empty() && !spec_.fromBoundary;
+    }
     void lowerCap(double size, SpacingOrigin origin) {
         if (size < parts_.cap) {
             parts_.cap = size;
@@ -96,11 +109,11 @@ class FieldBuilder {
             }
         }
         const bool sited = parts_.tree || !parts_.few.sites.empty();
-        if (!sited && !parts_.expression) {
+        if (!sited && !parts_.expression && !parts_.paint) {
             return std::shared_ptr<const SpacingField>(
                 std::make_shared<ConstantField>(std::max(parts_.cap, parts_.minimum), parts_.capOrigin));
         }
-        if (!sited && !spec_.size) {
+        if (!sited && !parts_.paint && !spec_.size) {
             return std::shared_ptr<const SpacingField>(
                 std::make_shared<ExpressionField>(std::move(*parts_.expression)));
         }

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+namespace forefront {
+
+/// How the editor is started from the command line.
+struct EditorOptions {
+    std::optional<std::filesystem::path> file; ///< project or domain file to open; none: the sample
+    std::optional<int> frames;                 ///< close by itself after so many frames (for tests)
+};
+
+/// Exit code of runEditor where no window can be opened (no display, no OpenGL 3.3).
+inline constexpr int kNoWindow = 4;
+
+/// Opens the window and stays until it is closed. Returns the exit code of the program.
+int runEditor(const EditorOptions &options);
+
+} // namespace forefront

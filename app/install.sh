@@ -1,0 +1,87 @@
+#!/bin/sh
+# Installs the Debian 12 packages that Forefront needs; those already there are left alone, and where none is missing
+# this takes a blink and needs no rights.
+#
+#   sh app/install.sh [--headless] [--tests]
+#
+#   --headless   only what the core and the batch program need, no graphics
+#   --tests      also what the tests need, readers of the exported files included (tests/packages.txt)
+# shellcheck disable=SC2086  # lists of packages are words to be split
+set -eu
+here=$(cd "$(dirname "$0")/.." && pwd)
+
+core='g++ cmake ninja-build pkg-config nlohmann-json3-dev libcli11-dev libmuparser-dev libpugixml-dev'
+editor='libimgui-dev python3-glad libglfw3-dev libglm-dev libstb-dev libfreetype-dev libegl-dev libgl-dev
+    libgl1-mesa-dri libegl-mesa0 libglx-mesa0 libstb0 fonts-inter fonts-dejavu-core fonts-font-awesome'
+tests='doctest-dev python3 xvfb xauth xdotool x11-utils imagemagick librsvg2-bin'
+
+wanted="$core $editor"
+for option in "$@"; do
+    case $option in
+    --headless) wanted=$core ;;
+    --tests) ;;
+    -h | --help)
+        sed -n '2,8s/^# \{0,1\}//p' "$0"
+        exit 0
+        ;;
+    *)
+        echo "install.sh: unknown option $option (see --help)" >&2
+        exit 2
+        ;;
+    esac
+done
+for option in "$@"; do
+    if [ "$option" = --tests ]; then
+        wanted="$wanted $tests"
+        if [ -f "$here/tests/packages.txt" ]; then
+            wanted="$wanted $(sed 's/#.*//' "$here/tests/packages.txt")"
+        fi
+    fi
+done
+
+if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+    echo "install.sh: this is no Debian; please install what these Debian packages hold:" $wanted >&2
+    exit 1
+fi
+present=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' $wanted 2>/dev/null | sed -n 's/^installed //p' || true)
+missing=$(printf '%s\n' $wanted | sort -u | while read -r package; do
+    printf '%s\n' "$present" | grep -Fqx "$package" || printf '%s ' "$package"
+done)
+if [ -z "$missing" ]; then
+    echo "packages: all $(printf '%s\n' $wanted | sort -u | wc -l) are installed"
+    exit 0
+fi
+
+echo "packages missing: $missing"
+as_root=
+if [ "$(id -u)" -ne 0 ]; then
+    if ! command -v sudo >/dev/null; then
+        echo "install.sh: installing needs root; run as root: apt-get install --no-install-recommends $missing" >&2
+        exit 1
+    fi
+    as_root=sudo
+fi
+apt() {
+    $as_root env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=600 -o Acquire::Retries=3 "$@"
+}
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+run() {
+    echo "+ apt-get $1 ..."
+    if ! apt "$@" >"$log" 2>&1; then
+        cat "$log" >&2
+        return 1
+    fi
+}
+size_before=$(df -Pk /usr | awk 'NR == 2 { print $3 }')
+install_missing() { run install -y --no-install-recommends $missing; }
+# The lists of packages may be absent or outdated; they are fetched only then.
+if ! apt-get -s install --no-install-recommends $missing >/dev/null 2>&1; then
+    run update
+    install_missing
+elif ! install_missing 2>/dev/null; then
+    run update
+    install_missing
+fi
+size_after=$(df -Pk /usr | awk 'NR == 2 { print $3 }')
+echo "packages: installed, $(((size_after - size_before) / 1024)) MB"
