@@ -28,8 +28,7 @@ double leastAlpha(const Mesh &mesh) {
 
 } // namespace
 
-ImproveReport improve(Mesh &mesh, const SpacingField * /*spacing*/, const ImproveOptions &options,
-                      const Progress &progress) {
+ImproveReport improve(Mesh &mesh, const ImproveOptions &options, const Progress &progress) {
     ImproveReport report;
     report.alphaMinBefore = report.alphaMinAfter = leastAlpha(mesh);
     if (mesh.elements.empty() || options.rounds <= 0 || progress.cancelled()) {

@@ -5,10 +5,8 @@
 
 namespace forefront {
 
-class SpacingField;
-
 struct ImproveOptions {
-    int rounds = 3; ///< swap and smooth rounds
+    int rounds = 3; ///< swap and smooth rounds; 0 leaves the mesh as it is
 };
 
 struct ImproveReport {
@@ -21,7 +19,6 @@ struct ImproveReport {
 /// Edge swapping and node smoothing in place. Nodes of tagged edges and tagged points do not move, tagged edges are not
 /// swapped, no element becomes inverted or flat (exact sign), the least α never falls. Deterministic. Cancelling leaves
 /// a valid mesh.
-ImproveReport improve(Mesh &mesh, const SpacingField *spacing, const ImproveOptions &options,
-                      const Progress &progress = {});
+ImproveReport improve(Mesh &mesh, const ImproveOptions &options = {}, const Progress &progress = {});
 
 } // namespace forefront

@@ -51,7 +51,7 @@ TEST_CASE("improve: keeps a mesh valid, its tags, held nodes, regions and least 
             for (const std::size_t n : {3U, 5U, 12U, 40U}) {
                 const Mesh before = constrainedSquare(n, jitter, offset, ++seed);
                 Mesh mesh = before;
-                const ImproveReport report = improve(mesh, nullptr, {});
+                const ImproveReport report = improve(mesh);
                 const Diagnostics faults = verify(mesh);
                 REQUIRE_MESSAGE(faults.empty(), samples::list(faults));
                 const double least = measure(mesh, nullptr).alphaMin;
@@ -78,7 +78,7 @@ TEST_CASE("improve: keeps a mesh valid, its tags, held nodes, regions and least 
 TEST_CASE("improve: a distorted lattice with diagonals by chance becomes a good mesh") {
     Mesh mesh = samples::square(60, 60, 0.24);
     CHECK(measure(mesh, nullptr).alphaGeometricMean < 0.82);
-    improve(mesh, nullptr, {});
+    improve(mesh);
     const MeshQuality q = measure(mesh, nullptr);
     CHECK(q.alphaGeometricMean > 0.965);
     CHECK(q.alphaMin > 0.7);
@@ -86,10 +86,10 @@ TEST_CASE("improve: a distorted lattice with diagonals by chance becomes a good 
 
 TEST_CASE("improve: improving again does not lower the least α") {
     Mesh mesh = samples::square(30, 30, 0.24, {}, 5);
-    improve(mesh, nullptr, {});
+    improve(mesh);
     for (int i = 0; i < 4; ++i) {
         const double least = measure(mesh, nullptr).alphaMin;
-        const ImproveReport report = improve(mesh, nullptr, {});
+        const ImproveReport report = improve(mesh);
         CHECK(report.alphaMinAfter >= least);
     }
 }
@@ -97,8 +97,8 @@ TEST_CASE("improve: improving again does not lower the least α") {
 TEST_CASE("improve: the same mesh gives the same result bit for bit") {
     Mesh a = constrainedSquare(25, 0.24, {3.0, 4.0}, 77);
     Mesh b = a;
-    improve(a, nullptr, {});
-    improve(b, nullptr, {});
+    improve(a);
+    improve(b);
     CHECK(meshHash(a) == meshHash(b));
 }
 
@@ -109,7 +109,7 @@ TEST_CASE("improve: nearly flat elements along a line are mended without any sig
         mesh.nodes[11 + i].y = 1e-13;
     }
     REQUIRE(verify(mesh).empty());
-    improve(mesh, nullptr, {});
+    improve(mesh);
     const Diagnostics faults = verify(mesh);
     CHECK_MESSAGE(faults.empty(), samples::list(faults));
     CHECK(measure(mesh, nullptr).alphaMin > 0.5);
@@ -130,7 +130,7 @@ TEST_CASE("improve: a cancelled improvement leaves a valid mesh") {
         if (stopAt == 0) {
             stop.request_stop();
         }
-        const ImproveReport report = improve(mesh, nullptr, {}, progress);
+        const ImproveReport report = improve(mesh, {}, progress);
         CHECK(verify(mesh).empty());
         CHECK(report.alphaMinAfter >= report.alphaMinBefore);
     }
@@ -138,13 +138,13 @@ TEST_CASE("improve: a cancelled improvement leaves a valid mesh") {
 
 TEST_CASE("improve: an empty mesh and a single element are left as they are") {
     Mesh empty;
-    improve(empty, nullptr, {});
+    improve(empty);
     CHECK(empty.elements.empty());
     Mesh one;
     one.nodes = {{0, 0}, {1, 0}, {0, 1}};
     one.elements = {{node(0), node(1), node(2)}};
     const std::uint64_t before = meshHash(one);
-    improve(one, nullptr, {});
+    improve(one);
     CHECK(meshHash(one) == before);
 }
 
@@ -157,7 +157,7 @@ TEST_CASE("improve: a node with more elements than can be counted stays in place
         mesh.nodes.push_back({std::cos(angle), std::sin(angle)});
         mesh.elements.push_back({node(0), node(1 + i), node(1 + (i + 1) % kSpokes)});
     }
-    improve(mesh, nullptr, {});
+    improve(mesh);
     CHECK_MESSAGE(verify(mesh).empty(), samples::list(verify(mesh)));
 }
 
