@@ -6,15 +6,16 @@
 namespace forefront {
 
 /// How the editor is started from the command line.
-struct EditorOptions {
-    std::optional<std::filesystem::path> file; ///< project or domain file to open; none: the sample
-    std::optional<int> frames;                 ///< close by itself after so many frames (for tests)
+struct EditorArguments {
+    std::optional<std::filesystem::path> file;      ///< project or domain file to open; none: the sample
+    std::optional<int> frames;                      ///< close by itself after so many frames (for tests)
+    std::optional<std::filesystem::path> stateFile; ///< write the state of each frame there (for tests)
 };
 
 /// Exit code of runEditor where no window can be opened (no display, no OpenGL 3.3).
 inline constexpr int kNoWindow = 4;
 
 /// Opens the window and stays until it is closed. Returns the exit code of the program.
-int runEditor(const EditorOptions &options);
+int runEditor(const EditorArguments &arguments);
 
 } // namespace forefront
