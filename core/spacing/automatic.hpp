@@ -12,7 +12,7 @@ struct AutomaticSpacing {
     SiteSet sites;
 };
 
-/// Short segments are respected (they stay in the mesh), long ones are cut so that the domain is about 30 elements
+/// Short segments are respected (they stay in the mesh), long ones are cut so that the domain is about 45 elements
 /// across; all of it graded.
 AutomaticSpacing automaticSpacing(const Domain &domain, const Box2 &box, double minimum, double gradation,
                                   const Progress &progress = {});

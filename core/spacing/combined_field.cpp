@@ -14,6 +14,19 @@ std::string shortNumber(double value) {
     return text.data();
 }
 
+const char *capWords(SpacingOrigin origin) {
+    switch (origin) {
+    case SpacingOrigin::Minimum:
+        return "least spacing";
+    case SpacingOrigin::Maximum:
+        return "greatest spacing";
+    case SpacingOrigin::Automatic:
+        return "automatic: size of the domain";
+    default:
+        return "constant";
+    }
+}
+
 /// Box corners and, for the lower bound, the nearest approach of a site to the box.
 double greatestOverBox(const SizeSite &site, const Box2 &box) {
     return std::max(
@@ -31,10 +44,7 @@ void ConstantField::atMany(std::span<const Vec2> points, std::span<double> rho) 
 }
 
 SpacingSample ConstantField::sample(Vec2) const {
-    const char *const words = origin_ == SpacingOrigin::Minimum   ? "least spacing"
-                              : origin_ == SpacingOrigin::Maximum ? "greatest spacing"
-                                                                  : "constant";
-    return {rho_, origin_, 0, words};
+    return {rho_, origin_, 0, capWords(origin_)};
 }
 
 SpacingSample ExpressionField::sample(Vec2 p) const {
@@ -71,12 +81,7 @@ void CombinedField::atMany(std::span<const Vec2> points, std::span<double> rho) 
 }
 
 SpacingSample CombinedField::sample(Vec2 p) const {
-    SpacingSample sample{parts_.cap, parts_.capOrigin, 0, "constant"};
-    if (parts_.capOrigin == SpacingOrigin::Maximum) {
-        sample.describe = "greatest spacing";
-    } else if (parts_.capOrigin == SpacingOrigin::Automatic) {
-        sample.describe = "automatic: size of the domain";
-    }
+    SpacingSample sample{parts_.cap, parts_.capOrigin, 0, capWords(parts_.capOrigin)};
     for (std::size_t i = 0; i < parts_.few.sites.size(); ++i) {
         if (parts_.few.sites[i].at(p) < sample.rho) {
             describeSite(parts_.few.sites[i], parts_.few.labels[i], p, sample);

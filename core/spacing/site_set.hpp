@@ -17,7 +17,7 @@ enum class SiteReason : std::uint8_t {
     ExpressionEdge, ///< reach of an expression steeper than the gradation
     SegmentLength,  ///< index: of the domain segment
     Channel,        ///< narrow gap across from the domain segment
-    Corner,         ///< index: of the domain node
+    Corner,         ///< beside a sharp corner of the domain segment
     LonePoint       ///< index: of the domain node
 };
 
@@ -36,6 +36,8 @@ struct SiteSet {
         sites.push_back(site);
         labels.push_back(label);
     }
+    /// Drops sites that another one undercuts everywhere; of equal ones the first stays. For sites without radius.
+    void dropDominated();
 };
 
 } // namespace forefront

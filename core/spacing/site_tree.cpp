@@ -102,7 +102,41 @@ class SiteTreeBuilder {
             }
         }
         std::erase_if(competitors_, [&](const Competitor &c) { return c.value - site(c).growth * reach > bound; });
+        if (competitors_.size() > 2) {
+            dropParallel(centre, reach);
+        }
         FOREFRONT_ASSERT(!competitors_.empty());
+    }
+
+    /// Value and slope of a site, and how far the slope may turn within reach: the distance to a convex shape at
+    /// distance d has second derivatives of at most 1/d.
+    struct Slope {
+        Vec2 gradient;
+        double turn = 0.0; ///< infinite where the reach touches the site
+    };
+    static Slope slopeOf(const SizeSite &s, Vec2 centre, double reach) {
+        const Vec2 away = centre - s.nearest(centre);
+        const double d = length(away);
+        if (d <= reach + s.radius) {
+            return {{}, std::numeric_limits<double>::infinity()};
+        }
+        return {(s.growth / d) * away, s.growth * reach / (d - reach)};
+    }
+    /// Sites seen in nearly the same direction keep their order: drops those that the best one beats in the whole cell.
+    void dropParallel(Vec2 centre, double reach) {
+        const Competitor best = *std::min_element(competitors_.begin(), competitors_.end(),
+                                                  [](const auto &p, const auto &q) { return p.value < q.value; });
+        const Slope slope = slopeOf(site(best), centre, reach);
+        if (!std::isfinite(slope.turn)) {
+            return;
+        }
+        std::erase_if(competitors_, [&](const Competitor &c) {
+            if (c.site == best.site) {
+                return false;
+            }
+            const Slope other = slopeOf(site(c), centre, reach);
+            return c.value - best.value > reach * (length(other.gradient - slope.gradient) + slope.turn + other.turn);
+        });
     }
 
     void treat(const Cell &cell, int level) {

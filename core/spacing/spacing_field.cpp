@@ -98,14 +98,18 @@ class FieldBuilder {
             sites_.add(automatic.sites.sites[i], automatic.sites.labels[i]);
         }
     }
+    static Diagnostics cancelled() { return error("cancelled", "Preparing the spacing was cancelled"); }
     Result<std::shared_ptr<const SpacingField>> finish() {
+        if (progress_.cancelled()) {
+            return cancelled();
+        }
         if (sites_.sites.size() <= kFew) {
             parts_.few = std::move(sites_);
         } else {
             parts_.tree = SiteTree::build(std::move(sites_.sites), box_, progress_);
             parts_.treeLabels = std::move(sites_.labels);
             if (!parts_.tree) {
-                return error("cancelled", "Preparing the spacing was cancelled");
+                return cancelled();
             }
         }
         const bool sited = parts_.tree || !parts_.few.sites.empty();

@@ -38,13 +38,13 @@ struct SpacingSample {
 class SpacingField {
   public:
     /// Faults: expression-syntax (with column), expression-value (not finite or <= 0 somewhere on a probe lattice, with
-    /// a place), bad-size, bad-source, bad-background. The domain gives the extent and, for boundary and automatic
-    /// spacing, the lengths.
+    /// a place), bad-size, bad-source, bad-paint, bad-background, cancelled. The domain gives the extent and, for
+    /// boundary and automatic spacing, the lengths.
     static Result<std::shared_ptr<const SpacingField>> build(const SpacingSpec &spec, const Domain &domain,
                                                              const Progress &progress = {});
     virtual ~SpacingField() = default;
 
-    /// Node spacing at p: finite and > 0 everywhere in the domain's box. Hot path.
+    /// Node spacing at p: finite and > 0 everywhere, meaningful in the domain's box. Hot path.
     virtual double at(Vec2 p) const = 0;
     virtual void atMany(std::span<const Vec2> points, std::span<double> rho) const = 0;
     /// As at(), and says which part won. Slow; for the inspector.

@@ -1,0 +1,179 @@
+#include "core/domain/domain.hpp"
+#include "core/spacing/automatic.hpp"
+#include "core/spacing/boundary_spacing.hpp"
+#include "core/spacing/spacing_field.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+using namespace forefront;
+
+namespace {
+
+void addLoop(Domain &domain, const std::vector<Vec2> &loop) {
+    const auto first = static_cast<std::uint32_t>(domain.nodes.size());
+    const auto n = static_cast<std::uint32_t>(loop.size());
+    domain.nodes.insert(domain.nodes.end(), loop.begin(), loop.end());
+    for (std::uint32_t i = 0; i < n; ++i) {
+        domain.segments.push_back({first + i, first + (i + 1) % n, 1, SegmentRole::Boundary});
+    }
+}
+
+Domain loopOf(const std::vector<Vec2> &loop) {
+    Domain domain;
+    addLoop(domain, loop);
+    return domain;
+}
+
+std::vector<Vec2> circle(Vec2 centre, double radius, int pieces) {
+    std::vector<Vec2> loop;
+    for (int i = 0; i < pieces; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / pieces;
+        loop.push_back(centre + radius * Vec2{std::cos(angle), std::sin(angle)});
+    }
+    return loop;
+}
+
+std::shared_ptr<const SpacingField> automatic(const Domain &domain) {
+    auto field = SpacingField::build({}, domain);
+    REQUIRE(field.ok());
+    return *field;
+}
+
+} // namespace
+
+TEST_CASE("Automatic spacing: a plain square gets the spacing of its size") {
+    const auto field = automatic(loopOf({{0, 0}, {1, 0}, {1, 1}, {0, 1}}));
+    CHECK(field->at({0.5, 0.5}) == doctest::Approx(std::sqrt(2.0) / 45.0));
+    CHECK(field->sample({0.5, 0.5}).describe == "automatic: size of the domain");
+}
+
+TEST_CASE("Automatic spacing: short segments are respected, whatever the size of their neighbours") {
+    std::mt19937 random(17);
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    std::vector<Vec2> loop;
+    double angle = 0.0;
+    while (angle < 6.2) {
+        loop.push_back(10.0 * Vec2{std::cos(angle), std::sin(angle)});
+        angle += 0.001 * std::pow(200.0, share(random));
+    }
+    const Domain domain = loopOf(loop);
+    const auto field = automatic(domain);
+    for (const PlacedSegment &segment : placedSegments(domain)) {
+        const Vec2 middle = midpoint(segment.a, segment.b);
+        CHECK(field->at(middle) <= segment.length() * 1.006);
+        CHECK(field->at(middle) >= field->least());
+    }
+}
+
+TEST_CASE("Automatic spacing: two elements fit across a channel, and open water stays coarse") {
+    // Two basins of 4 x 4 joined by a channel of width 0.1.
+    const Domain domain = loopOf(
+        {{0, 0}, {4, 0}, {4, 1.9}, {6, 1.9}, {6, 0}, {10, 0}, {10, 4}, {6, 4}, {6, 2.0}, {4, 2.0}, {4, 4}, {0, 4}});
+    const auto field = automatic(domain);
+    for (double x = 4.05; x < 6.0; x += 0.1) {
+        CHECK(field->at({x, 1.95}) <= 0.064);
+        CHECK(field->at({x, 1.95}) >= 0.045);
+    }
+    CHECK(field->at({1.5, 1}) == doctest::Approx(field->greatest()));
+    CHECK(field->sample({5, 1.95}).describe.find("narrow channel") != std::string::npos);
+}
+
+TEST_CASE("Automatic spacing: what is narrow only outside the domain does not count") {
+    // Two squares 0.02 apart: the strait between them is no part of the domain.
+    Domain domain = loopOf({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+    addLoop(domain, {{1.02, 0}, {2.02, 0}, {2.02, 1}, {1.02, 1}});
+    const auto field = automatic(domain);
+    CHECK(field->at({0.99, 0.5}) == doctest::Approx(field->greatest()));
+    CHECK(field->least() == field->greatest());
+}
+
+TEST_CASE("Automatic spacing: orientation and order of the segments do not matter") {
+    Domain domain = loopOf({{0, 0}, {4, 0}, {4, 1.9}, {6, 1.9}, {6, 0}, {10, 0}, {10, 4}, {0, 4}});
+    addLoop(domain, circle({2, 3.7}, 0.2, 24));
+    Domain shuffled = domain;
+    std::mt19937 random(5);
+    std::shuffle(shuffled.segments.begin(), shuffled.segments.end(), random);
+    for (DomainSegment &segment : shuffled.segments) {
+        if (random() % 2 == 0) {
+            std::swap(segment.a, segment.b);
+        }
+    }
+    const auto one = automatic(domain);
+    const auto other = automatic(shuffled);
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    for (int i = 0; i < 2000; ++i) {
+        const Vec2 p{10 * share(random), 4 * share(random)};
+        CHECK(one->at(p) == doctest::Approx(other->at(p)).epsilon(0.01));
+    }
+    // Between the hole and the wall, 0.1 wide.
+    CHECK(one->at({2, 3.95}) <= 0.07);
+}
+
+TEST_CASE("Automatic spacing: a needle is refined towards its tip but not without end") {
+    const auto field = automatic(loopOf({{0, 0}, {10, 0}, {10, 0.6}}));
+    CHECK(field->at({1.0, 0.03}) < 0.08);
+    CHECK(field->least() > 0.01);
+}
+
+TEST_CASE("Automatic spacing: a very long and thin channel stays affordable") {
+    const double length = 1000.0;
+    const auto field = automatic(loopOf({{0, 0}, {length, 0}, {length, 0.001}, {0, 0.001}}));
+    // about ∫ ds/ρ along the channel: far from the two million that two elements across would need
+    double pieces = 0.0;
+    for (double x = 0.5; x < length; x += 1.0) {
+        pieces += 1.0 / field->at({x, 0.0005});
+    }
+    CHECK(pieces < 60000.0);
+}
+
+TEST_CASE("Automatic spacing: lone points ask for their distance to the next thing") {
+    Domain domain = loopOf({{0, 0}, {10, 0}, {10, 10}, {0, 10}});
+    domain.nodes.push_back({5, 5});
+    domain.nodes.push_back({5.05, 5});
+    domain.points = {{4, 1}, {5, 1}};
+    const auto field = automatic(domain);
+    CHECK(field->at({5, 5}) == doctest::Approx(0.05));
+    CHECK(field->at({1, 1}) == doctest::Approx(field->greatest()));
+}
+
+TEST_CASE("Automatic spacing: graded within two hundredths, and bounded as it says") {
+    std::mt19937 random(23);
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    for (int round = 0; round < 6; ++round) {
+        Domain domain = loopOf(circle({0, 0}, 10, 20 + 40 * round));
+        for (int hole = 0; hole < 5; ++hole) {
+            const double angle = hole * 1.2566;
+            addLoop(domain, circle(6.0 * Vec2{std::cos(angle), std::sin(angle)}, 0.3 + 3.0 * share(random),
+                                   12 + static_cast<int>(60 * share(random))));
+        }
+        const auto field = automatic(domain);
+        for (int i = 0; i < 4000; ++i) {
+            const auto somewhere = [&] { return Vec2{20 * share(random) - 10, 20 * share(random) - 10}; };
+            const Vec2 p = somewhere();
+            const Vec2 q = i % 2 == 0 ? somewhere() : p + 0.02 * somewhere();
+            const double a = field->at(p);
+            const double b = field->at(q);
+            REQUIRE(std::fabs(a - b) <= 0.25 * distance(p, q) + 0.012 * std::max(a, b));
+            REQUIRE(a >= field->least() * (1 - 1e-6));
+            REQUIRE(a <= field->greatest() * (1 + 1e-6));
+        }
+    }
+}
+
+TEST_CASE("Automatic spacing: broken domains neither crash nor give unusable values") {
+    Domain domain;
+    CHECK(automatic(domain)->at({0, 0}) > 0.0);
+    domain.nodes = {{0, 0}, {1, 0}, {std::nan(""), 1}, {1, 0}};
+    domain.segments = {{0, 1, 1, SegmentRole::Boundary},
+                       {1, 2, 1, SegmentRole::Boundary},
+                       {2, 77, 1, SegmentRole::Boundary},
+                       {1, 3, 1, SegmentRole::Boundary},
+                       {0, 0, 1, SegmentRole::Constraint}};
+    domain.points = {{99, 1}, {2, 1}, {0, 1}};
+    CHECK(automatic(domain)->at({0.5, 0}) > 0.0);
+    CHECK(std::isfinite(automatic(domain)->at({0.5, 0})));
+}
