@@ -24,7 +24,7 @@ struct Action {
     std::string id;                  ///< "file.save"; in menus the widget "menu/file.save"
     std::string menu;                ///< "File", "Edit", "View", "Mesh", "Learn", "Help"; empty: palette only
     std::string title;               ///< "Save"
-    std::vector<Shortcut> shortcuts; ///< the first is shown
+    std::vector<Shortcut> shortcuts{}; ///< the first is shown
     std::function<void(AppContext &)> run;
     std::function<bool(const AppContext &)> enabled{};        ///< absent: always
     std::function<bool(const AppContext &)> checked{};        ///< absent: no check mark

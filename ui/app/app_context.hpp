@@ -1,11 +1,11 @@
 #pragma once
 
+#include "core/edit/references.hpp"
 #include "ui/app/action.hpp"
 #include "ui/app/document_store.hpp"
 #include "ui/app/message_log.hpp"
 #include "ui/app/preview.hpp"
 #include "ui/app/run_control.hpp"
-#include "ui/app/selection.hpp"
 #include "ui/app/settings.hpp"
 #include "ui/canvas/camera.hpp"
 #include "ui/dialogs/dialog.hpp"
@@ -86,8 +86,9 @@ struct AppContext {
     void wakeAt(double time) { nextFrameAt = nextFrameAt < time ? nextFrameAt : time; }
     double nextFrameAt = 1e300; ///< reset at the start of each frame
     LayerSlot *layer(std::string_view id);
-    /// Opens a project or any domain format as the document. The editor asks about unsaved changes first.
-    std::function<void(const std::filesystem::path &)> openFile;
+    /// Opens a project or any domain format as the document, whatever becomes of the one before; see openDocument() in
+    /// ui/dialogs. Faults go to the log. True if opened.
+    std::function<bool(const std::filesystem::path &)> openFile;
 };
 
 } // namespace forefront

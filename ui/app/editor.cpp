@@ -6,6 +6,7 @@
 #include "ui/app/imgui_bridge.hpp"
 #include "ui/app/state_file.hpp"
 #include "ui/canvas/canvas.hpp"
+#include "ui/dialogs/file_commands.hpp"
 #include "ui/shell/shell.hpp"
 #include "ui/widgets.hpp"
 
@@ -77,7 +78,7 @@ Editor::Editor(Platform &platform, EditorOptions options) : parts_(std::make_uni
     c.runs = std::make_unique<RunControl>(c.store, c.log, wake);
     c.previews = std::make_unique<Preview>(wake);
     c.preview = c.previews->latest();
-    c.openFile = [this](const std::filesystem::path &file) { open(file); };
+    c.openFile = [this](const std::filesystem::path &file) { return open(file); };
     c.tools.tools = makeTools();
     for (auto &layer : makeLayers()) {
         const bool visible = layer->visibleAtStart();
@@ -207,7 +208,7 @@ void Editor::Parts::handleEvents(const std::vector<InputEvent> &events) {
             context.closeRequested = true;
         } else if (event.kind == InputKind::Drop) {
             for (const std::string &path : event.paths) {
-                context.openFile(path);
+                openDocument(context, path);
             }
         } else {
             canvasInput.dispatch(event, context);

@@ -1,5 +1,6 @@
 #include "ui/app/app_context.hpp"
 #include "ui/app/assets.hpp"
+#include "ui/dialogs/file_commands.hpp"
 #include "ui/shell/help_dialogs.hpp"
 
 #include <algorithm>
@@ -117,7 +118,7 @@ void addHelpActions(ActionRegistry &actions) {
                  .run = [](AppContext &c) { c.dialogs.open(makeAbout()); }, .separatorBefore = true});
     for (const Sample &sample : samples()) {
         actions.add({.id = "learn." + sample.path.stem().string(), .menu = "Learn", .title = sample.title,
-                     .run = [path = sample.path](AppContext &c) { c.openFile(path); }});
+                     .run = [path = sample.path](AppContext &c) { openDocument(c, path); }});
     }
 }
 

@@ -1,27 +1,186 @@
+#include "core/edit/shape_commands.hpp"
+#include "core/edit/shape_geometry.hpp"
+#include "core/edit/spacing_commands.hpp"
 #include "ui/app/app_context.hpp"
+#include "ui/dialogs/file_commands.hpp"
+#include "ui/dialogs/palette_dialog.hpp"
+#include "ui/dialogs/repair.hpp"
+#include "ui/tools/edit_state.hpp"
 
 namespace forefront {
+namespace {
+
+constexpr Modifiers kNone{};
+constexpr Modifiers kControl{Modifiers::kControl};
+constexpr Modifiers kControlShift{Modifiers::kControl | Modifiers::kShift};
+
+bool hasSelection(const AppContext &context) {
+    return !context.selection.empty();
+}
+
+bool hasShapes(const AppContext &context) {
+    return !context.document().current()->shapes.empty();
+}
+
+void addFileActions(ActionRegistry &actions) {
+    actions.add({.id = "file.new", .menu = "File", .title = "New", .shortcuts = {{'N', kControl}}, .run = newDocument});
+    actions.add({.id = "file.open",
+                 .menu = "File",
+                 .title = "Open\xe2\x80\xa6",
+                 .shortcuts = {{'O', kControl}},
+                 .run = [](AppContext &c) { openDocument(c); }});
+    actions.add({.id = "file.recent",
+                 .menu = "File",
+                 .title = "Open last file",
+                 .run = [](AppContext &c) { openDocument(c, c.settings.recentFiles.front()); },
+                 .enabled = [](const AppContext &c) { return !c.settings.recentFiles.empty(); },
+                 .dynamic =
+                     [](const AppContext &c) {
+                         return c.settings.recentFiles.empty()
+                                    ? std::string("Open last file")
+                                    : "Open " +
+                                          std::filesystem::path(c.settings.recentFiles.front()).filename().string();
+                     }});
+    actions.add({.id = "file.save",
+                 .menu = "File",
+                 .title = "Save",
+                 .shortcuts = {{'S', kControl}},
+                 .run = [](AppContext &c) { saveDocument(c); },
+                 .separatorBefore = true});
+    actions.add({.id = "file.saveAs",
+                 .menu = "File",
+                 .title = "Save as\xe2\x80\xa6",
+                 .shortcuts = {{'S', kControlShift}},
+                 .run = [](AppContext &c) { saveDocumentAs(c); }});
+    actions.add({.id = "file.import",
+                 .menu = "File",
+                 .title = "Import drawing\xe2\x80\xa6",
+                 .shortcuts = {{'I', kControl}},
+                 .run = importDrawing,
+                 .separatorBefore = true});
+    actions.add(
+        {.id = "file.importSpacing", .menu = "File", .title = "Import spacing\xe2\x80\xa6", .run = importSpacing});
+    actions.add({.id = "file.export",
+                 .menu = "File",
+                 .title = "Export mesh\xe2\x80\xa6",
+                 .shortcuts = {{'E', kControl}},
+                 .run = exportMesh,
+                 .enabled = hasShapes});
+    actions.add({.id = "file.quit",
+                 .menu = "File",
+                 .title = "Quit",
+                 .shortcuts = {{'Q', kControl}},
+                 .run = [](AppContext &c) { afterUnsaved(c, [](AppContext &d) { d.quit = true; }); },
+                 .separatorBefore = true});
+}
+
+void addHistoryActions(ActionRegistry &actions) {
+    actions.add({.id = "edit.undo",
+                 .menu = "Edit",
+                 .title = "Undo",
+                 .shortcuts = {{'Z', kControl}},
+                 .run =
+                     [](AppContext &c) {
+                         if (!c.tools.current().undo(c)) {
+                             c.document().undo();
+                             c.selection.prune(*c.document().current());
+                         }
+                     },
+                 .dynamic = [](const AppContext &c) { return "Undo " + c.document().undoLabel(); },
+                 .repeats = true});
+    actions.add({.id = "edit.redo",
+                 .menu = "Edit",
+                 .title = "Redo",
+                 .shortcuts = {{'Z', kControlShift}, {'Y', kControl}},
+                 .run =
+                     [](AppContext &c) {
+                         if (!c.tools.current().redo(c)) {
+                             c.document().redo();
+                             c.selection.prune(*c.document().current());
+                         }
+                     },
+                 .dynamic = [](const AppContext &c) { return "Redo " + c.document().redoLabel(); },
+                 .repeats = true});
+}
+
+void addSelectionActions(ActionRegistry &actions) {
+    actions.add({.id = "edit.delete",
+                 .menu = "Edit",
+                 .title = "Delete",
+                 .shortcuts = {{key::kDelete, kNone}},
+                 .run =
+                     [](AppContext &c) {
+                         c.document().apply(deleteSelection(*c.document().current(), c.selection), "Delete");
+                         c.selection.clear();
+                     },
+                 .enabled = hasSelection,
+                 .separatorBefore = true});
+    actions.add(
+        {.id = "edit.duplicate",
+         .menu = "Edit",
+         .title = "Duplicate",
+         .shortcuts = {{'D', kControl}},
+         .run =
+             [](AppContext &c) {
+                 Selection copies;
+                 const double step = 2.0 * gridPitch(EditState::reach(c, 1.0));
+                 if (EditState::apply(c,
+                                      duplicateSelection(*c.document().current(), c.selection, {step, -step}, &copies),
+                                      "Duplicate")) {
+                     c.selection = std::move(copies);
+                 }
+             },
+         .enabled = [](const AppContext &c) { return !c.selection.shapes.empty() || !c.selection.sources.empty(); }});
+    actions.add({.id = "edit.selectAll",
+                 .menu = "Edit",
+                 .title = "Select all",
+                 .shortcuts = {{'A', kControl}},
+                 .run = [](AppContext &c) {
+                     c.selection = selectAll(*c.document().current());
+                     c.tools.choose("select", c);
+                 }});
+    actions.add({.id = "edit.toPolygon",
+                 .menu = "Edit",
+                 .title = "Convert to polygon",
+                 .run =
+                     [](AppContext &c) {
+                         for (const std::uint32_t id : c.selection.shapes) {
+                             EditState::apply(c, convertToPolygon(*c.document().current(), id), "Convert to polygon");
+                         }
+                     },
+                 .enabled = [](const AppContext &c) { return !c.selection.shapes.empty(); },
+                 .separatorBefore = true});
+    actions.add(
+        {.id = "edit.repair", .menu = "Edit", .title = "Repair drawing", .run = repairDrawing, .enabled = hasShapes});
+    actions.add({.id = "edit.clearPaint",
+                 .menu = "Edit",
+                 .title = "Clear painted spacing",
+                 .run = [](AppContext &c) { c.document().apply(setPaint(*c.document().current(), {}), "Clear paint"); },
+                 .enabled = [](const AppContext &c) { return !c.document().current()->spacing.paint.tiles.empty(); }});
+}
+
+/// Tools by name for the palette; their keys belong to the tools themselves.
+void addToolActions(ActionRegistry &actions) {
+    for (const auto &tool : makeTools()) {
+        actions.add({.id = std::string("tool.") + tool->id(),
+                     .menu = "",
+                     .title = std::string("Tool: ") + tool->name(),
+                     .run = [id = std::string(tool->id())](AppContext &c) { c.tools.choose(id, c); }});
+    }
+}
+
+} // namespace
 
 void addEditActions(ActionRegistry &actions) {
-    constexpr Modifiers kControl{Modifiers::kControl};
-    constexpr Modifiers kControlShift{Modifiers::kControl | Modifiers::kShift};
-    actions.add({.id = "file.quit", .menu = "File", .title = "Quit", .shortcuts = {{'Q', kControl}},
-                 .run = [](AppContext &c) { c.quit = true; }, .separatorBefore = true});
-    actions.add({.id = "edit.undo", .menu = "Edit", .title = "Undo", .shortcuts = {{'Z', kControl}},
-                 .run = [](AppContext &c) {
-                     if (!c.tools.current().undo(c)) {
-                         c.document().undo();
-                     }
-                 },
-                 .dynamic = [](const AppContext &c) { return "Undo " + c.document().undoLabel(); }, .repeats = true});
-    actions.add({.id = "edit.redo", .menu = "Edit", .title = "Redo",
-                 .shortcuts = {{'Z', kControlShift}, {'Y', kControl}},
-                 .run = [](AppContext &c) {
-                     if (!c.tools.current().redo(c)) {
-                         c.document().redo();
-                     }
-                 },
-                 .dynamic = [](const AppContext &c) { return "Redo " + c.document().redoLabel(); }, .repeats = true});
+    addFileActions(actions);
+    addHistoryActions(actions);
+    addSelectionActions(actions);
+    addToolActions(actions);
+    actions.add({.id = "view.palette",
+                 .menu = "",
+                 .title = "Command palette",
+                 .shortcuts = {{'P', kControl}},
+                 .run = [](AppContext &c) { c.dialogs.open(std::make_unique<PaletteDialog>()); }});
 }
 
 } // namespace forefront

@@ -1,3 +1,4 @@
+#include "ui/panels/edit_panels.hpp"
 #include "ui/panels/panels.hpp"
 
 namespace forefront {
@@ -5,6 +6,10 @@ namespace forefront {
 std::vector<std::unique_ptr<Panel>> makePanels() {
     std::vector<std::unique_ptr<Panel>> panels;
     panels.push_back(makeLayersPanel());
+    panels.push_back(makeInspectorPanel());
+    panels.push_back(makeSpacingPanel());
+    panels.push_back(makeChecksPanel());
+    panels.push_back(makeNamesPanel());
     panels.push_back(makeLogPanel());
     return panels;
 }

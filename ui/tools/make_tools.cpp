@@ -1,10 +1,25 @@
-#include "ui/tools/pan_tool.hpp"
+#include "ui/tools/box_tool.hpp"
+#include "ui/tools/brush_tool.hpp"
+#include "ui/tools/pen_tool.hpp"
+#include "ui/tools/point_tool.hpp"
+#include "ui/tools/select_tool.hpp"
+#include "ui/tools/source_tool.hpp"
 
 namespace forefront {
 
 std::vector<std::unique_ptr<Tool>> makeTools() {
+    const auto state = std::make_shared<EditState>();
     std::vector<std::unique_ptr<Tool>> tools;
-    tools.push_back(std::make_unique<PanTool>());
+    tools.push_back(std::make_unique<SelectTool>(state));
+    tools.push_back(std::make_unique<PenTool>(state, ShapeKind::Polygon));
+    tools.push_back(std::make_unique<BoxTool>(state, ShapeKind::Rectangle));
+    tools.push_back(std::make_unique<BoxTool>(state, ShapeKind::Circle));
+    tools.push_back(std::make_unique<PenTool>(state, ShapeKind::Polyline));
+    tools.push_back(std::make_unique<PointTool>(state));
+    tools.push_back(std::make_unique<RegionTool>(state));
+    tools.push_back(std::make_unique<BrushTool>(state, false));
+    tools.push_back(std::make_unique<BrushTool>(state, true));
+    tools.push_back(std::make_unique<SourceTool>(state));
     return tools;
 }
 

@@ -1,0 +1,29 @@
+#include "core/edit/insert_document.hpp"
+
+namespace forefront {
+
+Document insertDrawing(const Document &document, const Document &other, double scale, Selection *added) {
+    Document next = document;
+    Selection fresh;
+    for (const auto &shape : other.shapes) {
+        auto copy = std::make_shared<Shape>(*shape);
+        copy->id = next.nextId++;
+        for (Vec2 &node : copy->nodes) {
+            node = scale * node;
+        }
+        fresh.shapes.insert(copy->id);
+        next.shapes.push_back(std::move(copy));
+    }
+    for (const RegionMarker &marker : other.regionMarkers) {
+        fresh.markers.insert(static_cast<std::uint32_t>(next.regionMarkers.size()));
+        next.regionMarkers.push_back({scale * marker.at, marker.tag});
+    }
+    next.boundaryNames.insert(other.boundaryNames.begin(), other.boundaryNames.end());
+    next.regionNames.insert(other.regionNames.begin(), other.regionNames.end());
+    if (added != nullptr) {
+        *added = std::move(fresh);
+    }
+    return next;
+}
+
+} // namespace forefront

@@ -1,0 +1,127 @@
+#include "ui/dialogs/export_dialog.hpp"
+
+#include "core/io/files.hpp"
+#include "ui/app/app_context.hpp"
+#include "ui/dialogs/file_commands.hpp"
+#include "ui/widgets.hpp"
+
+#include <imgui.h>
+
+namespace forefront {
+
+WriteDialog::WriteDialog(std::string file, Write write, std::function<void(AppContext &)> done)
+    : file_(std::move(file)), done_(std::move(done)) {
+    result_ = std::async(std::launch::async, [write = std::move(write), fraction = fraction_,
+                                              stop = stop_.get_token()] { return write(*fraction, stop); });
+}
+
+WriteDialog::~WriteDialog() {
+    stop_.request_stop();
+}
+
+bool WriteDialog::draw(AppContext &context) {
+    context.animate();
+    ui::muted(context, file_);
+    ImGui::Dummy({0, context.px(4)});
+    ImGui::ProgressBar(static_cast<float>(fraction_->load()), {-1.0F, context.px(8)}, "");
+    ImGui::Dummy({0, context.px(8)});
+    if (result_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
+        const Diagnostics faults = result_.get();
+        context.log.add(faults);
+        if (faults.empty()) {
+            done_(context);
+        }
+        return false;
+    }
+    ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - context.px(124));
+    if (ui::button(context, "dialog/writing/cancel", "Cancel", ui::ButtonKind::Plain, !stop_.stop_requested(),
+                   124.0F)) {
+        stop_.request_stop();
+    }
+    return true;
+}
+
+namespace {
+
+/// The mesh that would be written now; null: none.
+std::shared_ptr<const MeshView> finishedMesh(const AppContext &context) {
+    const SessionSnapshot &run = context.run().now();
+    const bool finished =
+        run.complete && run.state == RunState::Finished && run.mesh && !run.mesh->mesh.elements.empty();
+    return finished ? run.mesh : nullptr;
+}
+
+/// Counts of the mesh and what may be wrong with it; false: there is nothing to write.
+bool drawMeshLine(AppContext &context) {
+    const std::shared_ptr<const MeshView> mesh = finishedMesh(context);
+    ImGui::AlignTextToFramePadding();
+    if (!mesh) {
+        const bool busy = context.run().busy();
+        ui::muted(context, busy ? "Meshing\xe2\x80\xa6" : "There is no finished mesh to write");
+        ImGui::SameLine();
+        if (!busy && ui::button(context, "dialog/export/mesh", "Mesh now")) {
+            context.run().mesh();
+        }
+        context.animate();
+        return false;
+    }
+    ImGui::TextUnformatted((ui::count(mesh->mesh.elements.size()) + " triangles, " +
+                            ui::count(mesh->mesh.nodes.size()) + " nodes, " + ui::count(mesh->mesh.edges.size()) +
+                            " tagged edges")
+                               .c_str());
+    if (context.run().outOfDate()) {
+        ImGui::SameLine(0, context.px(16));
+        ImGui::PushStyleColor(ImGuiCol_Text, context.theme.warn);
+        ImGui::TextUnformatted("the drawing has changed since");
+        ImGui::PopStyleColor();
+        ImGui::SameLine();
+        if (ui::button(context, "dialog/export/mesh", "Mesh now")) {
+            context.run().mesh();
+        }
+    }
+    return true;
+}
+
+bool write(AppContext &context, const std::filesystem::path &file, const FileFilter &filter) {
+    const std::shared_ptr<const MeshView> mesh = finishedMesh(context);
+    if (!mesh) {
+        return false;
+    }
+    const auto job = [mesh, file, format = filter.id](std::atomic<double> &fraction, std::stop_token stop) {
+        Progress progress;
+        progress.report = [&fraction](std::string_view, double done) { fraction.store(done); };
+        progress.stop = std::move(stop);
+        return writeMesh(file, mesh->mesh, format, progress);
+    };
+    context.dialogs.open(std::make_unique<WriteDialog>(
+        file.string(), job, [file](AppContext &c) { c.log.note("Mesh written to " + file.string()); }));
+    return true;
+}
+
+} // namespace
+
+void exportMesh(AppContext &context) {
+    FileRequest request;
+    request.id = "export";
+    request.title = "Export the mesh";
+    request.action = "Export";
+    request.saves = true;
+    for (const FileFormat &format : fileFormats()) {
+        if (format.writesMesh) {
+            request.filters.push_back(
+                {std::string(format.name) + " (" + format.extension + ")", {format.extension}, format.id});
+        }
+    }
+    const std::filesystem::path &document = context.document().path();
+    request.folder = document.parent_path();
+    request.name = (document.empty() ? std::string("mesh") : document.stem().string()) +
+                   request.filters.front().extensions.front();
+    request.chosen = write;
+    request.extra = drawMeshLine;
+    if (!finishedMesh(context) && !context.run().busy() && !context.document().current()->shapes.empty()) {
+        context.run().mesh();
+    }
+    context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));
+}
+
+} // namespace forefront

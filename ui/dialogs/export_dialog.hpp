@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/base/diagnostic.hpp"
+#include "ui/dialogs/file_dialog.hpp"
+
+#include <atomic>
+#include <future>
+#include <memory>
+#include <stop_token>
+
+namespace forefront {
+
+/// Shows how far the writing of a mesh has come, on a thread of its own; Cancel stops it and leaves no file.
+class WriteDialog final : public Dialog {
+  public:
+    /// `write` gets a Progress-like pair through the two arguments.
+    using Write = std::function<Diagnostics(std::atomic<double> &fraction, std::stop_token stop)>;
+    WriteDialog(std::string file, Write write, std::function<void(AppContext &)> done);
+    ~WriteDialog() override;
+
+    const char *id() const override { return "writing"; }
+    std::string title() const override { return "Writing"; }
+    bool closesOnEscape() const override { return false; }
+    bool draw(AppContext &context) override;
+
+  private:
+    std::string file_;
+    std::function<void(AppContext &)> done_;
+    std::stop_source stop_;
+    std::shared_ptr<std::atomic<double>> fraction_ = std::make_shared<std::atomic<double>>(0.0);
+    std::future<Diagnostics> result_;
+};
+
+} // namespace forefront

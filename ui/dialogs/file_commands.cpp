@@ -1,0 +1,186 @@
+#include "ui/dialogs/file_commands.hpp"
+
+#include "core/edit/spacing_commands.hpp"
+#include "core/io/files.hpp"
+#include "ui/app/app_context.hpp"
+#include "ui/dialogs/file_dialog.hpp"
+#include "ui/dialogs/import_dialog.hpp"
+#include "ui/dialogs/question_dialog.hpp"
+
+#include <algorithm>
+
+namespace forefront {
+namespace {
+
+constexpr std::size_t kMostRecent = 12;
+
+FileFilter projects() {
+    return {"Projects (.forefront)", {".forefront", ".json"}, "project"};
+}
+
+/// Everything that a drawing can be read from, then each format alone.
+std::vector<FileFilter> drawings() {
+    FileFilter all{"All drawings", projects().extensions, "all"};
+    std::vector<FileFilter> filters{projects()};
+    for (const FileFormat &format : fileFormats()) {
+        if (format.readsDomain && passes(projects(), std::string("x") + format.extension) == false) {
+            all.extensions.push_back(format.extension);
+            filters.push_back(
+                {std::string(format.name) + " (" + format.extension + ")", {format.extension}, format.id});
+        }
+    }
+    filters.insert(filters.begin(), all);
+    filters.push_back({"All files", {}, "any"});
+    return filters;
+}
+
+std::filesystem::path startFolder(const AppContext &context) {
+    if (!context.document().path().empty()) {
+        return context.document().path().parent_path();
+    }
+    return context.settings.recentFiles.empty()
+               ? std::filesystem::path()
+               : std::filesystem::path(context.settings.recentFiles.front()).parent_path();
+}
+
+bool save(AppContext &context, const std::filesystem::path &file) {
+    if (Status status = writeProject(file, *context.document().current()); !status.empty()) {
+        context.log.add(status);
+        return false;
+    }
+    context.document().markSaved(file);
+    rememberFile(context, file);
+    context.log.note("Saved " + file.string());
+    return true;
+}
+
+} // namespace
+
+void rememberFile(AppContext &context, const std::filesystem::path &file) {
+    std::error_code ignored;
+    const std::string name = std::filesystem::absolute(file, ignored).lexically_normal().string();
+    std::vector<std::string> &recent = context.settings.recentFiles;
+    std::erase(recent, name);
+    recent.insert(recent.begin(), name);
+    recent.resize(std::min(recent.size(), kMostRecent));
+}
+
+void afterUnsaved(AppContext &context, std::function<void(AppContext &)> then) {
+    if (!context.document().dirty()) {
+        then(context);
+        return;
+    }
+    const std::filesystem::path &path = context.document().path();
+    const std::string name = path.empty() ? "this drawing" : path.filename().string();
+    std::vector<QuestionDialog::Answer> answers{
+        {"cancel", "Cancel", false, {}},
+        {"discard", "Don't save", false, then},
+        {"save", "Save", true, [then](AppContext &c) { saveDocument(c, then); }}};
+    context.dialogs.open(std::make_unique<QuestionDialog>(
+        "unsaved", "Save the changes?", "The changes to " + name + " are not saved yet.", std::move(answers)));
+}
+
+void newDocument(AppContext &context) {
+    afterUnsaved(context, [](AppContext &c) {
+        c.document().load({}, {});
+        c.selection.clear();
+        c.run().clear();
+        c.view.isolatedBin.reset();
+        c.view.camera.centre = {5.0, 5.0};
+        c.view.camera.zoom = std::max(1.0, 0.08 * c.view.camera.viewport.height);
+        c.animate();
+    });
+}
+
+void openDocument(AppContext &context) {
+    FileRequest request;
+    request.id = "open";
+    request.title = "Open";
+    request.action = "Open";
+    request.filters = drawings();
+    request.folder = startFolder(context);
+    request.chosen = [](AppContext &c, const std::filesystem::path &file, const FileFilter &) {
+        openDocument(c, file);
+        return true;
+    };
+    context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));
+}
+
+void openDocument(AppContext &context, const std::filesystem::path &file) {
+    afterUnsaved(context, [file](AppContext &c) {
+        if (c.openFile(file)) {
+            rememberFile(c, file);
+        }
+    });
+}
+
+void saveDocument(AppContext &context, std::function<void(AppContext &)> then) {
+    if (context.document().path().empty()) {
+        saveDocumentAs(context, std::move(then));
+    } else if (save(context, context.document().path()) && then) {
+        then(context);
+    }
+}
+
+void saveDocumentAs(AppContext &context, std::function<void(AppContext &)> then) {
+    FileRequest request;
+    request.id = "save";
+    request.title = "Save as";
+    request.action = "Save";
+    request.saves = true;
+    request.filters = {projects()};
+    request.folder = startFolder(context);
+    request.name =
+        context.document().path().empty() ? "drawing.forefront" : context.document().path().filename().string();
+    request.chosen = [then](AppContext &c, const std::filesystem::path &file, const FileFilter &) {
+        if (!save(c, file)) {
+            return false;
+        }
+        if (then) {
+            then(c);
+        }
+        return true;
+    };
+    context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));
+}
+
+void importDrawing(AppContext &context) {
+    FileRequest request;
+    request.id = "import";
+    request.title = "Import a drawing";
+    request.action = "Import";
+    request.filters = drawings();
+    request.folder = startFolder(context);
+    request.chosen = [](AppContext &c, const std::filesystem::path &file, const FileFilter &) {
+        Result<Document> drawing = readDocument(file);
+        if (!drawing) {
+            c.log.add(drawing.faults());
+            return false;
+        }
+        c.dialogs.open(std::make_unique<ImportDialog>(file, std::move(drawing).value()));
+        return true;
+    };
+    context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));
+}
+
+void importSpacing(AppContext &context) {
+    FileRequest request;
+    request.id = "importspacing";
+    request.title = "Import spacing";
+    request.action = "Import";
+    request.filters = {{"Projects and meshes", {".forefront", ".json", ".msh"}, "spacing"}, {"All files", {}, "any"}};
+    request.folder = startFolder(context);
+    request.chosen = [](AppContext &c, const std::filesystem::path &file, const FileFilter &) {
+        Result<SpacingSpec> spacing = readSpacing(file);
+        if (!spacing) {
+            c.log.add(spacing.faults());
+            return false;
+        }
+        c.document().apply(setSpacing(*c.document().current(), std::move(spacing).value()), "Import spacing");
+        c.log.note("Spacing taken from " + file.filename().string());
+        return true;
+    };
+    context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));
+}
+
+} // namespace forefront

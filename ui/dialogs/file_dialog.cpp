@@ -1,0 +1,266 @@
+#include "ui/dialogs/file_dialog.hpp"
+
+#include "ui/app/app_context.hpp"
+#include "ui/widgets.hpp"
+
+#include <imgui.h>
+
+#include <cstdlib>
+#include <ctime>
+
+namespace forefront {
+namespace {
+
+std::string dateText(std::int64_t modified) {
+    const auto time = static_cast<std::time_t>(modified);
+    std::tm parts{};
+    if (modified == 0 || ::localtime_r(&time, &parts) == nullptr) {
+        return {};
+    }
+    char buffer[32];
+    return std::strftime(buffer, sizeof buffer, "%Y-%m-%d %H:%M", &parts) > 0 ? buffer : std::string();
+}
+
+} // namespace
+
+FileDialog::FileDialog(FileRequest request) : request_(std::move(request)) {
+    std::error_code failed;
+    std::filesystem::path folder = request_.folder;
+    if (folder.empty() || !std::filesystem::is_directory(folder, failed)) {
+        folder = std::filesystem::current_path(failed);
+    }
+    enter(failed ? std::filesystem::path("/") : folder);
+}
+
+void FileDialog::enter(const std::filesystem::path &folder) {
+    Result<std::vector<FileEntry>> listed = listFolder(folder, filter());
+    if (!listed) {
+        fault_ = listed.faults().front().message;
+        return;
+    }
+    fault_.clear();
+    entries_ = std::move(listed).value();
+    folder_ = folder;
+    pathText_ = folder.string();
+    replace_.reset();
+}
+
+void FileDialog::drawPlaces(AppContext &context) {
+    const auto place = [&](const char *name, const char *icon, const std::string &label,
+                           const std::filesystem::path &at) {
+        std::error_code ignored;
+        if (at.empty() || !std::filesystem::is_directory(at, ignored)) {
+            return;
+        }
+        ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, ImVec2(0.0F, 0.5F));
+        if (ui::button(context, widget(name), std::string(icon) + "  " + label, ui::ButtonKind::Quiet, true, 126.0F)) {
+            enter(at);
+        }
+        ImGui::PopStyleVar();
+    };
+    const char *home = std::getenv("HOME");
+    place("place/home", icon::kHome, "Home", home != nullptr ? home : "");
+    std::error_code ignored;
+    place("place/work", icon::kFolder, "Working folder", std::filesystem::current_path(ignored));
+    const std::filesystem::path &document = context.document().path();
+    if (!document.empty()) {
+        place("place/document", icon::kFile, "This drawing", document.parent_path());
+    }
+    place("place/root", icon::kDot, "Computer", "/");
+    if (context.settings.recentFiles.empty() || request_.saves) {
+        return;
+    }
+    ImGui::Dummy({0, context.px(6)});
+    ui::heading(context, "RECENT");
+    for (std::size_t k = 0; k < std::min<std::size_t>(5, context.settings.recentFiles.size()); ++k) {
+        const std::filesystem::path file = context.settings.recentFiles[k];
+        ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, ImVec2(0.0F, 0.5F));
+        if (ui::button(context, widget("recent/") + std::to_string(k), file.filename().string(), ui::ButtonKind::Quiet,
+                       true, 126.0F)) {
+            enter(file.parent_path());
+            request_.name = file.filename().string();
+        }
+        ImGui::PopStyleVar();
+        ui::tooltip(context, file.string());
+    }
+}
+
+void FileDialog::drawPath(AppContext &context) {
+    if (ui::iconButton(context, widget("up"), icon::kUp, "Folder above", false, folder_.has_relative_path(), 28.0F)) {
+        enter(folder_.parent_path());
+    }
+    ImGui::SameLine();
+    if (ui::inputText(context, widget("path"), pathText_, "folder", request_.saves ? 400.0F : 436.0F, true)) {
+        const std::filesystem::path typed = resolved(folder_, pathText_);
+        std::error_code ignored;
+        if (std::filesystem::is_directory(typed, ignored)) {
+            enter(typed);
+        } else {
+            request_.name = typed.filename().string();
+            enter(typed.parent_path());
+        }
+    }
+    if (!request_.saves) {
+        return;
+    }
+    ImGui::SameLine();
+    if (ui::iconButton(context, widget("newfolder"), icon::kPlus, "New folder", newFolder_, true, 28.0F)) {
+        newFolder_ = !newFolder_;
+        newFolderName_ = "New folder";
+    }
+    if (newFolder_ && ui::inputText(context, widget("newfolder/name"), newFolderName_, "name", 436.0F, true, false) &&
+        !newFolderName_.empty()) {
+        std::error_code failed;
+        const std::filesystem::path made = resolved(folder_, newFolderName_);
+        std::filesystem::create_directory(made, failed);
+        newFolder_ = false;
+        if (failed) {
+            fault_ = made.string() + ": " + failed.message();
+        } else {
+            enter(made);
+        }
+    }
+}
+
+bool FileDialog::drawRow(AppContext &context, const FileEntry &entry) {
+    const std::string name = widget("list/") + entry.name;
+    const std::string label = std::string(entry.folder ? icon::kFolder : icon::kFile) + "   " + entry.name;
+    const std::string detail =
+        entry.folder ? dateText(entry.modified) : fileSizeText(entry.size) + "    " + dateText(entry.modified);
+    const bool pressed = ui::selectable(context, name, label, !entry.folder && entry.name == request_.name, detail);
+    const bool twice = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+    if (pressed && !entry.folder) {
+        request_.name = entry.name;
+        replace_.reset();
+    }
+    return twice || (pressed && entry.folder);
+}
+
+bool FileDialog::drawList(AppContext &context) {
+    bool opened = false;
+    if (entries_.empty()) {
+        ui::muted(context, "Nothing of this kind here");
+    }
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(entries_.size()));
+    std::optional<std::string> below;
+    while (clipper.Step()) {
+        for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) {
+            const FileEntry &entry = entries_[static_cast<std::size_t>(k)];
+            if (drawRow(context, entry)) {
+                if (entry.folder) {
+                    below = entry.name;
+                } else {
+                    opened = true;
+                }
+            }
+        }
+    }
+    if (below) {
+        enter(folder_ / *below);
+    }
+    return opened;
+}
+
+bool FileDialog::choose(AppContext &context) {
+    if (request_.name.empty()) {
+        return false;
+    }
+    std::filesystem::path file = resolved(folder_, request_.name);
+    std::error_code ignored;
+    if (std::filesystem::is_directory(file, ignored)) {
+        enter(file);
+        request_.name.clear();
+        return false;
+    }
+    if (request_.saves) {
+        file.replace_filename(withExtension(file.filename().string(), filter(), request_.filters));
+        if (std::filesystem::exists(file, ignored) && replace_ != file) {
+            replace_ = file;
+            return false;
+        }
+    } else if (!std::filesystem::exists(file, ignored)) {
+        fault_ = file.filename().string() + " is not here";
+        return false;
+    }
+    replace_.reset();
+    return request_.chosen(context, file, filter());
+}
+
+bool FileDialog::drawBottom(AppContext &context) {
+    bool wanted = false;
+    ImGui::AlignTextToFramePadding();
+    ui::muted(context, "Name");
+    ImGui::SameLine(context.px(72));
+    const std::string before = request_.name;
+    if (ui::inputText(context, widget("name"), request_.name, request_.saves ? "name of the file" : "name or path",
+                      340.0F, true, focusName_)) {
+        wanted = true;
+    }
+    focusName_ = false;
+    if (before != request_.name) {
+        replace_.reset();
+        fault_.clear();
+    }
+    ImGui::SameLine();
+    std::vector<const char *> labels;
+    for (const FileFilter &kind : request_.filters) {
+        labels.push_back(kind.name.c_str());
+    }
+    int kind = static_cast<int>(request_.filter);
+    if (ui::combo(context, widget("filter"), labels, kind)) {
+        request_.filter = static_cast<std::size_t>(kind);
+        if (request_.saves) {
+            request_.name = withExtension(request_.name, filter(), request_.filters);
+        }
+        enter(folder_);
+    }
+    const bool allowed = !request_.extra || request_.extra(context);
+    ImGui::Dummy({0, context.px(4)});
+    const std::string warning = !fault_.empty() ? fault_
+                                : replace_      ? replace_->filename().string() + " is already there"
+                                                : std::string();
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, fault_.empty() ? context.theme.warn : context.theme.bad);
+    ImGui::TextUnformatted(warning.c_str());
+    ImGui::PopStyleColor();
+    ui::mark(context, widget("warning"));
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - context.px(226));
+    const bool cancelled = ui::button(context, widget("cancel"), "Cancel", ui::ButtonKind::Plain, true, 108.0F);
+    ImGui::SameLine(0, context.px(10));
+    const std::string label = replace_ ? "Replace" : request_.action;
+    wanted =
+        ui::button(context, widget("ok"), label, ui::ButtonKind::Primary, allowed && !request_.name.empty(), 108.0F) ||
+        wanted;
+    if (cancelled) {
+        return false;
+    }
+    return !(wanted && allowed && choose(context));
+}
+
+bool FileDialog::draw(AppContext &context) {
+    const float bottom = context.px(request_.extra ? 118 : 84);
+    const float height = ImGui::GetContentRegionAvail().y - bottom;
+    ImGui::BeginChild("places", {context.px(134), height}, false, ImGuiWindowFlags_NoNav);
+    drawPlaces(context);
+    ImGui::EndChild();
+    ImGui::SameLine(0, context.px(14));
+    ImGui::BeginGroup();
+    drawPath(context);
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, context.theme.panel);
+    const float used = ImGui::GetCursorPosY();
+    static_cast<void>(used);
+    ImGui::BeginChild("files", {0, height - ImGui::GetFrameHeightWithSpacing() * (newFolder_ ? 2.0F : 1.0F)}, true,
+                      ImGuiWindowFlags_NoNav);
+    const bool opened = drawList(context);
+    ImGui::EndChild();
+    ImGui::PopStyleColor();
+    ImGui::EndGroup();
+    const bool stays = drawBottom(context);
+    if (opened && stays && (!request_.extra || ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))) {
+        return !choose(context);
+    }
+    return stays;
+}
+
+} // namespace forefront

@@ -1,0 +1,80 @@
+#include "ui/dialogs/import_dialog.hpp"
+
+#include "core/edit/insert_document.hpp"
+#include "core/edit/shape_geometry.hpp"
+#include "ui/app/app_context.hpp"
+#include "ui/widgets.hpp"
+
+#include <imgui.h>
+
+#include <cmath>
+
+namespace forefront {
+
+void ImportDialog::insert(AppContext &context) const {
+    Selection added;
+    const bool empty = context.document().current()->shapes.empty();
+    context.document().apply(insertDrawing(*context.document().current(), drawing_, scale_, &added), "Import drawing");
+    context.selection = std::move(added);
+    if (empty) {
+        context.actions.run("view.fit", context);
+    }
+    context.log.note(ui::format("%zu shapes imported from ", drawing_.shapes.size()) + file_.filename().string());
+}
+
+bool ImportDialog::draw(AppContext &context) {
+    std::size_t nodes = 0;
+    for (const auto &shape : drawing_.shapes) {
+        nodes += shape->nodes.size();
+    }
+    const Box2 box = boundsOf(drawing_), here = boundsOf(*context.document().current());
+    const auto extent = [](const Box2 &b, double scale) {
+        return b.empty() ? std::string("nothing")
+                         : ui::number(scale * b.size().x) + " \xc3\x97 " + ui::number(scale * b.size().y);
+    };
+    ui::field(context, "Shapes", ui::count(drawing_.shapes.size()), 130.0F);
+    ui::field(context, "Nodes", ui::count(nodes), 130.0F);
+    ui::field(context, "Size in the file", extent(box, 1.0), 130.0F);
+    ui::field(context, "This drawing", extent(here, 1.0), 130.0F);
+    ImGui::Dummy({0, context.px(6)});
+    ImGui::AlignTextToFramePadding();
+    ui::muted(context, "One unit of the file is");
+    ImGui::SameLine();
+    double scale = scale_;
+    if (ui::inputNumber(context, "dialog/importoptions/scale", scale, "", 100.0F) && scale > 0.0) {
+        scale_ = scale;
+    }
+    ImGui::SameLine();
+    ui::muted(context, "units here");
+    // Inches, millimetres and points are what drawings usually are in.
+    const struct {
+        const char *id, *label;
+        double factor;
+    } common[] = {{"same", "same", 1.0},
+                  {"mm", "mm to m", 0.001},
+                  {"inch", "inch to mm", 25.4},
+                  {"point", "px to mm", 25.4 / 96.0}};
+    for (const auto &choice : common) {
+        if (ui::button(context, std::string("dialog/importoptions/") + choice.id, choice.label,
+                       scale_ == choice.factor ? ui::ButtonKind::Primary : ui::ButtonKind::Plain)) {
+            scale_ = choice.factor;
+        }
+        ImGui::SameLine();
+    }
+    ImGui::NewLine();
+    ui::field(context, "Size here", extent(box, scale_), 130.0F);
+    ImGui::Dummy({0, context.px(8)});
+    ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - context.px(258));
+    if (ui::button(context, "dialog/importoptions/cancel", "Cancel", ui::ButtonKind::Plain, true, 124.0F)) {
+        return false;
+    }
+    ImGui::SameLine(0, context.px(10));
+    if (ui::button(context, "dialog/importoptions/ok", "Import", ui::ButtonKind::Primary, !drawing_.shapes.empty(),
+                   124.0F)) {
+        insert(context);
+        return false;
+    }
+    return true;
+}
+
+} // namespace forefront

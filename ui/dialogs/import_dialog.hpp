@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/edit/document.hpp"
+#include "ui/dialogs/dialog.hpp"
+
+#include <filesystem>
+
+namespace forefront {
+
+/// Says what a drawing read from a file holds, how large it is and in which unit, before it joins this one.
+class ImportDialog final : public Dialog {
+  public:
+    ImportDialog(std::filesystem::path file, Document drawing) : file_(std::move(file)), drawing_(std::move(drawing)) {}
+
+    const char *id() const override { return "importoptions"; }
+    std::string title() const override { return "Import " + file_.filename().string(); }
+    bool draw(AppContext &context) override;
+
+  private:
+    void insert(AppContext &context) const;
+
+    std::filesystem::path file_;
+    Document drawing_;
+    double scale_ = 1.0;
+};
+
+} // namespace forefront

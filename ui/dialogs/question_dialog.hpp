@@ -1,0 +1,32 @@
+#pragma once
+
+#include "ui/dialogs/dialog.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace forefront {
+
+/// A question with a few answers; Esc means none of them.
+class QuestionDialog final : public Dialog {
+  public:
+    struct Answer {
+        std::string id; ///< the button is the widget "dialog/ID/ANSWER"
+        std::string label;
+        bool primary = false;
+        std::function<void(AppContext &)> then; ///< may be empty
+    };
+    QuestionDialog(std::string id, std::string title, std::string text, std::vector<Answer> answers)
+        : id_(std::move(id)), title_(std::move(title)), text_(std::move(text)), answers_(std::move(answers)) {}
+
+    const char *id() const override { return id_.c_str(); }
+    std::string title() const override { return title_; }
+    bool draw(AppContext &context) override;
+
+  private:
+    std::string id_, title_, text_;
+    std::vector<Answer> answers_;
+};
+
+} // namespace forefront

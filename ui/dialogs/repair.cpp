@@ -1,0 +1,39 @@
+#include "ui/dialogs/repair.hpp"
+
+#include "core/domain/validate.hpp"
+#include "ui/app/app_context.hpp"
+
+namespace forefront {
+
+void repairDrawing(AppContext &context) {
+    const std::shared_ptr<const Document> before = context.document().current();
+    Result<Repaired> repaired = repair(toDomain(*before));
+    if (!repaired) {
+        context.log.add(repaired.faults());
+        return;
+    }
+    if (repaired->changes.empty()) {
+        context.log.note("Nothing that can be repaired safely was found");
+        return;
+    }
+    const Document drawing = fromDomain(repaired->domain);
+    Document next = *before;
+    // Ids go on counting, so that no shape is taken for one that was there before.
+    next.shapes.clear();
+    for (const auto &shape : drawing.shapes) {
+        auto copy = std::make_shared<Shape>(*shape);
+        copy->id = next.nextId++;
+        next.shapes.push_back(std::move(copy));
+    }
+    next.regionMarkers = drawing.regionMarkers;
+    next.boundaryNames = drawing.boundaryNames;
+    next.regionNames = drawing.regionNames;
+    context.document().apply(std::move(next), "Repair drawing");
+    context.selection.clear();
+    context.log.add(repaired->changes);
+    const Diagnostics left = validate(repaired->domain);
+    context.log.note(std::to_string(repaired->changes.size()) + " repairs, " + std::to_string(left.size()) +
+                     " faults left");
+}
+
+} // namespace forefront

@@ -1,0 +1,11 @@
+#pragma once
+
+namespace forefront {
+
+struct AppContext;
+
+/// Repairs the drawing as one command and reports every change in the log, with its place. Shapes become polygons and
+/// polylines; spacing, names and options stay.
+void repairDrawing(AppContext &context);
+
+} // namespace forefront

@@ -1,0 +1,82 @@
+#include "ui/app/app_context.hpp"
+#include "ui/panels/edit_panels.hpp"
+#include "ui/widgets.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace forefront {
+namespace {
+
+/// Faults of the drawing as the preview finds them, a moment after every edit.
+class ChecksPanel final : public Panel {
+  public:
+    const char *id() const override { return "checks"; }
+    const char *title() const override { return "Checks"; }
+    PanelPlace place() const override { return PanelPlace::Tabbed; }
+
+    void draw(AppContext &context) override {
+        const Diagnostics &faults = context.preview->faults;
+        if (context.document().current()->shapes.empty()) {
+            ui::small(context, "Nothing is drawn yet. Press P and click the corners of a polygon.", true);
+            return;
+        }
+        const auto errors = std::count_if(faults.begin(), faults.end(),
+                                          [](const Diagnostic &d) { return d.severity == Severity::Error; });
+        ImGui::AlignTextToFramePadding();
+        ImGui::PushStyleColor(ImGuiCol_Text, errors > 0 ? context.theme.bad : context.theme.good);
+        ImGui::TextUnformatted(errors > 0 ? icon::kError : icon::kCheck);
+        ImGui::PopStyleColor();
+        ImGui::SameLine();
+        ImGui::TextUnformatted(
+            errors > 0 ? (ui::count(static_cast<std::uint64_t>(errors)) + (errors == 1 ? " fault" : " faults")).c_str()
+                       : "The drawing can be meshed");
+        ui::mark(context, "checks/summary");
+        if (errors > 0) {
+            ImGui::SameLine(ImGui::GetContentRegionMax().x - context.px(78));
+            if (ui::button(context, "checks/repair", "Repair", ui::ButtonKind::Primary, true, 78.0F)) {
+                context.actions.run("edit.repair", context);
+            }
+            ui::tooltip(context, "Merges doubled nodes and segments, splits segments where they cross; every change is "
+                                 "reported in the log");
+        }
+        drawList(context, faults);
+    }
+
+  private:
+    static void drawList(AppContext &context, const Diagnostics &faults) {
+        ImGui::PushFont(context.fonts.small);
+        for (std::size_t k = 0; k < faults.size(); ++k) {
+            const Diagnostic &fault = faults[k];
+            const bool error = fault.severity == Severity::Error;
+            ImGui::PushStyleColor(ImGuiCol_Text, error ? context.theme.bad : context.theme.warn);
+            ImGui::TextUnformatted(error ? icon::kError : icon::kWarning);
+            ImGui::PopStyleColor();
+            ImGui::SameLine(context.px(20));
+            ImGui::PushTextWrapPos(0.0F);
+            ImGui::TextUnformatted(fault.message.c_str());
+            ImGui::PopTextWrapPos();
+            if (!fault.advice.empty()) {
+                ImGui::SetCursorPosX(context.px(20));
+                ui::small(context, fault.advice, true);
+            }
+            if (fault.at) {
+                ImGui::SetCursorPosX(context.px(20));
+                if (ui::link(context, "checks/goto/" + std::to_string(k),
+                             ui::format("go to (%.6g, %.6g)", fault.at->x, fault.at->y))) {
+                    context.view.goTo(*fault.at, context.platform.now());
+                }
+            }
+        }
+        ImGui::PopFont();
+    }
+};
+
+} // namespace
+
+std::unique_ptr<Panel> makeChecksPanel() {
+    return std::make_unique<ChecksPanel>();
+}
+
+} // namespace forefront

@@ -1,0 +1,77 @@
+#include "ui/panels/form.hpp"
+
+#include "ui/app/app_context.hpp"
+#include "ui/tools/numeric_entry.hpp"
+#include "ui/widgets.hpp"
+
+#include <imgui.h>
+
+#include <cmath>
+
+namespace forefront::form {
+
+void label(AppContext &context, const char *text) {
+    ImGui::AlignTextToFramePadding();
+    ui::muted(context, text);
+    ImGui::SameLine(context.px(kLabel));
+}
+
+bool number(AppContext &context, const std::string &name, const char *text, double &value) {
+    label(context, text);
+    return ui::inputNumber(context, name, value);
+}
+
+bool optionalNumber(AppContext &context, const std::string &name, const char *text, std::optional<double> &value,
+                    const char *hint) {
+    label(context, text);
+    std::string typed = value ? ui::number(*value, 6) : std::string();
+    if (!ui::inputText(context, name, typed, hint, -1.0F, true) && !ImGui::IsItemDeactivatedAfterEdit()) {
+        return false;
+    }
+    if (typed.find_first_not_of(' ') == std::string::npos) {
+        const bool had = value.has_value();
+        value.reset();
+        return had;
+    }
+    const std::optional<double> entered = parseNumber(typed);
+    if (!entered) {
+        context.log.add(error("bad-number", "\"" + typed + "\" is not a number", "enter a number such as 0.25"));
+        return false;
+    }
+    const bool changed = value != entered;
+    value = entered;
+    return changed;
+}
+
+bool pair(AppContext &context, const std::string &name, const char *text, Vec2 &value) {
+    label(context, text);
+    const float half = (ImGui::GetContentRegionAvail().x - context.px(6)) / (2.0F * context.scale);
+    const bool x = ui::inputNumber(context, name + "/x", value.x, "", half);
+    ImGui::SameLine(0, context.px(6));
+    const bool y = ui::inputNumber(context, name + "/y", value.y, "", half);
+    return x || y;
+}
+
+bool text(AppContext &context, const std::string &name, const char *text, std::string &value, const char *hint) {
+    label(context, text);
+    return ui::inputText(context, name, value, hint, -1.0F, true) || ImGui::IsItemDeactivatedAfterEdit();
+}
+
+bool tag(AppContext &context, const std::string &name, const char *text, std::int32_t &value,
+         const std::string &shownName, std::optional<std::string> &rename) {
+    label(context, text);
+    double number = value;
+    const bool changed = ui::inputNumber(context, name, number, "", 48.0F) && number >= 1.0 && number <= 1e9;
+    ImGui::SameLine(0, context.px(6));
+    std::string typed = shownName;
+    const bool entered = ui::inputText(context, name + "/name", typed, "name", -1.0F, true);
+    if ((entered || ImGui::IsItemDeactivatedAfterEdit()) && typed != shownName) {
+        rename = typed;
+    }
+    if (changed) {
+        value = static_cast<std::int32_t>(std::floor(number));
+    }
+    return changed;
+}
+
+} // namespace forefront::form

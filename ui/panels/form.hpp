@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/geometry/vec2.hpp"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace forefront {
+struct AppContext;
+}
+
+/// Rows of the editing panels: a muted label in a fixed column, then a field. Names are those of the widgets.
+namespace forefront::form {
+
+/// Width of the column of labels, design pixels.
+inline constexpr double kLabel = 84.0;
+
+void label(AppContext &context, const char *text);
+/// A number; true when a new one was entered.
+bool number(AppContext &context, const std::string &name, const char *text, double &value);
+/// A number that may be absent: an empty field.
+bool optionalNumber(AppContext &context, const std::string &name, const char *text, std::optional<double> &value,
+                    const char *hint);
+/// Two numbers side by side: "NAME/x" and "NAME/y".
+bool pair(AppContext &context, const std::string &name, const char *text, Vec2 &value);
+bool text(AppContext &context, const std::string &name, const char *text, std::string &value, const char *hint);
+/// A tag >= 1 and its name; both can be edited. True when the tag changed; a new name goes to `rename`.
+bool tag(AppContext &context, const std::string &name, const char *text, std::int32_t &value,
+         const std::string &shownName, std::optional<std::string> &rename);
+
+} // namespace forefront::form

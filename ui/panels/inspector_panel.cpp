@@ -1,0 +1,317 @@
+#include "core/edit/region_commands.hpp"
+#include "core/edit/shape_commands.hpp"
+#include "core/edit/shape_geometry.hpp"
+#include "core/edit/spacing_commands.hpp"
+#include "ui/app/app_context.hpp"
+#include "ui/panels/edit_panels.hpp"
+#include "ui/panels/form.hpp"
+#include "ui/tools/edit_state.hpp"
+#include "ui/widgets.hpp"
+
+#include <imgui.h>
+
+#include <array>
+
+namespace forefront {
+namespace {
+
+using Names = std::map<std::int32_t, std::string>;
+
+/// What is selected, with its numbers; edits become commands.
+class InspectorPanel final : public Panel {
+  public:
+    const char *id() const override { return "inspector"; }
+    const char *title() const override { return "Inspector"; }
+    void draw(AppContext &context) override;
+
+  private:
+    void drawHere(AppContext &context) const;
+    void drawShape(AppContext &context, const Shape &shape) const;
+    void drawGeometry(AppContext &context, const Shape &shape) const;
+    void drawShapeButtons(AppContext &context, const Shape &shape) const;
+    void drawNode(AppContext &context, NodeRef ref) const;
+    void drawSegment(AppContext &context, SegmentRef ref) const;
+    void drawSource(AppContext &context, std::uint32_t index) const;
+    void drawMarker(AppContext &context, std::uint32_t index) const;
+    void drawMany(AppContext &context) const;
+};
+
+void heading(AppContext &context, const std::string &text) {
+    ImGui::PushFont(context.fonts.strong);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopFont();
+    ui::mark(context, "inspector/what");
+}
+
+/// Tag and name of boundary shapes, as one row; new values become commands.
+template <class SetTag>
+void boundaryTagRow(AppContext &context, std::int32_t tag, SetTag setTag) {
+    const Document &document = *context.document().current();
+    std::optional<std::string> rename;
+    const std::string name = boundaryName(document.boundaryNames, tag);
+    std::int32_t wanted = tag;
+    if (form::tag(context, "inspector/tag", "Tag, name", wanted, name, rename)) {
+        EditState::apply(context, setTag(document, wanted), "Change tag");
+    } else if (rename) {
+        EditState::apply(context, setBoundaryName(document, tag, *rename), "Name boundary");
+    }
+}
+
+void useRow(AppContext &context, const std::set<std::uint32_t> &ids, ShapeUse use) {
+    static constexpr std::array<const char *, 2> kUses{"Boundary", "Constraint"};
+    form::label(context, "Use");
+    int choice = static_cast<int>(use);
+    if (ui::segmented(context, "inspector/use", kUses, choice)) {
+        EditState::apply(context, setShapeUse(*context.document().current(), ids, static_cast<ShapeUse>(choice)),
+                         "Change use");
+    }
+}
+
+void InspectorPanel::drawHere(AppContext &context) const {
+    const std::shared_ptr<const SpacingField> &spacing = context.preview->spacing;
+    if (!context.view.pointer || !spacing) {
+        ui::small(context, context.preview->spacing ? "Point at the canvas to read the spacing there."
+                                                    : "Draw a domain to see its spacing here.");
+        ui::mark(context, "inspector/here");
+        return;
+    }
+    const SpacingSample sample = spacing->sample(*context.view.pointer);
+    ui::small(context, "\xcf\x81 here = " + ui::number(sample.rho, 3) + ", set by " + sample.describe, true);
+    ui::mark(context, "inspector/here");
+}
+
+void InspectorPanel::drawGeometry(AppContext &context, const Shape &shape) const {
+    const Document &document = *context.document().current();
+    const auto put = [&](Shape next, const char *label) {
+        EditState::apply(context, replaceShape(document, std::move(next)), label);
+    };
+    Shape next = shape;
+    if (shape.kind == ShapeKind::Rectangle) {
+        const Box2 box = boundsOf(shape);
+        Vec2 corner = box.min, size = box.size();
+        if (form::pair(context, "inspector/corner", "Corner", corner)) {
+            next.nodes = {corner, corner + size};
+            put(std::move(next), "Move rectangle");
+        }
+        if (form::pair(context, "inspector/size", "Size", size)) {
+            next.nodes = {corner, corner + size};
+            put(std::move(next), "Resize rectangle");
+        }
+    } else if (shape.kind == ShapeKind::Circle) {
+        Vec2 centre = shape.nodes[0];
+        double radius = circleRadius(shape);
+        if (form::pair(context, "inspector/centre", "Centre", centre)) {
+            EditState::apply(context, setHandle(document, {shape.id, 0}, centre), "Move circle");
+        }
+        if (form::number(context, "inspector/radius", "Radius", radius)) {
+            EditState::apply(context, setRadius(document, shape.id, radius), "Resize circle");
+        }
+    } else if (shape.kind == ShapeKind::Point) {
+        Vec2 at = shape.nodes[0];
+        if (form::pair(context, "inspector/at", "Place", at)) {
+            EditState::apply(context, setHandle(document, {shape.id, 0}, at), "Move point");
+        }
+        return;
+    } else {
+        ui::field(context, "Nodes", ui::count(shape.nodes.size()), static_cast<float>(form::kLabel));
+    }
+    ui::field(context, "Length", ui::number(lengthOf(shape), 5), static_cast<float>(form::kLabel));
+    if (isClosed(shape)) {
+        ui::field(context, "Area", ui::number(areaOf(shape), 5), static_cast<float>(form::kLabel));
+    }
+}
+
+void InspectorPanel::drawShapeButtons(AppContext &context, const Shape &shape) const {
+    const Document &document = *context.document().current();
+    if (shape.kind == ShapeKind::Rectangle || shape.kind == ShapeKind::Circle) {
+        if (ui::button(context, "inspector/topolygon", "To polygon")) {
+            EditState::apply(context, convertToPolygon(document, shape.id), "Convert to polygon");
+        }
+        ImGui::SameLine();
+    } else if (shape.kind != ShapeKind::Point) {
+        const bool closed = isClosed(shape);
+        if (ui::button(context, "inspector/close", closed ? "Open" : "Close", ui::ButtonKind::Plain,
+                       shape.nodes.size() > 2)) {
+            EditState::apply(context, toggleClosed(document, shape.id), closed ? "Open polygon" : "Close polyline");
+        }
+        ui::tooltip(context, closed ? "Turn the polygon into a polyline that can end anywhere" : "Join the ends");
+        ImGui::SameLine();
+    }
+    if (ui::button(context, "inspector/duplicate", "Duplicate")) {
+        context.actions.run("edit.duplicate", context);
+    }
+    ImGui::SameLine();
+    if (ui::button(context, "inspector/delete", "Delete")) {
+        context.actions.run("edit.delete", context);
+    }
+}
+
+void InspectorPanel::drawShape(AppContext &context, const Shape &shape) const {
+    const Document &document = *context.document().current();
+    heading(context, displayName(shape));
+    std::string name = shape.name;
+    if (form::text(context, "inspector/name", "Name", name, kindName(shape.kind)) && name != shape.name) {
+        EditState::apply(context, setShapeName(document, shape.id, name), "Name shape");
+    }
+    useRow(context, {shape.id}, shape.use);
+    if (shape.segmentTags.empty()) {
+        boundaryTagRow(context, shape.tag,
+                       [&](const Document &d, std::int32_t tag) { return setShapeTag(d, {shape.id}, tag); });
+    } else {
+        form::label(context, "Tag");
+        ui::muted(context, "several");
+        ImGui::SameLine();
+        if (ui::button(context, "inspector/onetag", "One for all")) {
+            EditState::apply(context, setShapeTag(document, {shape.id}, shape.tag), "Change tag");
+        }
+    }
+    drawGeometry(context, shape);
+    ImGui::Dummy({0, context.px(2)});
+    drawShapeButtons(context, shape);
+}
+
+void InspectorPanel::drawNode(AppContext &context, NodeRef ref) const {
+    const Document &document = *context.document().current();
+    const Shape *shape = findShape(document, ref.shape);
+    const std::vector<Vec2> handles = handlesOf(*shape);
+    Vec2 at = handles[ref.node];
+    heading(context, "Node " + std::to_string(ref.node + 1) + " of " + displayName(*shape));
+    if (form::pair(context, "inspector/at", "Place", at)) {
+        EditState::apply(context, setHandle(document, ref, at), "Move node");
+    }
+    if (ui::button(context, "inspector/delete", "Delete node")) {
+        context.actions.run("edit.delete", context);
+    }
+}
+
+void InspectorPanel::drawSegment(AppContext &context, SegmentRef ref) const {
+    const Document &document = *context.document().current();
+    const Shape *shape = findShape(document, ref.shape);
+    heading(context, "Segment " + std::to_string(ref.segment + 1) + " of " + displayName(*shape));
+    boundaryTagRow(context, segmentTag(*shape, ref.segment),
+                   [&](const Document &d, std::int32_t tag) { return setSegmentTag(d, {ref}, tag); });
+    const Outline outline = outlineOf(*shape, document.circleTolerance);
+    if (shape->kind != ShapeKind::Circle && ref.segment < outline.segmentCount()) {
+        double size = distance(outline.from(ref.segment), outline.to(ref.segment));
+        if (form::number(context, "inspector/length", "Length", size)) {
+            EditState::apply(context, setSegmentLength(document, ref, size), "Change length");
+        }
+        if (ui::button(context, "inspector/split", "Insert node")) {
+            EditState::apply(context,
+                             insertNode(document, ref, midpoint(outline.from(ref.segment), outline.to(ref.segment))),
+                             "Insert node");
+        }
+    }
+}
+
+void InspectorPanel::drawSource(AppContext &context, std::uint32_t index) const {
+    const Document &document = *context.document().current();
+    SizeSource source = document.spacing.sources[index];
+    heading(context, displayName(source, index));
+    bool changed = form::text(context, "inspector/name", "Name", source.name, "such as pier head");
+    if (source.shape == SourceShape::Line) {
+        changed = form::pair(context, "inspector/a", "From", source.a) || changed;
+        changed = form::pair(context, "inspector/b", "To", source.b) || changed;
+    } else {
+        changed =
+            form::pair(context, "inspector/a", source.shape == SourceShape::Circle ? "Centre" : "Place", source.a) ||
+            changed;
+    }
+    changed = form::number(context, "inspector/radius", "Radius", source.radius) || changed;
+    changed = form::number(context, "inspector/size", "Size \xcf\x81", source.size) || changed;
+    changed = form::number(context, "inspector/growth", "Growth", source.growth) || changed;
+    if (changed) {
+        EditState::apply(context, replaceSource(document, index, source), "Change source");
+    }
+    if (ui::button(context, "inspector/delete", "Delete")) {
+        context.actions.run("edit.delete", context);
+    }
+}
+
+void InspectorPanel::drawMarker(AppContext &context, std::uint32_t index) const {
+    const Document &document = *context.document().current();
+    const RegionMarker marker = document.regionMarkers[index];
+    heading(context, "Region marker");
+    Vec2 at = marker.at;
+    if (form::pair(context, "inspector/at", "Place", at)) {
+        EditState::apply(context, moveRegionMarker(document, index, at), "Move region marker");
+        return;
+    }
+    std::optional<std::string> rename;
+    std::int32_t tag = marker.tag;
+    if (form::tag(context, "inspector/tag", "Tag, name", tag, regionName(document.regionNames, tag), rename)) {
+        EditState::apply(context, setRegionTag(document, index, tag), "Change region");
+    } else if (rename) {
+        EditState::apply(context, setRegionName(document, tag, *rename), "Name region");
+    }
+    if (ui::button(context, "inspector/delete", "Delete")) {
+        context.actions.run("edit.delete", context);
+    }
+}
+
+void InspectorPanel::drawMany(AppContext &context) const {
+    const Selection &selection = context.selection;
+    std::string what;
+    const auto part = [&](std::size_t count, const char *one, const char *many) {
+        if (count > 0) {
+            what += (what.empty() ? "" : ", ") + ui::count(count) + " " + (count == 1 ? one : many);
+        }
+    };
+    part(selection.shapes.size(), "shape", "shapes");
+    part(selection.nodes.size(), "node", "nodes");
+    part(selection.segments.size(), "segment", "segments");
+    part(selection.sources.size(), "source", "sources");
+    part(selection.markers.size(), "region marker", "region markers");
+    heading(context, what);
+    const Document &document = *context.document().current();
+    if (!selection.shapes.empty()) {
+        const Shape *first = findShape(document, *selection.shapes.begin());
+        useRow(context, selection.shapes, first->use);
+        boundaryTagRow(context, first->tag,
+                       [&](const Document &d, std::int32_t tag) { return setShapeTag(d, selection.shapes, tag); });
+    } else if (!selection.segments.empty()) {
+        const SegmentRef first = *selection.segments.begin();
+        boundaryTagRow(context, segmentTag(*findShape(document, first.shape), first.segment),
+                       [&](const Document &d, std::int32_t tag) { return setSegmentTag(d, selection.segments, tag); });
+    }
+    const Box2 box = boundsOf(document, selection);
+    if (!box.empty()) {
+        ui::field(context, "Extent", ui::number(box.size().x) + " \xc3\x97 " + ui::number(box.size().y),
+                  static_cast<float>(form::kLabel));
+    }
+    if (ui::button(context, "inspector/delete", "Delete all")) {
+        context.actions.run("edit.delete", context);
+    }
+}
+
+void InspectorPanel::draw(AppContext &context) {
+    const std::shared_ptr<const Document> held = context.document().current(); // fields below may replace it
+    context.selection.prune(*held);
+    const Selection &selection = context.selection;
+    drawHere(context);
+    if (selection.empty()) {
+        return;
+    }
+    ImGui::Dummy({0, context.px(2)});
+    if (selection.size() > 1) {
+        drawMany(context);
+    } else if (!selection.shapes.empty()) {
+        drawShape(context, *findShape(*held, *selection.shapes.begin()));
+    } else if (!selection.nodes.empty()) {
+        drawNode(context, *selection.nodes.begin());
+    } else if (!selection.segments.empty()) {
+        drawSegment(context, *selection.segments.begin());
+    } else if (!selection.sources.empty()) {
+        drawSource(context, *selection.sources.begin());
+    } else {
+        drawMarker(context, *selection.markers.begin());
+    }
+}
+
+} // namespace
+
+std::unique_ptr<Panel> makeInspectorPanel() {
+    return std::make_unique<InspectorPanel>();
+}
+
+} // namespace forefront

@@ -1,0 +1,87 @@
+#include "core/edit/region_commands.hpp"
+#include "ui/app/app_context.hpp"
+#include "ui/panels/edit_panels.hpp"
+#include "ui/panels/form.hpp"
+#include "ui/tools/edit_state.hpp"
+#include "ui/widgets.hpp"
+
+#include <imgui.h>
+
+namespace forefront {
+namespace {
+
+class NamesPanel final : public Panel {
+  public:
+    const char *id() const override { return "names"; }
+    const char *title() const override { return "Names"; }
+    PanelPlace place() const override { return PanelPlace::Tabbed; }
+
+    void draw(AppContext &context) override {
+        const std::shared_ptr<const Document> document = context.document().current();
+        ui::small(context, "Every boundary segment and element keeps these names in exported meshes.", true);
+        ui::heading(context, "BOUNDARIES");
+        for (const std::int32_t tag : boundaryTags(*document)) {
+            row(context, "names/boundary/", tag, boundaryName(document->boundaryNames, tag), [&](std::string name) {
+                EditState::apply(context, setBoundaryName(*context.document().current(), tag, std::move(name)),
+                                 "Name boundary");
+            });
+            ImGui::SameLine(0, context.px(6));
+            if (ui::iconButton(context, "names/boundary/" + std::to_string(tag) + "/select", icon::kSelect,
+                               "Select all with this tag", false, true, 24.0F)) {
+                selectTag(context, *document, tag);
+            }
+        }
+        ImGui::Dummy({0, context.px(4)});
+        ui::heading(context, "REGIONS");
+        for (const std::int32_t tag : regionTags(*document)) {
+            row(context, "names/region/", tag, regionName(document->regionNames, tag), [&](std::string name) {
+                EditState::apply(context, setRegionName(*context.document().current(), tag, std::move(name)),
+                                 "Name region");
+            });
+        }
+        if (ui::button(context, "names/addregion", "Fill a region\xe2\x80\xa6")) {
+            context.tools.choose("region", context);
+        }
+    }
+
+  private:
+    template <class Rename>
+    static void row(AppContext &context, const std::string &prefix, std::int32_t tag, const std::string &name,
+                    Rename rename) {
+        ImGui::AlignTextToFramePadding();
+        ui::muted(context, std::to_string(tag));
+        ImGui::SameLine(context.px(36));
+        std::string typed = name;
+        const float width = (ImGui::GetContentRegionAvail().x - context.px(34)) / context.scale;
+        const bool entered = ui::inputText(context, prefix + std::to_string(tag), typed, "name", width, true);
+        if ((entered || ImGui::IsItemDeactivatedAfterEdit()) && typed != name) {
+            rename(std::move(typed));
+        }
+    }
+
+    static void selectTag(AppContext &context, const Document &document, std::int32_t tag) {
+        context.selection.clear();
+        for (const auto &shape : document.shapes) {
+            if (shape->segmentTags.empty()) {
+                if (shape->tag == tag) {
+                    context.selection.shapes.insert(shape->id);
+                }
+                continue;
+            }
+            for (std::uint32_t k = 0; k < shape->segmentTags.size(); ++k) {
+                if (shape->segmentTags[k] == tag) {
+                    context.selection.segments.insert({shape->id, k});
+                }
+            }
+        }
+        context.tools.choose("select", context);
+    }
+};
+
+} // namespace
+
+std::unique_ptr<Panel> makeNamesPanel() {
+    return std::make_unique<NamesPanel>();
+}
+
+} // namespace forefront

@@ -1,0 +1,174 @@
+#include "core/edit/spacing_commands.hpp"
+#include "ui/app/app_context.hpp"
+#include "ui/panels/edit_panels.hpp"
+#include "ui/panels/form.hpp"
+#include "ui/tools/edit_state.hpp"
+#include "ui/widgets.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace forefront {
+namespace {
+
+class SpacingPanel final : public Panel {
+  public:
+    const char *id() const override { return "spacing"; }
+    const char *title() const override { return "Spacing"; }
+    void draw(AppContext &context) override;
+
+  private:
+    void drawExpression(AppContext &context);
+    static void drawSources(AppContext &context);
+    static void drawLimits(AppContext &context);
+
+    std::string expression_;     ///< being typed
+    std::uint64_t revision_ = 0; ///< of the document that it was taken from
+};
+
+/// The fault of the expression, if the preview found one.
+const Diagnostic *expressionFault(const AppContext &context) {
+    for (const Diagnostic &fault : context.preview->faults) {
+        if (fault.code.starts_with("expression")) {
+            return &fault;
+        }
+    }
+    return nullptr;
+}
+
+void drawExpressionFault(AppContext &context, const Diagnostic &fault, const std::string &expression) {
+    ImGui::PushFont(context.fonts.small);
+    if (fault.column > 0 && static_cast<std::size_t>(fault.column) <= expression.size() + 1) {
+        // The part of the expression before the fault, then what follows it in the colour of faults.
+        const auto cut = static_cast<std::size_t>(fault.column - 1);
+        const std::size_t from = cut > 24 ? cut - 24 : 0;
+        ImGui::PushFont(context.fonts.mono);
+        ui::muted(context, (from > 0 ? "\xe2\x80\xa6" : "") + expression.substr(from, cut - from));
+        ImGui::SameLine(0, 0);
+        ImGui::PushStyleColor(ImGuiCol_Text, context.theme.bad);
+        ImGui::TextUnformatted(cut < expression.size() ? expression.substr(cut, 24).c_str() : "\xe2\x96\x8f");
+        ImGui::PopStyleColor();
+        ImGui::PopFont();
+    }
+    ImGui::PushStyleColor(ImGuiCol_Text, context.theme.bad);
+    ImGui::PushTextWrapPos(0.0F);
+    std::string text = fault.message;
+    if (fault.column > 0) {
+        text += ", at character " + std::to_string(fault.column);
+    }
+    if (!fault.advice.empty()) {
+        text += "; " + fault.advice;
+    }
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    ui::mark(context, "spacing/expression/fault");
+    ImGui::PopFont();
+}
+
+void SpacingPanel::drawExpression(AppContext &context) {
+    const std::shared_ptr<const Document> document = context.document().current();
+    if (revision_ != context.document().revision()) {
+        revision_ = context.document().revision();
+        expression_ = document->spacing.expression.value_or(std::string());
+    }
+    form::label(context, "Expression");
+    const bool entered =
+        ui::inputText(context, "spacing/expression", expression_, "such as 0.1 + 0.2*abs(x)", -1.0F, true);
+    const bool left = ImGui::IsItemDeactivatedAfterEdit();
+    ui::tooltip(context, "\xcf\x81 as a function of x and y. The smallest of all parts wins.");
+    if ((entered || left) && expression_ != document->spacing.expression.value_or(std::string())) {
+        context.document().apply(setExpression(*document, expression_), "Change expression");
+        revision_ = context.document().revision();
+    }
+    if (const Diagnostic *fault = expressionFault(context)) {
+        drawExpressionFault(context, *fault, document->spacing.expression.value_or(std::string()));
+    }
+}
+
+void SpacingPanel::drawSources(AppContext &context) {
+    const std::shared_ptr<const Document> document = context.document().current();
+    const std::vector<SizeSource> &sources = document->spacing.sources;
+    ImGui::AlignTextToFramePadding();
+    ui::muted(context, sources.empty()
+                           ? "No size sources"
+                           : ui::count(sources.size()) + (sources.size() == 1 ? " size source" : " size sources"));
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - context.px(60));
+    if (ui::button(context, "spacing/sources/add", "Add", ui::ButtonKind::Plain, true, 60.0F)) {
+        context.tools.choose("source", context);
+    }
+    // A long list stays a few rows high; each row selects its source and shows its size.
+    const std::size_t shown = std::min<std::size_t>(sources.size(), 200);
+    if (shown == 0) {
+        return;
+    }
+    const float rows = static_cast<float>(std::min<std::size_t>(shown, 4));
+    ImGui::BeginChild("sources", {0, rows * context.px(30)}, false, ImGuiWindowFlags_NoNav);
+    for (std::uint32_t k = 0; k < shown; ++k) {
+        if (ui::selectable(context, "spacing/source/" + std::to_string(k), displayName(sources[k], k),
+                           context.selection.sources.contains(k), "\xcf\x81 " + ui::number(sources[k].size, 3))) {
+            context.selection.clear();
+            context.selection.sources.insert(k);
+            context.tools.choose("select", context);
+        }
+    }
+    ImGui::EndChild();
+}
+
+void SpacingPanel::drawLimits(AppContext &context) {
+    const std::shared_ptr<const Document> document = context.document().current();
+    std::optional<double> least = document->spacing.minimum, greatest = document->spacing.maximum;
+    const bool low = form::optionalNumber(context, "spacing/minimum", "Least", least, "no limit");
+    const bool high = form::optionalNumber(context, "spacing/maximum", "Greatest", greatest, "no limit");
+    if (low || high) {
+        EditState::apply(context, setLimits(*document, least, greatest), "Limit spacing");
+    }
+    std::optional<double> gradation = document->spacing.gradation;
+    if (form::optionalNumber(context, "spacing/gradation", "Gradation", gradation, "by itself")) {
+        EditState::apply(context, setGradation(*context.document().current(), gradation), "Change gradation");
+    }
+    ui::tooltip(context, "Greatest change of \xcf\x81 per unit of length: 0.1 is gentle, 0.3 is steep");
+}
+
+void SpacingPanel::draw(AppContext &context) {
+    const std::shared_ptr<const Document> document = context.document().current();
+    const SpacingSpec &spacing = document->spacing;
+    std::optional<double> size = spacing.size;
+    if (form::optionalNumber(context, "spacing/size", "Size", size, spacing.automatic() ? "automatic" : "none")) {
+        EditState::apply(context, setSize(*document, size), "Change size");
+    }
+    ui::tooltip(context, "Element size everywhere, where nothing finer is asked for. Empty: automatic.");
+    drawExpression(context);
+    drawSources(context);
+    drawLimits(context);
+    bool fromBoundary = spacing.fromBoundary;
+    if (ui::checkbox(context, "spacing/fromboundary", "From boundary lengths", fromBoundary)) {
+        context.document().apply(setFromBoundary(*context.document().current(), fromBoundary), "Spacing from boundary");
+    }
+    ui::tooltip(context, "The lengths of the boundary segments, as drawn, are sizes too");
+    if (!spacing.paint.tiles.empty()) {
+        if (ui::button(context, "spacing/clearpaint", "Clear paint")) {
+            context.actions.run("edit.clearPaint", context);
+        }
+        ImGui::SameLine();
+    }
+    if (spacing.background) {
+        if (ui::button(context, "spacing/clearbackground", "Drop background mesh")) {
+            Document next = *context.document().current();
+            next.spacing.background.reset();
+            context.document().apply(std::move(next), "Drop background mesh");
+        }
+        ui::tooltip(context, ui::count(spacing.background->nodes.size()) + " nodes with a spacing each");
+        ImGui::SameLine();
+    }
+    ImGui::NewLine();
+}
+
+} // namespace
+
+std::unique_ptr<Panel> makeSpacingPanel() {
+    return std::make_unique<SpacingPanel>();
+}
+
+} // namespace forefront

@@ -1,0 +1,85 @@
+#include "ui/tools/box_tool.hpp"
+
+#include "ui/app/app_context.hpp"
+#include "ui/canvas/canvas_painter.hpp"
+#include "ui/tools/tool_options.hpp"
+#include "ui/widgets.hpp"
+
+#include <cmath>
+
+namespace forefront {
+
+const char *BoxTool::icon() const {
+    return isRectangle() ? icon::kRectangle : icon::kCircle;
+}
+
+Vec2 BoxTool::corner(Vec2 at) const {
+    if (!isRectangle() || !modifiers_.shift() || !first_) {
+        return at;
+    }
+    const Vec2 arm = at - *first_;
+    const double side = std::max(std::abs(arm.x), std::abs(arm.y));
+    return *first_ + Vec2{std::copysign(side, arm.x), std::copysign(side, arm.y)};
+}
+
+Vec2 BoxTool::typedPlace(const TypedPair &pair) const {
+    // Two numbers typed after the first corner are width and height; the centre of a circle is left to coordinates.
+    return first_ && (pair.relative || isRectangle()) ? *first_ + pair.value : pair.value;
+}
+
+void BoxTool::place(Vec2 at, AppContext &context) {
+    if (!first_) {
+        first_ = at;
+        return;
+    }
+    Shape shape;
+    shape.kind = kind_;
+    shape.nodes = {*first_, corner(at)};
+    if (shape.nodes[0] == shape.nodes[1]) {
+        return; // the second click of a double click
+    }
+    commitShape(context, std::move(shape), isRectangle() ? "Draw rectangle" : "Draw circle");
+    first_.reset();
+}
+
+bool BoxTool::undo(AppContext &) {
+    const bool drawing = first_.has_value();
+    cancel();
+    return drawing;
+}
+
+void BoxTool::drawSketch(CanvasPainter &painter, AppContext &context) {
+    const Theme &theme = context.theme;
+    if (!first_) {
+        drawMeasure(painter, context, {});
+        return;
+    }
+    const Vec2 second = corner(pointer_.at);
+    painter.handle(*first_, 3.0, theme.canvas, theme.selection);
+    if (isRectangle()) {
+        painter.rectangle(boxOf(*first_, second), theme.selection, 2.0);
+        const Vec2 size{std::abs(second.x - first_->x), std::abs(second.y - first_->y)};
+        drawMeasure(painter, context, ui::number(size.x) + " \xc3\x97 " + ui::number(size.y));
+    } else {
+        const double radius = distance(*first_, second);
+        painter.circle(*first_, radius, theme.selection, 2.0);
+        painter.dashed(*first_, second, fade(theme.selection, 0.6), 1.0);
+        drawMeasure(painter, context, "r = " + ui::number(radius));
+    }
+}
+
+void BoxTool::drawOptions(AppContext &context) {
+    drawTagOption(context, state_->boundaryTag, "Tag of the next boundary");
+    state_->drawSnapOptions(context);
+}
+
+std::string BoxTool::statusText(const AppContext &) const {
+    if (isRectangle()) {
+        return first_ ? "Click the opposite corner or type width, height; Shift: a square"
+                      : "Drag from corner to corner; inside another shape it is a hole";
+    }
+    return first_ ? "Click a point of the circle or type its radius"
+                  : "Drag from the centre; inside another shape it is a hole";
+}
+
+} // namespace forefront

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "ui/tools/drawing_tool.hpp"
+
+namespace forefront {
+
+/// Draws a rectangle from corner to corner or a circle from its centre, by drag or by two clicks.
+class BoxTool final : public DrawingTool {
+  public:
+    BoxTool(std::shared_ptr<EditState> state, ShapeKind kind) : DrawingTool(std::move(state)), kind_(kind) {}
+
+    const char *id() const override { return isRectangle() ? "rectangle" : "circle"; }
+    const char *name() const override { return isRectangle() ? "Rectangle" : "Circle"; }
+    const char *icon() const override;
+    int key() const override { return isRectangle() ? 'R' : 'C'; }
+    void drawOptions(AppContext &context) override;
+    bool hasOptions(const AppContext &) const override { return true; }
+    std::string statusText(const AppContext &context) const override;
+    bool undo(AppContext &context) override;
+
+  protected:
+    void place(Vec2 at, AppContext &context) override;
+    void drawSketch(CanvasPainter &painter, AppContext &context) override;
+    std::optional<Vec2> anchor() const override { return first_; }
+    void cancel() override { first_.reset(); }
+    bool dragPlaces() const override { return true; }
+    bool shiftIsAngle() const override { return !isRectangle(); }
+    Vec2 typedPlace(const TypedPair &pair) const override;
+
+  private:
+    bool isRectangle() const { return kind_ == ShapeKind::Rectangle; }
+    /// The corner a click gives: with shift, of a square.
+    Vec2 corner(Vec2 at) const;
+
+    ShapeKind kind_;
+    std::optional<Vec2> first_;
+};
+
+} // namespace forefront

@@ -1,0 +1,183 @@
+#include "ui/tools/brush_tool.hpp"
+
+#include "core/edit/shape_geometry.hpp"
+#include "core/edit/spacing_commands.hpp"
+#include "core/spacing/paint.hpp"
+#include "ui/app/app_context.hpp"
+#include "ui/canvas/canvas_painter.hpp"
+#include "ui/tools/tool_options.hpp"
+#include "ui/widgets.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace forefront {
+namespace {
+
+constexpr double kStep = 1.15;
+/// Dabs of a stroke stand this part of the radius apart.
+constexpr double kPace = 0.25;
+constexpr int kMostDabs = 200; ///< of one movement of the pointer
+
+double spacingAt(const AppContext &context, Vec2 place) {
+    return context.preview->spacing ? context.preview->spacing->at(place) : 0.0;
+}
+
+} // namespace
+
+const char *BrushTool::icon() const {
+    return erases_ ? icon::kEraser : icon::kBrush;
+}
+
+void BrushTool::settle(AppContext &context) {
+    if (!(state_->brushRadius > 0.0)) {
+        state_->brushRadius = EditState::reach(context, 36.0);
+    }
+    if (!(state_->brushSpacing > 0.0)) {
+        const Box2 box = boundsOf(*context.document().current());
+        const double rho = spacingAt(context, box.empty() ? Vec2{} : box.centre());
+        state_->brushSpacing = rho > 0.0 ? 0.4 * rho : 0.25 * state_->brushRadius;
+        // Two digits are enough for a number that nobody asked for.
+        const double unit = std::pow(10.0, std::floor(std::log10(state_->brushSpacing)) - 1.0);
+        state_->brushSpacing = std::round(state_->brushSpacing / unit) * unit;
+    }
+}
+
+void BrushTool::activate(AppContext &context) {
+    settle(context);
+}
+
+void BrushTool::deactivate(AppContext &) {
+    stroke_.clear();
+    pointer_.reset();
+}
+
+void BrushTool::scale(double factor, bool spacing, AppContext &context) {
+    settle(context);
+    double &value = spacing && !erases_ ? state_->brushSpacing : state_->brushRadius;
+    value = std::clamp(value * factor, 1e-9, 1e12);
+}
+
+bool BrushTool::handle(const CanvasEvent &event, AppContext &context) {
+    using Kind = CanvasEvent::Kind;
+    if (event.kind == Kind::Key) {
+        return key(event, context);
+    }
+    if (event.kind == Kind::Text) {
+        return false;
+    }
+    pointer_ = event.kind == Kind::Leave ? std::nullopt : std::optional(event.place);
+    switch (event.kind) {
+    case Kind::Press:
+        if (event.button == MouseButton::Left) {
+            settle(context);
+            stroke_ = state_->newStroke();
+            last_.reset();
+            ambient_ = spacingAt(context, event.place);
+            stroke(event.place, context);
+        }
+        return true;
+    case Kind::Drag:
+        if (!stroke_.empty()) {
+            stroke(event.place, context);
+        }
+        return true;
+    case Kind::Release:
+        stroke_.clear();
+        return true;
+    case Kind::Wheel:
+        scale(std::pow(kStep, event.wheel), event.modifiers.shift(), context);
+        return true;
+    default:
+        return true;
+    }
+}
+
+bool BrushTool::key(const CanvasEvent &event, AppContext &context) {
+    if (event.modifiers.control() || event.modifiers.alt()) {
+        return false;
+    }
+    if (event.key == key::kLeftBracket || event.key == key::kRightBracket) {
+        scale(event.key == key::kRightBracket ? kStep : 1.0 / kStep, event.modifiers.shift(), context);
+        return true;
+    }
+    if (event.key == key::kEscape && !stroke_.empty()) {
+        stroke_.clear();
+        context.document().abandonStroke();
+        return true;
+    }
+    return false;
+}
+
+void BrushTool::stroke(Vec2 to, AppContext &context) {
+    const std::shared_ptr<const Document> document = context.document().current();
+    PaintedSpacing painted = document->spacing.paint;
+    if (painted.tiles.empty() && !erases_) {
+        Box2 box = boundsOf(*document);
+        if (box.empty()) {
+            box = context.view.camera.visible();
+        }
+        painted = emptyPaint(box);
+    }
+    const double radius = state_->brushRadius;
+    const Vec2 from = last_.value_or(to);
+    const double pace = kPace * radius;
+    const int dabs = last_ ? std::clamp(static_cast<int>(distance(from, to) / pace), 0, kMostDabs) : 1;
+    if (dabs == 0) {
+        return; // too short a way; the next movement goes on from the same place
+    }
+    for (int k = 1; k <= dabs; ++k) {
+        const Vec2 at = lerp(from, to, static_cast<double>(k) / dabs);
+        painted = erases_ ? erase(painted, at, radius)
+                          : paint(painted, {.centre = at,
+                                            .radius = radius,
+                                            .spacing = state_->brushSpacing,
+                                            .hardness = 0.7,
+                                            .ambient = ambient_ > state_->brushSpacing ? ambient_ : 0.0});
+    }
+    last_ = to;
+    context.document().apply(setPaint(*document, std::move(painted)), erases_ ? "Erase spacing" : "Paint spacing",
+                             stroke_);
+}
+
+void BrushTool::drawOverlay(CanvasPainter &painter, AppContext &context) {
+    if (!pointer_) {
+        return;
+    }
+    settle(context);
+    const Theme &theme = context.theme;
+    painter.circle(*pointer_, state_->brushRadius, fade(theme.canvas, 0.7), 3.5);
+    painter.circle(*pointer_, state_->brushRadius, theme.brush, 1.75);
+    if (!erases_) {
+        painter.dashedCircle(*pointer_, 0.7 * state_->brushRadius, fade(theme.brush, 0.6), 1.0);
+    }
+    std::string text = "r=" + ui::number(state_->brushRadius, 3);
+    if (!erases_) {
+        text += "  \xcf\x81=" + ui::number(state_->brushSpacing, 3);
+    }
+    // Beside the ring, but never farther than the ring is wide on the screen.
+    const double beside =
+        std::min(0.71 * state_->brushRadius * context.view.camera.zoom / painter.scale(), 160.0) + 8.0;
+    painter.label(*pointer_, {beside, beside}, text, theme.text, fade(theme.popup, 0.9), context.fonts.small);
+}
+
+void BrushTool::drawOptions(AppContext &context) {
+    settle(context);
+    drawSizeOption(context, "options/brush/radius", "Radius", state_->brushRadius,
+                   "Radius of the brush. Also [ and ], or Ctrl and wheel.");
+    if (!erases_) {
+        drawSizeOption(context, "options/brush/spacing", "Spacing \xcf\x81", state_->brushSpacing,
+                       "Element size that the brush paints. Also Shift with [ and ], or Shift and wheel.");
+    }
+    const bool painted = !context.document().current()->spacing.paint.tiles.empty();
+    if (ui::button(context, "options/brush/clear", "Clear all paint", ui::ButtonKind::Plain, painted)) {
+        context.document().apply(setPaint(*context.document().current(), {}), "Clear paint");
+    }
+}
+
+std::string BrushTool::statusText(const AppContext &) const {
+    return erases_ ? "Drag to wipe painted spacing away; [ ] radius"
+                   : "Drag to paint; [ ] or Ctrl+wheel: radius, with Shift: spacing";
+}
+
+} // namespace forefront

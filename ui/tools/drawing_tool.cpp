@@ -1,0 +1,147 @@
+#include "ui/tools/drawing_tool.hpp"
+
+#include "core/edit/shape_commands.hpp"
+#include "ui/app/app_context.hpp"
+#include "ui/canvas/canvas_painter.hpp"
+
+namespace forefront {
+
+void DrawingTool::follow(const CanvasEvent &event, AppContext &context) {
+    place_ = event.place;
+    modifiers_ = event.modifiers;
+    over_ = event.kind != CanvasEvent::Kind::Leave;
+    SnapQuery query = state_->query(context, place_, modifiers_.shift() && shiftIsAngle(), modifiers_.control());
+    query.anchor = anchor();
+    query.locks = entry_.locks();
+    const std::optional<Vec2> own = query.locks.any() || query.off ? std::nullopt : ownSnap(place_, context);
+    pointer_ = own ? Snapped{*own, SnapKind::Node, {}} : snap(*state_->index(context), query);
+}
+
+bool DrawingTool::handle(const CanvasEvent &event, AppContext &context) {
+    using Kind = CanvasEvent::Kind;
+    switch (event.kind) {
+    case Kind::Hover:
+    case Kind::Drag:
+    case Kind::Leave:
+        follow(event, context);
+        return true;
+    case Kind::Press:
+        return press(event, context);
+    case Kind::Release:
+        follow(event, context);
+        if (event.button == MouseButton::Left && dragPlaces() && inProgress() &&
+            distance(event.pixel, pressPixel_) > static_cast<double>(context.px(5))) {
+            place(pointer_.at, context);
+        }
+        return true;
+    case Kind::Key:
+    case Kind::Text:
+        return typed(event, context);
+    case Kind::Wheel:
+        break;
+    }
+    return false;
+}
+
+bool DrawingTool::press(const CanvasEvent &event, AppContext &context) {
+    follow(event, context);
+    if (event.button == MouseButton::Right ||
+        (event.button == MouseButton::Left && event.clicks == 2 && inProgress())) {
+        finish(context);
+        return true;
+    }
+    if (event.button == MouseButton::Left) {
+        pressPixel_ = event.pixel;
+        place(pointer_.at, context);
+        entry_.clear();
+        follow(event, context);
+    }
+    return true;
+}
+
+bool DrawingTool::typed(const CanvasEvent &event, AppContext &context) {
+    const NumericEntry::Answer answer = entry_.handle(event, inProgress());
+    if (answer != NumericEntry::Answer::Unused) {
+        CanvasEvent here = event;
+        here.place = place_;
+        here.kind = CanvasEvent::Kind::Hover;
+        follow(here, context);
+        if (answer == NumericEntry::Answer::Place) {
+            const Vec2 at = entry_.pair() ? typedPlace(*entry_.pair()) : pointer_.at;
+            entry_.clear();
+            place(at, context);
+        }
+        return true;
+    }
+    if (event.kind != CanvasEvent::Kind::Key || event.modifiers.control()) {
+        return false;
+    }
+    switch (event.key) {
+    case key::kEnter:
+    case key::kKeypadEnter:
+        if (inProgress()) {
+            finish(context);
+            return true;
+        }
+        return false;
+    case key::kEscape:
+        if (inProgress() || entry_.locks().any()) {
+            cancel();
+            entry_.clear();
+            return true;
+        }
+        return false;
+    case key::kBackspace:
+        return inProgress() && removeLast();
+    default:
+        return false;
+    }
+}
+
+Vec2 DrawingTool::typedPlace(const TypedPair &pair) const {
+    return pair.relative && anchor() ? *anchor() + pair.value : pair.value;
+}
+
+void DrawingTool::deactivate(AppContext &context) {
+    if (inProgress()) {
+        finish(context);
+    }
+    cancel();
+    entry_.clear();
+    over_ = false;
+}
+
+bool DrawingTool::commitShape(AppContext &context, Shape shape, const std::string &label) {
+    const std::shared_ptr<const Document> before = context.document().current();
+    shape.tag = shape.use == ShapeUse::Boundary ? state_->boundaryTag : state_->constraintTag;
+    if (!EditState::apply(context, addShape(*before, std::move(shape)), label)) {
+        return false;
+    }
+    context.selection.clear();
+    context.selection.shapes.insert(before->nextId);
+    entry_.clear();
+    return true;
+}
+
+void DrawingTool::drawMeasure(CanvasPainter &painter, AppContext &context, const std::string &text) const {
+    const std::string typedText = entry_.label();
+    double y = 14.0;
+    if (!text.empty()) {
+        painter.label(pointer_.at, {16.0, y}, text, context.theme.text, fade(context.theme.popup, 0.9),
+                      context.fonts.small);
+        y += 22.0;
+    }
+    if (!typedText.empty()) {
+        painter.label(pointer_.at, {16.0, y}, typedText, entry_.isWrong() ? context.theme.bad : context.theme.accent,
+                      context.theme.popup, context.fonts.strong);
+    }
+}
+
+void DrawingTool::drawOverlay(CanvasPainter &painter, AppContext &context) {
+    drawSketch(painter, context);
+    if (over_) {
+        drawSnapMark(painter, context, pointer_);
+    }
+}
+
+} // namespace forefront

@@ -1,0 +1,84 @@
+#include "ui/tools/edit_state.hpp"
+
+#include "ui/app/app_context.hpp"
+#include "ui/canvas/canvas_painter.hpp"
+#include "ui/widgets.hpp"
+
+#include <imgui.h>
+
+namespace forefront {
+
+const std::shared_ptr<const PickIndex> &EditState::index(const AppContext &context) {
+    const std::uint64_t revision = context.document().revision();
+    if (!index_ || revision_ != revision) {
+        index_ = std::make_shared<const PickIndex>(context.document().current());
+        revision_ = revision;
+    }
+    return index_;
+}
+
+std::string EditState::newStroke() {
+    return "stroke " + std::to_string(++strokes_);
+}
+
+bool EditState::apply(AppContext &context, Result<Document> next, const std::string &label, const std::string &merge) {
+    if (!next) {
+        context.log.add(next.faults());
+        return false;
+    }
+    context.document().apply(*std::move(next), label, merge);
+    return true;
+}
+
+double EditState::reach(const AppContext &context, double designPixels) {
+    return context.view.camera.length(static_cast<double>(context.px(designPixels)));
+}
+
+SnapQuery EditState::query(const AppContext &context, Vec2 place, bool angle, bool off) const {
+    SnapQuery query;
+    query.at = place;
+    query.tolerance = reach(context, 9.0);
+    query.gridPitch = snapToGrid ? gridPitch(reach(context, 1.0)) : 0.0;
+    query.angle = angle;
+    query.off = off;
+    if (!snapToDrawing) {
+        query.filter = [](const Shape &) { return false; };
+    }
+    return query;
+}
+
+void EditState::drawSnapOptions(AppContext &context) {
+    ui::checkbox(context, "options/snap/drawing", "Snap to drawing", snapToDrawing);
+    ui::tooltip(context, "Nodes and segments attract the pointer. Ctrl: not now. Shift: steps of 15\xc2\xb0.");
+    ImGui::SameLine();
+    ui::checkbox(context, "options/snap/grid", "Grid", snapToGrid);
+}
+
+void drawSnapMark(CanvasPainter &painter, const AppContext &context, const Snapped &snapped) {
+    const Theme &theme = context.theme;
+    switch (snapped.kind) {
+    case SnapKind::Node:
+        painter.handle(snapped.at, 5.5, fade(theme.selection, 0.25), theme.selection);
+        break;
+    case SnapKind::Segment:
+        if (snapped.segment) {
+            painter.line(snapped.segment->a, snapped.segment->b, fade(theme.selection, 0.6), 2.5);
+        }
+        painter.cross(snapped.at, 5.0, theme.selection, 1.5);
+        break;
+    case SnapKind::Grid: {
+        const double arm = painter.camera().length(6.0 * painter.scale());
+        painter.line(snapped.at - Vec2{arm, 0}, snapped.at + Vec2{arm, 0}, theme.muted, 1.0);
+        painter.line(snapped.at - Vec2{0, arm}, snapped.at + Vec2{0, arm}, theme.muted, 1.0);
+        break;
+    }
+    case SnapKind::Angle:
+    case SnapKind::Locked:
+        painter.ring(snapped.at, 4.0, theme.selection, 1.5);
+        break;
+    case SnapKind::None:
+        break;
+    }
+}
+
+} // namespace forefront

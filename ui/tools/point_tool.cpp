@@ -1,0 +1,88 @@
+#include "ui/tools/point_tool.hpp"
+
+#include "core/edit/region_commands.hpp"
+#include "core/edit/region_fill.hpp"
+#include "ui/app/app_context.hpp"
+#include "ui/canvas/canvas_painter.hpp"
+#include "ui/tools/tool_options.hpp"
+#include "ui/widgets.hpp"
+
+#include <imgui.h>
+
+#include <cmath>
+
+namespace forefront {
+
+const char *PointTool::icon() const {
+    return icon::kPoint;
+}
+
+void PointTool::place(Vec2 at, AppContext &context) {
+    Shape shape;
+    shape.kind = ShapeKind::Point;
+    shape.use = ShapeUse::Constraint;
+    shape.nodes = {at};
+    commitShape(context, std::move(shape), "Place point");
+}
+
+void PointTool::drawSketch(CanvasPainter &painter, AppContext &context) {
+    drawMeasure(painter, context, {});
+}
+
+void PointTool::drawOptions(AppContext &context) {
+    drawTagOption(context, state_->constraintTag, "Tag of the next point");
+    state_->drawSnapOptions(context);
+}
+
+const char *RegionTool::icon() const {
+    return icon::kFlag;
+}
+
+void RegionTool::activate(AppContext &context) {
+    if (tag_ == 0) {
+        tag_ = freeRegionTag(*context.document().current());
+    }
+}
+
+void RegionTool::place(Vec2 at, AppContext &context) {
+    const std::shared_ptr<const Document> document = context.document().current();
+    if (EditState::apply(context, fillRegion(*document, at, tag_), "Fill " + regionName(document->regionNames, tag_))) {
+        context.selection.clear();
+        const auto count = context.document().current()->regionMarkers.size();
+        context.selection.markers.insert(static_cast<std::uint32_t>(count - 1));
+    }
+}
+
+void RegionTool::drawSketch(CanvasPainter &painter, AppContext &context) {
+    if (over_) {
+        const std::string name = regionName(context.document().current()->regionNames, tag_);
+        painter.label(pointer_.at, {14.0, 10.0}, name, context.theme.text, fade(context.theme.popup, 0.9),
+                      context.fonts.small);
+    }
+}
+
+void RegionTool::drawOptions(AppContext &context) {
+    const std::shared_ptr<const Document> document = context.document().current();
+    ImGui::AlignTextToFramePadding();
+    ui::muted(context, "Region");
+    ImGui::SameLine();
+    double value = tag_;
+    if (ui::inputNumber(context, "options/region/tag", value, "", 44.0F) && value >= 1.0 && value <= 1e9) {
+        tag_ = static_cast<std::int32_t>(std::floor(value));
+    }
+    ui::tooltip(context, "Tag of the region that a click fills in");
+    ImGui::SameLine();
+    std::string name = regionName(document->regionNames, tag_);
+    if (ui::inputText(context, "options/region/name", name, "name", 140.0F, true)) {
+        EditState::apply(context, setRegionName(*document, tag_, name), "Name region");
+    }
+    ImGui::SameLine();
+    if (ui::button(context, "options/region/new", "New region")) {
+        tag_ = freeRegionTag(*document);
+        if (tag_ < 2) {
+            tag_ = 2;
+        }
+    }
+}
+
+} // namespace forefront

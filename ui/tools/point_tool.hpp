@@ -1,0 +1,52 @@
+#pragma once
+
+#include "ui/tools/drawing_tool.hpp"
+
+namespace forefront {
+
+/// Places a point that the mesh must contain.
+class PointTool final : public DrawingTool {
+  public:
+    using DrawingTool::DrawingTool;
+
+    const char *id() const override { return "point"; }
+    const char *name() const override { return "Constraint point"; }
+    const char *icon() const override;
+    int key() const override { return 'O'; }
+    void drawOptions(AppContext &context) override;
+    bool hasOptions(const AppContext &) const override { return true; }
+    std::string statusText(const AppContext &) const override {
+        return "Click where the mesh must have a node; X Y then a number: exact coordinates";
+    }
+
+  protected:
+    void place(Vec2 at, AppContext &context) override;
+    void drawSketch(CanvasPainter &painter, AppContext &context) override;
+};
+
+/// Names regions: a click fills the face under the pointer with the chosen region.
+class RegionTool final : public DrawingTool {
+  public:
+    using DrawingTool::DrawingTool;
+
+    const char *id() const override { return "region"; }
+    const char *name() const override { return "Region: click to fill"; }
+    const char *icon() const override;
+    int key() const override { return 'G'; }
+    void activate(AppContext &context) override;
+    void drawOptions(AppContext &context) override;
+    bool hasOptions(const AppContext &) const override { return true; }
+    std::string statusText(const AppContext &) const override {
+        return "Click into a face to make it this region; every face without one is region 1";
+    }
+
+  protected:
+    void place(Vec2 at, AppContext &context) override;
+    void drawSketch(CanvasPainter &painter, AppContext &context) override;
+    std::optional<Vec2> ownSnap(Vec2 at, const AppContext &) const override { return at; }
+
+  private:
+    std::int32_t tag_ = 0;
+};
+
+} // namespace forefront

@@ -1,0 +1,144 @@
+#include "core/edit/shape_geometry.hpp"
+#include "ui/app/app_context.hpp"
+#include "ui/canvas/canvas_painter.hpp"
+#include "ui/tools/select_tool.hpp"
+#include "ui/widgets.hpp"
+
+#include <imgui.h>
+
+#include <numbers>
+
+namespace forefront {
+namespace {
+
+/// More handles than this at once are noise, and slow.
+constexpr std::size_t kMostHandles = 4000;
+
+} // namespace
+
+void SelectTool::drawHandles(CanvasPainter &painter, AppContext &context) const {
+    const Theme &theme = context.theme;
+    const Document &document = *context.document().current();
+    const Selection &selection = context.selection;
+    const Box2 visible = context.view.camera.visible();
+    std::set<std::uint32_t> shown = selection.shapes;
+    for (const NodeRef node : selection.nodes) {
+        shown.insert(node.shape);
+    }
+    for (const SegmentRef segment : selection.segments) {
+        shown.insert(segment.shape);
+    }
+    if (over_ && hover_.shape != kNoIndex && hover_.kind != Hit::Kind::Inside) {
+        shown.insert(hover_.shape);
+    }
+    std::size_t drawn = 0;
+    for (const auto &shape : document.shapes) {
+        if (!shown.contains(shape->id)) {
+            continue;
+        }
+        const bool whole = selection.shapes.contains(shape->id);
+        const Outline outline = outlineOf(*shape, document.circleTolerance);
+        if (shape->kind == ShapeKind::Circle) {
+            painter.circle(shape->nodes[0], circleRadius(*shape), fade(theme.selection, whole ? 1.0 : 0.5), 2.0);
+        } else {
+            painter.polyline(outline.nodes, outline.closed, fade(theme.selection, whole ? 1.0 : 0.5), 2.0);
+        }
+        const std::vector<Vec2> handles = handlesOf(*shape);
+        for (std::uint32_t k = 0; k < handles.size() && drawn < kMostHandles; ++k) {
+            if (visible.contains(handles[k])) {
+                const bool chosen = whole ? shape->kind == ShapeKind::Point : selection.nodes.contains({shape->id, k});
+                painter.handle(handles[k], chosen ? 4.5 : 3.5, chosen ? theme.selection : theme.canvas,
+                               theme.selection);
+                ++drawn;
+            }
+        }
+        for (std::uint32_t k = 0; k < outline.segmentCount(); ++k) {
+            if (selection.segments.contains({shape->id, k})) {
+                painter.line(outline.from(k), outline.to(k), theme.selection, 4.0);
+            }
+        }
+    }
+}
+
+void SelectTool::drawSourceHandles(CanvasPainter &painter, AppContext &context) const {
+    const Theme &theme = context.theme;
+    const Document &document = *context.document().current();
+    for (std::uint32_t k = 0; k < document.spacing.sources.size(); ++k) {
+        const SizeSource &source = document.spacing.sources[k];
+        const bool chosen = context.selection.sources.contains(k);
+        const bool under = over_ && hover_.kind == Hit::Kind::Source && hover_.source.source == k;
+        if (!chosen && !under) {
+            continue;
+        }
+        painter.ring(source.a, 8.0, theme.selection, 2.0);
+        if (source.shape == SourceShape::Line) {
+            painter.line(source.a, source.b, theme.selection, 2.5);
+            painter.ring(source.b, 8.0, theme.selection, 2.0);
+        }
+        if (source.radius > 0.0) {
+            painter.circle(source.a, source.radius, theme.selection, 2.5);
+        }
+    }
+    for (const std::uint32_t k : context.selection.markers) {
+        if (k < document.regionMarkers.size()) {
+            painter.ring(document.regionMarkers[k].at, 10.0, theme.selection, 2.0);
+        }
+    }
+    if (over_ && hover_.kind == Hit::Kind::Marker && hover_.marker < document.regionMarkers.size()) {
+        painter.ring(document.regionMarkers[hover_.marker].at, 10.0, fade(theme.selection, 0.6), 1.5);
+    }
+}
+
+void SelectTool::drawOverlay(CanvasPainter &painter, AppContext &context) {
+    drawHandles(painter, context);
+    drawSourceHandles(painter, context);
+    const Theme &theme = context.theme;
+    if (mode_ == Mode::Boxing) {
+        const Box2 box = boxOf(pressPlace_, boxPlace_);
+        painter.fillRectangle(box, fade(theme.selection, 0.12));
+        painter.rectangle(box, theme.selection, 1.0);
+    }
+    if (mode_ == Mode::Moving) {
+        drawSnapMark(painter, context, snapped_);
+        const Vec2 way = snapped_.at - grabbed_.at;
+        painter.label(snapped_.at, {16.0, 14.0},
+                      ui::number(snapped_.at.x, 5) + ", " + ui::number(snapped_.at.y, 5) + "   \xce\x94 " +
+                          ui::number(length(way), 3),
+                      theme.text, fade(theme.popup, 0.9), context.fonts.small);
+    }
+}
+
+void SelectTool::drawOptions(AppContext &context) {
+    const Selection &selection = context.selection;
+    ImGui::AlignTextToFramePadding();
+    const std::size_t count = selection.size();
+    ui::muted(context, count == 0 ? "Nothing selected" : std::to_string(count) + " selected");
+    ImGui::SameLine(0, context.px(16));
+    if (ui::button(context, "options/delete", "Delete", ui::ButtonKind::Plain, count > 0)) {
+        context.actions.run("edit.delete", context);
+    }
+    ImGui::SameLine(0, context.px(16));
+    state_->drawSnapOptions(context);
+}
+
+std::string SelectTool::statusText(const AppContext &context) const {
+    switch (mode_) {
+    case Mode::Moving:
+        return "Shift: steps of 15\xc2\xb0, Ctrl: no snapping, Esc: back";
+    case Mode::Boxing:
+        return "Shapes in the box, or nodes where no whole shape is in it";
+    case Mode::Grabbed:
+    case Mode::Idle:
+        break;
+    }
+    if (over_ && hover_.kind == Hit::Kind::Segment) {
+        return context.selection.shapes.contains(hover_.shape) ? "Click: this segment alone; double click: a new node"
+                                                               : "Click or drag the shape; double click: a new node";
+    }
+    if (over_ && hover_.kind == Hit::Kind::Node) {
+        return "Drag the node; Delete removes it";
+    }
+    return "Click or drag a box to select, drag to move, double click on a segment: a new node";
+}
+
+} // namespace forefront

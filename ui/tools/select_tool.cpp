@@ -1,0 +1,335 @@
+#include "ui/tools/select_tool.hpp"
+
+#include "core/edit/shape_commands.hpp"
+#include "core/edit/shape_geometry.hpp"
+#include "core/edit/spacing_commands.hpp"
+#include "ui/app/app_context.hpp"
+
+namespace forefront {
+
+const char *SelectTool::icon() const {
+    return icon::kSelect;
+}
+
+CursorShape SelectTool::cursor() const {
+    if (mode_ == Mode::Moving) {
+        return CursorShape::Move;
+    }
+    const bool grabs = over_ && hover_.kind != Hit::Kind::Nothing && hover_.kind != Hit::Kind::Inside;
+    return grabs && mode_ != Mode::Boxing ? CursorShape::Hand : CursorShape::Arrow;
+}
+
+void SelectTool::deactivate(AppContext &) {
+    mode_ = Mode::Idle;
+    over_ = false;
+    start_.reset();
+    startIndex_.reset();
+}
+
+SelectTool::Hit SelectTool::hitAt(Vec2 place, AppContext &context) const {
+    const PickIndex &index = *state_->index(context);
+    Hit hit;
+    hit.at = place;
+    if (const auto node = index.node(place, EditState::reach(context, 8.0))) {
+        hit.kind = Hit::Kind::Node;
+        hit.node = node->ref;
+        hit.shape = node->ref.shape;
+        hit.at = node->at;
+    } else if (const auto source = index.source(place, EditState::reach(context, 8.0))) {
+        hit.kind = Hit::Kind::Source;
+        hit.source = *source;
+        const SizeSource &what = index.document().spacing.sources[source->source];
+        using Part = PickIndex::SourceHit::Part;
+        hit.at = source->part == Part::A ? what.a : source->part == Part::B ? what.b : place;
+    } else if (const auto marker = index.marker(place, EditState::reach(context, 9.0))) {
+        hit.kind = Hit::Kind::Marker;
+        hit.marker = *marker;
+        hit.at = index.document().regionMarkers[*marker].at;
+    } else if (const auto segment = index.segment(place, EditState::reach(context, 6.0))) {
+        hit.kind = Hit::Kind::Segment;
+        hit.segment = segment;
+        hit.shape = segment->ref.shape;
+        hit.at = segment->at;
+    } else if (const std::uint32_t shape = index.shape(place, 0.0); shape != kNoIndex) {
+        hit.kind = Hit::Kind::Inside;
+        hit.shape = shape;
+    }
+    return hit;
+}
+
+bool SelectTool::isSelected(const Hit &hit, const Selection &selection) const {
+    switch (hit.kind) {
+    case Hit::Kind::Node:
+        return selection.nodes.contains(hit.node);
+    case Hit::Kind::Source:
+        return selection.sources.contains(hit.source.source);
+    case Hit::Kind::Marker:
+        return selection.markers.contains(hit.marker);
+    case Hit::Kind::Segment:
+        return selection.shapes.contains(hit.shape) || selection.segments.contains(hit.segment->ref);
+    case Hit::Kind::Inside:
+        return selection.shapes.contains(hit.shape);
+    case Hit::Kind::Nothing:
+        break;
+    }
+    return false;
+}
+
+namespace {
+
+template <class T>
+void choose(std::set<T> &set, const T &item, bool toggles) {
+    if (toggles && set.erase(item) > 0) {
+        return;
+    }
+    set.insert(item);
+}
+
+} // namespace
+
+void SelectTool::select(const Hit &hit, bool adds, Selection &selection) const {
+    if (!adds) {
+        selection.clear();
+    }
+    switch (hit.kind) {
+    case Hit::Kind::Node: {
+        // A point is its only node.
+        const Shape *shape = findShape(*start_, hit.shape);
+        if (shape != nullptr && shape->kind == ShapeKind::Point) {
+            choose(selection.shapes, hit.shape, adds);
+        } else {
+            choose(selection.nodes, hit.node, adds);
+        }
+        break;
+    }
+    case Hit::Kind::Source:
+        choose(selection.sources, hit.source.source, adds);
+        break;
+    case Hit::Kind::Marker:
+        choose(selection.markers, hit.marker, adds);
+        break;
+    case Hit::Kind::Segment:
+    case Hit::Kind::Inside:
+        choose(selection.shapes, hit.shape, adds);
+        break;
+    case Hit::Kind::Nothing:
+        break;
+    }
+}
+
+bool SelectTool::handle(const CanvasEvent &event, AppContext &context) {
+    using Kind = CanvasEvent::Kind;
+    switch (event.kind) {
+    case Kind::Hover:
+        over_ = true;
+        hover_ = hitAt(event.place, context);
+        return true;
+    case Kind::Leave:
+        over_ = false;
+        return true;
+    case Kind::Press:
+        if (event.button == MouseButton::Left) {
+            press(event, context);
+        }
+        return true;
+    case Kind::Drag:
+        drag(event, context);
+        return true;
+    case Kind::Release:
+        release(event, context);
+        return true;
+    case Kind::Key:
+        return key(event, context);
+    case Kind::Wheel:
+    case Kind::Text:
+        break;
+    }
+    return false;
+}
+
+void SelectTool::press(const CanvasEvent &event, AppContext &context) {
+    over_ = true;
+    start_ = context.document().current();
+    startIndex_ = state_->index(context);
+    grabbed_ = hover_ = hitAt(event.place, context);
+    pressPixel_ = event.pixel;
+    pressPlace_ = boxPlace_ = event.place;
+    adds_ = event.modifiers.shift();
+    if (event.clicks == 2 && grabbed_.kind == Hit::Kind::Segment) {
+        insertAt(grabbed_, context);
+        return;
+    }
+    wasSelected_ = isSelected(grabbed_, context.selection);
+    if (grabbed_.kind == Hit::Kind::Nothing || grabbed_.kind == Hit::Kind::Inside) {
+        mode_ = Mode::Boxing;
+        return;
+    }
+    if (adds_ || !wasSelected_) {
+        select(grabbed_, adds_, context.selection);
+    }
+    mode_ = Mode::Grabbed;
+}
+
+void SelectTool::insertAt(const Hit &hit, AppContext &context) {
+    if (!EditState::apply(context, insertNode(*start_, hit.segment->ref, hit.at), "Insert node")) {
+        mode_ = Mode::Idle;
+        return;
+    }
+    // The new node is in the hand: a drag moves it on.
+    start_ = context.document().current();
+    startIndex_ = state_->index(context);
+    grabbed_.kind = Hit::Kind::Node;
+    grabbed_.node = {hit.shape, hit.segment->ref.segment + 1};
+    select(grabbed_, false, context.selection);
+    wasSelected_ = false;
+    mode_ = Mode::Grabbed;
+}
+
+void SelectTool::drag(const CanvasEvent &event, AppContext &context) {
+    over_ = true;
+    if (mode_ == Mode::Boxing) {
+        boxPlace_ = event.place;
+        return;
+    }
+    if (mode_ == Mode::Grabbed && distance(event.pixel, pressPixel_) > static_cast<double>(context.px(3))) {
+        if (!isSelected(grabbed_, context.selection)) {
+            return; // shift took it out of the selection
+        }
+        mode_ = Mode::Moving;
+        stroke_ = state_->newStroke();
+        moving_ = context.selection;
+    }
+    if (mode_ != Mode::Moving) {
+        return;
+    }
+    SnapQuery query = state_->query(context, grabbed_.at + (event.place - pressPlace_),
+                                    event.modifiers.shift() && !adds_, event.modifiers.control());
+    query.anchor = grabbed_.at;
+    // Nothing snaps to what moves along.
+    const auto stands = [this](const Shape &shape) {
+        return !moving_.shapes.contains(shape.id) &&
+               std::none_of(moving_.nodes.begin(), moving_.nodes.end(),
+                            [&](NodeRef node) { return node.shape == shape.id; }) &&
+               std::none_of(moving_.segments.begin(), moving_.segments.end(),
+                            [&](SegmentRef segment) { return segment.shape == shape.id; });
+    };
+    if (state_->snapToDrawing) {
+        query.filter = stands;
+    }
+    snapped_ = snap(*startIndex_, query);
+    EditState::apply(context, moved(snapped_.at), moveLabel(), stroke_);
+}
+
+std::string SelectTool::moveLabel() const {
+    switch (grabbed_.kind) {
+    case Hit::Kind::Node:
+        return moving_.size() > 1 ? "Move nodes" : "Move node";
+    case Hit::Kind::Source:
+        return grabbed_.source.part == PickIndex::SourceHit::Part::Rim ? "Resize source" : "Move source";
+    case Hit::Kind::Marker:
+        return "Move region marker";
+    default:
+        return moving_.shapes.empty() ? "Move segment" : moving_.shapes.size() > 1 ? "Move shapes" : "Move shape";
+    }
+}
+
+Result<Document> SelectTool::moved(Vec2 to) const {
+    using Part = PickIndex::SourceHit::Part;
+    if (grabbed_.kind == Hit::Kind::Source && moving_.size() == 1 && grabbed_.source.part != Part::Whole) {
+        SizeSource source = start_->spacing.sources[grabbed_.source.source];
+        const Part part = grabbed_.source.part;
+        if (part == Part::Rim) {
+            source.radius = distance(source.a, to);
+        } else if (source.shape == SourceShape::Line) {
+            (part == Part::A ? source.a : source.b) = to;
+        } else {
+            source.a = to;
+        }
+        return replaceSource(*start_, grabbed_.source.source, source);
+    }
+    return moveSelection(*start_, moving_, to - grabbed_.at);
+}
+
+void SelectTool::release(const CanvasEvent &event, AppContext &context) {
+    const bool moved = distance(event.pixel, pressPixel_) > static_cast<double>(context.px(3));
+    if (mode_ == Mode::Boxing && moved) {
+        const Box2 box = boxOf(pressPlace_, event.place);
+        // A box around no whole shape takes the nodes in it.
+        Selection inside = state_->index(context)->inBox(box, false);
+        if (inside.empty()) {
+            inside = state_->index(context)->inBox(box, true);
+        }
+        if (!adds_) {
+            context.selection.clear();
+        }
+        context.selection.shapes.merge(inside.shapes);
+        context.selection.nodes.merge(inside.nodes);
+        context.selection.sources.merge(inside.sources);
+        context.selection.markers.merge(inside.markers);
+    } else if (mode_ == Mode::Boxing) {
+        select(grabbed_, adds_, context.selection);
+    } else if (mode_ == Mode::Grabbed && wasSelected_ && !adds_ && event.clicks < 2) {
+        // A second click looks closer: from the shape to one of its segments.
+        const bool closer = grabbed_.kind == Hit::Kind::Segment && context.selection.shapes.contains(grabbed_.shape) &&
+                            context.selection.size() == 1;
+        select(grabbed_, false, context.selection);
+        if (closer) {
+            context.selection.clear();
+            context.selection.segments.insert(grabbed_.segment->ref);
+        }
+    }
+    mode_ = Mode::Idle;
+    start_.reset();
+    startIndex_.reset();
+    hover_ = hitAt(event.place, context);
+}
+
+bool SelectTool::key(const CanvasEvent &event, AppContext &context) {
+    if (event.modifiers.control() || event.modifiers.alt()) {
+        return false;
+    }
+    switch (event.key) {
+    case key::kEscape:
+        if (mode_ == Mode::Moving) {
+            context.document().abandonStroke();
+            mode_ = Mode::Idle;
+            return true;
+        }
+        if (!context.selection.empty()) {
+            context.selection.clear();
+            return true;
+        }
+        return false;
+    case key::kBackspace:
+        return context.actions.run("edit.delete", context);
+    case key::kLeft:
+        nudge({-1, 0}, event.modifiers.shift(), event.repeated, context);
+        return !context.selection.empty();
+    case key::kRight:
+        nudge({1, 0}, event.modifiers.shift(), event.repeated, context);
+        return !context.selection.empty();
+    case key::kUp:
+        nudge({0, 1}, event.modifiers.shift(), event.repeated, context);
+        return !context.selection.empty();
+    case key::kDown:
+        nudge({0, -1}, event.modifiers.shift(), event.repeated, context);
+        return !context.selection.empty();
+    default:
+        return false;
+    }
+}
+
+void SelectTool::nudge(Vec2 direction, bool far, bool repeated, AppContext &context) {
+    if (context.selection.empty()) {
+        return;
+    }
+    if (!repeated || nudgeStroke_.empty()) {
+        nudgeStroke_ = state_->newStroke();
+    }
+    // A tenth of the drawing grid; with shift a whole step of it.
+    const double step = gridPitch(EditState::reach(context, 1.0)) * (far ? 1.0 : 0.1);
+    EditState::apply(context, moveSelection(*context.document().current(), context.selection, step * direction),
+                     "Nudge", nudgeStroke_);
+}
+
+} // namespace forefront

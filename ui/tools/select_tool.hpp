@@ -1,0 +1,69 @@
+#pragma once
+
+#include "ui/tools/edit_state.hpp"
+#include "ui/tools/tool.hpp"
+
+#include <memory>
+#include <optional>
+
+namespace forefront {
+
+/// Selects by click and box, drags nodes, segments, shapes, sources and markers; a double click on a segment puts a
+/// node there.
+class SelectTool final : public Tool {
+  public:
+    explicit SelectTool(std::shared_ptr<EditState> state) : state_(std::move(state)) {}
+
+    const char *id() const override { return "select"; }
+    const char *name() const override { return "Select and move"; }
+    const char *icon() const override;
+    int key() const override { return 'V'; }
+    CursorShape cursor() const override;
+    void deactivate(AppContext &context) override;
+    bool handle(const CanvasEvent &event, AppContext &context) override;
+    void drawOverlay(CanvasPainter &painter, AppContext &context) override;
+    bool hasOptions(const AppContext &) const override { return true; }
+    void drawOptions(AppContext &context) override;
+    std::string statusText(const AppContext &context) const override;
+
+  private:
+    enum class Mode : std::uint8_t { Idle, Grabbed, Moving, Boxing };
+    /// What lies under the pointer, the smallest thing first.
+    struct Hit {
+        enum class Kind : std::uint8_t { Nothing, Node, Source, Marker, Segment, Inside } kind = Kind::Nothing;
+        NodeRef node;
+        std::optional<SegmentHit> segment;
+        PickIndex::SourceHit source;
+        std::uint32_t marker = 0;
+        std::uint32_t shape = kNoIndex;
+        Vec2 at;
+    };
+    Hit hitAt(Vec2 place, AppContext &context) const;
+    bool isSelected(const Hit &hit, const Selection &selection) const;
+    void select(const Hit &hit, bool adds, Selection &selection) const;
+    void press(const CanvasEvent &event, AppContext &context);
+    void drag(const CanvasEvent &event, AppContext &context);
+    void release(const CanvasEvent &event, AppContext &context);
+    bool key(const CanvasEvent &event, AppContext &context);
+    void insertAt(const Hit &hit, AppContext &context);
+    void nudge(Vec2 direction, bool far, bool repeated, AppContext &context);
+    Result<Document> moved(Vec2 to) const;
+    std::string moveLabel() const;
+    void drawHandles(CanvasPainter &painter, AppContext &context) const;
+    void drawSourceHandles(CanvasPainter &painter, AppContext &context) const;
+
+    std::shared_ptr<EditState> state_;
+    Mode mode_ = Mode::Idle;
+    Hit hover_, grabbed_;
+    bool over_ = false;
+    bool wasSelected_ = false; ///< what was pressed had been selected before
+    bool adds_ = false;        ///< shift
+    Vec2 pressPixel_, pressPlace_, boxPlace_;
+    Snapped snapped_;
+    std::shared_ptr<const Document> start_; ///< when the drag began
+    std::shared_ptr<const PickIndex> startIndex_;
+    Selection moving_;
+    std::string stroke_, nudgeStroke_;
+};
+
+} // namespace forefront

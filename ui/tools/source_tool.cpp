@@ -1,0 +1,111 @@
+#include "ui/tools/source_tool.hpp"
+
+#include "core/edit/spacing_commands.hpp"
+#include "ui/app/app_context.hpp"
+#include "ui/canvas/canvas_painter.hpp"
+#include "ui/tools/tool_options.hpp"
+#include "ui/widgets.hpp"
+
+#include <imgui.h>
+
+#include <array>
+#include <cmath>
+
+namespace forefront {
+
+const char *SourceTool::icon() const {
+    return icon::kSource;
+}
+
+double SourceTool::size(const AppContext &context, Vec2 at) const {
+    if (state_->sourceSize > 0.0) {
+        return state_->sourceSize;
+    }
+    const double rho = context.preview->spacing ? context.preview->spacing->at(at) : EditState::reach(context, 40.0);
+    const double wanted = 0.25 * rho;
+    const double unit = std::pow(10.0, std::floor(std::log10(wanted)) - 1.0);
+    return std::round(wanted / unit) * unit;
+}
+
+void SourceTool::place(Vec2 at, AppContext &context) {
+    if (shape() == SourceShape::Point) {
+        add(context, at, at);
+    } else if (!first_) {
+        first_ = at;
+    } else if (at != *first_) {
+        add(context, *first_, at);
+        first_.reset();
+    }
+}
+
+void SourceTool::add(AppContext &context, Vec2 a, Vec2 b) {
+    SizeSource source;
+    source.shape = shape();
+    source.a = a;
+    source.b = source.shape == SourceShape::Line ? b : a;
+    source.radius = source.shape == SourceShape::Circle ? distance(a, b) : 0.0;
+    source.size = size(context, a);
+    source.growth = state_->sourceGrowth;
+    if (EditState::apply(context, addSource(*context.document().current(), source), "Add size source")) {
+        context.selection.clear();
+        const auto count = context.document().current()->spacing.sources.size();
+        context.selection.sources.insert(static_cast<std::uint32_t>(count - 1));
+    }
+}
+
+bool SourceTool::undo(AppContext &) {
+    const bool drawing = first_.has_value();
+    cancel();
+    return drawing;
+}
+
+void SourceTool::drawSketch(CanvasPainter &painter, AppContext &context) {
+    const Theme &theme = context.theme;
+    if (!over_) {
+        return;
+    }
+    const double rho = size(context, first_.value_or(pointer_.at));
+    if (first_) {
+        painter.dot(*first_, 4.0, theme.brush);
+        if (shape() == SourceShape::Circle) {
+            painter.circle(*first_, distance(*first_, pointer_.at), theme.brush, 2.0);
+        } else {
+            painter.line(*first_, pointer_.at, theme.brush, 2.0);
+        }
+    }
+    std::string text = "\xcf\x81=" + ui::number(rho, 3);
+    if (first_) {
+        text = (shape() == SourceShape::Circle ? "r=" : "") + ui::number(distance(*first_, pointer_.at)) + "  " + text;
+    }
+    drawMeasure(painter, context, text);
+}
+
+void SourceTool::drawOptions(AppContext &context) {
+    static constexpr std::array<const char *, 3> kShapes{"Point", "Line", "Circle"};
+    if (ui::segmented(context, "options/source/shape", kShapes, state_->sourceShape, 190.0F)) {
+        cancel();
+    }
+    ImGui::SameLine(0, context.px(16));
+    double shown = size(context, context.view.camera.centre);
+    if (drawSizeOption(context, "options/source/size", "Size", shown, "Spacing on the source itself")) {
+        state_->sourceSize = shown;
+    }
+    drawSizeOption(context, "options/source/growth", "Growth", state_->sourceGrowth,
+                   "How much the spacing grows per unit of distance: 0.1 is gentle, 0.3 steep");
+    state_->drawSnapOptions(context);
+}
+
+std::string SourceTool::statusText(const AppContext &) const {
+    switch (shape()) {
+    case SourceShape::Point:
+        return "Click where the mesh shall be fine";
+    case SourceShape::Line:
+        return first_ ? "Click the other end" : "Drag along the line where the mesh shall be fine";
+    case SourceShape::Circle:
+        return first_ ? "Click the rim or type the radius"
+                      : "Drag from the centre of the disc where the mesh shall be fine";
+    }
+    return {};
+}
+
+} // namespace forefront

@@ -1,0 +1,40 @@
+#include "ui/tools/tool_options.hpp"
+
+#include "ui/app/app_context.hpp"
+#include "ui/widgets.hpp"
+
+#include <imgui.h>
+
+#include <cmath>
+
+namespace forefront {
+
+void drawTagOption(AppContext &context, std::int32_t &tag, const char *tooltip) {
+    ImGui::AlignTextToFramePadding();
+    ui::muted(context, "Tag");
+    ImGui::SameLine();
+    double value = tag;
+    if (ui::inputNumber(context, "options/tag", value, "", 44.0F) && value >= 1.0 && value <= 1e9) {
+        tag = static_cast<std::int32_t>(std::floor(value));
+    }
+    ui::tooltip(context, tooltip);
+    ImGui::SameLine();
+    ui::muted(context, boundaryName(context.document().current()->boundaryNames, tag));
+    ImGui::SameLine(0, context.px(16));
+}
+
+bool drawSizeOption(AppContext &context, const char *name, const char *label, double &value, const char *tooltip) {
+    ImGui::AlignTextToFramePadding();
+    ui::muted(context, label);
+    ImGui::SameLine();
+    double entered = value;
+    const bool changed = ui::inputNumber(context, name, entered, "", 76.0F) && entered > 0.0;
+    ui::tooltip(context, tooltip);
+    if (changed) {
+        value = entered;
+    }
+    ImGui::SameLine(0, context.px(16));
+    return changed;
+}
+
+} // namespace forefront
