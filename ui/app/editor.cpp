@@ -4,6 +4,7 @@
 #include "ui/app/assets.hpp"
 #include "ui/app/canvas_input.hpp"
 #include "ui/app/imgui_bridge.hpp"
+#include "ui/app/recovery.hpp"
 #include "ui/app/state_file.hpp"
 #include "ui/canvas/canvas.hpp"
 #include "ui/dialogs/file_commands.hpp"
@@ -27,6 +28,7 @@ struct Editor::Parts {
     AppContext context;
     Canvas canvas;
     CanvasInput canvasInput;
+    std::unique_ptr<Recovery> recovery; ///< null: no journal is kept
     Settings savedSettings;
     std::string shownTitle;
     double lastFrame = 0.0;
@@ -97,6 +99,10 @@ Editor::Editor(Platform &platform, EditorOptions options) : parts_(std::make_uni
         } else {
             open(gallery.front().path);
         }
+    }
+    if (!parts_->options.stateFolder.empty()) {
+        parts_->recovery = std::make_unique<Recovery>(parts_->options.stateFolder);
+        parts_->recovery->offer(c);
     }
 }
 
@@ -184,6 +190,9 @@ void Editor::Parts::takeResults() {
     const auto before = context.run().snapshot();
     context.run().refresh();
     context.previews->submit(context.document().current(), context.document().revision());
+    if (recovery) {
+        recovery->follow(context);
+    }
     const auto known = context.preview;
     context.preview = context.previews->latest();
     if (before != context.run().snapshot() || known != context.preview) {

@@ -11,6 +11,7 @@ namespace forefront {
 
 struct EditorOptions {
     std::filesystem::path settingsFolder; ///< empty: nothing is remembered
+    std::filesystem::path stateFolder;    ///< for the recovery journal, see stateFolder(); empty: none is kept
     std::filesystem::path file;           ///< project or domain to open
     bool sample = true;                   ///< open the first sample where no file is given
     std::filesystem::path stateFile;      ///< where each frame's state is written for tests of the real window

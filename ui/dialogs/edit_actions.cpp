@@ -3,7 +3,6 @@
 #include "core/edit/spacing_commands.hpp"
 #include "ui/app/app_context.hpp"
 #include "ui/dialogs/file_commands.hpp"
-#include "ui/dialogs/palette_dialog.hpp"
 #include "ui/dialogs/repair.hpp"
 #include "ui/tools/edit_state.hpp"
 
@@ -176,11 +175,6 @@ void addEditActions(ActionRegistry &actions) {
     addHistoryActions(actions);
     addSelectionActions(actions);
     addToolActions(actions);
-    actions.add({.id = "view.palette",
-                 .menu = "",
-                 .title = "Command palette",
-                 .shortcuts = {{'P', kControl}},
-                 .run = [](AppContext &c) { c.dialogs.open(std::make_unique<PaletteDialog>()); }});
 }
 
 } // namespace forefront

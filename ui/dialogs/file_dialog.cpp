@@ -248,12 +248,12 @@ bool FileDialog::draw(AppContext &context) {
     ImGui::BeginGroup();
     drawPath(context);
     ImGui::PushStyleColor(ImGuiCol_ChildBg, context.theme.panel);
-    const float used = ImGui::GetCursorPosY();
-    static_cast<void>(used);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(6), context.px(6)));
     ImGui::BeginChild("files", {0, height - ImGui::GetFrameHeightWithSpacing() * (newFolder_ ? 2.0F : 1.0F)}, true,
                       ImGuiWindowFlags_NoNav);
     const bool opened = drawList(context);
     ImGui::EndChild();
+    ImGui::PopStyleVar();
     ImGui::PopStyleColor();
     ImGui::EndGroup();
     const bool stays = drawBottom(context);

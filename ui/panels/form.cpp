@@ -21,11 +21,14 @@ bool number(AppContext &context, const std::string &name, const char *text, doub
     return ui::inputNumber(context, name, value);
 }
 
-bool optionalNumber(AppContext &context, const std::string &name, const char *text, std::optional<double> &value,
-                    const char *hint) {
-    label(context, text);
+float halfWidth(const AppContext &context) {
+    return (ImGui::GetContentRegionAvail().x - context.px(6)) / (2.0F * context.scale);
+}
+
+bool optionalField(AppContext &context, const std::string &name, std::optional<double> &value, const char *hint,
+                   float width) {
     std::string typed = value ? ui::number(*value, 6) : std::string();
-    if (!ui::inputText(context, name, typed, hint, -1.0F, true) && !ImGui::IsItemDeactivatedAfterEdit()) {
+    if (!ui::inputText(context, name, typed, hint, width, true) && !ImGui::IsItemDeactivatedAfterEdit()) {
         return false;
     }
     if (typed.find_first_not_of(' ') == std::string::npos) {
@@ -45,7 +48,7 @@ bool optionalNumber(AppContext &context, const std::string &name, const char *te
 
 bool pair(AppContext &context, const std::string &name, const char *text, Vec2 &value) {
     label(context, text);
-    const float half = (ImGui::GetContentRegionAvail().x - context.px(6)) / (2.0F * context.scale);
+    const float half = halfWidth(context);
     const bool x = ui::inputNumber(context, name + "/x", value.x, "", half);
     ImGui::SameLine(0, context.px(6));
     const bool y = ui::inputNumber(context, name + "/y", value.y, "", half);

@@ -20,9 +20,11 @@ inline constexpr double kLabel = 84.0;
 void label(AppContext &context, const char *text);
 /// A number; true when a new one was entered.
 bool number(AppContext &context, const std::string &name, const char *text, double &value);
-/// A number that may be absent: an empty field.
-bool optionalNumber(AppContext &context, const std::string &name, const char *text, std::optional<double> &value,
-                    const char *hint);
+/// A number that may be absent: an empty field that shows the hint. Width in design pixels; negative: all that is left.
+bool optionalField(AppContext &context, const std::string &name, std::optional<double> &value, const char *hint,
+                   float width = -1.0F);
+/// Half of what is left in the row, in design pixels.
+float halfWidth(const AppContext &context);
 /// Two numbers side by side: "NAME/x" and "NAME/y".
 bool pair(AppContext &context, const std::string &name, const char *text, Vec2 &value);
 bool text(AppContext &context, const std::string &name, const char *text, std::string &value, const char *hint);

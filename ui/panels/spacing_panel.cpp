@@ -119,39 +119,49 @@ void SpacingPanel::drawSources(AppContext &context) {
 void SpacingPanel::drawLimits(AppContext &context) {
     const std::shared_ptr<const Document> document = context.document().current();
     std::optional<double> least = document->spacing.minimum, greatest = document->spacing.maximum;
-    const bool low = form::optionalNumber(context, "spacing/minimum", "Least", least, "no limit");
-    const bool high = form::optionalNumber(context, "spacing/maximum", "Greatest", greatest, "no limit");
+    form::label(context, "Limits");
+    const float half = form::halfWidth(context);
+    const bool low = form::optionalField(context, "spacing/minimum", least, "least", half);
+    ui::tooltip(context, "\xcf\x81 is nowhere smaller than this");
+    ImGui::SameLine(0, context.px(6));
+    const bool high = form::optionalField(context, "spacing/maximum", greatest, "greatest", half);
+    ui::tooltip(context, "\xcf\x81 is nowhere greater than this");
     if (low || high) {
         EditState::apply(context, setLimits(*document, least, greatest), "Limit spacing");
     }
     std::optional<double> gradation = document->spacing.gradation;
-    if (form::optionalNumber(context, "spacing/gradation", "Gradation", gradation, "by itself")) {
+    form::label(context, "Gradation");
+    if (form::optionalField(context, "spacing/gradation", gradation, "by itself", half)) {
         EditState::apply(context, setGradation(*context.document().current(), gradation), "Change gradation");
     }
     ui::tooltip(context, "Greatest change of \xcf\x81 per unit of length: 0.1 is gentle, 0.3 is steep");
+    ImGui::SameLine(0, context.px(10));
+    bool fromBoundary = document->spacing.fromBoundary;
+    if (ui::checkbox(context, "spacing/fromboundary", "Boundary", fromBoundary)) {
+        context.document().apply(setFromBoundary(*context.document().current(), fromBoundary), "Spacing from boundary");
+    }
+    ui::tooltip(context, "The lengths of the boundary segments, as drawn, are sizes too");
 }
 
 void SpacingPanel::draw(AppContext &context) {
     const std::shared_ptr<const Document> document = context.document().current();
     const SpacingSpec &spacing = document->spacing;
     std::optional<double> size = spacing.size;
-    if (form::optionalNumber(context, "spacing/size", "Size", size, spacing.automatic() ? "automatic" : "none")) {
+    form::label(context, "Size");
+    if (form::optionalField(context, "spacing/size", size, spacing.automatic() ? "automatic" : "none")) {
         EditState::apply(context, setSize(*document, size), "Change size");
     }
     ui::tooltip(context, "Element size everywhere, where nothing finer is asked for. Empty: automatic.");
     drawExpression(context);
     drawSources(context);
     drawLimits(context);
-    bool fromBoundary = spacing.fromBoundary;
-    if (ui::checkbox(context, "spacing/fromboundary", "From boundary lengths", fromBoundary)) {
-        context.document().apply(setFromBoundary(*context.document().current(), fromBoundary), "Spacing from boundary");
-    }
-    ui::tooltip(context, "The lengths of the boundary segments, as drawn, are sizes too");
     if (!spacing.paint.tiles.empty()) {
         if (ui::button(context, "spacing/clearpaint", "Clear paint")) {
             context.actions.run("edit.clearPaint", context);
         }
-        ImGui::SameLine();
+        if (spacing.background) {
+            ImGui::SameLine();
+        }
     }
     if (spacing.background) {
         if (ui::button(context, "spacing/clearbackground", "Drop background mesh")) {
@@ -160,9 +170,7 @@ void SpacingPanel::draw(AppContext &context) {
             context.document().apply(std::move(next), "Drop background mesh");
         }
         ui::tooltip(context, ui::count(spacing.background->nodes.size()) + " nodes with a spacing each");
-        ImGui::SameLine();
     }
-    ImGui::NewLine();
 }
 
 } // namespace

@@ -14,7 +14,7 @@
 namespace forefront {
 namespace {
 
-constexpr double kStep = 1.15;
+constexpr double kStep = 1.2;
 /// Dabs of a stroke stand this part of the radius apart.
 constexpr double kPace = 0.25;
 constexpr int kMostDabs = 200; ///< of one movement of the pointer
@@ -31,15 +31,12 @@ const char *BrushTool::icon() const {
 
 void BrushTool::settle(AppContext &context) {
     if (!(state_->brushRadius > 0.0)) {
-        state_->brushRadius = EditState::reach(context, 36.0);
+        state_->brushRadius = EditState::twoDigits(EditState::reach(context, 36.0));
     }
     if (!(state_->brushSpacing > 0.0)) {
         const Box2 box = boundsOf(*context.document().current());
         const double rho = spacingAt(context, box.empty() ? Vec2{} : box.centre());
-        state_->brushSpacing = rho > 0.0 ? 0.4 * rho : 0.25 * state_->brushRadius;
-        // Two digits are enough for a number that nobody asked for.
-        const double unit = std::pow(10.0, std::floor(std::log10(state_->brushSpacing)) - 1.0);
-        state_->brushSpacing = std::round(state_->brushSpacing / unit) * unit;
+        state_->brushSpacing = EditState::twoDigits(rho > 0.0 ? 0.4 * rho : 0.25 * state_->brushRadius);
     }
 }
 
@@ -55,7 +52,7 @@ void BrushTool::deactivate(AppContext &) {
 void BrushTool::scale(double factor, bool spacing, AppContext &context) {
     settle(context);
     double &value = spacing && !erases_ ? state_->brushSpacing : state_->brushRadius;
-    value = std::clamp(value * factor, 1e-9, 1e12);
+    value = std::clamp(EditState::twoDigits(value * factor), 1e-9, 1e12);
 }
 
 bool BrushTool::handle(const CanvasEvent &event, AppContext &context) {

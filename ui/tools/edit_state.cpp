@@ -6,6 +6,8 @@
 
 #include <imgui.h>
 
+#include <cmath>
+
 namespace forefront {
 
 const std::shared_ptr<const PickIndex> &EditState::index(const AppContext &context) {
@@ -48,9 +50,14 @@ SnapQuery EditState::query(const AppContext &context, Vec2 place, bool angle, bo
 }
 
 void EditState::drawSnapOptions(AppContext &context) {
+    // The boxes are lower than fields and buttons; they stand in the middle of the row.
+    const float box = ImGui::GetFontSize() + 2.0F * context.px(2);
+    const float y = ImGui::GetCursorPosY() + (ImGui::GetFrameHeight() - box) / 2;
+    ImGui::SetCursorPosY(y);
     ui::checkbox(context, "options/snap/drawing", "Snap to drawing", snapToDrawing);
     ui::tooltip(context, "Nodes and segments attract the pointer. Ctrl: not now. Shift: steps of 15\xc2\xb0.");
-    ImGui::SameLine();
+    ImGui::SameLine(0, context.px(12));
+    ImGui::SetCursorPosY(y);
     ui::checkbox(context, "options/snap/grid", "Grid", snapToGrid);
 }
 
@@ -79,6 +86,14 @@ void drawSnapMark(CanvasPainter &painter, const AppContext &context, const Snapp
     case SnapKind::None:
         break;
     }
+}
+
+double EditState::twoDigits(double value) {
+    if (!(value > 0.0) || !std::isfinite(value)) {
+        return value;
+    }
+    const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+    return std::round(value / unit) * unit;
 }
 
 } // namespace forefront

@@ -36,6 +36,8 @@ struct EditState {
     static double reach(const AppContext &context, double designPixels);
     /// Snaps as switched on; `angle` and `off` by the modifiers of the event.
     SnapQuery query(const AppContext &context, Vec2 place, bool angle, bool off) const;
+    /// The same with two digits, for numbers that nobody asked for.
+    static double twoDigits(double value);
     /// Two switches for the strip of a tool.
     void drawSnapOptions(AppContext &context);
 

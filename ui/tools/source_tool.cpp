@@ -22,9 +22,7 @@ double SourceTool::size(const AppContext &context, Vec2 at) const {
         return state_->sourceSize;
     }
     const double rho = context.preview->spacing ? context.preview->spacing->at(at) : EditState::reach(context, 40.0);
-    const double wanted = 0.25 * rho;
-    const double unit = std::pow(10.0, std::floor(std::log10(wanted)) - 1.0);
-    return std::round(wanted / unit) * unit;
+    return EditState::twoDigits(0.25 * rho);
 }
 
 void SourceTool::place(Vec2 at, AppContext &context) {
@@ -46,6 +44,12 @@ void SourceTool::add(AppContext &context, Vec2 a, Vec2 b) {
     source.radius = source.shape == SourceShape::Circle ? distance(a, b) : 0.0;
     source.size = size(context, a);
     source.growth = state_->sourceGrowth;
+    // A name of its own, so that the inspector can say which source it was.
+    const std::size_t number = context.document().current()->spacing.sources.size() + 1;
+    source.name = (source.shape == SourceShape::Point  ? "point "
+                   : source.shape == SourceShape::Line ? "line "
+                                                       : "disc ") +
+                  std::to_string(number);
     if (EditState::apply(context, addSource(*context.document().current(), source), "Add size source")) {
         context.selection.clear();
         const auto count = context.document().current()->spacing.sources.size();
@@ -82,7 +86,10 @@ void SourceTool::drawSketch(CanvasPainter &painter, AppContext &context) {
 
 void SourceTool::drawOptions(AppContext &context) {
     static constexpr std::array<const char *, 3> kShapes{"Point", "Line", "Circle"};
-    if (ui::segmented(context, "options/source/shape", kShapes, state_->sourceShape, 190.0F)) {
+    ImGui::BeginGroup();
+    const bool changed = ui::segmented(context, "options/source/shape", kShapes, state_->sourceShape, 190.0F);
+    ImGui::EndGroup();
+    if (changed) {
         cancel();
     }
     ImGui::SameLine(0, context.px(16));

@@ -1,0 +1,65 @@
+#include "ui/dialogs/recovery_dialog.hpp"
+
+#include "ui/app/app_context.hpp"
+#include "ui/app/recovery.hpp"
+#include "ui/widgets.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <ctime>
+
+namespace forefront {
+namespace {
+
+std::string timeText(std::time_t time) {
+    std::tm parts{};
+    char buffer[32] = "";
+    if (::localtime_r(&time, &parts) != nullptr) {
+        static_cast<void>(std::strftime(buffer, sizeof buffer, "%Y-%m-%d %H:%M:%S", &parts));
+    }
+    return buffer;
+}
+
+} // namespace
+
+bool RecoveryDialog::draw(AppContext &context) {
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted("The program ended without saving. This is what it kept of your work:");
+    ImGui::PopTextWrapPos();
+    ImGui::Dummy({0, context.px(4)});
+    const float rows = static_cast<float>(std::min<std::size_t>(orphans_.size(), 6));
+    ImGui::BeginChild("orphans", {0, rows * context.px(32)}, false, ImGuiWindowFlags_NoNav);
+    for (std::size_t k = 0; k < orphans_.size(); ++k) {
+        const OrphanedJournal &orphan = orphans_[k];
+        const std::string name =
+            orphan.savedAt().empty() ? std::string("never saved") : orphan.savedAt().filename().string();
+        if (ui::selectable(context, "dialog/recovery/item/" + std::to_string(k), name, k == chosen_,
+                           timeText(orphan.written()))) {
+            chosen_ = k;
+        }
+        ui::tooltip(context, orphan.savedAt().string());
+    }
+    ImGui::EndChild();
+    ImGui::Dummy({0, context.px(8)});
+    constexpr double kWidth = 112.0;
+    const bool discarded = ui::button(context, "dialog/recovery/discard", "Discard", ui::ButtonKind::Plain, true,
+                                      static_cast<float>(kWidth));
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - context.px(2.0 * kWidth + 10.0));
+    const bool later = ui::button(context, "dialog/recovery/later", "Ask later", ui::ButtonKind::Plain, true,
+                                  static_cast<float>(kWidth));
+    ImGui::SameLine(0, context.px(10));
+    const bool recovered = ui::button(context, "dialog/recovery/recover", "Recover", ui::ButtonKind::Primary, true,
+                                      static_cast<float>(kWidth));
+    if (recovered) {
+        return !recovery_.recover(orphans_[chosen_], context);
+    }
+    if (discarded) {
+        orphans_[chosen_].discard();
+        orphans_.erase(orphans_.begin() + static_cast<std::ptrdiff_t>(chosen_));
+        chosen_ = 0;
+    }
+    return !later && !orphans_.empty();
+}
+
+} // namespace forefront

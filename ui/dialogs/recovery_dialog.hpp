@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/edit/recovery_journal.hpp"
+#include "ui/dialogs/dialog.hpp"
+
+#include <vector>
+
+namespace forefront {
+
+class Recovery;
+
+/// Asks what shall become of drawings that a crash has left unsaved.
+class RecoveryDialog final : public Dialog {
+  public:
+    RecoveryDialog(Recovery &recovery, std::vector<OrphanedJournal> orphans)
+        : recovery_(recovery), orphans_(std::move(orphans)) {}
+
+    const char *id() const override { return "recovery"; }
+    std::string title() const override { return "Recover unsaved work?"; }
+    float width() const override { return 520.0F; }
+    bool draw(AppContext &context) override;
+
+  private:
+    Recovery &recovery_;
+    std::vector<OrphanedJournal> orphans_;
+    std::size_t chosen_ = 0;
+};
+
+} // namespace forefront
