@@ -63,6 +63,12 @@ CombinedField::CombinedField(SpacingParts parts, const Box2 &box) : parts_(std::
     if (parts_.expression) {
         include(parts_.expression->least(), parts_.expression->greatest());
     }
+    if (parts_.background) {
+        const bool filled = parts_.filler.has_value();
+        include(std::min(parts_.background->least(), filled ? parts_.filler->least() : parts_.background->least()),
+                filled ? std::max(parts_.background->greatest(), parts_.fillerCap)
+                       : std::numeric_limits<double>::infinity());
+    }
     if (parts_.paint) {
         include(parts_.paint->least(), std::numeric_limits<double>::infinity());
     }
@@ -90,6 +96,9 @@ SpacingSample CombinedField::sample(Vec2 p) const {
     if (parts_.expression && parts_.expression->at(p) < sample.rho) {
         sample = {parts_.expression->at(p), SpacingOrigin::Expression, 0, "expression " + parts_.expression->text()};
     }
+    if (parts_.background && backgroundAt(p) < sample.rho) {
+        describeBackground(p, sample);
+    }
     if (parts_.paint && parts_.paint->at(p) < sample.rho) {
         sample = {parts_.paint->at(p), SpacingOrigin::Paint, 0, "painted"};
     }
@@ -103,6 +112,18 @@ SpacingSample CombinedField::sample(Vec2 p) const {
     }
     sample.rho = inlineAt(p);
     return sample;
+}
+
+void CombinedField::describeBackground(Vec2 p, SpacingSample &sample) const {
+    if (const auto triangle = parts_.background->triangleAt(p)) {
+        sample = {backgroundAt(p), SpacingOrigin::Background, *triangle,
+                  "background mesh, triangle " + std::to_string(*triangle)};
+    } else if (parts_.filler->at(p) < parts_.fillerCap) {
+        const std::size_t winner = parts_.filler->winner(p);
+        describeSite(parts_.filler->sites()[winner], parts_.fillerLabels[winner], p, sample);
+    } else {
+        sample = {parts_.fillerCap, SpacingOrigin::Automatic, 0, capWords(SpacingOrigin::Automatic)};
+    }
 }
 
 void CombinedField::describeSite(const SizeSite &site, const SiteLabel &label, Vec2 p, SpacingSample &sample) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/spacing/background_part.hpp"
 #include "core/spacing/expression_spacing.hpp"
 #include "core/spacing/painted_part.hpp"
 #include "core/spacing/site_set.hpp"
@@ -47,6 +48,11 @@ struct SpacingParts {
     double gradation = 0.0; ///< in force for painted, boundary and automatic parts
     std::optional<ExpressionSpacing> expression;
     std::optional<PaintedPart> paint;
+    std::optional<BackgroundPart> background;
+    /// Consulted only where the background mesh says nothing and no other part covers the domain.
+    double fillerCap = std::numeric_limits<double>::infinity();
+    std::optional<SiteTree> filler;
+    std::vector<SiteLabel> fillerLabels;
     SiteSet few;                  ///< looked at one by one
     std::optional<SiteTree> tree; ///< many
     std::vector<SiteLabel> treeLabels;
@@ -65,6 +71,12 @@ class CombinedField final : public SpacingField {
     double greatest() const override { return greatest_; }
 
   private:
+    double backgroundAt(Vec2 p) const {
+        const double rho = parts_.background->at(p);
+        return rho < std::numeric_limits<double>::infinity() || !parts_.filler
+                   ? rho
+                   : std::min(parts_.fillerCap, parts_.filler->at(p));
+    }
     double inlineAt(Vec2 p) const {
         double rho = parts_.cap;
         for (const SizeSite &site : parts_.few.sites) {
@@ -72,6 +84,9 @@ class CombinedField final : public SpacingField {
         }
         if (parts_.expression) {
             rho = std::min(rho, parts_.expression->at(p));
+        }
+        if (parts_.background) {
+            rho = std::min(rho, backgroundAt(p));
         }
         if (parts_.paint) {
             rho = std::min(rho, parts_.paint->at(p));
@@ -81,6 +96,7 @@ class CombinedField final : public SpacingField {
         }
         return std::max(rho, parts_.minimum);
     }
+    void describeBackground(Vec2 p, SpacingSample &sample) const;
     void describeSite(const SizeSite &site, const SiteLabel &label, Vec2 p, SpacingSample &sample) const;
 
     SpacingParts parts_;

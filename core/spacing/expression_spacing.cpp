@@ -3,6 +3,7 @@
 #include "core/spacing/expression.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace forefront {
 namespace {
@@ -65,7 +66,27 @@ Result<ExpressionSpacing> ExpressionSpacing::build(const SpacingSpec &spec, cons
     spacing.atMany(places, values);
     spacing.least_ = *std::min_element(values.begin(), values.end());
     spacing.greatest_ = *std::max_element(values.begin(), values.end());
+    spacing.findBounds(box);
     return spacing;
+}
+
+void ExpressionSpacing::findBounds(const Box2 &box) {
+    double low = std::numeric_limits<double>::infinity();
+    double high = 0.0;
+    for (int j = 0; j < kProbes; ++j) {
+        for (int i = 0; i < kProbes; ++i) {
+            const Vec2 corner = box.min + Vec2{box.size().x * i / kProbes, box.size().y * j / kProbes};
+            const ValueRange range =
+                program_.range({corner, corner + Vec2{box.size().x / kProbes, box.size().y / kProbes}});
+            if (range.undefined) {
+                return;
+            }
+            low = std::min(low, made(range.low));
+            high = std::max(high, made(range.high));
+        }
+    }
+    least_ = low;
+    greatest_ = high;
 }
 
 void ExpressionSpacing::atMany(std::span<const Vec2> points, std::span<double> rho) const {

@@ -55,6 +55,7 @@ class SiteTreeBuilder {
     static constexpr int kTopLevel = SiteTree::kBits + kTableBits;
     static constexpr std::size_t kShortList = 5;
     static constexpr std::size_t kLongestTested = 48;
+    static constexpr double kThinning = 4e-4; ///< per level, relative
     static constexpr std::size_t kLongestList = 64;
     static constexpr std::size_t kMostCells = 4'000'000;
     static constexpr std::size_t kMostEntries = 6'000'000;
@@ -105,6 +106,9 @@ class SiteTreeBuilder {
         if (competitors_.size() > 2) {
             dropParallel(centre, reach);
         }
+        if (competitors_.size() > kLongestTested) {
+            thin(centre, reach);
+        }
         FOREFRONT_ASSERT(!competitors_.empty());
     }
 
@@ -137,6 +141,77 @@ class SiteTreeBuilder {
             const Slope other = slopeOf(site(c), centre, reach);
             return c.value - best.value > reach * (length(other.gradient - slope.gradient) + slope.turn + other.turn);
         });
+    }
+
+    /// A far competitor as seen from the centre of a cell.
+    struct Sight {
+        Vec2 nearest;
+        double distance = 0.0; ///< to the axis of the site
+        double length = 0.0;   ///< of the site
+        std::int32_t sector = -1;
+    };
+    /// Of many far sites seen in the same direction keeps the best one. Of two sites whose nearest points lie e apart
+    /// at distances of at least d, the difference changes within reach by at most reach·growth·e / (d − reach): where
+    /// that is beyond the lead of the better one by no more than kThinning of the spacing, the other is not missed.
+    void thin(Vec2 centre, double reach) {
+        double low = std::numeric_limits<double>::infinity();
+        double growth = 0.0;
+        for (const Competitor &c : competitors_) {
+            low = std::min(low, std::max(site(c).size, c.value - site(c).growth * reach));
+            growth = std::max(growth, site(c).growth);
+        }
+        const double allowance = kThinning * low;
+        const double perTurn = 4.0 * growth * reach / allowance;
+        const auto sectors = static_cast<std::int32_t>(std::clamp(perTurn, 8.0, 4096.0));
+        sights_.clear();
+        bestOfSector_.assign(static_cast<std::size_t>(sectors), -1);
+        for (std::size_t i = 0; i < competitors_.size(); ++i) {
+            sights_.push_back(sightOf(site(competitors_[i]), centre, reach, sectors));
+            const std::int32_t sector = sights_.back().sector;
+            if (sector >= 0) {
+                std::int32_t &best = bestOfSector_[static_cast<std::size_t>(sector)];
+                if (best < 0 || competitors_[i].value < competitors_[static_cast<std::size_t>(best)].value) {
+                    best = static_cast<std::int32_t>(i);
+                }
+            }
+        }
+        crowd_.swap(competitors_);
+        competitors_.clear();
+        for (std::size_t i = 0; i < crowd_.size(); ++i) {
+            if (!replaceable(i, reach, allowance)) {
+                competitors_.push_back(crowd_[i]);
+            }
+        }
+    }
+    static Sight sightOf(const SizeSite &s, Vec2 centre, double reach, std::int32_t sectors) {
+        Sight sight{s.nearest(centre), 0.0, length(s.ab), -1};
+        const Vec2 to = sight.nearest - centre;
+        sight.distance = length(to);
+        if (sight.distance > 2.0 * reach + s.radius) {
+            // The "diamond angle" in [0, 4): as good as an angle for telling directions apart.
+            const double slant = to.y / (std::fabs(to.x) + std::fabs(to.y));
+            const double angle = to.x >= 0.0 ? 1.0 + slant : 3.0 - slant;
+            sight.sector = std::min(static_cast<std::int32_t>(angle * 0.25 * sectors), sectors - 1);
+        }
+        return sight;
+    }
+    bool replaceable(std::size_t i, double reach, double allowance) const {
+        const Sight &own = sights_[i];
+        if (own.sector < 0) {
+            return false;
+        }
+        const auto best = static_cast<std::size_t>(bestOfSector_[static_cast<std::size_t>(own.sector)]);
+        if (best == i) {
+            return false;
+        }
+        const Sight &other = sights_[best];
+        const SizeSite &mine = site(crowd_[i]);
+        const SizeSite &theirs = site(crowd_[best]);
+        const double apart = distance(own.nearest, other.nearest) + own.length + other.length;
+        const double growth = std::max(mine.growth, theirs.growth);
+        const double change =
+            growth * apart / (std::min(own.distance, other.distance) - reach) + std::fabs(mine.growth - theirs.growth);
+        return crowd_[i].value - crowd_[best].value + allowance >= reach * change;
     }
 
     void treat(const Cell &cell, int level) {
@@ -267,6 +342,9 @@ class SiteTreeBuilder {
     std::vector<Cell> nextCells_;
     std::vector<std::uint32_t> nextLists_;
     std::vector<Competitor> competitors_;
+    std::vector<Competitor> crowd_; ///< the competitors before thinning, in step with sights_
+    std::vector<Sight> sights_;
+    std::vector<std::int32_t> bestOfSector_;
 };
 
 std::optional<SiteTree> SiteTree::build(std::vector<SizeSite> sites, const Box2 &box, const Progress &progress) {

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kUsualGradation = 0.25; ///< of painted, boundary and automatic parts where none is given
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-constexpr std::size_t kFew = 6; ///< sites up to this number are looked at one by one
+constexpr double kFarBeyond = 1e3; ///< diagonals of the domain's box
+constexpr std::size_t kFew = 6;    ///< sites up to this number are looked at one by one
 
 SizeSite siteOf(const SizeSource &source) {
     return source.shape == SourceShape::Line
@@ -34,20 +35,15 @@ class FieldBuilder {
             return faults;
         }
         setCap();
-        if (spec_.expression) {
-            auto expression = ExpressionSpacing::build(spec_, domain_, box_);
-            if (!expression) {
-                return expression.faults();
-            }
-            parts_.expression = std::move(*expression);
+        Diagnostics faults = addExpression();
+        if (faults.empty()) {
+            faults = addPaint();
         }
-        if (!spec_.paint.tiles.empty()) {
-            auto painted = PaintedPart::build(spec_.paint, box_, parts_.minimum);
-            if (!painted) {
-                return painted.faults();
-            }
-            parts_.paint = std::move(*painted);
-            PaintedPart::addSites(spec_.paint, parts_.minimum, parts_.gradation, sites_);
+        if (faults.empty()) {
+            faults = addBackground();
+        }
+        if (!faults.empty()) {
+            return faults;
         }
         addSources();
         if (spec_.fromBoundary) {
@@ -61,7 +57,8 @@ class FieldBuilder {
 
   private:
     /// True where no part covers the whole domain in its own right: automatic spacing does, then. Paint reaches
-    /// everywhere by gradation, but what it says far away is no one's wish.
+    /// everywhere by gradation, but what it says far away is no one's wish; a background mesh may end inside the
+    /// domain.
     bool saysNothingSomewhere() const {
         return !spec_.size && !spec_.expression && spec_.sources.empty() && !spec_.fromBoundary;
     }
@@ -72,7 +69,9 @@ class FieldBuilder {
         }
     }
     void setCap() {
-        parts_.cap = kNoLimit;
+        // Far beyond any use, so that the spacing is finite whatever the parts say.
+        parts_.cap = kFarBeyond * box_.diagonal();
+        parts_.capOrigin = SpacingOrigin::Automatic;
         if (spec_.size) {
             lowerCap(*spec_.size, SpacingOrigin::Constant);
         }
@@ -84,6 +83,47 @@ class FieldBuilder {
             parts_.capOrigin = SpacingOrigin::Minimum;
         }
     }
+    Diagnostics addExpression() {
+        if (!spec_.expression) {
+            return {};
+        }
+        auto expression = ExpressionSpacing::build(spec_, domain_, box_);
+        if (!expression) {
+            return expression.faults();
+        }
+        parts_.expression = std::move(*expression);
+        if (spec_.gradation) {
+            parts_.expression->addSteepSites(box_, *spec_.gradation, sites_, progress_);
+        }
+        return {};
+    }
+    Diagnostics addPaint() {
+        if (spec_.paint.tiles.empty()) {
+            return {};
+        }
+        auto painted = PaintedPart::build(spec_.paint, box_, parts_.minimum);
+        if (!painted) {
+            return painted.faults();
+        }
+        parts_.paint = std::move(*painted);
+        PaintedPart::addSites(spec_.paint, parts_.minimum, parts_.gradation, sites_);
+        return {};
+    }
+    Diagnostics addBackground() {
+        if (!spec_.background) {
+            return {};
+        }
+        auto background = BackgroundPart::build(*spec_.background, parts_.minimum, progress_);
+        if (!background) {
+            return background.faults();
+        }
+        parts_.background = std::move(*background);
+        if (spec_.gradation) {
+            BackgroundPart::addBorderSites(*spec_.background, parts_.minimum, *spec_.gradation, sites_);
+            BackgroundPart::addSteepSites(*spec_.background, parts_.minimum, *spec_.gradation, sites_);
+        }
+        return {};
+    }
     void addSources() {
         for (std::size_t i = 0; i < spec_.sources.size(); ++i) {
             sites_.add(limited(siteOf(spec_.sources[i]), parts_.minimum, spec_.gradation.value_or(kNoLimit)),
@@ -93,10 +133,18 @@ class FieldBuilder {
     }
     void addAutomatic() {
         AutomaticSpacing automatic = automaticSpacing(domain_, box_, parts_.minimum, parts_.gradation, progress_);
-        lowerCap(automatic.greatest, SpacingOrigin::Automatic);
-        for (std::size_t i = 0; i < automatic.sites.sites.size(); ++i) {
-            sites_.add(automatic.sites.sites[i], automatic.sites.labels[i]);
+        if (!parts_.background) {
+            lowerCap(automatic.greatest, SpacingOrigin::Automatic);
+            for (std::size_t i = 0; i < automatic.sites.sites.size(); ++i) {
+                sites_.add(automatic.sites.sites[i], automatic.sites.labels[i]);
+            }
+            return;
         }
+        // Where the mesh ends its spacing reaches on, so that there is no step.
+        BackgroundPart::addBorderSites(*spec_.background, parts_.minimum, parts_.gradation, automatic.sites);
+        parts_.fillerCap = std::max(automatic.greatest, parts_.minimum);
+        parts_.fillerLabels = std::move(automatic.sites.labels);
+        parts_.filler = SiteTree::build(std::move(automatic.sites.sites), box_, progress_);
     }
     static Diagnostics cancelled() { return error("cancelled", "Preparing the spacing was cancelled"); }
     Result<std::shared_ptr<const SpacingField>> finish() {
@@ -113,11 +161,11 @@ class FieldBuilder {
             }
         }
         const bool sited = parts_.tree || !parts_.few.sites.empty();
-        if (!sited && !parts_.expression && !parts_.paint) {
+        if (!sited && !parts_.expression && !parts_.paint && !parts_.background) {
             return std::shared_ptr<const SpacingField>(
                 std::make_shared<ConstantField>(std::max(parts_.cap, parts_.minimum), parts_.capOrigin));
         }
-        if (!sited && !parts_.paint && !spec_.size) {
+        if (!sited && !parts_.paint && !parts_.background && !spec_.size) {
             return std::shared_ptr<const SpacingField>(
                 std::make_shared<ExpressionField>(std::move(*parts_.expression)));
         }

@@ -3,7 +3,10 @@
 
 #include <doctest/doctest.h>
 
+#include <limits>
 #include <random>
+#include <stop_token>
+#include <thread>
 
 using namespace forefront;
 
@@ -106,4 +109,201 @@ TEST_CASE("SpacingField: an expression without a positive value somewhere is ref
     CHECK(field.faults().front().code == "expression-value");
     REQUIRE(field.faults().front().at.has_value());
     CHECK(field.faults().front().at->x <= 0.25);
+}
+
+TEST_CASE("SpacingField: an expression without gradation is left exactly as given") {
+    SpacingSpec spec;
+    spec.expression = "max(0.1, 0.8*abs(dist(5, 5) - 3))";
+    const auto field = built(spec, rectangle(10, 10, 1, 1));
+    for (double x = 0.05; x < 10.0; x += 0.37) {
+        CHECK(field->at({x, 4.2}) ==
+              doctest::Approx(std::max(0.1, 0.8 * std::fabs(distance({x, 4.2}, {5, 5}) - 3))).epsilon(1e-14));
+    }
+    CHECK(field->least() <= 0.1);
+    CHECK(field->greatest() >= 0.8 * (std::sqrt(50.0) - 3));
+    CHECK(field->greatest() <= 0.8 * (std::sqrt(50.0) - 3) * 1.1);
+}
+
+TEST_CASE("SpacingField: a steep expression is limited as the formula says, within two hundredths") {
+    for (const char *const text : {"max(0.05, 2*abs(dist(5, 5) - 3))", "x + y < 8 ? 0.1 : 1.5", "0.1 + x^2/20",
+                                   "0.5 + 0.4*sin(3*x)*cos(2*y)", "0.3"}) {
+        SpacingSpec spec;
+        spec.expression = text;
+        const Domain domain = rectangle(10, 10, 1, 1);
+        const auto plain = built(spec, domain);
+        spec.gradation = 0.2;
+        const auto limited = built(spec, domain);
+        std::mt19937 random(31);
+        std::uniform_real_distribution<double> place(0.0, 10.0);
+        for (int n = 0; n < 40; ++n) {
+            const Vec2 p{place(random), place(random)};
+            double expected = plain->at(p);
+            for (int j = 0; j <= 1000; ++j) {
+                for (int i = 0; i <= 1000; ++i) {
+                    const Vec2 q{0.01 * i, 0.01 * j};
+                    expected = std::min(expected, plain->at(q) + 0.2 * distance(p, q));
+                }
+            }
+            CHECK_MESSAGE(limited->at(p) == doctest::Approx(expected).epsilon(0.02), text);
+        }
+    }
+}
+
+TEST_CASE("SpacingField: with a gradation, any two places differ by no more than it allows") {
+    SpacingSpec spec;
+    spec.expression = "0.2 + 0.15*sin(5*x) + (y > 6 ? 0.7 : 0)";
+    spec.sources.push_back({SourceShape::Point, {3, 3}, {}, 0.2, 0.02, 3.0, "steep"});
+    spec.sources.push_back({SourceShape::Circle, {7, 8}, {}, 1.0, 0.05, 0.1, "gentle"});
+    spec.minimum = 0.04;
+    spec.maximum = 0.8;
+    spec.gradation = 0.2;
+    spec.fromBoundary = true;
+    const auto field = built(spec, rectangle(10, 10, 40, 7));
+    std::mt19937 random(12);
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    for (int i = 0; i < 20000; ++i) {
+        const Vec2 p{10 * share(random), 10 * share(random)};
+        const double reach = i % 2 == 0 ? 10.0 : 0.2;
+        const Vec2 q{std::clamp(p.x + reach * (share(random) - 0.5), 0.0, 10.0),
+                     std::clamp(p.y + reach * (share(random) - 0.5), 0.0, 10.0)};
+        const double a = field->at(p);
+        const double b = field->at(q);
+        REQUIRE_MESSAGE(std::fabs(a - b) <= 0.2 * distance(p, q) + 0.025 * std::max(a, b),
+                        "(" << p.x << ", " << p.y << ") " << field->sample(p).describe << ", (" << q.x << ", " << q.y
+                            << ") " << field->sample(q).describe);
+        REQUIRE(a >= 0.04);
+        REQUIRE(a <= 0.8);
+    }
+}
+
+TEST_CASE("SpacingField: a minimum rescues an expression that falls to zero, a maximum one that grows without end") {
+    SpacingSpec spec;
+    spec.expression = "0.3*abs(x - 5)";
+    const Domain domain = rectangle(10, 10, 1, 1);
+    CHECK(!SpacingField::build(spec, domain).ok());
+    spec.minimum = 0.05;
+    CHECK(built(spec, domain)->at({5, 5}) == 0.05);
+    spec.expression = "1/x";
+    spec.maximum = 2.0;
+    CHECK(built(spec, domain)->at({0, 5}) == 2.0);
+    spec.expression = "sqrt(x - 1)";
+    const auto refused = SpacingField::build(spec, domain);
+    REQUIRE(!refused.ok());
+    CHECK(refused.faults().front().code == "expression-value");
+    CHECK(refused.faults().front().at->x < 1.0);
+}
+
+TEST_CASE("SpacingField: values between the probes never become unusable") {
+    SpacingSpec spec;
+    spec.expression = "abs(x - 0.501234) + abs(y - 0.301234)"; // zero at one place only
+    const auto field = built(spec, rectangle(1, 1, 1, 1));
+    CHECK(field->at({0.501234, 0.301234}) > 0.0);
+    spec.expression = "x == 0.501234 ? sqrt(-1) : 1";
+    CHECK(std::isfinite(built(spec, rectangle(1, 1, 1, 1))->at({0.501234, 0.3})));
+}
+
+TEST_CASE("SpacingField: many sources give the same as few, within the tolerance of the tree") {
+    std::mt19937 random(77);
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    for (int round = 0; round < 5; ++round) {
+        SpacingSpec spec;
+        spec.size = 2.0;
+        for (int i = 0; i < 10 + 200 * round; ++i) {
+            const Vec2 a{10 * share(random), 10 * share(random)};
+            spec.sources.push_back({i % 3 == 0   ? SourceShape::Point
+                                    : i % 3 == 1 ? SourceShape::Line
+                                                 : SourceShape::Circle,
+                                    a, a + Vec2{share(random), share(random)}, 0.3 * share(random),
+                                    0.01 + 0.3 * share(random), share(random), ""});
+        }
+        const auto field = built(spec, rectangle(10, 10, 1, 1));
+        for (int i = 0; i < 3000; ++i) {
+            const Vec2 p{10 * share(random), 10 * share(random)};
+            double expected = 2.0;
+            for (const SizeSource &source : spec.sources) {
+                double d = distance(p, source.a);
+                if (source.shape == SourceShape::Line) {
+                    const Vec2 ab = source.b - source.a;
+                    d = distance(p, source.a + std::clamp(dot(p - source.a, ab) / lengthSquared(ab), 0.0, 1.0) * ab);
+                }
+                expected = std::min(expected, source.size + source.growth * std::max(0.0, d - source.radius));
+            }
+            REQUIRE(field->at(p) == doctest::Approx(expected).epsilon(0.011));
+            REQUIRE(field->at(p) >= field->least() * (1.0 - 1e-6));
+            REQUIRE(field->at(p) <= field->greatest() * (1.0 + 1e-6));
+        }
+    }
+}
+
+TEST_CASE("SpacingField: one by one and in bulk, twice and from threads, the same doubles") {
+    SpacingSpec spec;
+    spec.expression = "0.5 + 0.3*sin(x)*cos(y)";
+    spec.fromBoundary = true;
+    const Domain domain = rectangle(10, 6, 100, 30);
+    const auto one = built(spec, domain);
+    const auto other = built(spec, domain);
+    std::vector<Vec2> points;
+    for (int i = 0; i < 5000; ++i) {
+        points.push_back({10.0 * (i % 97) / 97.0, 6.0 * (i % 89) / 89.0});
+    }
+    std::vector<double> bulk(points.size());
+    std::vector<double> threaded(points.size());
+    one->atMany(points, bulk);
+    {
+        std::vector<std::jthread> threads;
+        for (std::size_t t = 0; t < 4; ++t) {
+            threads.emplace_back([&, t] {
+                for (std::size_t i = t; i < points.size(); i += 4) {
+                    threaded[i] = one->at(points[i]);
+                }
+            });
+        }
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        REQUIRE(bulk[i] == other->at(points[i]));
+        REQUIRE(bulk[i] == threaded[i]);
+        REQUIRE(one->sample(points[i]).rho == bulk[i]);
+    }
+}
+
+TEST_CASE("SpacingField: boundary lengths alone reach everywhere") {
+    SpacingSpec spec;
+    spec.fromBoundary = true;
+    const auto field = built(spec, rectangle(10, 10, 50, 2));
+    CHECK(field->at({5, 0}) == doctest::Approx(0.2).epsilon(0.01));
+    CHECK(field->at({5, 2}) == doctest::Approx(0.7).epsilon(0.01));
+    CHECK(field->sample({5, 2}).origin == SpacingOrigin::Boundary);
+    spec.fromBoundary = true;
+    CHECK(std::isfinite(built(spec, Domain{})->at({0, 0})));
+}
+
+TEST_CASE("SpacingField: unusable numbers are all refused at once, sources by name") {
+    SpacingSpec spec;
+    spec.size = -1.0;
+    spec.gradation = 0.0;
+    spec.sources.push_back({SourceShape::Point, {1, 1}, {}, -1.0, 0.0, -0.1, "pier"});
+    const auto refused = SpacingField::build(spec, rectangle(1, 1, 1, 1));
+    REQUIRE(!refused.ok());
+    CHECK(refused.faults().size() == 5);
+    CHECK(refused.faults()[0].code == "bad-size");
+    CHECK(refused.faults()[4].code == "bad-source");
+    CHECK(refused.faults()[4].message.find("'pier'") != std::string::npos);
+    CHECK(refused.faults()[4].at == Vec2{1, 1});
+    spec = {};
+    spec.minimum = 2.0;
+    spec.maximum = 1.0;
+    CHECK(SpacingField::build(spec, rectangle(1, 1, 1, 1)).faults().front().code == "bad-size");
+    spec = {};
+    spec.size = std::numeric_limits<double>::quiet_NaN();
+    CHECK(!SpacingField::build(spec, rectangle(1, 1, 1, 1)).ok());
+}
+
+TEST_CASE("SpacingField: a cancelled build says so") {
+    std::stop_source stop;
+    stop.request_stop();
+    Progress progress;
+    progress.stop = stop.get_token();
+    const auto field = SpacingField::build({}, rectangle(10, 5, 200, 100), progress);
+    REQUIRE(!field.ok());
+    CHECK(field.faults().front().code == "cancelled");
 }

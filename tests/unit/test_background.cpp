@@ -1,0 +1,167 @@
+#include "core/domain/domain.hpp"
+#include "core/spacing/spacing_field.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+using namespace forefront;
+
+namespace {
+
+Domain square(double side) {
+    Domain domain;
+    domain.nodes = {{0, 0}, {side, 0}, {side, side}, {0, side}};
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        domain.segments.push_back({i, (i + 1) % 4, 1, SegmentRole::Boundary});
+    }
+    return domain;
+}
+
+/// A lattice of n x n squares, each cut in two, over [low, high]², nodes graded by `power`, values from f.
+template <class F>
+std::shared_ptr<const BackgroundMesh> lattice(double low, double high, std::uint32_t n, double power, F f) {
+    auto mesh = std::make_shared<BackgroundMesh>();
+    const auto place = [&](std::uint32_t i) {
+        return low + (high - low) * std::pow(static_cast<double>(i) / n, power);
+    };
+    for (std::uint32_t j = 0; j <= n; ++j) {
+        for (std::uint32_t i = 0; i <= n; ++i) {
+            mesh->nodes.push_back({place(i), place(j)});
+            mesh->values.push_back(f(mesh->nodes.back()));
+        }
+    }
+    for (std::uint32_t j = 0; j < n; ++j) {
+        for (std::uint32_t i = 0; i < n; ++i) {
+            const std::uint32_t a = j * (n + 1) + i;
+            mesh->elements.push_back({a, a + 1, a + n + 2});
+            mesh->elements.push_back({a, a + n + 2, a + n + 1});
+        }
+    }
+    return mesh;
+}
+
+std::shared_ptr<const SpacingField> built(const SpacingSpec &spec, double side) {
+    auto field = SpacingField::build(spec, square(side));
+    REQUIRE_MESSAGE(field.ok(), toString(field.ok() ? Diagnostic{} : field.faults().front()));
+    return *field;
+}
+
+std::string refusal(const BackgroundMesh &mesh) {
+    SpacingSpec spec;
+    spec.background = std::make_shared<BackgroundMesh>(mesh);
+    const auto field = SpacingField::build(spec, square(1));
+    return field.ok() ? std::string() : field.faults().front().code + ": " + field.faults().front().message;
+}
+
+} // namespace
+
+TEST_CASE("Background mesh: a linear field is reproduced everywhere, graded meshes too") {
+    const auto linear = [](Vec2 p) { return 0.2 + 0.03 * p.x + 0.01 * p.y; };
+    for (const double power : {1.0, 4.0}) {
+        SpacingSpec spec;
+        spec.background = lattice(0.0, 10.0, 60, power, linear);
+        const auto field = built(spec, 10.0);
+        std::mt19937 random(1);
+        std::uniform_real_distribution<double> place(0.0, 10.0);
+        for (int i = 0; i < 5000; ++i) {
+            const Vec2 p =
+                i < 3721 ? spec.background->nodes[static_cast<std::size_t>(i)] : Vec2{place(random), place(random)};
+            REQUIRE(field->at(p) == doctest::Approx(linear(p)).epsilon(1e-9));
+        }
+        CHECK(field->least() <= 0.2);
+        CHECK(field->greatest() >= 0.6);
+        CHECK(field->sample({3, 3}).origin == SpacingOrigin::Background);
+    }
+}
+
+TEST_CASE("Background mesh: outside of it another part speaks") {
+    SpacingSpec spec;
+    spec.background = lattice(2.0, 4.0, 8, 1.0, [](Vec2) { return 0.1; });
+    spec.size = 0.7;
+    CHECK(built(spec, 10)->at({3, 3}) == doctest::Approx(0.1));
+    CHECK(built(spec, 10)->at({5, 3}) == 0.7);
+    spec.gradation = 0.2;
+    CHECK(built(spec, 10)->at({5, 3}) == doctest::Approx(0.3).epsilon(0.01));
+}
+
+TEST_CASE("Background mesh: alone, automatic spacing fills in where it says nothing, without a step") {
+    SpacingSpec spec;
+    spec.background = lattice(0.0, 5.0, 10, 1.0, [](Vec2) { return 1.0; });
+    const auto coarse = built(spec, 10);
+    CHECK(coarse->at({3, 3}) == doctest::Approx(1.0)); // coarser than automatic spacing, as wanted
+    CHECK(coarse->at({9, 9}) == doctest::Approx(std::sqrt(200.0) / 45.0));
+    spec.background = lattice(0.0, 5.0, 10, 1.0, [](Vec2) { return 0.05; });
+    const auto fine = built(spec, 10);
+    CHECK(fine->at({3, 5.2}) == doctest::Approx(0.1).epsilon(0.01));
+    CHECK(fine->sample({3, 5.2}).describe.find("limited by gradation 0.25 from the background mesh") == 0);
+}
+
+TEST_CASE("Background mesh: a steep field is limited as the formula says, within two hundredths") {
+    std::mt19937 random(8);
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    SpacingSpec spec;
+    spec.background = lattice(0.0, 10.0, 12, 1.0, [&](Vec2) { return 0.2 + 3.0 * std::pow(share(random), 3.0); });
+    const auto plain = built(spec, 10);
+    spec.gradation = 0.15;
+    const auto limited = built(spec, 10);
+    for (int n = 0; n < 60; ++n) {
+        const Vec2 p{10 * share(random), 10 * share(random)};
+        double expected = plain->at(p);
+        for (int j = 0; j <= 500; ++j) {
+            for (int i = 0; i <= 500; ++i) {
+                const Vec2 q{0.02 * i, 0.02 * j};
+                expected = std::min(expected, plain->at(q) + 0.15 * distance(p, q));
+            }
+        }
+        CHECK(limited->at(p) == doctest::Approx(expected).epsilon(0.02));
+    }
+}
+
+TEST_CASE("Background mesh: a node with many triangles, and needles, are located") {
+    auto mesh = std::make_shared<BackgroundMesh>();
+    mesh->nodes.push_back({5, 5});
+    mesh->values.push_back(1.0);
+    const std::uint32_t spokes = 400;
+    for (std::uint32_t i = 0; i < spokes; ++i) {
+        const double angle = 6.283185307179586 * i / spokes;
+        mesh->nodes.push_back(Vec2{5, 5} + 4.0 * Vec2{std::cos(angle), std::sin(angle)});
+        mesh->values.push_back(2.0);
+        mesh->elements.push_back({0, 1 + i, 1 + (i + 1) % spokes});
+    }
+    SpacingSpec spec;
+    spec.size = 50.0;
+    spec.background = mesh;
+    const auto field = built(spec, 10);
+    for (double r = 0.0; r < 3.99; r += 0.01) {
+        const Vec2 p = Vec2{5, 5} + r * Vec2{std::cos(7 * r), std::sin(7 * r)};
+        CHECK(field->at(p) == doctest::Approx(1.0 + r / 4.0).epsilon(1e-3));
+    }
+    CHECK(field->at({5, 9.5}) == 50.0);
+}
+
+TEST_CASE("Background mesh: what cannot be used is refused with its place") {
+    const BackgroundMesh good{{{0, 0}, {1, 0}, {0, 1}}, {{0, 1, 2}}, {1, 1, 1}};
+    CHECK(refusal(good).empty());
+    BackgroundMesh bad = good;
+    bad.elements[0] = {0, 2, 1};
+    CHECK(refusal(bad).find("bad-background: The background mesh has an inverted triangle") == 0);
+    bad = good;
+    bad.nodes[2] = {2, 0};
+    CHECK(refusal(bad).find("without area") != std::string::npos);
+    bad = good;
+    bad.elements[0] = {0, 1, 7};
+    CHECK(refusal(bad).find("index out of range") != std::string::npos);
+    bad = good;
+    bad.values = {1, 1};
+    CHECK(refusal(bad).find("2 values for 3 nodes") != std::string::npos);
+    bad = good;
+    bad.values[1] = -1;
+    CHECK(refusal(bad).find("at node 1") != std::string::npos);
+    bad = good;
+    bad.nodes[1].x = std::numeric_limits<double>::quiet_NaN();
+    CHECK(refusal(bad).find("not finite") != std::string::npos);
+    CHECK(refusal(BackgroundMesh{}).find("no triangles") != std::string::npos);
+}
