@@ -14,6 +14,7 @@ bool LayerFrame::visible(std::string_view id) const {
 std::vector<std::unique_ptr<Layer>> makeLayers() {
     std::vector<std::unique_ptr<Layer>> layers;
     layers.push_back(makeDomainLayer());
+    layers.push_back(makeMarksLayer());
     return layers;
 }
 

@@ -135,9 +135,10 @@ void SpacingPanel::drawLimits(AppContext &context) {
         EditState::apply(context, setGradation(*context.document().current(), gradation), "Change gradation");
     }
     ui::tooltip(context, "Greatest change of \xcf\x81 per unit of length: 0.1 is gentle, 0.3 is steep");
-    ImGui::SameLine(0, context.px(10));
+    ImGui::SameLine(0, context.px(6));
+    form::centreBox(context);
     bool fromBoundary = document->spacing.fromBoundary;
-    if (ui::checkbox(context, "spacing/fromboundary", "Boundary", fromBoundary)) {
+    if (ui::checkbox(context, "spacing/fromboundary", "From boundary", fromBoundary)) {
         context.document().apply(setFromBoundary(*context.document().current(), fromBoundary), "Spacing from boundary");
     }
     ui::tooltip(context, "The lengths of the boundary segments, as drawn, are sizes too");

@@ -2,6 +2,7 @@
 
 #include "ui/app/app_context.hpp"
 #include "ui/canvas/canvas_painter.hpp"
+#include "ui/panels/form.hpp"
 #include "ui/widgets.hpp"
 
 #include <imgui.h>
@@ -50,14 +51,10 @@ SnapQuery EditState::query(const AppContext &context, Vec2 place, bool angle, bo
 }
 
 void EditState::drawSnapOptions(AppContext &context) {
-    // The boxes are lower than fields and buttons; they stand in the middle of the row.
-    const float box = ImGui::GetFontSize() + 2.0F * context.px(2);
-    const float y = ImGui::GetCursorPosY() + (ImGui::GetFrameHeight() - box) / 2;
-    ImGui::SetCursorPosY(y);
+    form::centreBox(context);
     ui::checkbox(context, "options/snap/drawing", "Snap to drawing", snapToDrawing);
     ui::tooltip(context, "Nodes and segments attract the pointer. Ctrl: not now. Shift: steps of 15\xc2\xb0.");
     ImGui::SameLine(0, context.px(12));
-    ImGui::SetCursorPosY(y);
     ui::checkbox(context, "options/snap/grid", "Grid", snapToGrid);
 }
 

@@ -1,0 +1,80 @@
+#include "core/edit/document.hpp"
+#include "core/edit/spacing_commands.hpp"
+#include "ui/canvas/canvas_painter.hpp"
+#include "ui/layers/layers.hpp"
+
+#include <cstdio>
+
+namespace forefront {
+
+namespace {
+
+/// More marks than this in view are noise; the rest is left out.
+constexpr int kMostMarks = 600;
+constexpr int kMostLabels = 40;
+
+/// Size sources and region markers: what belongs to the drawing but is no line of it.
+class MarksLayer final : public Layer {
+  public:
+    const char *id() const override { return "marks"; }
+    const char *name() const override { return "Marks"; }
+
+    void drawOverlay(CanvasPainter &painter, const LayerFrame &frame) override {
+        const Box2 visible = frame.camera.visible();
+        int drawn = 0;
+        const std::vector<SizeSource> &sources = frame.document.spacing.sources;
+        for (std::size_t k = 0; k < sources.size() && drawn < kMostMarks; ++k) {
+            Box2 box = boxAround(sources[k].a, sources[k].radius);
+            if (sources[k].shape == SourceShape::Line) {
+                box.add(boxAround(sources[k].b, sources[k].radius));
+            }
+            if (box.overlaps(visible)) {
+                drawSource(painter, frame, k, drawn++ < kMostLabels);
+            }
+        }
+        drawn = 0;
+        for (const RegionMarker &marker : frame.document.regionMarkers) {
+            if (visible.contains(marker.at) && drawn < kMostMarks) {
+                drawMarker(painter, frame, marker, drawn++ < kMostLabels);
+            }
+        }
+    }
+
+  private:
+    static void drawSource(CanvasPainter &painter, const LayerFrame &frame, std::size_t index, bool labelled) {
+        const SizeSource &source = frame.document.spacing.sources[index];
+        const Colour colour = frame.theme.brush;
+        if (source.shape == SourceShape::Line) {
+            painter.line(source.a, source.b, fade(colour, 0.8), 2.0);
+            painter.dot(source.b, 3.0, colour);
+        }
+        if (source.radius > 0.0) {
+            painter.dashedCircle(source.a, source.radius, fade(colour, 0.8), 1.5);
+        }
+        painter.dot(source.a, 3.0, colour);
+        painter.ring(source.a, 6.5, fade(colour, 0.8), 1.25);
+        if (labelled) {
+            char text[160];
+            std::snprintf(text, sizeof text, "%s  \xcf\x81=%.3g", displayName(source, index).c_str(), source.size);
+            painter.label(source.a, {10.0, -18.0}, text, frame.theme.text, fade(frame.theme.popup, 0.75),
+                          frame.fonts.small);
+        }
+    }
+
+    static void drawMarker(CanvasPainter &painter, const LayerFrame &frame, const RegionMarker &marker, bool labelled) {
+        painter.dot(marker.at, 3.5, frame.theme.accent);
+        painter.ring(marker.at, 6.0, fade(frame.theme.accent, 0.6), 1.25);
+        if (labelled) {
+            painter.label(marker.at, {10.0, -8.0}, regionName(frame.document.regionNames, marker.tag), frame.theme.text,
+                          fade(frame.theme.popup, 0.75), frame.fonts.small);
+        }
+    }
+};
+
+} // namespace
+
+std::unique_ptr<Layer> makeMarksLayer() {
+    return std::make_unique<MarksLayer>();
+}
+
+} // namespace forefront
