@@ -1,0 +1,141 @@
+#include "core/io/names.hpp"
+
+#include "core/domain/domain.hpp"
+
+#include <algorithm>
+
+namespace forefront {
+
+namespace {
+
+/// Length of the well-formed UTF-8 character at `at`, or 0.
+std::size_t characterLength(std::string_view text, std::size_t at) {
+    const auto byte = [&](std::size_t k) {
+        return at + k < text.size() ? static_cast<unsigned char>(text[at + k]) : 0U;
+    };
+    const unsigned lead = byte(0);
+    const std::size_t length = lead < 0x80                   ? 1
+                               : lead >= 0xc2 && lead < 0xe0 ? 2
+                               : lead >= 0xe0 && lead < 0xf0 ? 3
+                               : lead >= 0xf0 && lead < 0xf5 ? 4
+                                                             : 0;
+    for (std::size_t k = 1; k < length; ++k) {
+        if ((byte(k) & 0xc0U) != 0x80U) {
+            return 0;
+        }
+    }
+    const bool overlongOrBeyond = (lead == 0xe0 && byte(1) < 0xa0) || (lead == 0xed && byte(1) > 0x9f) ||
+                                  (lead == 0xf0 && byte(1) < 0x90) || (lead == 0xf4 && byte(1) > 0x8f);
+    return length > 2 && overlongOrBeyond ? 0 : length;
+}
+
+/// At most `longest` bytes, not cut within a character.
+std::string shortened(const std::string &text, std::size_t longest) {
+    if (text.size() <= longest) {
+        return text;
+    }
+    std::size_t size = longest;
+    while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xc0U) == 0x80U) {
+        --size;
+    }
+    return text.substr(0, size);
+}
+
+bool isLetter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+} // namespace
+
+std::string validUtf8(std::string_view text) {
+    std::string result;
+    result.reserve(text.size());
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t length = characterLength(text, at);
+        result += length > 0 ? text.substr(at, length) : std::string_view("\xef\xbf\xbd");
+        at += std::max<std::size_t>(length, 1);
+    }
+    return result;
+}
+
+std::string cleanName(std::string_view text) {
+    constexpr std::size_t kLongest = 200;
+    std::string name = validUtf8(text);
+    std::erase_if(name, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
+    const std::size_t begin = name.find_first_not_of(' ');
+    if (begin == std::string::npos) {
+        return {};
+    }
+    name = shortened(name.substr(begin), kLongest);
+    name.erase(name.find_last_not_of(' ') + 1);
+    return name;
+}
+
+std::string asIdentifier(std::string_view name, std::size_t longest) {
+    std::string result;
+    for (std::size_t at = 0; at < name.size();) {
+        const char c = name[at];
+        result += isLetter(c) || (c >= '0' && c <= '9') ? c : '_';
+        at += std::max<std::size_t>(characterLength(name, at), 1);
+    }
+    if (result.empty() || !isLetter(result.front())) {
+        result.insert(0, "n_");
+    }
+    return result.substr(0, longest);
+}
+
+std::string asQuotable(std::string_view name, std::size_t longest) {
+    std::string result = validUtf8(name);
+    for (char &c : result) {
+        c = c == '"' ? '\'' : static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+    return shortened(result, longest);
+}
+
+std::string UniqueNames::claim(const std::string &name) {
+    const auto folded = [](std::string text) {
+        std::transform(text.begin(), text.end(), text.begin(),
+                       [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; });
+        return text;
+    };
+    std::string candidate = name;
+    for (int number = 2; !taken_.insert(folded(candidate)).second; ++number) {
+        candidate = name + '_' + std::to_string(number);
+    }
+    return candidate;
+}
+
+TagList tagsOf(const Mesh &mesh) {
+    TagList tags;
+    for (const TaggedEdge &edge : mesh.edges) {
+        tags.edges.try_emplace(edge.tag);
+    }
+    for (const TaggedNode &point : mesh.points) {
+        tags.points.try_emplace(point.tag);
+    }
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+        tags.regions.try_emplace(mesh.region(e));
+        if (mesh.regions.empty()) {
+            break;
+        }
+    }
+    for (auto &[tag, name] : tags.edges) {
+        name = boundaryName(mesh.boundaryNames, tag);
+    }
+    for (auto &[tag, name] : tags.points) {
+        name = boundaryName(mesh.boundaryNames, tag);
+    }
+    for (auto &[tag, name] : tags.regions) {
+        name = regionName(mesh.regionNames, tag);
+    }
+    return tags;
+}
+
+void addName(std::map<std::int32_t, std::string> &names, std::int32_t tag, const std::string &name, bool region) {
+    const std::string clean = cleanName(name);
+    if (tag >= 1 && !clean.empty() && clean != (region ? regionName({}, tag) : boundaryName({}, tag))) {
+        names.emplace(tag, clean);
+    }
+}
+
+} // namespace forefront

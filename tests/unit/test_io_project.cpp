@@ -1,0 +1,253 @@
+#include "core/edit/equality.hpp"
+#include "core/io/base64.hpp"
+#include "core/io/files.hpp"
+#include "core/io/json.hpp"
+#include "core/io/names.hpp"
+#include "core/io/tile_code.hpp"
+#include "tests/unit/io_samples.hpp"
+
+#include <doctest/doctest.h>
+
+#include <bit>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+using namespace forefront;
+using namespace forefront::testing;
+
+namespace {
+
+Diagnostics faultsOf(const std::string &text) {
+    const auto document = parseProject(text, "test.json");
+    return document ? Diagnostics{} : document.faults();
+}
+
+const std::string kHead = "{\"format\": \"forefront\", \"version\": 1,\n \"shapes\": [";
+
+} // namespace
+
+TEST_CASE("Project: a document that uses every field survives the way through text") {
+    const Document document = fullDocument();
+    const std::string text = projectText(document);
+    const auto back = parseProject(text, "full.json");
+    REQUIRE_MESSAGE(back.ok(), messages(back.faults()));
+    CHECK(sameContent(document, *back));
+    CHECK(back->nextId == 12);
+    CHECK(back->circleTolerance == 0.01);
+    CHECK(projectText(*back) == text);
+}
+
+TEST_CASE("Project: an empty document survives, too") {
+    const auto back = parseProject(projectText(Document{}), "empty.json");
+    REQUIRE(back.ok());
+    CHECK(sameContent(Document{}, *back));
+}
+
+TEST_CASE("Project: a newer version is refused with the advice to update") {
+    const Diagnostics faults = faultsOf("{\"format\": \"forefront\",\n  \"version\": 2, \"shapes\": \"who knows\"}");
+    REQUIRE(faults.size() == 1);
+    CHECK(faults[0].code == "newer-version");
+    CHECK(faults[0].line == 2);
+    CHECK(faults[0].column == 14);
+    CHECK(faults[0].advice == "update Forefront");
+}
+
+TEST_CASE("Project: unknown fields are passed over") {
+    CHECK(faultsOf(kHead + "], \"colour\": {\"a\": [1, null, true]}}").empty());
+}
+
+TEST_CASE("Project: several wrong fields are all reported, each at its line and column") {
+    const Diagnostics faults =
+        faultsOf(kHead + "\n{\"id\": 1, \"kind\": \"hexagon\", \"nodes\": [[0, 0]]},\n"
+                         "{\"id\": 1, \"kind\": \"point\", \"tag\": 0, \"nodes\": [[0, 1e999]]}]\n}");
+    REQUIRE(faults.size() == 4);
+    CHECK(faults[0].line == 3);
+    CHECK(faults[0].column == 19);
+    CHECK(faults[0].code == "bad-field");
+    CHECK(hasCode(faults, "duplicate-id"));
+    CHECK(faults[3].line == 4);
+    CHECK(faults[3].code == "bad-number");
+    CHECK(allLocated(faults));
+}
+
+TEST_CASE("Project: wrong values of every kind are refused") {
+    for (const char *field :
+         {R"("spacing": {"size": 0})",
+          R"("spacing": {"size": -1})",
+          R"("spacing": {"size": "0.1"})",
+          R"("spacing": {"gradation": 0})",
+          R"("spacing": {"sources": [{"shape": "point", "a": [0, 0]}]})",
+          R"("spacing": {"sources": [{"shape": "ring", "a": [0, 0], "size": 1}]})",
+          R"("spacing": {"sources": [{"shape": "point", "a": [0], "size": 1}]})",
+          R"("spacing": {"paint": {"origin": [0, 0], "pitch": 0, "tiles": []}})",
+          R"("spacing": {"paint": {"origin": [0, 0], "pitch": 1, "tiles": [[0, 0, "AAAA"]]}})",
+          R"("spacing": {"background": {"nodes": [[0, 0]], "elements": [[0, 0, 1]], "values": [1]}})",
+          R"("spacing": {"background": {"nodes": [[0, 0]], "elements": [], "values": []}})",
+          R"("spacing": {"background": {"nodes": [[0, 0]], "elements": [], "values": [0]}})",
+          R"("options": {"grid": "quadtree"})",
+          R"("options": {"threads": 1.5})",
+          R"("options": {"improve": 1})",
+          R"("circleTolerance": 0)",
+          R"("circleTolerance": 1e-30)",
+          R"("boundaryNames": {"0": "x"})",
+          R"("regionNames": {"1a": "x"})",
+          R"("regionMarkers": [{"at": [0, 0], "tag": 0}])",
+          R"("regionMarkers": [{"at": [0, 0, 0], "tag": 1}])",
+          R"("nextId": -4)"}) {
+        CAPTURE(field);
+        const Diagnostics faults = faultsOf(kHead + "],\n" + field + "}");
+        CHECK(!faults.empty());
+        CHECK(allLocated(faults));
+    }
+}
+
+TEST_CASE("Project: a shape has as many nodes and tags as its kind wants") {
+    const auto shape = [](const char *rest) { return faultsOf(kHead + "{\"id\": 3, " + rest + "}]}"); };
+    CHECK(shape(R"("kind": "circle", "nodes": [[0, 0], [1, 0]])").empty());
+    CHECK(hasCode(shape(R"("kind": "circle", "nodes": [[0, 0]])"), "bad-count"));
+    CHECK(hasCode(shape(R"("kind": "rectangle", "nodes": [[0, 0], [1, 1], [2, 2]])"), "bad-count"));
+    CHECK(hasCode(shape(R"("kind": "polygon", "nodes": [])"), "bad-count"));
+    CHECK(
+        hasCode(shape(R"("kind": "polygon", "nodes": [[0, 0], [1, 1], [0, 1]], "segmentTags": [1, 2])"), "bad-count"));
+    CHECK(shape(R"("kind": "polyline", "nodes": [[0, 0], [1, 1], [0, 1]], "segmentTags": [1, 2])").empty());
+}
+
+TEST_CASE("JSON: syntax faults are placed at the offending byte") {
+    const auto place = [](const char *text) {
+        const auto json = JsonDocument::parse(sourceOf(text));
+        REQUIRE(!json.ok());
+        return std::pair(json.faults()[0].line, json.faults()[0].column);
+    };
+    CHECK(place("") == std::pair(1, 1));
+    CHECK(place("{\n  \"a\": 1,\n  b: 2}") == std::pair(3, 3));
+    CHECK(place("[1, 2") == std::pair(1, 6));
+    CHECK(place("[1] 2") == std::pair(1, 5));
+    CHECK(place("[01]") == std::pair(1, 3));
+    CHECK(place("[NaN]") == std::pair(1, 2));
+    CHECK(place("[1.]") == std::pair(1, 4));
+    CHECK(place("\"\\x\"") == std::pair(1, 3));
+    CHECK(place("\"\\u12G4\"") == std::pair(1, 6));
+    CHECK(place("\"a\nb\"") == std::pair(1, 3));
+    CHECK(place("[1,]") == std::pair(1, 4));
+    CHECK(place("{\"a\" 1}") == std::pair(1, 6));
+}
+
+TEST_CASE("JSON: nesting beyond the limit is refused, however deep") {
+    const std::string deep(5'000'000, '[');
+    const auto json = JsonDocument::parse(sourceOf(deep));
+    REQUIRE(!json.ok());
+    CHECK(json.faults()[0].code == "too-deep");
+    CHECK(json.faults()[0].column == 65);
+}
+
+TEST_CASE("JSON: escapes, pairs of surrogates and lone surrogates are decoded") {
+    const std::string text = R"(["\"\\\/\b\f\n\r\t", "\u00e4\u20AC\ud83d\ude00", "\ud83d x", "ä"])";
+    const auto json = JsonDocument::parse(sourceOf(text));
+    REQUIRE(json.ok());
+    auto item = json->root().begin();
+    CHECK((*item).string() == "\"\\/\b\f\n\r\t");
+    CHECK((*++item).string() == "\xc3\xa4\xe2\x82\xac\xf0\x9f\x98\x80");
+    CHECK((*++item).string() == "\xef\xbf\xbd x");
+    CHECK((*++item).string() == "ä");
+    CHECK(json->root().count() == 4);
+}
+
+TEST_CASE("JSON: numbers keep their bits and tell integers from the rest") {
+    const std::string text = "[0.1, -0, 12, 1e400, 1e-400, 9223372036854775807, 9223372036854775808, 1.0, 2E3]";
+    const auto json = JsonDocument::parse(sourceOf(text));
+    REQUIRE(json.ok());
+    auto item = json->root().begin();
+    CHECK((*item).number() == 0.1);
+    CHECK(std::signbit(*(*++item).number()));
+    CHECK((*++item).integer() == 12);
+    CHECK(!(*++item).number());
+    CHECK((*++item).number() == 0.0);
+    CHECK((*++item).integer() == 9223372036854775807);
+    CHECK(!(*++item).integer());
+    CHECK(!(*++item).integer());
+    CHECK((*++item).number() == 2000.0);
+}
+
+TEST_CASE("Base64: bytes of every length survive, damaged text is refused") {
+    std::mt19937 random(4);
+    for (std::size_t length = 0; length < 70; ++length) {
+        std::string bytes(length, '\0');
+        for (char &c : bytes) {
+            c = static_cast<char>(random() & 255U);
+        }
+        CHECK(fromBase64(toBase64(bytes)) == bytes);
+    }
+    CHECK(toBase64("Man") == "TWFu");
+    CHECK(toBase64("Ma") == "TWE=");
+    CHECK(fromBase64("TW Fu\n") == "Man");
+    for (const char *wrong : {"T", "TWE", "TWE==", "T=FU", "TW*u", "TWFuT==="}) {
+        CAPTURE(wrong);
+        CHECK(!fromBase64(wrong));
+    }
+}
+
+TEST_CASE("Tile code: any tile survives bit for bit, runs are packed, damage is refused") {
+    std::mt19937 random(5);
+    for (int round = 0; round < 50; ++round) {
+        PaintedSpacing::Tile tile{};
+        for (float &value : tile) {
+            value = random() % 3 == 0 ? 0.0F : std::bit_cast<float>(static_cast<std::uint32_t>(random() % 0x7f000000U));
+        }
+        const std::string code = encodeTile(tile);
+        CHECK(decodeTile(code) == tile);
+        CHECK(!decodeTile(std::string_view(code).substr(4)));
+        CHECK(!decodeTile(code.substr(0, code.size() - 4)));
+    }
+    CHECK(encodeTile({}).size() <= 16);
+    CHECK(!decodeTile(""));
+}
+
+TEST_CASE("Files: writing is atomic, keeps permissions and follows links") {
+    const ScratchFolder folder;
+    const auto path = folder / "a.json";
+    CHECK(writeFileAtomically(path, "one").empty());
+    std::filesystem::permissions(path, std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+    std::filesystem::create_symlink("a.json", folder / "link.json");
+    CHECK(writeFileAtomically(folder / "link.json", "two").empty());
+    CHECK(std::filesystem::is_symlink(folder / "link.json"));
+    std::stringstream content;
+    content << std::ifstream(path).rdbuf();
+    CHECK(content.str() == "two");
+    CHECK(std::filesystem::status(path).permissions() ==
+          (std::filesystem::perms::owner_read | std::filesystem::perms::owner_write));
+    CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 2);
+}
+
+TEST_CASE("Files: what cannot be written or read is said with its path and the reason") {
+    const ScratchFolder folder;
+    const Status missing = writeFileAtomically(folder / "no/such/file", "x");
+    REQUIRE(missing.size() == 1);
+    CHECK(missing[0].code == "cannot-write");
+    CHECK(missing[0].file == (folder / "no/such/file").string());
+    CHECK(missing[0].message.find("No such file or directory") != std::string::npos);
+    CHECK(hasCode(writeFileAtomically(folder.path(), "x"), "cannot-write"));
+    const auto absent = readFileBytes(folder / "absent", 10);
+    REQUIRE(!absent.ok());
+    CHECK(absent.faults()[0].message.find("No such file") != std::string::npos);
+    CHECK(!readFileBytes(folder.path(), 10).ok());
+    REQUIRE(writeFileAtomically(folder / "long", "12345678901").empty());
+    CHECK(hasCode(readFileBytes(folder / "long", 10).faults(), "too-large"));
+    CHECK(readFileBytes(folder / "long", 11).value() == "12345678901");
+}
+
+TEST_CASE("Names: cleaned, made identifiers, made unique") {
+    CHECK(validUtf8("a\xff\xc3\xa4\xc3") == "a\xef\xbf\xbd\xc3\xa4\xef\xbf\xbd");
+    CHECK(validUtf8("\xed\xa0\x80") == "\xef\xbf\xbd\xef\xbf\xbd\xef\xbf\xbd");
+    CHECK(cleanName("  in\tlet \n") == "inlet");
+    CHECK(cleanName(" \t ").empty());
+    CHECK(asIdentifier("4 mm Öffnung") == "n_4_mm__ffnung");
+    CHECK(asIdentifier("") == "n_");
+    CHECK(asIdentifier("abcdef", 3) == "abc");
+    CHECK(asQuotable("a \"b\"\nc") == "a 'b' c");
+    CHECK(asQuotable("aä", 2) == "a");
+    UniqueNames names;
+    CHECK(names.claim("Wall") == "Wall");
+    CHECK(names.claim("wall") == "wall_2");
+    CHECK(names.claim("WALL_2") == "WALL_2_2");
+}
