@@ -8,6 +8,7 @@ uniform float edgeWidth;  // pixels, of the whole edge
 uniform int coloured;     // 1: by value and map
 uniform float opacity;    // of the coloured faces
 uniform sampler2D map;
+uniform float least;       // value at the lower end of the map; the upper end is 1
 uniform float badBelow;   // elements below are hatched
 uniform vec4 hatch;
 uniform vec2 isolate;     // values shown alone; x > y: all
@@ -20,7 +21,7 @@ void main() {
     // Heights of the triangle in pixels; below a few of them edges would be solid colour, so they fade.
     float least = 1.0 / max(max(rate.x, rate.y), rate.z);
     float line = clamp(0.5 * edgeWidth + 0.5 - nearest, 0.0, 1.0) * smoothstep(1.5, 9.0, least);
-    vec4 fill = coloured == 1 ? vec4(texture(map, vec2(clamp(shade, 0.0, 1.0) * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb, opacity) : face;
+    vec4 fill = coloured == 1 ? vec4(texture(map, vec2(clamp((shade - least) / (1.0 - least), 0.0, 1.0) * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb, opacity) : face;
     if (coloured == 1 && shade < badBelow) {
         float stripe = abs(fract((gl_FragCoord.x + gl_FragCoord.y) / 7.0) - 0.5) * 7.0;
         fill = mix(fill, vec4(hatch.rgb, 1.0), hatch.a * clamp(1.75 - stripe, 0.0, 1.0));

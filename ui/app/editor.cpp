@@ -19,10 +19,10 @@
 namespace forefront {
 
 struct Editor::Parts {
-    Parts(Platform &platform, EditorOptions given)
+    Parts(Platform &platform, EditorSetup given)
         : options(std::move(given)), bridge(platform), context{.platform = platform}, canvas(platform) {}
 
-    EditorOptions options;
+    EditorSetup options;
     InputQueue input;
     ImGuiBridge bridge;
     AppContext context;
@@ -70,7 +70,7 @@ bool sameSettings(const Settings &a, const Settings &b) {
 
 } // namespace
 
-Editor::Editor(Platform &platform, EditorOptions options) : parts_(std::make_unique<Parts>(platform, std::move(options))) {
+Editor::Editor(Platform &platform, EditorSetup options) : parts_(std::make_unique<Parts>(platform, std::move(options))) {
     AppContext &c = parts_->context;
     const auto wake = [&platform] { platform.wake(); };
     if (!parts_->options.settingsFolder.empty()) {

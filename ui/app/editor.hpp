@@ -9,7 +9,8 @@
 
 namespace forefront {
 
-struct EditorOptions {
+/// What an editor is opened with.
+struct EditorSetup {
     std::filesystem::path settingsFolder; ///< empty: nothing is remembered
     std::filesystem::path stateFolder;    ///< for the recovery journal, see stateFolder(); empty: none is kept
     std::filesystem::path file;           ///< project or domain to open
@@ -20,7 +21,7 @@ struct EditorOptions {
 /// The whole editor, on any platform. One object, one thread.
 class Editor {
   public:
-    Editor(Platform &platform, EditorOptions options);
+    Editor(Platform &platform, EditorSetup options);
     ~Editor();
     Editor(const Editor &) = delete;
     Editor &operator=(const Editor &) = delete;

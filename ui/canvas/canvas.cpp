@@ -79,6 +79,10 @@ struct Canvas::Parts {
     Domain domain; ///< of the document of `domainRevision`
     std::uint64_t domainRevision = 0;
 
+    Box2 rasterBox;
+    double rasterZoom = 0.0;
+
+    void requestRaster(AppContext &context);
     void drawStill(AppContext &context, const LayerFrame &frame);
     void drawLive(AppContext &context, const LayerFrame &frame);
     void drawOverlays(AppContext &context, const LayerFrame &frame);
@@ -90,6 +94,38 @@ Canvas::~Canvas() = default;
 
 std::uint64_t Canvas::stillDraws() const {
     return parts_->stillDraws;
+}
+
+/// Asks for ρ over the part in view and somewhat around it; anew only where the last raster does not serve any more, so
+/// that panning does not sample all the time.
+void Canvas::Parts::requestRaster(AppContext &context) {
+    const LayerSlot *layer = context.layer("size");
+    const Box2 bounds = domain.bounds();
+    if (layer == nullptr || !layer->visible || bounds.empty()) {
+        context.previews->submitRaster({}, 0, 0);
+        rasterBox = {};
+        return;
+    }
+    const Camera &camera = context.view.camera;
+    const auto within = [&](const Box2 &box) {
+        return Box2{{std::max(box.min.x, bounds.min.x), std::max(box.min.y, bounds.min.y)},
+                    {std::min(box.max.x, bounds.max.x), std::min(box.max.y, bounds.max.y)}};
+    };
+    const Box2 visible = camera.visible();
+    const Box2 seen = within(visible);
+    if (seen.empty()) {
+        return;
+    }
+    const bool serves = !rasterBox.empty() && rasterBox.contains(seen.min) && rasterBox.contains(seen.max) &&
+                        within(rasterBox) == rasterBox && camera.zoom < 1.9 * rasterZoom && camera.zoom > 0.3 * rasterZoom;
+    if (!serves) {
+        constexpr double kPixelsPerSample = 2.5;
+        rasterBox = within(visible.grown(0.25 * std::min(visible.size().x, visible.size().y)));
+        rasterZoom = camera.zoom;
+        const double samples = camera.zoom / (kPixelsPerSample * static_cast<double>(context.scale));
+        const auto count = [&](double length) { return std::clamp(static_cast<int>(length * samples), 8, 1400); };
+        context.previews->submitRaster(rasterBox, count(rasterBox.size().x), count(rasterBox.size().y));
+    }
 }
 
 void Canvas::Parts::drawStill(AppContext &context, const LayerFrame &frame) {
@@ -165,6 +201,7 @@ void Canvas::draw(AppContext &context) {
         parts_->domainRevision = context.document().revision();
         parts_->domain = toDomain(*context.document().current());
     }
+    parts_->requestRaster(context);
     const LayerFrame frame{.camera = context.view.camera,
                            .theme = context.theme,
                            .fonts = context.fonts,

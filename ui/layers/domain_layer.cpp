@@ -18,6 +18,13 @@ class DomainLayer final : public Layer {
         frame.gl.drawField(frame.domain, frame.revision, frame.camera, frame.theme.domain, nullptr);
     }
 
+};
+
+class BoundaryLayer final : public Layer {
+  public:
+    const char *id() const override { return "boundary"; }
+    const char *name() const override { return "Boundary"; }
+
     void drawLive(const LayerFrame &frame) override {
         update(frame);
         constraints_.draw(frame.gl, frame.camera, {.width = 1.75 * frame.scale});
@@ -55,6 +62,10 @@ class DomainLayer final : public Layer {
 
 std::unique_ptr<Layer> makeDomainLayer() {
     return std::make_unique<DomainLayer>();
+}
+
+std::unique_ptr<Layer> makeBoundaryLayer() {
+    return std::make_unique<BoundaryLayer>();
 }
 
 } // namespace forefront

@@ -73,7 +73,6 @@ struct LayerSlot {
     bool visible = true;
 };
 
-/// Ids of the layers, lowest first: domain, spacing, grid, quality, mesh, boundary, front, candidates, tests, labels.
 /// All layers from the lowest to the topmost.
 std::vector<std::unique_ptr<Layer>> makeLayers();
 

@@ -14,7 +14,17 @@ bool LayerFrame::visible(std::string_view id) const {
 std::vector<std::unique_ptr<Layer>> makeLayers() {
     std::vector<std::unique_ptr<Layer>> layers;
     layers.push_back(makeDomainLayer());
+    layers.push_back(makeSpacingLayer());
+    layers.push_back(makeLatticeLayer());
+    layers.push_back(makeQualityLayer());
+    layers.push_back(makeMeshLayer());
+    layers.push_back(makeGridLayer());
+    layers.push_back(makeBoundaryLayer());
+    layers.push_back(makeFrontLayer());
+    layers.push_back(makeTestsLayer());
+    layers.push_back(makeCandidatesLayer());
     layers.push_back(makeMarksLayer());
+    layers.push_back(makeLabelsLayer());
     return layers;
 }
 

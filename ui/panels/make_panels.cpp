@@ -7,9 +7,12 @@ std::vector<std::unique_ptr<Panel>> makePanels() {
     std::vector<std::unique_ptr<Panel>> panels;
     panels.push_back(makeLayersPanel());
     panels.push_back(makeInspectorPanel());
+    panels.push_back(makeStepsPanel());
     panels.push_back(makeSpacingPanel());
-    panels.push_back(makeChecksPanel());
     panels.push_back(makeNamesPanel());
+    panels.push_back(makeHistogramPanel());
+    panels.push_back(makeStatisticsPanel());
+    panels.push_back(makeChecksPanel());
     panels.push_back(makeLogPanel());
     return panels;
 }

@@ -1,0 +1,85 @@
+#include "ui/canvas/legend.hpp"
+
+#include "ui/widgets.hpp"
+
+#include <imgui.h>
+
+#include <cmath>
+
+namespace forefront {
+
+namespace {
+
+ImVec2 im(double x, double y) {
+    return {static_cast<float>(x), static_cast<float>(y)};
+}
+
+ImVec2 extent(ImFont *font, const std::string &text) {
+    return font->CalcTextSizeA(font->FontSize, 1e9F, 0.0F, text.c_str());
+}
+
+} // namespace
+
+double drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &fonts, Vec2 corner, const std::string &title,
+                     Colour (*map)(double), const std::vector<LegendTick> &ticks, double hatchedTo) {
+    const double s = painter.scale();
+    const double width = 216.0 * s, height = 58.0 * s, bar = 192.0 * s, barHeight = 9.0 * s;
+    const double left = std::round(corner.x - width), top = std::round(corner.y - height);
+    ImDrawList &list = painter.list();
+    list.AddRectFilled(im(left, top), im(left + width, top + height), fade(theme.popup, 0.92), static_cast<float>(7.0 * s));
+    list.AddRect(im(left, top), im(left + width, top + height), theme.line, static_cast<float>(7.0 * s));
+    const double x = left + 12.0 * s, y = top + 26.0 * s;
+    list.AddText(fonts.small, fonts.small->FontSize, im(x, top + 7.0 * s), theme.muted, title.c_str());
+    constexpr int kPieces = 64;
+    for (int i = 0; i < kPieces; ++i) {
+        const double from = static_cast<double>(i) / kPieces, to = static_cast<double>(i + 1) / kPieces;
+        list.AddRectFilledMultiColor(im(x + from * bar, y), im(x + to * bar, y + barHeight), map(from), map(to), map(to), map(from));
+    }
+    list.PushClipRect(im(x, y), im(x + hatchedTo * bar, y + barHeight), true);
+    for (double at = -barHeight; at < hatchedTo * bar; at += 5.0 * s) {
+        list.AddLine(im(x + at, y + barHeight), im(x + at + barHeight, y), theme.bad, static_cast<float>(1.5 * s));
+    }
+    list.PopClipRect();
+    for (const LegendTick &tick : ticks) {
+        const double at = x + tick.at * bar;
+        const ImVec2 size = extent(fonts.small, tick.text);
+        const double textX = std::clamp(at - 0.5 * static_cast<double>(size.x), x, x + bar - static_cast<double>(size.x));
+        list.AddLine(im(at, y + barHeight), im(at, y + barHeight + 3.0 * s), theme.muted);
+        list.AddText(fonts.small, fonts.small->FontSize, im(std::round(textX), y + barHeight + 3.0 * s), theme.text, tick.text.c_str());
+    }
+    return height;
+}
+
+std::vector<LegendTick> logarithmicTicks(double least, double greatest, std::size_t most) {
+    std::vector<LegendTick> ticks;
+    if (!(least > 0.0) || !(greatest > least)) {
+        return {{0.5, ui::number(least, 3)}};
+    }
+    const double span = std::log(greatest / least);
+    for (const std::vector<double> &digits : {std::vector<double>{1, 2, 5}, {1, 3}, {1}}) {
+        ticks.clear();
+        const int first = static_cast<int>(std::floor(std::log10(least)));
+        for (int power = first; power < first + 40 && std::pow(10.0, power) <= greatest; ++power) {
+            for (const double digit : digits) {
+                const double value = digit * std::pow(10.0, power);
+                if (value >= least * 0.999 && value <= greatest * 1.001) {
+                    ticks.push_back({std::clamp(std::log(value / least) / span, 0.0, 1.0), ui::number(value, 3)});
+                }
+            }
+        }
+        if (ticks.size() <= most) {
+            break;
+        }
+    }
+    if (ticks.size() < 2) {
+        ticks = {{0.0, ui::number(least, 3)}, {1.0, ui::number(greatest, 3)}};
+    }
+    while (ticks.size() > most) {
+        for (std::size_t i = 1; i < ticks.size(); ++i) {
+            ticks.erase(ticks.begin() + static_cast<std::ptrdiff_t>(i));
+        }
+    }
+    return ticks;
+}
+
+} // namespace forefront

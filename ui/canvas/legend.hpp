@@ -1,0 +1,26 @@
+#pragma once
+
+#include "ui/canvas/canvas_painter.hpp"
+#include "ui/style/fonts.hpp"
+#include "ui/style/theme.hpp"
+
+#include <string>
+#include <vector>
+
+namespace forefront {
+
+struct LegendTick {
+    double at = 0.0; ///< in [0, 1] along the bar
+    std::string text;
+};
+
+/// A colour bar with a title and ticks, its lower right corner at `corner` (pixels). `hatchedTo`: the beginning of the
+/// bar up to there is hatched. Returns its height in pixels.
+double drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &fonts, Vec2 corner, const std::string &title,
+                     Colour (*map)(double), const std::vector<LegendTick> &ticks, double hatchedTo = 0.0);
+
+/// Round numbers of a logarithmic scale (1, 2, 5 · 10ⁿ), at most `most` of them, as ticks between `least` and
+/// `greatest`; the ends themselves where fewer than two fit.
+std::vector<LegendTick> logarithmicTicks(double least, double greatest, std::size_t most);
+
+} // namespace forefront

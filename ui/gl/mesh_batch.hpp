@@ -1,0 +1,74 @@
+#pragma once
+
+#include "core/session/snapshot.hpp"
+#include "ui/canvas/camera.hpp"
+#include "ui/style/colour.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace forefront {
+
+class GlKit;
+
+/// Looks of the elements of a mesh.
+struct MeshStyle {
+    Colour face = 0;        ///< of elements not coloured by their value; transparent: none
+    Colour edge = 0;        ///< transparent: none
+    double edgeWidth = 1.0; ///< pixels
+    bool coloured = false;  ///< by α, on the cividis map from `least` to 1
+    double least = 0.4;
+    double opacity = 1.0;
+    double badBelow = -1.0; ///< elements with α below it are hatched
+    Colour hatch = 0;
+    double isolateFrom = 1.0, isolateTo = 0.0; ///< elements with α in [from, to) shown alone; from > to: all
+};
+
+/// A mesh on the GPU: triangles without index, drawn with their edges in one pass. Divided into chunks with an origin of
+/// their own (precision at any offset and zoom) that are left out where they are not in view. A mesh that grows at its
+/// end, as while the front advances, or shrinks there, is updated in place.
+class MeshBatch {
+  public:
+    MeshBatch();
+    ~MeshBatch();
+    MeshBatch(const MeshBatch &) = delete;
+    MeshBatch &operator=(const MeshBatch &) = delete;
+
+    /// Cheap where the version is known. `atRest`: the mesh will be looked at for a while, so its chunks are worth
+    /// sorting by place.
+    void update(const std::shared_ptr<const MeshView> &view, bool atRest);
+    std::size_t elements() const { return uploaded_; }
+    /// Chunks drawn by the last draw(); for tests.
+    std::size_t chunksDrawn() const { return chunksDrawn_; }
+    void draw(const GlKit &gl, const Camera &camera, const MeshStyle &style);
+
+  private:
+    struct Chunk {
+        Vec2 origin;
+        Box2 box;
+        std::size_t first = 0, count = 0; ///< elements
+    };
+    struct Corner {
+        float x = 0.0F, y = 0.0F;
+    };
+
+    std::size_t commonPrefix(const MeshView &view) const;
+    void truncate(std::size_t elements);
+    void appendInOrder(const MeshView &view, std::size_t from);
+    void rebuildByPlace(const MeshView &view);
+    void writeElement(const MeshView &view, std::size_t element, Chunk &chunk);
+    void upload(std::size_t fromElement);
+
+    std::shared_ptr<const MeshView> shown_;
+    std::vector<Chunk> chunks_;
+    std::vector<Corner> corners_; ///< three per element, relative to the origin of the chunk
+    std::vector<float> values_;   ///< three per element: α
+    std::size_t uploaded_ = 0;    ///< elements
+    std::size_t capacity_ = 0;    ///< elements the buffers hold
+    std::size_t chunksDrawn_ = 0;
+    bool byPlace_ = false;
+    unsigned array_ = 0, cornerBuffer_ = 0, valueBuffer_ = 0;
+};
+
+} // namespace forefront

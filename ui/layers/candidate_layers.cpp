@@ -1,0 +1,165 @@
+#include "ui/canvas/canvas_painter.hpp"
+#include "ui/layers/layers.hpp"
+#include "ui/layers/moment.hpp"
+#include "ui/widgets.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace forefront {
+
+namespace {
+
+constexpr std::size_t kMostLabels = 7;
+
+/// How much room there is: pixels of the base segment, in design pixels.
+double roomOf(const LayerFrame &frame, const AdvanceExplanation &advance) {
+    return frame.camera.zoom * distance(advance.a, advance.b) / frame.scale;
+}
+
+Colour verdictColour(const Theme &theme, Verdict verdict, bool judged) {
+    if (!judged || verdict == Verdict::NotTried) {
+        return theme.candidate;
+    }
+    return verdict == Verdict::Accepted ? theme.good : theme.bad;
+}
+
+std::string candidateLabel(const CandidateTrace &candidate, std::size_t rank, const Moment &moment) {
+    std::string text = std::to_string(rank + 1);
+    if (moment.scoresKnown) {
+        text += ui::format("  %.2f", candidate.score);
+    }
+    if (moment.judged[rank] && candidate.verdict != Verdict::NotTried) {
+        text += std::string("  ") + verdictText(candidate.verdict);
+    }
+    return text;
+}
+
+class CandidatesLayer final : public Layer {
+  public:
+    const char *id() const override { return "candidates"; }
+    const char *name() const override { return "Candidates"; }
+    void request(SnapshotLayers &layers) const override { layers.explanation = true; }
+
+    void drawOverlay(CanvasPainter &painter, const LayerFrame &frame) override {
+        const Moment moment = momentOf(frame.snapshot);
+        if (!moment || roomOf(frame, *moment.advance) < 9.0) {
+            return;
+        }
+        const AdvanceExplanation &e = *moment.advance;
+        const Theme &theme = frame.theme;
+        if (moment.updated) {
+            painter.triangle(e.a, e.b, e.apex, fade(theme.good, 0.16));
+            painter.line(e.b, e.apex, theme.good, 2.0);
+            painter.line(e.apex, e.a, theme.good, 2.0);
+        }
+        if (moment.idealKnown && !moment.updated) {
+            painter.dashedCircle(e.ideal, e.searchRadius, fade(theme.candidate, 0.55), 1.25);
+        }
+        if (moment.candidatesKnown) {
+            drawNodes(painter, frame, moment);
+        }
+        if (moment.idealKnown) {
+            painter.cross(e.ideal, 4.5, theme.base, 1.75);
+            if (roomOf(frame, e) > 60.0) {
+                painter.label(e.ideal, {-4, -24}, "C", theme.base, fade(theme.popup, 0.85), frame.fonts.small);
+            }
+        }
+    }
+
+  private:
+    static void drawNodes(CanvasPainter &painter, const LayerFrame &frame, const Moment &moment) {
+        const AdvanceExplanation &e = *moment.advance;
+        const Theme &theme = frame.theme;
+        const bool words = roomOf(frame, e) > 46.0;
+        for (std::size_t i = e.candidates.size(); i-- > 0;) {
+            const CandidateTrace &candidate = e.candidates[i];
+            const Colour colour = verdictColour(theme, candidate.verdict, moment.judged[i]);
+            painter.dot(candidate.position, 5.0, colour);
+            painter.ring(candidate.position, 5.0, fade(theme.popup, 0.9), 1.5);
+        }
+        const std::size_t labelled = words ? std::min(e.candidates.size(), kMostLabels) : 0;
+        std::vector<PixelRect> taken;
+        for (std::size_t i = 0; i < labelled; ++i) {
+            const CandidateTrace &candidate = e.candidates[i];
+            const Colour colour = verdictColour(theme, candidate.verdict, moment.judged[i]);
+            painter.label(candidate.position, freePlace(frame, candidate.position, taken), candidateLabel(candidate, i, moment), colour,
+                          fade(theme.popup, 0.92), frame.fonts.small);
+        }
+    }
+
+    /// Right of the node, and lower while a label is there already.
+    static Vec2 freePlace(const LayerFrame &frame, Vec2 at, std::vector<PixelRect> &taken) {
+        Vec2 offset{11.0, -7.0};
+        const Vec2 pixel = frame.camera.toPixel(at);
+        const double width = 150.0 * frame.scale, height = 19.0 * frame.scale;
+        for (int tries = 0; tries < 12; ++tries) {
+            const PixelRect rect{pixel.x + offset.x * frame.scale, pixel.y + offset.y * frame.scale, width, height};
+            const bool hit = std::any_of(taken.begin(), taken.end(), [&](const PixelRect &t) {
+                return rect.x < t.x + t.width && t.x < rect.x + rect.width && rect.y < t.y + t.height && t.y < rect.y + rect.height;
+            });
+            if (!hit) {
+                taken.push_back(rect);
+                break;
+            }
+            offset.y += 20.0;
+        }
+        return offset;
+    }
+};
+
+class TestsLayer final : public Layer {
+  public:
+    const char *id() const override { return "tests"; }
+    const char *name() const override { return "Tests"; }
+    void request(SnapshotLayers &layers) const override { layers.explanation = true; }
+
+    void drawOverlay(CanvasPainter &painter, const LayerFrame &frame) override {
+        const Moment moment = momentOf(frame.snapshot);
+        if (!moment || roomOf(frame, *moment.advance) < 9.0) {
+            return;
+        }
+        const AdvanceExplanation &e = *moment.advance;
+        const Theme &theme = frame.theme;
+        for (std::size_t i = 0; i < moment.tests; ++i) {
+            const TestTrace &test = e.tests[i];
+            painter.line(test.frontA, test.frontB, test.meets ? theme.bad : fade(theme.visited, 0.9), test.meets ? 3.5 : 2.5);
+        }
+        for (std::size_t i = e.candidates.size(); i-- > 0;) {
+            const CandidateTrace &candidate = e.candidates[i];
+            const bool tried = moment.judged[i] && candidate.verdict != Verdict::NotTried;
+            const bool trying = !moment.updated && beingTested(moment, i);
+            if (!tried && !trying) {
+                continue;
+            }
+            const Colour colour = trying ? theme.candidate : verdictColour(theme, candidate.verdict, true);
+            const bool accepted = tried && candidate.verdict == Verdict::Accepted;
+            if (!accepted || !moment.updated) {
+                painter.dashed(e.a, candidate.position, fade(colour, 0.8), 1.5, 5.0);
+                painter.dashed(candidate.position, e.b, fade(colour, 0.8), 1.5, 5.0);
+            }
+            if (tried && candidate.blocked) {
+                painter.line(candidate.blockA, candidate.blockB, theme.bad, 3.5);
+            }
+        }
+    }
+
+  private:
+    static bool beingTested(const Moment &moment, std::size_t candidate) {
+        const auto &events = moment.advance->events;
+        return moment.cursor < events.size() && events[moment.cursor].step == Step::Test &&
+               events[moment.cursor].candidate == candidate;
+    }
+};
+
+} // namespace
+
+std::unique_ptr<Layer> makeCandidatesLayer() {
+    return std::make_unique<CandidatesLayer>();
+}
+
+std::unique_ptr<Layer> makeTestsLayer() {
+    return std::make_unique<TestsLayer>();
+}
+
+} // namespace forefront

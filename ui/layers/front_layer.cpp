@@ -1,0 +1,117 @@
+#include "ui/canvas/canvas_painter.hpp"
+#include "ui/gl/gl_kit.hpp"
+#include "ui/gl/line_batch.hpp"
+#include "ui/layers/layers.hpp"
+#include "ui/layers/moment.hpp"
+#include "ui/widgets.hpp"
+
+#include <string>
+
+namespace forefront {
+
+namespace {
+
+std::string nodeLabel(const char *letter, NodeId node) {
+    return node == kNoNode ? std::string(letter) : letter + (" " + std::to_string(index(node)));
+}
+
+class FrontLayer final : public Layer {
+  public:
+    const char *id() const override { return "front"; }
+    const char *name() const override { return "Front \xce\x93"; }
+    void request(SnapshotLayers &layers) const override {
+        layers.front = true;
+        layers.explanation = true;
+    }
+
+    void drawLive(const LayerFrame &frame) override {
+        if (frame.snapshot.front != shown_ || theme_ != frame.theme.kind) {
+            shown_ = frame.snapshot.front;
+            theme_ = frame.theme.kind;
+            segments_.clear();
+            if (shown_) {
+                for (const FrontSegmentView &segment : *shown_) {
+                    segments_.add(segment.a, segment.b, frame.theme.front);
+                }
+            }
+        }
+        segments_.draw(frame.gl, frame.camera, {.width = 2.0 * frame.scale, .glow = 9.0 * frame.scale, .arrow = 7.0 * frame.scale});
+    }
+
+    void drawOverlay(CanvasPainter &painter, const LayerFrame &frame) override {
+        const Moment moment = momentOf(frame.snapshot);
+        if (!moment) {
+            return;
+        }
+        const AdvanceExplanation &e = *moment.advance;
+        const Theme &theme = frame.theme;
+        const double pixels = frame.camera.zoom * distance(e.a, e.b) / frame.scale;
+        painter.line(e.a, e.b, fade(theme.base, 0.25), 9.0);
+        painter.arrow(e.a, e.b, theme.base, 3.0, 11.0);
+        if (pixels < 14.0) {
+            painter.ring(midpoint(e.a, e.b), 13.0, theme.base, 2.0); // too small to be found otherwise
+        }
+        if (pixels > 60.0) {
+            const Colour plate = fade(theme.popup, 0.85);
+            const Vec2 along = (1.0 / distance(e.a, e.b)) * (e.b - e.a);
+            const Vec2 away{-18.0 * along.x, 18.0 * along.y}; // screen: y down
+            painter.label(e.a, away + Vec2{-8, -7}, nodeLabel("A", e.nodeA), theme.base, plate, frame.fonts.small);
+            painter.label(e.b, Vec2{-away.x, -away.y} + Vec2{-8, -7}, nodeLabel("B", e.nodeB), theme.base, plate, frame.fonts.small);
+        }
+    }
+
+  private:
+    LineBatch segments_;
+    std::shared_ptr<const std::vector<FrontSegmentView>> shown_;
+    ThemeKind theme_ = ThemeKind::Dark;
+};
+
+class GridLayer final : public Layer {
+  public:
+    const char *id() const override { return "grid"; }
+    const char *name() const override { return "Grid cells"; }
+    bool visibleAtStart() const override { return false; }
+    void request(SnapshotLayers &layers) const override {
+        layers.cells = true;
+        layers.explanation = true;
+    }
+
+    void drawLive(const LayerFrame &frame) override {
+        if (frame.snapshot.cells != shown_ || theme_ != frame.theme.kind) {
+            shown_ = frame.snapshot.cells;
+            theme_ = frame.theme.kind;
+            occupied_.clear();
+            if (shown_) {
+                for (const GridCellView &cell : *shown_) {
+                    const double weight = cell.entries == 0 ? 0.0 : 0.10 + 0.05 * std::min<double>(cell.entries, 8.0);
+                    occupied_.add(cell.box, fade(frame.theme.cell, weight), fade(frame.theme.cell, 0.45));
+                }
+            }
+        }
+        occupied_.draw(frame.gl, frame.camera, 1.0 * frame.scale);
+        visited_.clear();
+        if (const Moment moment = momentOf(frame.snapshot)) {
+            for (std::size_t i = 0; i < moment.cells; ++i) {
+                visited_.add(moment.advance->cells[i], fade(frame.theme.visited, 0.24), fade(frame.theme.visited, 0.9));
+            }
+        }
+        visited_.draw(frame.gl, frame.camera, 1.5 * frame.scale);
+    }
+
+  private:
+    BoxBatch occupied_, visited_;
+    std::shared_ptr<const std::vector<GridCellView>> shown_;
+    ThemeKind theme_ = ThemeKind::Dark;
+};
+
+} // namespace
+
+std::unique_ptr<Layer> makeFrontLayer() {
+    return std::make_unique<FrontLayer>();
+}
+
+std::unique_ptr<Layer> makeGridLayer() {
+    return std::make_unique<GridLayer>();
+}
+
+} // namespace forefront

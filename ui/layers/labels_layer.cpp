@@ -1,0 +1,107 @@
+#include "core/edit/document.hpp"
+#include "ui/canvas/canvas_painter.hpp"
+#include "ui/layers/layers.hpp"
+
+#include <string>
+
+namespace forefront {
+
+namespace {
+
+constexpr std::size_t kMostNumbers = 160;
+
+class LabelsLayer final : public Layer {
+  public:
+    const char *id() const override { return "labels"; }
+    const char *name() const override { return "Labels"; }
+
+    void drawOverlay(CanvasPainter &painter, const LayerFrame &frame) override {
+        drawNodeNumbers(painter, frame);
+        for (const auto &shape : frame.document.shapes) {
+            drawNames(painter, frame, *shape);
+        }
+    }
+
+  private:
+    /// Each run of segments with one tag bears the name of the tag at its middle.
+    static void drawNames(CanvasPainter &painter, const LayerFrame &frame, const Shape &shape) {
+        if (shape.kind == ShapeKind::Circle && shape.nodes.size() >= 2) {
+            const double radius = distance(shape.nodes[0], shape.nodes[1]);
+            drawName(painter, frame, shape.nodes[0] + Vec2{0.0, radius}, shape.tag, 2.0 * radius);
+            return;
+        }
+        const std::vector<Vec2> nodes = shape.kind == ShapeKind::Rectangle && shape.nodes.size() == 2 ? corners(shape) : shape.nodes;
+        const bool closed = shape.kind == ShapeKind::Polygon || shape.kind == ShapeKind::Rectangle;
+        const std::size_t segments = nodes.size() < 2 ? 0 : closed ? nodes.size() : nodes.size() - 1;
+        const auto tagOf = [&](std::size_t i) { return i < shape.segmentTags.size() ? shape.segmentTags[i] : shape.tag; };
+        for (std::size_t first = 0; first < segments;) {
+            std::size_t last = first;
+            double whole = 0.0;
+            while (last < segments && tagOf(last) == tagOf(first)) {
+                whole += distance(nodes[last], nodes[(last + 1) % nodes.size()]);
+                ++last;
+            }
+            drawName(painter, frame, pointAlong(nodes, first, 0.5 * whole), tagOf(first), whole);
+            first = last;
+        }
+    }
+
+    static std::vector<Vec2> corners(const Shape &shape) {
+        const Box2 box = boxOf(shape.nodes[0], shape.nodes[1]);
+        return {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
+    }
+
+    static Vec2 pointAlong(const std::vector<Vec2> &nodes, std::size_t from, double way) {
+        for (std::size_t i = from;; ++i) {
+            const Vec2 a = nodes[i % nodes.size()], b = nodes[(i + 1) % nodes.size()];
+            const double length = distance(a, b);
+            if (way <= length || i > from + nodes.size()) {
+                return lerp(a, b, length > 0.0 ? std::min(1.0, way / length) : 0.0);
+            }
+            way -= length;
+        }
+    }
+
+    static void drawName(CanvasPainter &painter, const LayerFrame &frame, Vec2 at, std::int32_t tag, double extent) {
+        const auto named = frame.document.boundaryNames.find(tag);
+        if (named == frame.document.boundaryNames.end() || frame.camera.zoom * extent < 40.0 * frame.scale) {
+            return;
+        }
+        const double half = 3.0 * static_cast<double>(named->second.size());
+        painter.label(at, {-half, -7.0}, named->second, frame.theme.muted, fade(frame.theme.popup, 0.82), frame.fonts.small);
+    }
+
+    static void drawNodeNumbers(CanvasPainter &painter, const LayerFrame &frame) {
+        if (!frame.snapshot.mesh || frame.snapshot.mesh->mesh.nodes.empty()) {
+            return;
+        }
+        const std::vector<Vec2> &nodes = frame.snapshot.mesh->mesh.nodes;
+        const Box2 visible = frame.camera.visible();
+        const Vec2 all = frame.domain.bounds().size(), seen = visible.size();
+        const double part = std::min(1.0, seen.x * seen.y / std::max(all.x * all.y, 1e-300));
+        if (part * static_cast<double>(nodes.size()) > 40.0 * static_cast<double>(kMostNumbers)) {
+            return;
+        }
+        std::vector<std::size_t> inView;
+        for (std::size_t i = 0; i < nodes.size() && inView.size() <= kMostNumbers; ++i) {
+            if (visible.contains(nodes[i])) {
+                inView.push_back(i);
+            }
+        }
+        if (inView.size() > kMostNumbers) {
+            return;
+        }
+        for (const std::size_t i : inView) {
+            painter.dot(nodes[i], 2.0, frame.theme.muted);
+            painter.label(nodes[i], {6, 3}, std::to_string(i), frame.theme.muted, fade(frame.theme.popup, 0.55), frame.fonts.small);
+        }
+    }
+};
+
+} // namespace
+
+std::unique_ptr<Layer> makeLabelsLayer() {
+    return std::make_unique<LabelsLayer>();
+}
+
+} // namespace forefront

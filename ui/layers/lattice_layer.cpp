@@ -1,0 +1,41 @@
+#include "ui/canvas/lattice.hpp"
+#include "ui/gl/gl_kit.hpp"
+#include "ui/gl/line_batch.hpp"
+#include "ui/layers/layers.hpp"
+
+namespace forefront {
+
+namespace {
+
+class LatticeLayer final : public Layer {
+  public:
+    const char *id() const override { return "lattice"; }
+    const char *name() const override { return "Lattice"; }
+
+    std::uint64_t stillVersion(const LayerFrame &) const override { return 1; }
+
+    void drawStill(const LayerFrame &frame) override {
+        const double pitch = latticePitch(frame.camera, frame.scale);
+        const Box2 visible = frame.camera.visible();
+        lines_.clear();
+        const auto colour = [&](double i) { return std::fmod(i, 5.0) == 0.0 ? fade(frame.theme.gridLine, 2.0) : frame.theme.gridLine; };
+        for (double i = std::ceil(visible.min.x / pitch); i * pitch <= visible.max.x; i += 1.0) {
+            lines_.add({i * pitch, visible.min.y}, {i * pitch, visible.max.y}, colour(i));
+        }
+        for (double i = std::ceil(visible.min.y / pitch); i * pitch <= visible.max.y; i += 1.0) {
+            lines_.add({visible.min.x, i * pitch}, {visible.max.x, i * pitch}, colour(i));
+        }
+        lines_.draw(frame.gl, frame.camera, {.width = 1.0 * frame.scale});
+    }
+
+  private:
+    LineBatch lines_;
+};
+
+} // namespace
+
+std::unique_ptr<Layer> makeLatticeLayer() {
+    return std::make_unique<LatticeLayer>();
+}
+
+} // namespace forefront

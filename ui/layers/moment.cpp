@@ -1,0 +1,56 @@
+#include "ui/layers/moment.hpp"
+
+#include <algorithm>
+
+namespace forefront {
+
+namespace {
+
+/// Faster than this the eye follows the front only.
+constexpr double kFollowed = 40.0;
+
+} // namespace
+
+Moment momentOf(const SessionSnapshot &snapshot) {
+    Moment moment;
+    const bool racing = snapshot.state == RunState::Running && snapshot.rate > kFollowed;
+    if (!snapshot.explanation || snapshot.improved || racing || snapshot.state == RunState::Improving) {
+        return moment;
+    }
+    const AdvanceExplanation &advance = *snapshot.explanation;
+    moment.advance = &advance;
+    const std::size_t count = advance.events.size();
+    moment.cursor = snapshot.eventCount > 0 ? std::min(snapshot.eventCursor, count) : count;
+    const bool whole = moment.cursor >= count;
+    moment.step = whole ? Step::Update : advance.events[moment.cursor].step;
+    moment.judged.assign(advance.candidates.size(), whole);
+    moment.tests = whole ? advance.tests.size() : 0;
+    moment.cells = whole ? advance.cells.size() : 0;
+    for (std::size_t i = 0; i < count && i <= moment.cursor && !whole; ++i) {
+        const TraceEvent &event = advance.events[i];
+        moment.cells = std::max<std::size_t>(moment.cells, event.cellsSeen);
+        if (event.test != kNoIndex) {
+            moment.tests = std::max<std::size_t>(moment.tests, event.test + 1U);
+        }
+        // A candidate is judged once the next one is taken up or Γ is updated.
+        const bool later = i < moment.cursor;
+        if (event.step == Step::Test && event.candidate < moment.judged.size() && later) {
+            const TraceEvent &next = advance.events[i + 1];
+            moment.judged[event.candidate] = next.step != Step::Test || next.candidate != event.candidate;
+        }
+        if (event.step == Step::Sort && advance.events.size() > i) {
+            for (std::size_t c = 0; c < advance.candidates.size(); ++c) {
+                moment.judged[c] = moment.judged[c] || advance.candidates[c].verdict == Verdict::Withdrawn;
+            }
+        }
+    }
+    moment.cells = std::min(moment.cells, advance.cells.size());
+    moment.tests = std::min(moment.tests, advance.tests.size());
+    moment.idealKnown = moment.step >= Step::IdealPoint;
+    moment.candidatesKnown = moment.step >= Step::FindCandidates;
+    moment.scoresKnown = moment.step >= Step::Score;
+    moment.updated = moment.step >= Step::Update && !advance.deferred;
+    return moment;
+}
+
+} // namespace forefront

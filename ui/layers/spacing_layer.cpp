@@ -1,0 +1,76 @@
+#include "ui/canvas/legend.hpp"
+#include "ui/gl/gl_kit.hpp"
+#include "ui/layers/layers.hpp"
+#include "ui/style/colour_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace forefront {
+
+namespace {
+
+class SpacingLayer final : public Layer {
+  public:
+    const char *id() const override { return "size"; }
+    const char *name() const override { return "Spacing \xcf\x81"; }
+
+    std::uint64_t stillVersion(const LayerFrame &frame) const override {
+        return reinterpret_cast<std::uintptr_t>(frame.raster.get()) ^ (frame.revision << 1);
+    }
+
+    void drawStill(const LayerFrame &frame) override {
+        if (!take(frame)) {
+            return;
+        }
+        const FieldTint tint{.box = shown_->box,
+                             .columns = shown_->columns,
+                             .rows = shown_->rows,
+                             .logRho = &logRho_,
+                             .version = version_,
+                             .least = std::log(least_),
+                             .greatest = std::log(greatest_),
+                             .opacity = frame.theme.kind == ThemeKind::Dark ? 0.62 : 0.72};
+        frame.gl.drawField(frame.domain, frame.revision, frame.camera, frame.theme.domain, &tint);
+    }
+
+    double drawLegend(CanvasPainter &painter, const LayerFrame &frame, Vec2 corner) override {
+        if (!shown_ || shown_->rho.empty()) {
+            return 0.0;
+        }
+        return drawColourBar(painter, frame.theme, frame.fonts, corner, "node spacing \xcf\x81", viridis,
+                             logarithmicTicks(least_, greatest_, 5));
+    }
+
+  private:
+    /// Takes over a new raster. False if there is none.
+    bool take(const LayerFrame &frame) {
+        if (frame.raster != shown_) {
+            shown_ = frame.raster;
+            ++version_;
+            logRho_.resize(shown_->rho.size());
+            std::transform(shown_->rho.begin(), shown_->rho.end(), logRho_.begin(),
+                           [](float rho) { return std::log(std::max(rho, 1e-30F)); });
+        }
+        if (shown_->rho.empty() || !frame.preview.spacing) {
+            return false;
+        }
+        // The scale is of the whole domain, not of the part in view, so that colours keep their meaning while panning.
+        least_ = frame.preview.spacing->least();
+        greatest_ = std::max(frame.preview.spacing->greatest(), least_ * 1.0001);
+        return true;
+    }
+
+    std::shared_ptr<const SpacingRaster> shown_;
+    std::vector<float> logRho_;
+    std::uint64_t version_ = 0;
+    double least_ = 1.0, greatest_ = 2.0;
+};
+
+} // namespace
+
+std::unique_ptr<Layer> makeSpacingLayer() {
+    return std::make_unique<SpacingLayer>();
+}
+
+} // namespace forefront

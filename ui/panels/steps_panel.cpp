@@ -1,0 +1,112 @@
+#include "ui/layers/moment.hpp"
+#include "ui/panels/panels.hpp"
+#include "ui/widgets.hpp"
+
+#include <imgui.h>
+
+#include <array>
+
+namespace forefront {
+
+namespace {
+
+constexpr std::array<const char *, kStepCount> kShort{
+    "Boundary becomes front \xce\x93",
+    "Take base segment AB",
+    "Evaluate \xcf\x81 at its midpoint",
+    "Place ideal point C",
+    "Find candidate nodes",
+    "Score \xce\xb1 \xc2\xb7 \xce\xb4(AC) \xc2\xb7 \xce\xb4(CB)",
+    "Sort; withdraw C if too near",
+    "Test AC, CB against \xce\x93",
+    "Store ABC, update \xce\x93",
+    "Stop when \xce\x93 = \xe2\x88\x85",
+};
+
+/// What the step found, at the right of its line; empty while it is not known.
+std::string finding(const Moment &moment, int step) {
+    if (!moment || static_cast<int>(moment.step) < step) {
+        return {};
+    }
+    const AdvanceExplanation &e = *moment.advance;
+    switch (static_cast<Step>(step)) {
+    case Step::TakeBase:
+        return e.nodeA == kNoNode ? std::string() : std::to_string(index(e.nodeA)) + "\xe2\x80\x93" + std::to_string(index(e.nodeB));
+    case Step::EvaluateSpacing:
+        return ui::number(e.rho, 3);
+    case Step::FindCandidates:
+        return std::to_string(e.candidates.size());
+    case Step::Score:
+        return e.candidates.empty() ? std::string() : ui::format("%.2f", e.candidates.front().score);
+    case Step::Test:
+        return std::to_string(moment.tests);
+    case Step::Update:
+        return e.deferred ? "deferred" : std::string();
+    default:
+        return {};
+    }
+}
+
+class StepsPanel final : public Panel {
+  public:
+    const char *id() const override { return "steps"; }
+    const char *title() const override { return "Steps"; }
+
+    void draw(AppContext &context) override {
+        const SessionSnapshot &run = context.run().now();
+        const Moment moment = momentOf(run);
+        const int live = liveStep(run, moment);
+        const float width = ImGui::GetContentRegionAvail().x, height = context.px(19);
+        ImDrawList &list = *ImGui::GetWindowDrawList();
+        ImGui::PushFont(context.fonts.small);
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+        for (int step = 1; step <= kStepCount; ++step) {
+            const ImVec2 at = ImGui::GetCursorScreenPos();
+            ImGui::Dummy({width, height});
+            ui::mark(context, "steps/" + std::to_string(step));
+            const bool here = step == live;
+            if (here) {
+                list.AddRectFilled(at, {at.x + width, at.y + height}, fade(context.theme.accent, 0.16), context.px(4));
+                list.AddRectFilled(at, {at.x + context.px(3), at.y + height}, context.theme.accent, context.px(2));
+            }
+            const float y = at.y + (height - ImGui::GetFontSize()) / 2;
+            const std::string number = std::to_string(step);
+            const float numberWidth = ImGui::CalcTextSize(number.c_str()).x;
+            const Colour colour = here ? context.theme.text : context.theme.muted;
+            list.AddText({at.x + context.px(22) - numberWidth, y}, here ? context.theme.accent : context.theme.faint, number.c_str());
+            list.AddText({at.x + context.px(31), y}, colour, kShort[static_cast<std::size_t>(step - 1)]);
+            const std::string found = finding(moment, step);
+            if (!found.empty()) {
+                const float foundWidth = ImGui::CalcTextSize(found.c_str()).x;
+                list.AddText({at.x + width - foundWidth - context.px(6), y}, context.theme.text, found.c_str());
+            }
+            if (ImGui::IsItemHovered()) {
+                ui::tooltip(context, stepTitle(static_cast<Step>(step)));
+            }
+        }
+        ImGui::PopStyleVar();
+        ImGui::PopFont();
+    }
+
+  private:
+    static int liveStep(const SessionSnapshot &run, const Moment &moment) {
+        if (moment) {
+            return static_cast<int>(moment.step);
+        }
+        if (run.state == RunState::Empty || run.state == RunState::Failed) {
+            return 0;
+        }
+        if (run.complete && run.advance == run.known) {
+            return static_cast<int>(Step::Finish);
+        }
+        return run.advance == 0 ? static_cast<int>(Step::BoundaryToFront) : 0;
+    }
+};
+
+} // namespace
+
+std::unique_ptr<Panel> makeStepsPanel() {
+    return std::make_unique<StepsPanel>();
+}
+
+} // namespace forefront
