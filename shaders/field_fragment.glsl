@@ -19,7 +19,8 @@ void main() {
     vec3 rgb = plain.rgb;
     if (tint > 0.0) {
         float value = texture(raster, (pixel - rasterLeast) / rasterSize).r;
-        float t = clamp((value - range.x) / max(range.y - range.x, 1e-6), 0.0, 1.0);
+        float span = range.y - range.x;
+        float t = clamp((value - range.x) / (abs(span) > 1e-6 ? span : 1e-6), 0.0, 1.0);
         vec3 colour = texture(map, vec2(t * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb;
         rgb = mix(rgb, colour, tint);
     }

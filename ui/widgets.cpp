@@ -152,8 +152,9 @@ bool segmented(AppContext &context, std::string_view name, std::span<const char 
         mark(context, std::string(name) + "/" + labels[i]);
         const float inset = context.px(2);
         if (here) {
-            list.AddRectFilled({corner.x + inset, corner.y + inset}, {corner.x + each - inset, corner.y + height - inset},
-                               context.theme.pressed, context.px(5));
+            list.AddRectFilled({corner.x + inset, corner.y + inset},
+                               {corner.x + each - inset, corner.y + height - inset}, context.theme.pressed,
+                               context.px(5));
         }
         const ImVec2 size = ImGui::CalcTextSize(labels[i]);
         list.AddText({corner.x + (each - size.x) / 2, corner.y + (height - size.y) / 2},
@@ -167,7 +168,8 @@ bool segmented(AppContext &context, std::string_view name, std::span<const char 
 bool combo(AppContext &context, std::string_view name, std::span<const char *const> labels, int &choice, float width) {
     const Id id(name);
     ImGui::SetNextItemWidth(widthOf(context, width));
-    const char *shown = choice >= 0 && choice < static_cast<int>(labels.size()) ? labels[static_cast<std::size_t>(choice)] : "";
+    const char *shown =
+        choice >= 0 && choice < static_cast<int>(labels.size()) ? labels[static_cast<std::size_t>(choice)] : "";
     bool changed = false;
     const bool open = ImGui::BeginCombo("##combo", shown);
     mark(context, name);
@@ -188,10 +190,41 @@ bool slider(AppContext &context, std::string_view name, double &value, double le
             const char *pattern, bool logarithmic, float width) {
     const Id id(name);
     ImGui::SetNextItemWidth(widthOf(context, width));
-    const bool changed = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &least, &greatest, pattern,
-                                             ImGuiSliderFlags_AlwaysClamp |
-                                                 (logarithmic ? ImGuiSliderFlags_Logarithmic : 0));
+    const bool changed =
+        ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &least, &greatest, pattern,
+                            ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0));
     mark(context, name);
+    return changed;
+}
+
+bool thinSlider(AppContext &context, std::string_view name, double &t, std::string_view shown, float width,
+                float textWidth) {
+    const Id id(name);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float height = context.px(26), whole = context.px(static_cast<double>(width));
+    ImGui::InvisibleButton("thin", {whole, height});
+    mark(context, name);
+    const bool active = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
+    const float inset = context.px(6), middle = at.y + height / 2, half = context.px(2);
+    const float left = at.x + inset, right = at.x + whole - inset;
+    bool changed = false;
+    if (active) {
+        const double wanted =
+            std::clamp(static_cast<double>((ImGui::GetIO().MousePos.x - left) / (right - left)), 0.0, 1.0);
+        changed = wanted != t;
+        t = wanted;
+    }
+    const float x = left + static_cast<float>(std::clamp(t, 0.0, 1.0)) * (right - left);
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled({left, middle - half}, {right, middle + half}, context.theme.pressed, half);
+    list.AddRectFilled({left, middle - half}, {x, middle + half}, context.theme.accent, half);
+    list.AddCircleFilled({x, middle}, context.px(active || hovered ? 6.5 : 5.5), context.theme.text, 20);
+    ImGui::SameLine(0, 0);
+    const ImVec2 size = ImGui::CalcTextSize(shown.data(), shown.data() + shown.size());
+    const ImVec2 text = ImGui::GetCursorScreenPos();
+    list.AddText({text.x + context.px(4), text.y + (height - size.y) / 2}, context.theme.muted, shown.data(),
+                 shown.data() + shown.size());
+    ImGui::Dummy({context.px(static_cast<double>(textWidth)), height});
     return changed;
 }
 

@@ -35,6 +35,9 @@ bool combo(AppContext &context, std::string_view name, std::span<const char *con
 /// Logarithmic or linear slider. `format` as printf for a double.
 bool slider(AppContext &context, std::string_view name, double &value, double least, double greatest,
             const char *format, bool logarithmic = false, float width = -1.0F);
+/// A thin track with a round grip and the value in words at its right; `t` in [0, 1]. Widths in design pixels.
+bool thinSlider(AppContext &context, std::string_view name, double &t, std::string_view shown, float width,
+                float textWidth);
 /// Text in one line. True when it changed (with `onEnter`: when Enter was pressed).
 bool inputText(AppContext &context, std::string_view name, std::string &value, std::string_view hint = {},
                float width = -1.0F, bool onEnter = false, bool focus = false);

@@ -21,10 +21,20 @@ std::string toString(Shortcut shortcut) {
         text += "Shift+";
     }
     static constexpr std::pair<int, const char *> kNames[] = {
-        {key::kSpace, "Space"}, {key::kEscape, "Esc"},       {key::kEnter, "Enter"},         {key::kTab, "Tab"},
-        {key::kHome, "Home"},   {key::kEnd, "End"},          {key::kBackspace, "Backspace"}, {key::kDelete, "Delete"},
-        {key::kLeft, "Left"},   {key::kRight, "Right"},      {key::kUp, "Up"},               {key::kDown, "Down"},
-        {key::kPageUp, "PgUp"}, {key::kPageDown, "PgDown"},
+        {key::kSpace, "Space"},
+        {key::kEscape, "Esc"},
+        {key::kEnter, "Enter"},
+        {key::kTab, "Tab"},
+        {key::kHome, "Home"},
+        {key::kEnd, "End"},
+        {key::kBackspace, "Backspace"},
+        {key::kDelete, "Delete"},
+        {key::kLeft, "Left"},
+        {key::kRight, "Right"},
+        {key::kUp, "Up"},
+        {key::kDown, "Down"},
+        {key::kPageUp, "PgUp"},
+        {key::kPageDown, "PgDown"},
     };
     for (const auto &[code, name] : kNames) {
         if (code == shortcut.key) {

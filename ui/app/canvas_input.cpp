@@ -77,7 +77,8 @@ void CanvasInput::move(const InputEvent &event, AppContext &context) {
 
 int CanvasInput::countClicks(const InputEvent &event, AppContext &context) {
     const double now = context.platform.now();
-    const bool again = now - clickTime_ < 0.35 && distance(pixel_, clickPixel_) < 4.0 * static_cast<double>(context.scale);
+    const bool again =
+        now - clickTime_ < 0.35 && distance(pixel_, clickPixel_) < 4.0 * static_cast<double>(context.scale);
     clicks_ = again ? clicks_ + 1 : 1;
     clickTime_ = now;
     clickPixel_ = pixel_;
@@ -137,9 +138,9 @@ void CanvasInput::spaceKey(const InputEvent &event, AppContext &context) {
 
 void CanvasInput::key(const InputEvent &event, AppContext &context) {
     const ImGuiIO &io = ImGui::GetIO();
-    modifiers_.bits = static_cast<std::uint8_t>((io.KeyShift ? Modifiers::kShift : 0) |
-                                                (io.KeyCtrl ? Modifiers::kControl : 0) |
-                                                (io.KeyAlt ? Modifiers::kAlt : 0));
+    modifiers_.bits =
+        static_cast<std::uint8_t>((io.KeyShift ? Modifiers::kShift : 0) | (io.KeyCtrl ? Modifiers::kControl : 0) |
+                                  (io.KeyAlt ? Modifiers::kAlt : 0));
     if (event.code >= key::kLeftShift) {
         // The tool may show what a modifier does before the pointer moves.
         if (over_ && !held_ && !panning_) {

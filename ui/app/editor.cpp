@@ -70,7 +70,8 @@ bool sameSettings(const Settings &a, const Settings &b) {
 
 } // namespace
 
-Editor::Editor(Platform &platform, EditorSetup options) : parts_(std::make_unique<Parts>(platform, std::move(options))) {
+Editor::Editor(Platform &platform, EditorSetup options)
+    : parts_(std::make_unique<Parts>(platform, std::move(options))) {
     AppContext &c = parts_->context;
     const auto wake = [&platform] { platform.wake(); };
     if (!parts_->options.settingsFolder.empty()) {
@@ -95,7 +96,10 @@ Editor::Editor(Platform &platform, EditorSetup options) : parts_(std::make_uniqu
     } else if (parts_->options.sample) {
         const std::vector<Sample> gallery = samples();
         if (gallery.empty()) {
-            c.log.add(Diagnostic{.severity = Severity::Warning, .code = "no-assets", .message = "the samples were not found", .advice = "set FOREFRONT_ASSETS to the folder assets"});
+            c.log.add(Diagnostic{.severity = Severity::Warning,
+                                 .code = "no-assets",
+                                 .message = "the samples were not found",
+                                 .advice = "set FOREFRONT_ASSETS to the folder assets"});
         } else {
             open(gallery.front().path);
         }
@@ -125,7 +129,8 @@ bool Editor::running() const {
 
 bool Editor::settled() const {
     const AppContext &c = parts_->context;
-    return parts_->input.empty() && !parts_->input.replaying() && c.redraw <= 0 && !c.previews->busy() && !c.run().busy();
+    return parts_->input.empty() && !parts_->input.replaying() && c.redraw <= 0 && !c.previews->busy() &&
+           !c.run().busy();
 }
 
 double Editor::sleepSeconds() const {

@@ -59,8 +59,8 @@ double estimateElements(const Domain &domain, const SpacingField &spacing) {
 } // namespace
 
 Preview::Preview(std::function<void()> wake)
-    : wake_(std::move(wake)), preview_(std::make_shared<DocumentPreview>()),
-      raster_(std::make_shared<SpacingRaster>()), thread_([this](const std::stop_token &stop) { work(stop); }) {}
+    : wake_(std::move(wake)), preview_(std::make_shared<DocumentPreview>()), raster_(std::make_shared<SpacingRaster>()),
+      thread_([this](const std::stop_token &stop) { work(stop); }) {}
 
 Preview::~Preview() {
     thread_.request_stop();
@@ -101,7 +101,8 @@ std::shared_ptr<const SpacingRaster> Preview::raster() const {
 
 bool Preview::busy() const {
     const std::lock_guard lock(mutex_);
-    return doneRevision_ != wantedRevision_ || rasterNumber_ != wantedRaster_.number || rasterRevision_ != doneRevision_;
+    return doneRevision_ != wantedRevision_ || rasterNumber_ != wantedRaster_.number ||
+           rasterRevision_ != doneRevision_;
 }
 
 std::shared_ptr<const DocumentPreview> Preview::examine(const Document &document, std::uint64_t revision,

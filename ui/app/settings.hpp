@@ -11,10 +11,10 @@ namespace forefront {
 /// What the program remembers between runs.
 struct Settings {
     ThemeKind theme = ThemeKind::Dark;
-    double scale = 1.0; ///< the user's slider, 0.75 to 3, on top of the monitor's scale
+    double scale = 1.0;        ///< the user's slider, 0.75 to 3, on top of the monitor's scale
     double panelWidth = 304.0; ///< of the right column, design pixels
     double tabsHeight = 196.0; ///< of the tabs at its bottom
-    bool hints = true; ///< the strip for the first run
+    bool hints = true;         ///< the strip for the first run
     std::vector<std::string> recentFiles;
 };
 

@@ -17,10 +17,10 @@ struct PixelRect {
 
 /// Maps the plane (y up, double precision) to framebuffer pixels (y down).
 struct Camera {
-    Vec2 centre;             ///< place shown in the middle of the viewport
-    double zoom = 50.0;      ///< pixels per domain unit, > 0
-    PixelRect viewport;      ///< the canvas in the framebuffer
-    double minZoom = 1e-12;  ///< bounds of zoom, set from the size of the drawing
+    Vec2 centre;            ///< place shown in the middle of the viewport
+    double zoom = 50.0;     ///< pixels per domain unit, > 0
+    PixelRect viewport;     ///< the canvas in the framebuffer
+    double minZoom = 1e-12; ///< bounds of zoom, set from the size of the drawing
     double maxZoom = 1e12;
 
     Vec2 toPixel(Vec2 p) const {
@@ -53,7 +53,8 @@ struct Camera {
             return;
         }
         const Vec2 size = box.size();
-        const double extent = std::max({size.x, size.y, 1e-9 * std::max({1.0, std::abs(box.max.x), std::abs(box.max.y)})});
+        const double extent =
+            std::max({size.x, size.y, 1e-9 * std::max({1.0, std::abs(box.max.x), std::abs(box.max.y)})});
         minZoom = 0.02 * std::min(viewport.width, viewport.height) / extent;
         maxZoom = 1e7 * std::max(viewport.width, viewport.height) / extent;
         const double usable = 1.0 - 2.0 * margin;

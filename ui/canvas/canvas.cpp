@@ -58,7 +58,8 @@ void clearTo(Colour colour) {
 std::uint64_t stillStamp(const LayerFrame &frame, const std::vector<LayerSlot> &layers) {
     Hash64 hash;
     const Camera &camera = frame.camera;
-    for (const double number : {camera.centre.x, camera.centre.y, camera.zoom, camera.viewport.width, camera.viewport.height, frame.scale}) {
+    for (const double number :
+         {camera.centre.x, camera.centre.y, camera.zoom, camera.viewport.width, camera.viewport.height, frame.scale}) {
         hash.add(number);
     }
     hash.add(static_cast<std::uint64_t>(frame.theme.kind));
@@ -117,7 +118,8 @@ void Canvas::Parts::requestRaster(AppContext &context) {
         return;
     }
     const bool serves = !rasterBox.empty() && rasterBox.contains(seen.min) && rasterBox.contains(seen.max) &&
-                        within(rasterBox) == rasterBox && camera.zoom < 1.9 * rasterZoom && camera.zoom > 0.3 * rasterZoom;
+                        within(rasterBox) == rasterBox && camera.zoom < 1.9 * rasterZoom &&
+                        camera.zoom > 0.3 * rasterZoom;
     if (!serves) {
         constexpr double kPixelsPerSample = 2.5;
         rasterBox = within(visible.grown(0.25 * std::min(visible.size().x, visible.size().y)));
@@ -151,7 +153,8 @@ void Canvas::Parts::drawStill(AppContext &context, const LayerFrame &frame) {
 
 void Canvas::Parts::drawLive(AppContext &context, const LayerFrame &frame) {
     const PixelRect &rect = frame.camera.viewport;
-    const int x = static_cast<int>(rect.x), width = static_cast<int>(rect.width), height = static_cast<int>(rect.height);
+    const int x = static_cast<int>(rect.x), width = static_cast<int>(rect.width),
+              height = static_cast<int>(rect.height);
     const int y = context.platform.framebufferSize().height - static_cast<int>(rect.y) - height;
     glBindFramebuffer(GL_READ_FRAMEBUFFER, still.framebuffer());
     glBlitFramebuffer(0, 0, width, height, x, y, x + width, y + height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
@@ -183,7 +186,8 @@ void Canvas::Parts::drawOverlays(AppContext &context, const LayerFrame &frame) {
     const double age = context.platform.now() - context.view.flagTime;
     if (context.view.flag && age < kFlagSeconds) {
         const double t = age / kFlagSeconds;
-        painter.ring(*context.view.flag, 14.0 + 10.0 * std::abs(std::sin(6.0 * age)), fade(context.theme.accent, 1.0 - t * t), 2.5);
+        painter.ring(*context.view.flag, 14.0 + 10.0 * std::abs(std::sin(6.0 * age)),
+                     fade(context.theme.accent, 1.0 - t * t), 2.5);
         context.animate();
     }
     Vec2 corner{rect.x + rect.width - 14.0 * frame.scale, rect.y + rect.height - 14.0 * frame.scale};

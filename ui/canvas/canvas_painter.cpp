@@ -106,8 +106,8 @@ void CanvasPainter::triangle(Vec2 a, Vec2 b, Vec2 c, Colour fill) {
 }
 
 void CanvasPainter::rectangle(const Box2 &box, Colour colour, double width) {
-    list_.AddRect(im(camera_.toPixel({box.min.x, box.max.y})), im(camera_.toPixel({box.max.x, box.min.y})), colour, 0.0F,
-                  0, im(width * scale_));
+    list_.AddRect(im(camera_.toPixel({box.min.x, box.max.y})), im(camera_.toPixel({box.max.x, box.min.y})), colour,
+                  0.0F, 0, im(width * scale_));
 }
 
 void CanvasPainter::fillRectangle(const Box2 &box, Colour fill) {

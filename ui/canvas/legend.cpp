@@ -20,20 +20,23 @@ ImVec2 extent(ImFont *font, const std::string &text) {
 
 } // namespace
 
-double drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &fonts, Vec2 corner, const std::string &title,
-                     Colour (*map)(double), const std::vector<LegendTick> &ticks, double hatchedTo) {
+double drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &fonts, Vec2 corner,
+                     const std::string &title, Colour (*map)(double), const std::vector<LegendTick> &ticks,
+                     double hatchedTo) {
     const double s = painter.scale();
     const double width = 216.0 * s, height = 58.0 * s, bar = 192.0 * s, barHeight = 9.0 * s;
     const double left = std::round(corner.x - width), top = std::round(corner.y - height);
     ImDrawList &list = painter.list();
-    list.AddRectFilled(im(left, top), im(left + width, top + height), fade(theme.popup, 0.92), static_cast<float>(7.0 * s));
+    list.AddRectFilled(im(left, top), im(left + width, top + height), fade(theme.popup, 0.92),
+                       static_cast<float>(7.0 * s));
     list.AddRect(im(left, top), im(left + width, top + height), theme.line, static_cast<float>(7.0 * s));
     const double x = left + 12.0 * s, y = top + 26.0 * s;
     list.AddText(fonts.small, fonts.small->FontSize, im(x, top + 7.0 * s), theme.muted, title.c_str());
     constexpr int kPieces = 64;
     for (int i = 0; i < kPieces; ++i) {
         const double from = static_cast<double>(i) / kPieces, to = static_cast<double>(i + 1) / kPieces;
-        list.AddRectFilledMultiColor(im(x + from * bar, y), im(x + to * bar, y + barHeight), map(from), map(to), map(to), map(from));
+        list.AddRectFilledMultiColor(im(x + from * bar, y), im(x + to * bar, y + barHeight), map(from), map(to),
+                                     map(to), map(from));
     }
     list.PushClipRect(im(x, y), im(x + hatchedTo * bar, y + barHeight), true);
     for (double at = -barHeight; at < hatchedTo * bar; at += 5.0 * s) {
@@ -43,9 +46,11 @@ double drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &fo
     for (const LegendTick &tick : ticks) {
         const double at = x + tick.at * bar;
         const ImVec2 size = extent(fonts.small, tick.text);
-        const double textX = std::clamp(at - 0.5 * static_cast<double>(size.x), x, x + bar - static_cast<double>(size.x));
+        const double textX =
+            std::clamp(at - 0.5 * static_cast<double>(size.x), x, x + bar - static_cast<double>(size.x));
         list.AddLine(im(at, y + barHeight), im(at, y + barHeight + 3.0 * s), theme.muted);
-        list.AddText(fonts.small, fonts.small->FontSize, im(std::round(textX), y + barHeight + 3.0 * s), theme.text, tick.text.c_str());
+        list.AddText(fonts.small, fonts.small->FontSize, im(std::round(textX), y + barHeight + 3.0 * s), theme.text,
+                     tick.text.c_str());
     }
     return height;
 }

@@ -16,8 +16,9 @@ struct LegendTick {
 
 /// A colour bar with a title and ticks, its lower right corner at `corner` (pixels). `hatchedTo`: the beginning of the
 /// bar up to there is hatched. Returns its height in pixels.
-double drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &fonts, Vec2 corner, const std::string &title,
-                     Colour (*map)(double), const std::vector<LegendTick> &ticks, double hatchedTo = 0.0);
+double drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &fonts, Vec2 corner,
+                     const std::string &title, Colour (*map)(double), const std::vector<LegendTick> &ticks,
+                     double hatchedTo = 0.0);
 
 /// Round numbers of a logarithmic scale (1, 2, 5 · 10ⁿ), at most `most` of them, as ticks between `least` and
 /// `greatest`; the ends themselves where fewer than two fit.

@@ -39,7 +39,8 @@ void DialogHost::drawFrom(std::size_t level, AppContext &context, std::vector<bo
         ImGui::PopFont();
         const std::string name = std::string("dialog/") + dialog.id();
         ImGui::SameLine(ImGui::GetWindowWidth() - context.px(22 + 26));
-        if (ui::iconButton(context, name + "/close", icon::kCross, "Close (Esc)", false, dialog.closesOnEscape(), 26.0F)) {
+        if (ui::iconButton(context, name + "/close", icon::kCross, "Close (Esc)", false, dialog.closesOnEscape(),
+                           26.0F)) {
             keep[level] = false;
         }
         ImGui::Dummy({0, context.px(4)});

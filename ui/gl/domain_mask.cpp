@@ -36,10 +36,12 @@ std::vector<std::uint8_t> rasteriseDomain(const Domain &domain, const Camera &ca
     std::vector<std::uint8_t> mask(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
     std::vector<Crossing> crossings;
     const auto toLocal = [&](Vec2 p) {
-        return Vec2{(p.x - camera.centre.x) * camera.zoom + 0.5 * width, (p.y - camera.centre.y) * camera.zoom + 0.5 * height};
+        return Vec2{(p.x - camera.centre.x) * camera.zoom + 0.5 * width,
+                    (p.y - camera.centre.y) * camera.zoom + 0.5 * height};
     };
     for (const DomainSegment &segment : domain.segments) {
-        if (segment.role != SegmentRole::Boundary || segment.a >= domain.nodes.size() || segment.b >= domain.nodes.size()) {
+        if (segment.role != SegmentRole::Boundary || segment.a >= domain.nodes.size() ||
+            segment.b >= domain.nodes.size()) {
             continue;
         }
         Vec2 p = toLocal(domain.nodes[segment.a]), q = toLocal(domain.nodes[segment.b]);
@@ -50,7 +52,8 @@ std::vector<std::uint8_t> rasteriseDomain(const Domain &domain, const Camera &ca
             std::swap(p, q);
         }
         // Rows whose middle y + 0.5 lies in [p.y, q.y).
-        const double from = std::max(0.0, std::ceil(p.y - 0.5)), to = std::min(static_cast<double>(height), std::ceil(q.y - 0.5));
+        const double from = std::max(0.0, std::ceil(p.y - 0.5)),
+                     to = std::min(static_cast<double>(height), std::ceil(q.y - 0.5));
         for (double row = from; row < to; row += 1.0) {
             const double x = p.x + (row + 0.5 - p.y) / (q.y - p.y) * (q.x - p.x);
             crossings.push_back({static_cast<int>(row), x});
@@ -62,7 +65,8 @@ std::vector<std::uint8_t> rasteriseDomain(const Domain &domain, const Camera &ca
             ++i; // an open chain: the fault is reported elsewhere
             continue;
         }
-        fillSpan(&mask[static_cast<std::size_t>(crossings[i].row) * static_cast<std::size_t>(width)], width, crossings[i].x, crossings[i + 1].x);
+        fillSpan(&mask[static_cast<std::size_t>(crossings[i].row) * static_cast<std::size_t>(width)], width,
+                 crossings[i].x, crossings[i + 1].x);
         i += 2;
     }
     return mask;

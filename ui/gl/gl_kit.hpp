@@ -16,6 +16,7 @@ struct FieldTint {
     const std::vector<float> *logRho = nullptr;
     std::uint64_t version = 0; ///< changes when the numbers do
     double least = 0.0, greatest = 1.0;
+    bool reversed = false; ///< the least value has the bright end of the map
     double opacity = 1.0;
 };
 

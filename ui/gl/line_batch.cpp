@@ -12,13 +12,15 @@ namespace {
 
 void pointAttribute(unsigned location, std::size_t stride, std::size_t offset) {
     glEnableVertexAttribArray(location);
-    glVertexAttribPointer(location, 4, GL_FLOAT, GL_FALSE, static_cast<int>(stride), reinterpret_cast<const void *>(offset));
+    glVertexAttribPointer(location, 4, GL_FLOAT, GL_FALSE, static_cast<int>(stride),
+                          reinterpret_cast<const void *>(offset));
     glVertexAttribDivisor(location, 1);
 }
 
 void colourAttribute(unsigned location, std::size_t stride, std::size_t offset) {
     glEnableVertexAttribArray(location);
-    glVertexAttribPointer(location, 4, GL_UNSIGNED_BYTE, GL_TRUE, static_cast<int>(stride), reinterpret_cast<const void *>(offset));
+    glVertexAttribPointer(location, 4, GL_UNSIGNED_BYTE, GL_TRUE, static_cast<int>(stride),
+                          reinterpret_cast<const void *>(offset));
     glVertexAttribDivisor(location, 1);
 }
 

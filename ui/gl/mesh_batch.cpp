@@ -127,7 +127,9 @@ void MeshBatch::rebuildByPlace(const MeshView &view) {
 
 void MeshBatch::upload(std::size_t fromElement) {
     const std::size_t total = values_.size() / 3;
-    const auto bytes = [](std::size_t elements, std::size_t each) { return static_cast<GLsizeiptr>(3 * elements * each); };
+    const auto bytes = [](std::size_t elements, std::size_t each) {
+        return static_cast<GLsizeiptr>(3 * elements * each);
+    };
     if (total > capacity_) {
         capacity_ = std::max(total, std::min(2 * capacity_, total + 262144));
         fromElement = 0;

@@ -25,9 +25,9 @@ struct MeshStyle {
     double isolateFrom = 1.0, isolateTo = 0.0; ///< elements with α in [from, to) shown alone; from > to: all
 };
 
-/// A mesh on the GPU: triangles without index, drawn with their edges in one pass. Divided into chunks with an origin of
-/// their own (precision at any offset and zoom) that are left out where they are not in view. A mesh that grows at its
-/// end, as while the front advances, or shrinks there, is updated in place.
+/// A mesh on the GPU: triangles without index, drawn with their edges in one pass. Divided into chunks with an origin
+/// of their own (precision at any offset and zoom) that are left out where they are not in view. A mesh that grows at
+/// its end, as while the front advances, or shrinks there, is updated in place.
 class MeshBatch {
   public:
     MeshBatch();

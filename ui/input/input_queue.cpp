@@ -10,8 +10,8 @@ namespace {
 struct FrameChanges {
     bool moved = false, button = false, scrolled = false, key = false, text = false;
 
-    /// True if `event` may not share a frame with what has changed already. A move after a button change would shift the
-    /// click; two changes of a button or key would hide each other; text belongs to the key before it.
+    /// True if `event` may not share a frame with what has changed already. A move after a button change would shift
+    /// the click; two changes of a button or key would hide each other; text belongs to the key before it.
     bool conflicts(const InputEvent &event) const {
         switch (event.kind) {
         case InputKind::MouseMove:

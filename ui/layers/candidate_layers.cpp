@@ -83,8 +83,8 @@ class CandidatesLayer final : public Layer {
         for (std::size_t i = 0; i < labelled; ++i) {
             const CandidateTrace &candidate = e.candidates[i];
             const Colour colour = verdictColour(theme, candidate.verdict, moment.judged[i]);
-            painter.label(candidate.position, freePlace(frame, candidate.position, taken), candidateLabel(candidate, i, moment), colour,
-                          fade(theme.popup, 0.92), frame.fonts.small);
+            painter.label(candidate.position, freePlace(frame, candidate.position, taken),
+                          candidateLabel(candidate, i, moment), colour, fade(theme.popup, 0.92), frame.fonts.small);
         }
     }
 
@@ -96,7 +96,8 @@ class CandidatesLayer final : public Layer {
         for (int tries = 0; tries < 12; ++tries) {
             const PixelRect rect{pixel.x + offset.x * frame.scale, pixel.y + offset.y * frame.scale, width, height};
             const bool hit = std::any_of(taken.begin(), taken.end(), [&](const PixelRect &t) {
-                return rect.x < t.x + t.width && t.x < rect.x + rect.width && rect.y < t.y + t.height && t.y < rect.y + rect.height;
+                return rect.x < t.x + t.width && t.x < rect.x + rect.width && rect.y < t.y + t.height &&
+                       t.y < rect.y + rect.height;
             });
             if (!hit) {
                 taken.push_back(rect);
@@ -123,7 +124,8 @@ class TestsLayer final : public Layer {
         const Theme &theme = frame.theme;
         for (std::size_t i = 0; i < moment.tests; ++i) {
             const TestTrace &test = e.tests[i];
-            painter.line(test.frontA, test.frontB, test.meets ? theme.bad : fade(theme.visited, 0.9), test.meets ? 3.5 : 2.5);
+            painter.line(test.frontA, test.frontB, test.meets ? theme.bad : fade(theme.visited, 0.9),
+                         test.meets ? 3.5 : 2.5);
         }
         for (std::size_t i = e.candidates.size(); i-- > 0;) {
             const CandidateTrace &candidate = e.candidates[i];

@@ -17,7 +17,6 @@ class DomainLayer final : public Layer {
     void drawStill(const LayerFrame &frame) override {
         frame.gl.drawField(frame.domain, frame.revision, frame.camera, frame.theme.domain, nullptr);
     }
-
 };
 
 class BoundaryLayer final : public Layer {
@@ -46,7 +45,8 @@ class BoundaryLayer final : public Layer {
         for (const DomainSegment &segment : domain.segments) {
             const bool outer = segment.role == SegmentRole::Boundary;
             (outer ? boundary_ : constraints_)
-                .add(domain.nodes[segment.a], domain.nodes[segment.b], outer ? frame.theme.boundary : frame.theme.constraint);
+                .add(domain.nodes[segment.a], domain.nodes[segment.b],
+                     outer ? frame.theme.boundary : frame.theme.constraint);
         }
         for (const ConstraintPoint &point : domain.points) {
             points_.add(domain.nodes[point.node], domain.nodes[point.node], frame.theme.constraint);

@@ -35,7 +35,8 @@ class FrontLayer final : public Layer {
                 }
             }
         }
-        segments_.draw(frame.gl, frame.camera, {.width = 2.0 * frame.scale, .glow = 9.0 * frame.scale, .arrow = 7.0 * frame.scale});
+        segments_.draw(frame.gl, frame.camera,
+                       {.width = 2.0 * frame.scale, .glow = 9.0 * frame.scale, .arrow = 7.0 * frame.scale});
     }
 
     void drawOverlay(CanvasPainter &painter, const LayerFrame &frame) override {
@@ -53,10 +54,15 @@ class FrontLayer final : public Layer {
         }
         if (pixels > 60.0) {
             const Colour plate = fade(theme.popup, 0.85);
+            // Beyond the ends and on the meshed side, where no candidate stands; y points down on the screen.
             const Vec2 along = (1.0 / distance(e.a, e.b)) * (e.b - e.a);
-            const Vec2 away{-18.0 * along.x, 18.0 * along.y}; // screen: y down
-            painter.label(e.a, away + Vec2{-8, -7}, nodeLabel("A", e.nodeA), theme.base, plate, frame.fonts.small);
-            painter.label(e.b, Vec2{-away.x, -away.y} + Vec2{-8, -7}, nodeLabel("B", e.nodeB), theme.base, plate, frame.fonts.small);
+            const Vec2 right{along.y, -along.x};
+            const auto screen = [](Vec2 v) { return Vec2{v.x, -v.y}; };
+            const Vec2 middle{-9.0, -7.0};
+            painter.label(e.a, middle + screen(16.0 * right + -14.0 * along), nodeLabel("A", e.nodeA), theme.base,
+                          plate, frame.fonts.small);
+            painter.label(e.b, middle + screen(16.0 * right + 14.0 * along), nodeLabel("B", e.nodeB), theme.base, plate,
+                          frame.fonts.small);
         }
     }
 

@@ -1,7 +1,9 @@
 #include "core/edit/document.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/layers/layers.hpp"
+#include "ui/layers/moment.hpp"
 
+#include <algorithm>
 #include <string>
 
 namespace forefront {
@@ -30,10 +32,13 @@ class LabelsLayer final : public Layer {
             drawName(painter, frame, shape.nodes[0] + Vec2{0.0, radius}, shape.tag, 2.0 * radius);
             return;
         }
-        const std::vector<Vec2> nodes = shape.kind == ShapeKind::Rectangle && shape.nodes.size() == 2 ? corners(shape) : shape.nodes;
+        const std::vector<Vec2> nodes =
+            shape.kind == ShapeKind::Rectangle && shape.nodes.size() == 2 ? corners(shape) : shape.nodes;
         const bool closed = shape.kind == ShapeKind::Polygon || shape.kind == ShapeKind::Rectangle;
         const std::size_t segments = nodes.size() < 2 ? 0 : closed ? nodes.size() : nodes.size() - 1;
-        const auto tagOf = [&](std::size_t i) { return i < shape.segmentTags.size() ? shape.segmentTags[i] : shape.tag; };
+        const auto tagOf = [&](std::size_t i) {
+            return i < shape.segmentTags.size() ? shape.segmentTags[i] : shape.tag;
+        };
         for (std::size_t first = 0; first < segments;) {
             std::size_t last = first;
             double whole = 0.0;
@@ -68,7 +73,8 @@ class LabelsLayer final : public Layer {
             return;
         }
         const double half = 3.0 * static_cast<double>(named->second.size());
-        painter.label(at, {-half, -7.0}, named->second, frame.theme.muted, fade(frame.theme.popup, 0.82), frame.fonts.small);
+        painter.label(at, {-half, -7.0}, named->second, frame.theme.muted, fade(frame.theme.popup, 0.82),
+                      frame.fonts.small);
     }
 
     static void drawNodeNumbers(CanvasPainter &painter, const LayerFrame &frame) {
@@ -91,10 +97,27 @@ class LabelsLayer final : public Layer {
         if (inView.size() > kMostNumbers) {
             return;
         }
+        const Moment moment = momentOf(frame.snapshot);
         for (const std::size_t i : inView) {
+            if (namedElsewhere(moment, i)) {
+                continue;
+            }
             painter.dot(nodes[i], 2.0, frame.theme.muted);
-            painter.label(nodes[i], {6, 3}, std::to_string(i), frame.theme.muted, fade(frame.theme.popup, 0.55), frame.fonts.small);
+            painter.label(nodes[i], {6, 3}, std::to_string(i), frame.theme.muted, fade(frame.theme.popup, 0.35),
+                          frame.fonts.small);
         }
+    }
+
+    /// A, B and the candidates bear labels of their own.
+    static bool namedElsewhere(const Moment &moment, std::size_t node) {
+        if (!moment) {
+            return false;
+        }
+        const AdvanceExplanation &e = *moment.advance;
+        const auto is = [node](NodeId id) { return id != kNoNode && index(id) == node; };
+        return is(e.nodeA) || is(e.nodeB) ||
+               std::any_of(e.candidates.begin(), e.candidates.end(),
+                           [&](const CandidateTrace &c) { return is(c.node); });
     }
 };
 

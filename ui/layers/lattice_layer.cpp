@@ -18,7 +18,9 @@ class LatticeLayer final : public Layer {
         const double pitch = latticePitch(frame.camera, frame.scale);
         const Box2 visible = frame.camera.visible();
         lines_.clear();
-        const auto colour = [&](double i) { return std::fmod(i, 5.0) == 0.0 ? fade(frame.theme.gridLine, 2.0) : frame.theme.gridLine; };
+        const auto colour = [&](double i) {
+            return std::fmod(i, 5.0) == 0.0 ? fade(frame.theme.gridLine, 2.0) : frame.theme.gridLine;
+        };
         for (double i = std::ceil(visible.min.x / pitch); i * pitch <= visible.max.x; i += 1.0) {
             lines_.add({i * pitch, visible.min.y}, {i * pitch, visible.max.y}, colour(i));
         }

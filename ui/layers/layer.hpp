@@ -42,8 +42,8 @@ struct LayerFrame {
     bool visible(std::string_view id) const;
 };
 
-/// A layer of the canvas. One file a layer, one line in makeLayers(). Layers are drawn in the order of makeLayers(), all
-/// still parts first.
+/// A layer of the canvas. One file a layer, one line in makeLayers(). Layers are drawn in the order of makeLayers(),
+/// all still parts first.
 class Layer {
   public:
     virtual ~Layer() = default;

@@ -49,7 +49,8 @@ class ElementPainter {
         if (frame.isolatedBin) {
             const double bins = static_cast<double>(kHistogramBins);
             style.isolateFrom = *frame.isolatedBin == 0 ? -2.0 : *frame.isolatedBin / bins;
-            style.isolateTo = *frame.isolatedBin + 1 == static_cast<int>(kHistogramBins) ? 2.0 : (*frame.isolatedBin + 1) / bins;
+            style.isolateTo =
+                *frame.isolatedBin + 1 == static_cast<int>(kHistogramBins) ? 2.0 : (*frame.isolatedBin + 1) / bins;
         }
         batch_.draw(frame.gl, frame.camera, style);
     }
@@ -112,8 +113,14 @@ class QualityLayer final : public Layer {
 
     double drawLegend(CanvasPainter &painter, const LayerFrame &frame, Vec2 corner) override {
         const auto at = [](double alpha) { return (alpha - kMapFrom) / (1.0 - kMapFrom); };
-        return drawColourBar(painter, frame.theme, frame.fonts, corner, "shape factor \xce\xb1  (hatched: below 0.5)", cividis,
-                             {{at(0.4), "\xe2\x89\xa4" "0.4"}, {at(0.6), "0.6"}, {at(0.8), "0.8"}, {at(1.0), "1"}}, at(kBad));
+        return drawColourBar(painter, frame.theme, frame.fonts, corner, "shape factor \xce\xb1  (hatched: below 0.5)",
+                             cividis,
+                             {{at(0.4), "\xe2\x89\xa4"
+                                        "0.4"},
+                              {at(0.6), "0.6"},
+                              {at(0.8), "0.8"},
+                              {at(1.0), "1"}},
+                             at(kBad));
     }
 
   private:

@@ -10,6 +10,11 @@ namespace forefront {
 
 namespace {
 
+/// Fine spacing stands out from the canvas: bright on a dark one, dark on a light one; the coarse rest stays calm.
+Colour fineIsBright(double t) {
+    return viridis(1.0 - t);
+}
+
 class SpacingLayer final : public Layer {
   public:
     const char *id() const override { return "size"; }
@@ -30,7 +35,8 @@ class SpacingLayer final : public Layer {
                              .version = version_,
                              .least = std::log(least_),
                              .greatest = std::log(greatest_),
-                             .opacity = frame.theme.kind == ThemeKind::Dark ? 0.62 : 0.72};
+                             .reversed = frame.theme.kind == ThemeKind::Dark,
+                             .opacity = frame.theme.kind == ThemeKind::Dark ? 0.5 : 0.55};
         frame.gl.drawField(frame.domain, frame.revision, frame.camera, frame.theme.domain, &tint);
     }
 
@@ -38,7 +44,7 @@ class SpacingLayer final : public Layer {
         if (!shown_ || shown_->rho.empty()) {
             return 0.0;
         }
-        return drawColourBar(painter, frame.theme, frame.fonts, corner, "node spacing \xcf\x81", viridis,
+        return drawColourBar(painter, frame.theme, frame.fonts, corner, "node spacing \xcf\x81", frame.theme.kind == ThemeKind::Dark ? fineIsBright : viridis,
                              logarithmicTicks(least_, greatest_, 5));
     }
 

@@ -36,8 +36,9 @@ class HistogramPanel final : public Panel {
     static void drawSummary(AppContext &context, const MeshQuality &quality) {
         if (context.view.isolatedBin) {
             const int bin = *context.view.isolatedBin;
-            const std::string text = ui::format("\xce\xb1 %.3f\xe2\x80\x93%.3f alone", bin / static_cast<double>(kHistogramBins),
-                                                (bin + 1) / static_cast<double>(kHistogramBins));
+            const std::string text =
+                ui::format("\xce\xb1 %.3f\xe2\x80\x93%.3f alone", bin / static_cast<double>(kHistogramBins),
+                           (bin + 1) / static_cast<double>(kHistogramBins));
             if (ui::badge(context, "histogram/all", text + "   " + icon::kCross, context.theme.accent)) {
                 context.view.isolatedBin.reset();
             }
@@ -47,10 +48,12 @@ class HistogramPanel final : public Panel {
         }
     }
 
-    /// Heights grow with the square root of the count, so that a few bad elements are seen beside thousands of good ones.
+    /// Heights grow with the square root of the count, so that a few bad elements are seen beside thousands of good
+    /// ones.
     static void drawBars(AppContext &context, const MeshQuality &quality, ImVec2 at, ImVec2 size) {
         const auto &bins = quality.alphaHistogram;
-        const double most = std::sqrt(static_cast<double>(std::max<std::uint64_t>(1, *std::max_element(bins.begin(), bins.end()))));
+        const double most =
+            std::sqrt(static_cast<double>(std::max<std::uint64_t>(1, *std::max_element(bins.begin(), bins.end()))));
         const float each = size.x / static_cast<float>(bins.size());
         ImDrawList &list = *ImGui::GetWindowDrawList();
         for (std::size_t i = 0; i < bins.size(); ++i) {
@@ -63,13 +66,15 @@ class HistogramPanel final : public Panel {
             const bool alone = context.view.isolatedBin == static_cast<int>(i);
             if (bins[i] > 0) {
                 const double middle = (static_cast<double>(i) + 0.5) / static_cast<double>(bins.size());
-                const float tall = std::max(context.px(2), size.y * static_cast<float>(std::sqrt(static_cast<double>(bins[i])) / most));
+                const float tall = std::max(
+                    context.px(2), size.y * static_cast<float>(std::sqrt(static_cast<double>(bins[i])) / most));
                 Colour colour = cividis((middle - 0.4) / 0.6);
                 if (context.theme.kind == ThemeKind::Dark && middle < 0.55) {
                     colour = mix(colour, context.theme.muted, 0.35); // the dark end of the map on a dark panel
                 }
                 colour = context.view.isolatedBin && !alone ? fade(colour, 0.35) : colour;
-                list.AddRectFilled({corner.x + 0.5F, corner.y + size.y - tall}, {corner.x + each - 0.5F, corner.y + size.y},
+                list.AddRectFilled({corner.x + 0.5F, corner.y + size.y - tall},
+                                   {corner.x + each - 0.5F, corner.y + size.y},
                                    hovered || alone ? mix(colour, context.theme.text, 0.35) : colour, context.px(1));
             }
             if (clicked && bins[i] > 0) {
@@ -77,7 +82,8 @@ class HistogramPanel final : public Panel {
                 context.animate();
             }
             if (hovered) {
-                ui::tooltip(context, ui::format("\xce\xb1 %.3f\xe2\x80\x93%.3f: ", static_cast<double>(i) / 40.0, static_cast<double>(i + 1) / 40.0) +
+                ui::tooltip(context, ui::format("\xce\xb1 %.3f\xe2\x80\x93%.3f: ", static_cast<double>(i) / 40.0,
+                                                static_cast<double>(i + 1) / 40.0) +
                                          ui::count(bins[i]) + " elements\nClick to show them alone");
             }
         }

@@ -23,7 +23,8 @@ class LayersPanel final : public Panel {
                 ImGui::SameLine();
             }
             ++at;
-            if (ui::eyeSwitch(context, std::string("layer/") + slot.layer->id(), slot.layer->name(), slot.visible, each)) {
+            if (ui::eyeSwitch(context, std::string("layer/") + slot.layer->id(), slot.layer->name(), slot.visible,
+                              each)) {
                 context.animate();
             }
         }

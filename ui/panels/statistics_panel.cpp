@@ -44,14 +44,19 @@ class StatisticsPanel final : public Panel {
         const MeshQuality &q = run.quality;
         const WorkCounters &w = run.work;
         cell(context, "Nn", ui::count(q.nodes), "Nodes");
-        cell(context, "\xce\xb1 mean", ui::format("%.4f", q.alphaMean), "Shape factor \xce\xb1 = 4\xe2\x88\x9a" "3\xc2\xb7" "area/\xce\xa3l\xc2\xb2, arithmetic mean; 1: equilateral");
+        cell(context, "\xce\xb1 mean", ui::format("%.4f", q.alphaMean),
+             "Shape factor \xce\xb1 = 4\xe2\x88\x9a"
+             "3\xc2\xb7"
+             "area/\xce\xa3l\xc2\xb2, arithmetic mean; 1: equilateral");
         cell(context, "Ne", ui::count(q.elements), "Elements");
         cell(context, "\xce\xb1 geom.", ui::format("%.4f", q.alphaGeometricMean), "Geometric mean of \xce\xb1");
         cell(context, "\xce\x93", ui::count(run.frontSegments), "Segments of the generation front now");
         cell(context, "\xce\xb1 least", ui::format("%.4f", q.alphaMin), "The worst element");
         cell(context, "Nb", ui::format("%.1f", w.frontMean()), "Mean length of the front");
-        cell(context, "\xce\xb4 mean", ui::format("%.4f", q.deltaMean), "Spacing conformity min(L/\xcf\x81, \xcf\x81/L), mean over the segments");
-        cell(context, "Nc", ui::format("%.2f", w.neighboursMean()), "Mean neighbouring segments that the background grid delivers per advance");
+        cell(context, "\xce\xb4 mean", ui::format("%.4f", q.deltaMean),
+             "Spacing conformity min(L/\xcf\x81, \xcf\x81/L), mean over the segments");
+        cell(context, "Nc", ui::format("%.2f", w.neighboursMean()),
+             "Mean neighbouring segments that the background grid delivers per advance");
         cell(context, "min \xe2\x88\xa0", ui::format("%.1f\xc2\xb0", q.minAngle), "Least angle");
         cell(context, "Ns", ui::format("%.3f", w.testsMean()), "Mean segments tested exactly per advance");
         cell(context, "max \xe2\x88\xa0", ui::format("%.1f\xc2\xb0", q.maxAngle), "Greatest angle");
@@ -60,7 +65,10 @@ class StatisticsPanel final : public Panel {
         cell(context, "time", ui::format("%.3g s", run.secondsMesh), "Advancing the front, processor time");
         cell(context, "forced", ui::count(w.forced), "Elements made by the closing stage, from existing nodes only");
         cell(context, "improve", ui::format("%.3g s", run.secondsImprove), "Swapping and smoothing, processor time");
-        cell(context, "hash", run.meshHash != 0 ? ui::format("%08x\xe2\x80\xa6", static_cast<unsigned>(run.meshHash >> 32)) : std::string("\xe2\x80\x93"), "Equal exactly when the mesh is equal bit for bit");
+        cell(context, "hash",
+             run.meshHash != 0 ? ui::format("%08x\xe2\x80\xa6", static_cast<unsigned>(run.meshHash >> 32))
+                               : std::string("\xe2\x80\x93"),
+             "Equal exactly when the mesh is equal bit for bit");
     }
 };
 

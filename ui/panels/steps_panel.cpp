@@ -31,7 +31,8 @@ std::string finding(const Moment &moment, int step) {
     const AdvanceExplanation &e = *moment.advance;
     switch (static_cast<Step>(step)) {
     case Step::TakeBase:
-        return e.nodeA == kNoNode ? std::string() : std::to_string(index(e.nodeA)) + "\xe2\x80\x93" + std::to_string(index(e.nodeB));
+        return e.nodeA == kNoNode ? std::string()
+                                  : std::to_string(index(e.nodeA)) + "\xe2\x80\x93" + std::to_string(index(e.nodeB));
     case Step::EvaluateSpacing:
         return ui::number(e.rho, 3);
     case Step::FindCandidates:
@@ -73,7 +74,8 @@ class StepsPanel final : public Panel {
             const std::string number = std::to_string(step);
             const float numberWidth = ImGui::CalcTextSize(number.c_str()).x;
             const Colour colour = here ? context.theme.text : context.theme.muted;
-            list.AddText({at.x + context.px(22) - numberWidth, y}, here ? context.theme.accent : context.theme.faint, number.c_str());
+            list.AddText({at.x + context.px(22) - numberWidth, y}, here ? context.theme.accent : context.theme.faint,
+                         number.c_str());
             list.AddText({at.x + context.px(31), y}, colour, kShort[static_cast<std::size_t>(step - 1)]);
             const std::string found = finding(moment, step);
             if (!found.empty()) {

@@ -114,8 +114,9 @@ GlfwPlatform::GlfwPlatform(GLFWwindow *window) : window_(window) {
     glfwSetWindowFocusCallback(window_, Callbacks::focus);
     glfwSetDropCallback(window_, Callbacks::drop);
     glfwSetWindowCloseCallback(window_, Callbacks::close);
-    const std::array<int, 7> shapes{GLFW_ARROW_CURSOR,     GLFW_HAND_CURSOR,    GLFW_IBEAM_CURSOR,    GLFW_CROSSHAIR_CURSOR,
-                                    GLFW_HRESIZE_CURSOR,   GLFW_VRESIZE_CURSOR, GLFW_CROSSHAIR_CURSOR};
+    const std::array<int, 7> shapes{GLFW_ARROW_CURSOR,     GLFW_HAND_CURSOR,    GLFW_IBEAM_CURSOR,
+                                    GLFW_CROSSHAIR_CURSOR, GLFW_HRESIZE_CURSOR, GLFW_VRESIZE_CURSOR,
+                                    GLFW_CROSSHAIR_CURSOR};
     for (std::size_t i = 0; i < shapes.size(); ++i) {
         cursors_[i] = glfwCreateStandardCursor(shapes[i]);
     }

@@ -39,7 +39,8 @@ void key(AppContext &context, const char *text) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 pad{context.px(6), context.px(2)};
     ImDrawList &list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled({at.x, at.y - pad.y}, {at.x + size.x + 2 * pad.x, at.y + size.y + pad.y}, context.theme.raised, context.px(4));
+    list.AddRectFilled({at.x, at.y - pad.y}, {at.x + size.x + 2 * pad.x, at.y + size.y + pad.y}, context.theme.raised,
+                       context.px(4));
     list.AddText({at.x + pad.x, at.y}, context.theme.accent, text);
     ImGui::Dummy({size.x + 2 * pad.x, size.y});
     ImGui::SameLine(0, context.px(6));
@@ -49,10 +50,12 @@ void drawHints(AppContext &context, const PixelRect &canvas) {
     if (!context.settings.hints) {
         return;
     }
-    const Plate plate(context, "##hints", canvas.centre().x, canvas.y + canvas.height - 14.0 * static_cast<double>(context.scale), 0.5F, 1.0F);
+    const Plate plate(context, "##hints", canvas.x + 14.0 * static_cast<double>(context.scale),
+                      canvas.y + canvas.height - 14.0 * static_cast<double>(context.scale), 0.0F, 1.0F);
     const struct {
         const char *key, *text;
-    } hints[] = {{"2", "mesh"}, {"Space", "replay the front"}, {".", "step"}, {"B", "paint finer"}, {"?", "all shortcuts"}};
+    } hints[] = {
+        {"2", "mesh"}, {"Space", "replay the front"}, {".", "step"}, {"B", "paint finer"}, {"?", "all shortcuts"}};
     for (const auto &hint : hints) {
         key(context, hint.key);
         ui::muted(context, hint.text);
@@ -70,7 +73,8 @@ void drawOutOfDate(AppContext &context, const PixelRect &canvas) {
         return;
     }
     const double scale = static_cast<double>(context.scale);
-    const Plate plate(context, "##outofdate", canvas.x + canvas.width - 12.0 * scale, canvas.y + 12.0 * scale, 1.0F, 0.0F);
+    const Plate plate(context, "##outofdate", canvas.x + canvas.width - 12.0 * scale, canvas.y + 12.0 * scale, 1.0F,
+                      0.0F);
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, context.theme.warn);
     ImGui::TextUnformatted((std::string(icon::kClock) + "  mesh out of date").c_str());
@@ -85,7 +89,8 @@ void drawOutOfDate(AppContext &context, const PixelRect &canvas) {
 void drawProgress(AppContext &context, const PixelRect &canvas) {
     const SessionSnapshot &run = context.run().now();
     const bool working = run.state == RunState::Preparing || run.state == RunState::Improving ||
-                         (run.state == RunState::Running && run.progress > 0.0 && run.rate > 2.0 * RunControl::kFastest * RunControl::kAdvancesPerSecond);
+                         (run.state == RunState::Running && run.progress > 0.0 &&
+                          run.rate > 2.0 * RunControl::kFastest * RunControl::kAdvancesPerSecond);
     if (!working) {
         return;
     }

@@ -28,9 +28,10 @@ float splitter(AppContext &context, const char *name, const PixelRect &rect, boo
         const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
         const ImVec2 middle{(min.x + max.x) / 2, (min.y + max.y) / 2};
         const float half = context.px(1);
-        ImGui::GetWindowDrawList()->AddRectFilled(vertical ? ImVec2(middle.x - half, min.y) : ImVec2(min.x, middle.y - half),
-                                                  vertical ? ImVec2(middle.x + half, max.y) : ImVec2(max.x, middle.y + half),
-                                                  fade(context.theme.accent, 0.8));
+        ImGui::GetWindowDrawList()->AddRectFilled(
+            vertical ? ImVec2(middle.x - half, min.y) : ImVec2(min.x, middle.y - half),
+            vertical ? ImVec2(middle.x + half, max.y) : ImVec2(max.x, middle.y + half),
+            fade(context.theme.accent, 0.8));
     }
     if (!ImGui::IsItemActive()) {
         return 0.0F;
@@ -70,7 +71,8 @@ void drawStacked(AppContext &context, float height) {
         if (!first) {
             ImGui::Dummy({0, context.px(2)});
             const ImVec2 at = ImGui::GetCursorScreenPos();
-            ImGui::GetWindowDrawList()->AddLine({at.x - context.px(12), at.y}, {at.x + ImGui::GetContentRegionAvail().x + context.px(12), at.y},
+            ImGui::GetWindowDrawList()->AddLine({at.x - context.px(12), at.y},
+                                                {at.x + ImGui::GetContentRegionAvail().x + context.px(12), at.y},
                                                 context.theme.line);
             ImGui::Dummy({0, context.px(1)});
         }
@@ -117,8 +119,8 @@ void drawTabs(AppContext &context) {
         const Colour colour = here || ImGui::IsItemHovered() ? context.theme.text : context.theme.muted;
         list.AddText({at.x, at.y + (height - size.y) / 2}, colour, title.c_str());
         if (here) {
-            list.AddRectFilled({at.x, at.y + height - context.px(2)}, {at.x + size.x, at.y + height}, context.theme.accent,
-                               context.px(1));
+            list.AddRectFilled({at.x, at.y + height - context.px(2)}, {at.x + size.x, at.y + height},
+                               context.theme.accent, context.px(1));
         }
         ImGui::SameLine(0, context.px(16));
     }
@@ -137,23 +139,28 @@ void drawColumn(AppContext &context, const PixelRect &rect) {
     }
     beginRegion("##column", rect, context.theme.panel, context.px(12), context.px(6));
     const float edge = static_cast<float>(rect.x);
-    ImGui::GetWindowDrawList()->AddLine({edge, static_cast<float>(rect.y)}, {edge, static_cast<float>(rect.y + rect.height)},
-                                        context.theme.line);
+    ImGui::GetWindowDrawList()->AddLine({edge, static_cast<float>(rect.y)},
+                                        {edge, static_cast<float>(rect.y + rect.height)}, context.theme.line);
     const double scale = static_cast<double>(context.scale);
-    const double tabs = std::clamp(context.settings.tabsHeight * scale, 60.0, std::max(60.0, rect.height - 80.0 * scale));
+    const double tabs =
+        std::clamp(context.settings.tabsHeight * scale, 60.0, std::max(60.0, rect.height - 80.0 * scale));
     const float stacked = static_cast<float>(rect.height - tabs) - context.px(10);
     drawStacked(context, stacked);
     const double splitY = rect.y + rect.height - tabs - 5.0 * scale;
     const float line = static_cast<float>(splitY + 3.0 * scale);
-    ImGui::GetWindowDrawList()->AddLine({edge, line}, {edge + static_cast<float>(rect.width), line}, context.theme.line);
-    const float dragged = splitter(context, "splitter/tabs", {rect.x + 6 * scale, splitY, rect.width - 6 * scale, 6.0 * scale}, false);
-    context.settings.tabsHeight = std::clamp(context.settings.tabsHeight - static_cast<double>(dragged) / scale, 90.0, 900.0);
+    ImGui::GetWindowDrawList()->AddLine({edge, line}, {edge + static_cast<float>(rect.width), line},
+                                        context.theme.line);
+    const float dragged =
+        splitter(context, "splitter/tabs", {rect.x + 6 * scale, splitY, rect.width - 6 * scale, 6.0 * scale}, false);
+    context.settings.tabsHeight =
+        std::clamp(context.settings.tabsHeight - static_cast<double>(dragged) / scale, 90.0, 900.0);
     ImGui::SetCursorScreenPos({edge + context.px(12), line + context.px(3)});
     ImGui::BeginChild("tabs", {static_cast<float>(rect.width) - context.px(24), 0}, false, ImGuiWindowFlags_NoNav);
     drawTabs(context);
     ImGui::EndChild();
     const float wider = splitter(context, "splitter/column", {rect.x, rect.y, 6.0 * scale, rect.height}, true);
-    context.settings.panelWidth = std::clamp(context.settings.panelWidth - static_cast<double>(wider) / scale, 240.0, 640.0);
+    context.settings.panelWidth =
+        std::clamp(context.settings.panelWidth - static_cast<double>(wider) / scale, 240.0, 640.0);
     ImGui::End();
 }
 

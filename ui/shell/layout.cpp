@@ -26,7 +26,8 @@ Layout layOut(const AppContext &context) {
     layout.timeline = {0, height - status - timeline, width, timeline};
     const double top = layout.menu.height, middle = std::max(0.0, layout.timeline.y - top);
     const double tools = panels ? px(kToolWidth) : 0.0;
-    const double column = panels ? std::min(px(context.settings.panelWidth), std::max(0.0, 0.6 * (width - tools))) : 0.0;
+    const double column =
+        panels ? std::min(px(context.settings.panelWidth), std::max(0.0, 0.6 * (width - tools))) : 0.0;
     layout.tools = {0, top, tools, middle};
     layout.column = {width - column, top, column, middle};
     layout.canvas = {tools, top, std::max(1.0, width - tools - column), std::max(1.0, middle)};

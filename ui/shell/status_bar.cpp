@@ -1,5 +1,5 @@
-#include "ui/shell/shell.hpp"
 #include "core/base/hash.hpp"
+#include "ui/shell/shell.hpp"
 #include "ui/widgets.hpp"
 
 #include <imgui.h>
@@ -27,7 +27,8 @@ class Cells {
                          {static_cast<float>(x_), static_cast<float>(rect_.y + rect_.height - 6.0 * scale)},
                          context_.theme.line);
         }
-        list.AddText({static_cast<float>(x_ + pad), static_cast<float>(rect_.y + (rect_.height - static_cast<double>(size.y)) / 2.0)},
+        list.AddText({static_cast<float>(x_ + pad),
+                      static_cast<float>(rect_.y + (rect_.height - static_cast<double>(size.y)) / 2.0)},
                      colour, text.c_str());
         last_ = {x_, rect_.y, width, rect_.height};
         ui::markRect(context_, "status/" + name, last_);
@@ -62,7 +63,8 @@ void drawStatusBar(AppContext &context, const PixelRect &rect) {
         return;
     }
     beginRegion("##status", rect, context.theme.panel, 0, 0);
-    ImGui::GetWindowDrawList()->AddLine({0, static_cast<float>(rect.y)}, {static_cast<float>(rect.width), static_cast<float>(rect.y)},
+    ImGui::GetWindowDrawList()->AddLine({0, static_cast<float>(rect.y)},
+                                        {static_cast<float>(rect.width), static_cast<float>(rect.y)},
                                         context.theme.line);
     ImGui::PushFont(context.fonts.small);
     const Theme &theme = context.theme;
@@ -70,10 +72,18 @@ void drawStatusBar(AppContext &context, const PixelRect &rect) {
     Cells cells(context, rect);
     cells.add("pointer", pointerText(context.view), theme.muted, 150);
     if (run.quality.elements > 0) {
-        cells.add("counts", ui::count(run.quality.elements) + " \xe2\x96\xb3   " + ui::count(run.quality.nodes) + " \xe2\x97\x8f", theme.text, 100);
-        cells.add("quality", ui::format("\xce\xb1 %.3f   min\xe2\x88\xa0 %.1f\xc2\xb0", run.quality.alphaMean, run.quality.minAngle), theme.text, 120);
+        cells.add("counts",
+                  ui::count(run.quality.elements) + " \xe2\x96\xb3   " + ui::count(run.quality.nodes) + " \xe2\x97\x8f",
+                  theme.text, 100);
+        cells.add(
+            "quality",
+            ui::format("\xce\xb1 %.3f   min\xe2\x88\xa0 %.1f\xc2\xb0", run.quality.alphaMean, run.quality.minAngle),
+            theme.text, 120);
     } else if (context.preview->estimatedElements > 0.0) {
-        cells.add("estimate", "about " + ui::count(static_cast<std::uint64_t>(context.preview->estimatedElements)) + " \xe2\x96\xb3", theme.muted, 100);
+        cells.add("estimate",
+                  "about " + ui::count(static_cast<std::uint64_t>(context.preview->estimatedElements)) +
+                      " \xe2\x96\xb3",
+                  theme.muted, 100);
     }
     if (run.complete && run.meshHash != 0) {
         cells.add("hash", "hash " + toHex(run.meshHash).substr(0, 8), theme.muted);
@@ -96,8 +106,9 @@ void drawStatusBar(AppContext &context, const PixelRect &rect) {
         const ImVec2 size = ImGui::CalcTextSize(hint.c_str());
         const double x = rect.x + rect.width - static_cast<double>(size.x) - 12.0 * static_cast<double>(context.scale);
         if (x > cells.at() + 8.0) {
-            ImGui::GetWindowDrawList()->AddText({static_cast<float>(x), static_cast<float>(rect.y + (rect.height - static_cast<double>(size.y)) / 2.0)},
-                                                theme.muted, hint.c_str());
+            ImGui::GetWindowDrawList()->AddText(
+                {static_cast<float>(x), static_cast<float>(rect.y + (rect.height - static_cast<double>(size.y)) / 2.0)},
+                theme.muted, hint.c_str());
         }
     }
     ImGui::PopFont();

@@ -49,14 +49,13 @@ void drawTransport(AppContext &context) {
 
 void drawSpeed(AppContext &context) {
     const double speed = context.run().speed();
-    double exponent = std::log10(speed);
+    const double slowest = std::log10(RunControl::kSlowest), span = std::log10(RunControl::kFastest) - slowest;
+    double t = (std::log10(speed) - slowest) / span;
     const std::string shown = ui::format(speed < 9.95 ? "%.1f\xc3\x97" : "%.0f\xc3\x97", speed);
-    if (ui::slider(context, "timeline/speed", exponent, std::log10(RunControl::kSlowest),
-                   std::log10(RunControl::kFastest), shown.c_str(), false, 96.0F)) {
-        context.run().setSpeed(std::pow(10.0, exponent));
+    if (ui::thinSlider(context, "timeline/speed", t, shown, 84.0F, 44.0F)) {
+        context.run().setSpeed(std::pow(10.0, slowest + t * span));
     }
-    ui::tooltip(context, "Speed of playing; 1\xc3\x97 is 10 advances a second");
-    ImGui::SameLine(0, context.px(8));
+    ImGui::SameLine(0, context.px(6));
     int granularity = static_cast<int>(context.run().granularity);
     static constexpr const char *kNames[] = {"Event", "Element", "Layer"};
     if (ui::segmented(context, "timeline/granularity", kNames, granularity, 190.0F)) {
@@ -86,7 +85,8 @@ void drawScrubber(AppContext &context, float width, float height) {
             const bool major = mark.kind != MarkKind::NewNode;
             const float x = std::round(place(static_cast<double>(mark.advance)));
             const float reach = context.px(major ? 8 : 5);
-            list.AddLine({x, middle + context.px(4)}, {x, middle + reach + context.px(1)}, markColour(theme, mark.kind), 1.0F);
+            list.AddLine({x, middle + context.px(4)}, {x, middle + reach + context.px(1)}, markColour(theme, mark.kind),
+                         1.0F);
         }
     }
     const float x = place(static_cast<double>(run.advance));
@@ -101,7 +101,8 @@ void drawScrubber(AppContext &context, float width, float height) {
         }
     } else if (hovered) {
         const float t = std::clamp((ImGui::GetIO().MousePos.x - left) / (right - left), 0.0F, 1.0F);
-        ui::tooltip(context, "Advance " + ui::count(static_cast<std::uint64_t>(std::llround(static_cast<double>(t) * known))));
+        ui::tooltip(context,
+                    "Advance " + ui::count(static_cast<std::uint64_t>(std::llround(static_cast<double>(t) * known))));
     }
 }
 
@@ -151,7 +152,8 @@ void drawTimeline(AppContext &context, const PixelRect &rect) {
     const std::string position = positionText(run);
     const float right = static_cast<float>(rect.width) - context.px(14);
     const float positionWidth = std::max(ImGui::CalcTextSize(position.c_str()).x, context.px(96));
-    const float left = context.px(10) + 5 * context.px(30) + 4 * context.px(2) + context.px(10) + context.px(96) + context.px(8) + context.px(190) + context.px(14);
+    const float left = context.px(10) + 5 * context.px(30) + 4 * context.px(2) + context.px(10) + context.px(134) +
+                       context.px(190) + context.px(14);
     ImGui::SetCursorPos({left, context.px(10)});
     drawScrubber(context, std::max(context.px(40), right - positionWidth - context.px(10) - left), context.px(26));
     ImGui::SetCursorPos({right - ImGui::CalcTextSize(position.c_str()).x, context.px(14)});
@@ -160,7 +162,8 @@ void drawTimeline(AppContext &context, const PixelRect &rect) {
     const std::string words = captionText(run);
     ImGui::SetCursorPos({context.px(14), context.px(50)});
     ImGui::PushStyleColor(ImGuiCol_Text, run.state == RunState::Failed ? context.theme.bad : context.theme.text);
-    ImGui::PushClipRect({0, y}, {static_cast<float>(rect.width) - context.px(14), y + static_cast<float>(rect.height)}, true);
+    ImGui::PushClipRect({0, y}, {static_cast<float>(rect.width) - context.px(14), y + static_cast<float>(rect.height)},
+                        true);
     ImGui::TextUnformatted(words.c_str());
     ImGui::PopClipRect();
     ImGui::PopStyleColor();

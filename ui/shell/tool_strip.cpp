@@ -31,15 +31,15 @@ void drawToolOptions(AppContext &context, const PixelRect &canvas) {
     if (!tool.hasOptions(context)) {
         return;
     }
-    ImGui::SetNextWindowPos({static_cast<float>(canvas.x) + context.px(12), static_cast<float>(canvas.y) + context.px(12)});
+    ImGui::SetNextWindowPos(
+        {static_cast<float>(canvas.x) + context.px(12), static_cast<float>(canvas.y) + context.px(12)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(10), context.px(7)));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.px(8));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
     ImGui::PushStyleColor(ImGuiCol_WindowBg, fade(context.theme.popup, 0.96));
     ImGui::Begin("##tooloptions", nullptr,
-                                    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                        ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
-                                        ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
     tool.drawOptions(context);
     ImGui::End();
     ImGui::PopStyleColor();

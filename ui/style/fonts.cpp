@@ -11,9 +11,9 @@ namespace forefront {
 namespace {
 
 // Latin, Greek (α δ ρ Γ Ω), punctuation, super- and subscripts, arrows, mathematics, shapes.
-const ImWchar kTextRanges[] = {0x0020, 0x017f, 0x0391, 0x03c9, 0x2010, 0x2027, 0x202f, 0x203a, 0x2070, 0x2094,
-                               0x2190, 0x2195, 0x21e7, 0x21e7, 0x2202, 0x2202, 0x2205, 0x2265, 0x2318, 0x2318,
-                               0x25a0, 0x25cf, 0};
+const ImWchar kTextRanges[] = {0x0020, 0x017f, 0x0391, 0x03c9, 0x2010, 0x2027, 0x202f, 0x203a,
+                               0x2070, 0x2094, 0x2190, 0x2195, 0x21e7, 0x21e7, 0x2202, 0x2202,
+                               0x2205, 0x2265, 0x2318, 0x2318, 0x25a0, 0x25cf, 0};
 const ImWchar kAllLatin[] = {0x0020, 0x017f, 0x2010, 0x2027, 0};
 const ImWchar kIconRange[] = {0xf000, 0xf2e0, 0};
 
@@ -59,8 +59,9 @@ class AtlasBuilder {
         std::error_code ignored;
         if (!std::filesystem::exists(path, ignored)) {
             if (warning_.empty()) {
-                warning_ = "font " + path.string() + " is missing; install fonts-inter, fonts-font-awesome and "
-                                                     "fonts-dejavu-core";
+                warning_ = "font " + path.string() +
+                           " is missing; install fonts-inter, fonts-font-awesome and "
+                           "fonts-dejavu-core";
             }
             return nullptr;
         }
