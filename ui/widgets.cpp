@@ -103,11 +103,32 @@ bool iconButton(AppContext &context, std::string_view name, const char *icon, co
 
 bool checkbox(AppContext &context, std::string_view name, std::string_view label, bool &value) {
     const Id id(name);
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(context.px(2), context.px(2)));
-    const bool changed = ImGui::Checkbox(std::string(label).c_str(), &value);
-    ImGui::PopStyleVar();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 text = ImGui::CalcTextSize(label.data(), label.data() + label.size());
+    const float height = ImGui::GetFrameHeight(), box = context.px(16), gap = context.px(7);
+    const bool pressed = ImGui::InvisibleButton("check", {box + gap + text.x, height});
+    if (pressed) {
+        value = !value;
+    }
+    const bool hovered = ImGui::IsItemHovered();
     mark(context, name);
-    return changed;
+    const Theme &theme = context.theme;
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    const ImVec2 corner{at.x, std::round(at.y + (height - box) / 2)};
+    const Colour rest = value ? theme.accent : theme.raised,
+                 lit = value ? mix(theme.accent, theme.text, 0.15) : theme.hovered;
+    list.AddRectFilled(corner, {corner.x + box, corner.y + box}, hovered ? lit : rest, context.px(4));
+    if (value) {
+        const ImVec2 points[] = {{corner.x + 0.24F * box, corner.y + 0.52F * box},
+                                 {corner.x + 0.43F * box, corner.y + 0.70F * box},
+                                 {corner.x + 0.77F * box, corner.y + 0.31F * box}};
+        list.AddPolyline(points, 3, theme.onAccent, 0, context.px(1.8));
+    } else {
+        list.AddRect(corner, {corner.x + box, corner.y + box}, theme.faint, context.px(4));
+    }
+    list.AddText({at.x + box + gap, at.y + (height - text.y) / 2}, theme.text, label.data(),
+                 label.data() + label.size());
+    return pressed;
 }
 
 bool eyeSwitch(AppContext &context, std::string_view name, std::string_view label, bool &value, float width) {
@@ -125,9 +146,9 @@ bool eyeSwitch(AppContext &context, std::string_view name, std::string_view labe
     }
     const Colour colour = value ? context.theme.text : context.theme.faint;
     const float middle = at.y + (height - ImGui::GetFontSize()) / 2;
-    list.AddText({at.x + context.px(6), middle}, value ? context.theme.accent : context.theme.faint,
+    list.AddText({at.x + context.px(5), middle}, value ? context.theme.accent : context.theme.faint,
                  value ? icon::kEye : icon::kEyeClosed);
-    list.AddText({at.x + context.px(28), middle}, colour, label.data(), label.data() + label.size());
+    list.AddText({at.x + context.px(24), middle}, colour, label.data(), label.data() + label.size());
     return pressed;
 }
 

@@ -21,9 +21,9 @@ std::string toString(Shortcut shortcut);
 
 /// A thing the program can do: an entry of a menu and of the palette, a shortcut, a step of a script.
 struct Action {
-    std::string id;                  ///< "file.save"; in menus the widget "menu/file.save"
-    std::string menu;                ///< "File", "Edit", "View", "Mesh", "Learn", "Help"; empty: palette only
-    std::string title;               ///< "Save"
+    std::string id;                    ///< "file.save"; in menus the widget "menu/file.save"
+    std::string menu;                  ///< "File", "Edit", "View", "Mesh", "Learn", "Help"; empty: palette only
+    std::string title;                 ///< "Save"
     std::vector<Shortcut> shortcuts{}; ///< the first is shown
     std::function<void(AppContext &)> run;
     std::function<bool(const AppContext &)> enabled{};        ///< absent: always

@@ -44,7 +44,8 @@ class SpacingLayer final : public Layer {
         if (!shown_ || shown_->rho.empty()) {
             return 0.0;
         }
-        return drawColourBar(painter, frame.theme, frame.fonts, corner, "node spacing \xcf\x81", frame.theme.kind == ThemeKind::Dark ? fineIsBright : viridis,
+        return drawColourBar(painter, frame.theme, frame.fonts, corner, "node spacing \xcf\x81",
+                             frame.theme.kind == ThemeKind::Dark ? fineIsBright : viridis,
                              logarithmicTicks(least_, greatest_, 5));
     }
 

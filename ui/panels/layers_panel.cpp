@@ -14,9 +14,10 @@ class LayersPanel final : public Panel {
 
     void draw(AppContext &context) override {
         const float width = ImGui::GetContentRegionAvail().x / context.scale;
-        const int columns = width > 420.0F ? 3 : 2;
-        const float each = width / static_cast<float>(columns) - 4.0F;
-        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(4), context.px(1)));
+        const int columns = width > 390.0F ? 4 : 3;
+        const float each = width / static_cast<float>(columns) - 2.0F;
+        ImGui::PushFont(context.fonts.small);
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(2), 0));
         int at = 0;
         for (LayerSlot &slot : context.layers) {
             if (at % columns != 0) {
@@ -29,6 +30,7 @@ class LayersPanel final : public Panel {
             }
         }
         ImGui::PopStyleVar();
+        ImGui::PopFont();
     }
 };
 

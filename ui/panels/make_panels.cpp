@@ -9,11 +9,11 @@ std::vector<std::unique_ptr<Panel>> makePanels() {
     panels.push_back(makeInspectorPanel());
     panels.push_back(makeStepsPanel());
     panels.push_back(makeSpacingPanel());
-    panels.push_back(makeNamesPanel());
     panels.push_back(makeHistogramPanel());
     panels.push_back(makeStatisticsPanel());
     panels.push_back(makeChecksPanel());
     panels.push_back(makeLogPanel());
+    panels.push_back(makeNamesPanel());
     return panels;
 }
 
