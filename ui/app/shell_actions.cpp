@@ -73,6 +73,12 @@ void addViewActions(ActionRegistry &actions) {
         {.id = "view.scale", .menu = "View", .title = "Size of the interface\xe2\x80\xa6", .run = [](AppContext &c) {
              c.dialogs.open(makeScaleDialog());
          }});
+    actions.add({.id = "view.palette",
+                 .menu = "View",
+                 .title = "Command palette\xe2\x80\xa6",
+                 .shortcuts = {{'P', kControl}},
+                 .run = [](AppContext &c) { c.dialogs.open(makePalette()); },
+                 .separatorBefore = true});
     actions.add({.id = "view.hints",
                  .menu = "Help",
                  .title = "Hint strip",
