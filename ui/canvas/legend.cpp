@@ -76,14 +76,15 @@ std::vector<LegendTick> logarithmicTicks(double least, double greatest, std::siz
             break;
         }
     }
-    if (ticks.size() < 2) {
-        ticks = {{0.0, ui::number(least, 3)}, {1.0, ui::number(greatest, 3)}};
-    }
     while (ticks.size() > most) {
         for (std::size_t i = 1; i < ticks.size(); ++i) {
             ticks.erase(ticks.begin() + static_cast<std::ptrdiff_t>(i));
         }
     }
+    // The ends are always told; round numbers that would touch them are not.
+    std::erase_if(ticks, [](const LegendTick &tick) { return tick.at < 0.16 || tick.at > 0.84; });
+    ticks.insert(ticks.begin(), {0.0, ui::number(least, 2)});
+    ticks.push_back({1.0, ui::number(greatest, 2)});
     return ticks;
 }
 

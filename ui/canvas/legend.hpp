@@ -20,8 +20,7 @@ double drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &fo
                      const std::string &title, Colour (*map)(double), const std::vector<LegendTick> &ticks,
                      double hatchedTo = 0.0);
 
-/// Round numbers of a logarithmic scale (1, 2, 5 · 10ⁿ), at most `most` of them, as ticks between `least` and
-/// `greatest`; the ends themselves where fewer than two fit.
+/// Ticks of a logarithmic scale: the ends, and at most `most` round numbers (1, 2, 5 · 10ⁿ) between them.
 std::vector<LegendTick> logarithmicTicks(double least, double greatest, std::size_t most);
 
 } // namespace forefront
