@@ -47,7 +47,7 @@ struct Snapped {
 Snapped snap(const PickIndex &index, const SnapQuery &query);
 
 /// Pitch of the drawing grid: 1, 2 or 5 times a power of ten, so that lines are at least `leastPixels` apart.
-double gridPitch(double unitsPerPixel, double leastPixels = 24.0);
+double gridPitch(double unitsPerPixel, double leastPixels = 18.0);
 
 inline constexpr double kSnapAngle = 15.0; ///< degrees
 

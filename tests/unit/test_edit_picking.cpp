@@ -249,7 +249,7 @@ TEST_CASE("snap: locked coordinates hold whatever else would draw") {
 
 TEST_CASE("gridPitch: one, two or five times a power of ten, at least as wide as asked") {
     CHECK(gridPitch(1.0 / 24.0) == doctest::Approx(1));
-    CHECK(gridPitch(0.01) == doctest::Approx(0.5));
+    CHECK(gridPitch(0.01) == doctest::Approx(0.2));
     CHECK(gridPitch(0.06) == doctest::Approx(2));
     CHECK(gridPitch(3.0) == doctest::Approx(100));
     CHECK(gridPitch(0.0) == 0.0);

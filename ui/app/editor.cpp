@@ -75,7 +75,9 @@ Editor::Editor(Platform &platform, EditorSetup options)
     AppContext &c = parts_->context;
     const auto wake = [&platform] { platform.wake(); };
     if (!parts_->options.settingsFolder.empty()) {
-        c.settings = loadSettings(parts_->options.settingsFolder / "settings.json");
+        Diagnostics faults;
+        c.settings = loadSettings(parts_->options.settingsFolder / "settings.json", faults);
+        c.log.add(faults);
     }
     parts_->savedSettings = c.settings;
     c.runs = std::make_unique<RunControl>(c.store, c.log, wake);

@@ -20,11 +20,16 @@ double numberIn(const Json &json, const char *name, double fallback, double leas
 
 } // namespace
 
-Settings loadSettings(const std::filesystem::path &file) {
+Settings loadSettings(const std::filesystem::path &file, Diagnostics &faults) {
     Settings settings;
     std::ifstream stream(file);
-    const Json json = stream ? Json::parse(stream, nullptr, false) : Json();
+    const bool there = stream.good();
+    const Json json = there ? Json::parse(stream, nullptr, false) : Json();
     if (!json.is_object()) {
+        if (there) {
+            faults = error("bad-settings", file.string() + " cannot be read; the settings are as at first");
+            faults.front().severity = Severity::Warning;
+        }
         return settings;
     }
     const auto theme = json.find("theme");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/diagnostic.hpp"
 #include "ui/style/theme.hpp"
 
 #include <filesystem>
@@ -18,8 +19,8 @@ struct Settings {
     std::vector<std::string> recentFiles;
 };
 
-/// Defaults where the file is missing or spoilt; numbers are brought into range.
-Settings loadSettings(const std::filesystem::path &file);
+/// Defaults where the file is missing or spoilt (then with a warning in `faults`); numbers are brought into range.
+Settings loadSettings(const std::filesystem::path &file, Diagnostics &faults);
 void saveSettings(const std::filesystem::path &file, const Settings &settings);
 
 } // namespace forefront

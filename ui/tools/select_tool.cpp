@@ -295,7 +295,8 @@ bool SelectTool::key(const CanvasEvent &event, AppContext &context) {
             mode_ = Mode::Idle;
             return true;
         }
-        if (!context.selection.empty()) {
+        // While something is meshed, Esc stops that first.
+        if (!context.selection.empty() && !context.run().busy()) {
             context.selection.clear();
             return true;
         }

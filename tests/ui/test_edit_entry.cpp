@@ -1,0 +1,156 @@
+#include "ui/dialogs/file_list.hpp"
+#include "ui/tools/numeric_entry.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <fstream>
+
+using namespace forefront;
+using Answer = NumericEntry::Answer;
+
+namespace {
+
+/// Types as a keyboard does: the key first, then its character.
+Answer type(NumericEntry &entry, std::string_view text, bool anchored = true) {
+    Answer last = Answer::Unused;
+    for (const char c : text) {
+        const int code = c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c;
+        last = entry.handle({.kind = CanvasEvent::Kind::Key, .key = code}, anchored);
+        const Answer text_ =
+            entry.handle({.kind = CanvasEvent::Kind::Text, .character = static_cast<char32_t>(c)}, anchored);
+        last = text_ == Answer::Unused ? last : text_;
+    }
+    return last;
+}
+
+Answer press(NumericEntry &entry, int code, bool anchored = true) {
+    return entry.handle({.kind = CanvasEvent::Kind::Key, .key = code}, anchored);
+}
+
+} // namespace
+
+TEST_CASE("NumericEntry: a number alone is the distance of the next node") {
+    NumericEntry entry;
+    CHECK(type(entry, "12.5") == Answer::Used);
+    CHECK(entry.label() == "12.5_");
+    CHECK(press(entry, key::kEnter) == Answer::Place);
+    CHECK(entry.locks().distance == 12.5);
+    CHECK_FALSE(entry.isOpen());
+}
+
+TEST_CASE("NumericEntry: without a node to measure from, digits are left to the shortcuts") {
+    NumericEntry entry;
+    CHECK(type(entry, "2", false) == Answer::Unused);
+    CHECK_FALSE(entry.isOpen());
+    CHECK(press(entry, 'D', false) == Answer::Unused);
+    CHECK(press(entry, 'Q', false) == Answer::Unused);
+}
+
+TEST_CASE("NumericEntry: X and Y lock coordinates; both determine the node") {
+    NumericEntry entry;
+    CHECK(type(entry, "x-3", false) == Answer::Used);
+    CHECK(press(entry, key::kEnter, false) == Answer::Used);
+    CHECK(entry.locks().x == -3.0);
+    CHECK(type(entry, "y1e2", false) == Answer::Used);
+    CHECK(entry.label() == "x -3   y 1e2_");
+    CHECK(press(entry, key::kEnter, false) == Answer::Place);
+    CHECK(entry.locks().y == 100.0);
+    type(entry, "x", false);
+    CHECK_FALSE(entry.locks().x.has_value()); // the letter again frees it
+    CHECK(entry.locks().y == 100.0);
+}
+
+TEST_CASE("NumericEntry: Tab goes on from distance to angle") {
+    NumericEntry entry;
+    type(entry, "d4");
+    CHECK(press(entry, key::kTab) == Answer::Used);
+    CHECK(type(entry, "30") == Answer::Used);
+    CHECK(press(entry, key::kEnter) == Answer::Place);
+    CHECK(entry.locks().distance == 4.0);
+    CHECK(entry.locks().angle == 30.0);
+}
+
+TEST_CASE("NumericEntry: two numbers are a place, relative with @") {
+    NumericEntry entry;
+    type(entry, "3,-4.5");
+    CHECK(press(entry, key::kEnter) == Answer::Place);
+    REQUIRE(entry.pair().has_value());
+    CHECK(entry.pair()->value == Vec2{3, -4.5});
+    CHECK_FALSE(entry.pair()->relative);
+    entry.clear();
+    type(entry, "@1,2");
+    CHECK(press(entry, key::kEnter) == Answer::Place);
+    CHECK(entry.pair()->relative);
+}
+
+TEST_CASE("NumericEntry: what is no number stays, marked, and Backspace and Esc mend it") {
+    NumericEntry entry;
+    type(entry, "1-");
+    CHECK(press(entry, key::kEnter) == Answer::Used);
+    CHECK(entry.isWrong());
+    CHECK(entry.isOpen());
+    press(entry, key::kBackspace);
+    CHECK_FALSE(entry.isWrong());
+    CHECK(press(entry, key::kEnter) == Answer::Place);
+    CHECK(entry.locks().distance == 1.0);
+    entry.clear();
+    type(entry, "d-2");
+    press(entry, key::kEnter);
+    CHECK(entry.isWrong()); // a distance is above 0
+    CHECK(press(entry, key::kEscape) == Answer::Used);
+    CHECK_FALSE(entry.isOpen());
+    CHECK(press(entry, key::kEscape) == Answer::Unused);
+}
+
+TEST_CASE("parseNumber and parsePair: the whole text counts, and only finite numbers") {
+    CHECK(parseNumber(" 2.5 ") == 2.5);
+    CHECK(parseNumber("+1e-3") == 1e-3);
+    for (const char *text : {"", "-", "2x", "1,5", "nan", "inf", "1e999", "0x10"}) {
+        CAPTURE(text);
+        CHECK_FALSE(parseNumber(text).has_value());
+    }
+    CHECK(parsePair("1 2")->value == Vec2{1, 2});
+    for (const char *text : {"", "1", "1,", ",1", "1,2,3", "@"}) {
+        CAPTURE(text);
+        CHECK_FALSE(parsePair(text).has_value());
+    }
+}
+
+TEST_CASE("File list: folders first, hidden and other files left out, names without regard to case") {
+    std::string pattern = (std::filesystem::temp_directory_path() / "forefront-list-XXXXXX").string();
+    REQUIRE(::mkdtemp(pattern.data()) != nullptr);
+    const std::filesystem::path folder = pattern;
+    for (const char *name : {"b.forefront", "A.Forefront", "mesh.msh", ".hidden.forefront"}) {
+        std::ofstream(folder / name) << "12345";
+    }
+    std::filesystem::create_directory(folder / "zoo");
+    const FileFilter projects{"Projects", {".forefront"}, "project"};
+    const Result<std::vector<FileEntry>> listed = listFolder(folder, projects);
+    REQUIRE(listed.ok());
+    REQUIRE(listed->size() == 3);
+    CHECK((*listed)[0].name == "zoo");
+    CHECK((*listed)[0].folder);
+    CHECK((*listed)[1].name == "A.Forefront");
+    CHECK((*listed)[1].size == 5);
+    CHECK((*listed)[2].name == "b.forefront");
+    CHECK(listFolder(folder, {"All", {}, "any"})->size() == 4);
+    CHECK(listFolder(folder / "nowhere", projects).faults().front().code == "folder");
+    std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("File names: the extension follows the filter, and paths are spelt out") {
+    const std::vector<FileFilter> all{{"MSH", {".msh"}, "msh2"}, {"VTU", {".vtu"}, "vtu"}, {"All", {}, "any"}};
+    CHECK(withExtension("pier", all[0], all) == "pier.msh");
+    CHECK(withExtension("pier.vtu", all[0], all) == "pier.msh");
+    CHECK(withExtension("pier.v2", all[0], all) == "pier.v2.msh");
+    CHECK(withExtension("pier.MSH", all[0], all) == "pier.MSH");
+    CHECK(withExtension("pier", all[2], all) == "pier");
+    CHECK(resolved("/data", "x.msh") == "/data/x.msh");
+    CHECK(resolved("/data", "../x.msh") == "/x.msh");
+    CHECK(resolved("/data/a", "..") == "/data");
+    CHECK(resolved("/data", "/y/") == "/y");
+    CHECK(fileSizeText(999) == "999 B");
+    CHECK(fileSizeText(1536) == "1.5 kB");
+    CHECK(fileSizeText(2500000) == "2.5 MB");
+}
