@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/spacing/spacing_field.hpp"
+
+#include <cmath>
+#include <functional>
+#include <utility>
+
+namespace forefront::testing {
+
+/// A spacing field from any function, for tests that want no more than ρ.
+class SpacingFunction : public SpacingField {
+  public:
+    SpacingFunction(std::function<double(Vec2)> rho, double least, double greatest)
+        : rho_(std::move(rho)), least_(least), greatest_(greatest) {}
+
+    double at(Vec2 p) const override { return rho_(p); }
+    void atMany(std::span<const Vec2> points, std::span<double> rho) const override {
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            rho[i] = rho_(points[i]);
+        }
+    }
+    SpacingSample sample(Vec2 p) const override { return {rho_(p), SpacingOrigin::Expression, 0, "test"}; }
+    double least() const override { return least_; }
+    double greatest() const override { return greatest_; }
+
+  private:
+    std::function<double(Vec2)> rho_;
+    double least_, greatest_;
+};
+
+inline SpacingFunction constantSpacing(double rho) {
+    return {[rho](Vec2) { return rho; }, rho, rho};
+}
+
+/// ρ = max(least, growth · distance to `centre`): steep, with a kink.
+inline SpacingFunction spacingAround(Vec2 centre, double least, double growth) {
+    return {[=](Vec2 p) { return std::fmax(least, growth * distance(p, centre)); }, least,
+            std::numeric_limits<double>::infinity()};
+}
+
+} // namespace forefront::testing

@@ -1,0 +1,236 @@
+#include "core/domain/discretise.hpp"
+#include "core/domain/domain_graph.hpp"
+#include "core/geometry/polygon.hpp"
+#include "tests/support/random_domains.hpp"
+#include "tests/support/spacing_samples.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <map>
+
+using namespace forefront;
+using namespace forefront::testing;
+
+namespace {
+
+/// The spacing fields each domain is cut with, by the size of the domain.
+std::vector<SpacingFunction> spacings(const Domain &domain) {
+    const Box2 box = domain.bounds();
+    const double size = box.diagonal();
+    return {constantSpacing(0.3 * size), constantSpacing(0.013 * size), spacingAround(box.min, 1e-3 * size, 0.15),
+            spacingAround(domain.nodes[0], 1e-5 * size, 0.3)};
+}
+
+/// Pieces of each domain segment: a chain of nodes from its a to its b, straight within rounding.
+void checkChains(const Domain &domain, const DiscreteDomain &discrete) {
+    const Box2 box = domain.bounds();
+    const double magnitude =
+        std::max({std::fabs(box.min.x), std::fabs(box.max.x), std::fabs(box.min.y), std::fabs(box.max.y)});
+    REQUIRE(discrete.nodes.size() >= domain.nodes.size());
+    REQUIRE(std::equal(domain.nodes.begin(), domain.nodes.end(), discrete.nodes.begin()));
+    std::vector<std::vector<std::size_t>> pieces(domain.segments.size());
+    for (std::size_t s = 0; s < discrete.segments.size(); ++s) {
+        REQUIRE(discrete.segments[s].source < domain.segments.size());
+        pieces[discrete.segments[s].source].push_back(s);
+    }
+    for (std::size_t source = 0; source < pieces.size(); ++source) {
+        const DomainSegment &whole = domain.segments[source];
+        const Vec2 a = domain.nodes[whole.a], b = domain.nodes[whole.b];
+        std::map<std::uint32_t, const DiscreteSegment *> from;
+        for (const std::size_t s : pieces[source]) {
+            const DiscreteSegment &piece = discrete.segments[s];
+            REQUIRE(piece.tag == whole.tag);
+            REQUIRE(from.emplace(piece.a, &piece).second);
+            REQUIRE(distanceToSegment(a, b, discrete.nodes[piece.b]) <= 1e-15 * magnitude);
+        }
+        std::uint32_t at = whole.a;
+        double way = 0.0;
+        for (std::size_t steps = 0; steps < pieces[source].size(); ++steps) {
+            REQUIRE(from.contains(at));
+            const DiscreteSegment &piece = *from[at];
+            way += distance(discrete.nodes[piece.a], discrete.nodes[piece.b]);
+            at = piece.b;
+        }
+        REQUIRE(at == whole.b);
+        REQUIRE(way == doctest::Approx(distance(a, b)).epsilon(1e-9)); // never back and forth
+    }
+}
+
+/// Simple, and each side of a segment has the region that the faces of the discrete segments themselves give.
+void checkRegions(const Domain &domain, const DiscreteDomain &discrete) {
+    Domain cut = domain; // the discrete segments as a domain of their own
+    cut.nodes = discrete.nodes;
+    cut.segments.clear();
+    for (const DiscreteSegment &piece : discrete.segments) {
+        cut.segments.push_back({piece.a, piece.b, piece.tag, domain.segments[piece.source].role});
+    }
+    const DomainGraph graph = graphOf(cut);
+    REQUIRE(graph.edges.size() == cut.segments.size());
+    const PlaneSweepResult sweep = sweepPlane(graph.points, graph.edges);
+    REQUIRE(sweep.droppedCount == 0);
+    const Faces faces = findFaces(graph.points, graph.edges, sweep);
+    const FaceLabels labels = labelFaces(cut, graph, faces);
+    std::map<std::uint32_t, std::uint32_t> regionOfFace;
+    for (std::size_t e = 0; e < graph.edges.size(); ++e) {
+        for (const auto &[face, region] : {std::pair{faces.left[e], discrete.segments[e].leftRegion},
+                                           std::pair{faces.right[e], discrete.segments[e].rightRegion}}) {
+            REQUIRE((labels.inside[face] != 0) == (region != kOutside));
+            if (region != kOutside) {
+                REQUIRE(region < discrete.regions.size());
+                REQUIRE(regionOfFace.emplace(face, region).first->second == region);
+                REQUIRE(discrete.regions[region].tag == labels.tag[face]);
+            }
+        }
+    }
+    REQUIRE(regionOfFace.size() == discrete.regions.size());
+    for (const ConstraintPoint &point : discrete.points) {
+        REQUIRE(labels.inside[faces.ofPoint[graph.pointOfNode[point.node]]] == 1);
+    }
+}
+
+void checkAreas(const DiscreteDomain &discrete) {
+    const Vec2 origin = discrete.bounds().centre();
+    std::vector<CompensatedSum> twice(discrete.regions.size());
+    double least = std::numeric_limits<double>::infinity();
+    for (const DiscreteSegment &piece : discrete.segments) {
+        const double part = cross(discrete.nodes[piece.a] - origin, discrete.nodes[piece.b] - origin);
+        if (piece.leftRegion != kOutside) {
+            twice[piece.leftRegion].add(part);
+        }
+        if (piece.rightRegion != kOutside) {
+            twice[piece.rightRegion].add(-part);
+        }
+    }
+    const double size = discrete.bounds().diagonal();
+    double total = 0.0;
+    for (std::size_t region = 0; region < twice.size(); ++region) {
+        const double area = discrete.regions[region].area;
+        REQUIRE(area > 0.0);
+        REQUIRE(std::fabs(area - 0.5 * twice[region].value()) <= 1e-12 * size * size);
+        least = std::min(least, area);
+        total += area;
+    }
+    REQUIRE(discrete.area() == doctest::Approx(total).epsilon(1e-14));
+}
+
+/// ∫ds/ρ by brute force.
+double spacingLength(const SpacingField &spacing, Vec2 a, Vec2 b) {
+    constexpr int kSteps = 400;
+    double sum = 0.0;
+    for (int i = 0; i < kSteps; ++i) {
+        sum += 1.0 / spacing.at(lerp(a, b, (i + 0.5) / kSteps));
+    }
+    return sum * distance(a, b) / kSteps;
+}
+
+using Places = std::vector<std::pair<double, double>>;
+
+Places sortedPlaces(const DiscreteDomain &discrete) {
+    Places places;
+    for (const Vec2 p : discrete.nodes) {
+        places.emplace_back(p.x, p.y);
+    }
+    std::sort(places.begin(), places.end());
+    return places;
+}
+
+} // namespace
+
+TEST_CASE("discretise: random domains stay simple, with right chains, regions and areas") {
+    for (std::uint64_t seed = 0; seed < 600; ++seed) {
+        CAPTURE(seed);
+        const Domain domain = randomDomain(seed);
+        for (const SpacingFunction &spacing : spacings(domain)) {
+            const auto discrete = discretise(domain, spacing, false);
+            REQUIRE(discrete.ok());
+            checkChains(domain, *discrete);
+            checkRegions(domain, *discrete);
+            checkAreas(*discrete);
+        }
+    }
+}
+
+TEST_CASE("discretise: kept boundaries are kept exactly") {
+    for (std::uint64_t seed = 600; seed < 900; ++seed) {
+        CAPTURE(seed);
+        const Domain domain = randomDomain(seed);
+        const auto discrete = discretise(domain, constantSpacing(1e-4 * domain.bounds().diagonal()), true);
+        REQUIRE(discrete.ok());
+        REQUIRE(discrete->nodes == domain.nodes);
+        REQUIRE(discrete->segments.size() == domain.segments.size());
+        checkChains(domain, *discrete);
+        checkRegions(domain, *discrete);
+        checkAreas(*discrete);
+    }
+}
+
+TEST_CASE("discretise: every piece of a cut segment has nearly the same share of the integral of 1/spacing") {
+    std::size_t cut = 0;
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        CAPTURE(seed);
+        const Domain domain = randomDomain(seed);
+        for (const SpacingFunction &spacing : spacings(domain)) {
+            const auto discrete = discretise(domain, spacing, false);
+            REQUIRE(discrete.ok());
+            std::vector<int> pieces(domain.segments.size(), 0);
+            for (const DiscreteSegment &piece : discrete->segments) {
+                ++pieces[piece.source];
+            }
+            for (const DiscreteSegment &piece : discrete->segments) {
+                const double share = spacingLength(spacing, discrete->nodes[piece.a], discrete->nodes[piece.b]);
+                if (pieces[piece.source] > 1) {
+                    REQUIRE(share > 0.6);
+                    ++cut;
+                }
+                REQUIRE(share < 1.6);
+            }
+        }
+    }
+    CHECK(cut > 10000);
+}
+
+TEST_CASE("discretise: order and direction of segments change neither places nor areas") {
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        CAPTURE(seed);
+        const Domain domain = randomDomain(seed);
+        Domain other = domain;
+        std::reverse(other.segments.begin(), other.segments.end());
+        for (DomainSegment &segment : other.segments) {
+            std::swap(segment.a, segment.b);
+        }
+        const SpacingFunction spacing = spacingAround(domain.nodes[0], 1e-3 * domain.bounds().diagonal(), 0.2);
+        const auto first = discretise(domain, spacing, false), second = discretise(other, spacing, false);
+        REQUIRE(first.ok());
+        REQUIRE(second.ok());
+        REQUIRE(sortedPlaces(*first) == sortedPlaces(*second));
+        REQUIRE(first->regions.size() == second->regions.size());
+        for (std::size_t i = 0; i < first->regions.size(); ++i) {
+            REQUIRE(first->regions[i].tag == second->regions[i].tag);
+            REQUIRE(first->regions[i].area == doctest::Approx(second->regions[i].area).epsilon(1e-10));
+        }
+    }
+}
+
+TEST_CASE("discretise: absurdly small spacing is refused at once with an estimate") {
+    Domain domain;
+    domain.nodes = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    domain.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+    for (const double rho : {1e-9, 1e-15, 1e-300}) {
+        const auto refused = discretise(domain, constantSpacing(rho), false);
+        REQUIRE_FALSE(refused.ok());
+        CHECK(refused.faults()[0].code == "too-many-nodes");
+        CHECK_FALSE(refused.faults()[0].advice.empty());
+    }
+    CHECK(discretise(domain, constantSpacing(1e-9), true).ok());
+}
+
+TEST_CASE("discretise: a requested stop is reported as cancelled") {
+    const Domain domain = randomDomain(DomainFamily::SeveralOutlines, 3);
+    std::stop_source source;
+    source.request_stop();
+    const auto stopped =
+        discretise(domain, constantSpacing(0.01 * domain.bounds().diagonal()), false, {nullptr, source.get_token()});
+    REQUIRE_FALSE(stopped.ok());
+    CHECK(stopped.faults()[0].code == "cancelled");
+}
