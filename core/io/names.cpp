@@ -3,6 +3,7 @@
 #include "core/domain/domain.hpp"
 
 #include <algorithm>
+#include <charconv>
 
 namespace forefront {
 
@@ -136,6 +137,41 @@ void addName(std::map<std::int32_t, std::string> &names, std::int32_t tag, const
     if (tag >= 1 && !clean.empty() && clean != (region ? regionName({}, tag) : boundaryName({}, tag))) {
         names.emplace(tag, clean);
     }
+}
+
+void writeNameComments(const Mesh &mesh, std::string_view prefix, TextWriter &out) {
+    const TagList tags = tagsOf(mesh);
+    auto boundaries = tags.points;
+    boundaries.insert(tags.edges.begin(), tags.edges.end());
+    for (const auto &[tag, name] : boundaries) {
+        out << prefix << " boundary " << tag << " \"" << asQuotable(name) << "\"\n";
+    }
+    for (const auto &[tag, name] : tags.regions) {
+        out << prefix << " region " << tag << " \"" << asQuotable(name) << "\"\n";
+    }
+}
+
+TagNames readNameComments(std::string_view text, std::string_view prefix) {
+    TagNames names;
+    for (const bool region : {false, true}) {
+        const std::string start = std::string(prefix) + (region ? " region " : " boundary ");
+        for (std::size_t at = text.find(start); at != std::string_view::npos; at = text.find(start, at + 1)) {
+            if (at > 0 && text[at - 1] != '\n') {
+                continue;
+            }
+            std::string_view line = text.substr(at + start.size());
+            line = line.substr(0, line.find('\n'));
+            std::int32_t tag = 0;
+            const auto [end, problem] = std::from_chars(line.data(), line.data() + line.size(), tag);
+            const std::size_t open = line.find('"');
+            const std::size_t close = line.rfind('"');
+            if (problem == std::errc{} && open < close) {
+                addName(region ? names.region : names.boundary, tag,
+                        std::string(line.substr(open + 1, close - open - 1)), region);
+            }
+        }
+    }
+    return names;
 }
 
 } // namespace forefront

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/io/text_writer.hpp"
 #include "core/mesh/mesh.hpp"
 
 #include <cstdint>
@@ -43,5 +44,13 @@ TagList tagsOf(const Mesh &mesh);
 
 /// Reads names back: an entry that only repeats the default name is left out.
 void addName(std::map<std::int32_t, std::string> &names, std::int32_t tag, const std::string &name, bool region);
+
+/// For formats without names of their own: a comment line `PREFIX boundary TAG "NAME"` or `PREFIX region TAG "NAME"`
+/// for every tag in use, and back.
+void writeNameComments(const Mesh &mesh, std::string_view prefix, TextWriter &out);
+struct TagNames {
+    std::map<std::int32_t, std::string> boundary, region;
+};
+TagNames readNameComments(std::string_view text, std::string_view prefix);
 
 } // namespace forefront

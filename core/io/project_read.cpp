@@ -402,4 +402,16 @@ Result<Document> parseProject(std::string_view text, const std::string &fileName
     return readProjectText({text, fileName, {}, {}});
 }
 
+bool looksLikeProject(std::string_view head) {
+    return head.find("\"format\"") != std::string_view::npos && head.find("\"forefront\"") != std::string_view::npos;
+}
+
+Result<SpacingSpec> readProjectSpacing(const SourceText &source) {
+    auto document = readProjectText(source);
+    if (!document) {
+        return document.faults();
+    }
+    return std::move(document->spacing);
+}
+
 } // namespace forefront

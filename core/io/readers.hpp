@@ -1,11 +1,27 @@
 #pragma once
 
 #include "core/io/source.hpp"
+#include "core/io/text_writer.hpp"
 
 namespace forefront {
 
-// The readers proper, from memory; each lives in a file of its own. Every fault carries a place in the source.
+// The readers and writers proper, from and to memory; each format lives in a file of its own. Every fault carries its
+// place in the source.
 
 Result<Document> readProjectText(const SourceText &source);
+bool looksLikeProject(std::string_view head);
+Result<SpacingSpec> readProjectSpacing(const SourceText &source);
+
+Result<Mesh> readMsh(const SourceText &source);
+Result<SpacingSpec> readMshSpacing(const SourceText &source);
+bool looksLikeMsh(std::string_view head);
+void writeMsh2(const Mesh &mesh, TextWriter &out);
+void writeMsh4(const Mesh &mesh, TextWriter &out);
+
+Result<Domain> readPoly(const SourceText &source);
+
+/// The domain that a mesh covers: its boundary edges, the interfaces between its regions and its tagged edges and
+/// points, with tags and names, and a marker in every face.
+Result<Domain> domainOfMesh(const Mesh &mesh);
 
 } // namespace forefront

@@ -1,5 +1,8 @@
 #include "tests/unit/io_samples.hpp"
 
+#include "core/io/names.hpp"
+#include "tests/unit/mesh_samples.hpp"
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -84,6 +87,64 @@ Document fullDocument() {
     document.circleTolerance = 0.01;
     document.nextId = 12;
     return document;
+}
+
+Mesh twoRegionMesh(std::size_t columns, std::size_t rows) {
+    Mesh mesh = samples::square(columns, rows, 0.2, {1.0 / 3.0, -1e-3}, 7);
+    const std::size_t middle = columns / 2;
+    const auto at = [&](std::size_t i, std::size_t j) { return samples::node(j * (columns + 1) + i); };
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+        mesh.regions.push_back((e / 2) % columns < middle ? 2 : 5);
+    }
+    for (std::size_t j = 0; j < rows; ++j) {
+        mesh.edges.push_back({at(middle, j), at(middle, j + 1), 9});
+    }
+    mesh.edges.push_back({at(1, 1), at(2, 1), 6});
+    mesh.points.push_back({at(columns - 1, rows - 1), 11});
+    mesh.boundaryNames = {{1, "sea bed"}, {2, "outlet \"east\""}, {3, "Öffnung"}, {9, "interface"}, {11, "gauge"}};
+    mesh.regionNames = {{2, "water"}, {5, "Water"}};
+    return mesh;
+}
+
+std::string difference(const Mesh &a, const Mesh &b) {
+    const auto edgeEqual = [](const TaggedEdge &x, const TaggedEdge &y) {
+        return x.a == y.a && x.b == y.b && x.tag == y.tag;
+    };
+    const auto pointEqual = [](const TaggedNode &x, const TaggedNode &y) { return x.node == y.node && x.tag == y.tag; };
+    const auto sameList = [](const auto &x, const auto &y, auto equal) {
+        return std::equal(x.begin(), x.end(), y.begin(), y.end(), equal);
+    };
+    std::string text;
+    text += a.nodes == b.nodes ? "" : "nodes ";
+    text += a.elements == b.elements ? "" : "elements ";
+    text += sameList(a.edges, b.edges, edgeEqual) ? "" : "edges ";
+    text += sameList(a.points, b.points, pointEqual) ? "" : "points ";
+    for (std::size_t e = 0; e < std::min(a.elements.size(), b.elements.size()); ++e) {
+        if (a.region(e) != b.region(e)) {
+            text += "regions ";
+            break;
+        }
+    }
+    const TagList tagsA = tagsOf(a);
+    const TagList tagsB = tagsOf(b);
+    const auto quoted = [](std::map<std::int32_t, std::string> names) {
+        for (auto &[tag, name] : names) {
+            name = asQuotable(name);
+        }
+        return names;
+    };
+    text += quoted(tagsA.edges) == quoted(tagsB.edges) ? "" : "edge-names ";
+    text += quoted(tagsA.points) == quoted(tagsB.points) ? "" : "point-names ";
+    text += quoted(tagsA.regions) == quoted(tagsB.regions) ? "" : "region-names ";
+    return text;
+}
+
+std::string written(void (*write)(const Mesh &, TextWriter &), const Mesh &mesh) {
+    StringSink sink;
+    TextWriter out(sink);
+    write(mesh, out);
+    out.flush();
+    return std::move(sink.text);
 }
 
 std::string messages(const Diagnostics &faults) {

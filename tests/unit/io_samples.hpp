@@ -2,6 +2,7 @@
 
 #include "core/edit/document.hpp"
 #include "core/io/source.hpp"
+#include "core/io/text_writer.hpp"
 #include "core/mesh/mesh.hpp"
 
 #include <filesystem>
@@ -26,6 +27,17 @@ class ScratchFolder {
 
 /// A document that uses every field of the project file.
 Document fullDocument();
+
+/// Two regions (tags 2 and 5) with an interface, four named boundary parts, a constraint edge that ends inside, a
+/// tagged point, numbers with many digits and names with blanks, quotes and umlauts. Every edge of the boundary is
+/// tagged.
+Mesh twoRegionMesh(std::size_t columns = 8, std::size_t rows = 5);
+
+/// What differs between two meshes in nodes, elements, regions, edges, points or names; empty when nothing does.
+std::string difference(const Mesh &a, const Mesh &b);
+
+/// Text that a format's writer makes of a mesh.
+std::string written(void (*write)(const Mesh &, TextWriter &), const Mesh &mesh);
 
 /// Source text for a reader, not backed by a file.
 inline SourceText sourceOf(std::string_view text, std::string name = "memory") {

@@ -1,0 +1,159 @@
+#include "core/io/files.hpp"
+
+#include "core/io/atomic_file.hpp"
+#include "core/io/format.hpp"
+#include "core/io/readers.hpp"
+
+#include <new>
+
+namespace forefront {
+
+namespace {
+
+/// Names the file in faults that know no place in it.
+Diagnostics named(Diagnostics faults, const std::filesystem::path &path) {
+    for (Diagnostic &fault : faults) {
+        if (fault.file.empty()) {
+            fault.file = path.string();
+        }
+    }
+    return faults;
+}
+
+bool canReadDomain(const Format &format) {
+    return format.readDocument != nullptr || format.readDomain != nullptr || format.readMesh != nullptr;
+}
+
+/// Extensions that have the wanted ability, for an advice.
+std::string extensions(bool (*wanted)(const Format &)) {
+    std::string list;
+    for (const Format &format : formats()) {
+        if (wanted(format) && list.find(format.about.extension) == std::string::npos) {
+            list += (list.empty() ? "" : " ") + std::string(format.about.extension);
+        }
+    }
+    return list;
+}
+
+/// Loads a file, finds its format and hands both to `read`. Memory that runs out is a fault like any other.
+template <class T, class Read>
+Result<T> readFile(const std::filesystem::path &path, const ImportOptions &options, bool (*wanted)(const Format &),
+                   Read read) {
+    try {
+        const auto bytes = readFileBytes(path, options.maxBytes);
+        if (!bytes) {
+            return bytes.faults();
+        }
+        const Format *format = formatOf(path, *bytes);
+        if (format == nullptr || !wanted(*format)) {
+            return named(error("unknown-format",
+                               format == nullptr ? "the format of the file is not known"
+                                                 : std::string("a ") + format->about.name + " file cannot serve here",
+                               "files that can be read: " + extensions(wanted)),
+                         path);
+        }
+        Result<T> result = read(*format, SourceText{*bytes, path.string(), path, options});
+        if (!result) {
+            return named(result.faults(), path);
+        }
+        return result;
+    } catch (const std::bad_alloc &) {
+        return named(error("out-of-memory", "there is not enough memory to read the file"), path);
+    }
+}
+
+Result<Domain> domainFrom(const Format &format, const SourceText &source) {
+    if (format.readDocument != nullptr) {
+        const auto document = format.readDocument(source);
+        if (!document) {
+            return document.faults();
+        }
+        return toDomain(*document);
+    }
+    if (format.readDomain != nullptr) {
+        return format.readDomain(source);
+    }
+    const auto mesh = format.readMesh(source);
+    if (!mesh) {
+        return mesh.faults();
+    }
+    return domainOfMesh(*mesh);
+}
+
+} // namespace
+
+Result<Document> readDocument(const std::filesystem::path &path, const ImportOptions &options) {
+    return readFile<Document>(path, options, canReadDomain,
+                              [](const Format &format, const SourceText &source) -> Result<Document> {
+                                  if (format.readDocument != nullptr) {
+                                      return format.readDocument(source);
+                                  }
+                                  const auto domain = domainFrom(format, source);
+                                  if (!domain) {
+                                      return domain.faults();
+                                  }
+                                  return fromDomain(*domain);
+                              });
+}
+
+Result<Domain> readDomain(const std::filesystem::path &path, const ImportOptions &options) {
+    return readFile<Domain>(path, options, canReadDomain, domainFrom);
+}
+
+Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &options) {
+    return readFile<Mesh>(
+        path, options, [](const Format &format) { return format.readMesh != nullptr; },
+        [](const Format &format, const SourceText &source) { return format.readMesh(source); });
+}
+
+Result<SpacingSpec> readSpacing(const std::filesystem::path &path, const ImportOptions &options) {
+    return readFile<SpacingSpec>(
+        path, options, [](const Format &format) { return format.readSpacing != nullptr; },
+        [](const Format &format, const SourceText &source) { return format.readSpacing(source); });
+}
+
+Status writeMesh(const std::filesystem::path &path, const Mesh &mesh, std::string_view formatId,
+                 const Progress &progress) {
+    const auto writes = [](const Format &format) {
+        return format.writeMesh != nullptr || format.writeFiles != nullptr;
+    };
+    const Format *format = formatId.empty() ? formatOfExtension(path, writes) : formatOfId(formatId);
+    if (format == nullptr || !writes(*format)) {
+        return named(error("unknown-format",
+                           formatId.empty()
+                               ? "no mesh format goes by the extension '" + path.extension().string() + "'"
+                               : "'" + std::string(formatId) + "' is not a mesh format that can be written",
+                           "extensions that can be written: " + extensions(writes)),
+                     path);
+    }
+    try {
+        if (format->writeFiles != nullptr) {
+            return named(format->writeFiles(path, mesh, progress), path);
+        }
+        constexpr std::size_t kBytesPerNode = 45, kBytesPerElement = 32;
+        return writeTextFile(
+            path, [&](TextWriter &out) { format->writeMesh(mesh, out); }, progress,
+            1 + mesh.nodes.size() * kBytesPerNode + mesh.elements.size() * kBytesPerElement);
+    } catch (const std::bad_alloc &) {
+        return named(error("out-of-memory", "there is not enough memory to write the file"), path);
+    }
+}
+
+Result<std::unique_ptr<Companion>> readCompanion(const SourceText &source, const char *extension) {
+    std::filesystem::path path = source.path;
+    if (path.empty()) {
+        return Diagnostics{
+            faultAt(source, 0, "cannot-read", std::string("a ") + extension + " file is needed beside it")};
+    }
+    path.replace_extension(extension);
+    auto bytes = readFileBytes(path, source.options.maxBytes);
+    if (!bytes) {
+        return bytes.faults();
+    }
+    auto companion = std::make_unique<Companion>();
+    companion->bytes = std::move(*bytes);
+    companion->source = {companion->bytes, path.string(), path, source.options};
+    return companion;
+}
+
+} // namespace forefront

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/base/progress.hpp"
+#include "core/io/files.hpp"
+#include "core/io/source.hpp"
+#include "core/io/text_writer.hpp"
+
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+namespace forefront {
+
+/// What the program can do with a format. A new format is one source file with these functions and one line in
+/// formats.cpp. Readers work from memory and never throw; a null function is a thing the format does not do.
+struct Format {
+    FileFormat about;
+    /// Further extensions it goes by, separated by blanks, such as ".node .ele".
+    const char *otherExtensions = "";
+    /// True if the first bytes of a file (at most kHeadBytes) show that it is of this format.
+    bool (*recognise)(std::string_view head) = nullptr;
+    Result<Document> (*readDocument)(const SourceText &) = nullptr; ///< where a format holds more than a domain
+    Result<Domain> (*readDomain)(const SourceText &) = nullptr;     ///< null: the domain of its mesh, if it has one
+    Result<Mesh> (*readMesh)(const SourceText &) = nullptr;
+    Result<SpacingSpec> (*readSpacing)(const SourceText &) = nullptr;
+    void (*writeMesh)(const Mesh &, TextWriter &) = nullptr;
+    /// For formats of several files; else null.
+    Status (*writeFiles)(const std::filesystem::path &, const Mesh &, const Progress &) = nullptr;
+};
+
+inline constexpr std::size_t kHeadBytes = 4096;
+
+/// All formats, in the order of menus and, among those of one extension, of preference.
+std::span<const Format> formats();
+
+/// The format of a file by its content, else by its extension; null when neither tells.
+const Format *formatOf(const std::filesystem::path &path, std::string_view content);
+const Format *formatOfExtension(const std::filesystem::path &path, bool (*wanted)(const Format &));
+const Format *formatOfId(std::string_view id);
+
+/// A text file beside the source with another extension, for formats of several files.
+struct Companion {
+    std::string bytes;
+    SourceText source; ///< views `bytes`
+};
+Result<std::unique_ptr<Companion>> readCompanion(const SourceText &source, const char *extension);
+
+} // namespace forefront

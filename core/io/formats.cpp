@@ -1,0 +1,92 @@
+#include "core/io/format.hpp"
+#include "core/io/readers.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace forefront {
+
+namespace {
+
+// One line a format: what it is called, what it can do, and the functions that do it.
+constexpr std::array kFormats = {
+    Format{.about = {"project", "Forefront project", ".json", true, false, false},
+           .otherExtensions = ".forefront",
+           .recognise = looksLikeProject,
+           .readDocument = readProjectText,
+           .readSpacing = readProjectSpacing},
+    Format{.about = {"poly", "Triangle domain", ".poly", true, false, false}, .readDomain = readPoly},
+    Format{.about = {"msh2", "Gmsh MSH 2.2", ".msh", true, true, true},
+           .recognise = looksLikeMsh,
+           .readMesh = readMsh,
+           .readSpacing = readMshSpacing,
+           .writeMesh = writeMsh2},
+    Format{.about = {"msh41", "Gmsh MSH 4.1", ".msh", true, true, true},
+           .recognise = looksLikeMsh,
+           .readMesh = readMsh,
+           .readSpacing = readMshSpacing,
+           .writeMesh = writeMsh4},
+};
+
+std::string lowerExtension(const std::filesystem::path &path) {
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; });
+    return extension;
+}
+
+bool hasExtension(const Format &format, const std::string &extension) {
+    if (extension == format.about.extension) {
+        return true;
+    }
+    const std::string others = std::string(" ") + format.otherExtensions + ' ';
+    return extension.size() > 1 && others.find(' ' + extension + ' ') != std::string::npos;
+}
+
+} // namespace
+
+std::span<const Format> formats() {
+    return kFormats;
+}
+
+std::span<const FileFormat> fileFormats() {
+    static constexpr auto kAbout = [] {
+        std::array<FileFormat, kFormats.size()> list{};
+        std::transform(kFormats.begin(), kFormats.end(), list.begin(), [](const Format &f) { return f.about; });
+        return list;
+    }();
+    return kAbout;
+}
+
+const Format *formatOf(const std::filesystem::path &path, std::string_view content) {
+    const std::string extension = lowerExtension(path);
+    const std::string_view head = content.substr(0, kHeadBytes);
+    const Format *recognised = nullptr;
+    const Format *named = nullptr;
+    for (const Format &format : kFormats) {
+        const bool byName = hasExtension(format, extension);
+        const bool byContent = format.recognise != nullptr && format.recognise(head);
+        if (byName && byContent) {
+            return &format;
+        }
+        recognised = recognised == nullptr && byContent ? &format : recognised;
+        named = named == nullptr && byName ? &format : named;
+    }
+    return recognised != nullptr ? recognised : named;
+}
+
+const Format *formatOfExtension(const std::filesystem::path &path, bool (*wanted)(const Format &)) {
+    const std::string extension = lowerExtension(path);
+    const auto found = std::find_if(kFormats.begin(), kFormats.end(),
+                                    [&](const Format &f) { return hasExtension(f, extension) && wanted(f); });
+    return found != kFormats.end() ? &*found : nullptr;
+}
+
+const Format *formatOfId(std::string_view id) {
+    const auto found =
+        std::find_if(kFormats.begin(), kFormats.end(), [&](const Format &f) { return id == f.about.id; });
+    return found != kFormats.end() ? &*found : nullptr;
+}
+
+} // namespace forefront

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "core/io/planar_mesh.hpp"
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace forefront {
+
+/// Nodal values of the first $NodeData section with one component.
+struct MshValues {
+    bool given = false;
+    std::size_t offset = 0;
+    std::vector<double> values; ///< per node
+    std::vector<bool> known;    ///< per node: the section has a value for it
+};
+
+/// Reader of Gmsh MSH 2.2 and 4.1, ASCII. Sections it has no use for are skipped.
+class MshFile {
+  public:
+    explicit MshFile(const SourceText &source) : scanner_(source) {}
+
+    /// False after a failure, then see faults().
+    bool read();
+    const Diagnostics &faults() const { return scanner_.faults(); }
+    TextScanner &scanner() { return scanner_; }
+    PlanarMeshBuilder &builder() { return builder_; }
+    const MshValues &values() const { return values_; }
+
+  private:
+    bool readSection(std::string_view name);
+    bool readFormat();
+    bool readNames();
+    bool readNodeData();
+    bool skipSection(std::string_view name);
+
+    bool readNodes2();
+    bool readElements2();
+    bool readElement2(std::size_t number);
+    bool readEntities4();
+    bool readEntity4(int dimension);
+    bool readNodes4();
+    bool readElements4();
+    bool readElementBlock4(std::size_t &left);
+    void restoreOrder();
+
+    /// Nodes of a point, line or triangle; other types are refused.
+    bool readConnection(std::int64_t type, std::int32_t tag, std::size_t typeOffset, Expect expect);
+
+    TextScanner scanner_;
+    PlanarMeshBuilder builder_;
+    MshValues values_;
+    bool version4_ = false, formatRead_ = false, nodesRead_ = false, elementsRead_ = false;
+    std::map<std::pair<int, std::int64_t>, std::int32_t> physical_; ///< by dimension and entity
+    std::vector<std::int64_t> edgeNumbers_, elementNumbers_;        ///< MSH 4.1: as in the file
+};
+
+} // namespace forefront

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/base/ids.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace forefront {
+
+/// From the node numbers of a file, which may have gaps or come in any order, to indices 0, 1, 2, ... in the order of
+/// their coming. Numbers without large gaps cost four bytes each; others are looked up in a sorted list.
+class NodeTable {
+  public:
+    void reserve(std::size_t count) { numbers_.reserve(count); }
+    void add(std::int64_t number) { numbers_.push_back(number); }
+    std::size_t size() const { return numbers_.size(); }
+    /// To be called when all are known. Index of a node whose number was there before, or kNoIndex if all differ.
+    std::uint32_t finish();
+    /// Index of a node, or kNoIndex.
+    std::uint32_t find(std::int64_t number) const {
+        if (sorted_.empty()) {
+            const auto slot = static_cast<std::uint64_t>(number) - static_cast<std::uint64_t>(least_);
+            return slot < dense_.size() ? dense_[slot] : kNoIndex;
+        }
+        return findSorted(number);
+    }
+
+  private:
+    std::uint32_t findSorted(std::int64_t number) const;
+
+    std::vector<std::int64_t> numbers_;
+    std::int64_t least_ = 0;
+    std::vector<std::uint32_t> dense_;
+    std::vector<std::uint32_t> sorted_; ///< indices in the order of their numbers
+};
+
+} // namespace forefront

@@ -1,0 +1,93 @@
+#pragma once
+
+#include "core/io/source.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace forefront {
+
+/// The whole of `text` as a finite or infinite number or NaN; a leading '+' and Fortran's D exponent are understood.
+std::optional<double> parseReal(std::string_view text);
+
+/// What a number in a file is for; the words of a message, put together only when it is needed.
+struct Expect {
+    const char *what;           ///< "the coordinates of node"
+    std::uint64_t number = kNo; ///< appended: "... of node 17"
+    static constexpr std::uint64_t kNo = std::numeric_limits<std::uint64_t>::max();
+
+    std::string words() const { return number == kNo ? what : what + (' ' + std::to_string(number)); }
+};
+
+/// Reads words and numbers from a text or one line of it. The first failure is kept with line and column; after it, all
+/// reading fails. Counts in the text are never believed beyond what the bytes left can hold.
+class TextScanner {
+  public:
+    /// `comment`: from this character to the end of the line is skipped; `separator`: taken as a blank, too.
+    explicit TextScanner(const SourceText &source, char comment = '\0', char separator = ' ')
+        : TextScanner(source, 0, source.text.size(), comment, separator) {}
+
+    bool ok() const { return faults_.empty(); }
+    const Diagnostics &faults() const { return faults_; }
+    /// Records a failure at a byte of the source; returns false for the caller to pass on.
+    bool fail(std::size_t offset, std::string code, std::string message, std::string advice = {});
+    /// Takes over the failure of another scanner, such as one of a line.
+    bool fail(const TextScanner &other);
+
+    std::size_t offset() const { return at_; }
+    void seek(std::size_t offset) { at_ = std::min(offset, end_); }
+    std::size_t remaining() const { return end_ - at_; }
+    /// True when only blanks and comments are left.
+    bool atEnd() {
+        skipBlanks();
+        return at_ == end_;
+    }
+
+    /// The next word, without moving; empty at the end.
+    std::string_view peek();
+    std::string_view word();
+    /// A word in double quotes, or a bare word.
+    bool quotedWord(std::string_view &text, Expect expect);
+    /// Skips the word if it is that one; else a failure.
+    bool literal(std::string_view expected);
+
+    /// A finite number.
+    bool real(double &value, Expect expect);
+    bool integer(std::int64_t &value, std::int64_t least, std::int64_t greatest, Expect expect);
+    /// A number of items that follow, each at least `bytes` long.
+    bool count(std::size_t &value, std::size_t bytes, Expect expect);
+
+    /// The next line that holds more than blanks and comments, as a scanner of its own; its offset is its first word.
+    /// False at the end.
+    bool nextLine(TextScanner &line);
+    /// What is left of this text, blanks around it dropped.
+    std::string_view rest();
+    /// Skips to the byte after the next line end.
+    void skipLine();
+    /// A scanner of a part of the same source.
+    TextScanner part(std::size_t begin, std::size_t end) const { return {*source_, begin, end, comment_, separator_}; }
+    const SourceText &source() const { return *source_; }
+
+  private:
+    TextScanner(const SourceText &source, std::size_t begin, std::size_t end, char comment, char separator)
+        : source_(&source), text_(source.text.data()), at_(begin), end_(end), comment_(comment), separator_(separator) {
+    }
+
+    bool blank(char c) const { return static_cast<unsigned char>(c) <= ' ' || c == separator_; }
+    bool delimits(std::size_t at) const { return at == end_ || blank(text_[at]) || text_[at] == comment_; }
+    void skipBlanks();
+    bool failExpected(const char *kind, Expect expect);
+
+    const SourceText *source_;
+    const char *text_;
+    std::size_t at_;
+    std::size_t end_;
+    char comment_;
+    char separator_;
+    Diagnostics faults_;
+};
+
+} // namespace forefront

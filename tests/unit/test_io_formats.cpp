@@ -1,0 +1,178 @@
+#include "core/io/format.hpp"
+#include "core/io/names.hpp"
+#include "core/io/node_table.hpp"
+#include "core/io/text_scanner.hpp"
+#include "core/mesh/verify.hpp"
+#include "tests/unit/io_samples.hpp"
+#include "tests/unit/mesh_samples.hpp"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <limits>
+
+using namespace forefront;
+using namespace forefront::testing;
+
+TEST_CASE("Formats: a mesh written in any format is read back the same, with tags, names and regions") {
+    const ScratchFolder folder;
+    const Mesh mesh = twoRegionMesh();
+    for (const FileFormat &format : fileFormats()) {
+        if (!format.writesMesh || !format.readsMesh) {
+            continue;
+        }
+        CAPTURE(format.id);
+        const auto path = folder / (std::string("mesh_") + format.id + format.extension);
+        const Status status = writeMesh(path, mesh, format.id);
+        REQUIRE_MESSAGE(status.empty(), messages(status));
+        const auto back = readMesh(path);
+        REQUIRE_MESSAGE(back.ok(), messages(back.faults()));
+        CHECK(difference(mesh, *back) == "");
+        CHECK(verify(*back).empty());
+    }
+}
+
+TEST_CASE("Formats: a mesh of one region without names, edges or points survives, too") {
+    const ScratchFolder folder;
+    Mesh mesh = samples::square(2, 2);
+    mesh.edges.clear();
+    mesh.boundaryNames.clear();
+    for (const FileFormat &format : fileFormats()) {
+        if (!format.writesMesh || !format.readsMesh) {
+            continue;
+        }
+        CAPTURE(format.id);
+        const auto path = folder / (std::string("mesh_") + format.id + format.extension);
+        REQUIRE(writeMesh(path, mesh, format.id).empty());
+        const auto back = readMesh(path);
+        REQUIRE_MESSAGE(back.ok(), messages(back.faults()));
+        CHECK(difference(mesh, *back) == "");
+        CHECK(back->regions.empty());
+        CHECK(back->boundaryNames.empty());
+        CHECK(back->regionNames.empty());
+    }
+}
+
+TEST_CASE("Formats: the domain of a written mesh is the domain it covers") {
+    const ScratchFolder folder;
+    const Mesh mesh = twoRegionMesh();
+    for (const char *id : {"msh2", "msh41"}) {
+        const auto path = folder / "mesh.msh";
+        REQUIRE(writeMesh(path, mesh, id).empty());
+        const auto domain = readDomain(path);
+        REQUIRE(domain.ok());
+        std::size_t boundary = 0;
+        for (const DomainSegment &segment : domain->segments) {
+            boundary += segment.role == SegmentRole::Boundary ? 1U : 0U;
+        }
+        CHECK(boundary == 26);
+        CHECK(domain->segments.size() == mesh.edges.size());
+        REQUIRE(domain->regionMarkers.size() == 2);
+        CHECK(domain->regionMarkers[0].tag != domain->regionMarkers[1].tag);
+        CHECK(domain->points.size() == 1);
+        CHECK(boundaryName(domain->boundaryNames, 9) == "interface");
+    }
+}
+
+TEST_CASE("Formats: the default of an extension, unknown formats and cancelling") {
+    const ScratchFolder folder;
+    const Mesh mesh = samples::square(3, 3);
+    REQUIRE(writeMesh(folder / "a.MSH", mesh).empty());
+    std::string first, version;
+    std::ifstream(folder / "a.MSH") >> first >> version;
+    CHECK(version == "2.2");
+    CHECK(hasCode(writeMesh(folder / "a.xyz", mesh), "unknown-format"));
+    CHECK(hasCode(writeMesh(folder / "a.msh", mesh, "project"), "unknown-format"));
+    CHECK(hasCode(readMesh(folder / "none.msh").faults(), "cannot-read"));
+    REQUIRE(writeFileAtomically(folder / "a.xyz", "what is this").empty());
+    CHECK(hasCode(readMesh(folder / "a.xyz").faults(), "unknown-format"));
+    std::stop_source stop;
+    stop.request_stop();
+    Progress progress;
+    progress.stop = stop.get_token();
+    CHECK(hasCode(writeMesh(folder / "b.msh", mesh, {}, progress), "cancelled"));
+    CHECK(!std::filesystem::exists(folder / "b.msh"));
+}
+
+TEST_CASE("Formats: content decides over a wrong extension") {
+    const ScratchFolder folder;
+    const Mesh mesh = samples::square(3, 3);
+    REQUIRE(writeMesh(folder / "mesh.txt", mesh, "msh2").empty());
+    const auto back = readMesh(folder / "mesh.txt");
+    REQUIRE(back.ok());
+    CHECK(difference(mesh, *back) == "");
+    REQUIRE(writeProject(folder / "project.txt", fullDocument()).empty());
+    CHECK(readDocument(folder / "project.txt").ok());
+    CHECK(hasCode(readMesh(folder / "project.txt").faults(), "unknown-format"));
+}
+
+TEST_CASE("TextScanner: numbers, comments and places") {
+    const std::string text = "12 +3.5 # 99\n  -1.0D+2 .5 5. 1e-400\nx1 nan";
+    const SourceText source = sourceOf(text, "f");
+    TextScanner scanner(source, '#');
+    std::int64_t whole = 0;
+    double real = 0.0;
+    CHECK(scanner.integer(whole, 0, 20, {"n"}));
+    CHECK(whole == 12);
+    const double expected[] = {3.5, -100.0, 0.5, 5.0, 0.0};
+    for (const double value : expected) {
+        CHECK(scanner.real(real, {"x"}));
+        CHECK(real == value);
+    }
+    TextScanner other = scanner;
+    CHECK(!scanner.real(real, {"the coordinates of node", 17}));
+    REQUIRE(scanner.faults().size() == 1);
+    CHECK(toString(scanner.faults()[0]) ==
+          "f:3:1: error: expected a number for the coordinates of node 17, found 'x1' [bad-number]");
+    CHECK(other.word() == "x1");
+    CHECK(!other.real(real, {"x"}));
+    CHECK(other.faults()[0].code == "non-finite");
+    CHECK(other.faults()[0].column == 4);
+}
+
+TEST_CASE("TextScanner: a count larger than the file can hold is refused before anything is reserved") {
+    const std::string text = "999999999999 1 2";
+    const SourceText source = sourceOf(text);
+    TextScanner scanner(source);
+    std::size_t count = 0;
+    CHECK(!scanner.count(count, 4, {"the number of nodes"}));
+    CHECK(scanner.faults()[0].code == "bad-count");
+    CHECK(count == 0);
+}
+
+TEST_CASE("parseReal: the whole text or nothing") {
+    CHECK(parseReal("1.5") == 1.5);
+    CHECK(parseReal("+1.5") == 1.5);
+    CHECK(parseReal("1.5d3") == 1500.0);
+    CHECK(parseReal("1e999") == std::numeric_limits<double>::infinity());
+    CHECK(parseReal("1e-999") == 0.0);
+    CHECK(parseReal("0." + std::string(400, '0') + "1") == 0.0);
+    for (const char *wrong : {"", "+", "+-1", "1.5x", "1,5", "--1", "1d2d3", "0x10"}) {
+        CAPTURE(wrong);
+        CHECK(!parseReal(wrong));
+    }
+}
+
+TEST_CASE("NodeTable: dense and sparse numbers are found, twins are told") {
+    NodeTable dense, sparse, twins;
+    for (const std::int64_t n : {5, 3, 4}) {
+        dense.add(n);
+    }
+    for (const std::int64_t n : {std::numeric_limits<std::int64_t>::max(), std::int64_t{-7}, std::int64_t{12}}) {
+        sparse.add(n);
+    }
+    CHECK(dense.finish() == kNoIndex);
+    CHECK(dense.find(3) == 1);
+    CHECK(dense.find(6) == kNoIndex);
+    CHECK(dense.find(std::numeric_limits<std::int64_t>::min()) == kNoIndex);
+    CHECK(sparse.finish() == kNoIndex);
+    CHECK(sparse.find(-7) == 1);
+    CHECK(sparse.find(std::numeric_limits<std::int64_t>::max()) == 0);
+    CHECK(sparse.find(0) == kNoIndex);
+    twins.add(1);
+    twins.add(1'000'000'000);
+    twins.add(1);
+    CHECK(twins.finish() == 2);
+    CHECK(NodeTable().finish() == kNoIndex);
+    CHECK(NodeTable().find(0) == kNoIndex);
+}
