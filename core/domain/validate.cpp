@@ -1,0 +1,374 @@
+#include "core/domain/validate.hpp"
+
+#include "core/domain/domain_meetings.hpp"
+
+#include <algorithm>
+#include <initializer_list>
+
+namespace forefront {
+
+namespace {
+
+/// Pairs looked for beyond those listed, so that the rest can be counted.
+constexpr std::size_t kMostPairs = 100'000;
+constexpr double kGreatestCoordinate = 1e60, kLeastExtent = 1e-60;
+
+std::string number(std::size_t value) {
+    return std::to_string(value);
+}
+
+class Validator {
+  public:
+    Validator(const Domain &domain, std::size_t limit) : domain_(domain), limit_(limit) {}
+
+    Diagnostics run() {
+        checkNodes();
+        checkMagnitude();
+        checkSegments();
+        checkPointsAndMarkers();
+        checkReferences();
+        const DomainGraph graph = graphOf(domain_);
+        if (graph.edges.empty()) {
+            add("empty-domain", "the domain has no sound boundary segment", "draw or import a closed boundary");
+            return take();
+        }
+        const PlaneSweepResult sweep = sweepPlane(graph.points, graph.edges);
+        checkDuplicateNodes(graph, sweep);
+        checkMeetings(graph, sweep);
+        checkChains(graph, sweep);
+        // Inside and outside are known only of simple, closed segments.
+        if (sweep.droppedCount == 0 && !incomplete_ && !open_) {
+            checkFaces(graph, sweep);
+        }
+        return take();
+    }
+
+  private:
+    void add(const char *code, std::string message, std::string advice, std::optional<Vec2> at = {},
+             std::initializer_list<std::uint32_t> ids = {}) {
+        ++count_;
+        if (faults_.size() < limit_) {
+            Diagnostic fault;
+            fault.code = code;
+            fault.message = std::move(message);
+            fault.advice = std::move(advice);
+            fault.at = at;
+            fault.ids = ids;
+            faults_.push_back(std::move(fault));
+        }
+    }
+    Diagnostics take() {
+        if (count_ > faults_.size() || !allMeetings_) {
+            Diagnostic rest;
+            rest.severity = faults_.empty() ? Severity::Error : Severity::Note;
+            rest.code = "more-faults";
+            rest.message =
+                (allMeetings_ ? "" : "at least ") + number(count_ - faults_.size()) + " more faults are not listed";
+            faults_.push_back(std::move(rest));
+        }
+        return std::move(faults_);
+    }
+
+    void checkNodes() {
+        for (std::uint32_t n = 0; n < domain_.nodes.size(); ++n) {
+            if (!isFinite(domain_.nodes[n])) {
+                incomplete_ = true;
+                add("non-finite", "node " + number(n) + " has a coordinate that is not finite",
+                    "give it finite coordinates", finitePart(domain_.nodes[n]), {n});
+            }
+        }
+    }
+    /// Squares of lengths and products of areas must neither overflow nor vanish.
+    void checkMagnitude() {
+        const Box2 box = domain_.bounds();
+        for (std::uint32_t n = 0; n < domain_.nodes.size(); ++n) {
+            const Vec2 p = domain_.nodes[n];
+            if (isFinite(p) && std::max(std::fabs(p.x), std::fabs(p.y)) > kGreatestCoordinate) {
+                incomplete_ = true;
+                add("out-of-range", "node " + number(n) + " has a coordinate beyond 1e60", "scale the domain down", p,
+                    {n});
+            }
+        }
+        if (!box.empty() && box.min != box.max &&
+            std::max(box.max.x - box.min.x, box.max.y - box.min.y) < kLeastExtent) {
+            add("out-of-range", "the domain is smaller than 1e-60", "scale the domain up", box.min);
+        }
+    }
+
+    /// A place one can go to, with what is finite of the coordinates.
+    static Vec2 finitePart(Vec2 p) { return {std::isfinite(p.x) ? p.x : 0.0, std::isfinite(p.y) ? p.y : 0.0}; }
+
+    void checkSegments() {
+        for (std::uint32_t s = 0; s < domain_.segments.size(); ++s) {
+            const DomainSegment &segment = domain_.segments[s];
+            const std::size_t nodeCount = domain_.nodes.size();
+            if (segment.a >= nodeCount || segment.b >= nodeCount) {
+                incomplete_ = true;
+                const std::uint32_t bad = segment.a >= nodeCount ? segment.a : segment.b;
+                const std::uint32_t good = segment.a >= nodeCount ? segment.b : segment.a;
+                add("bad-index", "segment " + number(s) + " refers to node " + number(bad) + " of " + number(nodeCount),
+                    "correct the node's index", good < nodeCount ? domain_.nodes[good] : domain_.bounds().min, {s});
+                continue;
+            }
+            const Vec2 a = domain_.nodes[segment.a], b = domain_.nodes[segment.b];
+            checkTag("segment", s, segment.tag, midpoint(a, b));
+            if (a == b) {
+                add("zero-length", "segment " + number(s) + " has no length", "remove it, or use repair", a, {s});
+            }
+        }
+    }
+
+    void checkTag(const char *what, std::uint32_t i, std::int32_t tag, Vec2 at) {
+        if (tag < 1) {
+            add("bad-tag", what + (" " + number(i)) + " has the tag " + std::to_string(tag), "tags start at 1", at,
+                {i});
+        }
+    }
+
+    void checkPointsAndMarkers() {
+        for (std::uint32_t i = 0; i < domain_.points.size(); ++i) {
+            const ConstraintPoint &point = domain_.points[i];
+            if (point.node >= domain_.nodes.size()) {
+                add("bad-index",
+                    "constraint point " + number(i) + " refers to node " + number(point.node) + " of " +
+                        number(domain_.nodes.size()),
+                    "correct the node's index", domain_.bounds().min, {i});
+            } else {
+                checkTag("constraint point", i, point.tag, domain_.nodes[point.node]);
+            }
+        }
+        for (std::uint32_t i = 0; i < domain_.holeMarkers.size(); ++i) {
+            checkMarker("hole marker", i, domain_.holeMarkers[i]);
+        }
+        for (std::uint32_t i = 0; i < domain_.regionMarkers.size(); ++i) {
+            checkMarker("region marker", i, domain_.regionMarkers[i].at);
+            checkTag("region marker", i, domain_.regionMarkers[i].tag, domain_.regionMarkers[i].at);
+        }
+    }
+    void checkMarker(const char *what, std::uint32_t i, Vec2 at) {
+        if (!isFinite(at)) {
+            add("non-finite", what + (" " + number(i)) + " has a coordinate that is not finite",
+                "give it finite coordinates", finitePart(at), {i});
+        }
+    }
+
+    void checkReferences() {
+        std::vector<std::uint8_t> used(domain_.nodes.size(), 0);
+        const auto use = [&](std::uint32_t node) {
+            if (node < used.size()) {
+                used[node] = 1;
+            }
+        };
+        for (const DomainSegment &segment : domain_.segments) {
+            use(segment.a);
+            use(segment.b);
+        }
+        for (const ConstraintPoint &point : domain_.points) {
+            use(point.node);
+        }
+        for (std::uint32_t n = 0; n < used.size(); ++n) {
+            if (used[n] == 0 && isFinite(domain_.nodes[n])) {
+                add("unreferenced-node", "node " + number(n) + " belongs to no segment and is no constraint point",
+                    "remove it, make it a constraint point, or use repair", domain_.nodes[n], {n});
+            }
+        }
+    }
+
+    void checkDuplicateNodes(const DomainGraph &graph, const PlaneSweepResult &sweep) {
+        for (std::uint32_t point = 0; point < graph.node.size(); ++point) {
+            const std::uint32_t first = sweep.canonical[point];
+            if (first != point) {
+                add("duplicate-node",
+                    "nodes " + number(graph.node[first]) + " and " + number(graph.node[point]) +
+                        " lie in the same place",
+                    "merge them, or use repair", graph.points[point], {graph.node[first], graph.node[point]});
+            }
+        }
+    }
+
+    void checkMeetings(const DomainGraph &graph, const PlaneSweepResult &sweep) {
+        const DomainMeetings meetings = findDomainMeetings(graph, sweep, std::max(limit_, kMostPairs));
+        allMeetings_ = meetings.complete;
+        const auto a = [&](std::uint32_t edge) { return graph.points[graph.edges[edge].a]; };
+        const auto b = [&](std::uint32_t edge) { return graph.points[graph.edges[edge].b]; };
+        const auto pair = [&](std::uint32_t e, std::uint32_t f) {
+            return "segments " + number(graph.segment[e]) + " and " + number(graph.segment[f]);
+        };
+        for (const auto &[first, second] : meetings.duplicates) {
+            add("duplicate-segment", pair(first, second) + " join the same nodes", "remove one of them, or use repair",
+                midpoint(a(first), b(first)), {graph.segment[first], graph.segment[second]});
+        }
+        for (const EdgeMeeting &m : meetings.crossings) {
+            add("crossing-segments", pair(m.first, m.second) + " cross",
+                "move a node, or split both where they cross (repair does that)",
+                crossingPoint(a(m.first), b(m.first), a(m.second), b(m.second)),
+                {graph.segment[m.first], graph.segment[m.second]});
+        }
+        for (const DomainMeetings::Touch &touch : meetings.touches) {
+            add("touching-segments",
+                "node " + number(graph.node[touch.point]) + " lies on segment " + number(graph.segment[touch.edge]),
+                "move the node, or split the segment there (repair does that)", graph.points[touch.point],
+                {graph.node[touch.point], graph.segment[touch.edge]});
+        }
+        for (const EdgeMeeting &m : meetings.overlaps) {
+            std::array<Vec2, 4> p{a(m.first), b(m.first), a(m.second), b(m.second)};
+            std::sort(p.begin(), p.end(), [](Vec2 s, Vec2 t) { return s.x != t.x ? s.x < t.x : s.y < t.y; });
+            add("overlapping-segments", pair(m.first, m.second) + " overlap",
+                "keep the common part only once (repair does that)", midpoint(p[1], p[2]),
+                {graph.segment[m.first], graph.segment[m.second]});
+        }
+    }
+
+    /// Under EvenOdd an even number of boundary segments must meet in every node. Segments with one sound end count
+    /// there; repeated ones and nodes in the same place count once, as they are faults of their own.
+    void checkChains(const DomainGraph &graph, const PlaneSweepResult &sweep) {
+        if (domain_.insideRule != InsideRule::EvenOdd) {
+            return;
+        }
+        const auto place = [&](std::uint32_t node) {
+            const std::uint32_t point = graph.pointOfNode[node];
+            return point == kNoIndex ? node : graph.node[sweep.canonical[point]];
+        };
+        std::vector<std::array<std::uint32_t, 2>> spans;
+        for (const DomainSegment &segment : domain_.segments) {
+            const bool soundA = segment.a < domain_.nodes.size(), soundB = segment.b < domain_.nodes.size();
+            if (segment.role == SegmentRole::Boundary && (soundA || soundB)) {
+                const std::uint32_t a = soundA ? place(segment.a) : kNoIndex, b = soundB ? place(segment.b) : kNoIndex;
+                if (a != b) {
+                    spans.push_back({std::min(a, b), std::max(a, b)});
+                }
+            }
+        }
+        std::sort(spans.begin(), spans.end());
+        spans.erase(std::unique(spans.begin(), spans.end()), spans.end());
+        std::vector<std::uint32_t> degree(domain_.nodes.size(), 0);
+        for (const auto &[a, b] : spans) {
+            ++degree[a];
+            if (b != kNoIndex) {
+                ++degree[b];
+            }
+        }
+        for (std::uint32_t n = 0; n < degree.size(); ++n) {
+            if (degree[n] % 2 != 0) {
+                open_ = true;
+                add("open-chain",
+                    degree[n] == 1
+                        ? "the boundary ends at node " + number(n)
+                        : "an odd number of boundary segments (" + number(degree[n]) + ") meets in node " + number(n),
+                    "close the chain, or make the segments that are not boundary constraints", domain_.nodes[n], {n});
+            }
+        }
+    }
+
+    void checkFaces(const DomainGraph &graph, const PlaneSweepResult &sweep) {
+        const Faces faces = findFaces(graph.points, graph.edges, sweep);
+        const FaceLabels labels = labelFaces(domain_, graph, faces);
+        if (std::none_of(labels.inside.begin(), labels.inside.end(), [](std::uint8_t inside) { return inside != 0; })) {
+            add("empty-domain", "no part of the plane is inside the boundary",
+                "draw a closed boundary, and keep hole markers out of the part to mesh",
+                graph.points[graph.edges[0].a]);
+            checkOpenEnds(graph, sweep, faces, labels);
+            return;
+        }
+        const bool anyOpen = checkOpenEnds(graph, sweep, faces, labels);
+        for (std::uint32_t e = 0; e < graph.edges.size() && !anyOpen; ++e) {
+            if (labels.inside[faces.left[e]] == 0 && labels.inside[faces.right[e]] == 0) {
+                add("segment-outside", "segment " + number(graph.segment[e]) + " lies outside the domain",
+                    "remove it, or extend the boundary around it",
+                    midpoint(graph.points[graph.edges[e].a], graph.points[graph.edges[e].b]), {graph.segment[e]});
+            }
+        }
+        checkPointPlaces(graph, sweep, faces, labels);
+        checkMarkerPlaces(graph, faces, labels);
+    }
+
+    /// Free ends of boundary segments that bound nothing, where the rule allows free ends inside.
+    bool checkOpenEnds(const DomainGraph &graph, const PlaneSweepResult &sweep, const Faces &faces,
+                       const FaceLabels &labels) {
+        if (domain_.insideRule == InsideRule::EvenOdd) {
+            return false;
+        }
+        std::vector<std::uint32_t> degree(graph.points.size(), 0), last(graph.points.size(), 0);
+        for (std::uint32_t e = 0; e < graph.edges.size(); ++e) {
+            for (const std::uint32_t end : {graph.edges[e].a, graph.edges[e].b}) {
+                ++degree[sweep.canonical[end]];
+                last[sweep.canonical[end]] = e;
+            }
+        }
+        bool any = false;
+        for (std::uint32_t point = 0; point < graph.node.size(); ++point) {
+            const std::uint32_t e = last[point];
+            if (degree[point] == 1 && domain_.segments[graph.segment[e]].role == SegmentRole::Boundary &&
+                labels.inside[faces.left[e]] == 0 && labels.inside[faces.right[e]] == 0) {
+                any = true;
+                add("open-chain", "the boundary ends at node " + number(graph.node[point]), "close the chain",
+                    graph.points[point], {graph.node[point]});
+            }
+        }
+        return any;
+    }
+
+    void checkPointPlaces(const DomainGraph &graph, const PlaneSweepResult &sweep, const Faces &faces,
+                          const FaceLabels &labels) {
+        for (std::uint32_t i = 0; i < domain_.points.size(); ++i) {
+            const std::uint32_t node = domain_.points[i].node;
+            const std::uint32_t point = node < domain_.nodes.size() ? graph.pointOfNode[node] : kNoIndex;
+            if (point == kNoIndex || sweep.on[sweep.canonical[point]] != kNoIndex) {
+                continue; // reported already
+            }
+            const std::uint32_t face = faces.ofPoint[point];
+            if (face != kNoIndex && labels.inside[face] == 0) {
+                add("point-outside",
+                    "constraint point " + number(i) + " (node " + number(node) + ") lies outside the domain",
+                    "move or remove it", graph.points[point], {node});
+            }
+        }
+    }
+
+    void checkMarkerPlaces(const DomainGraph &graph, const Faces &faces, const FaceLabels &labels) {
+        for (std::uint32_t i = 0; i < graph.holeMarker.size() && domain_.insideRule == InsideRule::HoleMarkers; ++i) {
+            const std::uint32_t point = graph.holeMarker[i];
+            const std::uint32_t face = point != kNoIndex ? faces.ofPoint[point] : kNoIndex;
+            if (point != kNoIndex && (face == kNoIndex || face == 0)) {
+                add("hole-outside",
+                    "hole marker " + number(i) + (face == 0 ? " lies in no bounded part" : " lies on a segment"),
+                    "move it into the hole, or remove it", domain_.holeMarkers[i], {i});
+            }
+        }
+        for (std::uint32_t i = 0; i < graph.regionMarker.size(); ++i) {
+            const std::uint32_t point = graph.regionMarker[i];
+            if (point == kNoIndex) {
+                continue;
+            }
+            const std::uint32_t face = faces.ofPoint[point];
+            if (face == kNoIndex || labels.inside[face] == 0) {
+                add("region-marker-outside",
+                    "region marker " + number(i) +
+                        (face == kNoIndex ? " lies on a segment" : " lies outside the domain"),
+                    "move it into the region it names, or remove it", domain_.regionMarkers[i].at, {i});
+            } else if (const std::uint32_t first = labels.marker[face];
+                       domain_.regionMarkers[first].tag != domain_.regionMarkers[i].tag) {
+                add("region-marker-conflict",
+                    "region markers " + number(first) + " and " + number(i) + " give the same region different tags",
+                    "remove one of them, or divide the region by a constraint", domain_.regionMarkers[i].at,
+                    {first, i});
+            }
+        }
+    }
+
+    const Domain &domain_;
+    std::size_t limit_;
+    std::size_t count_ = 0;
+    Diagnostics faults_;
+    bool incomplete_ = false; // some segment takes no part in the geometry though it should
+    bool open_ = false;       // some chain is open
+    bool allMeetings_ = true;
+};
+
+} // namespace
+
+Diagnostics validate(const Domain &domain, std::size_t limit) {
+    return Validator(domain, limit).run();
+}
+
+} // namespace forefront

@@ -1,0 +1,278 @@
+#include "core/domain/validate.hpp"
+#include "core/geometry/predicates.hpp"
+#include "tests/support/random_domains.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+using namespace forefront;
+using namespace forefront::testing;
+
+namespace {
+
+Domain square(double size = 4.0) {
+    Domain domain;
+    domain.nodes = {{0, 0}, {size, 0}, {size, size}, {0, size}};
+    domain.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+    return domain;
+}
+
+std::uint32_t addNode(Domain &domain, Vec2 at) {
+    domain.nodes.push_back(at);
+    return static_cast<std::uint32_t>(domain.nodes.size() - 1);
+}
+
+void addConstraint(Domain &domain, Vec2 a, Vec2 b) {
+    const std::uint32_t from = addNode(domain, a), to = addNode(domain, b);
+    domain.segments.push_back({from, to, 2, SegmentRole::Constraint});
+}
+
+std::string codes(const Diagnostics &faults) {
+    std::string text;
+    for (const Diagnostic &fault : faults) {
+        text += (text.empty() ? "" : " ") + fault.code;
+    }
+    return text;
+}
+
+const Diagnostic *find(const Diagnostics &faults, const char *code) {
+    const auto found = std::find_if(faults.begin(), faults.end(), [&](const Diagnostic &f) { return f.code == code; });
+    return found != faults.end() ? &*found : nullptr;
+}
+
+void checkOne(const Domain &domain, const char *code, Vec2 at, const std::vector<std::uint32_t> &ids) {
+    const Diagnostics faults = validate(domain);
+    REQUIRE(codes(faults) == code);
+    CHECK(faults[0].at == at);
+    CHECK(faults[0].ids == ids);
+    CHECK_FALSE(faults[0].advice.empty());
+    CHECK(faults[0].severity == Severity::Error);
+}
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+} // namespace
+
+TEST_CASE("validate: thousands of random domains of every family have no fault") {
+    for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+        CAPTURE(seed);
+        REQUIRE(codes(validate(randomDomain(seed))) == "");
+    }
+}
+
+TEST_CASE("validate: crossing, touching and overlapping segments are told apart, with their places") {
+    Domain crossing = square();
+    addConstraint(crossing, {1, 1}, {3, 3});
+    addConstraint(crossing, {1, 3}, {3, 1});
+    checkOne(crossing, "crossing-segments", {2, 2}, {4, 5});
+    Domain touching = square();
+    addConstraint(touching, {1, 1}, {4, 2});
+    checkOne(touching, "touching-segments", {4, 2}, {5, 1});
+    Domain overlapping = square();
+    addConstraint(overlapping, {1, 1}, {3, 1});
+    addConstraint(overlapping, {2, 1}, {3.5, 1});
+    checkOne(overlapping, "overlapping-segments", {2.5, 1}, {4, 5});
+}
+
+TEST_CASE("validate: a constraint point on a segment touches it, one in a corner does not") {
+    Domain domain = square();
+    domain.points = {{1, 5}};
+    CHECK(codes(validate(domain)) == "");
+    domain.points.push_back({addNode(domain, {2, 0}), 1});
+    checkOne(domain, "touching-segments", {2, 0}, {4, 0});
+}
+
+TEST_CASE("validate: duplicate nodes and segments and segments without length are named") {
+    Domain nodes = square();
+    nodes.segments[3] = {3, addNode(nodes, {0, 0})};
+    checkOne(nodes, "duplicate-node", {0, 0}, {0, 4});
+    Domain segments = square();
+    segments.segments.push_back({2, 1});
+    checkOne(segments, "duplicate-segment", {4, 2}, {1, 4});
+    Domain empty = square();
+    empty.segments.push_back({2, 2});
+    checkOne(empty, "zero-length", {4, 4}, {4});
+}
+
+TEST_CASE("validate: open chains end at a node; an odd number of boundary segments is no boundary") {
+    Domain open = square();
+    open.segments.pop_back();
+    const Diagnostics faults = validate(open);
+    CHECK(codes(faults) == "open-chain open-chain");
+    CHECK(faults[0].ids == std::vector<std::uint32_t>{0});
+    CHECK(faults[1].ids == std::vector<std::uint32_t>{3});
+    Domain tee = square();
+    tee.segments.push_back({0, 2});
+    CHECK(codes(validate(tee)) == "open-chain open-chain");
+    tee.segments.back().role = SegmentRole::Constraint;
+    CHECK(codes(validate(tee)) == "");
+}
+
+TEST_CASE("validate: numbers that are not finite, indices out of range and tags below 1 are refused") {
+    Domain number = square();
+    number.nodes[2].y = kNan;
+    checkOne(number, "non-finite", {4, 0}, {2});
+    Domain index = square();
+    index.segments[1].b = 77;
+    CHECK(find(validate(index), "bad-index")->ids == std::vector<std::uint32_t>{1});
+    index = square();
+    index.points.push_back({5, 1});
+    CHECK(codes(validate(index)) == "bad-index");
+    Domain tag = square();
+    tag.segments[2].tag = 0;
+    checkOne(tag, "bad-tag", {2, 4}, {2});
+    Domain marker = square();
+    marker.regionMarkers.push_back({{kNan, 1}, 1});
+    CHECK(codes(validate(marker)) == "non-finite");
+    CHECK(codes(validate(square(1e70))) == "out-of-range out-of-range out-of-range");
+    CHECK(codes(validate(square(1e-70))) == "out-of-range");
+}
+
+TEST_CASE("validate: unreferenced nodes and things outside are named") {
+    Domain node = square();
+    addNode(node, {1, 1});
+    checkOne(node, "unreferenced-node", {1, 1}, {4});
+    Domain point = square();
+    point.points.push_back({addNode(point, {5, 1}), 1});
+    checkOne(point, "point-outside", {5, 1}, {4});
+    Domain segment = square();
+    addConstraint(segment, {5, 1}, {7, 1});
+    checkOne(segment, "segment-outside", {6, 1}, {4});
+    Domain marker = square();
+    marker.regionMarkers = {{{2, 2}, 1}, {{9, 9}, 3}};
+    checkOne(marker, "region-marker-outside", {9, 9}, {1});
+    marker.regionMarkers[1].at = {4, 1};
+    checkOne(marker, "region-marker-outside", {4, 1}, {1});
+    marker.regionMarkers[1].at = {3, 3};
+    checkOne(marker, "region-marker-conflict", {3, 3}, {0, 1});
+    marker.regionMarkers[1].tag = 1;
+    CHECK(codes(validate(marker)) == "");
+}
+
+TEST_CASE("validate: under HoleMarkers holes need markers in bounded parts, and free ends may lie inside") {
+    Domain domain = square();
+    domain.insideRule = InsideRule::HoleMarkers;
+    domain.segments.push_back({0, addNode(domain, {2, 2})});
+    CHECK(codes(validate(domain)) == "");
+    domain.holeMarkers = {{9, 9}};
+    checkOne(domain, "hole-outside", {9, 9}, {0});
+    domain = square();
+    domain.insideRule = InsideRule::HoleMarkers;
+    domain.holeMarkers = {{1, 3}};
+    CHECK(codes(validate(domain)) == "empty-domain");
+    domain.holeMarkers.clear();
+    domain.segments.erase(domain.segments.begin() + 2); // open: nothing is bounded
+    CHECK(codes(validate(domain)) == "empty-domain open-chain open-chain");
+}
+
+TEST_CASE("validate: an empty domain is refused") {
+    CHECK(codes(validate({})) == "empty-domain");
+    Domain nodes;
+    nodes.nodes = {{0, 0}, {1, 1}};
+    CHECK(find(validate(nodes), "empty-domain") != nullptr);
+    Domain line;
+    line.nodes = {{0, 0}, {1, 1}};
+    line.segments = {{0, 1, 1, SegmentRole::Constraint}};
+    CHECK(codes(validate(line)) == "empty-domain");
+}
+
+TEST_CASE("validate: faults of different kinds are all reported at once") {
+    Domain domain = square();
+    addConstraint(domain, {1, 1}, {3, 3});
+    addConstraint(domain, {1, 3}, {3, 1});
+    domain.segments.push_back({0, 0});
+    domain.segments.push_back({1, 0});
+    domain.segments[2].tag = -4;
+    addNode(domain, {1, 2});
+    addNode(domain, {kNan, 2});
+    domain.points.push_back({99, 1});
+    domain.segments.push_back({2, addNode(domain, {3.5, 3.5}), 1, SegmentRole::Boundary});
+    const Diagnostics faults = validate(domain);
+    for (const char *code : {"crossing-segments", "zero-length", "duplicate-segment", "bad-tag", "unreferenced-node",
+                             "non-finite", "bad-index", "open-chain"}) {
+        CAPTURE(code);
+        CHECK(find(faults, code) != nullptr);
+    }
+}
+
+TEST_CASE("validate: at most the limit is listed, and the rest counted") {
+    Domain domain = square(1000.0);
+    for (int i = 1; i <= 30; ++i) {
+        addConstraint(domain, {10.0 * i, 5}, {10.0 * i, 995});
+        addConstraint(domain, {5, 10.0 * i}, {995, 10.0 * i});
+    }
+    CHECK(validate(domain, 1000).size() == 900);
+    const Diagnostics some = validate(domain, 50);
+    REQUIRE(some.size() == 51);
+    CHECK(some.back().severity == Severity::Note);
+    CHECK(some.back().message.find("850") != std::string::npos);
+}
+
+TEST_CASE("validate: random junk yields exactly the pairs that brute force finds") {
+    RandomSource random(99);
+    std::size_t crossings = 0, overlaps = 0;
+    for (int round = 0; round < 400; ++round) {
+        Domain domain;
+        const int nodes = random.integer(4, 30), size = random.integer(3, 30);
+        std::set<std::pair<double, double>> places;
+        while (static_cast<int>(domain.nodes.size()) < std::min(nodes, size * size)) {
+            const Vec2 p{1.0 * random.integer(0, size), 1.0 * random.integer(0, size)};
+            if (places.emplace(p.x, p.y).second) {
+                domain.nodes.push_back(p);
+            }
+        }
+        const int last = static_cast<int>(domain.nodes.size()) - 1;
+        std::set<std::pair<std::uint32_t, std::uint32_t>> spans;
+        for (int i = 0; i < 40; ++i) {
+            const auto a = static_cast<std::uint32_t>(random.integer(0, last));
+            const auto b = static_cast<std::uint32_t>(random.integer(0, last));
+            if (a != b && spans.emplace(std::min(a, b), std::max(a, b)).second) {
+                domain.segments.push_back({a, b, 1, SegmentRole::Constraint});
+            }
+        }
+        std::set<std::pair<std::uint32_t, std::uint32_t>> crossing, overlapping, listedCrossing, listedOverlapping;
+        for (std::uint32_t s = 0; s < domain.segments.size(); ++s) {
+            for (std::uint32_t t = s + 1; t < domain.segments.size(); ++t) {
+                const auto at = [&](std::uint32_t node) { return domain.nodes[node]; };
+                const auto kind = meet(at(domain.segments[s].a), at(domain.segments[s].b), at(domain.segments[t].a),
+                                       at(domain.segments[t].b));
+                if (kind == SegmentMeeting::Crossing) {
+                    crossing.emplace(s, t);
+                } else if (kind == SegmentMeeting::Overlapping) {
+                    overlapping.emplace(s, t);
+                }
+            }
+        }
+        for (const Diagnostic &fault : validate(domain, 100000)) {
+            if (fault.code == "crossing-segments") {
+                listedCrossing.emplace(fault.ids[0], fault.ids[1]);
+            } else if (fault.code == "overlapping-segments") {
+                listedOverlapping.emplace(fault.ids[0], fault.ids[1]);
+            } else if (fault.code == "touching-segments") {
+                const DomainSegment &segment = domain.segments[fault.ids[1]];
+                REQUIRE(onSegment(domain.nodes[segment.a], domain.nodes[segment.b], domain.nodes[fault.ids[0]]));
+            }
+        }
+        REQUIRE(listedCrossing == crossing);
+        REQUIRE(listedOverlapping == overlapping);
+        crossings += crossing.size();
+        overlaps += overlapping.size();
+    }
+    CHECK(crossings > 1000);
+    CHECK(overlaps > 100);
+}
+
+TEST_CASE("validate: a hundred thousand segments that all cross are refused without quadratic work") {
+    Domain domain;
+    const std::uint32_t count = 100000;
+    for (std::uint32_t i = 0; i < count; ++i) { // chords through the neighbourhood of one point
+        addConstraint(domain, {-1.0, 1e-5 * i}, {1.0, 1.0 - 1.1e-5 * i});
+    }
+    const Diagnostics faults = validate(domain);
+    CHECK(faults.size() == 201);
+    CHECK(faults[0].code == "crossing-segments");
+    CHECK(faults.back().message.find("at least") != std::string::npos);
+}
