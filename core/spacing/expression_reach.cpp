@@ -84,8 +84,8 @@ class SlopeSearch {
         rho_.atMany(places, values);
         const auto lowest = static_cast<std::size_t>(std::min_element(values.begin(), values.end()) - values.begin());
         const Slopes slopes = slopesOf(values, 0.5 * side);
-        if (slopes.greatest + 2.0 * slopes.change < gradation_) {
-            return; // gentle all over
+        if (slopes.greatest + 2.0 * slopes.change < 1.005 * gradation_) {
+            return; // gentle all over; a slope that equals the gradation must not be searched to the last cell
         }
         const Box2 inner{box_.min + 1e-9 * box_.size(), box_.max - 1e-9 * box_.size()};
         const bool inside = inner.contains(corner) && inner.contains(corner + Vec2{side, side});

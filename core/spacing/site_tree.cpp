@@ -103,11 +103,11 @@ class SiteTreeBuilder {
             }
         }
         std::erase_if(competitors_, [&](const Competitor &c) { return c.value - site(c).growth * reach > bound; });
-        if (competitors_.size() > 2) {
-            dropParallel(centre, reach);
-        }
         if (competitors_.size() > kLongestTested) {
             thin(centre, reach);
+        }
+        if (competitors_.size() > 2) {
+            dropParallel(centre, reach);
         }
         FOREFRONT_ASSERT(!competitors_.empty());
     }
