@@ -227,6 +227,71 @@ TEST_CASE("verify: elements that go twice around an inner node overlap, though a
     CHECK(codes(verify(mesh)).count("overlapping") == 1);
 }
 
+namespace {
+
+/// True if the interiors of two counter-clockwise triangles meet: no side of either has the other all on its right.
+/// Exact for small whole coordinates.
+bool interiorsMeet(const std::array<Vec2, 3> &t, const std::array<Vec2, 3> &u) {
+    const auto parted = [](const std::array<Vec2, 3> &p, const std::array<Vec2, 3> &q) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec2 a = p[k], b = p[(k + 1) % 3];
+            if (std::all_of(q.begin(), q.end(), [&](Vec2 c) { return cross(b - a, c - a) <= 0.0; })) {
+                return true;
+            }
+        }
+        return false;
+    };
+    return !parted(t, u) && !parted(u, t);
+}
+
+bool insideSide(Vec2 p, Vec2 a, Vec2 b) {
+    return cross(b - a, p - a) == 0.0 && dot(p - a, p - b) < 0.0;
+}
+
+} // namespace
+
+TEST_CASE(
+    "verify: triangles strewn on a small lattice overlap or hang exactly when a comparison of all pairs says so") {
+    samples::Random random(2024);
+    std::size_t overlapping = 0, hanging = 0, clean = 0;
+    for (int round = 0; round < 6000; ++round) {
+        const double width = random(2.0, 12.0);
+        std::vector<std::array<Vec2, 3>> triangles;
+        const std::size_t count = 2 + random.below(4);
+        while (triangles.size() < count) {
+            std::array<Vec2, 3> t;
+            const Vec2 corner{std::floor(random(0.0, width)), std::floor(random(0.0, width))};
+            for (Vec2 &p : t) {
+                p = corner + Vec2{std::floor(random(0.0, 4.0)), std::floor(random(0.0, 4.0))};
+            }
+            if (cross(t[1] - t[0], t[2] - t[0]) > 0.0) {
+                triangles.push_back(t);
+            }
+        }
+        Mesh mesh;
+        bool overlap = false, hang = false;
+        for (std::size_t i = 0; i < count; ++i) {
+            for (std::size_t j = 0; j < count; ++j) {
+                overlap = overlap || (i < j && interiorsMeet(triangles[i], triangles[j]));
+                for (unsigned k = 0; k < 9; ++k) {
+                    hang = hang || insideSide(triangles[i][k / 3], triangles[j][k % 3], triangles[j][(k + 1) % 3]);
+                }
+            }
+            mesh.elements.push_back({node(3 * i), node(3 * i + 1), node(3 * i + 2)});
+            mesh.nodes.insert(mesh.nodes.end(), triangles[i].begin(), triangles[i].end());
+        }
+        const Codes found = codes(verify(mesh));
+        CHECK((found.count("overlapping") == 1) == overlap);
+        if (!overlap) {
+            CHECK(found == (hang ? Codes{"hanging-node"} : Codes{}));
+        }
+        (overlap ? overlapping : hang ? hanging : clean) += 1;
+    }
+    CHECK(overlapping > 500);
+    CHECK(hanging > 200);
+    CHECK(clean > 500);
+}
+
 TEST_CASE("verify: a handle contradicts Euler's formula") {
     // Two square rings, seven cells wide, that cross in cells (6,3) and (3,6). They share the first one, as a torus
     // with a hole laid flat would, and lie upon each other in the second.
