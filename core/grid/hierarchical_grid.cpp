@@ -1,0 +1,90 @@
+#include "core/grid/hierarchical_grid.hpp"
+
+namespace forefront {
+
+namespace {
+
+// A leaf holds segments down to 1/kCellPerLength of its width. Measured on uniform and graded cases: flat between 4 and 8.
+constexpr double kCellPerLength = 6.0;
+constexpr int kTopCells = 8;
+constexpr int kMostCells = 16;
+
+} // namespace
+
+HierarchicalGrid::HierarchicalGrid(const Box2 &bounds) : slack_(gridSlack(bounds)) {
+    const Vec2 size = bounds.size();
+    const double cellSize = std::max(std::max(size.x, size.y) / kTopCells, 64.0 * slack_);
+    const auto cellsAlong = [&](double extent) { return std::clamp(static_cast<int>(std::ceil(extent / cellSize)), 1, kTopCells); };
+    const int columns = cellsAlong(size.x);
+    const int rows = cellsAlong(size.y);
+    addTable({bounds.min, {bounds.min.x + columns * cellSize, bounds.min.y + rows * cellSize}}, columns, rows);
+}
+
+std::uint32_t HierarchicalGrid::addTable(const Box2 &box, int columns, int rows) {
+    Table table;
+    table.lattice.origin = box.min;
+    table.lattice.columns = columns;
+    table.lattice.rows = rows;
+    table.lattice.cellWidth = (box.max.x - box.min.x) / columns;
+    table.lattice.cellHeight = (box.max.y - box.min.y) / rows;
+    table.firstCell = cells_.size();
+    cells_.resize(cells_.size() + static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+    tables_.push_back(table);
+    return static_cast<std::uint32_t>(tables_.size() - 1);
+}
+
+bool HierarchicalGrid::tooCoarse(const Lattice &lattice, double length) const {
+    return lattice.cellWidth > 2.0 * kCellPerLength * length && lattice.cellWidth > 1024.0 * slack_;
+}
+
+void HierarchicalGrid::insert(const GenerationFront &front, SlotId id) { insertInto(0, front, id); }
+
+void HierarchicalGrid::remove(const GenerationFront &front, SlotId id) { removeFrom(0, front, id); }
+
+void HierarchicalGrid::insertInto(std::uint32_t tableIndex, const GenerationFront &front, SlotId id) {
+    const Lattice lattice = tables_[tableIndex].lattice; // a copy: splitting may move the tables
+    const double length = front[id].length;
+    const bool splits = tooCoarse(lattice, length) && !front.isolated(id);
+    forEachCrossedCell(lattice, front.start(id), front.end(id), slack_, [&](int i, int j) {
+        const std::size_t at = cell(tables_[tableIndex], i, j);
+        if (cells_[at].table == kLeaf && splits) {
+            split(at, lattice.cellBox(i, j), length, front);
+        }
+        if (cells_[at].table == kLeaf) {
+            lists_.push(cells_[at].head, id);
+        } else {
+            insertInto(cells_[at].table, front, id);
+        }
+    });
+}
+
+void HierarchicalGrid::split(std::size_t cellIndex, const Box2 &box, double length, const GenerationFront &front) {
+    const double width = box.max.x - box.min.x;
+    const int n = static_cast<int>(std::clamp(std::ceil(width / (kCellPerLength * length)), 2.0, static_cast<double>(kMostCells)));
+    std::vector<SlotId> residents;
+    lists_.forEach(cells_[cellIndex].head, [&](SlotId id) { residents.push_back(id); });
+    for (const SlotId id : residents) {
+        lists_.erase(cells_[cellIndex].head, id);
+    }
+    const std::uint32_t table = addTable(box, n, n);
+    cells_[cellIndex].table = table;
+    const Lattice lattice = tables_[table].lattice;
+    for (const SlotId id : residents) {
+        forEachCrossedCell(lattice, front.start(id), front.end(id), slack_,
+                           [&](int i, int j) { lists_.push(cells_[cell(tables_[table], i, j)].head, id); });
+    }
+}
+
+void HierarchicalGrid::removeFrom(std::uint32_t tableIndex, const GenerationFront &front, SlotId id) {
+    const Table &table = tables_[tableIndex];
+    forEachCrossedCell(table.lattice, front.start(id), front.end(id), slack_, [&](int i, int j) {
+        CellContent &content = cells_[cell(table, i, j)];
+        if (content.table == kLeaf) {
+            lists_.erase(content.head, id);
+        } else {
+            removeFrom(content.table, front, id);
+        }
+    });
+}
+
+} // namespace forefront

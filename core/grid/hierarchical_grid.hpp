@@ -1,0 +1,91 @@
+#pragma once
+
+#include "core/front/generation_front.hpp"
+#include "core/grid/cell_lists.hpp"
+#include "core/grid/lattice.hpp"
+
+#include <string_view>
+#include <vector>
+
+namespace forefront {
+
+/// A background grid whose cells follow the lengths of the front segments. Coarse cells on top; a cell splits, once and for all, into
+/// n x n when a segment much shorter than the cell enters it. So the number of segments delivered stays flat at any ratio of sizes.
+class HierarchicalGrid {
+  public:
+    static constexpr std::string_view kName = "hierarchical";
+
+    explicit HierarchicalGrid(const Box2 &bounds);
+
+    void insert(const GenerationFront &front, SlotId id);
+    void remove(const GenerationFront &front, SlotId id);
+
+    /// As UniformGrid::query.
+    template <class Deliver, class Visited>
+    void query(const GenerationFront &, const Box2 &box, Deliver &&deliver, Visited &&visited) const {
+        queryTable(0, box, deliver, visited);
+    }
+
+    template <class Cell>
+    void forEachCell(Cell &&visit) const {
+        for (const Table &table : tables_) {
+            for (int j = 0; j < table.lattice.rows; ++j) {
+                for (int i = 0; i < table.lattice.columns; ++i) {
+                    const CellContent &content = cells_[cell(table, i, j)];
+                    if (content.table == kLeaf) {
+                        visit(table.lattice.cellBox(i, j), lists_.count(content.head));
+                    }
+                }
+            }
+        }
+    }
+
+  private:
+    static constexpr std::uint32_t kLeaf = 0;
+    /// A leaf with its list, or the table it was split into (the top table 0 is nobody's child).
+    struct CellContent {
+        std::uint32_t head = CellLists::kEnd;
+        std::uint32_t table = kLeaf;
+    };
+    struct Table {
+        Lattice lattice;
+        std::size_t firstCell = 0;
+    };
+
+    static std::size_t cell(const Table &table, int i, int j) {
+        return table.firstCell + static_cast<std::size_t>(j) * static_cast<std::size_t>(table.lattice.columns) +
+               static_cast<std::size_t>(i);
+    }
+    std::uint32_t addTable(const Box2 &box, int columns, int rows);
+    bool tooCoarse(const Lattice &lattice, double length) const;
+    void insertInto(std::uint32_t table, const GenerationFront &front, SlotId id);
+    void removeFrom(std::uint32_t table, const GenerationFront &front, SlotId id);
+    void split(std::size_t cellIndex, const Box2 &box, double length, const GenerationFront &front);
+
+    template <class Deliver, class Visited>
+    void queryTable(std::uint32_t tableIndex, const Box2 &box, Deliver &deliver, Visited &visited) const {
+        const Table &table = tables_[tableIndex];
+        const Lattice &lattice = table.lattice;
+        const int i0 = lattice.column(box.min.x - slack_);
+        const int i1 = lattice.column(box.max.x + slack_);
+        const int j1 = lattice.row(box.max.y + slack_);
+        for (int j = lattice.row(box.min.y - slack_); j <= j1; ++j) {
+            for (int i = i0; i <= i1; ++i) {
+                const CellContent &content = cells_[cell(table, i, j)];
+                if (content.table == kLeaf) {
+                    visited(lattice.cellBox(i, j));
+                    lists_.forEach(content.head, deliver);
+                } else {
+                    queryTable(content.table, box, deliver, visited);
+                }
+            }
+        }
+    }
+
+    double slack_;
+    std::vector<Table> tables_;
+    std::vector<CellContent> cells_;
+    CellLists lists_;
+};
+
+} // namespace forefront

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "core/geometry/vec2.hpp"
+
+#include <cmath>
+#include <cstdint>
+
+namespace forefront {
+
+/// Square cells in columns x rows over a box. Points outside belong to the nearest cell, so nothing is ever lost at the rim.
+struct Lattice {
+    Vec2 origin;
+    double cellWidth = 1.0;
+    double cellHeight = 1.0;
+    int columns = 1;
+    int rows = 1;
+
+    int column(double x) const { return clampIndex((x - origin.x) / cellWidth, columns); }
+    int row(double y) const { return clampIndex((y - origin.y) / cellHeight, rows); }
+    Box2 cellBox(int i, int j) const {
+        return {{origin.x + i * cellWidth, origin.y + j * cellHeight}, {origin.x + (i + 1) * cellWidth, origin.y + (j + 1) * cellHeight}};
+    }
+
+  private:
+    static int clampIndex(double t, int count) {
+        return t <= 0.0 ? 0 : t >= count ? count - 1 : std::min(static_cast<int>(t), count - 1);
+    }
+};
+
+/// Rounding slack for all grid decisions, in domain units: far above any rounding error of coordinates of this size, far below any cell.
+inline double gridSlack(const Box2 &bounds) {
+    const double magnitude = std::max(std::max(std::abs(bounds.min.x), std::abs(bounds.max.x)),
+                                      std::max(std::abs(bounds.min.y), std::abs(bounds.max.y)));
+    return 64.0 * std::numeric_limits<double>::epsilon() * (magnitude + bounds.diagonal());
+}
+
+/// Calls visit(i, j) for every cell that the segment ab comes within `slack` of; some others may be among them. The order is fixed.
+template <class Visit>
+void forEachCrossedCell(const Lattice &lattice, Vec2 a, Vec2 b, double slack, Visit &&visit) {
+    const int i0 = lattice.column(std::min(a.x, b.x) - slack);
+    const int i1 = lattice.column(std::max(a.x, b.x) + slack);
+    const int j0 = lattice.row(std::min(a.y, b.y) - slack);
+    const int j1 = lattice.row(std::max(a.y, b.y) + slack);
+    if (i0 == i1 || j0 == j1) {
+        for (int j = j0; j <= j1; ++j) {
+            for (int i = i0; i <= i1; ++i) {
+                visit(i, j);
+            }
+        }
+        return;
+    }
+    // The part of the segment in the band of each row; the bands of the first and last row are open towards the rim.
+    const double dy = b.y - a.y;
+    for (int j = j0; j <= j1; ++j) {
+        double from = std::min(a.x, b.x);
+        double to = std::max(a.x, b.x);
+        if (std::abs(dy) > 4.0 * slack) {
+            const double low = j == j0 ? std::min(a.y, b.y) : lattice.origin.y + j * lattice.cellHeight - slack;
+            const double high = j == j1 ? std::max(a.y, b.y) : lattice.origin.y + (j + 1) * lattice.cellHeight + slack;
+            const double xLow = a.x + (b.x - a.x) * ((low - a.y) / dy);
+            const double xHigh = a.x + (b.x - a.x) * ((high - a.y) / dy);
+            from = std::max(from, std::min(xLow, xHigh));
+            to = std::min(to, std::max(xLow, xHigh));
+        }
+        const int last = lattice.column(to + slack);
+        for (int i = lattice.column(from - slack); i <= last; ++i) {
+            visit(i, j);
+        }
+    }
+}
+
+/// True if the segment ab comes within `slack` of the box: the one local filter in front of every exact test, the same for all grids.
+inline bool segmentNearBox(Vec2 a, Vec2 b, const Box2 &box, double slack) {
+    if (!box.grown(slack).overlaps(boxOf(a, b))) {
+        return false;
+    }
+    const Vec2 d = b - a;
+    const Vec2 half = 0.5 * box.size();
+    const double side = cross(d, box.centre() - a);
+    return std::abs(side) <= (half.x + slack) * std::abs(d.y) + (half.y + slack) * std::abs(d.x);
+}
+
+} // namespace forefront

@@ -1,0 +1,35 @@
+#include "core/grid/uniform_grid.hpp"
+
+namespace forefront {
+
+namespace {
+
+Lattice latticeOver(const Box2 &bounds, int columns, int rows) {
+    Lattice lattice;
+    lattice.origin = bounds.min;
+    lattice.columns = std::max(columns, 1);
+    lattice.rows = std::max(rows, 1);
+    const Vec2 size = bounds.size();
+    const double least = gridSlack(bounds) * 8.0;
+    lattice.cellWidth = std::max(size.x / lattice.columns, least);
+    lattice.cellHeight = std::max(size.y / lattice.rows, least);
+    return lattice;
+}
+
+} // namespace
+
+UniformGrid::UniformGrid(const Box2 &bounds, int columns, int rows)
+    : lattice_(latticeOver(bounds, columns, rows)), slack_(gridSlack(bounds)),
+      heads_(static_cast<std::size_t>(lattice_.columns) * static_cast<std::size_t>(lattice_.rows), CellLists::kEnd) {}
+
+void UniformGrid::insert(const GenerationFront &front, SlotId id) {
+    forEachCrossedCell(lattice_, front.start(id), front.end(id), slack_,
+                       [&](int i, int j) { lists_.push(heads_[cell(i, j)], id); });
+}
+
+void UniformGrid::remove(const GenerationFront &front, SlotId id) {
+    forEachCrossedCell(lattice_, front.start(id), front.end(id), slack_,
+                       [&](int i, int j) { lists_.erase(heads_[cell(i, j)], id); });
+}
+
+} // namespace forefront

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "core/front/generation_front.hpp"
+#include "core/grid/cell_lists.hpp"
+#include "core/grid/lattice.hpp"
+
+#include <string_view>
+#include <vector>
+
+namespace forefront {
+
+/// The dynamic background grid after Lo: columns x rows of equal cells, each knowing the segments of Γ that cross it; segments
+/// are added to and deleted from the cells along their way as Γ evolves.
+class UniformGrid {
+  public:
+    static constexpr std::string_view kName = "uniform";
+
+    UniformGrid(const Box2 &bounds, int columns, int rows);
+
+    void insert(const GenerationFront &front, SlotId id);
+    void remove(const GenerationFront &front, SlotId id);
+
+    /// Calls deliver(slot) at least once for every front segment (and isolated point) that comes near `box`, and visited(cell box)
+    /// for every cell looked into.
+    template <class Deliver, class Visited>
+    void query(const GenerationFront &, const Box2 &box, Deliver &&deliver, Visited &&visited) const {
+        const int i0 = lattice_.column(box.min.x - slack_);
+        const int i1 = lattice_.column(box.max.x + slack_);
+        const int j1 = lattice_.row(box.max.y + slack_);
+        for (int j = lattice_.row(box.min.y - slack_); j <= j1; ++j) {
+            for (int i = i0; i <= i1; ++i) {
+                visited(lattice_.cellBox(i, j));
+                lists_.forEach(heads_[cell(i, j)], deliver);
+            }
+        }
+    }
+
+    template <class Cell>
+    void forEachCell(Cell &&visit) const {
+        for (int j = 0; j < lattice_.rows; ++j) {
+            for (int i = 0; i < lattice_.columns; ++i) {
+                visit(lattice_.cellBox(i, j), lists_.count(heads_[cell(i, j)]));
+            }
+        }
+    }
+
+  private:
+    std::size_t cell(int i, int j) const {
+        return static_cast<std::size_t>(j) * static_cast<std::size_t>(lattice_.columns) + static_cast<std::size_t>(i);
+    }
+
+    Lattice lattice_;
+    double slack_;
+    std::vector<std::uint32_t> heads_;
+    CellLists lists_;
+};
+
+} // namespace forefront
