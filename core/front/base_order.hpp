@@ -6,9 +6,10 @@
 
 namespace forefront {
 
-/// Which segment of Γ is the next base: of the lowest failure class the shortest, ties by serial. A binary heap in which entries of
-/// segments that are gone or were deferred since are skipped when they come up. What it delivers depends on Γ alone, not on the history of the heap,
-/// so stepping back only needs to offer the restored segments again.
+/// Which segment of Γ is the next base: of the lowest failure class the shortest, ties by serial. A binary heap in
+/// which entries of segments that are gone or were deferred since are skipped when they come up. What it delivers
+/// depends on Γ alone, not on the history of the heap, so stepping back only needs to offer the restored segments
+/// again.
 class BaseOrder {
   public:
     /// Offers every segment of the front.

@@ -17,7 +17,9 @@ struct Spoke {
 };
 
 /// Half-open half-plane of directions [0, 180) degrees; comparing coordinates is exact.
-bool inUpperHalf(Vec2 centre, Vec2 p) { return p.y > centre.y || (p.y == centre.y && p.x > centre.x); }
+bool inUpperHalf(Vec2 centre, Vec2 p) {
+    return p.y > centre.y || (p.y == centre.y && p.x > centre.x);
+}
 
 bool anglePrecedes(Vec2 centre, Vec2 p, Vec2 q) {
     const bool upperP = inUpperHalf(centre, p);
@@ -117,7 +119,9 @@ void GenerationFront::link(SlotId from, SlotId to) {
     slots_[index(to)].prev = from;
 }
 
-void GenerationFront::renew(SlotId id) { restore(id, {nextSerial_++, 0}); }
+void GenerationFront::renew(SlotId id) {
+    restore(id, {nextSerial_++, 0});
+}
 
 void GenerationFront::restore(SlotId id, SegmentMark mark) {
     FrontSlot &slot = slots_[index(id)];
@@ -156,7 +160,8 @@ void GenerationFront::cutOut(SlotId x) {
     --segments_;
 }
 
-void GenerationFront::undoCutOut(SlotId x, SlotId p, NodeId node, Vec2 position, SegmentMark mark, SegmentMark markOfP) {
+void GenerationFront::undoCutOut(SlotId x, SlotId p, NodeId node, Vec2 position, SegmentMark mark,
+                                 SegmentMark markOfP) {
     const SlotId n = next(p);
     revive(x, node, position, slots_[index(p)].region, mark);
     link(p, x);
@@ -291,7 +296,8 @@ void GenerationFront::addTo(Hash64 &hash) const {
             hash.add(slot.length);
         }
     }
-    // The free list decides which ids come next. Ids at its bottom in falling order from the end are the same as ids not made yet.
+    // The free list decides which ids come next. Ids at its bottom in falling order from the end are the same as ids
+    // not made yet.
     std::size_t bottom = 0;
     while (bottom < free_.size() && index(free_[bottom]) == slots_.size() - 1 - bottom) {
         ++bottom;

@@ -18,21 +18,23 @@ struct SegmentMark {
     std::uint32_t failureClass = 0; ///< how often it was deferred as base
 };
 
-/// A front node together with its outgoing front segment. A node where the front touches itself has one slot for each free
-/// angle, so that every angle test is local to its slot. An isolated constraint point is a slot that is its own neighbour.
+/// A front node together with its outgoing front segment. A node where the front touches itself has one slot for each
+/// free angle, so that every angle test is local to its slot. An isolated constraint point is a slot that is its own
+/// neighbour.
 struct FrontSlot {
-    Vec2 position;             ///< of the node, in domain units
-    double length = 0.0;       ///< of the outgoing segment
+    Vec2 position;       ///< of the node, in domain units
+    double length = 0.0; ///< of the outgoing segment
     NodeId node = kNoNode;
-    SlotId next = kNoSlot;     ///< where the outgoing segment ends
-    SlotId prev = kNoSlot;     ///< where the incoming segment starts
-    SegmentMark mark;          ///< of the outgoing segment
-    std::uint32_t region = 0;  ///< index of the face it borders, on its left
+    SlotId next = kNoSlot;    ///< where the outgoing segment ends
+    SlotId prev = kNoSlot;    ///< where the incoming segment starts
+    SegmentMark mark;         ///< of the outgoing segment
+    std::uint32_t region = 0; ///< index of the face it borders, on its left
     bool alive = false;
 };
 
-/// Γ: closed loops of directed segments with the unmeshed region on their left. Only links and lengths live here; which nodes
-/// exist and which cells a segment crosses is kept by others. All changes are reversible, in reverse order, including slot ids and serials.
+/// Γ: closed loops of directed segments with the unmeshed region on their left. Only links and lengths live here; which
+/// nodes exist and which cells a segment crosses is kept by others. All changes are reversible, in reverse order,
+/// including slot ids and serials.
 class GenerationFront {
   public:
     /// Γ := B. Every side of a discrete segment that borders the domain becomes a front segment.
@@ -71,8 +73,9 @@ class GenerationFront {
     };
     void undoRemoveLoop(const LoopSlot (&loop)[3], std::uint32_t region);
 
-    /// A→B becomes A→C and C→B where C is the node of slot s elsewhere on Γ: one loop becomes two, or two become one. s keeps its outgoing
-    /// segment and follows A; the returned new slot of the same node takes the incoming one and leads to B. For an isolated s, that is s itself.
+    /// A→B becomes A→C and C→B where C is the node of slot s elsewhere on Γ: one loop becomes two, or two become one. s
+    /// keeps its outgoing segment and follows A; the returned new slot of the same node takes the incoming one and
+    /// leads to B. For an isolated s, that is s itself.
     SlotId connect(SlotId a, SlotId s);
     void undoConnect(SlotId a, SlotId s, SlotId t, SegmentMark base);
 

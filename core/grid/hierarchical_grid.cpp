@@ -4,7 +4,8 @@ namespace forefront {
 
 namespace {
 
-// A leaf holds segments down to 1/kCellPerLength of its width. Measured on uniform and graded cases: flat between 4 and 8.
+// A leaf holds segments down to 1/kCellPerLength of its width. Measured on uniform and graded cases: flat between 4
+// and 8.
 constexpr double kCellPerLength = 6.0;
 constexpr int kTopCells = 8;
 constexpr int kMostCells = 16;
@@ -14,7 +15,9 @@ constexpr int kMostCells = 16;
 HierarchicalGrid::HierarchicalGrid(const Box2 &bounds) : slack_(gridSlack(bounds)) {
     const Vec2 size = bounds.size();
     const double cellSize = std::max(std::max(size.x, size.y) / kTopCells, 64.0 * slack_);
-    const auto cellsAlong = [&](double extent) { return std::clamp(static_cast<int>(std::ceil(extent / cellSize)), 1, kTopCells); };
+    const auto cellsAlong = [&](double extent) {
+        return std::clamp(static_cast<int>(std::ceil(extent / cellSize)), 1, kTopCells);
+    };
     const int columns = cellsAlong(size.x);
     const int rows = cellsAlong(size.y);
     addTable({bounds.min, {bounds.min.x + columns * cellSize, bounds.min.y + rows * cellSize}}, columns, rows);
@@ -37,9 +40,13 @@ bool HierarchicalGrid::tooCoarse(const Lattice &lattice, double length) const {
     return lattice.cellWidth > 2.0 * kCellPerLength * length && lattice.cellWidth > 1024.0 * slack_;
 }
 
-void HierarchicalGrid::insert(const GenerationFront &front, SlotId id) { insertInto(0, front, id); }
+void HierarchicalGrid::insert(const GenerationFront &front, SlotId id) {
+    insertInto(0, front, id);
+}
 
-void HierarchicalGrid::remove(const GenerationFront &front, SlotId id) { removeFrom(0, front, id); }
+void HierarchicalGrid::remove(const GenerationFront &front, SlotId id) {
+    removeFrom(0, front, id);
+}
 
 void HierarchicalGrid::insertInto(std::uint32_t tableIndex, const GenerationFront &front, SlotId id) {
     const Lattice lattice = tables_[tableIndex].lattice; // a copy: splitting may move the tables
@@ -60,7 +67,8 @@ void HierarchicalGrid::insertInto(std::uint32_t tableIndex, const GenerationFron
 
 void HierarchicalGrid::split(std::size_t cellIndex, const Box2 &box, double length, const GenerationFront &front) {
     const double width = box.max.x - box.min.x;
-    const int n = static_cast<int>(std::clamp(std::ceil(width / (kCellPerLength * length)), 2.0, static_cast<double>(kMostCells)));
+    const int n = static_cast<int>(
+        std::clamp(std::ceil(width / (kCellPerLength * length)), 2.0, static_cast<double>(kMostCells)));
     std::vector<SlotId> residents;
     lists_.forEach(cells_[cellIndex].head, [&](SlotId id) { residents.push_back(id); });
     for (const SlotId id : residents) {

@@ -9,8 +9,9 @@
 
 namespace forefront {
 
-/// A background grid whose cells follow the lengths of the front segments. Coarse cells on top; a cell splits, once and for all, into
-/// n x n when a segment much shorter than the cell enters it. So the number of segments delivered stays flat at any ratio of sizes.
+/// A background grid whose cells follow the lengths of the front segments. Coarse cells on top; a cell splits, once and
+/// for all, into n x n when a segment much shorter than the cell enters it. So the number of segments delivered stays
+/// flat at any ratio of sizes.
 class HierarchicalGrid {
   public:
     static constexpr std::string_view kName = "hierarchical";

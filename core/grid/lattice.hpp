@@ -7,7 +7,8 @@
 
 namespace forefront {
 
-/// Square cells in columns x rows over a box. Points outside belong to the nearest cell, so nothing is ever lost at the rim.
+/// Square cells in columns x rows over a box. Points outside belong to the nearest cell, so nothing is ever lost at the
+/// rim.
 struct Lattice {
     Vec2 origin;
     double cellWidth = 1.0;
@@ -18,7 +19,8 @@ struct Lattice {
     int column(double x) const { return clampIndex((x - origin.x) / cellWidth, columns); }
     int row(double y) const { return clampIndex((y - origin.y) / cellHeight, rows); }
     Box2 cellBox(int i, int j) const {
-        return {{origin.x + i * cellWidth, origin.y + j * cellHeight}, {origin.x + (i + 1) * cellWidth, origin.y + (j + 1) * cellHeight}};
+        return {{origin.x + i * cellWidth, origin.y + j * cellHeight},
+                {origin.x + (i + 1) * cellWidth, origin.y + (j + 1) * cellHeight}};
     }
 
   private:
@@ -27,14 +29,16 @@ struct Lattice {
     }
 };
 
-/// Rounding slack for all grid decisions, in domain units: far above any rounding error of coordinates of this size, far below any cell.
+/// Rounding slack for all grid decisions, in domain units: far above any rounding error of coordinates of this size,
+/// far below any cell.
 inline double gridSlack(const Box2 &bounds) {
     const double magnitude = std::max(std::max(std::abs(bounds.min.x), std::abs(bounds.max.x)),
                                       std::max(std::abs(bounds.min.y), std::abs(bounds.max.y)));
     return 64.0 * std::numeric_limits<double>::epsilon() * (magnitude + bounds.diagonal());
 }
 
-/// Calls visit(i, j) for every cell that the segment ab comes within `slack` of; some others may be among them. The order is fixed.
+/// Calls visit(i, j) for every cell that the segment ab comes within `slack` of; some others may be among them. The
+/// order is fixed.
 template <class Visit>
 void forEachCrossedCell(const Lattice &lattice, Vec2 a, Vec2 b, double slack, Visit &&visit) {
     const int i0 = lattice.column(std::min(a.x, b.x) - slack);
@@ -69,7 +73,8 @@ void forEachCrossedCell(const Lattice &lattice, Vec2 a, Vec2 b, double slack, Vi
     }
 }
 
-/// True if the segment ab comes within `slack` of the box: the one local filter in front of every exact test, the same for all grids.
+/// True if the segment ab comes within `slack` of the box: the one local filter in front of every exact test, the same
+/// for all grids.
 inline bool segmentNearBox(Vec2 a, Vec2 b, const Box2 &box, double slack) {
     if (!box.grown(slack).overlaps(boxOf(a, b))) {
         return false;

@@ -14,7 +14,8 @@ class NoGrid {
     void insert(const GenerationFront &, SlotId) {}
     void remove(const GenerationFront &, SlotId) {}
 
-    /// Calls deliver(slot) for every front segment (and isolated point) near `box`, and visited(cell box) for every cell looked into.
+    /// Calls deliver(slot) for every front segment (and isolated point) near `box`, and visited(cell box) for every
+    /// cell looked into.
     template <class Deliver, class Visited>
     void query(const GenerationFront &front, const Box2 &, Deliver &&deliver, Visited &&) const {
         for (std::uint32_t i = 0; i < front.capacity(); ++i) {

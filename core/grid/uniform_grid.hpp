@@ -9,8 +9,8 @@
 
 namespace forefront {
 
-/// The dynamic background grid after Lo: columns x rows of equal cells, each knowing the segments of Γ that cross it; segments
-/// are added to and deleted from the cells along their way as Γ evolves.
+/// The dynamic background grid after Lo: columns x rows of equal cells, each knowing the segments of Γ that cross it;
+/// segments are added to and deleted from the cells along their way as Γ evolves.
 class UniformGrid {
   public:
     static constexpr std::string_view kName = "uniform";
@@ -20,8 +20,8 @@ class UniformGrid {
     void insert(const GenerationFront &front, SlotId id);
     void remove(const GenerationFront &front, SlotId id);
 
-    /// Calls deliver(slot) at least once for every front segment (and isolated point) that comes near `box`, and visited(cell box)
-    /// for every cell looked into.
+    /// Calls deliver(slot) at least once for every front segment (and isolated point) that comes near `box`, and
+    /// visited(cell box) for every cell looked into.
     template <class Deliver, class Visited>
     void query(const GenerationFront &, const Box2 &box, Deliver &&deliver, Visited &&visited) const {
         const int i0 = lattice_.column(box.min.x - slack_);

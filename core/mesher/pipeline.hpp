@@ -12,6 +12,19 @@
 
 namespace forefront {
 
+/// More elements than this are refused: the ids of nodes have 32 bits.
+inline constexpr double kMostElements = 2e9;
+
+/// A job behind the door: validated, discretised, with its node spacing.
+struct PreparedJob {
+    std::shared_ptr<const DiscreteDomain> boundary;
+    std::shared_ptr<const SpacingField> spacing;
+    double estimatedElements = 0.0;
+};
+
+/// Validates, builds the spacing, discretises. Faults of each of these, "too-many-elements", or "cancelled".
+Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress = {});
+
 /// A finished run.
 struct MeshingOutcome {
     Mesh mesh;

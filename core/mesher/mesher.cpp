@@ -1,0 +1,143 @@
+#include "core/mesher/mesher.hpp"
+
+#include "core/grid/hierarchical_grid.hpp"
+#include "core/grid/no_grid.hpp"
+#include "core/grid/uniform_grid.hpp"
+#include "core/mesher/advancer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace forefront {
+
+namespace {
+
+template <class Grid>
+class GridMesher final : public Mesher {
+  public:
+    GridMesher(std::shared_ptr<const DiscreteDomain> boundary, std::shared_ptr<const SpacingField> spacing, Grid grid)
+        : Mesher(std::move(boundary), std::move(spacing)), grid_(std::move(grid)),
+          slack_(gridSlack(boundary_->bounds())), advancer_(state_, grid_, *spacing_, slack_, NoTrace{}) {
+        for (std::uint32_t i = 0; i < state_.front.capacity(); ++i) {
+            grid_.insert(state_.front, SlotId{i});
+        }
+    }
+
+    std::uint64_t advance(std::uint64_t count, std::vector<AdvanceDelta> *deltas) override {
+        AdvanceDelta delta;
+        std::uint64_t done = 0;
+        for (; done < count && advancer_.advance(delta); ++done) {
+            if (deltas != nullptr) {
+                deltas->push_back(delta);
+            }
+        }
+        return done;
+    }
+
+    void retreat(const AdvanceDelta &delta) override { advancer_.retreat(delta); }
+
+    AdvanceExplanation explainNext() override {
+        AdvanceExplanation explanation;
+        FrontAdvancer<Grid, Recorder> recording(state_, grid_, *spacing_, slack_, Recorder{explanation});
+        AdvanceDelta delta;
+        if (recording.advance(delta)) {
+            recording.retreat(delta);
+        }
+        return explanation;
+    }
+
+    void forEachCell(const std::function<void(const Box2 &, std::uint32_t)> &visit) const override {
+        grid_.forEachCell(visit);
+    }
+
+  private:
+    Grid grid_;
+    double slack_;
+    FrontAdvancer<Grid, NoTrace> advancer_;
+};
+
+/// Cells about three mean boundary segments wide, unless the user says otherwise.
+UniformGrid uniformGridFor(const DiscreteDomain &boundary, const MeshingOptions &options) {
+    const Box2 bounds = boundary.bounds();
+    double total = 0.0;
+    for (const DiscreteSegment &s : boundary.segments) {
+        total += distance(boundary.nodes[s.a], boundary.nodes[s.b]);
+    }
+    const double cell = 3.0 * total / static_cast<double>(std::max<std::size_t>(boundary.segments.size(), 1));
+    const auto cellsAlong = [&](double extent) {
+        return static_cast<int>(std::clamp(std::ceil(extent / cell), 1.0, 2048.0));
+    };
+    const Vec2 size = bounds.size();
+    return {bounds, options.gridColumns > 0 ? options.gridColumns : cellsAlong(size.x),
+            options.gridRows > 0 ? options.gridRows : cellsAlong(size.y)};
+}
+
+void addTags(Mesh &mesh, const DiscreteDomain &boundary, const std::vector<std::uint32_t> &elementRegions) {
+    if (!elementRegions.empty()) {
+        mesh.regions.reserve(elementRegions.size());
+        for (const std::uint32_t region : elementRegions) {
+            mesh.regions.push_back(boundary.regions[region].tag);
+        }
+    } else if (boundary.regions.size() == 1 && boundary.regions.front().tag != 1) {
+        mesh.regions.assign(mesh.elements.size(), boundary.regions.front().tag);
+    }
+    mesh.edges.reserve(boundary.segments.size());
+    for (const DiscreteSegment &s : boundary.segments) {
+        // The domain lies to the left of a boundary edge.
+        const bool reversed = s.leftRegion == kOutside;
+        mesh.edges.push_back({NodeId{reversed ? s.b : s.a}, NodeId{reversed ? s.a : s.b}, s.tag});
+    }
+    for (const ConstraintPoint &point : boundary.points) {
+        mesh.points.push_back({NodeId{point.node}, point.tag});
+    }
+    mesh.boundaryNames = boundary.boundaryNames;
+    mesh.regionNames = boundary.regionNames;
+}
+
+} // namespace
+
+Mesher::Mesher(std::shared_ptr<const DiscreteDomain> boundary, std::shared_ptr<const SpacingField> spacing)
+    : boundary_(std::move(boundary)), spacing_(std::move(spacing)), state_(*boundary_) {}
+
+std::unique_ptr<Mesher> Mesher::create(std::shared_ptr<const DiscreteDomain> boundary,
+                                       std::shared_ptr<const SpacingField> spacing, const MeshingOptions &options) {
+    const DiscreteDomain &domain = *boundary;
+    switch (options.grid) {
+    case GridKind::None:
+        return std::make_unique<GridMesher<NoGrid>>(std::move(boundary), std::move(spacing), NoGrid{});
+    case GridKind::Uniform: {
+        UniformGrid grid = uniformGridFor(domain, options);
+        return std::make_unique<GridMesher<UniformGrid>>(std::move(boundary), std::move(spacing), std::move(grid));
+    }
+    case GridKind::Hierarchical:
+        break;
+    }
+    HierarchicalGrid grid(domain.bounds());
+    return std::make_unique<GridMesher<HierarchicalGrid>>(std::move(boundary), std::move(spacing), std::move(grid));
+}
+
+void Mesher::reserve(std::uint64_t elements) {
+    state_.elements.reserve(elements);
+    state_.nodes.reserve(state_.nodes.size() + elements / 2);
+    if (state_.manyRegions) {
+        state_.elementRegions.reserve(elements);
+    }
+}
+
+Mesh toMesh(const FrontState &state, const DiscreteDomain &boundary) {
+    Mesh mesh;
+    mesh.nodes = state.nodes;
+    mesh.elements = state.elements;
+    addTags(mesh, boundary, state.elementRegions);
+    return mesh;
+}
+
+Mesh Mesher::takeMesh() && {
+    Mesh mesh;
+    mesh.nodes = std::move(state_.nodes);
+    mesh.elements = std::move(state_.elements);
+    addTags(mesh, *boundary_, state_.elementRegions);
+    return mesh;
+}
+
+} // namespace forefront

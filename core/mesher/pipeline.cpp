@@ -1,0 +1,90 @@
+#include "core/mesher/pipeline.hpp"
+
+#include "core/domain/estimate.hpp"
+#include "core/domain/validate.hpp"
+#include "core/mesher/cpu_clock.hpp"
+#include "core/mesher/mesher.hpp"
+#include "core/spacing/spacing_field.hpp"
+
+namespace forefront {
+
+namespace {
+
+/// Advances between looks at the clock, at the stop token and at the progress bar: a few milliseconds.
+constexpr std::uint64_t kBatch = 4096;
+
+Diagnostics cancelled() {
+    return error("cancelled", "cancelled");
+}
+
+} // namespace
+
+Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress) {
+    progress("validating", 0.0);
+    Diagnostics faults = validate(job.domain);
+    if (hasErrors(faults)) {
+        return faults;
+    }
+    if (progress.cancelled()) {
+        return cancelled();
+    }
+    progress("building the node spacing", 0.0);
+    Result<std::shared_ptr<const SpacingField>> spacing = SpacingField::build(job.spacing, job.domain, progress);
+    if (!spacing) {
+        return spacing.faults();
+    }
+    progress("discretising the boundary", 0.0);
+    Result<DiscreteDomain> boundary = discretise(job.domain, **spacing, job.options.keepBoundary, progress);
+    if (!boundary) {
+        return boundary.faults();
+    }
+    PreparedJob prepared;
+    prepared.spacing = *spacing;
+    prepared.boundary = std::make_shared<const DiscreteDomain>(std::move(*boundary));
+    prepared.estimatedElements = estimateElements(*prepared.boundary, *prepared.spacing);
+    if (!(prepared.estimatedElements < kMostElements)) {
+        return error("too-many-elements",
+                     "this spacing asks for about " +
+                         std::to_string(static_cast<long long>(prepared.estimatedElements)) +
+                         " elements, more than the program can hold",
+                     "choose a larger size");
+    }
+    return prepared;
+}
+
+Result<MeshingOutcome> meshDomain(const MeshingJob &job, const Progress &progress) {
+    MeshingOutcome outcome;
+    CpuClock clock;
+    Result<PreparedJob> prepared = prepare(job, progress);
+    if (!prepared) {
+        return prepared.faults();
+    }
+    outcome.boundary = prepared->boundary;
+    outcome.spacing = prepared->spacing;
+    outcome.secondsPrepare = clock.lap();
+
+    std::unique_ptr<Mesher> mesher = Mesher::create(outcome.boundary, outcome.spacing, job.options);
+    mesher->reserve(static_cast<std::uint64_t>(1.15 * prepared->estimatedElements) + 1024);
+    while (mesher->advance(kBatch) == kBatch) {
+        if (progress.cancelled()) {
+            return cancelled();
+        }
+        progress("advancing the front", std::min(0.99, static_cast<double>(mesher->state().elements.size()) /
+                                                           (prepared->estimatedElements + 1.0)));
+    }
+    outcome.work = mesher->state().work;
+    outcome.mesh = std::move(*mesher).takeMesh();
+    mesher.reset();
+    outcome.secondsMesh = clock.lap();
+
+    if (job.options.improve) {
+        outcome.improvement = improve(outcome.mesh, outcome.spacing.get(), {}, progress);
+        outcome.secondsImprove = clock.lap();
+    }
+    if (progress.cancelled()) {
+        return cancelled();
+    }
+    return outcome;
+}
+
+} // namespace forefront

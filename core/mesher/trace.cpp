@@ -1,0 +1,160 @@
+#include "core/mesher/trace.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace forefront {
+
+const char *stepTitle(Step step) {
+    switch (step) {
+    case Step::BoundaryToFront:
+        return "The boundary becomes the generation front";
+    case Step::TakeBase:
+        return "Take the shortest segment of the front as base AB";
+    case Step::EvaluateSpacing:
+        return "Evaluate the node spacing at AB";
+    case Step::IdealPoint:
+        return "Place the ideal point C";
+    case Step::FindCandidates:
+        return "Find candidate nodes near C";
+    case Step::Score:
+        return "Score each: shape times spacing conformity";
+    case Step::Sort:
+        return "Sort; withdraw C if the front is too near";
+    case Step::Test:
+        return "Test candidate segments against the front";
+    case Step::Update:
+        return "Store the element, update front and grid";
+    case Step::Finish:
+        return "Stop when the front is empty";
+    }
+    return "";
+}
+
+const char *verdictText(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::NotTried:
+        return "not tried";
+    case Verdict::Accepted:
+        return "accepted";
+    case Verdict::Withdrawn:
+        return "too near the front";
+    case Verdict::NotLeft:
+        return "not left of AB";
+    case Verdict::OutsideAngle:
+        return "leaves the unmeshed side";
+    case Verdict::CrossesFront:
+        return "crosses the front";
+    case Verdict::ContainsNode:
+        return "a node lies inside";
+    }
+    return "";
+}
+
+namespace {
+
+std::string format(const char *pattern, double value) {
+    char text[64];
+    std::snprintf(text, sizeof text, pattern, value);
+    return text;
+}
+
+std::string candidateName(const CandidateTrace &candidate) {
+    return candidate.node == kNoNode ? "the ideal point" : "node " + std::to_string(index(candidate.node));
+}
+
+std::string plural(std::size_t count, const char *noun) {
+    return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
+}
+
+/// "3 candidates rejected: 2 cross the front, 1 too near"
+std::string rejections(const AdvanceExplanation &explanation) {
+    struct Reason {
+        Verdict verdict;
+        const char *one;
+        const char *many;
+    };
+    static constexpr Reason kReasons[] = {
+        {Verdict::CrossesFront, "crosses the front", "cross the front"},
+        {Verdict::Withdrawn, "too near the front", "too near the front"},
+        {Verdict::ContainsNode, "encloses a node", "enclose a node"},
+        {Verdict::OutsideAngle, "leaves the unmeshed side", "leave the unmeshed side"},
+        {Verdict::NotLeft, "not left of AB", "not left of AB"}};
+    std::string list;
+    std::size_t total = 0;
+    for (const Reason &reason : kReasons) {
+        const auto count = static_cast<std::size_t>(
+            std::count_if(explanation.candidates.begin(), explanation.candidates.end(),
+                          [&](const CandidateTrace &candidate) { return candidate.verdict == reason.verdict; }));
+        if (count > 0) {
+            list += (list.empty() ? "" : ", ") + std::to_string(count) + ' ' + (count == 1 ? reason.one : reason.many);
+            total += count;
+        }
+    }
+    return total == 0 ? "" : "; " + plural(total, "candidate") + " rejected: " + list;
+}
+
+std::string outcome(const AdvanceExplanation &explanation) {
+    std::string text;
+    if (explanation.deferred) {
+        text = "no candidate passes, the segment is deferred";
+    } else {
+        const auto accepted =
+            std::find_if(explanation.candidates.begin(), explanation.candidates.end(),
+                         [](const CandidateTrace &candidate) { return candidate.verdict == Verdict::Accepted; });
+        text = accepted == explanation.candidates.end() ? "element stored" : candidateName(*accepted) + " accepted";
+        if (accepted != explanation.candidates.end()) {
+            text += " (α " + format("%.3f", accepted->alpha) + ')';
+        }
+    }
+    return text + rejections(explanation);
+}
+
+std::string testText(const AdvanceExplanation &explanation, const TraceEvent &event) {
+    const CandidateTrace &candidate = explanation.candidates[event.candidate];
+    std::string text = "test " + candidateName(candidate);
+    if (event.test != kNoIndex) {
+        text += explanation.tests[event.test].meets ? ": a candidate segment meets the front"
+                                                    : ": this segment of the front is clear";
+    } else if (candidate.verdict != Verdict::NotTried) {
+        text += std::string(": ") + verdictText(candidate.verdict);
+    }
+    return text;
+}
+
+} // namespace
+
+std::string caption(const AdvanceExplanation &explanation, std::size_t cursor) {
+    std::string text =
+        "Edge " + std::to_string(index(explanation.nodeA)) + "-" + std::to_string(index(explanation.nodeB)) + ": ";
+    if (cursor >= explanation.events.size()) {
+        return text + outcome(explanation);
+    }
+    const TraceEvent &event = explanation.events[cursor];
+    switch (event.step) {
+    case Step::BoundaryToFront:
+    case Step::TakeBase:
+        return text + "the shortest segment of the front, taken as base AB";
+    case Step::EvaluateSpacing:
+        return text + "node spacing ρ = " + format("%.4g", explanation.rho) + " wanted here";
+    case Step::IdealPoint:
+        return text + "ideal point C at (" + format("%.4g", explanation.ideal.x) + ", " +
+               format("%.4g", explanation.ideal.y) + ')';
+    case Step::FindCandidates:
+        return text + plural(explanation.candidates.size(), "candidate") + " within " +
+               format("%.4g", explanation.searchRadius) + " of C";
+    case Step::Score:
+        return text + "each candidate scored by α(ABC)·δ(AC)·δ(CB)";
+    case Step::Sort:
+        return text + (explanation.candidates.empty() ? "no candidate"
+                                                      : "best first: " + candidateName(explanation.candidates.front()));
+    case Step::Test:
+        return text + testText(explanation, event);
+    case Step::Update:
+    case Step::Finish:
+        return text + outcome(explanation) + (event.step == Step::Finish ? "; the front is empty" : "");
+    }
+    return text;
+}
+
+} // namespace forefront
