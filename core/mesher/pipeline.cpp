@@ -78,7 +78,7 @@ Result<MeshingOutcome> meshDomain(const MeshingJob &job, const Progress &progres
     outcome.secondsMesh = clock.lap();
 
     if (job.options.improve) {
-        outcome.improvement = improve(outcome.mesh, outcome.spacing.get(), {}, progress);
+        outcome.improvement = improve(outcome.mesh, {}, progress);
         outcome.secondsImprove = clock.lap();
     }
     if (progress.cancelled()) {

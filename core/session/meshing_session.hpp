@@ -46,7 +46,7 @@ class MeshingSession {
 
     /// Layers wanted from now on.
     void want(SnapshotLayers layers);
-    /// The newest snapshot, never null. Wait-free for the caller.
+    /// The newest snapshot, never null. Never waits for the worker's computing.
     std::shared_ptr<const SessionSnapshot> latest() const;
     /// True while the worker has something to do (a command pending, playing, running, improving).
     bool busy() const;

@@ -68,13 +68,14 @@ struct SessionSnapshot {
     std::uint64_t run = 0;      ///< number of the run (start() calls)
     RunState state = RunState::Empty;
     Diagnostics diagnostics;
-    std::string stage;           ///< "discretising", "advancing the front", "improving", ...
-    double progress = 0.0;       ///< of the stage, in [0, 1]; an estimate while the front advances
-    std::uint64_t advance = 0;   ///< position on the timeline: advances done
-    std::uint64_t known = 0;     ///< furthest advance reached so far
-    bool complete = false;       ///< the whole run is known: `known` is the end of the timeline
-    bool improved = false;       ///< the mesh shown is the improved one (only at the end)
-    std::size_t eventCursor = 0; ///< event inside the advance (explanation), when stepping by events
+    std::string stage;         ///< "discretising", "advancing the front", "improving", ...
+    double progress = 0.0;     ///< of the stage, in [0, 1]; an estimate while the front advances
+    std::uint64_t advance = 0; ///< position on the timeline: advances done
+    std::uint64_t known = 0;   ///< furthest advance reached so far
+    bool complete = false;     ///< the whole run is known: `known` is the end of the timeline
+    bool improved = false;     ///< the mesh shown is the improved one (only at the end)
+    /// Moment of the explanation on show: an index into its events, or eventCount for the whole advance.
+    std::size_t eventCursor = 0;
     std::size_t eventCount = 0;
     double rate = 0.0; ///< advances per second of the last batch
     WorkCounters work;

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/mesher/options.hpp"
+#include "core/session/meshing_session.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <variant>
+
+namespace forefront {
+
+/// What the UI's thread asks of the worker.
+struct StartCommand {
+    std::shared_ptr<const MeshingJob> job;
+    bool runToEnd = false;
+};
+struct PlayCommand {
+    double rate = 0.0;
+};
+struct StepCommand {
+    Granularity granularity = Granularity::Advance;
+    std::int64_t count = 0;
+};
+struct SeekCommand {
+    std::uint64_t advance = 0;
+};
+struct FinishCommand {};
+struct PauseCommand {};
+struct CancelCommand {};
+struct ClearCommand {};
+struct WantCommand {
+    SnapshotLayers layers;
+};
+
+using SessionCommand = std::variant<StartCommand, PlayCommand, StepCommand, SeekCommand, FinishCommand, PauseCommand,
+                                    CancelCommand, ClearCommand, WantCommand>;
+
+} // namespace forefront

@@ -1,0 +1,159 @@
+#include "core/session/snapshot_builder.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace forefront {
+
+namespace {
+
+/// Up to this size all of the quality is measured whenever the run rests; above, only at its end.
+constexpr std::size_t kMeasureUpTo = 200'000;
+constexpr std::uint64_t kMostMarks = 2000;
+
+std::shared_ptr<const std::vector<FrontSegmentView>> frontOf(const GenerationFront &front) {
+    auto view = std::make_shared<std::vector<FrontSegmentView>>();
+    view->reserve(front.segments());
+    for (std::uint32_t i = 0; i < front.capacity(); ++i) {
+        const SlotId id{i};
+        if (front[id].alive && !front.isolated(id)) {
+            view->push_back({front.start(id), front.end(id), front[id].node, front[front.next(id)].node});
+        }
+    }
+    return view;
+}
+
+std::shared_ptr<const std::vector<GridCellView>> cellsOf(const Mesher &mesher) {
+    auto view = std::make_shared<std::vector<GridCellView>>();
+    mesher.forEachCell([&](const Box2 &box, std::uint32_t entries) { view->push_back({box, entries}); });
+    return view;
+}
+
+std::optional<MarkKind> markOf(const AdvanceDelta &delta) {
+    if (delta.forced) {
+        return MarkKind::Forced;
+    }
+    switch (delta.kind) {
+    case AdvanceDelta::Kind::Deferral:
+        return MarkKind::Deferral;
+    case AdvanceDelta::Kind::Loop:
+        return MarkKind::Closure;
+    case AdvanceDelta::Kind::NewNode:
+        return MarkKind::NewNode;
+    default:
+        return std::nullopt;
+    }
+}
+
+} // namespace
+
+void SnapshotBuilder::fill(SessionSnapshot &snapshot, const Timeline &timeline, SnapshotLayers layers, bool resting) {
+    const FrontState &state = timeline.mesher().state();
+    snapshot.advance = timeline.position();
+    snapshot.known = timeline.known();
+    snapshot.complete = timeline.complete();
+    snapshot.work = state.work;
+    snapshot.frontSegments = state.front.segments();
+    if (layers.front) {
+        snapshot.front = frontOf(state.front);
+    }
+    if (layers.cells) {
+        snapshot.cells = cellsOf(timeline.mesher());
+    }
+    fillMesh(snapshot, timeline, layers.mesh, resting);
+    if (resting) {
+        snapshot.stateHash = state.hash();
+        if (!marks_ || marksKnown_ != timeline.known()) {
+            marks_ = marksOf(timeline);
+            marksKnown_ = timeline.known();
+        }
+    }
+    snapshot.marks = marks_;
+}
+
+void SnapshotBuilder::fillMesh(SessionSnapshot &snapshot, const Timeline &timeline, bool wanted, bool resting) {
+    const FrontState &state = timeline.mesher().state();
+    growAlpha(state);
+    if (wanted && meshPosition_ != timeline.position()) {
+        auto view = std::make_shared<MeshView>();
+        view->mesh = toMesh(state, timeline.mesher().boundary());
+        view->alpha.assign(alpha_.begin(), alpha_.begin() + static_cast<std::ptrdiff_t>(state.elements.size()));
+        view->version = ++version_;
+        mesh_ = std::move(view);
+        meshPosition_ = timeline.position();
+    }
+    if (wanted) {
+        snapshot.mesh = mesh_;
+    }
+    const bool whole = resting && wanted && state.elements.size() <= kMeasureUpTo;
+    if (whole && qualityPosition_ != timeline.position()) {
+        quality_ = measure(mesh_->mesh, &timeline.mesher().spacing());
+        quality_.nodes = state.nodes.size();
+        qualityPosition_ = timeline.position();
+    }
+    snapshot.quality = whole ? quality_ : quickQuality(state);
+}
+
+void SnapshotBuilder::fillFinal(SessionSnapshot &snapshot, std::shared_ptr<const MeshView> mesh,
+                                const MeshQuality &quality) {
+    snapshot.mesh = std::move(mesh);
+    snapshot.quality = quality;
+    snapshot.improved = true;
+}
+
+void SnapshotBuilder::growAlpha(const FrontState &state) {
+    for (std::size_t e = alpha_.size(); e < state.elements.size(); ++e) {
+        const Element &element = state.elements[e];
+        alpha_.push_back(static_cast<float>(shapeFactor(state.nodes[index(element[0])], state.nodes[index(element[1])],
+                                                        state.nodes[index(element[2])])));
+    }
+}
+
+/// What follows from α alone, in one pass.
+MeshQuality SnapshotBuilder::quickQuality(const FrontState &state) const {
+    MeshQuality quality;
+    quality.nodes = state.nodes.size();
+    quality.elements = state.elements.size();
+    if (quality.elements == 0) {
+        return quality;
+    }
+    double sum = 0.0;
+    double logSum = 0.0;
+    std::size_t worst = 0;
+    for (std::size_t e = 0; e < quality.elements; ++e) {
+        const double alpha = static_cast<double>(alpha_[e]);
+        sum += alpha;
+        logSum += std::log(std::max(alpha, 1e-300));
+        worst = alpha_[e] < alpha_[worst] ? e : worst;
+        const double bin = std::clamp(alpha * kHistogramBins, 0.0, kHistogramBins - 1.0);
+        ++quality.alphaHistogram[static_cast<std::size_t>(bin)];
+    }
+    const auto count = static_cast<double>(quality.elements);
+    quality.alphaMean = sum / count;
+    quality.alphaGeometricMean = std::exp(logSum / count);
+    quality.alphaMin = static_cast<double>(alpha_[worst]);
+    quality.worst = ElementId{static_cast<std::uint32_t>(worst)};
+    return quality;
+}
+
+/// The rarest kind of each stretch of the timeline; new nodes only where there is room for all of them.
+std::shared_ptr<const std::vector<TimelineMark>> SnapshotBuilder::marksOf(const Timeline &timeline) {
+    auto marks = std::make_shared<std::vector<TimelineMark>>();
+    const std::uint64_t stretch = timeline.known() / kMostMarks + 1;
+    std::optional<TimelineMark> pending;
+    for (std::uint64_t p = 0; p < timeline.known(); ++p) {
+        const std::optional<MarkKind> kind = markOf(timeline.delta(p));
+        if (kind && (stretch == 1 || *kind != MarkKind::NewNode) && (!pending || *kind > pending->kind)) {
+            pending = TimelineMark{p + 1, *kind};
+        }
+        if ((p + 1) % stretch == 0 || p + 1 == timeline.known()) {
+            if (pending) {
+                marks->push_back(*pending);
+            }
+            pending.reset();
+        }
+    }
+    return marks;
+}
+
+} // namespace forefront

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/mesher/timeline.hpp"
+#include "core/session/snapshot.hpp"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace forefront {
+
+/// Copies out of a run what the drawing thread wants, and no more often than it changes. Belongs to one run.
+class SnapshotBuilder {
+  public:
+    /// Mesh, front, cells and marks of the timeline's position into `snapshot`. `resting`: the run stands still, so
+    /// what takes longer may be measured too (all of the quality, the state hash, marks).
+    void fill(SessionSnapshot &snapshot, const Timeline &timeline, SnapshotLayers layers, bool resting);
+    /// The finished mesh instead of the timeline's.
+    void fillFinal(SessionSnapshot &snapshot, std::shared_ptr<const MeshView> mesh, const MeshQuality &quality);
+
+    static std::shared_ptr<const std::vector<TimelineMark>> marksOf(const Timeline &timeline);
+
+  private:
+    void fillMesh(SessionSnapshot &snapshot, const Timeline &timeline, bool wanted, bool resting);
+    void growAlpha(const FrontState &state);
+    MeshQuality quickQuality(const FrontState &state) const;
+
+    /// α of every element made so far; element i is the same whenever it exists.
+    std::vector<float> alpha_;
+    std::shared_ptr<const MeshView> mesh_;
+    std::optional<std::uint64_t> meshPosition_;
+    std::optional<std::uint64_t> qualityPosition_;
+    MeshQuality quality_;
+    std::shared_ptr<const std::vector<TimelineMark>> marks_;
+    std::uint64_t marksKnown_ = 0;
+    std::uint64_t version_ = 0;
+};
+
+} // namespace forefront
