@@ -4,11 +4,30 @@
 
 namespace forefront {
 
-Timeline::Timeline(std::unique_ptr<Mesher> mesher) : mesher_(std::move(mesher)), complete_(mesher_->finished()) {
-    segments_ = mesher_->state().front.segments();
-    serialsUsed_ = mesher_->state().front.nextSerial();
-    beginLayer();
+namespace {
+
+/// Change of the number of segments of Γ.
+int growth(AdvanceDelta::Kind kind) {
+    switch (kind) {
+    case AdvanceDelta::Kind::Deferral:
+        return 0;
+    case AdvanceDelta::Kind::NewNode:
+    case AdvanceDelta::Kind::Connection:
+        return 1;
+    case AdvanceDelta::Kind::Previous:
+    case AdvanceDelta::Kind::Next:
+        return -1;
+    case AdvanceDelta::Kind::Loop:
+        return -3;
+    }
+    return 0;
 }
+
+} // namespace
+
+Timeline::Timeline(std::unique_ptr<Mesher> mesher)
+    : mesher_(std::move(mesher)), complete_(mesher_->finished()), layerLeft_(mesher_->state().front.segments()),
+      segments_(layerLeft_) {}
 
 std::uint64_t Timeline::forward(std::uint64_t count) {
     std::uint64_t done = 0;
@@ -34,57 +53,13 @@ std::uint64_t Timeline::back(std::uint64_t count) {
     return done;
 }
 
-void Timeline::beginLayer() {
-    layerSerials_ = serialsUsed_;
-    layerOfDeferred_ = segments_ == deferred_;
-    layerLeft_ = layerOfDeferred_ ? segments_ : segments_ - deferred_;
-}
-
 void Timeline::followLayers(std::uint64_t from) {
     for (std::uint64_t p = from; p < deltas_.size(); ++p) {
-        followLayer(deltas_[p]);
-        if (layerLeft_ == 0 || (complete_ && p + 1 == deltas_.size())) {
+        segments_ = static_cast<std::uint64_t>(static_cast<std::int64_t>(segments_) + growth(deltas_[p].kind));
+        if (--layerLeft_ == 0 || segments_ == 0) {
             layerEnds_.push_back(p + 1);
-            beginLayer();
+            layerLeft_ = segments_;
         }
-    }
-}
-
-/// Counts the segments of the present layer down as they leave Γ or are deferred for the first time.
-void Timeline::followLayer(const AdvanceDelta &delta) {
-    using Kind = AdvanceDelta::Kind;
-    const auto dealWith = [&](SegmentMark mark) {
-        const bool wasDeferred = mark.failureClass > 0;
-        deferred_ -= wasDeferred;
-        if (mark.serial < layerSerials_ && wasDeferred == layerOfDeferred_) {
-            --layerLeft_;
-        }
-    };
-    dealWith(delta.markA);
-    switch (delta.kind) {
-    case Kind::Deferral:
-        ++deferred_;
-        break;
-    case Kind::NewNode:
-    case Kind::Connection:
-        segments_ += 1;
-        serialsUsed_ += 2;
-        break;
-    case Kind::Previous:
-        dealWith(delta.markS);
-        segments_ -= 1;
-        serialsUsed_ += 1;
-        break;
-    case Kind::Next:
-        dealWith(delta.markB);
-        segments_ -= 1;
-        serialsUsed_ += 1;
-        break;
-    case Kind::Loop:
-        dealWith(delta.markB);
-        dealWith(delta.markS);
-        segments_ -= 3;
-        break;
     }
 }
 

@@ -23,8 +23,8 @@ class Timeline {
     /// Up to `count` advances back; returns how many.
     std::uint64_t back(std::uint64_t count);
 
-    /// Positions at which a layer of the front was completed, rising: every segment that was on Γ at the one before has
-    /// been advanced from, deferred or closed.
+    /// Positions at which a layer of the front was completed, rising. A layer is as many advances as Γ had segments
+    /// when it began: the front once around, since strictly shortest-first leaves no rings to count.
     const std::vector<std::uint64_t> &layerEnds() const { return layerEnds_; }
     /// What the advance from position p to p + 1 did; p < known().
     const AdvanceDelta &delta(std::uint64_t p) const { return deltas_[p]; }
@@ -34,21 +34,14 @@ class Timeline {
 
   private:
     void followLayers(std::uint64_t from);
-    void followLayer(const AdvanceDelta &delta);
-    void beginLayer();
 
     std::unique_ptr<Mesher> mesher_;
     std::vector<AdvanceDelta> deltas_;
     std::uint64_t position_ = 0;
     bool complete_ = false;
     std::vector<std::uint64_t> layerEnds_;
-    std::uint64_t layerLeft_ = 0;    ///< segments of the present layer not yet dealt with
-    std::uint32_t layerSerials_ = 0; ///< segments of the present layer have smaller serials
-    bool layerOfDeferred_ = false;   ///< nothing but deferred segments was left when the layer began
-    // Γ at the furthest position known:
-    std::uint64_t segments_ = 0;
-    std::uint64_t deferred_ = 0; ///< of them, deferred as base once
-    std::uint32_t serialsUsed_ = 0;
+    std::uint64_t layerLeft_ = 0; ///< advances to the end of the present layer
+    std::uint64_t segments_ = 0;  ///< of Γ at the furthest position known
 };
 
 } // namespace forefront

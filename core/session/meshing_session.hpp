@@ -13,7 +13,7 @@ namespace forefront {
 enum class Granularity : std::uint8_t {
     Event,   ///< one moment inside an advance
     Advance, ///< one front advance: at most one element
-    Layer    ///< until every segment that was on Γ has been advanced from or closed
+    Layer    ///< the front once around: as many advances as Γ had segments
 };
 
 /// A meshing run on a worker thread, with a timeline that goes forward and back. All members are called from one thread

@@ -1,0 +1,131 @@
+#include "core/grid/hierarchical_grid.hpp"
+#include "core/grid/uniform_grid.hpp"
+#include "tests/support/discrete_samples.hpp"
+
+#include <doctest/doctest.h>
+
+#include <random>
+#include <set>
+
+using namespace forefront;
+using namespace forefront::testing;
+
+namespace {
+
+/// Needs a front of many lengths and directions: nested polygons that shrink by a factor each.
+std::shared_ptr<const DiscreteDomain> nest(Vec2 offset) {
+    DiscreteBuilder builder;
+    double radius = 1.0;
+    for (int ring = 0; ring < 12; ++ring) {
+        builder.loop(circleNodes(offset + Vec2{0.001 * ring, 0.0}, radius, 7 + 5 * ring, ring % 2 == 0));
+        radius *= 0.6;
+    }
+    return builder.region(1, 1.0).build();
+}
+
+std::set<std::uint32_t> near(const GenerationFront &front, const Box2 &box, double slack) {
+    std::set<std::uint32_t> slots;
+    for (std::uint32_t i = 0; i < front.capacity(); ++i) {
+        if (front[SlotId{i}].alive && segmentNearBox(front.start(SlotId{i}), front.end(SlotId{i}), box, slack)) {
+            slots.insert(i);
+        }
+    }
+    return slots;
+}
+
+template <class Grid>
+std::set<std::uint32_t> delivered(const Grid &grid, const GenerationFront &front, const Box2 &box, double slack) {
+    std::set<std::uint32_t> slots;
+    grid.query(
+        front, box,
+        [&](SlotId id) {
+            if (segmentNearBox(front.start(id), front.end(id), box, slack)) {
+                slots.insert(static_cast<std::uint32_t>(index(id)));
+            }
+        },
+        [](const Box2 &) {});
+    return slots;
+}
+
+template <class Grid>
+void checkAgainstAll(Grid grid, const GenerationFront &front, const Box2 &bounds) {
+    const double slack = gridSlack(bounds);
+    for (std::uint32_t i = 0; i < front.capacity(); ++i) {
+        grid.insert(front, SlotId{i});
+    }
+    std::mt19937_64 random(7);
+    const auto unit = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+    for (int round = 0; round < 2000; ++round) {
+        const Vec2 centre = bounds.min + Vec2{unit() * 1.4 - 0.2, unit() * 1.4 - 0.2} + Vec2{0.4, 0.4};
+        const double radius = std::pow(10.0, -4.0 * unit());
+        const Box2 box = boxAround(centre, radius);
+        REQUIRE(delivered(grid, front, box, slack) == near(front, box, slack));
+    }
+    for (std::uint32_t i = 0; i < front.capacity(); ++i) {
+        grid.remove(front, SlotId{i});
+    }
+    std::uint32_t left = 0;
+    grid.forEachCell([&](const Box2 &, std::uint32_t entries) { left += entries; });
+    CHECK(left == 0);
+}
+
+} // namespace
+
+TEST_CASE("Background grids: deliver every segment near a box, whatever its length, and forget removed ones") {
+    for (const Vec2 offset : {Vec2{0, 0}, Vec2{1e5, -3e5}}) {
+        const auto domain = nest(offset);
+        const GenerationFront front(*domain);
+        const Box2 bounds = domain->bounds();
+        SUBCASE("uniform") {
+            checkAgainstAll(UniformGrid(bounds, 17, 11), front, bounds);
+        }
+        SUBCASE("uniform of one cell") {
+            checkAgainstAll(UniformGrid(bounds, 1, 1), front, bounds);
+        }
+        SUBCASE("hierarchical") {
+            checkAgainstAll(HierarchicalGrid(bounds), front, bounds);
+        }
+    }
+}
+
+TEST_CASE("HierarchicalGrid: the number of segments delivered stays flat when sizes differ by a factor of 1e5") {
+    DiscreteBuilder builder;
+    double radius = 1.0;
+    for (int ring = 0; ring < 24; ++ring, radius *= 0.6) {
+        builder.loop(circleNodes({0, 0}, radius, 40, ring % 2 == 0));
+    }
+    const auto domain = builder.region(1, 1.0).build();
+    const GenerationFront front(*domain);
+    HierarchicalGrid grid(domain->bounds());
+    for (std::uint32_t i = 0; i < front.capacity(); ++i) {
+        grid.insert(front, SlotId{i});
+    }
+    for (std::uint32_t i = 0; i < front.capacity(); ++i) {
+        const SlotId id{i};
+        std::size_t count = 0;
+        grid.query(
+            front, boxAround(front.start(id), front[id].length), [&](SlotId) { ++count; }, [](const Box2 &) {});
+        CHECK(count < 400);
+    }
+}
+
+TEST_CASE("Lattice: cells crossed by a segment contain every point of it") {
+    Lattice lattice;
+    lattice.origin = {-1, -1};
+    lattice.cellWidth = 0.1;
+    lattice.cellHeight = 0.07;
+    lattice.columns = 20;
+    lattice.rows = 30;
+    std::mt19937_64 random(3);
+    const auto unit = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+    for (int round = 0; round < 3000; ++round) {
+        const Vec2 a{unit() * 3 - 1.5, unit() * 3 - 1.5};
+        const Vec2 b = round % 3 == 0 ? Vec2{a.x, unit()} : Vec2{unit() * 3 - 1.5, unit() * 3 - 1.5};
+        std::set<std::pair<int, int>> cells;
+        forEachCrossedCell(lattice, a, b, 1e-12, [&](int i, int j) { cells.insert({i, j}); });
+        for (int k = 0; k <= 200; ++k) {
+            const Vec2 p = lerp(a, b, k / 200.0);
+            REQUIRE(cells.count({lattice.column(p.x), lattice.row(p.y)}) == 1);
+        }
+    }
+}

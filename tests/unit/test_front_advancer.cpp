@@ -1,0 +1,160 @@
+#include "core/mesh/quality.hpp"
+#include "core/mesh/verify.hpp"
+#include "core/mesher/mesher.hpp"
+#include "core/mesher/timeline.hpp"
+#include "tests/support/discrete_samples.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+using namespace forefront;
+using namespace forefront::testing;
+
+namespace {
+
+constexpr GridKind kGrids[] = {GridKind::None, GridKind::Uniform, GridKind::Hierarchical};
+
+std::unique_ptr<Mesher> mesherOn(std::shared_ptr<const DiscreteDomain> domain, double rho,
+                                 GridKind grid = GridKind::Hierarchical) {
+    MeshingOptions options;
+    options.grid = grid;
+    return Mesher::create(std::move(domain), spacingOf([rho](Vec2) { return rho; }), options);
+}
+
+std::string faultsOf(const Diagnostics &faults) {
+    std::string text;
+    for (const Diagnostic &fault : faults) {
+        text += toString(fault) + '\n';
+    }
+    return text;
+}
+
+} // namespace
+
+TEST_CASE("FrontAdvancer: fills a disc with nearly equilateral elements") {
+    auto mesher = mesherOn(discreteDisc(0.1), 0.1);
+    while (mesher->advance(100) == 100) {
+    }
+    CHECK(mesher->finished());
+    const Mesh mesh = toMesh(mesher->state(), mesher->boundary());
+    CHECK(faultsOf(verifyAgainst(mesh, mesher->boundary())) == "");
+    CHECK(measure(mesh, &mesher->spacing()).alphaMean > 0.95);
+}
+
+TEST_CASE("FrontAdvancer: a slit, a hole and an isolated point are all in the mesh") {
+    for (const double h : {0.05, 0.1, 0.3}) {
+        auto mesher = mesherOn(discretePlate(h), h);
+        mesher->advance(~std::uint64_t{0});
+        const Mesh mesh = toMesh(mesher->state(), mesher->boundary());
+        CHECK(faultsOf(verifyAgainst(mesh, mesher->boundary())) == "");
+    }
+}
+
+TEST_CASE("FrontAdvancer: closes when no new node may be placed, however unequal the spacing") {
+    for (const double rho : {1e-9, 1e9}) { // clamped to the lengths of the base
+        auto mesher = mesherOn(discretePlate(0.2), rho);
+        std::uint64_t done = 0;
+        while (!mesher->finished() && done < 400'000) {
+            done += mesher->advance(1000);
+        }
+        if (rho > 1.0) {
+            REQUIRE(mesher->finished());
+            const Mesh mesh = toMesh(mesher->state(), mesher->boundary());
+            CHECK(faultsOf(verifyAgainst(mesh, mesher->boundary())) == "");
+        } else {
+            CHECK(mesher->state().front.consistent());
+        }
+    }
+}
+
+TEST_CASE("FrontAdvancer: the grid changes the work, never the mesh") {
+    std::vector<std::uint64_t> meshes;
+    std::vector<std::uint64_t> tests;
+    std::vector<std::uint64_t> delivered;
+    for (const GridKind grid : kGrids) {
+        auto mesher = mesherOn(discretePlate(0.04), 0.04, grid);
+        mesher->advance(~std::uint64_t{0});
+        meshes.push_back(meshHash(toMesh(mesher->state(), mesher->boundary())));
+        tests.push_back(mesher->state().work.tested);
+        delivered.push_back(mesher->state().work.delivered);
+    }
+    CHECK(meshes[0] == meshes[1]);
+    CHECK(meshes[0] == meshes[2]);
+    CHECK(tests[0] == tests[1]);
+    CHECK(tests[0] == tests[2]);
+    CHECK(delivered[2] * 4 < delivered[0]);
+}
+
+TEST_CASE("FrontAdvancer: N advances forward and N back lead to the same state") {
+    for (const GridKind grid : kGrids) {
+        Timeline timeline(mesherOn(discretePlate(0.06), 0.06, grid));
+        std::vector<std::uint64_t> states{timeline.mesher().state().hash()};
+        while (timeline.forward(1) == 1) {
+            states.push_back(timeline.mesher().state().hash());
+        }
+        CHECK(timeline.complete());
+        while (timeline.back(1) == 1) {
+            REQUIRE(timeline.mesher().state().hash() == states[timeline.position()]);
+            REQUIRE(timeline.mesher().state().front.consistent());
+        }
+        CHECK(timeline.position() == 0);
+        std::uint64_t p = 0;
+        while (timeline.forward(37) > 0) {
+            p = timeline.position();
+            REQUIRE(timeline.mesher().state().hash() == states[p]);
+        }
+        CHECK(p == timeline.known());
+    }
+}
+
+TEST_CASE("FrontAdvancer: explaining an advance leaves the run as it is and tells what will happen") {
+    auto mesher = mesherOn(discretePlate(0.08), 0.08);
+    while (!mesher->finished()) {
+        const std::uint64_t before = mesher->state().hash();
+        const AdvanceExplanation explanation = mesher->explainNext();
+        REQUIRE(mesher->state().hash() == before);
+        const std::size_t elements = mesher->state().elements.size();
+        mesher->advance(1);
+        REQUIRE(explanation.advance == mesher->state().work.advances);
+        REQUIRE(explanation.deferred == (mesher->state().elements.size() == elements));
+        REQUIRE(explanation.events.size() >= 6);
+        const auto accepted = std::count_if(explanation.candidates.begin(), explanation.candidates.end(),
+                                            [](const CandidateTrace &c) { return c.verdict == Verdict::Accepted; });
+        REQUIRE(accepted == (explanation.deferred ? 0 : 1));
+        for (std::size_t cursor = 0; cursor <= explanation.events.size(); ++cursor) {
+            REQUIRE_FALSE(caption(explanation, cursor).empty());
+        }
+    }
+}
+
+TEST_CASE("FrontAdvancer: the work for an element does not grow with the mesh") {
+    double tests[2];
+    double neighbours[2];
+    int k = 0;
+    for (const double h : {0.05, 0.0125}) {
+        auto mesher = mesherOn(discreteDisc(h), h);
+        mesher->advance(~std::uint64_t{0});
+        tests[k] = mesher->state().work.testsMean();
+        neighbours[k] = mesher->state().work.neighboursMean();
+        CHECK(mesher->state().work.forced * 1000 <= mesher->state().work.elements);
+        ++k;
+    }
+    CHECK(tests[1] < 2.0);
+    CHECK(neighbours[1] < 60.0);
+    CHECK(neighbours[0] < 60.0);
+}
+
+TEST_CASE("Timeline: a layer is the front once around") {
+    Timeline timeline(mesherOn(discreteDisc(0.1), 0.1));
+    const std::size_t boundary = timeline.mesher().state().front.segments();
+    timeline.forward(~std::uint64_t{0});
+    const std::vector<std::uint64_t> &ends = timeline.layerEnds();
+    REQUIRE(ends.size() >= 3);
+    CHECK(ends.front() == boundary);
+    CHECK(std::is_sorted(ends.begin(), ends.end()));
+    CHECK(ends.back() == timeline.known());
+    timeline.back(timeline.known() - ends.front());
+    const std::size_t second = timeline.mesher().state().front.segments();
+    CHECK(ends[1] == ends[0] + second);
+}
