@@ -1,0 +1,106 @@
+#include "tests/bench/scenes.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+namespace forefront::bench {
+
+namespace {
+
+constexpr double kTriangle = 0.4330127018922193; ///< area of an equilateral triangle of side 1: √3/4
+
+void addLoop(Domain &domain, const std::vector<Vec2> &nodes, std::int32_t tag) {
+    const auto first = static_cast<std::uint32_t>(domain.nodes.size());
+    const auto count = static_cast<std::uint32_t>(nodes.size());
+    domain.nodes.insert(domain.nodes.end(), nodes.begin(), nodes.end());
+    for (std::uint32_t i = 0; i < count; ++i) {
+        domain.segments.push_back({first + i, first + (i + 1) % count, tag, SegmentRole::Boundary});
+    }
+}
+
+std::vector<Vec2> rectangle(double width, double height) {
+    return {{0, 0}, {width, 0}, {width, height}, {0, height}};
+}
+
+/// A round with a wavy edge; the waves are fixed by `phase`.
+std::vector<Vec2> coast(Vec2 centre, double radius, int nodes, double waviness, double phase) {
+    std::vector<Vec2> line;
+    for (int i = 0; i < nodes; ++i) {
+        const double t = 2.0 * std::numbers::pi * i / nodes;
+        const double r = radius * (1.0 + waviness * (std::sin(3.0 * t + phase) + 0.5 * std::sin(7.0 * t + 2.0 * phase) +
+                                                     0.25 * std::sin(17.0 * t + 3.0 * phase)));
+        line.push_back(centre + Vec2{r * std::cos(t), r * std::sin(t)});
+    }
+    return line;
+}
+
+Scene disc(double triangles) {
+    Scene scene{"disc", {}};
+    const double h = std::sqrt(std::numbers::pi / (kTriangle * triangles));
+    const int nodes = std::max(8, static_cast<int>(std::lround(2.0 * std::numbers::pi / h)));
+    addLoop(scene.job.domain, coast({0, 0}, 1.0, nodes, 0.0, 0.0), 1);
+    scene.job.spacing.size = h;
+    return scene;
+}
+
+Scene square(double triangles) {
+    Scene scene{"square", {}};
+    addLoop(scene.job.domain, rectangle(1.0, 1.0), 1);
+    scene.job.spacing.size = std::sqrt(1.0 / (kTriangle * triangles));
+    return scene;
+}
+
+Scene graded(double r) {
+    Scene scene{"graded", {}};
+    addLoop(scene.job.domain, rectangle(60.0, 40.0), 1);
+    scene.job.spacing.expression = "max(" + std::to_string(r) + ",0.232*abs(sqrt((x-30)^2+(y-20)^2)-12))";
+    return scene;
+}
+
+/// ρ = s·10^(-4+4x) on [0,1]x[0,0.05]: ∫dA/(√3/4·ρ²) = 0.05·(10⁸-1)/(8·ln10·√3/4·s²).
+Scene ramp(double triangles) {
+    Scene scene{"ramp", {}};
+    addLoop(scene.job.domain, rectangle(1.0, 0.05), 1);
+    const double s = std::sqrt(0.05 * (1e8 - 1.0) / (8.0 * std::numbers::ln10 * kTriangle * triangles));
+    scene.job.spacing.expression = std::to_string(s) + "*10^(4*x-4)";
+    return scene;
+}
+
+Scene islands(double triangles) {
+    Scene scene{"islands", {}};
+    addLoop(scene.job.domain, coast({0, 0}, 10.0, 1200, 0.02, 1.0), 1);
+    for (int i = 0; i < 300; ++i) { // a sunflower of islands: never too near to each other
+        const double radius = 8.6 * std::sqrt((i + 0.5) / 300.0);
+        const double angle = 2.399963229728653 * i;
+        const double size = 0.06 + 0.12 * ((i * 37) % 100) / 100.0;
+        addLoop(scene.job.domain, coast({radius * std::cos(angle), radius * std::sin(angle)}, size, 40, 0.06, i), 2);
+    }
+    scene.job.spacing.fromBoundary = true;
+    scene.job.spacing.size = std::sqrt(300.0 / (kTriangle * triangles));
+    return scene;
+}
+
+} // namespace
+
+Scene makeScene(std::string_view name, double size) {
+    if (name == "disc") {
+        return disc(size);
+    }
+    if (name == "graded") {
+        return graded(size);
+    }
+    if (name == "ramp") {
+        return ramp(size);
+    }
+    if (name == "islands") {
+        return islands(size);
+    }
+    return square(size);
+}
+
+std::vector<std::string> sceneNames() {
+    return {"square", "disc", "graded", "ramp", "islands"};
+}
+
+} // namespace forefront::bench
