@@ -32,7 +32,7 @@ struct DiscreteRegion {
 struct DiscreteDomain {
     std::vector<Vec2> nodes;
     std::vector<DiscreteSegment> segments;
-    std::vector<ConstraintPoint> points; ///< nodes without segments that the mesh must contain
+    std::vector<ConstraintPoint> points; ///< nodes that the mesh must contain; those on segments are in it anyway
     std::vector<DiscreteRegion> regions; ///< every connected face inside the domain
     std::map<std::int32_t, std::string> boundaryNames;
     std::map<std::int32_t, std::string> regionNames;

@@ -4,6 +4,7 @@
 #include "core/geometry/predicates.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace forefront {
 
@@ -33,14 +34,13 @@ bool anglePrecedes(Vec2 centre, Vec2 p, Vec2 q) {
 } // namespace
 
 GenerationFront::GenerationFront(const DiscreteDomain &boundary) {
-    std::vector<std::uint32_t> offset(boundary.nodes.size() + 1, 0);
+    std::vector<std::uint32_t> degree(boundary.nodes.size(), 0);
     for (const DiscreteSegment &s : boundary.segments) {
-        ++offset[s.a + 1];
-        ++offset[s.b + 1];
+        ++degree[s.a];
+        ++degree[s.b];
     }
-    for (std::size_t n = 0; n < boundary.nodes.size(); ++n) {
-        offset[n + 1] += offset[n];
-    }
+    std::vector<std::uint32_t> offset(boundary.nodes.size() + 1, 0);
+    std::inclusive_scan(degree.begin(), degree.end(), offset.begin() + 1);
     std::vector<Spoke> spokes(offset.back());
     std::vector<std::uint32_t> fill(offset.begin(), offset.end() - 1);
     const auto addSlot = [&](std::uint32_t from, std::uint32_t region) {
@@ -78,8 +78,11 @@ GenerationFront::GenerationFront(const DiscreteDomain &boundary) {
         renew(SlotId{i});
     }
     for (const ConstraintPoint &point : boundary.points) {
-        const SlotId id = addSlot(point.node, 0);
-        link(id, id);
+        if (degree[point.node] == 0) {
+            const SlotId id = addSlot(point.node, 0);
+            link(id, id);
+            degree[point.node] = 1; // should it be given twice
+        }
     }
 }
 
