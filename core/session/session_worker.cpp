@@ -66,7 +66,7 @@ bool SessionWorker::busy() const {
 }
 
 /// Waits for a command; while something is under way, only looks whether there is one.
-std::optional<SessionCommand> SessionWorker::nextCommand(const std::stop_token &quit) {
+bool SessionWorker::takeCommand(const std::stop_token &quit, SessionCommand &command) {
     std::unique_lock lock(shared_.mutex);
     const auto ready = [&] { return !shared_.commands.empty(); };
     shared_.active = activity_ != Activity::Resting;
@@ -76,18 +76,19 @@ std::optional<SessionCommand> SessionWorker::nextCommand(const std::stop_token &
         shared_.changed.wait_until(lock, quit, lastTick_ + kFrame, ready);
     }
     if (!ready()) {
-        return std::nullopt;
+        return false;
     }
-    SessionCommand command = std::move(shared_.commands.front());
+    command = std::move(shared_.commands.front());
     shared_.commands.pop_front();
     shared_.active = true;
-    return command;
+    return true;
 }
 
 void SessionWorker::loop(const std::stop_token &quit) {
     while (!quit.stop_requested()) {
-        if (const std::optional<SessionCommand> command = nextCommand(quit)) {
-            std::visit([this](const auto &c) { execute(c); }, *command);
+        SessionCommand command = PauseCommand{};
+        if (takeCommand(quit, command)) {
+            std::visit([this](const auto &c) { execute(c); }, command);
         } else if (!quit.stop_requested()) {
             workABatch();
         }

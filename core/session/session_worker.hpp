@@ -9,7 +9,6 @@
 #include <deque>
 #include <functional>
 #include <mutex>
-#include <optional>
 #include <stop_token>
 #include <thread>
 
@@ -46,7 +45,7 @@ class SessionWorker {
     };
 
     void loop(const std::stop_token &quit);
-    std::optional<SessionCommand> nextCommand(const std::stop_token &quit);
+    bool takeCommand(const std::stop_token &quit, SessionCommand &command);
     void execute(const StartCommand &command);
     void execute(const PlayCommand &command);
     void execute(const StepCommand &command);
