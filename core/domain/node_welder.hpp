@@ -1,0 +1,66 @@
+#pragma once
+
+#include "core/geometry/vec2.hpp"
+
+#include <cstdint>
+#include <initializer_list>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace forefront {
+
+/// Makes nodes at crossings, but takes a node that is there already where rounding alone tells them apart: otherwise
+/// three lines through one point would leave a triangle of a few last digits.
+class NodeWelder {
+  public:
+    /// Appends to `nodes`. `bounds` is the box of all nodes.
+    NodeWelder(std::vector<Vec2> &nodes, const Box2 &bounds) : nodes_(nodes), bounds_(bounds) {
+        const double magnitude = std::max(
+            {std::fabs(bounds.min.x), std::fabs(bounds.max.x), std::fabs(bounds.min.y), std::fabs(bounds.max.y)});
+        tolerance_ = std::max({1e-12 * bounds.diagonal(), 4e-15 * magnitude, std::numeric_limits<double>::min()});
+    }
+
+    /// One of `ends` or a node made before, if within the tolerance; else a new node.
+    std::uint32_t nodeAt(Vec2 at, std::initializer_list<std::uint32_t> ends) {
+        std::uint32_t best = 0;
+        double least = std::numeric_limits<double>::infinity();
+        for (const std::uint32_t node : ends) {
+            if (const double gap = distance(nodes_[node], at); gap < least) {
+                least = gap;
+                best = node;
+            }
+        }
+        if (least <= tolerance_) {
+            return best;
+        }
+        const auto [column, row] = cellOf(at);
+        for (const double i : {column - 1.0, column, column + 1.0}) {
+            for (const double j : {row - 1.0, row, row + 1.0}) {
+                if (const auto found = made_.find({i, j}); found != made_.end()) {
+                    for (const std::uint32_t node : found->second) {
+                        if (distance(nodes_[node], at) <= tolerance_) {
+                            return node;
+                        }
+                    }
+                }
+            }
+        }
+        const auto node = static_cast<std::uint32_t>(nodes_.size());
+        nodes_.push_back(at);
+        made_[{column, row}].push_back(node);
+        return node;
+    }
+
+  private:
+    std::pair<double, double> cellOf(Vec2 at) const {
+        return {std::floor((at.x - bounds_.min.x) / tolerance_), std::floor((at.y - bounds_.min.y) / tolerance_)};
+    }
+
+    std::vector<Vec2> &nodes_;
+    Box2 bounds_;
+    double tolerance_ = 0.0;
+    std::map<std::pair<double, double>, std::vector<std::uint32_t>> made_;
+};
+
+} // namespace forefront
