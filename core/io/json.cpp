@@ -81,7 +81,7 @@ class JsonParser {
     }
     void expected(const std::string &what) {
         fail("json-syntax", "expected " + what +
-                                (at_ < text_.size() ? ", found " + quoted(text_.substr(at_, 1))
+                                (at_ < text_.size() ? ", found " + inQuotes(text_.substr(at_, 1))
                                                     : std::string(", the file ends here")));
     }
 

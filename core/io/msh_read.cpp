@@ -19,10 +19,10 @@ bool MshFile::read() {
         const std::size_t place = scanner_.offset();
         const std::string_view word = scanner_.word();
         if (word.front() != '$') {
-            return scanner_.fail(place, "bad-syntax", "expected a section such as $Nodes, found " + quoted(word));
+            return scanner_.fail(place, "bad-syntax", "expected a section such as $Nodes, found " + inQuotes(word));
         }
         if (!formatRead_ && word != "$MeshFormat" && word != "$Comments") {
-            return scanner_.fail(place, "bad-syntax", "expected $MeshFormat as first section, found " + quoted(word));
+            return scanner_.fail(place, "bad-syntax", "expected $MeshFormat as first section, found " + inQuotes(word));
         }
         readSection(word.substr(1));
     }

@@ -26,7 +26,7 @@ Diagnostic faultAt(const SourceText &source, std::size_t offset, std::string cod
     return fault;
 }
 
-std::string quoted(std::string_view token) {
+std::string inQuotes(std::string_view token) {
     constexpr std::size_t kLongest = 40;
     std::string text = "'";
     for (const char c : token.substr(0, kLongest)) {

@@ -31,7 +31,7 @@ Diagnostic faultAt(const SourceText &source, std::size_t offset, std::string cod
                    std::string advice = {});
 
 /// A token as quoted in a message: printable, shortened.
-std::string quoted(std::string_view token);
+std::string inQuotes(std::string_view token);
 
 /// The whole content of a file; faults: cannot-read with the text of errno, too-large.
 Result<std::string> readFileBytes(const std::filesystem::path &path, std::size_t maxBytes);

@@ -108,7 +108,7 @@ bool TextScanner::literal(std::string_view expected) {
     if (found != expected) {
         return fail(at_, "bad-syntax",
                     "expected " + std::string(expected) +
-                        (found.empty() ? std::string(", the file ends here") : ", found " + quoted(found)));
+                        (found.empty() ? std::string(", the file ends here") : ", found " + inQuotes(found)));
     }
     at_ += found.size();
     return true;
@@ -119,7 +119,7 @@ bool TextScanner::failExpected(const char *kind, Expect expect) {
     const char *const what = end_ == source_->text.size() ? "file" : "line";
     return fail(at_, "bad-number",
                 std::string("expected ") + kind + " for " + expect.words() +
-                    (found.empty() ? std::string(", the ") + what + " ends here" : ", found " + quoted(found)));
+                    (found.empty() ? std::string(", the ") + what + " ends here" : ", found " + inQuotes(found)));
 }
 
 bool TextScanner::real(double &value, Expect expect) {
@@ -138,7 +138,7 @@ bool TextScanner::real(double &value, Expect expect) {
         return failExpected("a number", expect);
     }
     if (!std::isfinite(*number)) {
-        return fail(at_, "non-finite", expect.words() + " must be finite, found " + quoted(found));
+        return fail(at_, "non-finite", expect.words() + " must be finite, found " + inQuotes(found));
     }
     value = *number;
     at_ += found.size();
@@ -158,7 +158,7 @@ bool TextScanner::integer(std::int64_t &value, std::int64_t least, std::int64_t 
     if (problem != std::errc{} || value < least || value > greatest) {
         return fail(at_, "out-of-range",
                     "expected an integer from " + std::to_string(least) + " to " + std::to_string(greatest) + " for " +
-                        expect.words() + ", found " + quoted(peek()));
+                        expect.words() + ", found " + inQuotes(peek()));
     }
     at_ = static_cast<std::size_t>(stop - text_);
     return true;

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "core/domain/domain.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace forefront {
+
+/// Puts a domain together from loops and chains given by coordinates, as drawings hold them: equal coordinates are one
+/// node, consecutive equal ones are passed over, and a segment that an even number of loops share becomes an interface
+/// (role Constraint), because crossing it does not leave the domain.
+class DomainBuilder {
+  public:
+    /// A closed loop, its first node not repeated.
+    void addLoop(std::span<const Vec2> nodes, std::int32_t tag, SegmentRole role);
+    /// An open chain; where it lies on a segment of a loop, it gives that its tag.
+    void addChain(std::span<const Vec2> nodes, std::int32_t tag);
+    void addPoint(Vec2 place, std::int32_t tag);
+    void addRegion(Vec2 at, std::int32_t tag) { domain_.regionMarkers.push_back({at, tag}); }
+
+    Domain finish();
+
+  private:
+    struct Use {
+        std::uint32_t loops = 0; ///< loops of role Boundary that run along it
+        bool tagged = false;     ///< by a chain
+    };
+
+    std::uint32_t node(Vec2 place);
+    std::pair<DomainSegment &, Use &> segment(std::uint32_t a, std::uint32_t b, std::int32_t tag);
+
+    Domain domain_;
+    std::vector<Use> uses_;                                     ///< per segment
+    std::unordered_map<std::uint64_t, std::uint32_t> segments_; ///< by the pair of nodes; only looked up
+    struct PlaceHash {
+        std::size_t operator()(Vec2 p) const;
+    };
+    std::unordered_map<Vec2, std::uint32_t, PlaceHash> nodes_; ///< only looked up
+};
+
+/// Hands out tags to names: the same name, the same tag; tags that are given as numbers are kept free.
+class TagAllocator {
+  public:
+    void reserve(std::int32_t tag) { taken_.insert(tag); }
+    /// The empty name has a tag, too, without an entry in names().
+    std::int32_t of(const std::string &name);
+    const std::map<std::int32_t, std::string> &names() const { return names_; }
+    void name(std::int32_t tag, const std::string &name) { names_.emplace(tag, name); }
+
+  private:
+    std::set<std::int32_t> taken_;
+    std::map<std::string, std::int32_t> tags_;
+    std::map<std::int32_t, std::string> names_;
+};
+
+/// A point well inside the face that rings bound by the even-odd rule, or nothing when they bound none.
+std::optional<Vec2> pointInside(std::span<const std::vector<Vec2>> rings);
+
+} // namespace forefront

@@ -1,0 +1,143 @@
+#include "core/io/domain_builder.hpp"
+#include "core/io/readers.hpp"
+#include "tests/unit/io_samples.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace forefront;
+using namespace forefront::testing;
+
+namespace {
+
+std::string feature(const std::string &type, const std::string &coordinates, const std::string &properties = "null") {
+    return "{\"type\": \"Feature\", \"properties\": " + properties + ", \"geometry\": {\"type\": \"" + type +
+           "\", \"coordinates\": " + coordinates + "}}";
+}
+
+std::string collection(const std::vector<std::string> &features) {
+    std::string text = "{\"type\": \"FeatureCollection\", \"features\": [";
+    for (std::size_t k = 0; k < features.size(); ++k) {
+        text += (k == 0 ? "\n" : ",\n") + features[k];
+    }
+    return text + "]}";
+}
+
+Domain domainOf(const std::string &text) {
+    const auto domain = readGeoJson(sourceOf(text));
+    REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
+    return *domain;
+}
+
+std::size_t count(const Domain &domain, SegmentRole role) {
+    std::size_t number = 0;
+    for (const DomainSegment &segment : domain.segments) {
+        number += segment.role == role ? 1U : 0U;
+    }
+    return number;
+}
+
+const DomainSegment &between(const Domain &domain, Vec2 a, Vec2 b) {
+    for (const DomainSegment &segment : domain.segments) {
+        const Vec2 p = domain.nodes[segment.a], q = domain.nodes[segment.b];
+        if ((p == a && q == b) || (p == b && q == a)) {
+            return segment;
+        }
+    }
+    FAIL("no such segment");
+    return domain.segments.front();
+}
+
+} // namespace
+
+TEST_CASE("GeoJSON: neighbouring polygons share their common side as an interface") {
+    const Domain domain =
+        domainOf(collection({feature("Polygon", "[[[0,0],[1,0],[1,1],[0,1],[0,0]]]", "{\"name\": \"land\"}"),
+                             feature("Polygon", "[[[1,0],[2,0,17.5],[2,1],[1,1]]]", "{\"name\": \"sea\"}")}));
+    CHECK(domain.nodes.size() == 6);
+    CHECK(domain.segments.size() == 7);
+    CHECK(count(domain, SegmentRole::Constraint) == 1);
+    CHECK(between(domain, {1, 0}, {1, 1}).role == SegmentRole::Constraint);
+    REQUIRE(domain.regionMarkers.size() == 2);
+    CHECK(regionName(domain.regionNames, domain.regionMarkers[0].tag) == "land");
+    CHECK(regionName(domain.regionNames, domain.regionMarkers[1].tag) == "sea");
+    CHECK(domain.regionMarkers[1].at.x > 1.0);
+    CHECK(boundaryName(domain.boundaryNames, between(domain, {2, 0}, {2, 1}).tag) == "sea");
+}
+
+TEST_CASE("GeoJSON: a hole is outside, a polygon that fills it is a region, one inside a face divides it") {
+    const std::string outer = "[[[0,0],[9,0],[9,9],[0,9],[0,0]],[[1,1],[3,1],[3,3],[1,3],[1,1]]]";
+    const Domain hole = domainOf(feature("Polygon", outer));
+    CHECK(count(hole, SegmentRole::Boundary) == 8);
+    CHECK(hole.regionMarkers.empty());
+    const Domain filled = domainOf(collection(
+        {feature("Polygon", outer), feature("Polygon", "[[[1,1],[3,1],[3,3],[1,3],[1,1]]]", "{\"name\": \"lake\"}")}));
+    CHECK(count(filled, SegmentRole::Boundary) == 4);
+    CHECK(count(filled, SegmentRole::Constraint) == 4);
+    const Domain island =
+        domainOf(collection({feature("Polygon", outer), feature("Polygon", "[[[1.5,1.5],[2,1.5],[2,2],[1.5,1.5]]]")}));
+    CHECK(count(island, SegmentRole::Boundary) == 11);
+    const Domain nested =
+        domainOf(collection({feature("Polygon", "[[[5,5],[6,5],[6,6],[5,5]]]"), feature("Polygon", outer)}));
+    CHECK(count(nested, SegmentRole::Boundary) == 8);
+    CHECK(count(nested, SegmentRole::Constraint) == 3);
+    CHECK(nested.regionMarkers.size() == 2);
+}
+
+TEST_CASE("GeoJSON: a polygon given twice is one polygon") {
+    const std::string triangle = "[[[0,0],[1,0],[0,1],[0,0]]]";
+    const Domain domain = domainOf(collection({feature("Polygon", triangle), feature("Polygon", triangle)}));
+    CHECK(count(domain, SegmentRole::Boundary) == 3);
+}
+
+TEST_CASE("GeoJSON: lines are constraints and name the sides they coincide with; points are kept") {
+    const Domain domain =
+        domainOf(collection({feature("LineString", "[[0,0],[1,0]]", "{\"name\": \"inlet\"}"),
+                             feature("Polygon", "[[[0,0],[1,0],[1,1],[0,1],[0,0]]]", "{\"tag\": 7}"),
+                             feature("MultiLineString", "[[[0.2,0.2],[0.4,0.2],[0.4,0.2],[0.4,0.4]]]"),
+                             feature("MultiPoint", "[[0.7,0.7]]", "{\"name\": \"gauge\"}")}));
+    CHECK(boundaryName(domain.boundaryNames, between(domain, {0, 0}, {1, 0}).tag) == "inlet");
+    CHECK(between(domain, {0, 0}, {1, 0}).role == SegmentRole::Boundary);
+    CHECK(between(domain, {1, 0}, {1, 1}).tag == 7);
+    CHECK(between(domain, {0.4, 0.2}, {0.4, 0.4}).role == SegmentRole::Constraint);
+    CHECK(count(domain, SegmentRole::Constraint) == 2);
+    REQUIRE(domain.points.size() == 1);
+    CHECK(domain.nodes[domain.points[0].node] == Vec2{0.7, 0.7});
+    CHECK(boundaryName(domain.boundaryNames, domain.points[0].tag) == "gauge");
+    CHECK(domain.regionMarkers.size() == 1);
+}
+
+TEST_CASE("GeoJSON: several polygons and a geometry collection without features") {
+    const Domain domain =
+        domainOf("{\"type\": \"GeometryCollection\", \"geometries\": [{\"type\": \"MultiPolygon\", \"coordinates\": "
+                 "[[[[0,0],[1,0],[0,1],[0,0]]], [[[5,0],[6,0],[5,1],[5,0]]]]}]}");
+    CHECK(count(domain, SegmentRole::Boundary) == 6);
+}
+
+TEST_CASE("GeoJSON: faults are placed") {
+    const auto codeOf = [](const std::string &text) {
+        const auto domain = readGeoJson(sourceOf(text, "a.geojson"));
+        REQUIRE(!domain.ok());
+        CHECK(allLocated(domain.faults()));
+        return domain.faults()[0].code;
+    };
+    CHECK(codeOf("{}") == "missing-field");
+    CHECK(codeOf("[]") == "missing-field");
+    CHECK(codeOf("{\"type\": \"Topology\"}") == "bad-field");
+    CHECK(codeOf(collection({})) == "empty-domain");
+    CHECK(codeOf(feature("Curve", "[]")) == "unknown-geometry");
+    CHECK(codeOf(feature("Polygon", "[[[0,0],[1,0],[0,0]]]")) == "bad-count");
+    CHECK(codeOf(feature("Polygon", "[[[0,0],[1,0],[2,0],[0,0]]]")) == "zero-area");
+    CHECK(codeOf(feature("Polygon", "[[[0,0],[1,null],[2,3],[0,0]]]")) == "bad-number");
+    CHECK(codeOf(feature("LineString", "[[0,0]]")) == "bad-count");
+    CHECK(codeOf(feature("Point", "3")) == "bad-field");
+}
+
+TEST_CASE("pointInside: finds room in rings of awkward shape") {
+    const std::vector<std::vector<Vec2>> comb = {
+        {{0, 0}, {10, 0}, {10, 5}, {9, 0.1}, {8, 5}, {7, 0.1}, {6, 5}, {0, 1}}};
+    const auto p = pointInside(comb);
+    REQUIRE(p.has_value());
+    CHECK(p->y > 0.0);
+    CHECK(!pointInside(std::vector<std::vector<Vec2>>{{{0, 0}, {1, 0}, {2, 0}}}));
+    CHECK(!pointInside({}));
+}
