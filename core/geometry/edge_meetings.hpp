@@ -22,7 +22,7 @@ struct EdgeMeetings {
 };
 
 /// All meetings of the edges in `queries` with any edge (exact). Edges without length stand for points. At most `most`
-/// are listed, and no more than some 10^8 pairs are tested.
+/// are listed, and no more than 2·10⁷ pairs are tested.
 EdgeMeetings findMeetings(std::span<const Vec2> points, std::span<const PlaneEdge> edges,
                           std::span<const std::uint32_t> queries, std::size_t most);
 

@@ -188,3 +188,26 @@ TEST_CASE("PlaneSweep: many long edges side by side cost no quadratic work") {
     CHECK_FALSE(some.complete);
     CHECK(findMeetings(picture.points, picture.edges, droppedEdges(sweep), 2 * count).list.size() == count);
 }
+
+TEST_CASE("PlaneSweep: a fan of edges and a heap of overlapping ones cost no quadratic work") {
+    Picture fan;
+    fan.points = {{0.0, 0.0}, {300.0, 0.5}};
+    const std::uint32_t count = 50000;
+    for (std::uint32_t i = 0; i < count; ++i) { // all from one node and all into another one
+        fan.points.push_back({100.0, 1.0 * i});
+        fan.edges.push_back({0, i + 2});
+        fan.edges.push_back({i + 2, 1});
+    }
+    CHECK(sweepPlane(fan.points, fan.edges).droppedCount == 0);
+    Picture heap;
+    for (std::uint32_t i = 0; i < count; ++i) { // on one line, each over the next thousand
+        heap.points.push_back({1.0 * i, 2.0 * i});
+        heap.points.push_back({1.0 * i + 1000.5, 2.0 * i + 2001.0});
+        heap.edges.push_back({2 * i, 2 * i + 1});
+    }
+    const PlaneSweepResult sweep = sweepPlane(heap.points, heap.edges);
+    CHECK(sweep.droppedCount > count / 2);
+    const EdgeMeetings meetings = findMeetings(heap.points, heap.edges, droppedEdges(sweep), 100000);
+    CHECK(meetings.list.size() == 100000);
+    CHECK_FALSE(meetings.complete);
+}
