@@ -120,8 +120,8 @@ class Validator {
 
     void checkTag(const char *what, std::uint32_t i, std::int32_t tag, Vec2 at) {
         if (tag < 1) {
-            add("bad-tag", what + (" " + number(i)) + " has the tag " + std::to_string(tag), "tags start at 1", at,
-                {i});
+            add("bad-tag", std::string(what) + ' ' + number(i) + " has the tag " + std::to_string(tag),
+                "tags start at 1", at, {i});
         }
     }
 
@@ -147,7 +147,7 @@ class Validator {
     }
     void checkMarker(const char *what, std::uint32_t i, Vec2 at) {
         if (!isFinite(at)) {
-            add("non-finite", what + (" " + number(i)) + " has a coordinate that is not finite",
+            add("non-finite", std::string(what) + ' ' + number(i) + " has a coordinate that is not finite",
                 "give it finite coordinates", finitePart(at), {i});
         }
     }
