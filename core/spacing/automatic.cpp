@@ -44,7 +44,7 @@ std::vector<PlacedSegment> thingsOf(const Domain &domain) {
     std::vector<PlacedSegment> things = placedSegments(domain);
     for (std::size_t i = 0; i < domain.points.size(); ++i) {
         const std::uint32_t node = domain.points[i].node;
-        if (node < domain.nodes.size() && isFinite(domain.nodes[node])) {
+        if (node < domain.nodes.size() && isUsable(domain.nodes[node])) {
             things.push_back(
                 {domain.nodes[node], domain.nodes[node], static_cast<std::uint32_t>(domain.segments.size() + i)});
         }
@@ -69,8 +69,8 @@ AutomaticSpacing automaticSpacing(const Domain &domain, const Box2 &box, double 
         }
     }
     const SegmentTree tree(thingsOf(domain));
-    GapFinder finder(domain, tree, automatic.greatest, kFinestGap * box.diagonal());
-    const std::vector<Gap> gaps = finder.find(progress);
+    const GapFinder finder(domain, tree, automatic.greatest, kFinestGap * box.diagonal(), progress);
+    const std::vector<Gap> gaps = finder.find();
     const double budget = kGapElements + kGapElementsEach * static_cast<double>(domain.segments.size());
     const double floor = affordableFloor(gaps, automatic.greatest, budget);
     for (const Gap &gap : gaps) {

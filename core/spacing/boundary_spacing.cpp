@@ -4,6 +4,10 @@
 
 namespace forefront {
 
+bool isUsable(Vec2 p) {
+    return isFinite(p) && std::fabs(p.x) < 1e150 && std::fabs(p.y) < 1e150;
+}
+
 std::vector<PlacedSegment> placedSegments(const Domain &domain) {
     std::vector<PlacedSegment> placed;
     placed.reserve(domain.segments.size());
@@ -14,7 +18,7 @@ std::vector<PlacedSegment> placedSegments(const Domain &domain) {
         }
         const PlacedSegment candidate{domain.nodes[segment.a], domain.nodes[segment.b], static_cast<std::uint32_t>(i)};
         const double length = candidate.length();
-        if (std::isfinite(length) && length > 0.0) {
+        if (isUsable(candidate.a) && isUsable(candidate.b) && length > 0.0) {
             placed.push_back(candidate);
         }
     }
@@ -24,8 +28,7 @@ std::vector<PlacedSegment> placedSegments(const Domain &domain) {
 Box2 spacingBox(const Domain &domain) {
     Box2 box;
     for (const Vec2 node : domain.nodes) {
-        // Beyond this, squares of distances overflow.
-        if (isFinite(node) && std::fabs(node.x) < 1e150 && std::fabs(node.y) < 1e150) {
+        if (isUsable(node)) {
             box.add(node);
         }
     }

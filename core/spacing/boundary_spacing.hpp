@@ -13,6 +13,9 @@ struct PlacedSegment {
     double length() const { return distance(a, b); }
 };
 
+/// True for coordinates whose squares of distances do not overflow.
+bool isUsable(Vec2 p);
+
 /// The usable segments of a domain that may not have been validated.
 std::vector<PlacedSegment> placedSegments(const Domain &domain);
 

@@ -49,7 +49,7 @@ Result<ExpressionSpacing> ExpressionSpacing::build(const SpacingSpec &spec, cons
     spacing.program_ = std::move(*program);
     spacing.text_ = *spec.expression;
     spacing.floor_ = spec.minimum.value_or(1e-9 * box.diagonal());
-    spacing.ceiling_ = spec.maximum.value_or(1e3 * box.diagonal());
+    spacing.ceiling_ = spec.maximum.value_or(std::max(1e3 * box.diagonal(), spacing.floor_));
 
     const std::vector<Vec2> places = probePlaces(domain, box);
     std::vector<double> values(places.size());

@@ -39,8 +39,10 @@ Pair closest(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
 
 } // namespace
 
-GapFinder::GapFinder(const Domain &domain, const SegmentTree &tree, double longest, double shortest)
-    : domain_(domain), tree_(tree), longest_(longest), shortest_(shortest), box_(spacingBox(domain)) {}
+GapFinder::GapFinder(const Domain &domain, const SegmentTree &tree, double longest, double shortest,
+                     const Progress &progress)
+    : domain_(domain), tree_(tree), longest_(longest), shortest_(shortest), box_(spacingBox(domain)),
+      progress_(progress) {}
 
 bool GapFinder::isPoint(const PlacedSegment &segment) const {
     return segment.index >= domain_.segments.size();
@@ -117,6 +119,9 @@ GapFinder::Facing GapFinder::facing(std::uint32_t position, Vec2 a, Vec2 b, doub
 
 void GapFinder::divide(std::uint32_t position, double from, double to, double reach, Sides sides,
                        std::vector<Gap> &gaps) const {
+    if (progress_.cancelled()) {
+        return;
+    }
     const PlacedSegment &own = tree_.segments()[position];
     const Vec2 a = lerp(own.a, own.b, from);
     const Vec2 b = lerp(own.a, own.b, to);
@@ -141,9 +146,9 @@ void GapFinder::divide(std::uint32_t position, double from, double to, double re
     }
 }
 
-std::vector<Gap> GapFinder::find(const Progress &progress) {
+std::vector<Gap> GapFinder::find() const {
     std::vector<Gap> gaps;
-    for (std::uint32_t i = 0; i < tree_.segments().size() && !progress.cancelled(); ++i) {
+    for (std::uint32_t i = 0; i < tree_.segments().size() && !progress_.cancelled(); ++i) {
         const PlacedSegment &segment = tree_.segments()[i];
         if (isPoint(segment)) {
             continue;
@@ -161,13 +166,16 @@ std::vector<Gap> GapFinder::find(const Progress &progress) {
 
 double GapFinder::clearance(std::uint32_t position) const {
     const Vec2 p = tree_.segments()[position].a;
+    // Looked for in growing boxes, so that crowds of points cost little each.
     double least = longest_;
-    tree_.overlapping(boxAround(p, longest_), [&](std::uint32_t other) {
-        if (other != position) {
-            const double d = distance(p, nearestOn(tree_.segments()[other].a, tree_.segments()[other].b, p));
-            least = d > 0.0 ? std::min(least, d) : least;
-        }
-    });
+    for (double reach = longest_ / 256.0; reach <= longest_ && least > reach / 2.0; reach *= 2.0) {
+        tree_.overlapping(boxAround(p, reach), [&](std::uint32_t other) {
+            if (other != position) {
+                const double d = distance(p, nearestOn(tree_.segments()[other].a, tree_.segments()[other].b, p));
+                least = d > 0.0 ? std::min(least, d) : least;
+            }
+        });
+    }
     return least;
 }
 

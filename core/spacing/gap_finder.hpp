@@ -26,10 +26,10 @@ class GapFinder {
   public:
     /// `longest`: greatest spacing. `shortest`: no finer stretches. The tree holds the segments, then the lone points
     /// (their `index` counts on from the segments).
-    GapFinder(const Domain &domain, const SegmentTree &tree, double longest, double shortest);
+    GapFinder(const Domain &domain, const SegmentTree &tree, double longest, double shortest, const Progress &progress);
 
     /// Cancelled runs return what was found so far.
-    std::vector<Gap> find(const Progress &progress);
+    std::vector<Gap> find() const;
     /// Distance from a lone point to the nearest other thing, at most `longest`.
     double clearance(std::uint32_t position) const;
 
@@ -55,6 +55,7 @@ class GapFinder {
     double longest_;
     double shortest_;
     Box2 box_;
+    const Progress &progress_;
 };
 
 } // namespace forefront

@@ -10,7 +10,7 @@ namespace {
 using Key = std::pair<std::int32_t, std::int32_t>;
 constexpr std::int32_t kSpan = PaintedSpacing::kTileSpan;
 constexpr std::int32_t kFarthestTile = 100'000'000; ///< keeps node numbers within 32 bits
-constexpr double kMostDirectory = 16'000'000.0;     ///< tiles
+constexpr double kMostDirectory = 4'000'000.0;      ///< tiles
 
 Diagnostics badPaint(std::string message, std::optional<Vec2> at = {}) {
     Diagnostics faults = error("bad-paint", std::move(message), "erase the paint, or paint again");

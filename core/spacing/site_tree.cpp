@@ -11,6 +11,7 @@ class SiteTreeBuilder {
         tree_.sites_ = std::move(sites);
         const double extent = std::max({box.size().x, box.size().y, 1e-300});
         tree_.corner_ = box.min;
+        tree_.scale_ = extent;
         tree_.unit_ = extent / static_cast<double>(1U << kTopLevel);
         tree_.toUnits_ = 1.0 / tree_.unit_;
         const auto cellsAcross = [&](double size) {
@@ -57,8 +58,8 @@ class SiteTreeBuilder {
     static constexpr std::size_t kLongestTested = 48;
     static constexpr double kThinning = 4e-4; ///< per level, relative
     static constexpr std::size_t kLongestList = 64;
-    static constexpr std::size_t kMostCells = 4'000'000;
-    static constexpr std::size_t kMostEntries = 6'000'000;
+    static constexpr std::size_t kMostCells = 2'000'000;
+    static constexpr std::size_t kMostEntries = 4'000'000;
 
     struct Cell {
         std::uint32_t slot = 0; ///< where its entry is; unused above the table
@@ -79,7 +80,7 @@ class SiteTreeBuilder {
         }
         cells_ = {Cell{0, 0, 0, 0, static_cast<std::uint32_t>(lists_.size())}};
     }
-    Vec2 place(double x, double y) const { return tree_.corner_ + tree_.unit_ * Vec2{x, y}; }
+    Vec2 placeOf(double x, double y) const { return tree_.corner_ + tree_.unit_ * Vec2{x, y}; }
     const SizeSite &site(const Competitor &competitor) const { return tree_.sites_[competitor.site]; }
     double least(Vec2 p) const {
         double value = std::numeric_limits<double>::infinity();
@@ -217,7 +218,7 @@ class SiteTreeBuilder {
     void treat(const Cell &cell, int level) {
         const double span = static_cast<double>(1U << level);
         const double size = span * tree_.unit_;
-        const Vec2 centre = place(cell.x + 0.5 * span, cell.y + 0.5 * span);
+        const Vec2 centre = placeOf(cell.x + 0.5 * span, cell.y + 0.5 * span);
         const double reach = 0.70711 * size;
         compete(cell, centre, reach);
         if (level > SiteTree::kBits) {
@@ -257,16 +258,16 @@ class SiteTreeBuilder {
         const double x = cell.x;
         const double y = cell.y;
         const double h = 0.5 * span;
-        const double a = least(place(x, y));
-        const double b = least(place(x + span, y));
-        const double c = least(place(x, y + span));
-        const double d = least(place(x + span, y + span));
+        const double a = least(placeOf(x, y));
+        const double b = least(placeOf(x + span, y));
+        const double c = least(placeOf(x, y + span));
+        const double d = least(placeOf(x + span, y + span));
         const auto near = [](double exact, double interpolated) {
             return std::fabs(exact - interpolated) <= SiteTree::kTolerance * exact;
         };
-        return near(middle, 0.25 * (a + b + c + d)) && near(least(place(x + h, y)), 0.5 * (a + b)) &&
-               near(least(place(x, y + h)), 0.5 * (a + c)) && near(least(place(x + span, y + h)), 0.5 * (b + d)) &&
-               near(least(place(x + h, y + span)), 0.5 * (c + d));
+        return near(middle, 0.25 * (a + b + c + d)) && near(least(placeOf(x + h, y)), 0.5 * (a + b)) &&
+               near(least(placeOf(x, y + h)), 0.5 * (a + c)) && near(least(placeOf(x + span, y + h)), 0.5 * (b + d)) &&
+               near(least(placeOf(x + h, y + span)), 0.5 * (c + d));
     }
 
     void descendToTable(const Cell &cell, int level) {
@@ -316,7 +317,7 @@ class SiteTreeBuilder {
             tree_.least_ = std::min(tree_.least_, std::max(s.size, competitor.value - s.growth * reach));
             double most = 0.0; // distance to a convex shape is greatest at a corner
             for (std::uint32_t corner = 0; corner < 4; ++corner) {
-                most = std::max(most, s.at(place(cell.x + (corner & 1U) * span, cell.y + (corner >> 1) * span)));
+                most = std::max(most, s.at(placeOf(cell.x + (corner & 1U) * span, cell.y + (corner >> 1) * span)));
             }
             high = std::min(high, most);
         }
@@ -325,10 +326,10 @@ class SiteTreeBuilder {
     void storeSmooth(const Cell &cell, double span) {
         SiteTree::Corners corners{};
         for (std::uint32_t corner = 0; corner < 4; ++corner) {
-            corners[corner] =
-                static_cast<float>(least(place(cell.x + (corner & 1U) * span, cell.y + (corner >> 1) * span)));
-            tree_.least_ = std::min(tree_.least_, static_cast<double>(corners[corner]));
-            tree_.greatest_ = std::max(tree_.greatest_, static_cast<double>(corners[corner]));
+            const Vec2 place = placeOf(cell.x + (corner & 1U) * span, cell.y + (corner >> 1) * span);
+            corners[corner] = static_cast<float>(least(place) / tree_.scale_);
+            tree_.least_ = std::min(tree_.least_, tree_.scale_ * corners[corner]);
+            tree_.greatest_ = std::max(tree_.greatest_, tree_.scale_ * corners[corner]);
         }
         tree_.cells_[cell.slot] = static_cast<std::uint32_t>(tree_.smooth_.size()) | SiteTree::kSmooth;
         tree_.smooth_.push_back(corners);

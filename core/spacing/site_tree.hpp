@@ -66,7 +66,8 @@ class SiteTree {
     static constexpr int kBits = 16; ///< levels below a table cell
     static constexpr std::uint32_t kSplit = 0x80000000U;
     static constexpr std::uint32_t kSmooth = 0x40000000U;
-    using Corners = std::array<float, 4>; ///< lower left, lower right, upper left, upper right
+    /// Lower left, lower right, upper left, upper right; in units of scale_, so that floats hold any domain's sizes.
+    using Corners = std::array<float, 4>;
 
     static constexpr std::array<double, kBits + 1> kInverse = [] {
         std::array<double, kBits + 1> inverse{};
@@ -76,10 +77,10 @@ class SiteTree {
         return inverse;
     }();
 
-    static double bilinear(const Corners &c, double s, double t) {
+    double bilinear(const Corners &c, double s, double t) const {
         const double low = c[0] + s * (static_cast<double>(c[1]) - c[0]);
         const double high = c[2] + s * (static_cast<double>(c[3]) - c[2]);
-        return low + t * (high - low);
+        return scale_ * (low + t * (high - low));
     }
 
     std::vector<SizeSite> sites_;
@@ -87,7 +88,8 @@ class SiteTree {
     std::vector<std::uint32_t> lists_; ///< count, then indices of sites
     std::vector<Corners> smooth_;
     Vec2 corner_;
-    double unit_ = 1.0; ///< length of the finest cell
+    double scale_ = 1.0; ///< greater side of the box
+    double unit_ = 1.0;  ///< length of the finest cell
     double toUnits_ = 1.0;
     double spanX_ = 0.0; ///< greatest u and v, in units, just inside the table
     double spanY_ = 0.0;

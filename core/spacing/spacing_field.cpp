@@ -69,14 +69,16 @@ class FieldBuilder {
         }
     }
     void setCap() {
-        // Far beyond any use, so that the spacing is finite whatever the parts say.
-        parts_.cap = kFarBeyond * box_.diagonal();
-        parts_.capOrigin = SpacingOrigin::Automatic;
+        parts_.cap = kNoLimit;
         if (spec_.size) {
             lowerCap(*spec_.size, SpacingOrigin::Constant);
         }
         if (spec_.maximum) {
             lowerCap(*spec_.maximum, SpacingOrigin::Maximum);
+        }
+        if (parts_.cap == kNoLimit) { // so that the spacing is finite whatever the parts say
+            parts_.cap = kFarBeyond * box_.diagonal();
+            parts_.capOrigin = SpacingOrigin::Automatic;
         }
         if (parts_.cap < parts_.minimum) {
             parts_.cap = parts_.minimum;
