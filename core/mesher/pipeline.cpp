@@ -6,6 +6,9 @@
 #include "core/mesher/mesher.hpp"
 #include "core/spacing/spacing_field.hpp"
 
+#include <algorithm>
+#include <cstdio>
+
 namespace forefront {
 
 namespace {
@@ -43,9 +46,10 @@ Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress) {
     prepared.boundary = std::make_shared<const DiscreteDomain>(std::move(*boundary));
     prepared.estimatedElements = estimateElements(*prepared.boundary, *prepared.spacing);
     if (!(prepared.estimatedElements < kMostElements)) {
+        char wanted[32];
+        std::snprintf(wanted, sizeof wanted, "%.2g", prepared.estimatedElements);
         return error("too-many-elements",
-                     "this spacing asks for about " +
-                         std::to_string(static_cast<long long>(prepared.estimatedElements)) +
+                     std::string("the node spacing asks for about ") + wanted +
                          " elements, more than the program can hold",
                      "choose a larger size");
     }

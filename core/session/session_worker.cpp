@@ -219,8 +219,11 @@ void SessionWorker::execute(const PlayCommand &command) {
 }
 
 void SessionWorker::execute(const StepCommand &command) {
-    if (!timeline_) {
+    if (!timeline_ || command.count == 0) {
         return;
+    }
+    if (command.granularity != Granularity::Advance) {
+        settle();
     }
     switch (command.granularity) {
     case Granularity::Event:

@@ -1,0 +1,87 @@
+#include "core/mesh/verify.hpp"
+#include "core/mesher/mesher.hpp"
+#include "core/mesher/pipeline.hpp"
+#include "core/mesher/timeline.hpp"
+#include "tests/support/random_domains.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+using namespace forefront;
+using forefront::testing::randomDomain;
+
+namespace {
+
+std::string textOf(const Diagnostics &faults) {
+    std::string text;
+    for (const Diagnostic &fault : faults) {
+        text += toString(fault) + '\n';
+    }
+    return text;
+}
+
+struct Run {
+    std::uint64_t hash = 0;
+    std::uint64_t tested = 0;
+};
+
+Run runOn(const PreparedJob &prepared, GridKind grid) {
+    MeshingOptions options;
+    options.grid = grid;
+    auto mesher = Mesher::create(prepared.boundary, prepared.spacing, options);
+    mesher->advance(~std::uint64_t{0});
+    return {meshHash(toMesh(mesher->state(), *prepared.boundary)), mesher->state().work.tested};
+}
+
+/// Every other advance explained before it is done; every seventh done, taken back and done again.
+Run runTracedAndStepped(const PreparedJob &prepared) {
+    Timeline timeline(Mesher::create(prepared.boundary, prepared.spacing, {}));
+    while (!timeline.complete()) {
+        if (timeline.position() % 2 == 0) {
+            timeline.mesher().explainNext();
+        }
+        timeline.forward(1);
+        if (timeline.position() % 7 == 0) {
+            timeline.back(std::min<std::uint64_t>(5, timeline.position()));
+            timeline.forward(5);
+        }
+    }
+    timeline.forward(timeline.known());
+    return {meshHash(toMesh(timeline.mesher().state(), *prepared.boundary)), timeline.mesher().state().work.tested};
+}
+
+} // namespace
+
+TEST_CASE("Meshing: the same mesh for every grid, traced or not, stepped or run, on 200 random domains") {
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        CAPTURE(seed);
+        MeshingJob job;
+        job.domain = randomDomain(seed);
+        const Result<PreparedJob> prepared = prepare(job);
+        REQUIRE_MESSAGE(prepared, textOf(prepared ? Diagnostics{} : prepared.faults()));
+        const Run none = runOn(*prepared, GridKind::None);
+        for (const Run &run : {runOn(*prepared, GridKind::Uniform), runOn(*prepared, GridKind::Hierarchical),
+                               runTracedAndStepped(*prepared)}) {
+            REQUIRE(run.hash == none.hash);
+            REQUIRE(run.tested == none.tested);
+        }
+    }
+}
+
+TEST_CASE("Meshing: 2,000 random domains of hostile shape are meshed and the meshes verify") {
+    for (std::uint64_t seed = 1000; seed < 3000; ++seed) {
+        CAPTURE(seed);
+        MeshingJob job;
+        job.domain = randomDomain(seed);
+        job.options.keepBoundary = seed % 3 == 0;
+        job.options.improve = seed % 2 == 0;
+        if (seed % 5 == 0) {
+            job.spacing.size = job.domain.bounds().diagonal() / 20.0;
+        }
+        const Result<MeshingOutcome> outcome = meshDomain(job);
+        REQUIRE_MESSAGE(outcome, textOf(outcome ? Diagnostics{} : outcome.faults()));
+        const Diagnostics faults = verifyAgainst(outcome->mesh, *outcome->boundary);
+        REQUIRE_MESSAGE(faults.empty(), textOf(faults));
+    }
+}
