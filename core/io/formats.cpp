@@ -21,6 +21,8 @@ constexpr std::array kFormats = {
            .recognise = looksLikeGeoJson,
            .readDomain = readGeoJson},
     Format{.about = {"poly", "Triangle domain", ".poly", true, false, false}, .readDomain = readPoly},
+    Format{
+        .about = {"svg", "SVG drawing", ".svg", true, false, false}, .recognise = looksLikeSvg, .readDomain = readSvg},
     Format{.about = {"msh2", "Gmsh MSH 2.2", ".msh", true, true, true},
            .recognise = looksLikeMsh,
            .readMesh = readMsh,

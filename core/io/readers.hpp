@@ -21,6 +21,8 @@ void writeMsh4(const Mesh &mesh, TextWriter &out);
 Result<Domain> readPoly(const SourceText &source);
 Result<Domain> readGeoJson(const SourceText &source);
 bool looksLikeGeoJson(std::string_view head);
+Result<Domain> readSvg(const SourceText &source);
+bool looksLikeSvg(std::string_view head);
 
 /// The domain that a mesh covers: its boundary edges, the interfaces between its regions and its tagged edges and
 /// points, with tags and names, and a marker in every face.

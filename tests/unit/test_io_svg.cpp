@@ -1,0 +1,171 @@
+#include "core/geometry/polygon.hpp"
+#include "core/io/files.hpp"
+#include "core/io/readers.hpp"
+#include "core/io/svg_pen.hpp"
+#include "core/io/svg_transform.hpp"
+#include "tests/unit/io_samples.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+using namespace forefront;
+using namespace forefront::testing;
+
+namespace {
+
+std::string drawing(const std::string &content, const std::string &attributes = "viewBox=\"0 0 10 10\"") {
+    return "<?xml version=\"1.0\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" " + attributes + ">\n" + content +
+           "\n</svg>\n";
+}
+
+Domain domainOf(const std::string &text, double tolerance = 0.0) {
+    SourceText source = sourceOf(text);
+    source.options.curveTolerance = tolerance;
+    const auto domain = readSvg(source);
+    REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
+    return *domain;
+}
+
+Diagnostic faultOf(const std::string &text) {
+    const auto domain = readSvg(sourceOf(text, "bad.svg"));
+    REQUIRE(!domain.ok());
+    CHECK(allLocated(domain.faults()));
+    return domain.faults()[0];
+}
+
+/// Area enclosed by the boundary segments, by its absolute value; for drawings of one loop.
+double areaOf(const Domain &domain) {
+    double area = 0.0;
+    for (const DomainSegment &segment : domain.segments) {
+        area += 0.5 * cross(domain.nodes[segment.a], domain.nodes[segment.b]);
+    }
+    return std::fabs(area);
+}
+
+} // namespace
+
+TEST_CASE("SVG: the drawing stands upright inside its view box") {
+    const Domain domain = domainOf(drawing("<polygon points=\"1,2 4,2 1,6\"/>", "viewBox=\"0 0 10 20\""));
+    REQUIRE(domain.nodes.size() == 3);
+    CHECK(domain.nodes[0] == Vec2{1, 18});
+    CHECK(domain.nodes[2] == Vec2{1, 14});
+    CHECK(domainOf(drawing("<polygon points=\"1,2 4,2 1,6\"/>", "height=\"30mm\"")).nodes[0] == Vec2{1, 28});
+}
+
+TEST_CASE("SVG: all path commands, absolute and relative, with numbers run together") {
+    const Domain domain = domainOf(drawing("<path d=\"M1 1h2v2H1zm4,0l2 0,0 2-2,0Z\"/>"));
+    CHECK(domain.nodes.size() == 8);
+    CHECK(domain.segments.size() == 8);
+    CHECK(domain.segments[4].role == SegmentRole::Boundary);
+    CHECK(domain.nodes[4] == Vec2{5, 9});
+    const Domain compact = domainOf(drawing("<path d=\"M.5.5L1.5.5 1.5,1.5e0-.5.5z\"/>"));
+    REQUIRE(compact.nodes.size() == 4);
+    CHECK(compact.nodes[1] == Vec2{1.5, 9.5});
+    CHECK(compact.nodes[3] == Vec2{-0.5, 9.5});
+    const Domain lower = domainOf(drawing("<path d=\"M2 2c1 0 1 1 0 1s-1 1 0 1q1 1 0 2t0 1a1 1 0 1 1-1-1l-1 0z\"/>"));
+    const Domain upper = domainOf(drawing("<path d=\"M2 2C3 2 3 3 2 3S1 4 2 4Q3 5 2 6T2 7A1 1 0 1 1 1 6L0 6Z\"/>"));
+    REQUIRE(lower.nodes.size() == upper.nodes.size());
+    CHECK(lower.nodes.size() > 40);
+    for (std::size_t n = 0; n < lower.nodes.size(); ++n) {
+        CHECK(distance(lower.nodes[n], upper.nodes[n]) < 1e-12);
+    }
+}
+
+TEST_CASE("SVG: circles, ellipses and rounded rectangles keep their area within the tolerance") {
+    const double pi = std::numbers::pi;
+    CHECK(areaOf(domainOf(drawing("<circle cx=\"5\" cy=\"5\" r=\"2\"/>"), 1e-4)) ==
+          doctest::Approx(4 * pi).epsilon(2e-4));
+    CHECK(areaOf(domainOf(drawing("<ellipse rx=\"2\" ry=\"1\"/>"), 1e-4)) == doctest::Approx(2 * pi).epsilon(2e-4));
+    CHECK(areaOf(domainOf(drawing("<rect x=\"1\" width=\"4\" height=\"3\" rx=\"1\"/>"), 1e-4)) ==
+          doctest::Approx(12 - 4 + pi).epsilon(2e-4));
+    CHECK(areaOf(domainOf(drawing("<rect width=\"4\" height=\"3\"/>"))) == 12.0);
+    CHECK(domainOf(drawing("<circle r=\"2\"/>"), 1e-5).nodes.size() >
+          2 * domainOf(drawing("<circle r=\"2\"/>"), 1e-4).nodes.size());
+}
+
+TEST_CASE("SVG: transforms of groups and elements are combined, hidden parts and definitions left out") {
+    const Domain domain = domainOf(
+        drawing("<defs><rect width=\"1\" height=\"1\"/></defs><g transform=\"translate(2 3) scale(2)\">"
+                "<rect transform=\"rotate(90)\" width=\"1\" height=\"2\"/></g>"
+                "<g style=\"fill:red;display:none\"><circle r=\"1\"/></g><g display=\"none\"><circle r=\"1\"/></g>"));
+    REQUIRE(domain.nodes.size() == 4);
+    CHECK(areaOf(domain) == doctest::Approx(8.0));
+    CHECK(distance(domain.nodes[0], {2, 7}) < 1e-12);
+    CHECK(distance(domain.nodes[1], {2, 5}) < 1e-12);
+    CHECK(distance(domain.nodes[3], {-2, 7}) < 1e-12);
+}
+
+TEST_CASE("SVG: transform lists") {
+    const auto at = [](const char *text, Vec2 p) {
+        const auto map = parseTransform(text);
+        REQUIRE(map.has_value());
+        return (*map)(p);
+    };
+    CHECK(at("", {1, 2}) == Vec2{1, 2});
+    CHECK(at("matrix(1 2 3 4 5 6)", {1, 1}) == Vec2{9, 12});
+    CHECK(at("translate(3)", {1, 1}) == Vec2{4, 1});
+    CHECK(distance(at("rotate(90, 1 0)", {2, 0}), {1, 1}) < 1e-15);
+    CHECK(distance(at("skewX(45)", {0, 1}), {1, 1}) < 1e-15);
+    CHECK(distance(at("skewY(45) , scale(2,1)", {1, 0}), {2, 2}) < 1e-15);
+    CHECK(parseTransform("matrix(3 0 0 0.5 9 9)")->stretch() == doctest::Approx(3.0));
+    for (const char *wrong : {"rotate", "rotate(", "spin(3)", "scale(1,2,3)", "matrix(1,2,3,4,5,x)", "translate()"}) {
+        CAPTURE(wrong);
+        CHECK(!parseTransform(wrong));
+    }
+}
+
+TEST_CASE("SVG: closed outlines bound, open ones are constraints, labels become names") {
+    const Domain domain =
+        domainOf(drawing("<rect id=\"frame\" width=\"9\" height=\"9\"/>"
+                         "<rect id=\"r1\" inkscape:label=\"pier\" x=\"1\" y=\"1\" width=\"1\" height=\"1\"/>"
+                         "<line inkscape:label=\"pier\" x1=\"4\" y1=\"4\" x2=\"5\" y2=\"5\"/>"
+                         "<path d=\"M6 6 7 6 7 7 6 6\"/><polyline points=\"3 3 3 4 2 4\"/>"));
+    std::size_t boundary = 0;
+    for (const DomainSegment &segment : domain.segments) {
+        boundary += segment.role == SegmentRole::Boundary ? 1U : 0U;
+    }
+    CHECK(boundary == 11);
+    CHECK(domain.segments.size() == 14);
+    CHECK(boundaryName(domain.boundaryNames, domain.segments[0].tag) == "frame");
+    CHECK(boundaryName(domain.boundaryNames, domain.segments[4].tag) == "pier");
+    CHECK(domain.segments[8].tag == domain.segments[4].tag);
+    CHECK(domain.segments[8].role == SegmentRole::Constraint);
+}
+
+TEST_CASE("SVG: faults are placed inside the attribute") {
+    const Diagnostic path = faultOf(drawing("<g>\n <path id=\"x\" d=\"M1 1 L2 x\"/></g>"));
+    CHECK(path.code == "bad-path");
+    CHECK(path.line == 4);
+    CHECK(path.column == 26);
+    CHECK(faultOf(drawing("<path d=\"L1 1\"/>")).code == "bad-path");
+    CHECK(faultOf(drawing("<path d=\"M1 1 A1 1 0 2 0 3 3\"/>")).code == "bad-path");
+    CHECK(faultOf(drawing("<path d=\"M1 1 1e999 0 Z\"/>")).code == "bad-path");
+    CHECK(faultOf(drawing("<polygon points=\"1 2 3\"/>")).code == "bad-path");
+    CHECK(faultOf(drawing("<circle r=\"5%\"/>")).code == "bad-number");
+    CHECK(faultOf(drawing("<g transform=\"turn(3)\"/>")).code == "bad-transform");
+    CHECK(faultOf(drawing("<use href=\"#a\"/>")).code == "unknown-element");
+    CHECK(faultOf(drawing("<text>hello</text>")).code == "empty-domain");
+    CHECK(faultOf(drawing("<g><path d=\"M1 1\"/>")).code == "xml-syntax");
+    CHECK(faultOf("<html/>").code == "not-svg");
+    CHECK(faultOf(drawing("<g transform=\"scale(1e200)\"><g transform=\"scale(1e200)\"><rect width=\"1\" "
+                          "height=\"1\"/></g></g>"))
+              .code == "non-finite");
+}
+
+TEST_CASE("SVG: nesting of any depth and entities that would explode do no harm") {
+    std::string deep;
+    for (int k = 0; k < 200'000; ++k) {
+        deep += "<g>";
+    }
+    CHECK(!readSvg(sourceOf("<svg>" + deep)).ok());
+    std::string closing;
+    for (int k = 0; k < 200'000; ++k) {
+        closing += "</g>";
+    }
+    CHECK(readSvg(sourceOf("<svg>" + deep + "<rect width=\"1\" height=\"1\"/>" + closing + "</svg>")).ok());
+    const std::string bomb = "<!DOCTYPE svg [<!ENTITY a \"aaaaaaaaaa\"><!ENTITY b \"&a;&a;&a;&a;&a;&a;&a;&a;\">"
+                             "<!ENTITY c \"&b;&b;&b;&b;&b;&b;&b;\">]><svg><path d=\"&c;&c;&c;\"/></svg>";
+    CHECK(!readSvg(sourceOf(bomb)).ok());
+}
