@@ -177,3 +177,23 @@ TEST_CASE("Automatic spacing: broken domains neither crash nor give unusable val
     CHECK(automatic(domain)->at({0.5, 0}) > 0.0);
     CHECK(std::isfinite(automatic(domain)->at({0.5, 0})));
 }
+
+TEST_CASE("Automatic spacing: scales with the domain, however small or large or far away") {
+    Domain domain = loopOf({{0, 0}, {4, 0}, {4, 1.9}, {6, 1.9}, {6, 0}, {10, 0}, {10, 4}, {0, 4}});
+    addLoop(domain, circle({2, 3.7}, 0.2, 24));
+    const auto field = automatic(domain);
+    std::mt19937 random(6);
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    for (const double scale : {std::ldexp(1.0, -200), std::ldexp(1.0, 200), 1.0}) {
+        const Vec2 offset = scale == 1.0 ? Vec2{1e6, -3e5} : Vec2{0, 0};
+        Domain other = domain;
+        for (Vec2 &node : other.nodes) {
+            node = scale * node + offset;
+        }
+        const auto scaled = automatic(other);
+        for (int i = 0; i < 500; ++i) {
+            const Vec2 p{10 * share(random), 4 * share(random)};
+            REQUIRE(scaled->at(scale * p + offset) == doctest::Approx(scale * field->at(p)).epsilon(0.01).scale(0.0));
+        }
+    }
+}

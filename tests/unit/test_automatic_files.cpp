@@ -1,0 +1,38 @@
+#include "core/io/files.hpp"
+#include "core/mesh/quality.hpp"
+#include "core/mesher/pipeline.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+using namespace forefront;
+
+TEST_CASE("Automatic spacing: real domains mesh well with default options, in moderate numbers of elements") {
+    const char *const folder = std::getenv("FOREFRONT_DATA");
+    if (folder == nullptr) {
+        MESSAGE("skipped: FOREFRONT_DATA names no folder with .poly files");
+        return;
+    }
+    int files = 0;
+    for (const auto &entry : std::filesystem::directory_iterator(folder)) {
+        if (entry.path().extension() != ".poly") {
+            continue;
+        }
+        ++files;
+        const std::string name = entry.path().filename().string();
+        const auto read = readDomain(entry.path());
+        REQUIRE_MESSAGE(read.ok(), name);
+        MeshingJob job;
+        job.domain = *read;
+        const auto outcome = meshDomain(job);
+        REQUIRE_MESSAGE(outcome.ok(), name);
+        const MeshQuality quality = measure(outcome->mesh, outcome->spacing.get());
+        CHECK_MESSAGE(quality.alphaGeometricMean >= 0.93, name);
+        CHECK_MESSAGE(quality.deltaMean >= 0.88, name);
+        CHECK_MESSAGE(quality.elements >= 500, name);
+        CHECK_MESSAGE(quality.elements <= 80000, name);
+    }
+    CHECK(files > 0);
+}
