@@ -16,6 +16,9 @@ namespace {
 /// Some 44 bytes each: about 1 GB.
 constexpr double kMostPieces = 2e7;
 
+/// Part of the domain's size between places where the spacing is looked at, at least.
+constexpr double kLongestStep = 1.0 / 64.0;
+
 Diagnostics located(std::string code, std::string message, std::string advice, Vec2 at) {
     Diagnostics faults = error(std::move(code), std::move(message), std::move(advice));
     faults[0].at = at;
@@ -42,7 +45,8 @@ Diagnostics tooMany(double estimate, Vec2 at) {
 class Discretiser {
   public:
     Discretiser(const Domain &domain, const SpacingField &spacing, bool keepBoundary, const Progress &progress)
-        : domain_(domain), spacing_(spacing), progress_(progress), keepBoundary_(keepBoundary) {}
+        : domain_(domain), spacing_(spacing), progress_(progress), keepBoundary_(keepBoundary),
+          longest_(domain.bounds().diagonal() * kLongestStep) {}
 
     Result<DiscreteDomain> run() {
         if (Status faults = findRegions(); !faults.empty()) {
@@ -64,11 +68,11 @@ class Discretiser {
             }
             progress_("checking the boundary", 0.0);
             const std::vector<std::uint32_t> meeting = sourcesThatMeet();
-            if (meeting.empty()) {
-                break;
-            }
             if (progress_.cancelled()) {
                 return cancelled();
+            }
+            if (meeting.empty()) {
+                break;
             }
             if (!relax(meeting)) {
                 return notValid();
@@ -85,7 +89,10 @@ class Discretiser {
         if (graph.edges.size() != domain_.segments.size() || graph.node.size() != domain_.nodes.size()) {
             return notValid();
         }
-        const PlaneSweepResult sweep = sweepPlane(graph.points, graph.edges);
+        const PlaneSweepResult sweep = sweepPlane(graph.points, graph.edges, progress_.stop);
+        if (progress_.cancelled()) {
+            return cancelled();
+        }
         if (sweep.droppedCount != 0) {
             return notValid();
         }
@@ -124,23 +131,20 @@ class Discretiser {
         return {};
     }
 
-    /// A coarse look at ∫ds/ρ, so that an absurd spacing is refused before anything is built.
+    /// A rough look at ∫ds/ρ, so that an absurd spacing is refused before anything is built.
     Status refuseAbsurd() const {
-        constexpr int kSteps = 8;
+        constexpr double kMargin = 1.2; // the integral proper decides what is near the limit
         double sum = 0.0, worst = 0.0;
         Vec2 worstPlace;
         for (std::size_t s = 0; s < domain_.segments.size(); ++s) {
             if (s % 4096 == 0 && progress_.cancelled()) {
                 return cancelled();
             }
-            const Vec2 a = domain_.nodes[domain_.segments[s].a], b = domain_.nodes[domain_.segments[s].b];
-            const double span = distance(a, b);
-            double pieces = 0.5 * span / rho_[domain_.segments[s].a] + 0.5 * span / rho_[domain_.segments[s].b];
+            const std::uint32_t nodeA = domain_.segments[s].a, nodeB = domain_.segments[s].b;
+            const Vec2 a = domain_.nodes[nodeA], b = domain_.nodes[nodeB];
+            double pieces = 0.5 * distance(a, b) / rho_[nodeA] + 0.5 * distance(a, b) / rho_[nodeB];
             if (pieces > 64.0) {
-                pieces /= kSteps;
-                for (int i = 1; i < kSteps; ++i) {
-                    pieces += span / spacing_.at(lerp(a, b, static_cast<double>(i) / kSteps)) / kSteps;
-                }
+                pieces = roughSpacingIntegral(spacing_, a, b, rho_[nodeA], rho_[nodeB]);
             }
             if (pieces > worst) {
                 worst = pieces;
@@ -148,7 +152,7 @@ class Discretiser {
             }
             sum += pieces;
         }
-        return sum > 2.0 * kMostPieces ? tooMany(sum, worstPlace) : Status{};
+        return sum > kMargin * kMostPieces ? tooMany(sum, worstPlace) : Status{};
     }
 
     Status cutSegments() {
@@ -181,7 +185,7 @@ class Discretiser {
             const double rhoLow = rho_[forward ? segment.a : segment.b],
                          rhoHigh = rho_[forward ? segment.b : segment.a];
             const double room = kMostPieces - static_cast<double>(result_.segments.size());
-            switch (integral_.integrate(spacing_, low, high, rhoLow, rhoHigh, room, progress_)) {
+            switch (integral_.integrate(spacing_, low, high, rhoLow, rhoHigh, longest_, room, progress_)) {
             case SpacingIntegral::Outcome::Done:
                 break;
             case SpacingIntegral::Outcome::BadSpacing:
@@ -222,8 +226,11 @@ class Discretiser {
         for (const DiscreteSegment &piece : result_.segments) {
             edges.push_back({piece.a, piece.b});
         }
-        const PlaneSweepResult sweep = sweepPlane(result_.nodes, edges);
+        const PlaneSweepResult sweep = sweepPlane(result_.nodes, edges, progress_.stop);
         const auto add = [&](std::uint32_t edge) { sources.push_back(result_.segments[edge].source); };
+        if (progress_.cancelled()) {
+            return sources;
+        }
         if (sweep.order.size() != result_.nodes.size() || sweep.droppedCount != 0) {
             std::vector<std::uint32_t> dropped;
             for (std::uint32_t e = 0; e < edges.size(); ++e) {
@@ -304,6 +311,7 @@ class Discretiser {
     const SpacingField &spacing_;
     const Progress &progress_;
     bool keepBoundary_;
+    double longest_; // without a look at the spacing
     DiscreteDomain result_;
     std::vector<std::uint32_t> left_, right_; // per domain segment: regions
     std::vector<std::uint32_t> pointRegion_;  // per result_.points

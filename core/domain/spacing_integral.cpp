@@ -4,6 +4,9 @@ namespace forefront {
 
 namespace {
 
+constexpr double kLeastStep = 0x1p-48; // finer fractions could not be told apart
+constexpr double kLeastFirstStep = 0x1p-10;
+
 bool isSound(double density) {
     return density > 0.0 && std::isfinite(density);
 }
@@ -15,18 +18,23 @@ void SpacingIntegral::append(double t, double density) {
     samples_.push_back({t, density, last.integral + 0.5 * (last.density + density) * (t - last.t)});
 }
 
+SpacingIntegral::Outcome SpacingIntegral::fail(Vec2 place) {
+    badPlace_ = place;
+    return Outcome::BadSpacing;
+}
+
 SpacingIntegral::Outcome SpacingIntegral::integrate(const SpacingField &spacing, Vec2 a, Vec2 b, double rhoA,
-                                                    double rhoB, double most, const Progress &progress) {
-    constexpr double kLeastStep = 0x1p-48; // finer fractions could not be told apart
+                                                    double rhoB, double longest, double most,
+                                                    const Progress &progress) {
     constexpr std::size_t kSamplesPerCheck = 1U << 14;
     const double span = distance(a, b);
     samples_.clear();
     stack_.clear();
     samples_.push_back({0.0, span / rhoA, 0.0});
     if (!isSound(span / rhoA) || !isSound(span / rhoB)) {
-        badPlace_ = isSound(span / rhoA) ? b : a;
-        return Outcome::BadSpacing;
+        return fail(isSound(span / rhoA) ? b : a);
     }
+    const double longestStep = std::max(longest / span, kLeastFirstStep);
     stack_.push_back({0.0, 1.0, span / rhoA, span / rhoB});
     while (!stack_.empty()) {
         const Interval interval = stack_.back();
@@ -35,11 +43,12 @@ SpacingIntegral::Outcome SpacingIntegral::integrate(const SpacingField &spacing,
         const Vec2 place = lerp(a, b, middle);
         const double density = span / spacing.at(place);
         if (!isSound(density)) {
-            badPlace_ = place;
-            return Outcome::BadSpacing;
+            return fail(place);
         }
         const double greatest = std::max({interval.density0, density, interval.density1});
-        if (greatest * step > 1.0 && step > kLeastStep) {
+        const double least = std::min({interval.density0, density, interval.density1});
+        const double pieces = greatest * step;
+        if ((pieces > 1.0 || step > longestStep || (pieces > 0.1 && greatest > 2.0 * least)) && step > kLeastStep) {
             stack_.push_back({middle, interval.t1, density, interval.density1});
             stack_.push_back({interval.t0, middle, interval.density0, density});
             continue;
@@ -77,6 +86,31 @@ void SpacingIntegral::cut(std::uint32_t count, std::vector<double> &fractions) c
         const double root = std::sqrt(std::max(0.0, from.density * from.density + 2.0 * slope * rest));
         fractions.push_back(std::min(to.t, from.t + 2.0 * rest / (from.density + root)));
     }
+}
+
+double roughSpacingIntegral(const SpacingField &spacing, Vec2 a, Vec2 b, double rhoA, double rhoB) {
+    constexpr int kMostSamples = 4096;
+    struct Interval {
+        double t0, t1, density0, density1;
+    };
+    const double span = distance(a, b);
+    std::vector<Interval> stack{{0.0, 1.0, span / rhoA, span / rhoB}};
+    double sum = 0.0;
+    for (int samples = 0; !stack.empty(); ++samples) {
+        const Interval interval = stack.back();
+        stack.pop_back();
+        const double middle = 0.5 * (interval.t0 + interval.t1), step = interval.t1 - interval.t0;
+        const double density = span / spacing.at(lerp(a, b, middle));
+        const double greatest = std::max({interval.density0, density, interval.density1});
+        const double least = std::min({interval.density0, density, interval.density1});
+        if (greatest > 2.0 * least && greatest * step > 1.0 && step > kLeastStep && samples < kMostSamples) {
+            stack.push_back({middle, interval.t1, density, interval.density1});
+            stack.push_back({interval.t0, middle, interval.density0, density});
+        } else {
+            sum += step * (interval.density0 + 4.0 * density + interval.density1) / 6.0; // Simpson's rule
+        }
+    }
+    return sum;
 }
 
 } // namespace forefront

@@ -9,16 +9,18 @@
 namespace forefront {
 
 /// N(t) = ∫ds/ρ from the start of a segment to the fraction t of its length: the number of pieces that the spacing asks
-/// for up to there. Sampled until no interval is longer than ρ at its ends and middle, and linear density in between:
-/// with |∇ρ| <= 0.3 within some parts in a thousand, however steeply ρ changes along the whole.
+/// for up to there. Sampled until no interval is longer than ρ at its ends and middle, shorter ones where ρ more than
+/// doubles, and linear density in between: with |∇ρ| <= 0.3 within some parts in a thousand, however steeply ρ changes
+/// along the whole.
 class SpacingIntegral {
   public:
     enum class Outcome : std::uint8_t { Done, BadSpacing, TooMany, Cancelled };
 
-    /// `rhoA`, `rhoB`: spacing at the ends. TooMany once the integral exceeds `most`; BadSpacing where ρ is not finite
+    /// `rhoA`, `rhoB`: spacing at the ends. No interval is longer than `longest` (> 0, domain units): narrower dips of
+    /// ρ may be missed. TooMany once the integral exceeds `most`; BadSpacing where ρ is not finite
     /// and positive.
-    Outcome integrate(const SpacingField &spacing, Vec2 a, Vec2 b, double rhoA, double rhoB, double most,
-                      const Progress &progress);
+    Outcome integrate(const SpacingField &spacing, Vec2 a, Vec2 b, double rhoA, double rhoB, double longest,
+                      double most, const Progress &progress);
 
     double total() const { return samples_.back().integral; }
     /// Where ρ was bad.
@@ -41,10 +43,14 @@ class SpacingIntegral {
     };
 
     void append(double t, double density);
+    Outcome fail(Vec2 place);
 
     std::vector<Sample> samples_;
     std::vector<Interval> stack_;
     Vec2 badPlace_;
 };
+
+/// About ∫ds/ρ over a segment from few samples, however large it is; infinite or NaN where ρ is bad.
+double roughSpacingIntegral(const SpacingField &spacing, Vec2 a, Vec2 b, double rhoA, double rhoB);
 
 } // namespace forefront

@@ -19,8 +19,12 @@ class Sweeper {
         linkEdges();
     }
 
-    PlaneSweepResult run() {
+    PlaneSweepResult run(const std::stop_token &stop) {
+        std::size_t visited = 0;
         for (const std::uint32_t point : result_.order) {
+            if (++visited % 4096 == 0 && stop.stop_requested()) {
+                break;
+            }
             visit(point);
         }
         return std::move(result_);
@@ -233,8 +237,8 @@ class Sweeper {
 
 } // namespace
 
-PlaneSweepResult sweepPlane(std::span<const Vec2> points, std::span<const PlaneEdge> edges) {
-    return Sweeper(points, edges).run();
+PlaneSweepResult sweepPlane(std::span<const Vec2> points, std::span<const PlaneEdge> edges, std::stop_token stop) {
+    return Sweeper(points, edges).run(stop);
 }
 
 } // namespace forefront

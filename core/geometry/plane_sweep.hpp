@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace forefront {
@@ -35,6 +36,7 @@ struct PlaneSweepResult {
 /// Sweeps the plane from left to right after M. I. Shamos and D. Hoey, Geometric intersection problems (1976), with
 /// exact predicates. O((n + m) log(n + m)) for any input: an edge found to meet another one is dropped and the sweep
 /// goes on. All points finite; an edge between equal points and a second edge between the same points are dropped.
-PlaneSweepResult sweepPlane(std::span<const Vec2> points, std::span<const PlaneEdge> edges);
+/// Given up when asked to stop: the result then means nothing.
+PlaneSweepResult sweepPlane(std::span<const Vec2> points, std::span<const PlaneEdge> edges, std::stop_token stop = {});
 
 } // namespace forefront
