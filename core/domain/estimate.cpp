@@ -1,144 +1,205 @@
 #include "core/domain/estimate.hpp"
 
+#include "core/domain/coverage_cell.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <queue>
 #include <vector>
 
 namespace forefront {
 
 namespace {
 
-/// Which part of the bounding box is domain, as a picture of kPixels² pixels.
-class Raster {
-  public:
-    static constexpr int kPixels = 256;
+constexpr double kFirstCells = 400.0;
+constexpr std::size_t kMostCells = 8000;
+constexpr std::size_t kPiecesProbed = 4;
+constexpr double kTolerance = 0.03;
+constexpr double kMostElements = 1e18;
 
-    explicit Raster(const DiscreteDomain &domain) : box_(domain.bounds()), inside_(kPixels * kPixels, 0) {
-        std::vector<std::vector<double>> crossings(kPixels);
-        const Vec2 size = box_.size();
+/// Mean of (ρ₀/ρ)² over a domain by cells that are quartered where the sum of errors gains most. Works in the unit
+/// square, on which the box of the domain (a little larger, so that nothing lines up) is mapped.
+class MeanDensity {
+  public:
+    MeanDensity(const DiscreteDomain &domain, const SpacingField &spacing, double rhoUnit)
+        : spacing_(spacing), rhoUnit_(rhoUnit) {
+        const Box2 box = domain.bounds();
+        low_ = box.min - 0.00317 * box.size();
+        size_ = 1.00731 * box.size();
         for (const DiscreteSegment &s : domain.segments) {
-            if ((s.leftRegion == kOutside) == (s.rightRegion == kOutside)) {
-                continue;
+            const bool left = s.leftRegion != kOutside, right = s.rightRegion != kOutside;
+            if (left != right) {
+                const Vec2 a = toUnit(domain.nodes[s.a]), b = toUnit(domain.nodes[s.b]);
+                pieces_.push_back(left ? BoundaryPiece{a, b} : BoundaryPiece{b, a});
             }
-            const Vec2 a = domain.nodes[s.a];
-            const Vec2 b = domain.nodes[s.b];
-            const double low = (std::min(a.y, b.y) - box_.min.y) / size.y * kPixels - 0.5;
-            const double high = (std::max(a.y, b.y) - box_.min.y) / size.y * kPixels - 0.5;
-            for (int row = std::max(0, static_cast<int>(std::ceil(low))); row < kPixels && row < high; ++row) {
-                const double y = box_.min.y + (row + 0.5) / kPixels * size.y;
-                const double x = a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y));
-                crossings[static_cast<std::size_t>(row)].push_back((x - box_.min.x) / size.x * kPixels - 0.5);
-            }
-        }
-        for (int row = 0; row < kPixels; ++row) {
-            fillRow(row, crossings[static_cast<std::size_t>(row)]);
         }
     }
 
-    /// Part of a box (inside the bounding box) that is domain.
-    double fraction(const Box2 &cell) const {
-        const Vec2 size = box_.size();
-        const auto pixel = [](double t) { return std::clamp(static_cast<int>(t * kPixels), 0, kPixels - 1); };
-        const int i0 = pixel((cell.min.x - box_.min.x) / size.x);
-        const int i1 = std::max(i0, pixel((cell.max.x - box_.min.x) / size.x - 0.5 / kPixels));
-        const int j0 = pixel((cell.min.y - box_.min.y) / size.y);
-        const int j1 = std::max(j0, pixel((cell.max.y - box_.min.y) / size.y - 0.5 / kPixels));
-        int count = 0;
-        for (int j = j0; j <= j1; ++j) {
-            for (int i = i0; i <= i1; ++i) {
-                count += inside_[static_cast<std::size_t>(j * kPixels + i)];
+    double value() {
+        layOutCells();
+        while (!queue_.empty() && error_ > kTolerance * sum_ && cells_.size() + 4 <= kMostCells) {
+            const std::uint32_t worst = queue_.top().cell;
+            queue_.pop();
+            const Cell parent = std::move(cells_[worst]);
+            sum_ -= parent.value;
+            error_ -= parent.error;
+            area_ -= parent.covered;
+            for (unsigned k = 0; k < 4; ++k) {
+                add(parent.coverage.quarter(k, pieces_), parent.densities[k]);
             }
         }
-        return static_cast<double>(count) / ((i1 - i0 + 1) * (j1 - j0 + 1));
+        return area_ > 0.0 ? sum_ / area_ : 1.0;
     }
 
   private:
-    void fillRow(int row, std::vector<double> &crossings) {
-        std::sort(crossings.begin(), crossings.end());
-        for (std::size_t k = 0; k + 1 < crossings.size(); k += 2) {
-            const int from = std::max(0, static_cast<int>(std::ceil(crossings[k])));
-            for (int i = from; i < kPixels && i < crossings[k + 1]; ++i) {
-                inside_[static_cast<std::size_t>(row * kPixels + i)] = 1;
+    struct Cell {
+        CoverageCell coverage;
+        std::array<double, 4> densities{}; ///< in the middle of the quarters
+        double covered = 0.0;
+        double value = 0.0; ///< covered area times density
+        double error = 0.0;
+    };
+    struct Candidate {
+        double error;
+        std::uint32_t cell;
+        bool operator<(const Candidate &other) const {
+            return error != other.error ? error < other.error : cell > other.cell;
+        }
+    };
+
+    Vec2 toUnit(Vec2 p) const { return {(p.x - low_.x) / size_.x, (p.y - low_.y) / size_.y}; }
+
+    double density(Vec2 unit) const {
+        const double ratio = rhoUnit_ / spacing_.at({low_.x + unit.x * size_.x, low_.y + unit.y * size_.y});
+        return std::min(ratio * ratio, 1e100);
+    }
+
+    /// A lattice of cells as square as the box allows.
+    void layOutCells() {
+        const double columns = std::clamp(std::round(std::sqrt(kFirstCells * size_.x / size_.y)), 1.0, kFirstCells);
+        columns_ = static_cast<std::size_t>(columns);
+        rows_ = static_cast<std::size_t>(std::max(1.0, std::round(kFirstCells / columns)));
+        std::vector<CoverageCell> lattice(columns_ * rows_);
+        for (std::size_t i = 0; i < lattice.size(); ++i) {
+            lattice[i].box = latticeBox(i % columns_, i / columns_);
+        }
+        distributePieces(lattice);
+        markCentres(lattice);
+        for (CoverageCell &cell : lattice) {
+            const Vec2 centre = cell.box.centre();
+            if (cell.centreInside || !cell.pieces.empty()) {
+                add(std::move(cell), density(centre));
             }
         }
     }
 
-    Box2 box_;
-    std::vector<std::uint8_t> inside_;
-};
-
-/// A box with the mean of 1/ρ² over it, from its centre and from those of its quarters.
-struct Cell {
-    Box2 box;
-    double coarse = 0.0;
-    double fine = 0.0;
-};
-
-std::array<Box2, 4> quarters(const Box2 &box) {
-    const Vec2 c = box.centre();
-    return {Box2{box.min, c}, Box2{{c.x, box.min.y}, {box.max.x, c.y}}, Box2{{box.min.x, c.y}, {c.x, box.max.y}},
-            Box2{c, box.max}};
-}
-
-Cell sample(const Box2 &box, const SpacingField &spacing) {
-    const auto density = [&](Vec2 p) {
-        const double rho = spacing.at(p);
-        return 1.0 / (rho * rho);
-    };
-    Cell cell{box, density(box.centre()), 0.0};
-    for (const Box2 &quarter : quarters(box)) {
-        cell.fine += 0.25 * density(quarter.centre());
+    Box2 latticeBox(std::size_t column, std::size_t row) const {
+        const auto part = [](std::size_t i, std::size_t n) { return static_cast<double>(i) / static_cast<double>(n); };
+        return {{part(column, columns_), part(row, rows_)}, {part(column + 1, columns_), part(row + 1, rows_)}};
     }
-    return cell;
-}
 
-constexpr int kFirstCells = 24;
-constexpr std::size_t kMostCells = 40'000;
+    void distributePieces(std::vector<CoverageCell> &lattice) const {
+        const auto index = [](double at, std::size_t n) {
+            return std::min(n - 1, static_cast<std::size_t>(std::clamp(at, 0.0, 1.0) * static_cast<double>(n)));
+        };
+        for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+            const Box2 box = boxOf(pieces_[i].a, pieces_[i].b);
+            const std::size_t column0 = index(box.min.x, columns_), column1 = index(box.max.x, columns_);
+            const std::size_t row0 = index(box.min.y, rows_), row1 = index(box.max.y, rows_);
+            for (std::size_t row = row0; row <= row1; ++row) {
+                for (std::size_t column = column0; column <= column1; ++column) {
+                    CoverageCell &cell = lattice[row * columns_ + column];
+                    if ((row0 == row1 && column0 == column1) || meetsBox(pieces_[i], cell.box)) {
+                        cell.pieces.push_back(i);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Inside or outside at the centres, by the pieces left of them at their height.
+    void markCentres(std::vector<CoverageCell> &lattice) const {
+        std::vector<std::uint8_t> odd(lattice.size(), 0);
+        for (const BoundaryPiece &piece : pieces_) {
+            const double low = std::min(piece.a.y, piece.b.y), high = std::max(piece.a.y, piece.b.y);
+            const auto rowAt = [&](double y) { // the first whose centre is not below y
+                return static_cast<std::size_t>(std::max(0.0, std::ceil(y * static_cast<double>(rows_) - 0.5)));
+            };
+            for (std::size_t row = rowAt(low); row < rows_ && row < rowAt(high); ++row) {
+                const double y = latticeBox(0, row).centre().y;
+                const double x = piece.a.x + (piece.b.x - piece.a.x) * ((y - piece.a.y) / (piece.b.y - piece.a.y));
+                const double column = std::ceil(x * static_cast<double>(columns_) - 0.5);
+                if (column < static_cast<double>(columns_)) {
+                    odd[row * columns_ + static_cast<std::size_t>(std::max(0.0, column))] ^= 1U;
+                }
+            }
+        }
+        for (std::size_t i = 0; i < lattice.size(); ++i) {
+            lattice[i].centreInside = (odd[i] != 0) != (i % columns_ != 0 && lattice[i - 1].centreInside);
+        }
+    }
+
+    void add(CoverageCell coverage, double centreDensity) {
+        const bool cut = !coverage.pieces.empty();
+        const Vec2 size = coverage.box.size();
+        Cell cell;
+        cell.covered = cut ? coverage.coveredArea(pieces_) : coverage.centreInside ? size.x * size.y : 0.0;
+        if (cell.covered <= 0.0) {
+            return;
+        }
+        double mean = 0.0, least = centreDensity, greatest = centreDensity;
+        for (unsigned k = 0; k < 4; ++k) {
+            const Vec2 low = coverage.box.min;
+            cell.densities[k] =
+                density({low.x + (k % 2 != 0 ? 0.75 : 0.25) * size.x, low.y + (k / 2 != 0 ? 0.75 : 0.25) * size.y});
+            mean += 0.25 * cell.densities[k];
+            least = std::min(least, cell.densities[k]);
+            greatest = std::max(greatest, cell.densities[k]);
+        }
+        cell.value = cell.covered * mean;
+        // Where the boundary cuts the cell, its part inside may be anywhere in it: above all along the boundary, which
+        // is where the spacing is smallest more often than not.
+        for (std::size_t i = 0; i < std::min(coverage.pieces.size(), kPiecesProbed); ++i) {
+            const BoundaryPiece part = partWithin(pieces_[coverage.pieces[i]], coverage.box);
+            const double atA = density(part.a), atB = density(part.b);
+            least = std::min({least, atA, atB});
+            greatest = std::max({greatest, atA, atB});
+        }
+        cell.error = cell.covered * std::max(std::fabs(mean - centreDensity), cut ? 0.3 * (greatest - least) : 0.0);
+        cell.coverage = std::move(coverage);
+        sum_ += cell.value;
+        error_ += cell.error;
+        area_ += cell.covered;
+        if (cell.error > 0.0) {
+            queue_.push({cell.error, static_cast<std::uint32_t>(cells_.size())});
+            cells_.push_back(std::move(cell));
+        }
+    }
+
+    const SpacingField &spacing_;
+    double rhoUnit_;
+    Vec2 low_, size_;
+    std::vector<BoundaryPiece> pieces_;
+    std::size_t columns_ = 1, rows_ = 1;
+    std::vector<Cell> cells_; // those that may be quartered
+    std::priority_queue<Candidate> queue_;
+    double sum_ = 0.0, error_ = 0.0, area_ = 0.0;
+};
 
 } // namespace
 
 double estimateElements(const DiscreteDomain &domain, const SpacingField &spacing) {
-    const Box2 box = domain.bounds();
-    const Vec2 size = box.size();
+    const Vec2 size = domain.bounds().size();
     if (!(size.x > 0.0 && size.y > 0.0)) {
         return 1.0;
     }
-    const Raster raster(domain);
-    std::vector<Cell> cells;
-    for (int j = 0; j < kFirstCells; ++j) {
-        for (int i = 0; i < kFirstCells; ++i) {
-            const Vec2 low{box.min.x + size.x * i / kFirstCells, box.min.y + size.y * j / kFirstCells};
-            cells.push_back(sample({low, low + (1.0 / kFirstCells) * size}, spacing));
-        }
-    }
-    double integral = 0.0;
-    double area = 0.0;
-    std::size_t used = cells.size();
-    const auto settle = [&](const Cell &cell) {
-        const double inside = raster.fraction(cell.box) * cell.box.size().x * cell.box.size().y;
-        integral += inside * cell.fine;
-        area += inside;
-    };
-    // Level by level: split where the quarters disagree with the whole, as long as there are cells to spend.
-    while (!cells.empty()) {
-        std::vector<Cell> next;
-        for (const Cell &cell : cells) {
-            if (std::abs(cell.fine - cell.coarse) > 0.1 * cell.fine && used + 4 <= kMostCells) {
-                used += 4;
-                for (const Box2 &quarter : quarters(cell.box)) {
-                    next.push_back(sample(quarter, spacing));
-                }
-            } else {
-                settle(cell);
-            }
-        }
-        cells.swap(next);
-    }
-    // A domain thinner than a pixel escapes the picture; its area does not.
-    const double mean = area > 0.0 ? integral / area : 1.0 / (spacing.least() * spacing.least());
-    return std::max(1.0, mean * domain.area() * 4.0 / std::numbers::sqrt3);
+    const double rhoUnit = spacing.at(domain.bounds().centre());
+    const double mean = spacing.least() < spacing.greatest() ? MeanDensity(domain, spacing, rhoUnit).value() : 1.0;
+    const double side = std::sqrt(domain.area()) / rhoUnit;
+    const double elements = mean * side * side * 4.0 / std::numbers::sqrt3;
+    return elements < kMostElements ? std::max(1.0, elements) : kMostElements;
 }
 
 } // namespace forefront
