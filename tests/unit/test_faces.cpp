@@ -1,6 +1,8 @@
 #include "core/domain/domain_graph.hpp"
 #include "core/domain/faces.hpp"
 #include "core/geometry/polygon.hpp"
+#include "core/geometry/predicates.hpp"
+#include "tests/support/random_domains.hpp"
 
 #include <doctest/doctest.h>
 
@@ -194,4 +196,62 @@ TEST_CASE("Faces: random subdivisions obey Euler's formula, and every bounded fa
         }
     }
     CHECK(faceTotal > 3000);
+}
+
+namespace {
+
+/// Counted along a ray to the right, exactly.
+bool crossesBoundaryOddly(const Domain &domain, Vec2 p) {
+    bool odd = false;
+    for (const DomainSegment &segment : domain.segments) {
+        const Vec2 a = domain.nodes[segment.a], b = domain.nodes[segment.b];
+        if (segment.role == SegmentRole::Boundary && (a.y <= p.y) != (b.y <= p.y)) {
+            odd ^= orientation(a, b, p) == (b.y > a.y ? 1 : -1);
+        }
+    }
+    return odd;
+}
+
+bool onAnySegment(const Domain &domain, Vec2 p) {
+    return std::any_of(domain.segments.begin(), domain.segments.end(), [&](const DomainSegment &segment) {
+        return onSegment(domain.nodes[segment.a], domain.nodes[segment.b], p);
+    });
+}
+
+} // namespace
+
+TEST_CASE("Faces: points of random domains are inside exactly where a ray crosses the boundary oddly") {
+    std::size_t insides = 0, onSegments = 0;
+    for (std::uint64_t seed = 0; seed < 400; ++seed) {
+        CAPTURE(seed);
+        Domain domain = forefront::testing::randomDomain(seed);
+        forefront::testing::RandomSource random(seed);
+        const Box2 box = domain.bounds();
+        domain.regionMarkers.clear();
+        const auto nodes = static_cast<int>(domain.nodes.size());
+        for (int i = 0; i < 40; ++i) {
+            const Vec2 anywhere{random.between(box.min.x, box.max.x), random.between(box.min.y, box.max.y)};
+            const Vec2 node = domain.nodes[static_cast<std::size_t>(random.integer(0, nodes - 1))];
+            const Vec2 sameHeight{anywhere.x, node.y}, sameColumn{node.x, anywhere.y};
+            const Vec2 nextTo{std::nextafter(node.x, anywhere.x), node.y};
+            for (const Vec2 p : {anywhere, node, sameHeight, sameColumn, nextTo}) {
+                domain.regionMarkers.push_back({p, i + 1});
+            }
+        }
+        const Subdivision s = subdivide(domain);
+        for (std::size_t m = 0; m < domain.regionMarkers.size(); ++m) {
+            const Vec2 p = domain.regionMarkers[m].at;
+            const std::uint32_t face = s.faces.ofPoint[s.graph.regionMarker[m]];
+            const bool on = onAnySegment(domain, p);
+            REQUIRE(on == (face == kNoIndex));
+            if (on) {
+                ++onSegments;
+            } else {
+                REQUIRE((s.labels.inside[face] != 0) == crossesBoundaryOddly(domain, p));
+                insides += s.labels.inside[face];
+            }
+        }
+    }
+    CHECK(insides > 10000);
+    CHECK(onSegments > 10000);
 }
