@@ -1,5 +1,6 @@
 #include "core/domain/validate.hpp"
 
+#include "core/domain/coordinate_range.hpp"
 #include "core/domain/domain_meetings.hpp"
 
 #include <algorithm>
@@ -11,7 +12,6 @@ namespace {
 
 /// Pairs looked for beyond those listed, so that the rest can be counted.
 constexpr std::size_t kMostPairs = 100'000;
-constexpr double kGreatestCoordinate = 1e60, kLeastExtent = 1e-60;
 
 std::string number(std::size_t value) {
     return std::to_string(value);
@@ -52,7 +52,7 @@ class Validator {
             fault.code = code;
             fault.message = std::move(message);
             fault.advice = std::move(advice);
-            fault.at = at;
+            fault.at = at && isFinite(*at) ? at : std::nullopt;
             fault.ids = ids;
             faults_.push_back(std::move(fault));
         }
@@ -62,8 +62,9 @@ class Validator {
             Diagnostic rest;
             rest.severity = faults_.empty() ? Severity::Error : Severity::Note;
             rest.code = "more-faults";
-            rest.message =
-                (allMeetings_ ? "" : "at least ") + number(count_ - faults_.size()) + " more faults are not listed";
+            const std::size_t more = count_ - faults_.size();
+            rest.message = more == 0 ? "there are more faults than could be searched for"
+                                     : (allMeetings_ ? "" : "at least ") + number(more) + " more faults are not listed";
             faults_.push_back(std::move(rest));
         }
         return std::move(faults_);
@@ -83,15 +84,17 @@ class Validator {
         const Box2 box = domain_.bounds();
         for (std::uint32_t n = 0; n < domain_.nodes.size(); ++n) {
             const Vec2 p = domain_.nodes[n];
-            if (isFinite(p) && std::max(std::fabs(p.x), std::fabs(p.y)) > kGreatestCoordinate) {
+            if (isFinite(p) && tooLarge(p)) {
                 incomplete_ = true;
                 add("out-of-range", "node " + number(n) + " has a coordinate beyond 1e60", "scale the domain down", p,
                     {n});
             }
         }
-        if (!box.empty() && box.min != box.max &&
-            std::max(box.max.x - box.min.x, box.max.y - box.min.y) < kLeastExtent) {
+        if (tooSmall(box)) {
             add("out-of-range", "the domain is smaller than 1e-60", "scale the domain up", box.min);
+        } else if (tooFarAway(box)) {
+            add("out-of-range", "the domain is so far from the origin that its coordinates keep fewer than 4 digits",
+                "move it nearer to the origin", box.min);
         }
     }
 

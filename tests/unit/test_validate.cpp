@@ -131,6 +131,38 @@ TEST_CASE("validate: numbers that are not finite, indices out of range and tags 
     CHECK(codes(validate(square(1e-70))) == "out-of-range");
 }
 
+TEST_CASE("validate: a domain too far from the origin to tell its nodes apart is refused") {
+    Domain domain = square();
+    for (Vec2 &p : domain.nodes) {
+        p += {1e12, -1e12};
+    }
+    CHECK(codes(validate(domain)) == "");
+    for (Vec2 &p : domain.nodes) {
+        p += {1e13, 0};
+    }
+    CHECK(codes(validate(domain)) == "out-of-range");
+    CHECK_FALSE(validate(domain)[0].advice.empty());
+}
+
+TEST_CASE("validate: whatever the numbers, a place of a fault is finite") {
+    for (const double bad : {kNan, std::numeric_limits<double>::infinity(), 1.7e308, -1e200}) {
+        for (std::size_t n = 0; n < 4; ++n) {
+            Domain domain = square(1.6e308);
+            domain.nodes[n] = {bad, bad};
+            domain.segments[n].tag = -1;
+            domain.segments.push_back({0, 2});
+            domain.segments.push_back({1, 3});
+            domain.segments.push_back({static_cast<std::uint32_t>(n), 99});
+            domain.holeMarkers = {{bad, 0}};
+            const Diagnostics faults = validate(domain);
+            CHECK(faults.size() > 4);
+            for (const Diagnostic &fault : faults) {
+                REQUIRE((!fault.at || isFinite(*fault.at)));
+            }
+        }
+    }
+}
+
 TEST_CASE("validate: unreferenced nodes and things outside are named") {
     Domain node = square();
     addNode(node, {1, 1});
