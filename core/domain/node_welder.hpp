@@ -2,6 +2,7 @@
 
 #include "core/geometry/vec2.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <initializer_list>
 #include <map>
@@ -19,6 +20,33 @@ class NodeWelder {
         const double magnitude = std::max(
             {std::fabs(bounds.min.x), std::fabs(bounds.max.x), std::fabs(bounds.min.y), std::fabs(bounds.max.y)});
         tolerance_ = std::max({1e-12 * bounds.diagonal(), 4e-15 * magnitude, std::numeric_limits<double>::min()});
+    }
+
+    double tolerance() const { return tolerance_; }
+
+    /// Notes that one of two nodes shall move onto the other one (of lesser index); false if they are too far apart.
+    bool weld(std::uint32_t m, std::uint32_t n) {
+        if (distance(nodes_[m], nodes_[n]) > tolerance_) {
+            return false;
+        }
+        if (m != n) {
+            welds_.emplace_back(std::max(m, n), std::min(m, n));
+        }
+        return true;
+    }
+    /// Pairs of nodes to weld, each once: the one that moves and where to.
+    const std::vector<std::pair<std::uint32_t, std::uint32_t>> &welds() {
+        std::sort(welds_.begin(), welds_.end());
+        welds_.erase(std::unique(welds_.begin(), welds_.end(), [](auto s, auto t) { return s.first == t.first; }),
+                     welds_.end());
+        return welds_;
+    }
+    /// Moves them, and forgets the pairs.
+    void move() {
+        for (const auto &[node, into] : welds()) {
+            nodes_[node] = nodes_[into];
+        }
+        welds_.clear();
     }
 
     /// One of `ends` or a node made before, if within the tolerance; else a new node.
@@ -60,6 +88,7 @@ class NodeWelder {
     std::vector<Vec2> &nodes_;
     Box2 bounds_;
     double tolerance_ = 0.0;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> welds_;
     std::map<std::pair<double, double>, std::vector<std::uint32_t>> made_;
 };
 

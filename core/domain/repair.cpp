@@ -1,6 +1,8 @@
+#include "core/domain/coordinate_range.hpp"
 #include "core/domain/domain_meetings.hpp"
 #include "core/domain/node_welder.hpp"
 #include "core/domain/validate.hpp"
+#include "core/geometry/polygon.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -10,7 +12,7 @@ namespace forefront {
 namespace {
 
 constexpr int kMostRounds = 40;
-constexpr std::size_t kMostMeetings = 1'000'000;
+constexpr std::size_t kMostMeetings = 1'000'000; // of all rounds
 constexpr std::size_t kMostNotes = 1000;
 
 std::string number(std::size_t value) {
@@ -24,12 +26,22 @@ struct Part {
     std::uint32_t boundaries = 0; ///< how many boundary segments run here; 0: constraints only
 };
 
+/// Parts and the nodes to cut them at.
+using Cuts = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
 class Repairer {
   public:
     explicit Repairer(const Domain &domain) : given_(domain), nodes_(domain.nodes), points_(domain.points) {}
 
     Result<Repaired> run() {
+        const Box2 box = given_.bounds();
+        if (!box.empty() && (tooLarge(box.min) || tooLarge(box.max) || tooSmall(box) || tooFarAway(box))) {
+            return error("out-of-range", "the coordinates are too large, too small, or too far from the origin",
+                         "scale and move the domain first");
+        }
+        NodeWelder welder(nodes_, box);
         collectParts();
+        std::size_t count = 0;
         for (int round = 0;; ++round) {
             mergeNodes(round == 0);
             dropEmptyParts();
@@ -40,8 +52,9 @@ class Repairer {
             if (meetings.empty()) {
                 break;
             }
-            if (!meetings.complete) {
-                return error("too-many-faults", "the segments meet in more than a million places",
+            count += meetings.crossings.size() + meetings.touches.size() + meetings.overlaps.size();
+            if (!meetings.complete || count > kMostMeetings) {
+                return error("too-many-faults", "the segments meet in too many places to be repaired",
                              "correct the file the domain comes from");
             }
             if (round == kMostRounds) {
@@ -49,7 +62,7 @@ class Repairer {
                              "the segments still meet after " + number(kMostRounds) + " rounds of splitting",
                              "move apart the nodes that nearly coincide");
             }
-            split(graph, meetings);
+            split(graph, meetings, welder);
         }
         resolveRepeats();
         dropFoldsOutside();
@@ -63,7 +76,7 @@ class Repairer {
             change.severity = Severity::Note;
             change.code = code;
             change.message = std::move(message);
-            change.at = at;
+            change.at = at && isFinite(*at) ? at : std::nullopt;
             change.ids = std::move(ids);
             result_.changes.push_back(std::move(change));
         }
@@ -181,9 +194,8 @@ class Repairer {
         std::erase_if(parts_, [&](const Part &) { return gone[i++] != 0; });
     }
 
-    void split(const DomainGraph &graph, const DomainMeetings &meetings) {
-        std::vector<std::pair<std::uint32_t, std::uint32_t>> cuts; // part, node
-        NodeWelder welder(nodes_, assembled().bounds());
+    void split(const DomainGraph &graph, const DomainMeetings &meetings, NodeWelder &welder) {
+        Cuts cuts;
         const auto node = [&](std::uint32_t point) { return graph.node[point]; };
         for (const DomainMeetings::Touch &touch : meetings.touches) {
             note("touching-segments", "split segment " + number(parts_[touch.edge].source) + " at a node on it",
@@ -200,6 +212,9 @@ class Repairer {
             }
         }
         for (const EdgeMeeting &crossing : meetings.crossings) {
+            if (splitNearEnds(crossing, welder, cuts)) {
+                continue;
+            }
             const Part &e = parts_[crossing.first], &f = parts_[crossing.second];
             const Vec2 at = crossingPoint(nodes_[e.a], nodes_[e.b], nodes_[f.a], nodes_[f.b]);
             note("crossing-segments",
@@ -209,10 +224,38 @@ class Repairer {
             cuts.emplace_back(crossing.first, place);
             cuts.emplace_back(crossing.second, place);
         }
+        for (const auto &[from, into] : welder.welds()) {
+            note("duplicate-node",
+                 "merged node " + number(from) + " into node " + number(into) + ", no farther than rounding errors",
+                 nodes_[into], {into, from});
+        }
+        welder.move();
         cutParts(cuts);
     }
 
-    void cutParts(std::vector<std::pair<std::uint32_t, std::uint32_t>> &cuts) {
+    /// Where an end of one part all but touches the other one, the crossing goes through that end: a node beside it
+    /// would only make more such places, without end where segments lie nearly on one another.
+    bool splitNearEnds(const EdgeMeeting &crossing, NodeWelder &welder, Cuts &cuts) {
+        bool near = false;
+        for (const auto &[p, q] :
+             {std::pair{crossing.first, crossing.second}, std::pair{crossing.second, crossing.first}}) {
+            const Part &other = parts_[q];
+            for (const std::uint32_t end : {parts_[p].a, parts_[p].b}) {
+                if (distanceToSegment(nodes_[other.a], nodes_[other.b], nodes_[end]) > welder.tolerance()) {
+                    continue;
+                }
+                near = true;
+                if (!welder.weld(end, other.a) && !welder.weld(end, other.b)) {
+                    note("touching-segments", "split segment " + number(other.source) + " at a node all but on it",
+                         nodes_[end], {other.source});
+                    cuts.emplace_back(q, end);
+                }
+            }
+        }
+        return near;
+    }
+
+    void cutParts(Cuts &cuts) {
         std::sort(cuts.begin(), cuts.end());
         cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
         std::vector<Part> pieces;
@@ -308,8 +351,13 @@ class Repairer {
         std::size_t edge = 0;
         std::erase_if(parts_, [&](const Part &part) {
             const std::size_t e = edge++;
-            return std::binary_search(folded_.begin(), folded_.end(), std::pair{part.a, part.b}) &&
-                   labels.inside[faces.left[e]] == 0 && labels.inside[faces.right[e]] == 0;
+            const bool outside = std::binary_search(folded_.begin(), folded_.end(), std::pair{part.a, part.b}) &&
+                                 labels.inside[faces.left[e]] == 0 && labels.inside[faces.right[e]] == 0;
+            if (outside) {
+                note("segment-outside", "dropped a fold outside of the domain, from segment " + number(part.source),
+                     midpoint(nodes_[part.a], nodes_[part.b]), {part.source});
+            }
+            return outside;
         });
     }
 
