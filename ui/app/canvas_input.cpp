@@ -100,7 +100,9 @@ void CanvasInput::button(const InputEvent &event, AppContext &context) {
     if (!canvasFree(context) || !context.view.camera.viewport.contains(pixel_) || held_ || panning_) {
         return;
     }
-    ImGui::ClearActiveID(); // a text field being edited ends when the canvas is clicked
+    if (ImGui::GetIO().WantTextInput) {
+        return; // the click ends the editing of a field, which takes its text before anything else is selected
+    }
     if (which == MouseButton::Middle || (spaceDown_ && which == MouseButton::Left)) {
         panning_ = true;
         return;

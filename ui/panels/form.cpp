@@ -21,11 +21,6 @@ bool number(AppContext &context, const std::string &name, const char *text, doub
     return ui::inputNumber(context, name, value);
 }
 
-void centreBox(const AppContext &context) {
-    const float box = ImGui::GetFontSize() + 2.0F * context.px(2);
-    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (ImGui::GetFrameHeight() - box) / 2);
-}
-
 float halfWidth(const AppContext &context) {
     return (ImGui::GetContentRegionAvail().x - context.px(6)) / (2.0F * context.scale);
 }

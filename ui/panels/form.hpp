@@ -23,8 +23,6 @@ bool number(AppContext &context, const std::string &name, const char *text, doub
 /// A number that may be absent: an empty field that shows the hint. Width in design pixels; negative: all that is left.
 bool optionalField(AppContext &context, const std::string &name, std::optional<double> &value, const char *hint,
                    float width = -1.0F);
-/// Before a check box beside fields or buttons, which are higher: puts it in the middle of the row.
-void centreBox(const AppContext &context);
 /// Half of what is left in the row, in design pixels.
 float halfWidth(const AppContext &context);
 /// Two numbers side by side: "NAME/x" and "NAME/y".

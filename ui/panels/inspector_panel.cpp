@@ -34,6 +34,8 @@ class InspectorPanel final : public Panel {
     void drawSource(AppContext &context, std::uint32_t index) const;
     void drawMarker(AppContext &context, std::uint32_t index) const;
     void drawMany(AppContext &context) const;
+
+    std::uint64_t pruned_ = 0; ///< revision for which the selection was last freed of what is gone
 };
 
 void heading(AppContext &context, const std::string &text) {
@@ -286,7 +288,10 @@ void InspectorPanel::drawMany(AppContext &context) const {
 
 void InspectorPanel::draw(AppContext &context) {
     const std::shared_ptr<const Document> held = context.document().current(); // fields below may replace it
-    context.selection.prune(*held);
+    if (pruned_ != context.document().revision()) {
+        pruned_ = context.document().revision();
+        context.selection.prune(*held);
+    }
     const Selection &selection = context.selection;
     drawHere(context);
     if (selection.empty()) {

@@ -20,7 +20,12 @@ class NamesPanel final : public Panel {
         const std::shared_ptr<const Document> document = context.document().current();
         ui::small(context, "Every boundary segment and element keeps these names in exported meshes.", true);
         ui::heading(context, "BOUNDARIES");
-        for (const std::int32_t tag : boundaryTags(*document)) {
+        if (revision_ != context.document().revision()) {
+            revision_ = context.document().revision();
+            boundaries_ = boundaryTags(*document);
+            regions_ = regionTags(*document);
+        }
+        for (const std::int32_t tag : boundaries_) {
             row(context, "names/boundary/", tag, boundaryName(document->boundaryNames, tag), [&](std::string name) {
                 EditState::apply(context, setBoundaryName(*context.document().current(), tag, std::move(name)),
                                  "Name boundary");
@@ -33,7 +38,7 @@ class NamesPanel final : public Panel {
         }
         ImGui::Dummy({0, context.px(4)});
         ui::heading(context, "REGIONS");
-        for (const std::int32_t tag : regionTags(*document)) {
+        for (const std::int32_t tag : regions_) {
             row(context, "names/region/", tag, regionName(document->regionNames, tag), [&](std::string name) {
                 EditState::apply(context, setRegionName(*context.document().current(), tag, std::move(name)),
                                  "Name region");
@@ -76,6 +81,9 @@ class NamesPanel final : public Panel {
         }
         context.tools.choose("select", context);
     }
+
+    std::vector<std::int32_t> boundaries_, regions_; ///< tags of the document of revision_
+    std::uint64_t revision_ = 0;
 };
 
 } // namespace

@@ -136,7 +136,6 @@ void SpacingPanel::drawLimits(AppContext &context) {
     }
     ui::tooltip(context, "Greatest change of \xcf\x81 per unit of length: 0.1 is gentle, 0.3 is steep");
     ImGui::SameLine(0, context.px(6));
-    form::centreBox(context);
     bool fromBoundary = document->spacing.fromBoundary;
     if (ui::checkbox(context, "spacing/fromboundary", "From boundary", fromBoundary)) {
         context.document().apply(setFromBoundary(*context.document().current(), fromBoundary), "Spacing from boundary");

@@ -2,7 +2,6 @@
 
 #include "ui/app/app_context.hpp"
 #include "ui/canvas/canvas_painter.hpp"
-#include "ui/panels/form.hpp"
 #include "ui/widgets.hpp"
 
 #include <imgui.h>
@@ -51,7 +50,6 @@ SnapQuery EditState::query(const AppContext &context, Vec2 place, bool angle, bo
 }
 
 void EditState::drawSnapOptions(AppContext &context) {
-    form::centreBox(context);
     ui::checkbox(context, "options/snap/drawing", "Snap to drawing", snapToDrawing);
     ui::tooltip(context, "Nodes and segments attract the pointer. Ctrl: not now. Shift: steps of 15\xc2\xb0.");
     ImGui::SameLine(0, context.px(12));

@@ -270,14 +270,15 @@ void SelectTool::release(const CanvasEvent &event, AppContext &context) {
         select(grabbed_, adds_, context.selection);
     } else if (mode_ == Mode::Grabbed && wasSelected_ && !adds_ && event.clicks < 2) {
         // A second click looks closer: from the shape to one of its segments.
-        const bool closer = grabbed_.kind == Hit::Kind::Segment && context.selection.shapes.contains(grabbed_.shape) &&
-                            context.selection.size() == 1;
+        const bool closer = grabbed_.kind == Hit::Kind::Segment && clicked_ == grabbed_.shape &&
+                            context.selection.shapes.contains(grabbed_.shape) && context.selection.size() == 1;
         select(grabbed_, false, context.selection);
         if (closer) {
             context.selection.clear();
             context.selection.segments.insert(grabbed_.segment->ref);
         }
     }
+    clicked_ = moved ? kNoIndex : grabbed_.shape;
     mode_ = Mode::Idle;
     start_.reset();
     startIndex_.reset();

@@ -56,8 +56,9 @@ class SelectTool final : public Tool {
     Mode mode_ = Mode::Idle;
     Hit hover_, grabbed_;
     bool over_ = false;
-    bool wasSelected_ = false; ///< what was pressed had been selected before
-    bool adds_ = false;        ///< shift
+    bool wasSelected_ = false;         ///< what was pressed had been selected before
+    bool adds_ = false;                ///< shift
+    std::uint32_t clicked_ = kNoIndex; ///< shape of the last click that moved nothing
     Vec2 pressPixel_, pressPlace_, boxPlace_;
     Snapped snapped_;
     std::shared_ptr<const Document> start_; ///< when the drag began
