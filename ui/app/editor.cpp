@@ -76,7 +76,7 @@ Editor::Editor(Platform &platform, EditorSetup options)
     const auto wake = [&platform] { platform.wake(); };
     if (!parts_->options.settingsFolder.empty()) {
         Diagnostics faults;
-        c.settings = loadSettings(parts_->options.settingsFolder / "settings.json", faults);
+        c.settings = loadSettings(parts_->options.settingsFolder / "settings.json", &faults);
         c.log.add(faults);
     }
     parts_->savedSettings = c.settings;

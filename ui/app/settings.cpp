@@ -20,15 +20,15 @@ double numberIn(const Json &json, const char *name, double fallback, double leas
 
 } // namespace
 
-Settings loadSettings(const std::filesystem::path &file, Diagnostics &faults) {
+Settings loadSettings(const std::filesystem::path &file, Diagnostics *faults) {
     Settings settings;
     std::ifstream stream(file);
     const bool there = stream.good();
     const Json json = there ? Json::parse(stream, nullptr, false) : Json();
     if (!json.is_object()) {
-        if (there) {
-            faults = error("bad-settings", file.string() + " cannot be read; the settings are as at first");
-            faults.front().severity = Severity::Warning;
+        if (there && faults != nullptr) {
+            *faults = error("bad-settings", file.string() + " cannot be read; the settings are as at first");
+            faults->front().severity = Severity::Warning;
         }
         return settings;
     }
