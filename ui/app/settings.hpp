@@ -19,7 +19,8 @@ struct Settings {
     std::vector<std::string> recentFiles;
 };
 
-/// Defaults where the file is missing or spoilt (then with a warning in `faults`, if not null); numbers are brought into range.
+/// Defaults where the file is missing or spoilt (then with a warning in `faults`, if not null); numbers are brought
+/// into range.
 Settings loadSettings(const std::filesystem::path &file, Diagnostics *faults = nullptr);
 void saveSettings(const std::filesystem::path &file, const Settings &settings);
 
