@@ -1,0 +1,56 @@
+#include "ui/app/editor.hpp"
+
+#include "app/editor_entry.hpp"
+#include "app/icon.hpp"
+#include "core/edit/recovery_journal.hpp"
+#include "ui/platform/glfw_platform.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace forefront {
+
+namespace {
+
+/// $XDG_CONFIG_HOME/forefront or ~/.config/forefront; empty where there is no home.
+std::filesystem::path settingsFolder() {
+    const auto variable = [](const char *name) {
+        const char *value = std::getenv(name);
+        return std::filesystem::path(value != nullptr ? value : "");
+    };
+    if (const auto config = variable("XDG_CONFIG_HOME"); !config.empty()) {
+        return config / "forefront";
+    }
+    const auto home = variable("HOME");
+    return home.empty() ? home : home / ".config/forefront";
+}
+
+} // namespace
+
+int runEditor(const EditorArguments &arguments) {
+    std::string fault;
+    const std::unique_ptr<GlfwPlatform> platform = GlfwPlatform::create({1440, 900}, "Forefront", fault);
+    if (!platform) {
+        std::fprintf(stderr, "forefront: no window can be opened: %s\n", fault.c_str());
+        return kNoWindow;
+    }
+    platform->setIcon({64, 64}, makeIcon(64));
+    EditorSetup setup;
+    setup.settingsFolder = settingsFolder();
+    setup.stateFolder = stateFolder();
+    setup.file = arguments.file.value_or(std::filesystem::path());
+    setup.stateFile = arguments.stateFile.value_or(std::filesystem::path());
+    Editor editor(*platform, setup);
+    while (editor.running()) {
+        platform->poll(editor.input(), editor.sleepSeconds());
+        if (editor.needsFrame()) {
+            editor.frame();
+        }
+        if (arguments.frames && editor.frames() >= static_cast<std::uint64_t>(*arguments.frames)) {
+            break;
+        }
+    }
+    return 0;
+}
+
+} // namespace forefront
