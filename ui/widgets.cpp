@@ -89,12 +89,13 @@ bool iconButton(AppContext &context, std::string_view name, const char *icon, co
         const Id id(name);
         const Disabled disabled(!enabled);
         pushButtonColours(context.theme, ButtonKind::Quiet, on);
-        ImGui::PushFont(context.fonts.icons);
+        ImGui::PushFont(size < 30.0F ? context.fonts.body : context.fonts.icons);
+        ImGui::PushStyleColor(ImGuiCol_Text, on ? context.theme.accent : size < 30.0F ? context.theme.muted : context.theme.text);
         ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
         pressed = ImGui::Button(icon, {context.px(size), context.px(size)});
         ImGui::PopStyleVar();
         ImGui::PopFont();
-        ImGui::PopStyleColor(4);
+        ImGui::PopStyleColor(5);
         mark(context, name, enabled);
     }
     tooltip(context, tip);

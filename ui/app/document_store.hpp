@@ -34,13 +34,19 @@ class DocumentStore {
 
     /// Another document altogether; its history starts here. `path` empty: in no file yet. `dirty`: asks to be saved
     /// although nothing was done to it (recovered, imported).
-    void load(Document document, std::filesystem::path path, bool dirty = false) {
+    /// `title`: what to call it while it is in no file.
+    void load(Document document, std::filesystem::path path, bool dirty = false, std::string title = {}) {
         history_ = History(std::move(document), "Open");
         dirty ? history_.markUnsaved() : history_.markSaved();
         path_ = std::move(path);
+        title_ = std::move(title);
         ++loads_;
     }
     const std::filesystem::path &path() const { return path_; }
+    /// Name of the file, or what else the document is called.
+    std::string title() const {
+        return !path_.empty() ? path_.filename().string() : title_.empty() ? "untitled" : title_;
+    }
     bool dirty() const { return history_.dirty(); }
     void markSaved(std::filesystem::path path) {
         path_ = std::move(path);
@@ -50,6 +56,7 @@ class DocumentStore {
   private:
     History history_;
     std::filesystem::path path_;
+    std::string title_;
     std::uint64_t loads_ = 1;
 };
 

@@ -35,6 +35,7 @@ struct Editor::Parts {
     std::uint64_t frames = 0;
     std::uint64_t liveRevision = 0;
     PixelSize size;
+    std::shared_ptr<const SpacingRaster> raster;
 
     void refreshLook();
     void takeResults();
@@ -113,6 +114,8 @@ Editor::Editor(Platform &platform, EditorSetup options)
 }
 
 Editor::~Editor() {
+    parts_->context.platform.makeCurrent();
+    parts_->bridge.activate();
     parts_->rememberSettings();
 }
 
@@ -143,6 +146,13 @@ double Editor::sleepSeconds() const {
     return std::clamp(c.nextFrameAt - c.platform.now(), 0.001, 0.5);
 }
 
+bool Editor::needsFrame() const {
+    const AppContext &c = parts_->context;
+    return sleepSeconds() <= 0.0 || c.platform.now() >= c.nextFrameAt || c.run().hasNews() ||
+           c.previews->latest() != c.preview || c.previews->raster() != parts_->raster ||
+           !(c.platform.framebufferSize() == parts_->size);
+}
+
 bool Editor::open(const std::filesystem::path &file) {
     AppContext &c = parts_->context;
     Result<Document> document = readDocument(file);
@@ -151,10 +161,12 @@ bool Editor::open(const std::filesystem::path &file) {
         return false;
     }
     const bool project = file.extension() == ".json" || file.extension() == ".forefront";
-    const std::filesystem::path assets = assetFolder();
-    const bool sample = !assets.empty() && file.parent_path() == assets / "samples";
+    const std::vector<Sample> gallery = samples();
+    const auto sample = std::find_if(gallery.begin(), gallery.end(), [&](const Sample &s) { return s.path == file; });
     // A sample or an imported drawing is not saved over.
-    c.document().load(std::move(document).value(), project && !sample ? file : std::filesystem::path());
+    const bool own = project && sample == gallery.end();
+    c.document().load(std::move(document).value(), own ? file : std::filesystem::path(), false,
+                      sample != gallery.end() ? sample->title : file.stem().string());
     c.run().clear();
     c.selection.clear();
     c.view.isolatedBin.reset();
@@ -201,8 +213,10 @@ void Editor::Parts::takeResults() {
         recovery->follow(context);
     }
     const auto known = context.preview;
+    const auto knownRaster = raster;
     context.preview = context.previews->latest();
-    if (before != context.run().snapshot() || known != context.preview) {
+    raster = context.previews->raster();
+    if (before != context.run().snapshot() || known != context.preview || knownRaster != raster) {
         context.animate();
     }
 }
@@ -265,9 +279,8 @@ void Editor::Parts::buildInterface() {
 }
 
 void Editor::Parts::showTitle() {
-    const std::filesystem::path &path = context.document().path();
-    const std::string name = path.empty() ? "untitled" : path.filename().string();
-    const std::string title = (context.document().dirty() ? "\xe2\x80\xa2 " : "") + name + " \xe2\x80\x93 Forefront";
+    const std::string title =
+        (context.document().dirty() ? "\xe2\x80\xa2 " : "") + context.document().title() + " \xe2\x80\x93 Forefront";
     if (title != shownTitle) {
         shownTitle = title;
         context.platform.setTitle(title);
@@ -295,6 +308,8 @@ void Editor::Parts::rememberSettings() {
 void Editor::frame() {
     Parts &p = *parts_;
     AppContext &c = p.context;
+    c.platform.makeCurrent();
+    p.bridge.activate();
     c.nextFrameAt = 1e300;
     --c.redraw;
     const double now = c.platform.now();

@@ -30,6 +30,8 @@ class Editor {
     void frame();
     /// Seconds the platform may sleep before the next frame; 0: something moves.
     double sleepSeconds() const;
+    /// False while nothing has happened since the last frame; drawing would repeat it.
+    bool needsFrame() const;
     bool running() const;
     /// True when the picture will not change any more without input: nothing queued, computed or animated.
     bool settled() const;

@@ -51,9 +51,9 @@ void mapKeys(ImGuiIO &io) {
 
 } // namespace
 
-ImGuiBridge::ImGuiBridge(Platform &platform) : platform_(platform) {
+ImGuiBridge::ImGuiBridge(Platform &platform) : platform_(platform), context_(ImGui::CreateContext()) {
     IMGUI_CHECKVERSION();
-    ImGui::CreateContext();
+    activate();
     ImGuiIO &io = ImGui::GetIO();
     io.IniFilename = nullptr; // the layout is fixed; nothing to remember
     io.LogFilename = nullptr;
@@ -67,8 +67,13 @@ ImGuiBridge::ImGuiBridge(Platform &platform) : platform_(platform) {
 }
 
 ImGuiBridge::~ImGuiBridge() {
+    activate();
     ImGui_ImplOpenGL3_Shutdown();
-    ImGui::DestroyContext();
+    ImGui::DestroyContext(context_);
+}
+
+void ImGuiBridge::activate() {
+    ImGui::SetCurrentContext(context_);
 }
 
 void ImGuiBridge::fontsChanged() {

@@ -4,6 +4,8 @@
 
 #include <span>
 
+struct ImGuiContext;
+
 namespace forefront {
 
 class Platform;
@@ -16,6 +18,8 @@ class ImGuiBridge {
     ImGuiBridge(const ImGuiBridge &) = delete;
     ImGuiBridge &operator=(const ImGuiBridge &) = delete;
 
+    /// Makes this the current context of Dear ImGui; several editors may live in one process.
+    void activate();
     void beginFrame(std::span<const InputEvent> events, double elapsedSeconds);
     /// Draws what was built over what is in the target framebuffer.
     void endFrame();
@@ -26,6 +30,7 @@ class ImGuiBridge {
     void feed(const InputEvent &event);
 
     Platform &platform_;
+    ImGuiContext *context_;
 };
 
 } // namespace forefront

@@ -24,6 +24,8 @@ class RunControl {
 
     /// Takes the newest snapshot; logs what the run has to say. Once per frame.
     void refresh();
+    /// A newer snapshot waits.
+    bool hasNews() const { return session_.latest() != snapshot_; }
     /// Never null; the same object for a whole frame.
     const SessionSnapshot &now() const { return *snapshot_; }
     const std::shared_ptr<const SessionSnapshot> &snapshot() const { return snapshot_; }

@@ -25,7 +25,7 @@ class LabelsLayer final : public Layer {
     }
 
   private:
-    /// Each run of segments with one tag bears the name of the tag at its middle.
+    /// Each run of segments with one tag bears the name of the tag, beside its middle where heads and tips are.
     static void drawNames(CanvasPainter &painter, const LayerFrame &frame, const Shape &shape) {
         if (shape.kind == ShapeKind::Circle && shape.nodes.size() >= 2) {
             const double radius = distance(shape.nodes[0], shape.nodes[1]);
@@ -46,7 +46,7 @@ class LabelsLayer final : public Layer {
                 whole += distance(nodes[last], nodes[(last + 1) % nodes.size()]);
                 ++last;
             }
-            drawName(painter, frame, pointAlong(nodes, first, 0.5 * whole), tagOf(first), whole);
+            drawName(painter, frame, pointAlong(nodes, first, 0.3 * whole), tagOf(first), whole);
             first = last;
         }
     }

@@ -73,16 +73,18 @@ EglPlatform::EglPlatform(std::unique_ptr<Context> context, PixelSize size, doubl
 }
 
 EglPlatform::~EglPlatform() {
+    makeCurrent();
     dropFramebuffer();
 }
 
-Platform::GlFunction (*EglPlatform::glLoader() const)(const char *) {
-    return eglGetProcAddress;
+void EglPlatform::makeCurrent() {
+    eglMakeCurrent(context_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, context_->context);
 }
 
 void EglPlatform::poll(InputQueue &, double) {}
 
 void EglPlatform::resize(PixelSize size, double contentScale) {
+    makeCurrent();
     size_ = size;
     scale_ = contentScale;
     dropFramebuffer();

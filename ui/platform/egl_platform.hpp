@@ -13,7 +13,7 @@ class EglPlatform final : public Platform {
     static std::unique_ptr<EglPlatform> create(PixelSize size, double contentScale, std::string &fault);
     ~EglPlatform() override;
 
-    GlFunction (*glLoader() const)(const char *) override;
+    void makeCurrent() override;
     PixelSize framebufferSize() const override { return size_; }
     double contentScale() const override { return scale_; }
     double now() const override { return static_cast<double>(frames_) / 60.0; }

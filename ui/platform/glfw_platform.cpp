@@ -19,6 +19,17 @@ Modifiers modifiersOf(int bits) {
     return {static_cast<std::uint8_t>(bits & (GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT))};
 }
 
+/// The wanted size, or what the desktop has room for.
+PixelSize withinDesktop(PixelSize wanted) {
+    GLFWmonitor *monitor = glfwGetPrimaryMonitor();
+    if (monitor == nullptr) {
+        return wanted;
+    }
+    int x = 0, y = 0, width = 0, height = 0;
+    glfwGetMonitorWorkarea(monitor, &x, &y, &width, &height);
+    return width > 0 && height > 0 ? PixelSize{std::min(wanted.width, width), std::min(wanted.height, height)} : wanted;
+}
+
 /// Window coordinates to framebuffer pixels; they differ only where the system scales windows itself.
 void toPixels(GLFWwindow *window, double &x, double &y) {
     int width = 0, height = 0, pixelWidth = 0, pixelHeight = 0;
@@ -86,6 +97,7 @@ std::unique_ptr<GlfwPlatform> GlfwPlatform::create(PixelSize size, const std::st
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "forefront");
+    size = withinDesktop(size);
     GLFWwindow *window = glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr);
     if (window == nullptr) {
         const char *reason = nullptr;
@@ -127,8 +139,8 @@ GlfwPlatform::~GlfwPlatform() {
     glfwTerminate();
 }
 
-Platform::GlFunction (*GlfwPlatform::glLoader() const)(const char *) {
-    return glfwGetProcAddress;
+void GlfwPlatform::makeCurrent() {
+    glfwMakeContextCurrent(window_);
 }
 
 PixelSize GlfwPlatform::framebufferSize() const {

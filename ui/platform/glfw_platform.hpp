@@ -17,7 +17,7 @@ class GlfwPlatform final : public Platform {
     static std::unique_ptr<GlfwPlatform> create(PixelSize size, const std::string &title, std::string &fault);
     ~GlfwPlatform() override;
 
-    GlFunction (*glLoader() const)(const char *) override;
+    void makeCurrent() override;
     PixelSize framebufferSize() const override;
     double contentScale() const override;
     double now() const override;

@@ -18,12 +18,10 @@ enum class CursorShape : std::uint8_t { Arrow, Hand, Text, Crosshair, ResizeHori
 /// Where the editor runs: a GLFW window, or headless on EGL with a fixed time step. The editor is the same in both.
 class Platform {
   public:
-    using GlFunction = void (*)();
-
     virtual ~Platform() = default;
-    /// Loads OpenGL functions of the context that this platform has made current.
-    virtual GlFunction (*glLoader() const)(const char *) = 0;
     virtual PixelSize framebufferSize() const = 0;
+    /// Makes its OpenGL context the current one of this thread.
+    virtual void makeCurrent() = 0;
     /// Pixels per design pixel: Xft.dpi / 96 or the monitor's scale; without the user's own slider.
     virtual double contentScale() const = 0;
     /// Seconds; headless: frames / 60.

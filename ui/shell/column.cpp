@@ -19,7 +19,11 @@ std::string capitals(const char *text) {
 
 /// An edge that can be dragged; returns the distance dragged in pixels along its normal.
 float splitter(AppContext &context, const char *name, const PixelRect &rect, bool vertical) {
-    ImGui::SetCursorScreenPos({static_cast<float>(rect.x), static_cast<float>(rect.y)});
+    // Dear ImGui clips to half of the padding, just where the edge is.
+    const ImVec2 corner{static_cast<float>(rect.x), static_cast<float>(rect.y)};
+    ImGui::PushClipRect(corner, {static_cast<float>(rect.x + rect.width), static_cast<float>(rect.y + rect.height)},
+                        false);
+    ImGui::SetCursorScreenPos(corner);
     ImGui::InvisibleButton(name, {static_cast<float>(rect.width), static_cast<float>(rect.height)});
     ui::mark(context, name);
     const bool lit = ImGui::IsItemHovered() || ImGui::IsItemActive();
@@ -33,6 +37,7 @@ float splitter(AppContext &context, const char *name, const PixelRect &rect, boo
             vertical ? ImVec2(middle.x + half, max.y) : ImVec2(max.x, middle.y + half),
             fade(context.theme.accent, 0.8));
     }
+    ImGui::PopClipRect();
     if (!ImGui::IsItemActive()) {
         return 0.0F;
     }

@@ -27,8 +27,7 @@ void drawMenu(AppContext &context, const char *menu) {
 }
 
 std::string titleText(const AppContext &context) {
-    const std::filesystem::path &path = context.document().path();
-    std::string title = path.empty() ? "untitled" : path.filename().string();
+    std::string title = context.document().title();
     if (context.document().dirty()) {
         title += " \xe2\x80\xa2";
     }

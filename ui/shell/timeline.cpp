@@ -118,14 +118,15 @@ std::string captionText(const SessionSnapshot &run) {
     default:
         break;
     }
+    const bool atEnd = run.complete && run.advance == run.known;
+    if (atEnd && (run.improved || run.frontSegments == 0) && run.eventCursor >= run.eventCount) {
+        return "\xce\x93 = \xe2\x88\x85: the domain is meshed" + std::string(run.improved ? " and improved." : ".");
+    }
     if (run.explanation) {
         return caption(*run.explanation, run.eventCount > 0 ? run.eventCursor : run.explanation->events.size());
     }
     if (run.advance == 0) {
         return "\xce\x93 is the boundary of the domain: nothing is meshed yet.";
-    }
-    if (run.complete && run.advance == run.known) {
-        return "\xce\x93 = \xe2\x88\x85: the domain is meshed" + std::string(run.improved ? " and improved." : ".");
     }
     return {};
 }

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "ui/app/editor.hpp"
+#include "ui/platform/egl_platform.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace forefront::test {
+
+/// The editor headless, driven as a user would: by the names of widgets and by keys. Every frame is 1/60 s.
+class Driver {
+  public:
+    explicit Driver(EditorSetup setup = {}, PixelSize size = {1280, 800}, double contentScale = 1.0);
+
+    Editor &editor() { return *editor_; }
+    AppContext &context() { return editor_->context(); }
+    EglPlatform &platform() { return *platform_; }
+    const SessionSnapshot &run() { return context().run().now(); }
+
+    /// Draws frames until the picture stands still. False after `seconds` of real time.
+    bool settle(double seconds = 60.0);
+    void frames(int count);
+    bool has(std::string_view widget) const;
+    /// Clicks the middle of a widget. False (and a failed check) where it is not drawn or not enabled.
+    bool click(std::string_view widget);
+    bool hover(std::string_view widget);
+    void moveTo(Vec2 pixel);
+    void clickAt(Vec2 pixel);
+    void press(Vec2 pixel);
+    void release(Vec2 pixel);
+    void drag(Vec2 from, Vec2 to, int steps = 8);
+    void key(int code, Modifiers modifiers = {});
+    void type(std::string_view text);
+    void scroll(Vec2 pixel, double steps);
+    /// A script: one command a line. `click WIDGET`, `key NAME` ("2", "Space", "Ctrl+Z", "."), `type TEXT`, `settle`.
+    bool script(std::string_view commands);
+
+    struct Picture {
+        PixelSize size;
+        std::vector<std::uint8_t> rgba;
+        /// Pixels of `area` that differ from another picture of the same size.
+        std::size_t differences(const Picture &other, const PixelRect &area) const;
+        std::size_t differences(const Picture &other) const;
+    };
+    Picture picture();
+    PixelRect canvas() const;
+
+  private:
+    void push(const InputEvent &event);
+    void drain();
+
+    std::unique_ptr<EglPlatform> platform_;
+    std::unique_ptr<Editor> editor_;
+};
+
+} // namespace forefront::test

@@ -1,0 +1,31 @@
+#define DOCTEST_CONFIG_IMPLEMENT
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <cstdio>
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define FOREFRONT_SANITIZED 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define FOREFRONT_SANITIZED 1
+#endif
+#endif
+
+#if defined(FOREFRONT_SANITIZED)
+// Graphics drivers are unloaded before leaks are reported, and the reports then name no function: keep them loaded.
+extern "C" int dlclose(void *) {
+    return 0;
+}
+#endif
+
+// The order of the tests is shuffled at every run; the printed seed repeats a run: --order-by=rand --rand-seed=N.
+int main(int argc, char **argv) {
+    doctest::Context context;
+    const auto seed = static_cast<int>(std::chrono::steady_clock::now().time_since_epoch().count() & 0x7fffffff);
+    context.setOption("order-by", "rand");
+    context.setOption("rand-seed", seed);
+    context.applyCommandLine(argc, argv);
+    std::printf("order seed %d (unless --rand-seed is given)\n", seed);
+    return context.run();
+}

@@ -1,0 +1,171 @@
+#include "tests/ui/driver.hpp"
+#include "ui/canvas/camera.hpp"
+#include "ui/input/input_queue.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+namespace forefront::test {
+
+namespace {
+
+InputEvent button(bool pressed) {
+    return {.kind = InputKind::MouseButton, .code = 0, .pressed = pressed};
+}
+InputEvent keyEvent(int code, bool pressed) {
+    return {.kind = InputKind::Key, .code = code, .pressed = pressed};
+}
+InputEvent move(double x, double y) {
+    return {.kind = InputKind::MouseMove, .x = x, .y = y};
+}
+
+std::size_t framesToEmpty(InputQueue &queue) {
+    std::size_t frames = 0;
+    while (!queue.empty() && frames < 1000) {
+        queue.takeFrame();
+        ++frames;
+    }
+    return frames;
+}
+
+} // namespace
+
+TEST_CASE("InputQueue: lets one change of a button through per frame") {
+    InputQueue queue;
+    for (int i = 0; i < 10; ++i) {
+        queue.push(button(true));
+        queue.push(button(false));
+    }
+    CHECK(framesToEmpty(queue) == 20);
+}
+
+TEST_CASE("InputQueue: moves share a frame, but not after a click") {
+    InputQueue queue;
+    queue.push(move(1, 1));
+    queue.push(move(2, 2));
+    queue.push(button(true));
+    queue.push(move(3, 3));
+    const auto first = queue.takeFrame();
+    REQUIRE(first.size() == 3);
+    CHECK(first.back().kind == InputKind::MouseButton);
+    const auto second = queue.takeFrame();
+    REQUIRE(second.size() == 1);
+    CHECK(second.front().x == 3.0);
+}
+
+TEST_CASE("InputQueue: the text of a key comes with it, the next key in the next frame") {
+    InputQueue queue;
+    queue.push(keyEvent('A', true));
+    queue.push({.kind = InputKind::Text, .code = 'a'});
+    queue.push(keyEvent('A', false));
+    CHECK(queue.takeFrame().size() == 2);
+    CHECK(queue.takeFrame().size() == 1);
+    CHECK(queue.empty());
+}
+
+TEST_CASE("InputQueue: what is recorded is replayed event by event, frame by frame") {
+    InputQueue queue;
+    queue.startRecording();
+    queue.push(move(1.25, -3));
+    queue.push(button(true));
+    queue.push(button(false));
+    queue.push({.kind = InputKind::Key, .code = 'Z', .pressed = true, .modifiers = {Modifiers::kControl}});
+    queue.push({.kind = InputKind::Drop, .paths = {"/tmp/a file.poly", "b.json"}});
+    std::vector<std::vector<InputEvent>> taken;
+    while (!queue.empty()) {
+        taken.push_back(queue.takeFrame());
+    }
+    InputQueue other;
+    REQUIRE(other.replay(queue.recording()));
+    for (const auto &frame : taken) {
+        const auto again = other.takeFrame();
+        REQUIRE(again.size() == frame.size());
+        for (std::size_t i = 0; i < frame.size(); ++i) {
+            CHECK(again[i].kind == frame[i].kind);
+            CHECK(again[i].x == frame[i].x);
+            CHECK(again[i].code == frame[i].code);
+            CHECK(again[i].pressed == frame[i].pressed);
+            CHECK(again[i].modifiers == frame[i].modifiers);
+            CHECK(again[i].paths == frame[i].paths);
+        }
+    }
+    CHECK_FALSE(other.replaying());
+}
+
+TEST_CASE("InputQueue: a recording that is no recording is refused") {
+    InputQueue queue;
+    CHECK_FALSE(queue.replay("1 2 3\n"));
+    CHECK_FALSE(queue.replay("1 99 0 0 0 0 0 0\n"));
+}
+
+TEST_CASE("Camera: zooming keeps the place under the pointer") {
+    Camera camera;
+    camera.viewport = {100, 50, 800, 600};
+    camera.centre = {1.0e5, -2.0e5};
+    camera.zoom = 37.0;
+    const Vec2 pixel{230, 411};
+    const Vec2 place = camera.toPlane(pixel);
+    for (int i = 0; i < 40; ++i) {
+        camera.zoomAt(pixel, i % 3 == 0 ? 0.7 : 1.3);
+    }
+    const Vec2 after = camera.toPixel(place);
+    CHECK(std::abs(after.x - pixel.x) < 1e-3);
+    CHECK(std::abs(after.y - pixel.y) < 1e-3);
+}
+
+TEST_CASE("Camera: fit shows the whole box, however thin") {
+    Camera camera;
+    camera.viewport = {0, 0, 900, 500};
+    for (const Box2 &box : {Box2{{0, 0}, {10, 7}}, Box2{{1e5, 1e5}, {1e5 + 1, 1e5}}, Box2{{-3, -1e-9}, {-3, 1e-9}}}) {
+        camera.fit(box);
+        const Vec2 low = camera.toPixel(box.min), high = camera.toPixel(box.max);
+        CHECK(low.x >= 0.0);
+        CHECK(low.y <= 500.0);
+        CHECK(high.x <= 900.0);
+        CHECK(high.y >= 0.0);
+    }
+}
+
+TEST_CASE("Editor: ten quick clicks on a switch are ten clicks") {
+    Driver driver;
+    const auto *widget = driver.context().widgets.find("layer/labels");
+    REQUIRE(widget != nullptr);
+    const Vec2 at = widget->rect.centre();
+    const bool before = driver.context().layer("labels")->visible;
+    InputQueue &input = driver.editor().input();
+    input.push(move(at.x, at.y));
+    for (int i = 0; i < 10; ++i) { // all at once, as a fast finger does between two frames
+        input.push(button(true));
+        input.push(button(false));
+    }
+    input.push(button(true));
+    input.push(button(false));
+    REQUIRE(driver.settle());
+    CHECK(driver.context().layer("labels")->visible != before);
+}
+
+TEST_CASE("Editor: a recorded session replays to the same picture") {
+    Driver first;
+    first.editor().input().startRecording();
+    first.scroll(first.canvas().centre(), 3);
+    first.click("layer/size");
+    first.click("menu/theme");
+    REQUIRE(first.settle());
+    const auto wanted = first.picture();
+    const std::string recording = first.editor().input().recording();
+
+    Driver second;
+    REQUIRE(second.editor().input().replay(recording));
+    while (second.editor().input().replaying()) {
+        second.frames(1);
+    }
+    REQUIRE(second.settle());
+    second.frames(30); // tooltips of the hovered button have their delay
+    first.frames(30);
+    CHECK(second.picture().differences(wanted) < 400);
+    CHECK(second.context().theme.kind == first.context().theme.kind);
+    CHECK(second.context().view.camera == first.context().view.camera);
+}
+
+} // namespace forefront::test

@@ -1,0 +1,306 @@
+#include "tests/ui/driver.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <map>
+
+namespace forefront::test {
+
+namespace {
+
+/// A driver whose sample is meshed.
+struct Meshed : Driver {
+    Meshed() {
+        key(key::k2);
+        settle();
+    }
+};
+
+Document square(double side, double size, Vec2 offset = {}) {
+    Document document;
+    auto shape = std::make_shared<Shape>();
+    shape->id = document.nextId++;
+    shape->nodes = {offset, offset + Vec2{side, 0}, offset + Vec2{side, side}, offset + Vec2{0, side}};
+    document.shapes.push_back(shape);
+    document.spacing.size = size;
+    return document;
+}
+
+void load(Driver &driver, Document document) {
+    driver.context().document().load(std::move(document), {});
+    driver.context().run().clear();
+    driver.context().view.fitPending = true;
+    driver.settle();
+}
+
+} // namespace
+
+TEST_CASE("Run: 2 meshes the sample, and the panels speak of it") {
+    Meshed driver;
+    const SessionSnapshot &run = driver.run();
+    CHECK(run.state == RunState::Finished);
+    CHECK(run.complete);
+    CHECK(run.quality.elements > 500);
+    CHECK(run.meshHash != 0);
+    CHECK_FALSE(driver.context().run().outOfDate());
+    CHECK(driver.has("status/counts"));
+    CHECK(driver.has("status/hash"));
+    driver.click("panel/statistics");
+    driver.click("panel/histogram");
+    driver.frames(2);
+    CHECK(driver.has("histogram/39"));
+}
+
+TEST_CASE("Run: Home, then . and , step on and back; the state of each place returns") {
+    Meshed driver;
+    driver.key(key::kHome);
+    REQUIRE(driver.settle());
+    CHECK(driver.run().advance == 0);
+    std::map<std::uint64_t, std::uint64_t> hashes{{0, driver.run().stateHash}};
+    for (int i = 0; i < 12; ++i) {
+        driver.key(key::kPeriod);
+        REQUIRE(driver.settle());
+        hashes[driver.run().advance] = driver.run().stateHash;
+    }
+    CHECK(driver.run().advance == 12);
+    CHECK(hashes.size() == 13);
+    for (int i = 0; i < 12; ++i) {
+        driver.key(key::kComma);
+        REQUIRE(driver.settle());
+        REQUIRE(hashes.count(driver.run().advance) == 1);
+        CHECK(hashes[driver.run().advance] == driver.run().stateHash);
+    }
+    CHECK(driver.run().advance == 0);
+    driver.key(key::kPeriod, {Modifiers::kShift});
+    REQUIRE(driver.settle());
+    CHECK(driver.run().advance == 100);
+    driver.key(key::kEnd);
+    REQUIRE(driver.settle());
+    CHECK(driver.run().advance == driver.run().known);
+}
+
+TEST_CASE("Run: the scrubber goes where it is dragged") {
+    Meshed driver;
+    const PixelRect bar = driver.context().widgets.find("timeline/scrubber")->rect;
+    const double y = bar.centre().y;
+    driver.drag({bar.x + bar.width - 8, y}, {bar.x + 0.5 * bar.width, y});
+    REQUIRE(driver.settle());
+    const SessionSnapshot &run = driver.run();
+    const double part = static_cast<double>(run.advance) / static_cast<double>(run.known);
+    CHECK(std::abs(part - 0.5) < 0.03);
+    REQUIRE(run.front != nullptr);
+    CHECK(run.front->size() > 10);
+    CHECK(run.mesh->mesh.elements.size() > 100);
+}
+
+TEST_CASE("Run: Space plays the front, Space pauses it") {
+    Driver driver;
+    driver.context().run().setSpeed(20.0);
+    driver.key(key::kSpace);
+    for (int i = 0; i < 4000 && driver.run().advance < 20; ++i) {
+        driver.platform().poll(driver.editor().input(), 0.0);
+        driver.settle(0.002);
+    }
+    CHECK(driver.run().advance >= 20);
+    CHECK(driver.context().run().playing());
+    driver.key(key::kSpace);
+    REQUIRE(driver.settle());
+    CHECK(driver.run().state == RunState::Paused);
+    const auto at = driver.run().advance;
+    driver.settle(0.1);
+    CHECK(driver.run().advance == at);
+}
+
+TEST_CASE("Run: stepping by events explains an advance from the base to the update") {
+    Meshed driver;
+    driver.key(key::kHome);
+    driver.settle();
+    driver.key(key::kPeriod, {Modifiers::kShift});
+    driver.settle();
+    driver.click("timeline/granularity/Event");
+    std::vector<int> steps;
+    int whole = 0;
+    for (int i = 0; i < 40; ++i) {
+        driver.key(key::kPeriod);
+        REQUIRE(driver.settle());
+        const SessionSnapshot &run = driver.run();
+        REQUIRE(run.explanation != nullptr);
+        if (run.eventCount > 0 && run.eventCursor < run.explanation->events.size()) {
+            steps.push_back(static_cast<int>(run.explanation->events[run.eventCursor].step));
+        } else {
+            ++whole;
+        }
+        CHECK_FALSE(caption(*run.explanation, run.eventCursor).empty());
+    }
+    CHECK(std::count(steps.begin(), steps.end(), static_cast<int>(Step::TakeBase)) >= 1);
+    for (const Step step :
+         {Step::EvaluateSpacing, Step::IdealPoint, Step::FindCandidates, Step::Score, Step::Sort, Step::Test}) {
+        CHECK(std::count(steps.begin(), steps.end(), static_cast<int>(step)) >= 1);
+    }
+    CHECK(whole >= 1); // the update: the element stands
+    CHECK(driver.run().advance > 100);
+}
+
+TEST_CASE("Run: each layer changes the canvas, and hidden again leaves no trace") {
+    Meshed driver;
+    driver.context().run().seek(driver.run().known / 2);
+    REQUIRE(driver.settle());
+    // Close to the place where something happens, so that even small marks count.
+    REQUIRE(driver.run().explanation != nullptr);
+    driver.context().view.camera.centre = driver.run().explanation->a;
+    driver.context().view.camera.zoomAt(driver.canvas().centre(), 3.0);
+    for (LayerSlot &slot : driver.context().layers) {
+        slot.visible = true;
+    }
+    driver.moveTo({5, 5});
+    REQUIRE(driver.settle());
+    const auto all = driver.picture();
+    for (LayerSlot &slot : driver.context().layers) {
+        CAPTURE(slot.layer->id());
+        slot.visible = false;
+        driver.context().animate();
+        REQUIRE(driver.settle());
+        const std::string id = slot.layer->id();
+        // The fill of the domain lies under the tint, and the mesh draws the faces of the quality.
+        if (id != "domain" && id != "marks") {
+            CHECK(driver.picture().differences(all, driver.canvas()) > 20);
+        }
+        slot.visible = true;
+        driver.context().animate();
+        REQUIRE(driver.settle());
+        CHECK(driver.picture().differences(all, driver.canvas()) == 0);
+    }
+}
+
+TEST_CASE("Run: a bar of the histogram isolates its elements; a second click frees them") {
+    Meshed driver;
+    driver.click("panel/histogram");
+    driver.moveTo({5, 5});
+    driver.settle();
+    const auto whole = driver.picture();
+    const auto &bins = driver.run().quality.alphaHistogram;
+    const auto most = std::max_element(bins.begin(), bins.end()) - bins.begin();
+    const std::string bar = "histogram/" + std::to_string(most);
+    driver.click(bar);
+    REQUIRE(driver.context().view.isolatedBin == static_cast<int>(most));
+    driver.moveTo({5, 5});
+    driver.settle();
+    CHECK(driver.picture().differences(whole, driver.canvas()) > 1000);
+    driver.click(bar);
+    CHECK_FALSE(driver.context().view.isolatedBin.has_value());
+    driver.moveTo({5, 5});
+    driver.settle();
+    CHECK(driver.picture().differences(whole, driver.canvas()) == 0);
+}
+
+TEST_CASE("Run: an edit marks the mesh out of date, undo takes the mark back") {
+    Meshed driver;
+    Document next = *driver.context().document().current();
+    next.spacing.size = 9.0;
+    driver.context().document().apply(next, "change the size");
+    REQUIRE(driver.settle());
+    CHECK(driver.context().run().outOfDate());
+    REQUIRE(driver.has("canvas/remesh"));
+    driver.key('Z', {Modifiers::kControl});
+    REQUIRE(driver.settle());
+    CHECK_FALSE(driver.context().run().outOfDate());
+    CHECK_FALSE(driver.has("canvas/remesh"));
+    driver.key('Z', {Modifiers::kControl | Modifiers::kShift});
+    REQUIRE(driver.settle());
+    const auto before = driver.run().quality.elements;
+    driver.click("canvas/remesh");
+    REQUIRE(driver.settle());
+    CHECK(driver.run().quality.elements > before);
+    CHECK_FALSE(driver.context().run().outOfDate());
+}
+
+TEST_CASE("Run: live meshing follows every edit") {
+    Driver driver;
+    load(driver, square(10, 2.0));
+    driver.context().run().live = true;
+    Document next = *driver.context().document().current();
+    next.spacing.size = 1.0;
+    driver.context().document().apply(next, "finer");
+    REQUIRE(driver.settle());
+    CHECK(driver.run().state == RunState::Finished);
+    CHECK_FALSE(driver.context().run().outOfDate());
+    CHECK(driver.run().quality.elements > 150);
+}
+
+TEST_CASE("Run: Esc cancels and keeps the partial mesh") {
+    Driver driver;
+    load(driver, square(1000, 0.7)); // some millions of elements: long enough to be cancelled
+    driver.key(key::k2);
+    for (int i = 0; i < 20000 && driver.run().known < 1000; ++i) {
+        driver.settle(0.001);
+    }
+    REQUIRE(driver.run().state != RunState::Finished);
+    driver.key(key::kEscape);
+    REQUIRE(driver.settle(20.0));
+    CHECK(driver.run().state == RunState::Cancelled);
+    REQUIRE(driver.run().mesh != nullptr);
+    CHECK_FALSE(driver.run().mesh->mesh.elements.empty());
+    driver.key(key::kComma);
+    REQUIRE(driver.settle(20.0));
+    CHECK(driver.run().advance + 1 == driver.run().known);
+}
+
+TEST_CASE("Run: a refused domain is told with its place, and the log goes there") {
+    Driver driver;
+    Document document = square(10, 1.0);
+    auto bow = std::make_shared<Shape>(*document.shapes[0]);
+    bow->nodes = {{0, 0}, {10, 10}, {10, 0}, {0, 10}}; // crosses itself at (5, 5)
+    document.shapes[0] = bow;
+    load(driver, document);
+    CHECK(driver.has("status/faults"));
+    driver.key(key::k2);
+    REQUIRE(driver.settle());
+    CHECK(driver.run().state == RunState::Failed);
+    driver.click("panel/log");
+    driver.frames(3);
+    std::string link;
+    for (const auto &[name, widget] : driver.context().widgets.all()) {
+        link = name.rfind("log/goto/", 0) == 0 && widget.visible ? name : link;
+    }
+    REQUIRE_FALSE(link.empty());
+    driver.click(link);
+    CHECK(distance(driver.context().view.camera.centre, {5, 5}) < 1e-6);
+    CHECK(driver.context().view.flag.has_value());
+}
+
+TEST_CASE("Canvas: the picture of a drawing does not depend on where in the plane it lies") {
+    const auto shot = [](Vec2 offset) {
+        Driver driver;
+        for (const char *hidden : {"labels", "lattice", "marks"}) {
+            driver.context().layer(hidden)->visible = false;
+        }
+        Document document = square(8, 0.5, offset);
+        document.spacing.sources.push_back({.a = offset + Vec2{4, 4}, .size = 0.01, .growth = 0.25});
+        load(driver, document);
+        driver.context().view.camera.centre = offset + Vec2{7.75, 7.75};
+        driver.context().view.camera.zoomAt(driver.canvas().centre(), 30.0);
+        driver.moveTo({5, 5});
+        driver.settle();
+        return std::pair{driver.picture(), driver.canvas()};
+    };
+    // Offsets that are sums of powers of two, so that the coordinates themselves are exact.
+    const auto [here, canvas] = shot({0, 0});
+    const auto [there, other] = shot({131072, 65536});
+    CHECK(canvas == other);
+    CHECK(there.differences(here, canvas) < 300);
+    CHECK(here.differences(Driver().picture(), canvas) > 10000);
+}
+
+TEST_CASE("Run: files dropped on the window are opened") {
+    Driver driver;
+    const auto plate = std::filesystem::path(driver.context().document().path());
+    CHECK(plate.empty());
+    driver.editor().input().push({.kind = InputKind::Drop, .paths = {"/nowhere/at/all.poly"}});
+    driver.settle();
+    REQUIRE_FALSE(driver.context().log.entries().empty());
+    CHECK(driver.context().log.entries().back().diagnostic.severity == Severity::Error);
+    CHECK(driver.has("canvas/error"));
+}
+
+} // namespace forefront::test

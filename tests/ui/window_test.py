@@ -1,0 +1,182 @@
+#!/usr/bin/env python3
+"""Drives the real window as a user would, with xdotool under Xvfb: draws a square with a hole, paints, meshes, steps back
+three, exports, and has the exported file checked. Never sleeps for a fixed time: it waits for the state that the program
+writes after each frame. Usage: window_test.py FOREFRONT. Exit code 77: Xvfb or xdotool is missing."""
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+TIMEOUT = 120.0  # seconds, for machines under load; a healthy run takes a few
+SKIPPED = 77
+
+
+class Failure(Exception):
+    pass
+
+
+class Window:
+    def __init__(self, program, folder):
+        self.folder = Path(folder)
+        self.state_file = self.folder / "state.json"
+        read, write = os.pipe()
+        self.server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x800x24", "-nolisten", "tcp"],
+                                       pass_fds=[write], stderr=subprocess.DEVNULL)
+        os.close(write)
+        with os.fdopen(read) as pipe:
+            display = pipe.readline().strip()
+        if not display:
+            raise Failure("Xvfb does not start")
+        self.env = dict(os.environ, DISPLAY=":" + display, HOME=str(folder), XDG_CONFIG_HOME=str(self.folder / "config"),
+                        XDG_STATE_HOME=str(self.folder / "state"), LIBGL_ALWAYS_SOFTWARE="1")
+        self.program = subprocess.Popen([program, "--state-file", str(self.state_file)], env=self.env, cwd=folder)
+        self.seen = -1
+        self.wait("the first frames", lambda s: s["frame"] >= 3 and s["settled"])
+        self.xdotool("search", "--sync", "--name", "Forefront", "windowfocus")
+
+    def close(self):
+        for process in (self.program, self.server):
+            if process.poll() is None:
+                process.terminate()
+                try:
+                    process.wait(20)
+                except subprocess.TimeoutExpired:
+                    process.kill()
+
+    def xdotool(self, *words):
+        subprocess.run(["xdotool", *map(str, words)], env=self.env, check=True, timeout=TIMEOUT, stdout=subprocess.DEVNULL)
+
+    def state(self):
+        try:
+            return json.loads(self.state_file.read_text())
+        except (OSError, ValueError):
+            return None
+
+    def wait(self, what, condition):
+        end = time.monotonic() + TIMEOUT
+        while time.monotonic() < end:
+            if self.program.poll() is not None:
+                raise Failure(f"the program ended with {self.program.returncode} while waiting for {what}")
+            state = self.state()
+            if state is not None and condition(state):
+                return state
+            time.sleep(0.01)
+        raise Failure(f"timeout while waiting for {what}; state {json.dumps(self.state())[:3000]}")
+
+    def widget(self, name):
+        """Middle of a widget, once its rectangle has stood still."""
+        last = {}
+
+        def still(state):
+            rect = state["widgets"].get(name)
+            before = last.get("rect")
+            last["rect"] = rect
+            return rect is not None and rect == before and rect[4] == 1 and state["settled"]
+
+        x, y, width, height, _ = self.wait(f"widget {name}", still)["widgets"][name]
+        return x + width // 2, y + height // 2
+
+    def click(self, name):
+        self.xdotool("mousemove", *self.widget(name), "click", 1)
+
+    def key(self, name):
+        self.xdotool("key", name)
+
+    def drag(self, start, end):
+        self.xdotool("mousemove", *start, "mousedown", 1)
+        for part in range(1, 6):
+            self.xdotool("mousemove", *(round(a + (b - a) * part / 5) for a, b in zip(start, end)))
+        self.xdotool("mouseup", 1)
+
+
+def run(program, folder):
+    window = Window(program, folder)
+    try:
+        print("a new document")
+        window.key("ctrl+n")
+        window.wait("an empty document", lambda s: s["shapes"] == 0)
+        x, y, width, height, _ = window.state()["widgets"]["canvas"]
+        middle = (x + width // 2, y + height // 2)
+
+        def around(size):
+            return (middle[0] - size, middle[1] - size), (middle[0] + size, middle[1] + size)
+
+        print("a square with a hole")
+        window.key("r")
+        window.wait("the rectangle tool", lambda s: s["tool"] == "rectangle")
+        window.drag(*around(220))
+        window.wait("one shape", lambda s: s["shapes"] == 1)
+        window.drag(*around(60))
+        window.wait("two shapes", lambda s: s["shapes"] == 2)
+
+        print("painting")
+        window.key("b")
+        window.wait("the brush", lambda s: s["tool"] == "brush")
+        window.drag((middle[0] - 150, middle[1] - 120), (middle[0] - 60, middle[1] - 120))
+        window.wait("paint", lambda s: s["paintedTiles"] > 0)
+
+        print("meshing")
+        window.key("2")
+        done = window.wait("the mesh", lambda s: s["run"]["state"] == "finished")
+        if done["run"]["elements"] < 20:
+            raise Failure(f"only {done['run']['elements']} elements")
+
+        print("three steps back")
+        for _ in range(3):
+            before = window.state()["run"]["advance"]
+            window.key("comma")
+            window.wait("a step back", lambda s: s["run"]["advance"] == before - 1)
+        back = window.state()["run"]
+        if back["advance"] != back["known"] - 3:
+            raise Failure(f"not three steps before the end: {back}")
+
+        print("exporting")
+        target = Path(folder) / "square.msh"
+        window.key("ctrl+e")
+        window.wait("the dialog", lambda s: s["dialog"] == "export")
+        window.click("dialog/export/name")
+        window.key("ctrl+a")
+        window.xdotool("type", "--delay", "15", str(target))
+        window.click("dialog/export/ok")
+        end = time.monotonic() + TIMEOUT
+        while not target.exists() and time.monotonic() < end:
+            time.sleep(0.01)
+        if not target.exists():
+            raise Failure(f"no file; state {json.dumps(window.state())[:3000]}")
+        window.wait("the dialog to close", lambda s: s["dialog"] == "")
+        text = target.read_text()
+        if "$Elements" not in text:
+            raise Failure("the exported file is no MSH file")
+        check = subprocess.run([program, "check", str(target)], capture_output=True, text=True, timeout=TIMEOUT, check=False)
+        print(check.stdout + check.stderr, end="")
+        if check.returncode != 0:
+            raise Failure(f"forefront check answers {check.returncode}")
+
+        print("quitting")
+        window.key("ctrl+q")
+        window.wait("the question about unsaved changes", lambda s: s["dialog"] != "")
+    finally:
+        window.close()
+
+
+def main():
+    for tool in ("Xvfb", "xdotool"):
+        if shutil.which(tool) is None:
+            print(f"skipped: {tool} is not installed")
+            return SKIPPED
+    with tempfile.TemporaryDirectory() as folder:
+        try:
+            run(sys.argv[1], folder)
+        except Failure as failure:
+            print(f"FAILED: {failure}")
+            return 1
+    print("passed")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
