@@ -54,8 +54,9 @@ class Discretiser {
         }
         most_.assign(domain_.segments.size(), keepBoundary_ ? 1U : kNoIndex);
         if (!keepBoundary_) {
-            rho_.resize(domain_.nodes.size());
-            spacing_.atMany(domain_.nodes, rho_);
+            if (!sampleNodes()) {
+                return cancelled();
+            }
             if (Status faults = refuseAbsurd(); !faults.empty()) {
                 return faults;
             }
@@ -126,9 +127,26 @@ class Discretiser {
                 listed[point.node] = 1;
                 result_.points.push_back(point);
                 pointRegion_.push_back(region[face]);
+                pointBelow_.push_back(sweep.below[sweep.canonical[point.node]]);
             }
         }
         return {};
+    }
+
+    /// False when cancelled.
+    bool sampleNodes() {
+        constexpr std::size_t kBatch = 4096;
+        rho_.resize(domain_.nodes.size());
+        const std::span<const Vec2> nodes = domain_.nodes;
+        const std::span<double> rho = rho_;
+        for (std::size_t first = 0; first < nodes.size(); first += kBatch) {
+            if (progress_.cancelled()) {
+                return false;
+            }
+            const std::size_t count = std::min(kBatch, nodes.size() - first);
+            spacing_.atMany(nodes.subspan(first, count), rho.subspan(first, count));
+        }
+        return true;
     }
 
     /// A rough look at ∫ds/ρ, so that an absurd spacing is refused before anything is built.
@@ -137,7 +155,7 @@ class Discretiser {
         double sum = 0.0, worst = 0.0;
         Vec2 worstPlace;
         for (std::size_t s = 0; s < domain_.segments.size(); ++s) {
-            if (s % 4096 == 0 && progress_.cancelled()) {
+            if (s % 256 == 0 && progress_.cancelled()) {
                 return cancelled();
             }
             const std::uint32_t nodeA = domain_.segments[s].a, nodeB = domain_.segments[s].b;
@@ -163,9 +181,9 @@ class Discretiser {
         for (std::uint32_t s = 0; s < domain_.segments.size(); ++s) {
             if (s % 4096 == 0) {
                 progress_("discretising", static_cast<double>(s) / static_cast<double>(domain_.segments.size()));
-                if (progress_.cancelled()) {
-                    return cancelled();
-                }
+            }
+            if (s % 256 == 0 && progress_.cancelled()) {
+                return cancelled();
             }
             if (Status faults = cutSegment(s); !faults.empty()) {
                 return faults;
@@ -248,9 +266,14 @@ class Discretiser {
         } else {
             for (std::size_t i = 0; i < result_.points.size(); ++i) {
                 const std::uint32_t node = result_.points[i].node;
-                const std::uint32_t edge = sweep.on[node] != kNoIndex ? sweep.on[node] : sweep.below[node];
-                if (sweep.on[node] != kNoIndex || regionAbove(edge) != pointRegion_[i]) {
-                    add(edge);
+                if (sweep.on[node] != kNoIndex) {
+                    add(sweep.on[node]);
+                } else if (const std::uint32_t below = sweep.below[node]; regionAbove(below) != pointRegion_[i]) {
+                    // Either the segment below it as given has been pushed above it, or the one below it now under it.
+                    sources.push_back(pointBelow_[i]);
+                    if (below != kNoIndex) {
+                        add(below);
+                    }
                 }
             }
         }
@@ -315,6 +338,7 @@ class Discretiser {
     DiscreteDomain result_;
     std::vector<std::uint32_t> left_, right_; // per domain segment: regions
     std::vector<std::uint32_t> pointRegion_;  // per result_.points
+    std::vector<std::uint32_t> pointBelow_;   // likewise: the domain segment directly below
     std::vector<std::uint32_t> most_, count_; // per domain segment: pieces allowed and made
     std::vector<double> rho_;                 // at the nodes of the domain
     std::vector<double> fractions_;

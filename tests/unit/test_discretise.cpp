@@ -1,4 +1,5 @@
 #include "core/domain/discretise.hpp"
+#include "core/domain/validate.hpp"
 #include "core/geometry/plane_sweep.hpp"
 #include "tests/support/random_domains.hpp"
 #include "tests/support/spacing_samples.hpp"
@@ -111,6 +112,93 @@ TEST_CASE("discretise: sides of a needle that are a few last digits apart are cu
         relaxed += piecesOf(*discrete, 0) + piecesOf(*discrete, 2) < wanted ? 1 : 0;
     }
     CHECK(relaxed > 20);
+}
+
+TEST_CASE("discretise: a constraint point next to a rounded node stays on its side") {
+    int tried = 0, relaxed = 0;
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+        RandomSource random(seed);
+        const Vec2 corner{1e5 * random.unit(), 1e5 * random.unit()};
+        const Domain triangle = polygon(
+            {corner, corner + Vec2{1.0, random.between(0.1, 0.9)}, corner + Vec2{random.between(-0.5, 0.5), 1.0}});
+        const auto plain = discretise(triangle, constantSpacing(0.05), false);
+        REQUIRE(plain.ok());
+        for (const DiscreteSegment &piece : plain->segments) {
+            const Vec2 node = plain->nodes[piece.b];
+            const Vec2 p{std::nextafter(node.x, corner.x + random.between(-1, 1)), node.y};
+            Domain withPoint = triangle;
+            withPoint.nodes.push_back(random.chance(0.5) ? node : p);
+            withPoint.points.push_back({3, 1});
+            if (hasErrors(validate(withPoint))) {
+                continue; // it lies outside or at a corner
+            }
+            ++tried;
+            const auto discrete = discretise(withPoint, constantSpacing(0.05), false);
+            REQUIRE(discrete.ok());
+            REQUIRE(isSimple(*discrete));
+            relaxed += discrete->segments.size() < plain->segments.size() ? 1 : 0;
+            Domain cut = withPoint;
+            cut.nodes = discrete->nodes;
+            cut.segments.clear();
+            for (const DiscreteSegment &s : discrete->segments) {
+                cut.segments.push_back({s.a, s.b});
+            }
+            REQUIRE_FALSE(hasErrors(validate(cut)));
+        }
+    }
+    CHECK(tried > 100);
+    CHECK(relaxed > 50);
+}
+
+TEST_CASE("discretise: whatever validation passes can be discretised") {
+    int passed = 0, refused = 0;
+    for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+        CAPTURE(seed);
+        Domain domain = randomDomain(seed);
+        RandomSource random(seed + 77);
+        const auto nodes = static_cast<int>(domain.nodes.size());
+        const auto anyNode = [&] { return static_cast<std::uint32_t>(random.integer(0, nodes - 1)); };
+        const Box2 box = domain.bounds();
+        const auto anywhere = [&] {
+            return Vec2{random.between(box.min.x, box.max.x), random.between(box.min.y, box.max.y)};
+        };
+        if (random.chance(0.3)) {
+            domain.segments.push_back(
+                {anyNode(), anyNode(), 1, random.chance(0.5) ? SegmentRole::Constraint : SegmentRole::Boundary});
+        }
+        if (random.chance(0.2)) {
+            domain.segments[static_cast<std::size_t>(random.integer(0, 2))].role = SegmentRole::Constraint;
+        }
+        if (random.chance(0.4)) {
+            domain.insideRule = InsideRule::HoleMarkers;
+            for (int i = random.integer(0, 3); i > 0; --i) {
+                domain.holeMarkers.push_back(random.chance(0.8) ? anywhere() : domain.nodes[anyNode()]);
+            }
+        }
+        if (random.chance(0.3)) {
+            domain.points.push_back({anyNode(), 2});
+        }
+        if (random.chance(0.3)) {
+            domain.nodes.push_back(random.chance(0.7) ? anywhere() : midpoint(box.min, domain.nodes[anyNode()]));
+            domain.points.push_back({static_cast<std::uint32_t>(nodes), 3});
+        }
+        if (random.chance(0.1)) {
+            domain.nodes[anyNode()] = anywhere();
+        }
+        const bool valid = !hasErrors(validate(domain));
+        (valid ? passed : refused) += 1;
+        for (const bool keep : {true, false}) {
+            const auto discrete = discretise(domain, constantSpacing(0.02 * box.diagonal()), keep);
+            if (valid) {
+                REQUIRE(discrete.ok());
+                REQUIRE(isSimple(*discrete));
+                REQUIRE_FALSE(discrete->regions.empty());
+                REQUIRE(discrete->area() > 0.0);
+            }
+        }
+    }
+    CHECK(passed > 800);
+    CHECK(refused > 800);
 }
 
 TEST_CASE("discretise: domains that validation would not pass are refused, not processed") {
