@@ -18,6 +18,37 @@ bool looksLikeMsh(std::string_view head);
 void writeMsh2(const Mesh &mesh, TextWriter &out);
 void writeMsh4(const Mesh &mesh, TextWriter &out);
 
+Result<Mesh> readVtu(const SourceText &source);
+bool looksLikeVtu(std::string_view head);
+void writeVtu(const Mesh &mesh, TextWriter &out);
+
+Result<Mesh> readVtk(const SourceText &source);
+bool looksLikeVtk(std::string_view head);
+void writeVtk(const Mesh &mesh, TextWriter &out);
+
+Result<Mesh> readMedit(const SourceText &source);
+bool looksLikeMedit(std::string_view head);
+void writeMedit(const Mesh &mesh, TextWriter &out);
+
+Result<Mesh> readAbaqus(const SourceText &source);
+bool looksLikeAbaqus(std::string_view head);
+void writeAbaqus(const Mesh &mesh, TextWriter &out);
+
+Result<Mesh> readSu2(const SourceText &source);
+bool looksLikeSu2(std::string_view head);
+void writeSu2(const Mesh &mesh, TextWriter &out);
+
+Result<Mesh> readObj(const SourceText &source);
+void writeObj(const Mesh &mesh, TextWriter &out);
+
+/// A .node or .ele file; the other one, and an .edge file if there is one, stand beside it.
+Result<Mesh> readTriangle(const SourceText &source);
+/// `edges` may be null.
+Result<Mesh> readTriangleParts(const SourceText &nodes, const SourceText &elements, const SourceText *edges);
+Status writeTriangle(const std::filesystem::path &path, const Mesh &mesh, const Progress &progress);
+
+void writeSvg(const Mesh &mesh, TextWriter &out);
+
 Result<Domain> readPoly(const SourceText &source);
 Result<Domain> readGeoJson(const SourceText &source);
 bool looksLikeGeoJson(std::string_view head);

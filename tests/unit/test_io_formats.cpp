@@ -14,6 +14,25 @@
 using namespace forefront;
 using namespace forefront::testing;
 
+namespace {
+
+/// OBJ collects the faces of a group.
+Mesh byRegion(Mesh mesh) {
+    const Mesh old = mesh;
+    std::size_t next = 0;
+    for (const std::int32_t region : {2, 5}) {
+        for (std::size_t e = 0; e < old.elements.size(); ++e) {
+            if (old.regions[e] == region) {
+                mesh.elements[next] = old.elements[e];
+                mesh.regions[next++] = region;
+            }
+        }
+    }
+    return mesh;
+}
+
+} // namespace
+
 TEST_CASE("Formats: a mesh written in any format is read back the same, with tags, names and regions") {
     const ScratchFolder folder;
     const Mesh mesh = twoRegionMesh();
@@ -27,7 +46,7 @@ TEST_CASE("Formats: a mesh written in any format is read back the same, with tag
         REQUIRE_MESSAGE(status.empty(), messages(status));
         const auto back = readMesh(path);
         REQUIRE_MESSAGE(back.ok(), messages(back.faults()));
-        CHECK(difference(mesh, *back) == "");
+        CHECK(difference(std::string(format.id) == "obj" ? byRegion(mesh) : mesh, *back) == "");
         CHECK(verify(*back).empty());
     }
 }

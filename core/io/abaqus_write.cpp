@@ -1,0 +1,96 @@
+#include "core/io/names.hpp"
+#include "core/io/readers.hpp"
+#include "core/mesh/edge_table.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace forefront {
+
+namespace {
+
+constexpr std::size_t kPerLine = 10;
+
+/// A node set from node indices, ascending.
+void writeNodeSet(const std::string &name, const std::set<std::uint32_t> &nodes, TextWriter &out) {
+    out << "*NSET, NSET=" << name << '\n';
+    std::size_t column = 0;
+    for (const std::uint32_t node : nodes) {
+        out << node + std::uint64_t{1} << (++column % kPerLine == 0 || column == nodes.size() ? "\n" : ", ");
+    }
+}
+
+/// The sides of elements along edges of one tag; the side that runs in the direction of the edge is preferred.
+void writeSurface(const Mesh &mesh, const EdgeTable &table, const std::string &name,
+                  const std::vector<std::uint32_t> &edges, TextWriter &out) {
+    out << "*SURFACE, NAME=" << name << ", TYPE=ELEMENT\n";
+    for (const std::uint32_t k : edges) {
+        const auto sides = table.find(mesh.edges[k].a, mesh.edges[k].b);
+        if (sides.empty()) {
+            continue; // an edge of no element, as in a partial mesh
+        }
+        const auto along = std::find_if(sides.begin(), sides.end(),
+                                        [&](HalfEdge side) { return startOf(mesh, side) == mesh.edges[k].a; });
+        const HalfEdge side = along != sides.end() ? *along : sides.front();
+        out << elementOf(side) + 1 << ", S" << sideOf(side) + 1 << '\n';
+    }
+}
+
+} // namespace
+
+/// Abaqus input for CalculiX and Abaqus: CPS3 elements in a set per region, a node set and a surface per boundary tag,
+/// a node set per tagged point. Names are made identifiers; comments keep those given and the numbers of the tags.
+void writeAbaqus(const Mesh &mesh, TextWriter &out) {
+    out << "*HEADING\nPlane triangle mesh\n";
+    writeNameComments(mesh, "**", out);
+    UniqueNames unique;
+    const std::string allNodes = unique.claim("NALL");
+    const std::string allElements = unique.claim("EALL");
+    const TagList tags = tagsOf(mesh);
+    out << "*NODE, NSET=" << allNodes << '\n';
+    for (std::size_t n = 0; n < mesh.nodes.size() && out.ok(); ++n) {
+        out << n + 1 << ", " << mesh.nodes[n].x << ", " << mesh.nodes[n].y << ", 0\n";
+    }
+    std::map<std::int32_t, std::vector<std::uint32_t>> regions, boundaries;
+    for (std::uint32_t e = 0; e < mesh.elements.size(); ++e) {
+        regions[mesh.region(e)].push_back(e);
+    }
+    for (std::uint32_t k = 0; k < mesh.edges.size(); ++k) {
+        boundaries[mesh.edges[k].tag].push_back(k);
+    }
+    for (const auto &[tag, elements] : regions) {
+        out << "** tag " << tag << "\n*ELEMENT, TYPE=CPS3, ELSET=" << unique.claim(asIdentifier(tags.regions.at(tag)))
+            << '\n';
+        for (std::size_t k = 0; k < elements.size() && out.ok(); ++k) {
+            const Element &nodes = mesh.elements[elements[k]];
+            out << elements[k] + std::uint64_t{1} << ", " << index(nodes[0]) + 1 << ", " << index(nodes[1]) + 1 << ", "
+                << index(nodes[2]) + 1 << '\n';
+        }
+    }
+    if (!mesh.elements.empty()) {
+        out << "*ELSET, ELSET=" << allElements << ", GENERATE\n1, " << mesh.elements.size() << ", 1\n";
+        const EdgeTable table(mesh);
+        for (const auto &[tag, edges] : boundaries) {
+            const std::string name = unique.claim(asIdentifier(tags.edges.at(tag)));
+            std::set<std::uint32_t> nodes;
+            for (const std::uint32_t k : edges) {
+                nodes.insert(
+                    {static_cast<std::uint32_t>(mesh.edges[k].a), static_cast<std::uint32_t>(mesh.edges[k].b)});
+            }
+            writeNodeSet(name, nodes, out);
+            out << "** tag " << tag << '\n';
+            writeSurface(mesh, table, unique.claim("S_" + name), edges, out);
+        }
+    }
+    std::map<std::int32_t, std::set<std::uint32_t>> points;
+    for (const TaggedNode &point : mesh.points) {
+        points[point.tag].insert(static_cast<std::uint32_t>(point.node));
+    }
+    for (const auto &[tag, nodes] : points) {
+        out << "** point " << tag << '\n';
+        writeNodeSet(unique.claim(asIdentifier(tags.points.at(tag))), nodes, out);
+    }
+}
+
+} // namespace forefront

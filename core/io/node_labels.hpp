@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/mesh/mesh.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace forefront {
+
+/// One number per node for formats that label nodes: the tag of the point there, else the least tag of the tagged
+/// edges that meet there, else 0.
+std::vector<std::int32_t> nodeLabels(const Mesh &mesh);
+
+} // namespace forefront
