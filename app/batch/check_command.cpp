@@ -1,0 +1,78 @@
+#include "app/batch/commands.hpp"
+#include "app/batch/exit_code.hpp"
+#include "core/base/hash.hpp"
+#include "core/io/files.hpp"
+#include "core/mesh/quality.hpp"
+#include "core/mesh/verify.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+
+namespace forefront {
+
+namespace {
+
+constexpr const char *kExamples = R"(
+Examples:
+  forefront check plate.msh
+        is the mesh conforming, oriented and free of overlaps?
+  forefront check plate.msh --domain plate.poly
+        and does it fill exactly that domain, with its tags, regions, constraints and area?
+
+Exit codes: 0 valid, 1 not valid or not readable (faults on stderr, one a line), 2 wrong usage.)";
+
+struct CheckArguments {
+    std::filesystem::path mesh;
+    std::optional<std::filesystem::path> domain;
+};
+
+int check(const CheckArguments &arguments) {
+    const Result<Mesh> mesh = readMesh(arguments.mesh);
+    if (!mesh) {
+        printFaults(mesh.faults());
+        return kRefused;
+    }
+    Diagnostics faults;
+    if (arguments.domain) {
+        const Result<Domain> domain = readDomain(*arguments.domain);
+        faults = domain ? verifyAgainst(*mesh, *domain) : domain.faults();
+    } else {
+        faults = verify(*mesh);
+    }
+    if (mesh->elements.empty()) {
+        faults = error("empty-mesh", "the mesh has no elements");
+    }
+    printFaults(faults);
+    if (hasErrors(faults)) {
+        return kRefused;
+    }
+    const MeshQuality quality = measure(*mesh, nullptr);
+    std::printf("valid%s: %zu nodes, %zu elements, hash %s\n"
+                "shape factor: mean %.4f, geometric mean %.4f, least %.4f; angles %.1f to %.1f degrees\n",
+                arguments.domain ? " for the domain" : "", quality.nodes, quality.elements,
+                toHex(meshHash(*mesh)).c_str(), quality.alphaMean, quality.alphaGeometricMean, quality.alphaMin,
+                quality.minAngle, quality.maxAngle);
+    return kDone;
+}
+
+} // namespace
+
+int checkCommand(int argc, const char *const *argv) {
+    CheckArguments arguments;
+    CLI::App app("Checks a mesh, alone or against its domain.", "forefront check");
+    app.footer(kExamples);
+    app.add_option("MESH", arguments.mesh, "mesh file: .msh, .vtu, .vtk, .mesh, .inp, .su2, .node, .ele, .obj")
+        ->required();
+    app.add_option("--domain", arguments.domain, "domain or project it was made of")->type_name("IN");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError &error) {
+        return app.exit(error) == 0 ? kDone : kUsage;
+    }
+    return check(arguments);
+}
+
+} // namespace forefront

@@ -1,0 +1,155 @@
+#include "app/batch/mesh_arguments.hpp"
+
+#include "app/batch/exit_code.hpp"
+#include "core/io/files.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cstdio>
+#include <optional>
+
+namespace forefront {
+
+namespace {
+
+constexpr const char *kExamples = R"help(
+Examples:
+  forefront mesh lake.geojson -o lake.msh
+        spacing from the boundary lengths, graded inwards; Gmsh MSH 2.2
+  forefront mesh plate.poly -o plate.inp -o plate.svg --size 0.5
+        edges of length 0.5; Abaqus input and a drawing
+  forefront mesh plate.poly -o plate.msh --format msh41 --spacing "max(0.05, 0.2*sqrt(x*x+y*y))" edges that grow with
+    the distance to the origin;
+Gmsh MSH 4.1 forefront mesh coast.svg - o coast.vtu-- repair-- stats coast.json splits crossing lines first; statistics as JSON
+
+Exit codes: 0 done, 1 the input is refused (faults on stderr, one a line), 2 wrong usage, 3 cancelled.)help";
+
+std::string listFormats() {
+    std::string list;
+    for (const FileFormat &format : fileFormats()) {
+        if (format.writesMesh) {
+            list += (list.empty() ? "" : ", ") + std::string(format.id);
+        }
+    }
+    return list;
+}
+
+/// "none", "uniform", "uniform:COLSxROWS" or "hierarchical"; an error message when it is none of these.
+std::string parseGrid(const std::string &text, MeshArguments &arguments) {
+    if (text == "none") {
+        arguments.grid = GridKind::None;
+        return {};
+    }
+    if (text == "hierarchical") {
+        arguments.grid = GridKind::Hierarchical;
+        return {};
+    }
+    if (text == "uniform") {
+        arguments.grid = GridKind::Uniform;
+        return {};
+    }
+    constexpr std::string_view kUniform = "uniform:";
+    if (text.starts_with(kUniform)) {
+        const char *const end = text.data() + text.size();
+        const auto columns = std::from_chars(text.data() + kUniform.size(), end, arguments.gridColumns);
+        if (columns.ec == std::errc() && columns.ptr != end && *columns.ptr == 'x') {
+            const auto rows = std::from_chars(columns.ptr + 1, end, arguments.gridRows);
+            constexpr int kMost = 100'000;
+            if (rows.ec == std::errc() && rows.ptr == end && std::min(arguments.gridColumns, arguments.gridRows) >= 1 &&
+                std::max(arguments.gridColumns, arguments.gridRows) <= kMost) {
+                arguments.grid = GridKind::Uniform;
+                return {};
+            }
+        }
+    }
+    return "--grid: '" + text + "' is none of none, uniform, uniform:COLSxROWS, hierarchical";
+}
+
+/// Formats are known before anything is computed.
+std::string checkFormats(const MeshArguments &arguments) {
+    if (arguments.formats.size() > arguments.outputs.size()) {
+        return "--format is given more often than -o";
+    }
+    for (std::size_t i = 0; i < arguments.outputs.size(); ++i) {
+        const std::string id = arguments.format(i);
+        std::string extension = arguments.outputs[i].extension().string();
+        std::transform(extension.begin(), extension.end(), extension.begin(),
+                       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+        const auto formats = fileFormats();
+        const bool known = std::any_of(formats.begin(), formats.end(), [&](const FileFormat &format) {
+            return format.writesMesh && (id.empty() ? extension == format.extension : id == format.id);
+        });
+        if (!known) {
+            return (id.empty()
+                        ? "-o " + arguments.outputs[i].string() + ": no format has the extension '" + extension + "'"
+                        : "--format: unknown format '" + id + "'") +
+                   "; formats: " + listFormats();
+        }
+    }
+    return {};
+}
+
+} // namespace
+
+std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const *argv) {
+    MeshArguments arguments;
+    std::string grid;
+    CLI::App app("Meshes a planar domain with triangles by the advancing front technique.", "forefront mesh");
+    app.footer(kExamples);
+    app.add_option("IN", arguments.input, "project (.json, .forefront) or domain: .poly, .node, .geojson, .svg, .msh")
+        ->required();
+    app.add_option("-o,--output", arguments.outputs, "mesh to write; the extension tells the format; repeatable")
+        ->allow_extra_args(false)
+        ->type_name("OUT");
+    app.add_option("--format", arguments.formats, "format of the outputs in their order: " + listFormats())
+        ->allow_extra_args(false)
+        ->type_name("ID");
+    auto *spacing = app.add_option_group("Spacing", "at most one; else that of the project, or automatic");
+    spacing->add_option("--size", arguments.size, "the same edge length everywhere")
+        ->check(CLI::PositiveNumber)
+        ->type_name("H");
+    spacing->add_option("--spacing", arguments.expression, "edge length as an expression in x and y")
+        ->type_name("EXPR");
+    spacing->add_option("--spacing-file", arguments.spacingFile, "spacing of a project, or a background mesh (.msh)")
+        ->type_name("FILE");
+    spacing->require_option(0, 1);
+    app.add_option("--gradation", arguments.gradation, "greatest change of edge length per unit of distance")
+        ->check(CLI::PositiveNumber)
+        ->type_name("G");
+    app.add_option("--grid", grid, "background grid: none, uniform[:COLSxROWS], hierarchical (default)")
+        ->type_name("KIND");
+    app.add_flag("--keep-boundary", arguments.keepBoundary, "use the given segments as they are, without cutting them");
+    app.add_flag("--repair", arguments.repair,
+                 "merge duplicate nodes and segments and split at crossings first, and say so");
+    app.add_flag("--no-improve", arguments.noImprove, "leave out swapping and smoothing");
+    app.add_option("--threads", arguments.threads, "threads; the mesh does not depend on it")
+        ->check(CLI::Range(1U, 256U))
+        ->type_name("N");
+    app.add_option("--stats", arguments.statistics, "write statistics as JSON")->type_name("FILE.json");
+    app.add_flag("-q,--quiet", arguments.quiet, "no progress and no summary");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError &error) {
+        return app.exit(error) == 0 ? kDone : kUsage;
+    }
+    std::string wrong;
+    if (!grid.empty()) {
+        wrong = parseGrid(grid, arguments);
+    }
+    if (wrong.empty()) {
+        wrong = checkFormats(arguments);
+    }
+    if (wrong.empty() && arguments.outputs.empty() && !arguments.statistics) {
+        wrong = "nothing to write: give -o OUT or --stats FILE.json";
+    }
+    if (!wrong.empty()) {
+        std::fprintf(stderr, "forefront mesh: %s\nRun with --help for more information.\n", wrong.c_str());
+        return static_cast<int>(kUsage);
+    }
+    return arguments;
+}
+
+} // namespace forefront

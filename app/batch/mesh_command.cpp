@@ -1,0 +1,156 @@
+#include "app/batch/commands.hpp"
+#include "app/batch/exit_code.hpp"
+#include "app/batch/interrupt.hpp"
+#include "app/batch/mesh_arguments.hpp"
+#include "app/batch/progress_bar.hpp"
+#include "app/batch/report.hpp"
+#include "core/domain/validate.hpp"
+#include "core/edit/document.hpp"
+#include "core/io/files.hpp"
+#include "core/mesher/pipeline.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace forefront {
+
+namespace {
+
+/// Domain of any file; spacing and options too where it is a project.
+Result<MeshingJob> readJob(const MeshArguments &arguments) {
+    MeshingJob job;
+    const std::string extension = arguments.input.extension().string();
+    if (extension == ".json" || extension == ".forefront") {
+        const Result<Document> document = readDocument(arguments.input);
+        if (!document) {
+            return document.faults();
+        }
+        job.spacing = document->spacing;
+        job.options = document->options;
+    }
+    Result<Domain> domain = readDomain(arguments.input);
+    if (!domain) {
+        return domain.faults();
+    }
+    job.domain = std::move(*domain);
+    return job;
+}
+
+/// The command line wins over the project.
+Diagnostics applySpacing(const MeshArguments &arguments, SpacingSpec &spacing) {
+    if (arguments.size || arguments.expression) {
+        spacing = {};
+        spacing.size = arguments.size;
+        spacing.expression = arguments.expression;
+    } else if (arguments.spacingFile) {
+        Result<SpacingSpec> read = readSpacing(*arguments.spacingFile);
+        if (!read) {
+            return read.faults();
+        }
+        spacing = std::move(*read);
+    }
+    if (arguments.gradation) {
+        spacing.gradation = arguments.gradation;
+    }
+    return {};
+}
+
+void applyOptions(const MeshArguments &arguments, MeshingOptions &options) {
+    if (arguments.grid) {
+        options.grid = *arguments.grid;
+        options.gridColumns = arguments.gridColumns;
+        options.gridRows = arguments.gridRows;
+    }
+    options.keepBoundary = options.keepBoundary || arguments.keepBoundary;
+    options.improve = options.improve && !arguments.noImprove;
+    options.threads = arguments.threads.value_or(options.threads);
+}
+
+Diagnostics repairDomain(Domain &domain) {
+    Result<Repaired> repaired = repair(domain);
+    if (!repaired) {
+        return repaired.faults();
+    }
+    printFaults(repaired->changes);
+    domain = std::move(repaired->domain);
+    return {};
+}
+
+bool hasCode(const Diagnostics &faults, std::string_view code) {
+    return std::any_of(faults.begin(), faults.end(), [code](const Diagnostic &d) { return d.code == code; });
+}
+
+int refuse(const Diagnostics &faults, const InterruptWatch &interrupt) {
+    if (interrupt.interrupted() || hasCode(faults, "cancelled")) {
+        std::fputs("cancelled\n", stderr);
+        return kCancelled;
+    }
+    printFaults(faults);
+    return kRefused;
+}
+
+Diagnostics writeOutputs(const MeshArguments &arguments, const Mesh &mesh, const RunReport &report,
+                         const Progress &progress) {
+    for (std::size_t i = 0; i < arguments.outputs.size(); ++i) {
+        Diagnostics faults = writeMesh(arguments.outputs[i], mesh, arguments.format(i), progress);
+        if (hasErrors(faults)) {
+            return faults;
+        }
+    }
+    return arguments.statistics ? writeFileAtomically(*arguments.statistics, statisticsJson(report)) : Diagnostics{};
+}
+
+void printResult(const MeshArguments &arguments, const RunReport &report) {
+    if (!arguments.quiet) {
+        for (const auto &path : arguments.outputs) {
+            std::printf("wrote %s\n", path.string().c_str());
+        }
+        std::fputs(summary(report).c_str(), stdout);
+    }
+    std::printf("mesh_cpu=%.6f\n", report.meshCpu());
+}
+
+} // namespace
+
+int meshCommand(int argc, const char *const *argv) {
+    const auto parsed = parseMeshArguments(argc, argv);
+    if (const int *code = std::get_if<int>(&parsed)) {
+        return *code;
+    }
+    const MeshArguments &arguments = std::get<MeshArguments>(parsed);
+    const InterruptWatch interrupt;
+    ProgressBar bar(!arguments.quiet);
+    Progress progress;
+    progress.stop = interrupt.token();
+    progress.report = [&bar](std::string_view stage, double fraction) { bar.show(stage, fraction); };
+
+    bar.show("reading", 0.0);
+    Result<MeshingJob> job = readJob(arguments);
+    Diagnostics faults = job ? applySpacing(arguments, job->spacing) : job.faults();
+    bar.clear();
+    if (faults.empty() && arguments.repair) {
+        faults = repairDomain(job->domain);
+    }
+    if (!faults.empty()) {
+        return refuse(faults, interrupt);
+    }
+    applyOptions(arguments, job->options);
+
+    const Result<MeshingOutcome> outcome = meshDomain(*job, progress);
+    bar.clear();
+    if (!outcome) {
+        const int code = refuse(outcome.faults(), interrupt);
+        const bool mistyped = arguments.expression && hasCode(outcome.faults(), "expression-syntax");
+        return code == kRefused && mistyped ? kUsage : code;
+    }
+    const RunReport report = reportOf(*outcome);
+    faults = writeOutputs(arguments, outcome->mesh, report, progress);
+    bar.clear();
+    if (hasErrors(faults)) {
+        return refuse(faults, interrupt);
+    }
+    printResult(arguments, report);
+    return kDone;
+}
+
+} // namespace forefront

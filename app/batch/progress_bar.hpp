@@ -1,0 +1,28 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <string_view>
+
+namespace forefront {
+
+/// A line on a terminal (stderr) that shows the stage and the part done; silent elsewhere.
+class ProgressBar {
+  public:
+    /// `wanted` false: silent even on a terminal.
+    explicit ProgressBar(bool wanted);
+    ~ProgressBar() { clear(); }
+    ProgressBar(const ProgressBar &) = delete;
+    ProgressBar &operator=(const ProgressBar &) = delete;
+
+    void show(std::string_view stage, double fraction);
+    void clear();
+
+  private:
+    bool active_;
+    bool shown_ = false;
+    std::string stage_;
+    std::chrono::steady_clock::time_point last_{};
+};
+
+} // namespace forefront

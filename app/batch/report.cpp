@@ -1,0 +1,71 @@
+#include "app/batch/report.hpp"
+
+#include "core/base/hash.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <sys/resource.h>
+
+namespace forefront {
+
+namespace {
+
+std::uint64_t peakBytes() {
+    rusage usage{};
+    return getrusage(RUSAGE_SELF, &usage) == 0 ? static_cast<std::uint64_t>(usage.ru_maxrss) * 1024U : 0U;
+}
+
+} // namespace
+
+RunReport reportOf(const MeshingOutcome &outcome) {
+    RunReport report;
+    report.peakBytes = peakBytes(); // before measuring, which needs memory of its own
+    report.quality = measure(outcome.mesh, outcome.spacing.get());
+    report.work = outcome.work;
+    report.secondsPrepare = outcome.secondsPrepare;
+    report.secondsMesh = outcome.secondsMesh;
+    report.secondsImprove = outcome.secondsImprove;
+    report.hash = meshHash(outcome.mesh);
+    return report;
+}
+
+std::string statisticsJson(const RunReport &report) {
+    const MeshQuality &q = report.quality;
+    nlohmann::ordered_json json;
+    json["nodes"] = q.nodes;
+    json["elements"] = q.elements;
+    json["alpha_mean"] = q.alphaMean;
+    json["alpha_geometric_mean"] = q.alphaGeometricMean;
+    json["alpha_min"] = q.alphaMin;
+    json["delta_mean"] = q.deltaMean;
+    json["min_angle_deg"] = q.minAngle;
+    json["max_angle_deg"] = q.maxAngle;
+    json["front_mean"] = report.work.frontMean();
+    json["neighbours_mean"] = report.work.neighboursMean();
+    json["tests_mean"] = report.work.testsMean();
+    json["seconds_prepare"] = report.secondsPrepare;
+    json["seconds_mesh"] = report.secondsMesh;
+    json["seconds_improve"] = report.secondsImprove;
+    json["peak_bytes"] = report.peakBytes;
+    json["hash"] = toHex(report.hash);
+    return json.dump(2) + '\n';
+}
+
+std::string summary(const RunReport &report) {
+    const MeshQuality &q = report.quality;
+    const double cpu = report.meshCpu();
+    char text[600];
+    std::snprintf(text, sizeof text,
+                  "%zu nodes, %zu elements, hash %s\n"
+                  "shape factor: mean %.4f, geometric mean %.4f, least %.4f; angles %.1f to %.1f degrees\n"
+                  "spacing conformity: mean %.4f\n"
+                  "%.3f s for the mesh (%.3f prepare, %.3f front, %.3f improve), %.0f elements/s, peak %.1f MB\n",
+                  q.nodes, q.elements, toHex(report.hash).c_str(), q.alphaMean, q.alphaGeometricMean, q.alphaMin,
+                  q.minAngle, q.maxAngle, q.deltaMean, cpu, report.secondsPrepare, report.secondsMesh,
+                  report.secondsImprove, cpu > 0.0 ? static_cast<double>(q.elements) / cpu : 0.0,
+                  static_cast<double>(report.peakBytes) / 1e6);
+    return text;
+}
+
+} // namespace forefront

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/mesh/quality.hpp"
+#include "core/mesher/pipeline.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace forefront {
+
+/// Figures of a finished run.
+struct RunReport {
+    MeshQuality quality;
+    WorkCounters work;
+    double secondsPrepare = 0.0, secondsMesh = 0.0, secondsImprove = 0.0;
+    std::uint64_t hash = 0;
+    std::uint64_t peakBytes = 0; ///< greatest resident memory of the program so far
+
+    /// CPU seconds of meshing and improvement, with validation, spacing and discretisation; no reading or writing.
+    double meshCpu() const { return secondsPrepare + secondsMesh + secondsImprove; }
+};
+
+RunReport reportOf(const MeshingOutcome &outcome);
+/// The JSON object that --stats writes.
+std::string statisticsJson(const RunReport &report);
+/// A few lines for people.
+std::string summary(const RunReport &report);
+
+} // namespace forefront

@@ -1,0 +1,90 @@
+#include "app/batch/commands.hpp"
+#include "app/batch/exit_code.hpp"
+#include "app/editor_entry.hpp"
+#include "core/base/version.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <exception>
+#include <string_view>
+
+namespace forefront {
+
+namespace {
+
+constexpr const char *kUsageText = R"(Forefront: planar triangle meshes by the advancing front technique.
+
+  forefront [FILE]          open the editor, on a project or domain file
+  forefront mesh IN -o OUT  mesh a file in batch           (forefront mesh --help)
+  forefront check MESH      check a mesh                   (forefront check --help)
+  forefront --version       print the version
+  forefront --help          print this
+
+Examples:
+  forefront                                        the editor, on the sample
+  forefront mesh lake.geojson -o lake.msh          mesh with automatic spacing
+  forefront mesh plate.poly -o plate.vtu --size 1  mesh with edges of length 1
+  forefront check lake.msh --domain lake.geojson   prove that the mesh fits
+
+Options of the editor:
+  --frames N                close by itself after N frames (for tests)
+  --state-file FILE         write what is shown after each frame (for tests)
+)";
+
+#if defined(FOREFRONT_WITH_EDITOR)
+int editorCommand(int argc, const char *const *argv) {
+    EditorArguments arguments;
+    CLI::App app("Forefront", "forefront");
+    app.set_help_flag();
+    app.add_option("FILE", arguments.file)->check(CLI::ExistingFile);
+    app.add_option("--frames", arguments.frames)->check(CLI::PositiveNumber);
+    app.add_option("--state-file", arguments.stateFile);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError &error) {
+        std::fprintf(stderr, "forefront: %s\nRun with --help for more information.\n", error.what());
+        return kUsage;
+    }
+    return runEditor(arguments);
+}
+#else
+int editorCommand(int /*argc*/, const char *const * /*argv*/) {
+    std::fprintf(stderr, "This program was built without the editor.\n\n%s", kUsageText);
+    return kUsage;
+}
+#endif
+
+int dispatch(int argc, const char *const *argv) {
+    const std::string_view command = argc > 1 ? argv[1] : "";
+    if (command == "mesh") {
+        return meshCommand(argc - 1, argv + 1);
+    }
+    if (command == "check") {
+        return checkCommand(argc - 1, argv + 1);
+    }
+    if (command == "--version") {
+        std::printf("forefront %s\n", kVersion);
+        return kDone;
+    }
+    if (command == "--help" || command == "-h" || command == "help") {
+        std::fputs(kUsageText, stdout);
+        return kDone;
+    }
+    return editorCommand(argc, argv);
+}
+
+} // namespace
+
+} // namespace forefront
+
+int main(int argc, char **argv) {
+    try {
+        return forefront::dispatch(argc, argv);
+    } catch (const std::bad_alloc &) {
+        std::fputs("error: out of memory\n", stderr);
+    } catch (const std::exception &error) {
+        std::fprintf(stderr, "error: %s\n", error.what());
+    }
+    return forefront::kRefused;
+}

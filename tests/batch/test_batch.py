@@ -1,0 +1,236 @@
+#!/usr/bin/env python3
+"""The batch program as its users meet it: exit codes, messages, figures, files.
+
+    test_batch.py PROGRAM [NAME OF A TEST...]
+
+FOREFRONT_DATA may name a folder of real domains (*.poly); each is then meshed and checked.
+"""
+
+import json
+import math
+import os
+import pathlib
+import pty
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+PROGRAM = os.path.abspath(sys.argv.pop(1))
+STATS = ["nodes", "elements", "alpha_mean", "alpha_geometric_mean", "alpha_min", "delta_mean", "min_angle_deg",
+         "max_angle_deg", "front_mean", "neighbours_mean", "tests_mean", "seconds_mesh", "seconds_improve",
+         "peak_bytes", "hash"]
+
+SQUARE = [(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)]
+HOLE = [(1.0, 1.0), (1.0, 2.0), (2.0, 2.0), (2.0, 1.0)]
+BOW = [(0.0, 0.0), (4.0, 3.0), (4.0, 0.0), (0.0, 3.0)]
+
+
+def poly(loops, holes=()):
+    """Triangle .poly text of closed loops, each with a tag of its own."""
+    nodes = [p for loop in loops for p in loop]
+    lines = [f"{len(nodes)} 2 0 0"] + [f"{i} {x!r} {y!r}" for i, (x, y) in enumerate(nodes, 1)]
+    lines.append(f"{len(nodes)} 1")
+    first = 1
+    for tag, loop in enumerate(loops, 1):
+        lines += [f"{first + i} {first + i} {first + (i + 1) % len(loop)} {tag}" for i in range(len(loop))]
+        first += len(loop)
+    lines.append(str(len(holes)))
+    lines += [f"{i} {x!r} {y!r}" for i, (x, y) in enumerate(holes, 1)]
+    return "\n".join(lines) + "\n"
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.path = pathlib.Path(folder.name)
+        self.write("plate.poly", poly([SQUARE, HOLE], [(1.5, 1.5)]))
+
+    def write(self, name, text):
+        (self.path / name).write_text(text)
+
+    def read(self, name):
+        return (self.path / name).read_text()
+
+    def call(self, *words, code=0):
+        done = subprocess.run([PROGRAM, *map(str, words)], cwd=self.path, capture_output=True, text=True, timeout=300)
+        self.assertEqual(done.returncode, code, f"{words}\n{done.stdout}\n{done.stderr}")
+        return done
+
+    def stats(self, *words):
+        self.call("mesh", *words, "--stats", "stats.json")
+        return json.loads(self.read("stats.json"))
+
+
+class Meshing(Case):
+    def test_meshes_and_checks(self):
+        done = self.call("mesh", "plate.poly", "-o", "plate.msh", "--size", "0.25")
+        self.assertEqual(done.stderr, "")
+        lines = done.stdout.splitlines()
+        self.assertRegex(lines[-1], r"^mesh_cpu=\d+\.\d+$")
+        self.assertIn("wrote plate.msh", lines)
+        self.assertRegex(done.stdout, r"\d+ nodes, \d+ elements, hash [0-9a-f]{16}")
+        self.assertIn("valid for the domain", self.call("check", "plate.msh", "--domain", "plate.poly").stdout)
+        self.assertIn("valid:", self.call("check", "plate.msh").stdout)
+
+    def test_statistics_have_every_key_and_agree_with_the_mesh(self):
+        stats = self.stats("plate.poly", "-o", "plate.msh", "--size", "0.2")
+        for key in STATS:
+            self.assertIn(key, stats)
+        wanted = 11 * 4 / (math.sqrt(3) * 0.2 ** 2)  # area 11 in equilateral triangles
+        self.assertLess(abs(stats["elements"] / wanted - 1), 0.12)
+        self.assertGreater(stats["alpha_geometric_mean"], 0.93)
+        self.assertGreaterEqual(stats["alpha_mean"], stats["alpha_geometric_mean"])
+        self.assertGreater(stats["delta_mean"], 0.85)
+        self.assertGreater(stats["min_angle_deg"], 20)
+        self.assertLess(stats["max_angle_deg"], 130)
+        self.assertGreater(stats["front_mean"], 1)
+        self.assertGreater(stats["peak_bytes"], 1_000_000)
+        checked = self.call("check", "plate.msh").stdout
+        self.assertIn(f"{stats['nodes']} nodes, {stats['elements']} elements, hash {stats['hash']}", checked)
+
+    def test_the_spacing_is_the_one_asked_for(self):
+        coarse = self.stats("plate.poly", "--size", "0.4")["elements"]
+        fine = self.stats("plate.poly", "--size", "0.2")["elements"]
+        self.assertLess(abs(fine / coarse / 4 - 1), 0.25)
+        steep = self.stats("plate.poly", "--spacing", "0.02 + 0.9*max(0, x + y - 0.2)")
+        graded = self.stats("plate.poly", "--spacing", "0.02 + 0.9*max(0, x + y - 0.2)", "--gradation", "0.1")
+        self.assertGreater(graded["elements"], 2 * steep["elements"])
+
+    def test_every_grid_and_number_of_threads_gives_the_same_mesh(self):
+        choices = ([], ["--grid", "none"], ["--grid", "uniform"], ["--grid", "uniform:7x5"],
+                   ["--grid", "hierarchical"], ["--threads", "2"])
+        self.assertEqual(len({self.stats("plate.poly", "--size", "0.1", *c)["hash"] for c in choices}), 1)
+
+    def test_keep_boundary_keeps_the_segments_as_given(self):
+        kept = self.stats("plate.poly", "-o", "kept.msh", "--keep-boundary", "--size", "0.2")
+        self.assertLess(kept["nodes"], self.stats("plate.poly", "--size", "0.2")["nodes"])
+        self.call("check", "kept.msh", "--domain", "plate.poly")
+
+    def test_no_improve_leaves_out_the_improvement(self):
+        raw = self.stats("plate.poly", "--size", "0.1", "--no-improve")
+        improved = self.stats("plate.poly", "--size", "0.1")
+        self.assertEqual(raw["seconds_improve"], 0)
+        self.assertEqual(raw["elements"], improved["elements"])
+        self.assertGreaterEqual(improved["alpha_min"], raw["alpha_min"])
+        self.assertNotEqual(raw["hash"], improved["hash"])
+
+    def test_several_outputs_and_formats(self):
+        self.call("mesh", "plate.poly", "-o", "a.dat", "-o", "b.msh", "--format", "msh41", "--size", "0.5")
+        self.assertIn("4.1", self.read("a.dat")[:40])
+        self.assertIn("2.2", self.read("b.msh")[:40])
+
+    def test_quiet_prints_the_figure_alone(self):
+        done = self.call("mesh", "plate.poly", "-o", "plate.msh", "--quiet")
+        self.assertRegex(done.stdout, r"^mesh_cpu=\d+\.\d+\n$")
+        self.assertEqual(done.stderr, "")
+
+    def test_progress_bar_shows_on_a_terminal(self):
+        leader, follower = pty.openpty()
+        process = subprocess.Popen([PROGRAM, "mesh", "plate.poly", "-o", "a.msh", "--size", "0.01"], cwd=self.path,
+                                   stdout=subprocess.DEVNULL, stderr=follower)
+        os.close(follower)
+        shown = b""
+        try:
+            while piece := os.read(leader, 4096):
+                shown += piece
+        except OSError:  # the end, on Linux
+            pass
+        os.close(leader)
+        self.assertEqual(process.wait(timeout=60), 0)
+        self.assertRegex(shown, rb"\[#*\.*\]\s+\d+ %")
+        self.assertTrue(shown.endswith(b"\r\x1b[K"), "the bar is cleared at the end")
+
+    def test_interrupt_cancels_soon_and_leaves_nothing(self):
+        process = subprocess.Popen([PROGRAM, "mesh", "plate.poly", "-o", "big.msh", "--size", "0.0004"], cwd=self.path,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        time.sleep(1.0)
+        self.assertIsNone(process.poll(), "finished before it could be cancelled")
+        asked = time.monotonic()
+        process.send_signal(signal.SIGINT)
+        _, errors = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 3, errors)
+        self.assertLess(time.monotonic() - asked, 5)
+        self.assertEqual([p.name for p in self.path.iterdir()], ["plate.poly"])
+
+
+class Refusing(Case):
+    def test_faults_are_told_with_their_place_one_a_line(self):
+        self.write("bow.poly", poly([BOW]))
+        done = self.call("mesh", "bow.poly", "-o", "bow.msh", code=1)
+        self.assertFalse((self.path / "bow.msh").exists())
+        self.assertEqual(done.stdout, "")
+        lines = done.stderr.splitlines()
+        self.assertTrue(all("error: " in line or "note: " in line for line in lines), done.stderr)
+        crossing = [line for line in lines if "crossing-segments" in line]
+        self.assertEqual(len(crossing), 1, done.stderr)
+        self.assertIn("at (2, 1.5)", crossing[0])
+
+    def test_repair_splits_crossings_and_says_so(self):
+        self.write("bow.poly", poly([BOW]))
+        done = self.call("mesh", "bow.poly", "-o", "bow.msh", "--repair")
+        self.assertIn("(2, 1.5)", done.stderr)
+        self.call("check", "bow.msh")
+
+    def test_files_that_cannot_be_read_are_refused(self):
+        self.call("mesh", "missing.poly", "-o", "a.msh", code=1)
+        self.write("broken.poly", "12 2 0 0\n1 0 0\n")
+        self.assertIn("broken.poly", self.call("mesh", "broken.poly", "-o", "a.msh", code=1).stderr)
+        self.write("nan.poly", poly([[(0.0, 0.0), (1.0, 0.0), (math.nan, 1.0)]]))
+        self.call("mesh", "nan.poly", "-o", "a.msh", code=1)
+        self.call("check", "missing.msh", code=1)
+
+    def test_outputs_that_cannot_be_written_are_told(self):
+        self.assertIn("error: ", self.call("mesh", "plate.poly", "-o", "no/such/folder/a.msh", code=1).stderr)
+
+    def test_check_finds_what_is_wrong(self):
+        self.call("mesh", "plate.poly", "-o", "plate.msh", "--size", "0.5")
+        self.write("other.poly", poly([SQUARE]))
+        done = self.call("check", "plate.msh", "--domain", "other.poly", code=1)
+        self.assertRegex(done.stderr, r"at \([-0-9.e]+, [-0-9.e]+\)")
+        text = self.read("plate.msh")
+        triangles = list(re.finditer(r"^(\d+ 2 2 \d+ \d+) (\d+) (\d+) (\d+)$", text, re.M))
+        self.assertTrue(triangles)
+        t = triangles[len(triangles) // 2]
+        self.write("turned.msh", text[:t.start()] + f"{t[1]} {t[3]} {t[2]} {t[4]}" + text[t.end():])
+        self.assertIn("[inverted-element]", self.call("check", "turned.msh", code=1).stderr)
+
+    def test_wrong_usage(self):
+        mesh = ["mesh", "plate.poly", "-o", "a.msh"]
+        for words in (["mesh"], ["mesh", "plate.poly"], ["mesh", "plate.poly", "-o", "a.unknown"],
+                      [*mesh, "--format", "nonsense"], [*mesh, "--size", "-1"], [*mesh, "--size", "1", "--spacing", "x"],
+                      [*mesh, "--grid", "hexagonal"], [*mesh, "--grid", "uniform:0x4"], [*mesh, "--grid", "uniform:4"],
+                      [*mesh, "--threads", "0"], [*mesh, "--spacing", "1+*x"], [*mesh, "--no-such-option"], ["check"]):
+            self.assertNotEqual(self.call(*words, code=2).stderr, "", words)
+        self.assertEqual([p.name for p in self.path.iterdir()], ["plate.poly"])
+
+    def test_help_and_version(self):
+        self.assertRegex(self.call("--version").stdout, r"^forefront \d+\.\d+\.\d+\n$")
+        for words in (["--help"], ["mesh", "--help"], ["check", "--help"]):
+            self.assertIn("Examples:", self.call(*words).stdout)
+
+
+class RealDomains(Case):
+    def test_every_file_meshes_by_default_and_with_its_boundary_kept(self):
+        data = os.environ.get("FOREFRONT_DATA")
+        if not data:
+            self.skipTest("FOREFRONT_DATA is not set")
+        files = sorted(pathlib.Path(data).glob("*.poly"))
+        self.assertTrue(files, f"no .poly files in {data}")
+        for file in files:
+            for more in ([], ["--keep-boundary"]):
+                with self.subTest(file=file.name, options=more):
+                    stats = self.stats(file, "-o", "real.msh", *more)
+                    self.call("check", "real.msh", "--domain", file)
+                    print(f"{file.name} {' '.join(more)}: {stats['elements']} elements, geometric mean of alpha "
+                          f"{stats['alpha_geometric_mean']:.4f}, least {stats['alpha_min']:.4f}")
+                    if not more:
+                        self.assertGreaterEqual(stats["alpha_geometric_mean"], 0.93)
+
+
+if __name__ == "__main__":
+    unittest.main()

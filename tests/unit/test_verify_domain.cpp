@@ -1,0 +1,157 @@
+#include "core/domain/domain.hpp"
+#include "core/mesh/verify.hpp"
+#include "tests/unit/mesh_samples.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace forefront;
+using samples::codes;
+using samples::node;
+using Codes = std::set<std::string>;
+
+namespace {
+
+/// A square of 12 x 12 cells, turned by `turn` so that no side is parallel to an axis, whose right half is region 6,
+/// with a constraint point; and the domain of seven segments that it meshes.
+struct Case {
+    Mesh mesh;
+    Domain domain;
+};
+
+Case turnedSquare(double turn = 0.3, Vec2 offset = {}) {
+    Case c{samples::square(12, 12, 0.2), {}};
+    Mesh &mesh = c.mesh;
+    for (std::size_t j = 0; j <= 12; ++j) {
+        mesh.nodes[13 * j + 6].x = 0.5; // the constraint is straight
+    }
+    for (const Element &e : mesh.elements) {
+        const Vec2 sum = mesh.nodes[index(e[0])] + mesh.nodes[index(e[1])] + mesh.nodes[index(e[2])];
+        mesh.regions.push_back(sum.x < 1.5 ? 5 : 6);
+    }
+    for (Vec2 &p : mesh.nodes) {
+        p = Vec2{p.x * std::cos(turn) - p.y * std::sin(turn), p.x * std::sin(turn) + p.y * std::cos(turn)} + offset;
+    }
+    for (std::size_t j = 0; j < 12; ++j) {
+        mesh.edges.push_back({node(13 * j + 6), node(13 * j + 19), 9});
+    }
+    mesh.points = {{node(28), 4}};
+    for (const std::size_t n : {0U, 6U, 12U, 168U, 162U, 156U, 28U}) {
+        c.domain.nodes.push_back(mesh.nodes[n]);
+    }
+    c.domain.segments = {
+        {0, 1, 1}, {1, 2, 1}, {3, 2, 2}, {3, 4, 3}, {5, 4, 3}, {5, 0, 4}, {4, 1, 9, SegmentRole::Constraint}};
+    c.domain.points = {{6, 4}};
+    c.domain.regionMarkers = {{mesh.nodes[28], 5}, {mesh.nodes[24], 6}};
+    return c;
+}
+
+template <class Change>
+Codes after(Change &&change) {
+    Case c = turnedSquare();
+    change(c);
+    return codes(verifyAgainst(c.mesh, c.domain));
+}
+
+} // namespace
+
+TEST_CASE("verifyAgainst domain: a mesh that cuts its segments has no fault, turned and far from the origin") {
+    for (const double turn : {0.0, 0.3, 2.0}) {
+        for (const Vec2 offset : {Vec2{}, Vec2{1e5, -1e5}, Vec2{123456.7, 1e5 + 0.3}}) {
+            const Case c = turnedSquare(turn, offset);
+            const Diagnostics faults = verifyAgainst(c.mesh, c.domain);
+            CHECK_MESSAGE(faults.empty(), samples::list(faults));
+        }
+    }
+}
+
+TEST_CASE("verifyAgainst domain: a faulty domain is refused as validation refuses it") {
+    CHECK(after([](Case &c) { c.domain.segments.pop_back(), c.domain.segments.pop_back(); }).count("open-chain") == 1);
+}
+
+TEST_CASE("verifyAgainst domain: given nodes must be nodes of the mesh exactly") {
+    CHECK(after([](Case &c) { c.domain.nodes[0].x -= 1e-15; }) == Codes{"missing-node"});
+    CHECK(after([](Case &c) { c.domain.nodes[6].x += 1e-15; }) == Codes{"missing-point"});
+}
+
+TEST_CASE("verifyAgainst domain: inserted nodes must lie on their segment") {
+    // Node 3 lies on the bottom side; out of it by 1e-12 is rounding, by 1e-6 is a fault.
+    CHECK(after([](Case &c) { c.mesh.nodes[3].y -= 1e-12; }).empty());
+    CHECK(after([](Case &c) { c.mesh.nodes[3].y -= 1e-6; }) == Codes{"missing-segment"});
+}
+
+TEST_CASE("verifyAgainst domain: segments that the mesh lacks are named with their place") {
+    Case c = turnedSquare();
+    c.domain.segments.push_back({0, 6, 1, SegmentRole::Constraint});
+    const Diagnostics faults = verifyAgainst(c.mesh, c.domain);
+    CHECK_MESSAGE(codes(faults) == Codes{"missing-segment"}, samples::list(faults));
+    CHECK(faults[0].at == midpoint(c.domain.nodes[0], c.domain.nodes[6]));
+    CHECK(faults[0].ids == std::vector<std::uint32_t>{7});
+}
+
+TEST_CASE("verifyAgainst domain: a mesh of a larger or smaller domain does not pass") {
+    // The domain has a hole that the mesh fills.
+    CHECK(!after([](Case &c) {
+               const auto first = static_cast<std::uint32_t>(c.domain.nodes.size());
+               for (const std::size_t n : {14U, 15U, 41U}) {
+                   c.domain.nodes.push_back(c.mesh.nodes[n]);
+               }
+               c.domain.segments.insert(c.domain.segments.end(),
+                                        {{first, first + 1, 1}, {first + 1, first + 2, 1}, {first + 2, first, 1}});
+               c.domain.points.clear();
+               c.domain.nodes[6] = c.domain.nodes[8];
+               c.domain.nodes.pop_back();
+           }).empty());
+    // The mesh has a hole that the domain has not.
+    CHECK(after([](Case &c) {
+              for (const std::size_t e : {31U, 30U}) {
+                  c.mesh.elements.erase(c.mesh.elements.begin() + e);
+                  c.mesh.regions.erase(c.mesh.regions.begin() + e);
+              }
+          }).count("unexpected-boundary") == 1);
+}
+
+TEST_CASE("verifyAgainst domain: tags and regions are compared") {
+    CHECK(after([](Case &c) { c.domain.segments[0].tag = 3; }) == Codes{"wrong-tag"});
+    CHECK(after([](Case &c) { c.mesh.edges[5].tag = 2; }) == Codes{"wrong-tag"});
+    CHECK(after([](Case &c) { c.domain.points[0].tag = 1; }) == Codes{"wrong-tag"});
+    CHECK(after([](Case &c) { c.domain.regionMarkers[1].tag = 7; }) == Codes{"wrong-region"});
+    CHECK(after([](Case &c) { c.mesh.edges.push_back({node(14), node(15), 2}); }) == Codes{"unexpected-tagged-edge"});
+}
+
+TEST_CASE("verifyAgainst domain: a mesh from a format without tags is compared by its shape") {
+    CHECK(after([](Case &c) {
+              c.mesh.edges.clear();
+              c.mesh.points.clear();
+              c.mesh.regions.clear();
+          }).empty());
+    CHECK(after([](Case &c) {
+              c.mesh.edges.clear();
+              c.mesh.points.clear();
+              c.mesh.regions.clear();
+              c.domain.nodes[3] += Vec2{1e-3, 1e-3};
+          }) == Codes{"missing-node"});
+}
+
+TEST_CASE("verifyAgainst domain: neighbouring segments at a needle's angle are told apart") {
+    // Two constraints leave node 0 at an angle of 1e-8 and are cut at different places.
+    Mesh mesh;
+    const double h = 1e-8;
+    mesh.nodes = {{0, 0}, {2, 0}, {2, 2 * h}, {1, 0}, {1.5, 1.5 * h}, {1, -1}, {1, 1}};
+    mesh.elements = {{node(0), node(3), node(4)}, {node(3), node(1), node(4)}, {node(1), node(2), node(4)},
+                     {node(0), node(5), node(3)}, {node(5), node(1), node(3)}, {node(0), node(4), node(6)},
+                     {node(4), node(2), node(6)}};
+    mesh.edges = {{node(0), node(5), 1}, {node(5), node(1), 1}, {node(1), node(2), 1},
+                  {node(2), node(6), 1}, {node(6), node(0), 1}, {node(0), node(3), 2},
+                  {node(3), node(1), 2}, {node(0), node(4), 3}, {node(4), node(2), 3}};
+    Domain domain;
+    domain.nodes = {{0, 0}, {2, 0}, {2, 2 * h}, {1, -1}, {1, 1}};
+    domain.segments = {{0, 3, 1},
+                       {3, 1, 1},
+                       {1, 2, 1},
+                       {2, 4, 1},
+                       {4, 0, 1},
+                       {0, 1, 2, SegmentRole::Constraint},
+                       {0, 2, 3, SegmentRole::Constraint}};
+    const Diagnostics faults = verifyAgainst(mesh, domain);
+    CHECK_MESSAGE(faults.empty(), samples::list(faults));
+}
