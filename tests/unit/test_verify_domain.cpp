@@ -41,7 +41,7 @@ Case turnedSquare(double turn = 0.3, Vec2 offset = {}) {
     c.domain.segments = {
         {0, 1, 1}, {1, 2, 1}, {3, 2, 2}, {3, 4, 3}, {5, 4, 3}, {5, 0, 4}, {4, 1, 9, SegmentRole::Constraint}};
     c.domain.points = {{6, 4}};
-    c.domain.regionMarkers = {{mesh.nodes[28], 5}, {mesh.nodes[24], 6}};
+    c.domain.regionMarkers = {{mesh.nodes[15], 5}, {mesh.nodes[24], 6}};
     return c;
 }
 
