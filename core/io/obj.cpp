@@ -65,6 +65,9 @@ class ObjReader {
                 scanner_.fail(line);
             }
         }
+        if (builder_.mesh.nodes.empty()) {
+            scanner_.fail(scanner_.offset(), "bad-syntax", "the file has no vertices");
+        }
         if (!builder_.finishNodes(scanner_) || !faces()) {
             return scanner_.faults();
         }

@@ -164,6 +164,10 @@ class Su2Reader {
         if (!builder_.finishNodes(scanner_)) {
             return;
         }
+        if (builder_.mesh.nodes.empty()) {
+            scanner_.fail(scanner_.offset(), "bad-syntax", "the file has no points (NPOIN=)");
+            return;
+        }
         for (std::size_t k = 0; k < connections_.size(); ++k) {
             TextScanner item = scanner_.part(connections_[k].offset, scanner_.source().text.size());
             std::int64_t type = 0;
