@@ -1,0 +1,94 @@
+#include "core/io/readers.hpp"
+#include "tests/fuzz/fuzz_targets.hpp"
+
+namespace forefront::fuzz {
+
+namespace {
+
+/// Two triangles of different regions with every kind of tag.
+Mesh smallMesh() {
+    const auto node = [](std::uint32_t n) { return NodeId{n}; };
+    Mesh mesh;
+    mesh.nodes = {{0, 0}, {1, 0.25}, {1, 1}, {-0.5, 1}};
+    mesh.elements = {{node(0), node(1), node(2)}, {node(0), node(2), node(3)}};
+    mesh.regions = {1, 3};
+    mesh.edges = {{node(0), node(1), 1}, {node(1), node(2), 2}, {node(0), node(2), 7}};
+    mesh.points = {{node(3), 4}};
+    mesh.boundaryNames = {{1, "in let"}, {7, "inner"}};
+    mesh.regionNames = {{3, "sea"}};
+    return mesh;
+}
+
+std::string text(void (*write)(const Mesh &, TextWriter &)) {
+    StringSink sink;
+    TextWriter out(sink);
+    write(smallMesh(), out);
+    out.flush();
+    return std::move(sink.text);
+}
+
+Document smallDocument() {
+    Document document;
+    Shape shape;
+    shape.id = 1;
+    shape.nodes = {{0, 0}, {4, 0}, {0, 3}};
+    shape.segmentTags = {1, 2, 1};
+    shape.name = "a";
+    document.shapes.push_back(std::make_shared<const Shape>(shape));
+    document.regionMarkers = {{{1, 1}, 2}};
+    document.boundaryNames = {{2, "b"}};
+    document.spacing.size = 0.1;
+    document.spacing.expression = "0.1+x*x";
+    document.spacing.sources = {{SourceShape::Line, {0, 0}, {1, 1}, 0.0, 0.1, 0.2, "s"}};
+    PaintedSpacing::Tile tile{};
+    tile[3] = 0.5F;
+    document.spacing.paint.tiles.emplace(std::pair(0, -1), std::make_shared<const PaintedSpacing::Tile>(tile));
+    document.spacing.background =
+        std::make_shared<const BackgroundMesh>(BackgroundMesh{{{0, 0}, {1, 0}, {0, 1}}, {{0, 1, 2}}, {1, 2, 3}});
+    return document;
+}
+
+const char *const kValues = "$NodeData\n1\n\"size\"\n1\n0\n3\n0\n1\n4\n1 0.1\n2 0.2\n3 0.3\n4 0.4\n$EndNodeData\n";
+const char *const kGeoJson =
+    "{\"type\":\"FeatureCollection\",\"features\":[{\"type\":\"Feature\",\"properties\":{\"name\":\"a\",\"tag\":2},"
+    "\"geometry\":{\"type\":\"Polygon\",\"coordinates\":[[[0,0],[4,0],[4,4],[0,0]],[[2,1],[3,1],[3,2],[2,1]]]}},"
+    "{\"type\":\"Feature\",\"geometry\":{\"type\":\"MultiPoint\",\"coordinates\":[[1,0.5,9]]}}]}";
+const char *const kSvg =
+    "<svg viewBox=\"0 0 9 9\"><g transform=\"rotate(30 5 5) scale(2) skewX(3) matrix(1 0 0 1 2 2)\">"
+    "<path id=\"a\" d=\"M1 1h2v2C3 3 2 4 1 3zM6,6a1 2 30 1 0 1 1Q7 7 8 6t1 1s1 2 3 4z\"/></g>"
+    "<circle r=\"2mm\"/><rect width=\"3\" height=\"2\" rx=\".5\"/><polyline points=\"1 2 3 4\"/></svg>";
+const char *const kPoly = "4 2 1 1\n0 0 0 7 1\n1 4 0 7 1\n2 4 4 7 1\n3 1 0.5 0 0\n3 1\n0 0 1 3\n1 1 2 0\n2 2 0 2\n"
+                          "1\n0 1.5 1.5\n1\n0 0.5 0.5 4.5 0.1\n# boundary 3 \"x\"\n";
+const char *const kVtuAscii =
+    "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\"><UnstructuredGrid><Piece NumberOfPoints=\"3\" "
+    "NumberOfCells=\"1\"><Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 0 1 "
+    "0</DataArray></Points><Cells><DataArray type=\"Int64\" Name=\"connectivity\">0 1 2</DataArray><DataArray "
+    "type=\"Int64\" Name=\"offsets\">3</DataArray><DataArray type=\"UInt8\" Name=\"types\" format=\"binary\">"
+    "AQAAAAU=</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>";
+const char *const kTriangle =
+    "3 2 0 1\n1 0 0 1\n2 1 0 1\n3 0 1 0\n# region 2 \"r\"\n# point 1 4\n%%\n1 3 1\n1 1 2 3 2\n"
+    "%%\n2 1\n1 1 2 5\n2 2 3 0\n";
+
+} // namespace
+
+std::vector<std::string> seeds(std::string_view name) {
+    if (name == "project") {
+        return {projectText(smallDocument()), projectText({})};
+    }
+    if (name == "msh") {
+        return {text(writeMsh2) + kValues, text(writeMsh4) + kValues};
+    }
+    if (name == "vtu") {
+        return {text(writeVtu), kVtuAscii};
+    }
+    if (name == "vtk" || name == "medit" || name == "inp" || name == "su2" || name == "obj") {
+        return {text(name == "vtk"     ? writeVtk
+                     : name == "medit" ? writeMedit
+                     : name == "inp"   ? writeAbaqus
+                     : name == "su2"   ? writeSu2
+                                       : writeObj)};
+    }
+    return {name == "geojson" ? kGeoJson : name == "svg" ? kSvg : name == "poly" ? kPoly : kTriangle};
+}
+
+} // namespace forefront::fuzz

@@ -1,0 +1,143 @@
+#include "tests/fuzz/fuzz_targets.hpp"
+
+#include "core/io/readers.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+
+namespace forefront::fuzz {
+
+namespace {
+
+void demand(bool kept, const char *promise) {
+    if (!kept) {
+        std::fprintf(stderr, "broken promise: %s\n", promise);
+        std::abort();
+    }
+}
+
+SourceText sourceOf(std::string_view bytes) {
+    return {bytes, "fuzz", {}, {}};
+}
+
+void checkFaults(const Diagnostics &faults) {
+    demand(!faults.empty(), "a refusal says why");
+    for (const Diagnostic &fault : faults) {
+        demand(!fault.file.empty() && fault.line > 0 && fault.column > 0, "a fault has file, line and column");
+        demand(!fault.message.empty() && !fault.code.empty(), "a fault has a message and a code");
+        toString(fault);
+    }
+}
+
+void checkMesh(const Mesh &mesh) {
+    const auto known = [&](NodeId node) { return index(node) < mesh.nodes.size(); };
+    demand(std::all_of(mesh.nodes.begin(), mesh.nodes.end(), isFinite), "coordinates are finite");
+    demand(mesh.regions.empty() || mesh.regions.size() == mesh.elements.size(), "a region for every element");
+    for (const Element &element : mesh.elements) {
+        demand(std::all_of(element.begin(), element.end(), known), "elements use nodes that exist");
+    }
+    for (const TaggedEdge &edge : mesh.edges) {
+        demand(known(edge.a) && known(edge.b) && edge.tag >= 1, "edges use nodes that exist and have a tag");
+    }
+    for (const TaggedNode &point : mesh.points) {
+        demand(known(point.node) && point.tag >= 1, "points are nodes that exist and have a tag");
+    }
+}
+
+void checkDomain(const Domain &domain) {
+    const auto known = [&](std::uint32_t node) { return node < domain.nodes.size(); };
+    demand(std::all_of(domain.nodes.begin(), domain.nodes.end(), isFinite), "coordinates are finite");
+    for (const DomainSegment &segment : domain.segments) {
+        demand(known(segment.a) && known(segment.b) && segment.tag >= 1, "segments use nodes that exist");
+    }
+    for (const ConstraintPoint &point : domain.points) {
+        demand(known(point.node) && point.tag >= 1, "points are nodes that exist");
+    }
+}
+
+template <Result<Mesh> (*read)(const SourceText &)>
+void mesh(std::string_view bytes) {
+    const auto result = read(sourceOf(bytes));
+    if (!result) {
+        checkFaults(result.faults());
+        return;
+    }
+    checkMesh(*result);
+    if (const auto domain = domainOfMesh(*result)) {
+        checkDomain(*domain);
+    }
+}
+
+template <Result<Domain> (*read)(const SourceText &)>
+void domain(std::string_view bytes) {
+    const auto result = read(sourceOf(bytes));
+    if (result) {
+        checkDomain(*result);
+    } else {
+        checkFaults(result.faults());
+    }
+}
+
+void project(std::string_view bytes) {
+    const auto result = readProjectText(sourceOf(bytes));
+    if (!result) {
+        checkFaults(result.faults());
+        return;
+    }
+    const std::string text = projectText(*result);
+    const auto again = parseProject(text, "again");
+    demand(again.ok() && projectText(*again) == text, "a project survives being written and read");
+}
+
+/// Nodes, elements and edges in one input, parted by lines "%%".
+void triangle(std::string_view bytes) {
+    constexpr std::string_view kCut = "%%\n";
+    const std::size_t first = std::min(bytes.find(kCut), bytes.size());
+    const std::string_view rest = bytes.substr(std::min(first + kCut.size(), bytes.size()));
+    const std::size_t second = std::min(rest.find(kCut), rest.size());
+    const SourceText edges = sourceOf(rest.substr(std::min(second + kCut.size(), rest.size())));
+    const auto result = readTriangleParts(sourceOf(bytes.substr(0, first)), sourceOf(rest.substr(0, second)),
+                                          edges.text.empty() ? nullptr : &edges);
+    if (result) {
+        checkMesh(*result);
+    } else {
+        checkFaults(result.faults());
+    }
+}
+
+void msh(std::string_view bytes) {
+    mesh<readMsh>(bytes);
+    if (const auto spacing = readMshSpacing(sourceOf(bytes)); !spacing) {
+        checkFaults(spacing.faults());
+    }
+}
+
+constexpr std::array kTargets = {
+    Target{"project", project},
+    Target{"geojson", domain<readGeoJson>},
+    Target{"svg", domain<readSvg>},
+    Target{"poly", domain<readPoly>},
+    Target{"msh", msh},
+    Target{"vtu", mesh<readVtu>},
+    Target{"vtk", mesh<readVtk>},
+    Target{"medit", mesh<readMedit>},
+    Target{"inp", mesh<readAbaqus>},
+    Target{"su2", mesh<readSu2>},
+    Target{"triangle", triangle},
+    Target{"obj", mesh<readObj>},
+};
+
+} // namespace
+
+std::span<const Target> targets() {
+    return kTargets;
+}
+
+const Target *find(std::string_view name) {
+    const auto found = std::find_if(kTargets.begin(), kTargets.end(), [&](const Target &t) { return name == t.name; });
+    return found != kTargets.end() ? &*found : nullptr;
+}
+
+} // namespace forefront::fuzz

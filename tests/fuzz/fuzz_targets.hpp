@@ -1,0 +1,22 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace forefront::fuzz {
+
+/// Feeds one reader with bytes; aborts when the result breaks a promise: faults without a place, a mesh with bad
+/// indices or numbers, a project that does not survive being written.
+struct Target {
+    const char *name;
+    void (*run)(std::string_view bytes);
+};
+std::span<const Target> targets();
+const Target *find(std::string_view name);
+
+/// Small sound inputs for a target.
+std::vector<std::string> seeds(std::string_view name);
+
+} // namespace forefront::fuzz
