@@ -85,7 +85,7 @@ class Project:
 def harbour():
     p = Project()
     p.boundaries = {1: "quay", 2: "pier", 3: "breakwater", 4: "beach", 5: "open sea", 6: "islet", 7: "dolphin",
-                    8: "fairway", 9: "berth pocket"}
+                    8: "fairway", 9: "pocket edge"}
     p.regions = {1: "basin", 2: "berth pocket"}
     outline = [((0, 0), 1), ((88, 0), 2), ((88, 92), 2), ((92, 98), 2), ((100, 98), 2), ((104, 92), 2), ((104, 0), 1),
                ((168, 0), 1), ((186, 20), 1), ((244, 20), 4), ((280, 9), 4), ((330, 3), 4), ((376, 8), 4),

@@ -344,7 +344,8 @@ void heading(AppContext &context, std::string_view text) {
 void field(AppContext &context, std::string_view label, std::string_view value, float column) {
     const float left = ImGui::GetCursorPosX();
     muted(context, label);
-    ImGui::SameLine(left + context.px(column));
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(left + context.px(column));
     ImGui::TextUnformatted(value.data(), value.data() + value.size());
 }
 

@@ -12,9 +12,14 @@ class DomainLayer final : public Layer {
     const char *id() const override { return "domain"; }
     const char *name() const override { return "Domain"; }
 
-    std::uint64_t stillVersion(const LayerFrame &frame) const override { return frame.revision; }
+    std::uint64_t stillVersion(const LayerFrame &frame) const override {
+        return 4 * frame.revision + (frame.preview.spacing ? 1U : 0U) + (frame.visible("size") ? 2U : 0U);
+    }
 
     void drawStill(const LayerFrame &frame) override {
+        if (frame.visible("size") && frame.preview.spacing && frame.raster && !frame.raster->rho.empty()) {
+            return; // the tint of the spacing lies over all of it
+        }
         frame.gl.drawField(frame.domain, frame.revision, frame.camera, frame.theme.domain, nullptr);
     }
 };

@@ -10,7 +10,7 @@ namespace forefront {
 
 namespace {
 
-constexpr std::size_t kMostNumbers = 160;
+constexpr std::size_t kMostNumbers = 80;
 
 class LabelsLayer final : public Layer {
   public:
@@ -103,7 +103,7 @@ class LabelsLayer final : public Layer {
                 continue;
             }
             painter.dot(nodes[i], 2.0, frame.theme.muted);
-            painter.label(nodes[i], {6, 3}, std::to_string(i), frame.theme.muted, fade(frame.theme.popup, 0.35),
+            painter.label(nodes[i], {6, 3}, std::to_string(i), frame.theme.muted, fade(frame.theme.popup, 0.2),
                           frame.fonts.small);
         }
     }

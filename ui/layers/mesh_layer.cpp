@@ -40,6 +40,7 @@ class ElementPainter {
         style.edge = edges ? frame.theme.mesh : Colour{0};
         style.edgeWidth = 1.0 * frame.scale;
         style.coloured = quality;
+        style.opacity = frame.theme.kind == ThemeKind::Dark ? 0.8 : 0.92;
         style.least = kMapFrom;
         style.badBelow = quality ? kBad : -2.0;
         style.hatch = frame.theme.bad;

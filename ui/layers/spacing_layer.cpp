@@ -2,6 +2,7 @@
 #include "ui/gl/gl_kit.hpp"
 #include "ui/layers/layers.hpp"
 #include "ui/style/colour_map.hpp"
+#include "ui/widgets.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +47,8 @@ class SpacingLayer final : public Layer {
         }
         return drawColourBar(painter, frame.theme, frame.fonts, corner, "node spacing \xcf\x81",
                              frame.theme.kind == ThemeKind::Dark ? fineIsBright : viridis,
-                             logarithmicTicks(least_, greatest_, 5));
+                             uniform_ ? std::vector<LegendTick>{{0.5, ui::number(0.5 * greatest_, 3)}}
+                                      : logarithmicTicks(least_, greatest_, 5));
     }
 
   private:
@@ -64,7 +66,12 @@ class SpacingLayer final : public Layer {
         }
         // The scale is of the whole domain, not of the part in view, so that colours keep their meaning while panning.
         least_ = frame.preview.spacing->least();
-        greatest_ = std::max(frame.preview.spacing->greatest(), least_ * 1.0001);
+        greatest_ = frame.preview.spacing->greatest();
+        uniform_ = greatest_ < 1.02 * least_;
+        if (uniform_) {
+            least_ *= 0.5; // one colour, from the middle of the map
+            greatest_ *= 2.0;
+        }
         return true;
     }
 
@@ -72,6 +79,7 @@ class SpacingLayer final : public Layer {
     std::vector<float> logRho_;
     std::uint64_t version_ = 0;
     double least_ = 1.0, greatest_ = 2.0;
+    bool uniform_ = false; ///< ρ is the same everywhere
 };
 
 } // namespace

@@ -78,7 +78,7 @@ void InspectorPanel::drawHere(AppContext &context) const {
         return;
     }
     const SpacingSample sample = spacing->sample(*context.view.pointer);
-    ui::small(context, "\xcf\x81 here = " + ui::number(sample.rho, 3) + ", set by " + sample.describe, true);
+    ui::small(context, "\xcf\x81 here = " + ui::number(sample.rho, 3) + ": " + sample.describe, true);
     ui::mark(context, "inspector/here");
 }
 

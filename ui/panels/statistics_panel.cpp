@@ -7,6 +7,10 @@ namespace forefront {
 
 namespace {
 
+std::string timeText(double seconds) {
+    return seconds < 1.0 ? ui::format("%.3g ms", 1e3 * seconds) : ui::format("%.3g s", seconds);
+}
+
 class StatisticsPanel final : public Panel {
   public:
     const char *id() const override { return "statistics"; }
@@ -62,9 +66,9 @@ class StatisticsPanel final : public Panel {
         cell(context, "max \xe2\x88\xa0", ui::format("%.1f\xc2\xb0", q.maxAngle), "Greatest angle");
         cell(context, "new nodes", ui::count(w.newNodes), "Advances that made a node");
         cell(context, "deferred", ui::count(w.deferrals), "Advances without an element: the base was put back");
-        cell(context, "time", ui::format("%.3g s", run.secondsMesh), "Advancing the front, processor time");
+        cell(context, "time", timeText(run.secondsMesh), "Advancing the front, processor time");
         cell(context, "forced", ui::count(w.forced), "Elements made by the closing stage, from existing nodes only");
-        cell(context, "improve", ui::format("%.3g s", run.secondsImprove), "Swapping and smoothing, processor time");
+        cell(context, "improve", timeText(run.secondsImprove), "Swapping and smoothing, processor time");
         cell(context, "hash",
              run.meshHash != 0 ? ui::format("%08x\xe2\x80\xa6", static_cast<unsigned>(run.meshHash >> 32))
                                : std::string("\xe2\x80\x93"),

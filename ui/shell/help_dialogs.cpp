@@ -76,7 +76,8 @@ class ShortcutSheet final : public Dialog {
         ImGui::PushStyleColor(ImGuiCol_Text, context.theme.accent);
         ImGui::TextUnformatted(keys.c_str());
         ImGui::PopStyleColor();
-        ImGui::SameLine(left + 0.42F * width);
+        ImGui::SameLine();
+        ImGui::SetCursorPosX(left + 0.36F * width);
         ImGui::TextUnformatted(text.c_str());
     }
 

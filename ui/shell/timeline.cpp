@@ -15,7 +15,7 @@ Colour markColour(const Theme &theme, MarkKind kind) {
     case MarkKind::NewNode:
         return fade(theme.accent, 0.55);
     case MarkKind::Closure:
-        return theme.good;
+        return fade(theme.good, 0.7);
     case MarkKind::Deferral:
         return theme.warn;
     case MarkKind::Forced:
@@ -63,6 +63,25 @@ void drawSpeed(AppContext &context) {
     }
 }
 
+/// Marks under the bar. New nodes and closures closer than the eye can tell are drawn once; what is rare is always
+/// drawn.
+template <class Place>
+void drawMarks(AppContext &context, const std::vector<TimelineMark> &marks, Place place, float middle) {
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    float last = -1e9F;
+    for (const TimelineMark &mark : marks) {
+        const bool common = mark.kind == MarkKind::NewNode || mark.kind == MarkKind::Closure;
+        const float x = std::round(place(static_cast<double>(mark.advance)));
+        if (common && x < last + context.px(4)) {
+            continue;
+        }
+        last = common ? x : last;
+        const float reach = context.px(mark.kind == MarkKind::NewNode ? 3 : common ? 4 : 6);
+        list.AddRectFilled({x, middle + context.px(6)}, {x + context.px(1), middle + context.px(6) + reach},
+                           markColour(context.theme, mark.kind));
+    }
+}
+
 /// The bar that can be dragged: known part, marks, position.
 void drawScrubber(AppContext &context, float width, float height) {
     const SessionSnapshot &run = context.run().now();
@@ -81,13 +100,7 @@ void drawScrubber(AppContext &context, float width, float height) {
     const double known = static_cast<double>(run.known);
     const auto place = [&](double advance) { return left + static_cast<float>(advance / known) * (right - left); };
     if (run.marks) {
-        for (const TimelineMark &mark : *run.marks) {
-            const bool major = mark.kind != MarkKind::NewNode;
-            const float x = std::round(place(static_cast<double>(mark.advance)));
-            const float reach = context.px(major ? 8 : 5);
-            list.AddLine({x, middle + context.px(4)}, {x, middle + reach + context.px(1)}, markColour(theme, mark.kind),
-                         1.0F);
-        }
+        drawMarks(context, *run.marks, place, middle);
     }
     const float x = place(static_cast<double>(run.advance));
     list.AddRectFilled({left, middle - half}, {x, middle + half}, theme.accent, half);
