@@ -68,10 +68,10 @@ TEST_CASE("Settings: a spoilt file gives the defaults and says so, numbers out o
     const auto file = std::filesystem::temp_directory_path() / "forefront_settings_test.json";
     Diagnostics faults;
     std::ofstream(file) << "{\"scale\": 1e9, \"panelWidth\": \"wide\", \"theme\": 7";
-    CHECK(loadSettings(file, faults).scale == 1.0);
+    CHECK(loadSettings(file, &faults).scale == 1.0);
     CHECK_FALSE(faults.empty());
     std::ofstream(file) << "{\"scale\": 1e9, \"panelWidth\": \"wide\", \"theme\": 7, \"recentFiles\": [1, \"a\"]}";
-    const Settings settings = loadSettings(file, faults);
+    const Settings settings = loadSettings(file, &faults);
     CHECK(settings.scale == 3.0);
     CHECK(settings.panelWidth == Settings{}.panelWidth);
     CHECK(settings.recentFiles == std::vector<std::string>{"a"});

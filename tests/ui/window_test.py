@@ -170,8 +170,8 @@ def main():
             return SKIPPED
     with tempfile.TemporaryDirectory() as folder:
         try:
-            run(sys.argv[1], folder)
-        except Failure as failure:
+            run(str(Path(sys.argv[1]).resolve(strict=True)), folder)
+        except (Failure, OSError, subprocess.SubprocessError) as failure:
             print(f"FAILED: {failure}")
             return 1
     print("passed")
