@@ -48,13 +48,15 @@ void writeEdges(const Mesh &mesh, TextWriter &out) {
 
 /// J. R. Shewchuk's Triangle: nodes with markers, triangles with the region as attribute, the tagged edges.
 Status writeTriangle(const std::filesystem::path &path, const Mesh &mesh, const Progress &progress) {
-    const std::pair<const char *, void (*)(const Mesh &, TextWriter &)> parts[] = {
-        {".node", writeNodes}, {".ele", writeElements}, {".edge", writeEdges}};
-    for (const auto &[extension, write] : parts) {
-        std::filesystem::path part = path;
-        part.replace_extension(extension);
+    struct Part {
+        const char *extension;
+        void (*write)(const Mesh &, TextWriter &);
+    };
+    for (const Part part : {Part{".node", writeNodes}, Part{".ele", writeElements}, Part{".edge", writeEdges}}) {
+        std::filesystem::path file = path;
+        file.replace_extension(part.extension);
         const Status status = writeTextFile(
-            part, [&](TextWriter &out) { write(mesh, out); }, progress, 1 + mesh.elements.size() * 32);
+            file, [&](TextWriter &out) { part.write(mesh, out); }, progress, 1 + mesh.elements.size() * 32);
         if (!status.empty()) {
             return status;
         }
