@@ -7,6 +7,8 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
 namespace forefront {
 
 WriteDialog::WriteDialog(std::string file, Write write, std::function<void(AppContext &)> done)
@@ -112,6 +114,9 @@ void exportMesh(AppContext &context) {
                 {std::string(format.name) + " (" + format.extension + ")", {format.extension}, format.id});
         }
     }
+    // What solvers read comes first, the drawing of a mesh last.
+    std::stable_partition(request.filters.begin(), request.filters.end(),
+                          [](const FileFilter &filter) { return filter.id != "svg"; });
     const std::filesystem::path &document = context.document().path();
     request.folder = document.parent_path();
     request.name = (document.empty() ? std::string("mesh") : document.stem().string()) +

@@ -162,6 +162,14 @@ bool FileDialog::drawList(AppContext &context) {
     return opened;
 }
 
+void FileDialog::followExtension(const std::string &name) {
+    for (std::size_t i = 0; i < request_.filters.size() && !passes(filter(), name); ++i) {
+        if (!request_.filters[i].extensions.empty() && passes(request_.filters[i], name)) {
+            request_.filter = i;
+        }
+    }
+}
+
 bool FileDialog::choose(AppContext &context) {
     if (request_.name.empty()) {
         return false;
@@ -174,6 +182,7 @@ bool FileDialog::choose(AppContext &context) {
         return false;
     }
     if (request_.saves) {
+        followExtension(file.filename().string());
         file.replace_filename(withExtension(file.filename().string(), filter(), request_.filters));
         if (std::filesystem::exists(file, ignored) && replace_ != file) {
             replace_ = file;

@@ -47,6 +47,8 @@ class FileDialog : public Dialog {
     bool drawRow(AppContext &context, const FileEntry &entry);
     bool drawBottom(AppContext &context);
     bool choose(AppContext &context);
+    /// A typed ending of another kind of file chooses that kind.
+    void followExtension(const std::string &name);
     std::string widget(const char *part) const { return "dialog/" + request_.id + "/" + part; }
     const FileFilter &filter() const { return request_.filters[request_.filter]; }
 
