@@ -5,6 +5,7 @@
 #include "core/improve/swap.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace forefront {
 
@@ -36,7 +37,7 @@ ImproveReport improve(Mesh &mesh, const ImproveOptions &options, const Progress 
     }
     constexpr const char *kStage = "improving";
     ImproveWorkspace work(mesh);
-    std::vector<Vec2> scratch;
+    std::optional<NodeSmoother> smoother(std::in_place, work);
     const int stages = 2 * options.rounds + 1;
     int done = 0;
     const auto next = [&] {
@@ -51,12 +52,12 @@ ImproveReport improve(Mesh &mesh, const ImproveOptions &options, const Progress 
         going = next();
         const int sweeps = last ? kSweepsLate : kSweepsEarly;
         for (int sweep = 0; sweep < sweeps && going; ++sweep) {
-            report.moves += smoothNodes(work, work.floor, scratch);
+            report.moves += smoother->sweep(work.floor);
             going = !progress.cancelled();
         }
         going = going && next();
     }
-    std::vector<Vec2>().swap(scratch);
+    smoother.reset(); // its memory
     if (going) {
         const RepairCounts repaired = repairWorst(work, kWorst, progress);
         report.swaps += repaired.swaps;

@@ -87,7 +87,7 @@ void turn(ImproveWorkspace &work, const Diamond &q) {
 /// Swaps must gain a little, lest rounding turns an edge to and fro.
 constexpr double kGain = 1e-9;
 /// A swap for the valences alone may lower the lesser α to this part of it.
-constexpr double kNearlyAsGood = 0.8;
+constexpr double kNearlyAsGood = 0.6;
 
 bool worthwhile(const ImproveWorkspace &work, const Diamond &q, bool mindValence) {
     const Shapes s = shapes(work, q);

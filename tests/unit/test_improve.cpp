@@ -188,14 +188,14 @@ TEST_CASE("swapEdges: of the two diagonals of a kite the short one is taken, unl
     CHECK(swapEdges(held, false, {}) == 0);
 }
 
-TEST_CASE("smoothNodes: no element falls below the floor unless it was below and does not lose") {
+TEST_CASE("NodeSmoother: no element falls below the floor unless it was below and does not lose") {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         Mesh mesh = samples::square(15, 15, 0.24, {}, seed);
         ImproveWorkspace work(mesh);
-        std::vector<Vec2> scratch;
+        NodeSmoother smoother(work);
         for (const double floor : {0.0, 0.5, 0.9}) {
             const std::vector<float> before = shapeFactors(mesh);
-            smoothNodes(work, floor, scratch);
+            smoother.sweep(floor);
             const std::vector<float> after = shapeFactors(mesh);
             for (std::size_t e = 0; e < after.size(); ++e) {
                 CHECK(after[e] >= std::min(before[e], static_cast<float>(floor)) - 1e-6F);
