@@ -32,7 +32,11 @@ Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress) {
         return cancelled();
     }
     progress("building the node spacing", 0.0);
-    Result<std::shared_ptr<const SpacingField>> spacing = SpacingField::build(job.spacing, job.domain, progress);
+    SpacingSpec spec = job.spacing;
+    if (job.options.keepBoundary && spec.automatic()) {
+        spec.fromBoundary = true; // segments that stay as they are set the size of their neighbourhood
+    }
+    Result<std::shared_ptr<const SpacingField>> spacing = SpacingField::build(spec, job.domain, progress);
     if (!spacing) {
         return spacing.faults();
     }
