@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <new>
 
 namespace forefront {
 
@@ -60,7 +61,9 @@ Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress) {
     return prepared;
 }
 
-Result<MeshingOutcome> meshDomain(const MeshingJob &job, const Progress &progress) {
+namespace {
+
+Result<MeshingOutcome> runJob(const MeshingJob &job, const Progress &progress) {
     MeshingOutcome outcome;
     CpuClock clock;
     Result<PreparedJob> prepared = prepare(job, progress);
@@ -93,6 +96,20 @@ Result<MeshingOutcome> meshDomain(const MeshingJob &job, const Progress &progres
         return cancelled();
     }
     return outcome;
+}
+
+} // namespace
+
+Diagnostics outOfMemory() {
+    return error("out-of-memory", "there is not enough memory for this mesh", "choose a larger size");
+}
+
+Result<MeshingOutcome> meshDomain(const MeshingJob &job, const Progress &progress) {
+    try {
+        return runJob(job, progress);
+    } catch (const std::bad_alloc &) {
+        return outOfMemory();
+    }
 }
 
 } // namespace forefront

@@ -14,7 +14,7 @@ import subprocess
 import sys
 import tempfile
 
-missing = [program for program in ("gmsh", "FreeFem++", "ccx") if not shutil.which(program)]
+missing = [program for program in ("gmsh", "FreeFem++", "ccx", "rsvg-convert") if not shutil.which(program)]
 try:
     import gmsh
     import meshio
