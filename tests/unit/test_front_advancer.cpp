@@ -9,6 +9,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 using namespace forefront;
 using namespace forefront::testing;
@@ -55,8 +57,15 @@ TEST_CASE("FrontAdvancer: a slit, a hole and an isolated point are all in the me
 
 TEST_CASE("FrontAdvancer: closes by existing nodes alone when the budget of small nodes is spent") {
     // The node spacing is far above the lengths of the boundary, so every new node counts as small and none is left.
-    for (const double h : {0.05, 0.2}) {
-        const auto domain = discretePlate(h);
+    // A small hole far from the outline: its nodes find no partner nearby.
+    for (const int n : {24, 100}) {
+        const auto domain = DiscreteBuilder()
+                                .loop(circleNodes({0, 0}, 1.0, n))
+                                .loop(circleNodes({0.1, 0}, 0.02, n / 4, false))
+                                .point({-0.3, 0.2})
+                                .region(1, 0.5 * n * std::sin(2.0 * std::numbers::pi / n) -
+                                               0.5 * (n / 4) * std::sin(8.0 * std::numbers::pi / n) * 0.0004)
+                                .build();
         const Box2 bounds = domain->bounds();
         const auto spacing = spacingOf([](Vec2) { return 1e9; });
         FrontState state(*domain);
