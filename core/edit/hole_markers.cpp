@@ -1,39 +1,36 @@
 #include "core/edit/hole_markers.hpp"
 
-#include "core/edit/drawn_faces.hpp"
+#include "core/domain/domain_graph.hpp"
 
-#include <algorithm>
+#include <vector>
 
 namespace forefront {
 
 Domain withEvenOddRoles(const Domain &domain) {
-    Domain result = traceable(domain);
-    DrawnFaces faces(result);
-    std::vector<std::uint32_t> outside{faces.unbounded()};
-    for (const Vec2 marker : domain.holeMarkers) {
-        outside.push_back(faces.faceAt(marker));
+    Domain result = domain;
+    result.holeMarkers.clear();
+    result.insideRule = InsideRule::EvenOdd;
+    const DomainGraph graph = graphOf(domain);
+    const PlaneSweepResult sweep = sweepPlane(graph.points, graph.edges);
+    if (sweep.droppedCount > 0) {
+        return result;
     }
-    std::sort(outside.begin(), outside.end());
-    const auto inside = [&](std::uint32_t halfEdge) {
-        return !std::binary_search(outside.begin(), outside.end(), faces.face(halfEdge));
-    };
+    const Faces faces = findFaces(graph.points, graph.edges, sweep);
+    const FaceLabels labels = labelFaces(domain, graph, faces);
+    std::vector<std::uint8_t> boundsNothing(domain.segments.size(), 0);
+    for (std::size_t edge = 0; edge < graph.edges.size(); ++edge) {
+        const bool left = labels.inside[faces.left[edge]] != 0, right = labels.inside[faces.right[edge]] != 0;
+        const std::uint32_t segment = graph.segment[edge];
+        result.segments[segment].role = left != right ? SegmentRole::Boundary : SegmentRole::Constraint;
+        boundsNothing[segment] = !left && !right ? 1 : 0;
+    }
     std::vector<DomainSegment> kept;
-    for (const DomainSegment &s : domain.segments) {
-        // What cannot be traced stays for validation to report.
-        if (s.a < domain.nodes.size() && s.b < domain.nodes.size() && !isTraceable(domain, s)) {
-            kept.push_back(s);
-        }
-    }
-    for (std::uint32_t s = 0; s < result.segments.size(); ++s) {
-        const bool left = inside(2 * s), right = inside(2 * s + 1);
-        if (left || right) {
-            kept.push_back(result.segments[s]);
-            kept.back().role = left != right ? SegmentRole::Boundary : SegmentRole::Constraint;
+    for (std::size_t k = 0; k < result.segments.size(); ++k) {
+        if (boundsNothing[k] == 0) {
+            kept.push_back(result.segments[k]);
         }
     }
     result.segments = std::move(kept);
-    result.holeMarkers.clear();
-    result.insideRule = InsideRule::EvenOdd;
     return result;
 }
 

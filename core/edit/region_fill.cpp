@@ -1,37 +1,40 @@
 #include "core/edit/region_fill.hpp"
 
-#include "core/edit/drawn_faces.hpp"
+#include "core/base/ids.hpp"
+#include "core/domain/domain_graph.hpp"
 #include "core/edit/region_commands.hpp"
 
 namespace forefront {
-namespace {
-
-bool isInside(const Domain &domain, Vec2 p) {
-    bool inside = false;
-    for (const DomainSegment &s : domain.segments) {
-        const Vec2 a = domain.nodes[s.a], b = domain.nodes[s.b];
-        if (s.role == SegmentRole::Boundary && (a.y > p.y) != (b.y > p.y) &&
-            p.x < a.x + (b.x - a.x) * ((p.y - a.y) / (b.y - a.y))) {
-            inside = !inside;
-        }
-    }
-    return inside;
-}
-
-} // namespace
 
 Result<Document> fillRegion(const Document &document, Vec2 at, std::int32_t tag) {
-    const Domain domain = traceable(toDomain(document));
-    if (!isFinite(at) || !isInside(domain, at)) {
+    Domain domain = toDomain(document);
+    domain.regionMarkers.push_back({at, tag});
+    const DomainGraph graph = graphOf(domain);
+    const PlaneSweepResult sweep = sweepPlane(graph.points, graph.edges);
+    if (sweep.droppedCount > 0) {
+        return error("not-possible", "segments cross or overlap, so there are no faces to fill",
+                     "repair the drawing first");
+    }
+    const Faces faces = findFaces(graph.points, graph.edges, sweep);
+    const FaceLabels labels = labelFaces(domain, graph, faces);
+    const auto faceOf = [&](std::size_t marker) {
+        const std::uint32_t point = graph.regionMarker[marker];
+        return point == kNoIndex ? kNoIndex : faces.ofPoint[point];
+    };
+    const std::uint32_t face = faceOf(document.regionMarkers.size());
+    if (face == kNoIndex || labels.inside[face] == 0) {
         Diagnostics fault =
             error("region-marker-outside", "there is no domain here", "click into a face of the domain");
         fault.front().at = at;
         return fault;
     }
-    DrawnFaces faces(domain);
-    const std::uint32_t face = faces.faceAt(at);
     Document next = document;
-    std::erase_if(next.regionMarkers, [&](const RegionMarker &marker) { return faces.faceAt(marker.at) == face; });
+    next.regionMarkers.clear();
+    for (std::size_t k = 0; k < document.regionMarkers.size(); ++k) {
+        if (faceOf(k) != face) {
+            next.regionMarkers.push_back(document.regionMarkers[k]);
+        }
+    }
     return addRegionMarker(next, {at, tag});
 }
 

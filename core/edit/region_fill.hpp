@@ -5,8 +5,9 @@
 
 namespace forefront {
 
-/// Makes the face at p a region: the marker that lies in the face gets the tag, or a new one is put at p. Refused with
-/// "region-marker-outside" where p is outside of the domain, "bad-tag".
+/// Makes the face at p a region: markers that lie in the face go, and one with the tag is put at p. Refused with
+/// "region-marker-outside" where p is outside of the domain or on a line, "bad-tag", and "not-possible" while segments
+/// cross, for then there are no faces to fill.
 Result<Document> fillRegion(const Document &document, Vec2 at, std::int32_t tag);
 
 } // namespace forefront

@@ -27,9 +27,9 @@ Vec2 alongAngle(Vec2 anchor, Vec2 p, double degrees) {
     return anchor + std::max(0.0, dot(p - anchor, ray)) * ray;
 }
 
-Vec2 applyLocks(const SnapQuery &query) {
+/// Applies the locks to a place that has snapped already.
+Vec2 applyLocks(const SnapQuery &query, Vec2 p) {
     const SnapLocks &locks = query.locks;
-    Vec2 p = query.at;
     if (query.anchor) {
         const Vec2 anchor = *query.anchor;
         if (locks.angle) {
@@ -64,7 +64,10 @@ std::optional<Vec2> gridPoint(const SnapQuery &query) {
 
 Snapped snap(const PickIndex &index, const SnapQuery &query) {
     if (query.locks.any()) {
-        return {applyLocks(query), SnapKind::Locked, {}};
+        // What is not locked still snaps: a number typed goes exactly towards the node under the pointer.
+        SnapQuery free = query;
+        free.locks = {};
+        return {applyLocks(query, snap(index, free).at), SnapKind::Locked, {}};
     }
     if (query.off) {
         return {query.at, SnapKind::None, {}};

@@ -42,8 +42,8 @@ struct Snapped {
     std::optional<SegmentHit> segment; ///< where kind is Segment
 };
 
-/// Where a point goes: locks first, then angle, node, segment, grid. The grid is weak: it draws to its nearest
-/// crossing within the tolerance only.
+/// Where a point goes: to an angle, node, segment or the grid, in this order; what is locked holds. The grid is weak:
+/// it draws to its nearest crossing within the tolerance only.
 Snapped snap(const PickIndex &index, const SnapQuery &query);
 
 /// Pitch of the drawing grid: 1, 2 or 5 times a power of ten, so that lines are at least `leastPixels` apart.

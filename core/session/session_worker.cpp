@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <new>
 
 namespace forefront {
 
@@ -22,9 +21,8 @@ constexpr std::uint64_t kToTheEnd = std::numeric_limits<std::uint64_t>::max();
 /// Playing faster than this, single advances can't be followed and are not explained.
 constexpr double kExplainedRate = 120.0;
 
-/// Commands that do not disturb the improvement.
 bool outlivesBlocking(const SessionCommand &command) {
-    return std::holds_alternative<WantCommand>(command) || std::holds_alternative<FinishCommand>(command);
+    return std::holds_alternative<WantCommand>(command);
 }
 
 } // namespace
@@ -89,24 +87,12 @@ bool SessionWorker::takeCommand(const std::stop_token &quit, SessionCommand &com
 void SessionWorker::loop(const std::stop_token &quit) {
     while (!quit.stop_requested()) {
         SessionCommand command = PauseCommand{};
-        try {
-            if (takeCommand(quit, command)) {
-                std::visit([this](const auto &c) { execute(c); }, command);
-            } else if (!quit.stop_requested()) {
-                workABatch();
-            }
-        } catch (const std::bad_alloc &) {
-            runOutOfMemory();
+        if (takeCommand(quit, command)) {
+            std::visit([this](const auto &c) { execute(c); }, command);
+        } else if (!quit.stop_requested()) {
+            workABatch();
         }
     }
-}
-
-/// Gives the memory of the run back and says so.
-void SessionWorker::runOutOfMemory() {
-    endBlocking();
-    execute(ClearCommand{});
-    diagnostics_ = outOfMemory();
-    rest(RunState::Failed);
 }
 
 std::stop_token SessionWorker::beginBlocking(Blocking kind) {
@@ -178,9 +164,7 @@ void SessionWorker::execute(const ClearCommand &) {
     boundary_.reset();
     finalMesh_.reset();
     finalHash_ = 0;
-    builder_ = SnapshotBuilder((run_ + 1) << 32);
-    stageProgress_ = 0.0;
-    improvementStopped_ = false;
+    builder_ = SnapshotBuilder{};
     diagnostics_.clear();
     nextAdvance_.reset();
     eventsDone_ = 0;
@@ -190,7 +174,7 @@ void SessionWorker::execute(const ClearCommand &) {
 }
 
 void SessionWorker::execute(const CancelCommand &) {
-    if (timeline_ && (activity_ != Activity::Resting || improvementStopped_)) {
+    if (timeline_ && (activity_ != Activity::Resting || state_ == RunState::Improving)) {
         rest(RunState::Cancelled);
     }
 }
@@ -302,14 +286,17 @@ void SessionWorker::stepEvents(std::int64_t count) {
 void SessionWorker::stepLayers(std::int64_t count) {
     const std::vector<std::uint64_t> &ends = timeline_->layerEnds();
     const std::uint64_t position = timeline_->position();
+    const auto above = std::upper_bound(ends.begin(), ends.end(), position) - ends.begin();
     if (count > 0) {
-        const auto above = std::upper_bound(ends.begin(), ends.end(), position) - ends.begin();
-        reach(kToTheEnd);
-        layersWanted_ = static_cast<std::size_t>(above + count);
+        const auto wanted = static_cast<std::size_t>(above + count);
+        while (ends.size() < wanted && !timeline_->complete()) {
+            if (timeline_->forward(1) == 0) {
+                break;
+            }
+        }
+        reach(ends.empty() ? 0 : ends[std::min(wanted, ends.size()) - 1]);
     } else {
-        // Inside an advance, the first step back may lead to where it began.
-        const std::uint64_t from = position + (eventsDone_ > 0 ? 1 : 0);
-        const auto below = std::lower_bound(ends.begin(), ends.end(), from) - ends.begin();
+        const auto below = std::lower_bound(ends.begin(), ends.end(), position) - ends.begin();
         const std::int64_t wanted = below + count;
         reach(wanted < 0 ? 0 : ends[static_cast<std::size_t>(wanted)]);
     }
@@ -321,8 +308,6 @@ void SessionWorker::reach(std::uint64_t position) {
         return;
     }
     eventsDone_ = 0;
-    layersWanted_ = 0;
-    improvementStopped_ = false;
     target_ = position;
     activity_ = Activity::Reaching;
     state_ = RunState::Running;
@@ -358,10 +343,6 @@ std::uint64_t SessionWorker::move(std::int64_t advances) {
 }
 
 void SessionWorker::reachABatch() {
-    if (layersWanted_ > 0 && timeline_->layerEnds().size() >= layersWanted_) {
-        target_ = timeline_->layerEnds()[layersWanted_ - 1];
-        layersWanted_ = 0;
-    }
     const std::uint64_t position = timeline_->position();
     std::uint64_t done = 0;
     if (target_ > position) {
@@ -373,6 +354,7 @@ void SessionWorker::reachABatch() {
         (timeline_->complete() && timeline_->position() == timeline_->known())) {
         arrive();
     } else {
+        stageProgress_ = std::min(0.99, static_cast<double>(timeline_->position()) / (estimatedElements_ + 1.0));
         publishIfDue();
     }
 }
@@ -429,21 +411,21 @@ void SessionWorker::improveMesh() {
         secondsImprove_ = clock.lap();
         endBlocking();
         if (progress.cancelled()) {
-            improvementStopped_ = true;
             rest(RunState::Paused);
             return;
         }
     }
-    finishWith(std::move(mesh));
+    finishWith(std::move(mesh), job_->options.improve);
 }
 
-void SessionWorker::finishWith(Mesh mesh) {
+void SessionWorker::finishWith(Mesh mesh, bool improved) {
     auto view = std::make_shared<MeshView>();
     view->alpha = shapeFactors(mesh);
     finalQuality_ = measure(mesh, spacing_.get());
     finalHash_ = meshHash(mesh);
     view->mesh = std::move(mesh);
     view->version = std::numeric_limits<std::uint64_t>::max() - run_;
+    static_cast<void>(improved);
     finalMesh_ = std::move(view);
     rest(RunState::Finished);
 }
@@ -451,6 +433,7 @@ void SessionWorker::finishWith(Mesh mesh) {
 void SessionWorker::rest(RunState state) {
     activity_ = Activity::Resting;
     state_ = state;
+    stageProgress_ = state == RunState::Finished ? 1.0 : stageProgress_;
     publish(true);
 }
 
@@ -476,18 +459,11 @@ void SessionWorker::publish(bool resting) {
     snapshot->boundary = boundary_;
     snapshot->spacing = spacing_;
     if (timeline_) {
-        const bool atEnd = finalMesh_ && timeline_->position() == timeline_->known() && eventsDone_ == 0;
-        SnapshotLayers layers = layers_;
-        layers.mesh = layers.mesh && !atEnd;
         explain(*snapshot);
-        builder_.fill(*snapshot, *timeline_, layers, resting);
-        if (atEnd) {
-            snapshot->mesh = finalMesh_;
-            snapshot->quality = finalQuality_;
+        builder_.fill(*snapshot, *timeline_, layers_, resting);
+        if (finalMesh_ && timeline_->position() == timeline_->known() && eventsDone_ == 0) {
+            builder_.fillFinal(*snapshot, finalMesh_, finalQuality_);
             snapshot->improved = job_->options.improve;
-        }
-        if (state_ != RunState::Improving) {
-            snapshot->progress = timeline_->complete() ? 1.0 : frontProgress();
         }
         snapshot->meshHash = finalHash_;
     }
@@ -500,11 +476,6 @@ void SessionWorker::publish(bool resting) {
     if (wake_) {
         wake_();
     }
-}
-
-/// An estimate: how many elements there will be is known at the end only.
-double SessionWorker::frontProgress() const {
-    return std::min(0.99, static_cast<double>(timeline_->position()) / (estimatedElements_ + 1.0));
 }
 
 /// The advance that the cursor is in, or else the one done last, derived again by doing it once more with recording.

@@ -83,7 +83,7 @@ Scene islands(double triangles) {
 
 } // namespace
 
-std::optional<Scene> makeScene(std::string_view name, double size) {
+Scene makeScene(std::string_view name, double size) {
     if (name == "disc") {
         return disc(size);
     }
@@ -96,10 +96,11 @@ std::optional<Scene> makeScene(std::string_view name, double size) {
     if (name == "islands") {
         return islands(size);
     }
-    if (name == "square") {
-        return square(size);
-    }
-    return std::nullopt;
+    return square(size);
+}
+
+std::vector<std::string> sceneNames() {
+    return {"square", "disc", "graded", "ramp", "islands"};
 }
 
 } // namespace forefront::bench

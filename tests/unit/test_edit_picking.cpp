@@ -226,13 +226,13 @@ TEST_CASE("snap: shift keeps to multiples of 15 degrees from the anchor, exactly
     CHECK(std::atan2(thirty.y, thirty.x) == doctest::Approx(std::acos(-1.0) / 6));
 }
 
-TEST_CASE("snap: locked coordinates hold whatever else would draw") {
+TEST_CASE("snap: locked coordinates hold, the others still snap") {
     const PickIndex index(documentOf({square({0, 0}, 4)}));
     SnapQuery query;
     query.tolerance = 0.5;
     query.at = {4.1, 0.1};
     query.locks.x = 3.25;
-    CHECK(snap(index, query).at == Vec2{3.25, 0.1});
+    CHECK(snap(index, query).at == Vec2{3.25, 0}); // y is drawn to the node (4, 0)
     CHECK(snap(index, query).kind == SnapKind::Locked);
     query.locks = {};
     query.anchor = Vec2{1, 1};

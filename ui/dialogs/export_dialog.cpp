@@ -112,6 +112,9 @@ void exportMesh(AppContext &context) {
         if (format.writesMesh) {
             request.filters.push_back(
                 {std::string(format.name) + " (" + format.extension + ")", {format.extension}, format.id});
+            if (std::string_view(format.id) == "msh2") {
+                request.filter = request.filters.size() - 1; // what most solvers read
+            }
         }
     }
     // What solvers read comes first, the drawing of a mesh last.
@@ -120,7 +123,7 @@ void exportMesh(AppContext &context) {
     const std::filesystem::path &document = context.document().path();
     request.folder = document.parent_path();
     request.name = (document.empty() ? std::string("mesh") : document.stem().string()) +
-                   request.filters.front().extensions.front();
+                   request.filters[request.filter].extensions.front();
     request.chosen = write;
     request.extra = drawMeshLine;
     if (!finishedMesh(context) && !context.run().busy() && !context.document().current()->shapes.empty()) {

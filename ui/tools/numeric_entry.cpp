@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace forefront {
 namespace {
@@ -100,8 +101,8 @@ NumericEntry::Answer NumericEntry::handle(const CanvasEvent &event, bool anchore
     if (event.kind != CanvasEvent::Kind::Text) {
         return Answer::Unused;
     }
-    if (skipText_) {
-        skipText_ = false;
+    const bool letter = event.character >= U'A' && event.character != U'e';
+    if (std::exchange(skipText_, false) && letter) {
         return Answer::Used;
     }
     if (!belongsToNumber(event.character) || (!open_ && !anchored)) {

@@ -1,0 +1,94 @@
+#pragma once
+
+#include "core/edit/shape_geometry.hpp"
+#include "tests/ui/driver.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+namespace forefront::test {
+
+/// A driver that thinks in places of the drawing. Starts with an empty drawing, about 10 x 10 units in view.
+class Draughtsman : public Driver {
+  public:
+    explicit Draughtsman(EditorSetup setup = {}) : Driver(withoutSample(std::move(setup))) {
+        key('N', {Modifiers::kControl});
+        settle();
+    }
+
+    Vec2 pixel(Vec2 place) { return context().view.camera.toPixel(place); }
+    void clickPlace(Vec2 place) {
+        clickAt(pixel(place));
+        frames(30); // so that the next one is no double click
+    }
+    void doubleClickPlace(Vec2 place) {
+        clickAt(pixel(place));
+        clickAt(pixel(place));
+        frames(30);
+    }
+    void moveToPlace(Vec2 place) { moveTo(pixel(place)); }
+    void dragPlaces(Vec2 from, Vec2 to) {
+        drag(pixel(from), pixel(to));
+        frames(30);
+    }
+    const Document &document() { return *context().document().current(); }
+    std::string undoLabel() { return context().document().undoLabel(); }
+    /// Draws a rectangle with its tool.
+    void rectangle(Vec2 a, Vec2 b) {
+        key('R');
+        dragPlaces(a, b);
+    }
+    void polygon(const std::vector<Vec2> &corners) {
+        key('P');
+        for (const Vec2 corner : corners) {
+            clickPlace(corner);
+        }
+        key(key::kEnter);
+    }
+    /// Folds the panels above, so that a lower one is in sight.
+    void unfold(std::string_view panel) {
+        for (const char *id : {"layers", "inspector", "steps"}) {
+            if (panel != id && !folded(id)) {
+                click(std::string("panel/") + id);
+            }
+        }
+    }
+    bool logHas(std::string_view code) {
+        for (const MessageLog::Entry &entry : context().log.entries()) {
+            if (entry.diagnostic.code == code) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+  private:
+    static EditorSetup withoutSample(EditorSetup setup) {
+        setup.sample = false;
+        return setup;
+    }
+    bool folded(const std::string &panel) {
+        const char *inside = panel == "layers" ? "layer/domain" : panel == "inspector" ? "inspector/here" : "steps/1";
+        return !has(inside);
+    }
+};
+
+/// A folder of its own that goes with the test.
+class Workplace {
+  public:
+    Workplace() {
+        std::string pattern = (std::filesystem::temp_directory_path() / "forefront-ui-XXXXXX").string();
+        path = ::mkdtemp(pattern.data()) != nullptr ? pattern : std::string();
+    }
+    ~Workplace() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path, ignored);
+    }
+    Workplace(const Workplace &) = delete;
+    Workplace &operator=(const Workplace &) = delete;
+
+    std::filesystem::path path;
+};
+
+} // namespace forefront::test

@@ -1,0 +1,244 @@
+#include "tests/ui/edit_driver.hpp"
+
+#include <doctest/doctest.h>
+
+#include <numbers>
+
+namespace forefront::test {
+
+TEST_CASE("Pen: clicks and Enter draw a polygon, and one inside it is a hole") {
+    Draughtsman driver;
+    driver.polygon({{1, 1}, {9, 1}, {9, 9}, {1, 9}});
+    driver.polygon({{3, 3}, {6, 3}, {6, 6}});
+    driver.settle();
+    REQUIRE(driver.document().shapes.size() == 2);
+    CHECK(driver.document().shapes[0]->nodes == std::vector<Vec2>{{1, 1}, {9, 1}, {9, 9}, {1, 9}});
+    CHECK(driver.undoLabel() == "Draw polygon");
+    CHECK(driver.context().preview->faults.empty());
+    CHECK(driver.context().preview->estimatedElements > 0.0);
+    CHECK(driver.context().selection.shapes == std::set<std::uint32_t>{2});
+}
+
+TEST_CASE("Pen: a click on the first node closes; Backspace and undo take nodes back, redo brings them again") {
+    Draughtsman driver;
+    driver.key('P');
+    driver.clickPlace({1, 1});
+    driver.clickPlace({9, 1});
+    driver.clickPlace({9, 9});
+    driver.clickPlace({5, 5});
+    driver.key(key::kBackspace);
+    driver.key('Z', {Modifiers::kControl});
+    driver.key('Z', {Modifiers::kControl | Modifiers::kShift});
+    driver.clickPlace({1, 9});
+    CHECK(driver.document().shapes.empty());
+    // A few pixels beside the first node are near enough.
+    driver.clickAt(driver.pixel({1, 1}) + Vec2{3, -3});
+    REQUIRE(driver.document().shapes.size() == 1);
+    CHECK(driver.document().shapes[0]->nodes == std::vector<Vec2>{{1, 1}, {9, 1}, {9, 9}, {1, 9}});
+}
+
+TEST_CASE("Pen: Esc gives the path up, another tool finishes it") {
+    Draughtsman driver;
+    driver.key('P');
+    driver.clickPlace({1, 1});
+    driver.clickPlace({9, 1});
+    driver.clickPlace({9, 9});
+    driver.key(key::kEscape);
+    driver.key(key::kEnter);
+    CHECK(driver.document().shapes.empty());
+    driver.clickPlace({1, 1});
+    driver.clickPlace({9, 1});
+    driver.clickPlace({9, 9});
+    driver.click("tool/select");
+    CHECK(driver.document().shapes.size() == 1);
+}
+
+TEST_CASE("Numeric entry: a distance, an angle, coordinates and pairs give exact nodes") {
+    Draughtsman driver;
+    driver.key('P');
+    driver.key('X');
+    driver.type("1.25");
+    driver.key(key::kEnter);
+    driver.key('Y');
+    driver.type("2");
+    driver.key(key::kEnter); // both known: the node is placed
+    driver.moveToPlace({6, 2.05});
+    driver.type("4.5");
+    driver.key(key::kEnter); // along the pointer, which is drawn to (6, 2)
+    driver.key('D');
+    driver.type("2");
+    driver.key(key::kTab);
+    driver.type("90");
+    driver.key(key::kEnter);
+    driver.type("1.25,6.125");
+    driver.key(key::kEnter);
+    driver.key(key::kEnter);
+    REQUIRE(driver.document().shapes.size() == 1);
+    const std::vector<Vec2> &nodes = driver.document().shapes[0]->nodes;
+    REQUIRE(nodes.size() == 4);
+    CHECK(nodes[0] == Vec2{1.25, 2});
+    CHECK(nodes[1].x == doctest::Approx(5.75));
+    CHECK(nodes[1].y == doctest::Approx(2));
+    CHECK(nodes[2].x == doctest::Approx(5.75));
+    CHECK(nodes[2].y == doctest::Approx(4));
+    CHECK(nodes[3] == Vec2{1.25, 6.125});
+}
+
+TEST_CASE("Snapping: nodes draw the pointer, Ctrl lets it free, Shift keeps to 15 degrees") {
+    Draughtsman driver;
+    driver.polygon({{1, 1}, {9, 1}, {9, 9}});
+    driver.key('L');
+    driver.clickAt(driver.pixel({9, 9}) + Vec2{4, 3});
+    driver.frames(30);
+    // Shift: from (9, 9) down to the left, near 225 degrees.
+    driver.context().widgets.find("canvas");
+    driver.editor().input().push(
+        {.kind = InputKind::Key, .code = key::kLeftShift, .pressed = true, .modifiers = {Modifiers::kShift}});
+    driver.clickPlace({6.1, 6.2});
+    driver.editor().input().push({.kind = InputKind::Key, .code = key::kLeftShift, .pressed = false});
+    driver.key(key::kEnter);
+    REQUIRE(driver.document().shapes.size() == 2);
+    const Shape &line = *driver.document().shapes[1];
+    CHECK(line.use == ShapeUse::Constraint);
+    CHECK(line.kind == ShapeKind::Polyline);
+    CHECK(line.nodes[0] == Vec2{9, 9});
+    CHECK(line.nodes[1].x == doctest::Approx(line.nodes[1].y));
+}
+
+TEST_CASE("Rectangle and circle: by drag, by two clicks, by typed size") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('C');
+    driver.clickPlace({5, 5});
+    driver.type("1.5");
+    driver.key(key::kEnter);
+    driver.key('R');
+    driver.clickPlace({2, 2});
+    driver.type("0.5,0.25");
+    driver.key(key::kEnter);
+    REQUIRE(driver.document().shapes.size() == 3);
+    CHECK(areaOf(*driver.document().shapes[0]) == doctest::Approx(56));
+    CHECK(areaOf(*driver.document().shapes[1]) == doctest::Approx(2.25 * std::numbers::pi));
+    CHECK(driver.document().shapes[2]->nodes[1] == Vec2{2.5, 2.25});
+    driver.settle();
+    CHECK(driver.context().preview->faults.empty());
+}
+
+TEST_CASE("Select: drags a node with snapping as one command; undo and redo travel over it") {
+    Draughtsman driver;
+    driver.polygon({{1, 1}, {9, 1}, {9, 9}, {1, 9}});
+    driver.key('V');
+    driver.dragPlaces({9, 9}, {8.02, 7.03});
+    CHECK(driver.document().shapes[0]->nodes[2] == Vec2{8, 7});
+    CHECK(driver.undoLabel() == "Move node");
+    driver.key('Z', {Modifiers::kControl});
+    CHECK(driver.document().shapes[0]->nodes[2] == Vec2{9, 9});
+    CHECK(driver.undoLabel() == "Draw polygon");
+    driver.key('Z', {Modifiers::kControl | Modifiers::kShift});
+    CHECK(driver.document().shapes[0]->nodes[2] == Vec2{8, 7});
+}
+
+TEST_CASE("Select: Esc in a drag puts everything back and leaves nothing to undo") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {5, 5});
+    driver.key('V');
+    driver.press(driver.pixel({1, 3}));
+    driver.moveTo(driver.pixel({3, 3}));
+    driver.moveTo(driver.pixel({4, 3}));
+    CHECK(boundsOf(driver.document()).min.x > 1.0);
+    driver.key(key::kEscape);
+    driver.release(driver.pixel({4, 3}));
+    CHECK(boundsOf(driver.document()) == Box2{{1, 1}, {5, 5}});
+    CHECK(driver.undoLabel() == "Draw rectangle");
+}
+
+TEST_CASE("Select: a double click on a segment inserts a node, Delete removes it again") {
+    Draughtsman driver;
+    driver.polygon({{1, 1}, {9, 1}, {9, 9}, {1, 9}});
+    driver.key('V');
+    driver.key(key::kEscape);
+    driver.doubleClickPlace({5, 1});
+    REQUIRE(driver.document().shapes[0]->nodes.size() == 5);
+    CHECK(driver.document().shapes[0]->nodes[1].y == 1.0);
+    CHECK(driver.context().selection.nodes == std::set<NodeRef>{{1, 1}});
+    driver.key(key::kDelete);
+    CHECK(driver.document().shapes[0]->nodes.size() == 4);
+    CHECK(driver.undoLabel() == "Delete");
+}
+
+TEST_CASE("Select: a box takes whole shapes, Ctrl+A all, Ctrl+D copies, the arrows nudge") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {3, 3});
+    driver.rectangle({5, 5}, {8, 8});
+    driver.key('V');
+    driver.dragPlaces({4.5, 4.5}, {8.5, 8.5});
+    CHECK(driver.context().selection.shapes == std::set<std::uint32_t>{2});
+    driver.key('D', {Modifiers::kControl});
+    CHECK(driver.document().shapes.size() == 3);
+    CHECK(driver.context().selection.shapes == std::set<std::uint32_t>{3});
+    const Box2 before = boundsOf(*driver.document().shapes[2]);
+    driver.key(key::kRight);
+    driver.key(key::kRight);
+    CHECK(boundsOf(*driver.document().shapes[2]).min.x > before.min.x);
+    CHECK(driver.undoLabel() == "Nudge");
+    driver.key('A', {Modifiers::kControl});
+    CHECK(driver.context().selection.shapes.size() == 3);
+    driver.key(key::kDelete);
+    CHECK(driver.document().shapes.empty());
+}
+
+TEST_CASE("Select: a second click on a shape looks at one segment, which can have a tag and a name of its own") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('V');
+    driver.key(key::kEscape);
+    driver.clickPlace({5, 1});
+    CHECK(driver.context().selection.shapes.size() == 1);
+    driver.clickPlace({5, 1});
+    CHECK(driver.context().selection.segments == std::set<SegmentRef>{{1, 0}});
+    driver.click("panel/layers");
+    driver.click("inspector/tag");
+    driver.key('A', {Modifiers::kControl});
+    driver.type("7");
+    driver.key(key::kEnter);
+    CHECK(segmentTag(*driver.document().shapes[0], 0) == 7);
+    CHECK(segmentTag(*driver.document().shapes[0], 1) == 1);
+    driver.click("inspector/tag/name");
+    driver.key('A', {Modifiers::kControl});
+    driver.type("inlet");
+    driver.key(key::kEnter);
+    CHECK(driver.document().boundaryNames.at(7) == "inlet");
+}
+
+TEST_CASE("Inspector: numbers typed change the shape; a click on the canvas ends the typing first") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {5, 4});
+    driver.rectangle({6, 6}, {8, 8});
+    driver.key('V');
+    driver.click("inspector/corner/x");
+    driver.key('A', {Modifiers::kControl});
+    driver.type("5.5");
+    driver.clickPlace({1, 2}); // on the other rectangle, but it only leaves the field
+    CHECK(boundsOf(*driver.document().shapes[1]) == Box2{{5.5, 6}, {7.5, 8}});
+    CHECK(driver.context().selection.shapes == std::set<std::uint32_t>{2});
+    driver.clickPlace({1, 2});
+    CHECK(driver.context().selection.shapes == std::set<std::uint32_t>{1});
+    CHECK(boundsOf(*driver.document().shapes[0]) == Box2{{1, 1}, {5, 4}});
+}
+
+TEST_CASE("Regions: a click fills a face, a second one takes its place, outside is refused with its place") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.rectangle({3, 3}, {5, 5});
+    driver.key('G');
+    driver.clickPlace({2, 2});
+    driver.clickPlace({7, 7});
+    CHECK(driver.document().regionMarkers.size() == 1);
+    driver.clickPlace({4, 4});
+    CHECK(driver.document().regionMarkers.size() == 1);
+    CHECK(driver.logHas("region-marker-outside"));
+    CHECK(driver.has("canvas/error/goto"));
+    CHECK(driver.document().regionMarkers[0].tag == 2);
+}
+
+} // namespace forefront::test

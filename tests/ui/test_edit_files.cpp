@@ -1,0 +1,199 @@
+#include "core/edit/equality.hpp"
+#include "core/io/files.hpp"
+#include "core/mesh/verify.hpp"
+#include "tests/ui/edit_driver.hpp"
+
+#include <doctest/doctest.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace forefront::test {
+
+namespace {
+
+void typeName(Draughtsman &driver, const std::string &dialog, const std::filesystem::path &file) {
+    driver.click("dialog/" + dialog + "/name");
+    driver.key('A', {Modifiers::kControl});
+    driver.type(file.string());
+    driver.click("dialog/" + dialog + "/ok");
+    driver.settle();
+}
+
+} // namespace
+
+TEST_CASE("Files: what is drawn and painted is saved, and opened again it is the same") {
+    const Workplace place;
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.polygon({{3, 3}, {5, 3}, {4, 5}});
+    driver.key('B');
+    driver.dragPlaces({6, 6}, {7, 6});
+    driver.key('S', {Modifiers::kControl});
+    driver.frames(5);
+    REQUIRE(driver.has("dialog/save/ok"));
+    typeName(driver, "save", place.path / "bay");
+    CHECK_FALSE(driver.has("dialog/save"));
+    CHECK(driver.context().document().path() == place.path / "bay.forefront");
+    CHECK_FALSE(driver.context().document().dirty());
+    const Document saved = driver.document();
+
+    driver.key('V');
+    driver.dragPlaces({9, 8}, {8, 7});
+    CHECK(driver.context().document().dirty());
+    driver.key('O', {Modifiers::kControl});
+    driver.frames(5);
+    typeName(driver, "open", place.path / "bay.forefront");
+    REQUIRE(driver.has("dialog/unsaved/discard")); // the drag is not saved
+    driver.click("dialog/unsaved/discard");
+    driver.settle();
+    CHECK(sameContent(driver.document(), saved));
+    CHECK_FALSE(driver.context().document().dirty());
+    CHECK(driver.context().settings.recentFiles.front() == (place.path / "bay.forefront").string());
+}
+
+TEST_CASE("Files: an existing file is replaced only when asked twice, and what cannot be written is reported") {
+    const Workplace place;
+    std::ofstream(place.path / "old.forefront") << "keep me";
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('S', {Modifiers::kControl});
+    driver.frames(5);
+    typeName(driver, "save", place.path / "old.forefront");
+    CHECK(driver.has("dialog/save/ok")); // asks
+    std::ifstream file(place.path / "old.forefront");
+    CHECK(std::string(std::istreambuf_iterator<char>(file), {}) == "keep me");
+    driver.click("dialog/save/ok");
+    driver.settle();
+    CHECK_FALSE(driver.has("dialog/save/ok"));
+    CHECK(readDocument(place.path / "old.forefront").ok());
+
+    driver.rectangle({2, 2}, {3, 3});
+    driver.key('S', {Modifiers::kControl | Modifiers::kShift});
+    driver.frames(5);
+    typeName(driver, "save", place.path / "no-such-folder" / "x");
+    CHECK(driver.has("dialog/save/ok"));
+    CHECK(driver.context().document().dirty());
+    driver.key(key::kEscape);
+    driver.frames(5);
+    CHECK_FALSE(driver.has("dialog/save/ok"));
+}
+
+TEST_CASE("Files: a file that is no drawing is refused with a message and changes nothing") {
+    const Workplace place;
+    std::ofstream(place.path / "bad.forefront") << "{\"this is\": [no json";
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    const Document before = driver.document();
+    driver.context().document().markSaved({});
+    driver.editor().input().push({.kind = InputKind::Drop, .paths = {(place.path / "bad.forefront").string()}});
+    driver.settle();
+    CHECK(sameContent(driver.document(), before));
+    CHECK(hasErrors({driver.context().log.entries().back().diagnostic}));
+}
+
+TEST_CASE("Export: a drawing is meshed and written as MSH, which is a valid mesh of the drawing") {
+    const Workplace place;
+    Draughtsman driver;
+    driver.polygon({{1, 1}, {9, 1}, {9, 8}, {1, 8}});
+    driver.polygon({{3, 3}, {5, 3}, {4, 5}});
+    driver.settle();
+    driver.key('E', {Modifiers::kControl});
+    driver.settle();
+    REQUIRE(driver.has("dialog/export/ok"));
+    typeName(driver, "export", place.path / "bay");
+    driver.settle();
+    CHECK_FALSE(driver.has("dialog/export/ok"));
+    const Result<Mesh> mesh = readMesh(place.path / "bay.msh");
+    REQUIRE(mesh.ok());
+    CHECK(mesh->elements.size() == driver.run().quality.elements);
+    CHECK_FALSE(hasErrors(verifyAgainst(*mesh, toDomain(driver.document()))));
+}
+
+TEST_CASE("Import: a drawing joins this one, scaled by the unit that is chosen") {
+    const Workplace place;
+    {
+        Draughtsman driver;
+        driver.rectangle({2, 2}, {4, 4});
+        REQUIRE(writeProject(place.path / "part.forefront", driver.document()).empty());
+    }
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('I', {Modifiers::kControl});
+    driver.frames(5);
+    typeName(driver, "import", place.path / "part.forefront");
+    REQUIRE(driver.has("dialog/importoptions/ok"));
+    driver.click("dialog/importoptions/inch");
+    driver.click("dialog/importoptions/ok");
+    driver.settle();
+    REQUIRE(driver.document().shapes.size() == 2);
+    CHECK(boundsOf(*driver.document().shapes[1]).size().x == doctest::Approx(50.8));
+    CHECK(driver.undoLabel() == "Import drawing");
+}
+
+TEST_CASE("Quit: unsaved changes are asked about; Cancel stays, Don't save leaves") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.editor().input().push({.kind = InputKind::Close});
+    driver.settle();
+    REQUIRE(driver.has("dialog/unsaved/cancel"));
+    driver.click("dialog/unsaved/cancel");
+    CHECK(driver.editor().running());
+    driver.key('Q', {Modifiers::kControl});
+    driver.frames(5);
+    driver.click("dialog/unsaved/discard");
+    CHECK_FALSE(driver.editor().running());
+}
+
+// Not a test by itself: the program that the next one kills.
+TEST_CASE("Recovery: draws in the folder of FOREFRONT_TEST_VICTIM and waits" * doctest::skip()) {
+    const char *folder = std::getenv("FOREFRONT_TEST_VICTIM");
+    REQUIRE(folder != nullptr);
+    Draughtsman driver({.stateFolder = std::filesystem::path(folder) / "state"});
+    driver.rectangle({1, 1}, {9, 8});
+    driver.polygon({{3, 3}, {5, 3}, {4, 5}});
+    REQUIRE(driver.document().shapes.size() == 2);
+    std::ofstream(std::filesystem::path(folder) / "ready") << "drawn";
+    for (;;) {
+        ::pause();
+    }
+}
+
+TEST_CASE("Recovery: after kill -9 the next start offers the drawing, never saved, and recovers it") {
+    const Workplace place;
+    const pid_t child = ::fork();
+    REQUIRE(child >= 0);
+    if (child == 0) {
+        ::setenv("FOREFRONT_TEST_VICTIM", place.path.c_str(), 1);
+        ::execl("/proc/self/exe", "victim", "--no-skip", "-tc=*FOREFRONT_TEST_VICTIM*", static_cast<char *>(nullptr));
+        ::_exit(1);
+    }
+    int status = 0;
+    while (!std::filesystem::exists(place.path / "ready")) {
+        REQUIRE(::waitpid(child, &status, WNOHANG) == 0);
+        ::usleep(20000);
+    }
+    ::usleep(1000000); // at most the last second may be lost
+    ::kill(child, SIGKILL);
+    ::waitpid(child, &status, 0);
+    const EditorSetup setup{.stateFolder = place.path / "state", .sample = false};
+    {
+        Driver driver(setup);
+        REQUIRE(driver.has("dialog/recovery/recover"));
+        driver.click("dialog/recovery/recover");
+        driver.settle();
+        const Document &document = *driver.context().document().current();
+        REQUIRE(document.shapes.size() == 2);
+        CHECK(document.shapes[1]->nodes == std::vector<Vec2>{{3, 3}, {5, 3}, {4, 5}});
+        CHECK(driver.context().document().dirty());
+        CHECK(driver.context().document().path().empty());
+    }
+    // That one ended in order: nothing is offered any more.
+    Driver driver(setup);
+    CHECK_FALSE(driver.has("dialog/recovery/recover"));
+}
+
+} // namespace forefront::test

@@ -1,0 +1,127 @@
+#include "tests/ui/edit_driver.hpp"
+
+#include <doctest/doctest.h>
+
+namespace forefront::test {
+
+TEST_CASE("Brush: a stroke is one command, makes the spacing finer there, and the eraser takes it away") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.settle();
+    const double before = driver.context().preview->spacing->at({4, 4});
+    driver.key('B');
+    driver.dragPlaces({3, 4}, {5, 4});
+    driver.settle();
+    CHECK(driver.undoLabel() == "Paint spacing");
+    CHECK_FALSE(driver.document().spacing.paint.tiles.empty());
+    CHECK(driver.context().preview->spacing->at({4, 4}) < 0.6 * before);
+    CHECK(driver.context().preview->spacing->sample({4, 4}).origin == SpacingOrigin::Paint);
+    driver.key('Z', {Modifiers::kControl});
+    CHECK(driver.document().spacing.paint.tiles.empty());
+    driver.key('Z', {Modifiers::kControl | Modifiers::kShift});
+    CHECK_FALSE(driver.document().spacing.paint.tiles.empty());
+    driver.key('E');
+    for (double y = 2.5; y <= 5.5; y += 0.5) {
+        driver.dragPlaces({1.5, y}, {7, y});
+    }
+    driver.settle();
+    CHECK(driver.context().preview->spacing->at({4, 4}) > 0.9 * before);
+}
+
+TEST_CASE("Brush: brackets change its radius, with Shift its spacing, and the numbers stand in the strip") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('B');
+    driver.click("options/brush/radius");
+    driver.key('A', {Modifiers::kControl});
+    driver.type("1");
+    driver.key(key::kEnter);
+    driver.click("options/brush/spacing");
+    driver.key('A', {Modifiers::kControl});
+    driver.type("0.05");
+    driver.key(key::kEnter);
+    driver.moveToPlace({5, 5});
+    driver.key(key::kRightBracket);
+    driver.key(key::kRightBracket, {Modifiers::kShift});
+    driver.dragPlaces({5, 5}, {5, 5});
+    driver.settle();
+    // Steps of 1.2: the stroke reaches 1.2 far and paints 0.06.
+    CHECK(driver.context().preview->spacing->at({5, 5}) == doctest::Approx(0.06).epsilon(0.02));
+    CHECK(driver.context().preview->spacing->at({5, 5.7}) == doctest::Approx(0.06).epsilon(0.05));
+    CHECK(driver.context().preview->spacing->at({5, 7.5}) > 0.1);
+}
+
+TEST_CASE("Sources: placed by click and by drag, named, and the inspector says which one won") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('S');
+    driver.clickPlace({3, 3});
+    driver.click("options/source/shape/Circle");
+    driver.dragPlaces({6, 5}, {7, 5});
+    REQUIRE(driver.document().spacing.sources.size() == 2);
+    CHECK(driver.document().spacing.sources[0].a == Vec2{3, 3});
+    CHECK(driver.document().spacing.sources[1].radius == doctest::Approx(1));
+    driver.settle();
+    const SpacingSample sample = driver.context().preview->spacing->sample({6, 5});
+    CHECK(sample.origin == SpacingOrigin::Source);
+    CHECK(sample.describe.find("disc 2") != std::string::npos);
+    // Drag the rim of the disc with the select tool.
+    driver.key('V');
+    driver.dragPlaces({6, 6}, {6, 6.5});
+    CHECK(driver.document().spacing.sources[1].radius == doctest::Approx(1.5));
+    CHECK(driver.undoLabel() == "Resize source");
+}
+
+TEST_CASE("Spacing panel: a size, limits, and an expression; a wrong one says what is wrong and where") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.unfold("spacing");
+    driver.click("spacing/size");
+    driver.type("0.5");
+    driver.key(key::kEnter);
+    CHECK(driver.document().spacing.size == 0.5);
+    driver.click("spacing/minimum");
+    driver.type("0.125");
+    driver.key(key::kEnter);
+    CHECK(driver.document().spacing.minimum == 0.125);
+    driver.click("spacing/expression");
+    driver.type("0.1+*x");
+    driver.key(key::kEnter);
+    driver.settle();
+    CHECK(driver.document().spacing.expression == "0.1+*x");
+    CHECK(driver.has("spacing/expression/fault"));
+    REQUIRE_FALSE(driver.context().preview->faults.empty());
+    CHECK(driver.context().preview->faults.front().column > 0);
+    driver.click("spacing/expression");
+    driver.key('A', {Modifiers::kControl});
+    driver.type("0.1+0.1*abs(x)");
+    driver.key(key::kEnter);
+    driver.settle();
+    CHECK_FALSE(driver.has("spacing/expression/fault"));
+    CHECK(driver.context().preview->faults.empty());
+    driver.click("spacing/size");
+    driver.key('A', {Modifiers::kControl});
+    driver.type("zero");
+    driver.key(key::kEnter);
+    CHECK(driver.document().spacing.size == 0.5);
+    CHECK(driver.logHas("bad-number"));
+}
+
+TEST_CASE("Checks: a crossing polygon is a fault with a place; Repair makes it meshable as one command") {
+    Draughtsman driver;
+    driver.polygon({{1, 1}, {9, 8}, {9, 1}, {1, 8}});
+    driver.settle();
+    REQUIRE(driver.context().preview->faults.size() >= 1);
+    REQUIRE(driver.context().preview->faults.front().at.has_value());
+    driver.click("panel/checks");
+    driver.click("checks/goto/0");
+    CHECK(distance(driver.context().view.camera.centre, *driver.context().preview->faults.front().at) < 2.0);
+    driver.click("checks/repair");
+    driver.settle();
+    CHECK(driver.context().preview->faults.empty());
+    CHECK(driver.undoLabel() == "Repair drawing");
+    driver.key('Z', {Modifiers::kControl});
+    CHECK(driver.document().shapes.size() == 1);
+}
+
+} // namespace forefront::test
