@@ -4,8 +4,8 @@ namespace forefront {
 
 namespace {
 
-// A leaf holds segments down to 1/kCellPerLength of its width. Measured on uniform and graded cases: flat between 4
-// and 8.
+// A leaf splits for a segment shorter than half of 1/kCellPerLength of its width, into cells of about that length times
+// kCellPerLength. Measured on uniform and graded cases: flat between 4 and 8.
 constexpr double kCellPerLength = 6.0;
 constexpr int kTopCells = 8;
 constexpr int kMostCells = 16;

@@ -7,7 +7,7 @@
 
 namespace forefront {
 
-/// Square cells in columns x rows over a box. Points outside belong to the nearest cell, so nothing is ever lost at the
+/// Equal cells in columns x rows over a box. Points outside belong to the nearest cell, so nothing is ever lost at the
 /// rim.
 struct Lattice {
     Vec2 origin;

@@ -97,7 +97,7 @@ bool FrontAdvancer<Grid, Trace>::advance(AdvanceDelta &delta) {
         delta.kind = AdvanceDelta::Kind::Deferral;
     } else {
         double radius = kSecondRadius * base.rho;
-        while (!found) { // ends: see the class
+        while (!found) { // ends before the search covers all of Γ: see the class
             radius *= 2.0;
             if constexpr (Trace::kRecords) {
                 ++trace_.out.widening;
@@ -153,7 +153,7 @@ bool FrontAdvancer<Grid, Trace>::findApex(const Base &base, const Limits &limits
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
         std::uint32_t number = static_cast<std::uint32_t>(i);
         if constexpr (Trace::kRecords) {
-            number = static_cast<std::uint32_t>(trace_.out.candidates.size() - candidates_.size() + i);
+            number = firstTraced_ + static_cast<std::uint32_t>(i);
             trace_.event(Step::Test, number);
         }
         const Verdict verdict = test(base, candidates_[i], number);
@@ -239,6 +239,7 @@ void FrontAdvancer<Grid, Trace>::rank(const Base &base, const Limits &limits) {
     });
     if constexpr (Trace::kRecords) {
         trace_.out.searchRadius = limits.radius;
+        firstTraced_ = static_cast<std::uint32_t>(trace_.out.candidates.size());
         trace_.event(Step::FindCandidates);
         const auto describe = [&](const Candidate &c, Verdict verdict) {
             CandidateTrace t;
@@ -251,14 +252,14 @@ void FrontAdvancer<Grid, Trace>::rank(const Base &base, const Limits &limits) {
             t.verdict = verdict;
             trace_.out.candidates.push_back(t);
         };
-        if (withdrawn) {
-            describe({score(base, base.ideal), base.ideal, kNoNode, kNoSlot}, Verdict::Withdrawn);
-        }
         for (const Candidate &c : candidates_) {
             describe(c, Verdict::NotTried);
         }
+        if (withdrawn) {
+            describe({score(base, base.ideal), base.ideal, kNoNode, kNoSlot}, Verdict::Withdrawn);
+        }
         trace_.event(Step::Score);
-        trace_.event(Step::Sort);
+        trace_.event(Step::Sort, candidates_.empty() ? kNoIndex : firstTraced_);
     }
 }
 

@@ -13,9 +13,10 @@ namespace forefront {
 /// Closing guarantee. A base first looks for the best of the nearby front nodes and a new node. If none passes it is
 /// deferred once; the second time, after a wider search, only existing nodes are taken and the search grows until it
 /// covers all of Γ. Γ is a set of polygons with holes that do not cross (exact predicates), and such a set has a
-/// triangulation, in which every segment has a visible apex: that last search cannot fail. It leaves fewer free nodes
-/// or fewer loops behind. New nodes keep a distance in proportion to the node spacing from Γ, hence from all nodes, so
-/// only finitely many fit; those far smaller than the node spacing are counted against FrontState::smallNodesLeft.
+/// triangulation, in which every segment has a visible apex: that last search cannot fail. By Euler's formula the
+/// number of elements still needed without new nodes falls by one with each of them. New nodes keep a distance in
+/// proportion to the node spacing from Γ, hence from all nodes, so only finitely many fit; those far smaller than the
+/// node spacing are counted against FrontState::smallNodesLeft.
 template <class Grid, class Trace>
 class FrontAdvancer {
   public:
@@ -80,6 +81,7 @@ class FrontAdvancer {
     std::vector<Neighbour> neighbours_; ///< of the current search, by slot
     std::vector<SlotId> found_;
     std::vector<Candidate> candidates_; ///< by (score, id)
+    std::uint32_t firstTraced_ = 0;     ///< index of the search's first candidate in the explanation
     std::uint32_t delivered_ = 0, tested_ = 0, cells_ = 0, ranked_ = 0;
 };
 

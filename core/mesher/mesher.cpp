@@ -1,5 +1,6 @@
 #include "core/mesher/mesher.hpp"
 
+#include "core/domain/estimate.hpp"
 #include "core/grid/hierarchical_grid.hpp"
 #include "core/grid/no_grid.hpp"
 #include "core/grid/uniform_grid.hpp"
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace forefront {
 
@@ -56,20 +58,19 @@ class GridMesher final : public Mesher {
     FrontAdvancer<Grid, NoTrace> advancer_;
 };
 
-/// Cells about three mean boundary segments wide, unless the user says otherwise.
-UniformGrid uniformGridFor(const DiscreteDomain &boundary, const MeshingOptions &options) {
+/// Unless the user says how many: cells about three mean node spacings wide, from the number of elements that the
+/// spacing asks for.
+UniformGrid uniformGridFor(const DiscreteDomain &boundary, const SpacingField &spacing, const MeshingOptions &options) {
+    constexpr double kMostCells = 4e6;
     const Box2 bounds = boundary.bounds();
-    double total = 0.0;
-    for (const DiscreteSegment &s : boundary.segments) {
-        total += distance(boundary.nodes[s.a], boundary.nodes[s.b]);
-    }
-    const double cell = 3.0 * total / static_cast<double>(std::max<std::size_t>(boundary.segments.size(), 1));
-    const auto cellsAlong = [&](double extent) {
-        return static_cast<int>(std::clamp(std::ceil(extent / cell), 1.0, 2048.0));
-    };
     const Vec2 size = bounds.size();
-    return {bounds, options.gridColumns > 0 ? options.gridColumns : cellsAlong(size.x),
-            options.gridRows > 0 ? options.gridRows : cellsAlong(size.y)};
+    const double elementArea = boundary.area() / estimateElements(boundary, spacing);
+    const double meanSpacing = std::sqrt(elementArea * 4.0 / std::numbers::sqrt3);
+    const double cell = std::max(3.0 * meanSpacing, std::sqrt(size.x * size.y / kMostCells));
+    const auto cellsAlong = [&](double extent, int given) {
+        return given > 0 ? given : static_cast<int>(std::clamp(std::ceil(extent / cell), 1.0, kMostCells));
+    };
+    return {bounds, cellsAlong(size.x, options.gridColumns), cellsAlong(size.y, options.gridRows)};
 }
 
 void addTags(Mesh &mesh, const DiscreteDomain &boundary, const std::vector<std::uint32_t> &elementRegions) {
@@ -106,7 +107,7 @@ std::unique_ptr<Mesher> Mesher::create(std::shared_ptr<const DiscreteDomain> bou
     case GridKind::None:
         return std::make_unique<GridMesher<NoGrid>>(std::move(boundary), std::move(spacing), NoGrid{});
     case GridKind::Uniform: {
-        UniformGrid grid = uniformGridFor(domain, options);
+        UniformGrid grid = uniformGridFor(domain, *spacing, options);
         return std::make_unique<GridMesher<UniformGrid>>(std::move(boundary), std::move(spacing), std::move(grid));
     }
     case GridKind::Hierarchical:

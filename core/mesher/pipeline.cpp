@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <new>
 
 namespace forefront {
 
@@ -32,7 +33,11 @@ Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress) {
         return cancelled();
     }
     progress("building the node spacing", 0.0);
-    Result<std::shared_ptr<const SpacingField>> spacing = SpacingField::build(job.spacing, job.domain, progress);
+    SpacingSpec spec = job.spacing;
+    if (job.options.keepBoundary && spec.automatic()) {
+        spec.fromBoundary = true; // segments that stay as they are set the size of their neighbourhood
+    }
+    Result<std::shared_ptr<const SpacingField>> spacing = SpacingField::build(spec, job.domain, progress);
     if (!spacing) {
         return spacing.faults();
     }
@@ -56,7 +61,9 @@ Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress) {
     return prepared;
 }
 
-Result<MeshingOutcome> meshDomain(const MeshingJob &job, const Progress &progress) {
+namespace {
+
+Result<MeshingOutcome> runJob(const MeshingJob &job, const Progress &progress) {
     MeshingOutcome outcome;
     CpuClock clock;
     Result<PreparedJob> prepared = prepare(job, progress);
@@ -89,6 +96,20 @@ Result<MeshingOutcome> meshDomain(const MeshingJob &job, const Progress &progres
         return cancelled();
     }
     return outcome;
+}
+
+} // namespace
+
+Diagnostics outOfMemory() {
+    return error("out-of-memory", "there is not enough memory for this mesh", "choose a larger size");
+}
+
+Result<MeshingOutcome> meshDomain(const MeshingJob &job, const Progress &progress) {
+    try {
+        return runJob(job, progress);
+    } catch (const std::bad_alloc &) {
+        return outOfMemory();
+    }
 }
 
 } // namespace forefront

@@ -37,6 +37,9 @@ struct MeshingOutcome {
     double secondsPrepare = 0.0; ///< CPU time of validation, spacing and discretisation
 };
 
+/// The code "out-of-memory".
+Diagnostics outOfMemory();
+
 /// The whole chain: validate, build the spacing, discretise, advance the front to its end, improve. The error code
 /// "cancelled" says that progress.stop was requested.
 Result<MeshingOutcome> meshDomain(const MeshingJob &job, const Progress &progress = {});

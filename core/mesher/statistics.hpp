@@ -4,7 +4,7 @@
 
 namespace forefront {
 
-/// Work counters of a run. Sums; divide by `advances`.
+/// Work counters of a run: sums.
 struct WorkCounters {
     std::uint64_t advances = 0; ///< elements made plus deferrals
     std::uint64_t elements = 0;
@@ -17,13 +17,16 @@ struct WorkCounters {
     std::uint64_t deferrals = 0; ///< advances without an element
     std::uint64_t forced = 0;    ///< elements made by the closing stage (existing nodes only)
 
-    double frontMean() const { return mean(frontSum); }
-    double neighboursMean() const { return mean(delivered); }
-    double testsMean() const { return mean(tested); }
+    /// Nb: mean number of segments of Γ, over the advances.
+    double frontMean() const { return mean(frontSum, advances); }
+    /// Nc: segments delivered by the grid per element.
+    double neighboursMean() const { return mean(delivered, elements); }
+    /// Ns: segments really tested for intersection per element.
+    double testsMean() const { return mean(tested, elements); }
 
   private:
-    double mean(std::uint64_t sum) const {
-        return advances == 0 ? 0.0 : static_cast<double>(sum) / static_cast<double>(advances);
+    static double mean(std::uint64_t sum, std::uint64_t count) {
+        return count == 0 ? 0.0 : static_cast<double>(sum) / static_cast<double>(count);
     }
 };
 

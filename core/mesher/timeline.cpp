@@ -32,7 +32,10 @@ Timeline::Timeline(std::unique_ptr<Mesher> mesher)
 std::uint64_t Timeline::forward(std::uint64_t count) {
     std::uint64_t done = 0;
     if (position_ < deltas_.size()) { // known ground: the same advances again, by determinism
-        done = mesher_->advance(std::min<std::uint64_t>(count, deltas_.size() - position_));
+        // But where the grid has split since, they cost other work; only the latest can be taken back.
+        again_.clear();
+        done = mesher_->advance(std::min<std::uint64_t>(count, deltas_.size() - position_), &again_);
+        std::copy(again_.begin(), again_.end(), deltas_.begin() + static_cast<std::ptrdiff_t>(position_));
         position_ += done;
     }
     if (done < count && !complete_) {

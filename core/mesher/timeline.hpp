@@ -37,6 +37,7 @@ class Timeline {
 
     std::unique_ptr<Mesher> mesher_;
     std::vector<AdvanceDelta> deltas_;
+    std::vector<AdvanceDelta> again_; ///< of advances done once more
     std::uint64_t position_ = 0;
     bool complete_ = false;
     std::vector<std::uint64_t> layerEnds_;

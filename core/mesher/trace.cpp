@@ -141,13 +141,13 @@ std::string caption(const AdvanceExplanation &explanation, std::size_t cursor) {
         return text + "ideal point C at (" + format("%.4g", explanation.ideal.x) + ", " +
                format("%.4g", explanation.ideal.y) + ')';
     case Step::FindCandidates:
-        return text + plural(explanation.candidates.size(), "candidate") + " within " +
-               format("%.4g", explanation.searchRadius) + " of C";
+        return text + "the front nodes near C become candidates";
     case Step::Score:
         return text + "each candidate scored by α(ABC)·δ(AC)·δ(CB)";
     case Step::Sort:
-        return text + (explanation.candidates.empty() ? "no candidate"
-                                                      : "best first: " + candidateName(explanation.candidates.front()));
+        return text + (event.candidate == kNoIndex
+                           ? "no candidate near enough"
+                           : "best first: " + candidateName(explanation.candidates[event.candidate]));
     case Step::Test:
         return text + testText(explanation, event);
     case Step::Update:

@@ -73,7 +73,7 @@ struct AdvanceExplanation {
     double searchRadius = 0.0;
     int widening = 0;                       ///< 0: first search; then how often it was widened
     bool deferred = false;                  ///< no candidate passed: the base was put back
-    std::vector<CandidateTrace> candidates; ///< in the order tried: by (score, id)
+    std::vector<CandidateTrace> candidates; ///< search by search, by (score, id); a withdrawn ideal point last
     std::vector<TestTrace> tests;
     std::vector<Box2> cells; ///< cells of the background grid visited, in order
     std::vector<TraceEvent> events;

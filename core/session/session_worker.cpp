@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 
 namespace forefront {
 
@@ -21,8 +22,9 @@ constexpr std::uint64_t kToTheEnd = std::numeric_limits<std::uint64_t>::max();
 /// Playing faster than this, single advances can't be followed and are not explained.
 constexpr double kExplainedRate = 120.0;
 
+/// Commands that do not disturb the improvement.
 bool outlivesBlocking(const SessionCommand &command) {
-    return std::holds_alternative<WantCommand>(command);
+    return std::holds_alternative<WantCommand>(command) || std::holds_alternative<FinishCommand>(command);
 }
 
 } // namespace
@@ -87,12 +89,24 @@ bool SessionWorker::takeCommand(const std::stop_token &quit, SessionCommand &com
 void SessionWorker::loop(const std::stop_token &quit) {
     while (!quit.stop_requested()) {
         SessionCommand command = PauseCommand{};
-        if (takeCommand(quit, command)) {
-            std::visit([this](const auto &c) { execute(c); }, command);
-        } else if (!quit.stop_requested()) {
-            workABatch();
+        try {
+            if (takeCommand(quit, command)) {
+                std::visit([this](const auto &c) { execute(c); }, command);
+            } else if (!quit.stop_requested()) {
+                workABatch();
+            }
+        } catch (const std::bad_alloc &) {
+            runOutOfMemory();
         }
     }
+}
+
+/// Gives the memory of the run back and says so.
+void SessionWorker::runOutOfMemory() {
+    endBlocking();
+    execute(ClearCommand{});
+    diagnostics_ = outOfMemory();
+    rest(RunState::Failed);
 }
 
 std::stop_token SessionWorker::beginBlocking(Blocking kind) {
@@ -164,7 +178,9 @@ void SessionWorker::execute(const ClearCommand &) {
     boundary_.reset();
     finalMesh_.reset();
     finalHash_ = 0;
-    builder_ = SnapshotBuilder{};
+    builder_ = SnapshotBuilder((run_ + 1) << 32);
+    stageProgress_ = 0.0;
+    improvementStopped_ = false;
     diagnostics_.clear();
     nextAdvance_.reset();
     eventsDone_ = 0;
@@ -174,7 +190,7 @@ void SessionWorker::execute(const ClearCommand &) {
 }
 
 void SessionWorker::execute(const CancelCommand &) {
-    if (timeline_ && (activity_ != Activity::Resting || state_ == RunState::Improving)) {
+    if (timeline_ && (activity_ != Activity::Resting || improvementStopped_)) {
         rest(RunState::Cancelled);
     }
 }
@@ -286,17 +302,14 @@ void SessionWorker::stepEvents(std::int64_t count) {
 void SessionWorker::stepLayers(std::int64_t count) {
     const std::vector<std::uint64_t> &ends = timeline_->layerEnds();
     const std::uint64_t position = timeline_->position();
-    const auto above = std::upper_bound(ends.begin(), ends.end(), position) - ends.begin();
     if (count > 0) {
-        const auto wanted = static_cast<std::size_t>(above + count);
-        while (ends.size() < wanted && !timeline_->complete()) {
-            if (timeline_->forward(1) == 0) {
-                break;
-            }
-        }
-        reach(ends.empty() ? 0 : ends[std::min(wanted, ends.size()) - 1]);
+        const auto above = std::upper_bound(ends.begin(), ends.end(), position) - ends.begin();
+        reach(kToTheEnd);
+        layersWanted_ = static_cast<std::size_t>(above + count);
     } else {
-        const auto below = std::lower_bound(ends.begin(), ends.end(), position) - ends.begin();
+        // Inside an advance, the first step back may lead to where it began.
+        const std::uint64_t from = position + (eventsDone_ > 0 ? 1 : 0);
+        const auto below = std::lower_bound(ends.begin(), ends.end(), from) - ends.begin();
         const std::int64_t wanted = below + count;
         reach(wanted < 0 ? 0 : ends[static_cast<std::size_t>(wanted)]);
     }
@@ -308,6 +321,8 @@ void SessionWorker::reach(std::uint64_t position) {
         return;
     }
     eventsDone_ = 0;
+    layersWanted_ = 0;
+    improvementStopped_ = false;
     target_ = position;
     activity_ = Activity::Reaching;
     state_ = RunState::Running;
@@ -343,6 +358,10 @@ std::uint64_t SessionWorker::move(std::int64_t advances) {
 }
 
 void SessionWorker::reachABatch() {
+    if (layersWanted_ > 0 && timeline_->layerEnds().size() >= layersWanted_) {
+        target_ = timeline_->layerEnds()[layersWanted_ - 1];
+        layersWanted_ = 0;
+    }
     const std::uint64_t position = timeline_->position();
     std::uint64_t done = 0;
     if (target_ > position) {
@@ -354,7 +373,6 @@ void SessionWorker::reachABatch() {
         (timeline_->complete() && timeline_->position() == timeline_->known())) {
         arrive();
     } else {
-        stageProgress_ = std::min(0.99, static_cast<double>(timeline_->position()) / (estimatedElements_ + 1.0));
         publishIfDue();
     }
 }
@@ -411,21 +429,21 @@ void SessionWorker::improveMesh() {
         secondsImprove_ = clock.lap();
         endBlocking();
         if (progress.cancelled()) {
+            improvementStopped_ = true;
             rest(RunState::Paused);
             return;
         }
     }
-    finishWith(std::move(mesh), job_->options.improve);
+    finishWith(std::move(mesh));
 }
 
-void SessionWorker::finishWith(Mesh mesh, bool improved) {
+void SessionWorker::finishWith(Mesh mesh) {
     auto view = std::make_shared<MeshView>();
     view->alpha = shapeFactors(mesh);
     finalQuality_ = measure(mesh, spacing_.get());
     finalHash_ = meshHash(mesh);
     view->mesh = std::move(mesh);
     view->version = std::numeric_limits<std::uint64_t>::max() - run_;
-    static_cast<void>(improved);
     finalMesh_ = std::move(view);
     rest(RunState::Finished);
 }
@@ -433,7 +451,6 @@ void SessionWorker::finishWith(Mesh mesh, bool improved) {
 void SessionWorker::rest(RunState state) {
     activity_ = Activity::Resting;
     state_ = state;
-    stageProgress_ = state == RunState::Finished ? 1.0 : stageProgress_;
     publish(true);
 }
 
@@ -459,11 +476,18 @@ void SessionWorker::publish(bool resting) {
     snapshot->boundary = boundary_;
     snapshot->spacing = spacing_;
     if (timeline_) {
+        const bool atEnd = finalMesh_ && timeline_->position() == timeline_->known() && eventsDone_ == 0;
+        SnapshotLayers layers = layers_;
+        layers.mesh = layers.mesh && !atEnd;
         explain(*snapshot);
-        builder_.fill(*snapshot, *timeline_, layers_, resting);
-        if (finalMesh_ && timeline_->position() == timeline_->known() && eventsDone_ == 0) {
-            builder_.fillFinal(*snapshot, finalMesh_, finalQuality_);
+        builder_.fill(*snapshot, *timeline_, layers, resting);
+        if (atEnd) {
+            snapshot->mesh = finalMesh_;
+            snapshot->quality = finalQuality_;
             snapshot->improved = job_->options.improve;
+        }
+        if (state_ != RunState::Improving) {
+            snapshot->progress = timeline_->complete() ? 1.0 : frontProgress();
         }
         snapshot->meshHash = finalHash_;
     }
@@ -476,6 +500,11 @@ void SessionWorker::publish(bool resting) {
     if (wake_) {
         wake_();
     }
+}
+
+/// An estimate: how many elements there will be is known at the end only.
+double SessionWorker::frontProgress() const {
+    return std::min(0.99, static_cast<double>(timeline_->position()) / (estimatedElements_ + 1.0));
 }
 
 /// The advance that the cursor is in, or else the one done last, derived again by doing it once more with recording.

@@ -67,7 +67,9 @@ class SessionWorker {
     void rest(RunState state);
     void arrive();
     void improveMesh();
-    void finishWith(Mesh mesh, bool improved);
+    void finishWith(Mesh mesh);
+    void runOutOfMemory();
+    double frontProgress() const;
 
     std::stop_token beginBlocking(Blocking kind);
     void endBlocking();
@@ -83,7 +85,7 @@ class SessionWorker {
     std::shared_ptr<const SpacingField> spacing_;
     std::shared_ptr<const DiscreteDomain> boundary_;
     std::unique_ptr<Timeline> timeline_;
-    SnapshotBuilder builder_;
+    SnapshotBuilder builder_{0};
     std::shared_ptr<const MeshView> finalMesh_;
     MeshQuality finalQuality_;
     std::uint64_t finalHash_ = 0;
@@ -100,9 +102,11 @@ class SessionWorker {
     std::uint64_t sequence_ = 0;
     SnapshotLayers layers_;
 
-    std::uint64_t target_ = 0; ///< Reaching: position to reach
-    double rate_ = 0.0;        ///< Playing: advances per second, negative: back
-    double owed_ = 0.0;        ///< Playing: fraction of an advance not yet played
+    std::uint64_t target_ = 0;        ///< Reaching: position to reach
+    std::size_t layersWanted_ = 0;    ///< Reaching: so many layer ends, then the last of them is the target
+    bool improvementStopped_ = false; ///< by a command that came meanwhile
+    double rate_ = 0.0;               ///< Playing: advances per second, negative: back
+    double owed_ = 0.0;               ///< Playing: fraction of an advance not yet played
     double measuredRate_ = 0.0;
     Clock::time_point lastTick_;
     Clock::time_point lastPublish_;

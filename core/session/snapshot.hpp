@@ -55,7 +55,7 @@ struct TimelineMark {
     MarkKind kind = MarkKind::Closure;
 };
 
-/// The mesh of a moment; shared, immutable. Nodes and elements only where the mesh is partial.
+/// The mesh of a moment; shared, immutable. A partial mesh holds all boundary nodes and edges.
 struct MeshView {
     Mesh mesh;
     std::vector<float> alpha;  ///< per element
@@ -81,7 +81,7 @@ struct SessionSnapshot {
     WorkCounters work;
     MeshQuality quality; ///< of the mesh shown
     std::size_t frontSegments = 0;
-    std::uint64_t stateHash = 0; ///< of front, mesh and order queue at this position
+    std::uint64_t stateHash = 0; ///< of front and mesh at this position; 0 while moving
     std::uint64_t meshHash = 0;  ///< set when complete
     double secondsMesh = 0.0, secondsImprove = 0.0;
     std::shared_ptr<const DiscreteDomain> boundary;

@@ -94,13 +94,6 @@ void SnapshotBuilder::fillMesh(SessionSnapshot &snapshot, const Timeline &timeli
     snapshot.quality = whole ? quality_ : quickQuality(state);
 }
 
-void SnapshotBuilder::fillFinal(SessionSnapshot &snapshot, std::shared_ptr<const MeshView> mesh,
-                                const MeshQuality &quality) {
-    snapshot.mesh = std::move(mesh);
-    snapshot.quality = quality;
-    snapshot.improved = true;
-}
-
 void SnapshotBuilder::growAlpha(const FrontState &state) {
     for (std::size_t e = alpha_.size(); e < state.elements.size(); ++e) {
         const Element &element = state.elements[e];

@@ -12,11 +12,12 @@ namespace forefront {
 /// Copies out of a run what the drawing thread wants, and no more often than it changes. Belongs to one run.
 class SnapshotBuilder {
   public:
+    /// Versions of the mesh views are counted on from `version`, so that those of two runs differ.
+    explicit SnapshotBuilder(std::uint64_t version) : version_(version) {}
+
     /// Mesh, front, cells and marks of the timeline's position into `snapshot`. `resting`: the run stands still, so
     /// what takes longer may be measured too (all of the quality, the state hash, marks).
     void fill(SessionSnapshot &snapshot, const Timeline &timeline, SnapshotLayers layers, bool resting);
-    /// The finished mesh instead of the timeline's.
-    void fillFinal(SessionSnapshot &snapshot, std::shared_ptr<const MeshView> mesh, const MeshQuality &quality);
 
     static std::shared_ptr<const std::vector<TimelineMark>> marksOf(const Timeline &timeline);
 
@@ -33,7 +34,7 @@ class SnapshotBuilder {
     MeshQuality quality_;
     std::shared_ptr<const std::vector<TimelineMark>> marks_;
     std::uint64_t marksKnown_ = 0;
-    std::uint64_t version_ = 0;
+    std::uint64_t version_;
 };
 
 } // namespace forefront

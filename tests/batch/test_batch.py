@@ -120,9 +120,13 @@ class Meshing(Case):
         self.assertNotEqual(raw["hash"], improved["hash"])
 
     def test_several_outputs_and_formats(self):
-        self.call("mesh", "plate.poly", "-o", "a.dat", "-o", "b.msh", "--format", "msh41", "--size", "0.5")
+        self.call("mesh", "plate.poly", "-o", "a.dat", "-o", "b.msh", "-o", "c.vtu", "-o", "d.svg", "--format", "msh41",
+                  "--size", "0.5")
         self.assertIn("4.1", self.read("a.dat")[:40])
         self.assertIn("2.2", self.read("b.msh")[:40])
+        self.assertIn("<svg", self.read("d.svg")[:400])
+        for name in ("b.msh", "c.vtu"):
+            self.call("check", name, "--domain", "plate.poly")
 
     def test_quiet_prints_the_figure_alone(self):
         done = self.call("mesh", "plate.poly", "-o", "plate.msh", "--quiet")

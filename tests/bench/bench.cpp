@@ -44,7 +44,12 @@ double peakBytes() {
 }
 
 int runCase(const std::string &name, double size, const Settings &settings) {
-    bench::Scene scene = bench::makeScene(name, size);
+    std::optional<bench::Scene> made = bench::makeScene(name, size);
+    if (!made) {
+        std::fprintf(stderr, "no scene %s: square, disc, graded, ramp, islands\n", name.c_str());
+        return 1;
+    }
+    bench::Scene &scene = *made;
     scene.job.options.grid = settings.grid;
     scene.job.options.improve = settings.improve;
     const double before = residentBytes();
@@ -75,6 +80,9 @@ bool parse(int argc, char **argv, Settings &settings) {
             settings.improve = false;
         } else if (word == "--grid" && i + 1 < argc) {
             const std::string grid = argv[++i];
+            if (grid != "none" && grid != "uniform" && grid != "hierarchical") {
+                return false;
+            }
             settings.grid = grid == "none"      ? GridKind::None
                             : grid == "uniform" ? GridKind::Uniform
                                                 : GridKind::Hierarchical;

@@ -83,7 +83,7 @@ Scene islands(double triangles) {
 
 } // namespace
 
-Scene makeScene(std::string_view name, double size) {
+std::optional<Scene> makeScene(std::string_view name, double size) {
     if (name == "disc") {
         return disc(size);
     }
@@ -96,11 +96,10 @@ Scene makeScene(std::string_view name, double size) {
     if (name == "islands") {
         return islands(size);
     }
-    return square(size);
-}
-
-std::vector<std::string> sceneNames() {
-    return {"square", "disc", "graded", "ramp", "islands"};
+    if (name == "square") {
+        return square(size);
+    }
+    return std::nullopt;
 }
 
 } // namespace forefront::bench

@@ -1,5 +1,7 @@
+#include "core/grid/hierarchical_grid.hpp"
 #include "core/mesh/quality.hpp"
 #include "core/mesh/verify.hpp"
+#include "core/mesher/advancer.hpp"
 #include "core/mesher/mesher.hpp"
 #include "core/mesher/timeline.hpp"
 #include "tests/support/discrete_samples.hpp"
@@ -7,6 +9,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 using namespace forefront;
 using namespace forefront::testing;
@@ -51,20 +55,82 @@ TEST_CASE("FrontAdvancer: a slit, a hole and an isolated point are all in the me
     }
 }
 
-TEST_CASE("FrontAdvancer: closes when no new node may be placed, however unequal the spacing") {
-    for (const double rho : {1e-9, 1e9}) { // clamped to the lengths of the base
-        auto mesher = mesherOn(discretePlate(0.2), rho);
-        std::uint64_t done = 0;
-        while (!mesher->finished() && done < 400'000) {
-            done += mesher->advance(1000);
+TEST_CASE("FrontAdvancer: closes by existing nodes alone when the budget of small nodes is spent") {
+    // The node spacing is far above the lengths of the boundary, so every new node counts as small and none is left.
+    // A small hole far from the outline, its segments first, as if they had been deferred already: they find no partner
+    // nearby.
+    for (const int n : {24, 100}) {
+        const auto domain = DiscreteBuilder()
+                                .loop(circleNodes({0, 0}, 1.0, n))
+                                .loop(circleNodes({0.1, 0}, 0.02, n / 4, false))
+                                .point({-0.3, 0.2})
+                                .region(1, 0.5 * n * std::sin(2.0 * std::numbers::pi / n) -
+                                               0.5 * (n / 4) * std::sin(8.0 * std::numbers::pi / n) * 0.0004)
+                                .build();
+        const Box2 bounds = domain->bounds();
+        const auto spacing = spacingOf([](Vec2) { return 1e9; });
+        FrontState state(*domain);
+        state.smallNodesLeft = 0;
+        for (std::uint32_t i = 0; i < state.front.capacity(); ++i) {
+            state.front.setFailureClass(SlotId{i}, state.front[SlotId{i}].length < 0.03 ? 1 : 2);
         }
-        if (rho > 1.0) {
-            REQUIRE(mesher->finished());
-            const Mesh mesh = toMesh(mesher->state(), mesher->boundary());
-            CHECK(faultsOf(verifyAgainst(mesh, mesher->boundary())) == "");
-        } else {
-            CHECK(mesher->state().front.consistent());
+        state.order.rebuild(state.front);
+        HierarchicalGrid grid(bounds);
+        for (std::uint32_t i = 0; i < state.front.capacity(); ++i) {
+            grid.insert(state.front, SlotId{i});
         }
+        FrontAdvancer<HierarchicalGrid, NoTrace> advancer(state, grid, *spacing, gridSlack(bounds), NoTrace{});
+        AdvanceDelta delta;
+        while (advancer.advance(delta)) {
+        }
+        CHECK(state.front.empty());
+        CHECK(state.work.newNodes == 0);
+        CHECK(state.work.forced > 0);
+        CHECK(faultsOf(verifyAgainst(toMesh(state, *domain), *domain)) == "");
+    }
+}
+
+TEST_CASE("FrontAdvancer: closes however far the spacing lies from the lengths of the boundary") {
+    auto mesher = mesherOn(discretePlate(0.2), 1e9);
+    mesher->advance(~std::uint64_t{0});
+    REQUIRE(mesher->finished());
+    CHECK(faultsOf(verifyAgainst(toMesh(mesher->state(), mesher->boundary()), mesher->boundary())) == "");
+}
+
+TEST_CASE("FrontAdvancer: the caption never names a withdrawn ideal point as the best candidate") {
+    auto mesher = mesherOn(discretePlate(0.08), 0.08);
+    std::size_t withdrawn = 0;
+    while (!mesher->finished()) {
+        const AdvanceExplanation explanation = mesher->explainNext();
+        for (std::size_t cursor = 0; cursor < explanation.events.size(); ++cursor) {
+            const TraceEvent &event = explanation.events[cursor];
+            if (event.step == Step::Sort && event.candidate != kNoIndex) {
+                const CandidateTrace &best = explanation.candidates[event.candidate];
+                REQUIRE(best.verdict != Verdict::Withdrawn);
+                REQUIRE(caption(explanation, cursor).find(best.node == kNoNode ? "ideal point" : "node ") !=
+                        std::string::npos);
+            }
+        }
+        withdrawn += static_cast<std::size_t>(
+            std::count_if(explanation.candidates.begin(), explanation.candidates.end(),
+                          [](const CandidateTrace &c) { return c.verdict == Verdict::Withdrawn; }));
+        mesher->advance(1);
+    }
+    CHECK(withdrawn > 0);
+}
+
+TEST_CASE("Timeline: the work counters come back to nothing after going to and fro") {
+    Timeline timeline(mesherOn(discretePlate(0.05), 0.05));
+    timeline.forward(~std::uint64_t{0});
+    const WorkCounters first = timeline.mesher().state().work;
+    timeline.back(timeline.known());
+    timeline.forward(timeline.known());
+    CHECK(timeline.mesher().state().work.tested == first.tested);
+    timeline.back(timeline.known());
+    const WorkCounters &work = timeline.mesher().state().work;
+    for (const std::uint64_t sum : {work.advances, work.elements, work.frontSum, work.delivered, work.tested,
+                                    work.cellsVisited, work.candidates, work.newNodes, work.deferrals, work.forced}) {
+        CHECK(sum == 0);
     }
 }
 
@@ -83,6 +149,7 @@ TEST_CASE("FrontAdvancer: the grid changes the work, never the mesh") {
     CHECK(meshes[0] == meshes[2]);
     CHECK(tests[0] == tests[1]);
     CHECK(tests[0] == tests[2]);
+    CHECK(delivered[1] * 4 < delivered[0]);
     CHECK(delivered[2] * 4 < delivered[0]);
 }
 

@@ -21,6 +21,13 @@ std::string textOf(const Diagnostics &faults) {
     return text;
 }
 
+// Instrumented builds run the same checks on fewer domains.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr std::uint64_t kShare = 11; // not a divisor of the number of families
+#else
+constexpr std::uint64_t kShare = 1;
+#endif
+
 struct Run {
     std::uint64_t hash = 0;
     std::uint64_t tested = 0;
@@ -54,7 +61,7 @@ Run runTracedAndStepped(const PreparedJob &prepared) {
 } // namespace
 
 TEST_CASE("Meshing: the same mesh for every grid, traced or not, stepped or run, on 200 random domains") {
-    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    for (std::uint64_t seed = 0; seed < 200; seed += kShare) {
         CAPTURE(seed);
         MeshingJob job;
         job.domain = randomDomain(seed);
@@ -70,7 +77,7 @@ TEST_CASE("Meshing: the same mesh for every grid, traced or not, stepped or run,
 }
 
 TEST_CASE("Meshing: 2,000 random domains of hostile shape are meshed and the meshes verify") {
-    for (std::uint64_t seed = 1000; seed < 3000; ++seed) {
+    for (std::uint64_t seed = 1000; seed < 3000; seed += kShare) {
         CAPTURE(seed);
         MeshingJob job;
         job.domain = randomDomain(seed);

@@ -1,0 +1,107 @@
+// Writes a small mesh of two regions with a hole and named boundaries in every format, and its true figures as JSON.
+//   export_sample FOLDER
+#include "core/io/files.hpp"
+#include "core/mesher/pipeline.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+using namespace forefront;
+
+namespace {
+
+/// [0,4]x[0,2], "steel" left and "copper" right of x = 2, a square hole [0.5,1]² in the steel.
+Domain twoRegions() {
+    Domain domain;
+    domain.nodes = {{0, 0}, {2, 0}, {4, 0}, {4, 2}, {2, 2}, {0, 2}, {0.5, 0.5}, {0.5, 1}, {1, 1}, {1, 0.5}};
+    domain.segments = {
+        {0, 1, 1, SegmentRole::Boundary}, {1, 2, 1, SegmentRole::Boundary},  {2, 3, 2, SegmentRole::Boundary},
+        {3, 4, 3, SegmentRole::Boundary}, {4, 5, 3, SegmentRole::Boundary},  {5, 0, 4, SegmentRole::Boundary},
+        {6, 7, 5, SegmentRole::Boundary}, {7, 8, 5, SegmentRole::Boundary},  {8, 9, 5, SegmentRole::Boundary},
+        {9, 6, 5, SegmentRole::Boundary}, {1, 4, 6, SegmentRole::Constraint}};
+    domain.regionMarkers = {{{0.1, 0.1}, 1}, {{3.9, 0.1}, 2}};
+    domain.boundaryNames = {{1, "bottom"}, {2, "right"}, {3, "top"}, {4, "left"}, {5, "hole"}, {6, "seam"}};
+    domain.regionNames = {{1, "steel"}, {2, "copper"}};
+    return domain;
+}
+
+/// [0,10]x[0,2] for a tension test.
+Domain strip() {
+    Domain domain;
+    domain.nodes = {{0, 0}, {10, 0}, {10, 2}, {0, 2}};
+    domain.segments = {{0, 1, 1, SegmentRole::Boundary},
+                       {1, 2, 2, SegmentRole::Boundary},
+                       {2, 3, 3, SegmentRole::Boundary},
+                       {3, 0, 4, SegmentRole::Boundary}};
+    domain.boundaryNames = {{1, "bottom"}, {2, "right"}, {3, "top"}, {4, "left"}};
+    domain.regionNames = {{1, "plate"}};
+    return domain;
+}
+
+nlohmann::json figures(const Mesh &mesh) {
+    nlohmann::json truth;
+    truth["nodes"] = mesh.nodes.size();
+    truth["elements"] = mesh.elements.size();
+    for (const TaggedEdge &edge : mesh.edges) {
+        auto &part = truth["edges"][boundaryName(mesh.boundaryNames, edge.tag)];
+        part["tag"] = edge.tag;
+        part["count"] = part.value("count", 0) + 1;
+        part["length"] = part.value("length", 0.0) + distance(mesh.nodes[index(edge.a)], mesh.nodes[index(edge.b)]);
+    }
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+        const Element &t = mesh.elements[e];
+        const Vec2 a = mesh.nodes[index(t[0])];
+        auto &region = truth["regions"][regionName(mesh.regionNames, mesh.region(e))];
+        region["tag"] = mesh.region(e);
+        region["count"] = region.value("count", 0) + 1;
+        region["area"] =
+            region.value("area", 0.0) + 0.5 * cross(mesh.nodes[index(t[1])] - a, mesh.nodes[index(t[2])] - a);
+    }
+    return truth;
+}
+
+int fail(const Diagnostics &faults) {
+    for (const Diagnostic &fault : faults) {
+        std::fprintf(stderr, "%s\n", toString(fault).c_str());
+    }
+    return 1;
+}
+
+int exportAll(const std::filesystem::path &folder, const std::string &name, const Domain &domain, double size) {
+    MeshingJob job;
+    job.domain = domain;
+    job.spacing.size = size;
+    const Result<MeshingOutcome> outcome = meshDomain(job);
+    if (!outcome) {
+        return fail(outcome.faults());
+    }
+    nlohmann::json truth = figures(outcome->mesh);
+    for (const FileFormat &format : fileFormats()) {
+        if (format.writesMesh) {
+            const std::filesystem::path path = folder / (name + '-' + format.id + format.extension);
+            const Status status = writeMesh(path, outcome->mesh, format.id);
+            if (hasErrors(status)) {
+                return fail(status);
+            }
+            truth["files"][format.id] = path.string();
+        }
+    }
+    std::ofstream(folder / (name + ".json")) << truth.dump(1) << '\n';
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    if (argc != 2) {
+        std::fprintf(stderr, "usage: export_sample FOLDER\n");
+        return 2;
+    }
+    const std::filesystem::path folder = argv[1];
+    std::filesystem::create_directories(folder);
+    const int first = exportAll(folder, "sample", twoRegions(), 0.25);
+    return first != 0 ? first : exportAll(folder, "strip", strip(), 0.5);
+}
