@@ -26,13 +26,10 @@ Examples:
   forefront mesh lake.geojson -o lake.msh          mesh with automatic spacing
   forefront mesh plate.poly -o plate.vtu --size 1  mesh with edges of length 1
   forefront check lake.msh --domain lake.geojson   prove that the mesh fits
-
-Options of the editor:
-  --frames N                close by itself after N frames (for tests)
-  --state-file FILE         write what is shown after each frame (for tests)
 )";
 
 #if defined(FOREFRONT_WITH_EDITOR)
+/// Beside FILE it takes, for tests: --frames N, to close by itself, and --state-file FILE, to write what it shows.
 int editorCommand(int argc, const char *const *argv) {
     EditorArguments arguments;
     CLI::App app("Forefront", "forefront");

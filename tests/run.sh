@@ -65,9 +65,9 @@ step 'tests, release' ctest --test-dir build/release --output-on-failure -j "$jo
 if [ $quick = no ]; then
     step 'build asan-ubsan' sh app/build.sh asan-ubsan -DFOREFRONT_EDITOR=OFF
     step 'tests, address and undefined-behaviour sanitizers' \
-        ctest --test-dir build/asan-ubsan --output-on-failure -j "$jobs" -R '^(unit|batch)$'
+        ctest --test-dir build/asan-ubsan --output-on-failure -j "$jobs" -R '^(unit|batch|fuzz_regression)$'
     step 'build tsan' sh app/build.sh tsan forefront_unit_tests -DFOREFRONT_EDITOR=OFF
     step 'tests, thread sanitizer' \
-        build/tsan/tests/forefront_unit_tests '--test-case=*MeshingSession*,*thread*,*improve*'
+        build/tsan/tests/forefront_unit_tests '--test-case=*MeshingSession*,*Journal*,*thread*'
 fi
 finish

@@ -21,9 +21,10 @@ Examples:
         spacing from the boundary lengths, graded inwards; Gmsh MSH 2.2
   forefront mesh plate.poly -o plate.inp -o plate.svg --size 0.5
         edges of length 0.5; Abaqus input and a drawing
-  forefront mesh plate.poly -o plate.msh --format msh41 --spacing "max(0.05, 0.2*sqrt(x*x+y*y))" edges that grow with
-    the distance to the origin;
-Gmsh MSH 4.1 forefront mesh coast.svg - o coast.vtu-- repair-- stats coast.json splits crossing lines first; statistics as JSON
+  forefront mesh plate.poly -o plate.msh --format msh41 --spacing "max(0.05, 0.2*sqrt(x*x+y*y))"
+        edges that grow with the distance to the origin; Gmsh MSH 4.1
+  forefront mesh coast.svg -o coast.vtu --repair --stats coast.json
+        splits crossing lines first; statistics as JSON
 
 Exit codes: 0 done, 1 the input is refused (faults on stderr, one a line), 2 wrong usage, 3 cancelled.)help";
 
