@@ -12,10 +12,12 @@ using namespace forefront;
 using namespace forefront::edit_test;
 
 TEST_CASE("fillRegion: one marker for each face, the second fill takes its place") {
-    // A square with a hole, an island in the hole, and a constraint that cuts the square's rest in two faces.
-    Document document = *addShapes({}, {square({0, 0}, 10), square({2, 2}, 6), square({4, 4}, 2),
-                                        makeShape(ShapeKind::Polyline, {{0, 5}, {2, 5}}, ShapeUse::Constraint),
-                                        makeShape(ShapeKind::Polyline, {{8, 5}, {10, 5}}, ShapeUse::Constraint)});
+    // A square with a hole, an island in the hole, and constraints that cut what is around the hole in two faces.
+    Document document =
+        *addShapes({}, {makeShape(ShapeKind::Polygon, {{0, 0}, {10, 0}, {10, 5}, {10, 10}, {0, 10}, {0, 5}}),
+                        makeShape(ShapeKind::Polygon, {{2, 2}, {8, 2}, {8, 5}, {8, 8}, {2, 8}, {2, 5}}),
+                        square({4, 4}, 2), makeShape(ShapeKind::Polyline, {{0, 5}, {2, 5}}, ShapeUse::Constraint),
+                        makeShape(ShapeKind::Polyline, {{8, 5}, {10, 5}}, ShapeUse::Constraint)});
     document = *fillRegion(document, {1, 1}, 2);
     document = *fillRegion(document, {1, 9}, 3);
     document = *fillRegion(document, {5, 5}, 4);
@@ -37,6 +39,11 @@ TEST_CASE("fillRegion: outside of the domain and in holes it is refused with the
     }
     CHECK(fillRegion(document, {1, 1}, 0).faults().front().code == "bad-tag");
     CHECK_FALSE(fillRegion({}, {0, 0}, 1).ok());
+}
+
+TEST_CASE("fillRegion: while segments cross there is no face to fill") {
+    const Document document = *addShapes({}, {square({0, 0}, 10), square({5, 5}, 10)});
+    CHECK(fillRegion(document, {1, 1}, 2).faults().front().code == "not-possible");
 }
 
 TEST_CASE("insertDrawing: shapes get new ids, are scaled, and become the selection; names already there win") {
