@@ -48,6 +48,8 @@ def check_gmsh(truth, file, named=True):
     gmsh.initialize()
     gmsh.option.setNumber("General.Terminal", 0)
     gmsh.open(file)
+    tags, coordinates, _ = gmsh.model.mesh.getNodes()
+    place = dict(zip(tags, coordinates.reshape(-1, 3)))
     for dimension, parts, measure in ((1, truth["edges"], "length"), (2, truth["regions"], "area")):
         groups = {gmsh.model.getPhysicalName(dimension, tag): tag for _, tag in gmsh.model.getPhysicalGroups(dimension)}
         if named:
@@ -63,12 +65,12 @@ def check_gmsh(truth, file, named=True):
                 _, ids, nodes = gmsh.model.mesh.getElements(dimension, entity)
                 count += sum(len(i) for i in ids)
                 for row in numpy.concatenate(nodes).reshape(-1, dimension + 1):
-                    corners = [gmsh.model.mesh.getNode(int(n))[0] for n in row]
+                    corners = [place[n] for n in row]
                     total += (math.dist(*corners) if dimension == 1 else
                               area(numpy.array(corners), numpy.array([[0, 1, 2]])))
             same(count, part["count"], f"gmsh elements of {name}")
             near(total, part[measure])
-    same(len(gmsh.model.mesh.getNodes()[0]), truth["nodes"], "gmsh nodes")
+    same(len(place), truth["nodes"], "gmsh nodes")
     gmsh.finalize()
 
 
@@ -160,7 +162,7 @@ def check_triangle(truth, base):
 
 
 POISSON = """
-load "gmsh"
+%s
 mesh Th = %s;
 int[int] tags = [%s];
 real[int] lengths = [%s];
@@ -190,10 +192,12 @@ def check_freefem(truth, file, command, folder):
     regions = list(truth["regions"].values())
     script = folder / "poisson.edp"
     script.write_text(POISSON % (
-        command % file, ",".join(str(p["tag"]) for p in edges), ",".join(repr(p["length"]) for p in edges),
+        'load "gmsh"' if "gmshload" in command else "", command % file, ",".join(str(p["tag"]) for p in edges), ",".join(repr(p["length"]) for p in edges),
         ",".join(str(p["tag"]) for p in regions), ",".join(repr(p["area"]) for p in regions),
         truth["regions"]["steel"]["tag"], ",".join(map(str, outer))))
-    run = subprocess.run(["FreeFem++", "-nw", "-v", "0", str(script)], capture_output=True, text=True)
+    # Debian's packages keep the plugins elsewhere than the program looks for them.
+    plugins = {**os.environ, "FF_LOADPATH": "/usr/lib/freefem++/"}
+    run = subprocess.run(["FreeFem++", "-nw", "-v", "0", str(script)], capture_output=True, text=True, env=plugins)
     assert run.returncode == 0 and "SOLVED" in run.stdout, run.stdout[-2000:] + run.stderr[-500:]
 
 
@@ -237,7 +241,7 @@ def check_calculix(truth, file, folder):
     for row in rows:  # on top, y = 2: u_y = -0.3·0.01·2
         near(float(row[2]), -0.006, 1e-6)
     rows = [line.split() for line in stresses.splitlines() if re.match(r"\s*\d+\s+\d+\s+[-+.\d]", line)]
-    same(len(rows), truth["elements"], "stresses printed")
+    same(len({row[0] for row in rows}), truth["elements"], "elements with stresses")
     for row in rows:
         near(float(row[2]), 10.0, 1e-5)
         assert abs(float(row[3])) < 1e-4 and abs(float(row[5])) < 1e-4, row
