@@ -254,9 +254,10 @@ def main():
     strip = json.loads((folder / "strip.json").read_text())
     files = truth["files"]
     checks = [
+        # First: gmsh 4.8 mixes up the nodes of a MEDIT file when it has read another file before in the same process.
+        ("MEDIT by gmsh", lambda: check_gmsh(truth, files["medit"], named=False)),
         ("MSH 2.2 by gmsh", lambda: check_gmsh(truth, files["msh2"])),
         ("MSH 4.1 by gmsh", lambda: check_gmsh(truth, files["msh41"])),
-        ("MEDIT by gmsh", lambda: check_gmsh(truth, files["medit"], named=False)),
         ("MSH 2.2 by meshio", lambda: check_meshio(truth, files["msh2"], names=True, regions="gmsh:physical")),
         ("MSH 4.1 by meshio", lambda: check_meshio(truth, files["msh41"], names=True, regions="gmsh:physical")),
         ("VTU by meshio", lambda: check_meshio(truth, files["vtu"], regions="region")),
