@@ -105,6 +105,25 @@ TEST_CASE("Snapping: nodes draw the pointer, Ctrl lets it free, Shift keeps to 1
     CHECK(line.nodes[1].x == doctest::Approx(line.nodes[1].y));
 }
 
+TEST_CASE("Polyline: from shore to shore it joins both, and the drawing can be meshed") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('L');
+    driver.clickAt(driver.pixel({1, 4.2}) + Vec2{3, 0}); // drawn to the segment
+    driver.frames(30);
+    driver.clickPlace({5, 5});
+    driver.clickAt(driver.pixel({9, 6.3}) - Vec2{2, 0});
+    driver.frames(30);
+    driver.key(key::kEnter);
+    driver.settle();
+    REQUIRE(driver.document().shapes.size() == 2);
+    CHECK(driver.document().shapes[0]->nodes.size() == 6);
+    CHECK(driver.context().preview->faults.empty());
+    CHECK(driver.undoLabel() == "Draw polyline");
+    driver.key('Z', {Modifiers::kControl});
+    CHECK(driver.document().shapes[0]->kind == ShapeKind::Rectangle);
+}
+
 TEST_CASE("Rectangle and circle: by drag, by two clicks, by typed size") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});

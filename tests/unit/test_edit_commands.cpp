@@ -1,4 +1,5 @@
 #include "core/edit/equality.hpp"
+#include "core/edit/join_segments.hpp"
 #include "core/edit/region_commands.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
@@ -159,6 +160,23 @@ TEST_CASE("setRadius and setSegmentLength keep the direction") {
     CHECK(setSegmentLength(document, {2, 3}, 5)->shapes[1]->nodes[0] == Vec2{0, -3});
     CHECK(codeOf(setSegmentLength(document, {2, 4}, 5)) == "no-such-segment");
     CHECK(codeOf(setSegmentLength(document, {2, 0}, -5)) == "bad-number");
+}
+
+TEST_CASE("joinToSegments: where a line ends on other shapes, their segments get a node; tags stay") {
+    Shape tagged = square({0, 0}, 4);
+    tagged.segmentTags = {1, 2, 3, 4};
+    Document document = documentOf({tagged, makeShape(ShapeKind::Rectangle, {{6, 0}, {8, 4}})});
+    const Document before = document;
+    document = *addShape(document, makeShape(ShapeKind::Polyline, {{4, 3}, {6, 1}, {6, 3}, {4, 1}, {4, 4}, {2, 2}},
+                                             ShapeUse::Constraint));
+    const Document joined = joinToSegments(document, 3);
+    CHECK(joined.shapes[0]->nodes == std::vector<Vec2>{{0, 0}, {4, 0}, {4, 1}, {4, 3}, {4, 4}, {0, 4}});
+    CHECK(joined.shapes[0]->segmentTags == std::vector<std::int32_t>{1, 2, 2, 2, 3, 4});
+    CHECK(joined.shapes[1]->kind == ShapeKind::Polygon);
+    CHECK(joined.shapes[1]->nodes == std::vector<Vec2>{{6, 0}, {8, 0}, {8, 4}, {6, 4}, {6, 3}, {6, 1}});
+    CHECK(sameContent(joinToSegments(joined, 3), joined));
+    CHECK(sameContent(joinToSegments(before, 1), before));
+    CHECK(sameContent(joinToSegments(before, 99), before));
 }
 
 TEST_CASE("toggleClosed: opening and closing a polygon gives it back") {

@@ -1,5 +1,6 @@
 #include "ui/tools/drawing_tool.hpp"
 
+#include "core/edit/join_segments.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "ui/app/app_context.hpp"
 #include "ui/canvas/canvas_painter.hpp"
@@ -114,7 +115,11 @@ void DrawingTool::deactivate(AppContext &context) {
 bool DrawingTool::commitShape(AppContext &context, Shape shape, const std::string &label) {
     const std::shared_ptr<const Document> before = context.document().current();
     shape.tag = shape.use == ShapeUse::Boundary ? state_->boundaryTag : state_->constraintTag;
-    if (!EditState::apply(context, addShape(*before, std::move(shape)), label)) {
+    Result<Document> next = addShape(*before, std::move(shape));
+    if (next) {
+        next = joinToSegments(*next, before->nextId);
+    }
+    if (!EditState::apply(context, std::move(next), label)) {
         return false;
     }
     context.selection.clear();

@@ -1,0 +1,40 @@
+#include "core/edit/join_segments.hpp"
+
+#include "core/edit/pick_index.hpp"
+#include "core/edit/shape_commands.hpp"
+#include "core/edit/shape_geometry.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace forefront {
+
+Document joinToSegments(const Document &document, std::uint32_t id) {
+    const Shape *shape = findShape(document, id);
+    const double reach = 1e-9 * boundsOf(document).diagonal();
+    if (shape == nullptr || shape->kind == ShapeKind::Circle || !(reach > 0.0)) {
+        return document;
+    }
+    const PickIndex index(std::make_shared<const Document>(document));
+    const auto others = [&](const Shape &other) { return other.id != id && other.kind != ShapeKind::Circle; };
+    std::vector<std::tuple<SegmentRef, double, Vec2>> meetings;
+    for (const Vec2 node : outlineOf(*shape, document.circleTolerance).nodes) {
+        const auto hit = index.segment(node, reach, others);
+        if (hit && distance(node, hit->a) > reach && distance(node, hit->b) > reach) {
+            meetings.emplace_back(hit->ref, hit->t, node);
+        }
+    }
+    // From the last segment to the first, and along each backwards: no insertion moves a place still to come.
+    std::sort(meetings.begin(), meetings.end(), [](const auto &a, const auto &b) {
+        return std::tie(std::get<0>(b), std::get<1>(b)) < std::tie(std::get<0>(a), std::get<1>(a));
+    });
+    Document joined = document;
+    for (const auto &[ref, t, node] : meetings) {
+        if (Result<Document> next = insertNode(joined, ref, node)) {
+            joined = *std::move(next);
+        }
+    }
+    return joined;
+}
+
+} // namespace forefront
