@@ -1,5 +1,4 @@
 #include "core/io/names.hpp"
-#include "core/io/node_labels.hpp"
 #include "core/io/planar_mesh.hpp"
 #include "core/io/readers.hpp"
 
@@ -13,7 +12,11 @@ void writeMedit(const Mesh &mesh, TextWriter &out) {
     out << "MeshVersionFormatted 2\n";
     writeNameComments(mesh, "#", out);
     out << "Dimension\n2\n\nVertices\n" << mesh.nodes.size() << '\n';
-    const std::vector<std::int32_t> labels = nodeLabels(mesh);
+    // Gmsh takes a vertex label for z in plane files, so only constraint points have one; edges carry the boundary tags.
+    std::vector<std::int32_t> labels(mesh.nodes.size(), 0);
+    for (const TaggedNode &point : mesh.points) {
+        labels[index(point.node)] = point.tag;
+    }
     for (std::size_t n = 0; n < mesh.nodes.size() && out.ok(); ++n) {
         out << mesh.nodes[n].x << ' ' << mesh.nodes[n].y << ' ' << labels[n] << '\n';
     }

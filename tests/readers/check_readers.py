@@ -254,7 +254,6 @@ def main():
     strip = json.loads((folder / "strip.json").read_text())
     files = truth["files"]
     checks = [
-        # First: gmsh 4.8 mixes up the nodes of a MEDIT file when it has read another file before in the same process.
         ("MEDIT by gmsh", lambda: check_gmsh(truth, files["medit"], named=False)),
         ("MSH 2.2 by gmsh", lambda: check_gmsh(truth, files["msh2"])),
         ("MSH 4.1 by gmsh", lambda: check_gmsh(truth, files["msh41"])),
