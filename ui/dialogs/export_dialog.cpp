@@ -112,12 +112,9 @@ void exportMesh(AppContext &context) {
         if (format.writesMesh) {
             request.filters.push_back(
                 {std::string(format.name) + " (" + format.extension + ")", {format.extension}, format.id});
-            if (std::string_view(format.id) == "msh2") {
-                request.filter = request.filters.size() - 1; // what most solvers read
-            }
         }
     }
-    // What solvers read comes first, the drawing of a mesh last.
+    // What solvers read comes first (MSH 2.2), the drawing of a mesh last.
     std::stable_partition(request.filters.begin(), request.filters.end(),
                           [](const FileFilter &filter) { return filter.id != "svg"; });
     const std::filesystem::path &document = context.document().path();
