@@ -70,7 +70,7 @@ class Project:
                 "boundaryNames": {str(k): v for k, v in self.boundaries.items()},
                 "regionNames": {str(k): v for k, v in self.regions.items()}, "spacing": self.spacing,
                 "options": {"grid": "hierarchical", "gridColumns": 0, "gridRows": 0, "keepBoundary": False,
-                            "improve": True, "threads": 1},
+                            "improve": "default", "threads": 1},
                 "circleTolerance": 0.002, "nextId": len(self.shapes) + 1}
         lines = []
         for key, value in text.items():

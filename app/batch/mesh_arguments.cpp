@@ -98,6 +98,8 @@ std::string checkFormats(const MeshArguments &arguments) {
 std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const *argv) {
     MeshArguments arguments;
     std::string grid;
+    std::string level;
+    bool noImprove = false;
     CLI::App app("Meshes a planar domain with triangles by the advancing front technique.", "forefront mesh");
     app.footer(kExamples);
     app.add_option("IN", arguments.input, "project (.json, .forefront) or domain: .poly, .node, .geojson, .svg, .msh")
@@ -125,7 +127,10 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     app.add_flag("--keep-boundary", arguments.keepBoundary, "use the given segments as they are, without cutting them");
     app.add_flag("--repair", arguments.repair,
                  "merge duplicate nodes and segments and split at crossings first, and say so");
-    app.add_flag("--no-improve", arguments.noImprove, "leave out swapping and smoothing");
+    auto *improve = app.add_option("--improve", level, "work on the shapes: none, default, best (slower, still better)")
+                        ->check(CLI::IsMember({"none", "default", "best"}))
+                        ->type_name("LEVEL");
+    app.add_flag("--no-improve", noImprove, "the same as --improve none")->excludes(improve);
     app.add_option("--threads", arguments.threads, "threads; the mesh does not depend on it")
         ->check(CLI::Range(1U, 256U))
         ->type_name("N");
@@ -139,6 +144,11 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     std::string wrong;
     if (!grid.empty()) {
         wrong = parseGrid(grid, arguments);
+    }
+    if (noImprove || level == "none") {
+        arguments.improve = ImproveLevel::None;
+    } else if (!level.empty()) {
+        arguments.improve = level == "best" ? ImproveLevel::Best : ImproveLevel::Default;
     }
     if (wrong.empty()) {
         wrong = checkFormats(arguments);

@@ -23,7 +23,7 @@ struct MeshArguments {
     int gridColumns = 0, gridRows = 0;
     bool keepBoundary = false;
     bool repair = false;
-    bool noImprove = false;
+    std::optional<ImproveLevel> improve;
     std::optional<unsigned> threads;
     std::optional<std::filesystem::path> statistics;
     bool quiet = false;

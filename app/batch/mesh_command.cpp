@@ -62,7 +62,7 @@ void applyOptions(const MeshArguments &arguments, MeshingOptions &options) {
         options.gridRows = arguments.gridRows;
     }
     options.keepBoundary = options.keepBoundary || arguments.keepBoundary;
-    options.improve = options.improve && !arguments.noImprove;
+    options.improve = arguments.improve.value_or(options.improve);
     options.threads = arguments.threads.value_or(options.threads);
 }
 
@@ -143,7 +143,7 @@ int meshCommand(int argc, const char *const *argv) {
         const bool mistyped = arguments.expression && hasCode(outcome.faults(), "expression-syntax");
         return code == kRefused && mistyped ? kUsage : code;
     }
-    const RunReport report = reportOf(*outcome);
+    const RunReport report = reportOf(*outcome, job->options);
     faults = writeOutputs(arguments, outcome->mesh, report, progress);
     bar.clear();
     if (hasErrors(faults)) {

@@ -1,6 +1,7 @@
 #include "app/batch/report.hpp"
 
 #include "core/base/hash.hpp"
+#include "core/io/project_words.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -18,11 +19,12 @@ std::uint64_t peakBytes() {
 
 } // namespace
 
-RunReport reportOf(const MeshingOutcome &outcome) {
+RunReport reportOf(const MeshingOutcome &outcome, const MeshingOptions &options) {
     RunReport report;
     report.peakBytes = peakBytes(); // before measuring, which needs memory of its own
     report.quality = measure(outcome.mesh, outcome.spacing.get());
     report.work = outcome.work;
+    report.improve = options.improve;
     report.secondsPrepare = outcome.secondsPrepare;
     report.secondsMesh = outcome.secondsMesh;
     report.secondsImprove = outcome.secondsImprove;
@@ -44,6 +46,7 @@ std::string statisticsJson(const RunReport &report) {
     json["front_mean"] = report.work.frontMean();
     json["neighbours_mean"] = report.work.neighboursMean();
     json["tests_mean"] = report.work.testsMean();
+    json["improve"] = kImproveLevels[static_cast<std::size_t>(report.improve)];
     json["seconds_prepare"] = report.secondsPrepare;
     json["seconds_mesh"] = report.secondsMesh;
     json["seconds_improve"] = report.secondsImprove;

@@ -12,6 +12,7 @@ namespace forefront {
 struct RunReport {
     MeshQuality quality;
     WorkCounters work;
+    ImproveLevel improve = ImproveLevel::None;
     double secondsPrepare = 0.0, secondsMesh = 0.0, secondsImprove = 0.0;
     std::uint64_t hash = 0;
     std::uint64_t peakBytes = 0; ///< greatest resident memory of the program so far
@@ -20,7 +21,7 @@ struct RunReport {
     double meshCpu() const { return secondsPrepare + secondsMesh + secondsImprove; }
 };
 
-RunReport reportOf(const MeshingOutcome &outcome);
+RunReport reportOf(const MeshingOutcome &outcome, const MeshingOptions &options);
 /// The JSON object that --stats writes.
 std::string statisticsJson(const RunReport &report);
 /// A few lines for people.

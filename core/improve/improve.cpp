@@ -16,6 +16,7 @@ constexpr double kWorst = 0.8;
 /// Early sweeps let elements fall this far, so that the mesh can flow; the last ones hold the better floor.
 constexpr double kEarlyFloor = 0.4;
 constexpr double kLateFloor = 0.75;
+constexpr int kRounds = 3;
 constexpr int kSweepsEarly = 3;
 constexpr int kSweepsLate = 2;
 
@@ -32,21 +33,21 @@ double leastAlpha(const Mesh &mesh) {
 ImproveReport improve(Mesh &mesh, const ImproveOptions &options, const Progress &progress) {
     ImproveReport report;
     report.alphaMinBefore = report.alphaMinAfter = leastAlpha(mesh);
-    if (mesh.elements.empty() || options.rounds <= 0 || progress.cancelled()) {
+    if (mesh.elements.empty() || options.level == ImproveLevel::None || progress.cancelled()) {
         return report;
     }
     constexpr const char *kStage = "improving";
     ImproveWorkspace work(mesh);
     std::optional<NodeSmoother> smoother(std::in_place, work);
-    const int stages = 2 * options.rounds + 1;
+    const int stages = 2 * kRounds + 1;
     int done = 0;
     const auto next = [&] {
         progress(kStage, static_cast<double>(++done) / static_cast<double>(stages));
         return !progress.cancelled();
     };
     bool going = true;
-    for (int round = 0; round < options.rounds && going; ++round) {
-        const bool last = round + 1 == options.rounds;
+    for (int round = 0; round < kRounds && going; ++round) {
+        const bool last = round + 1 == kRounds;
         work.floor = std::max(last ? kLateFloor : kEarlyFloor, report.alphaMinBefore);
         report.swaps += swapEdges(work, !last, progress);
         going = next();

@@ -1,12 +1,17 @@
 #pragma once
 
 #include "core/base/progress.hpp"
+#include "core/improve/improve_level.hpp"
 #include "core/mesh/mesh.hpp"
 
 namespace forefront {
 
+class SpacingField;
+
 struct ImproveOptions {
-    int rounds = 3; ///< swap and smooth rounds; 0 leaves the mesh as it is
+    ImproveLevel level = ImproveLevel::Default;
+    unsigned threads = 1;                  ///< the result does not depend on it
+    const SpacingField *spacing = nullptr; ///< the node spacing wanted; null: that of the mesh as it comes
 };
 
 struct ImproveReport {

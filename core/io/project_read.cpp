@@ -364,12 +364,20 @@ class ProjectReader {
         if (const auto flag = object.find("keepBoundary")) {
             options.keepBoundary = check_.flag(*flag, "\"keepBoundary\"");
         }
-        if (const auto flag = object.find("improve")) {
-            options.improve = check_.flag(*flag, "\"improve\"");
+        if (const auto level = object.find("improve")) {
+            options.improve = improveLevel(*level);
         }
         if (const auto threads = object.find("threads")) {
             options.threads = static_cast<unsigned>(check_.integer(*threads, 0, kMostThreads, "\"threads\""));
         }
+    }
+
+    /// A word; true and false, as older projects have it, mean default and none.
+    ImproveLevel improveLevel(const JsonValue &value) {
+        if (value.is(JsonKind::True) || value.is(JsonKind::False)) {
+            return value.is(JsonKind::True) ? ImproveLevel::Default : ImproveLevel::None;
+        }
+        return static_cast<ImproveLevel>(check_.choice(value, kImproveLevels, "\"improve\""));
     }
 
     void nextId(const JsonValue &root) {

@@ -13,5 +13,6 @@ inline constexpr std::array<std::string_view, 5> kShapeKinds = {"polygon", "poly
 inline constexpr std::array<std::string_view, 2> kShapeUses = {"boundary", "constraint"};
 inline constexpr std::array<std::string_view, 3> kSourceShapes = {"point", "line", "circle"};
 inline constexpr std::array<std::string_view, 3> kGridKinds = {"none", "uniform", "hierarchical"};
+inline constexpr std::array<std::string_view, 3> kImproveLevels = {"none", "default", "best"};
 
 } // namespace forefront

@@ -159,8 +159,8 @@ class ProjectWriter {
     void options(const MeshingOptions &options) {
         out_ << ",\n  \"options\": {\"grid\": \"" << kGridKinds[static_cast<std::size_t>(options.grid)]
              << "\", \"gridColumns\": " << options.gridColumns << ", \"gridRows\": " << options.gridRows
-             << ", \"keepBoundary\": " << (options.keepBoundary ? "true" : "false")
-             << ", \"improve\": " << (options.improve ? "true" : "false") << ", \"threads\": " << options.threads
+             << ", \"keepBoundary\": " << (options.keepBoundary ? "true" : "false") << ", \"improve\": \""
+             << kImproveLevels[static_cast<std::size_t>(options.improve)] << "\", \"threads\": " << options.threads
              << '}';
     }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/domain/domain.hpp"
+#include "core/improve/improve_level.hpp"
 #include "core/spacing/spacing_spec.hpp"
 
 #include <cstdint>
@@ -14,9 +15,9 @@ struct MeshingOptions {
     GridKind grid = GridKind::Hierarchical;
     int gridColumns = 0; ///< uniform grid only; 0: chosen from the domain and the spacing
     int gridRows = 0;
-    bool keepBoundary = false; ///< domain segments are edges of the mesh exactly as given
-    bool improve = true;       ///< swap and smooth after the front has closed
-    unsigned threads = 1;      ///< the mesh does not depend on it
+    bool keepBoundary = false;                    ///< domain segments are edges of the mesh exactly as given
+    ImproveLevel improve = ImproveLevel::Default; ///< after the front has closed
+    unsigned threads = 1;                         ///< the mesh does not depend on it
 
     friend bool operator==(const MeshingOptions &, const MeshingOptions &) = default;
 };

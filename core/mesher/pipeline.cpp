@@ -88,8 +88,9 @@ Result<MeshingOutcome> runJob(const MeshingJob &job, const Progress &progress) {
     mesher.reset();
     outcome.secondsMesh = clock.lap();
 
-    if (job.options.improve) {
-        outcome.improvement = improve(outcome.mesh, {}, progress);
+    if (job.options.improve != ImproveLevel::None) {
+        outcome.improvement =
+            improve(outcome.mesh, {job.options.improve, job.options.threads, outcome.spacing.get()}, progress);
         outcome.secondsImprove = clock.lap();
     }
     if (progress.cancelled()) {

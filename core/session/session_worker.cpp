@@ -421,11 +421,11 @@ void SessionWorker::arrive() {
 
 void SessionWorker::improveMesh() {
     Mesh mesh = toMesh(timeline_->mesher().state(), *boundary_);
-    if (job_->options.improve) {
+    if (job_->options.improve != ImproveLevel::None) {
         const Progress progress = progressInto(RunState::Improving, beginBlocking(Blocking::Improving));
         progress("improving", 0.0);
         CpuClock clock;
-        improve(mesh, {}, progress);
+        improve(mesh, {job_->options.improve, job_->options.threads, spacing_.get()}, progress);
         secondsImprove_ = clock.lap();
         endBlocking();
         if (progress.cancelled()) {
@@ -484,7 +484,7 @@ void SessionWorker::publish(bool resting) {
         if (atEnd) {
             snapshot->mesh = finalMesh_;
             snapshot->quality = finalQuality_;
-            snapshot->improved = job_->options.improve;
+            snapshot->improved = job_->options.improve != ImproveLevel::None;
         }
         if (state_ != RunState::Improving) {
             snapshot->progress = timeline_->complete() ? 1.0 : frontProgress();

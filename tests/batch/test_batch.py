@@ -22,7 +22,7 @@ import unittest
 PROGRAM = os.path.abspath(sys.argv.pop(1))
 STATS = ["nodes", "elements", "alpha_mean", "alpha_geometric_mean", "alpha_min", "delta_mean", "min_angle_deg",
          "max_angle_deg", "front_mean", "neighbours_mean", "tests_mean", "seconds_mesh", "seconds_improve",
-         "peak_bytes", "hash"]
+         "improve", "peak_bytes", "hash"]
 
 SQUARE = [(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)]
 HOLE = [(1.0, 1.0), (1.0, 2.0), (2.0, 2.0), (2.0, 1.0)]
@@ -115,6 +115,9 @@ class Meshing(Case):
         raw = self.stats("plate.poly", "--size", "0.1", "--no-improve")
         improved = self.stats("plate.poly", "--size", "0.1")
         self.assertEqual(raw["seconds_improve"], 0)
+        self.assertEqual((raw["improve"], improved["improve"]), ("none", "default"))
+        self.assertEqual(raw["hash"], self.stats("plate.poly", "--size", "0.1", "--improve", "none")["hash"])
+        self.assertEqual(improved["hash"], self.stats("plate.poly", "--size", "0.1", "--improve", "default")["hash"])
         self.assertEqual(raw["elements"], improved["elements"])
         self.assertGreaterEqual(improved["alpha_min"], raw["alpha_min"])
         self.assertNotEqual(raw["hash"], improved["hash"])
@@ -208,7 +211,8 @@ class Refusing(Case):
         for words in (["mesh"], ["mesh", "plate.poly"], ["mesh", "plate.poly", "-o", "a.unknown"],
                       [*mesh, "--format", "nonsense"], [*mesh, "--size", "-1"], [*mesh, "--size", "1", "--spacing", "x"],
                       [*mesh, "--grid", "hexagonal"], [*mesh, "--grid", "uniform:0x4"], [*mesh, "--grid", "uniform:4"],
-                      [*mesh, "--threads", "0"], [*mesh, "--spacing", "1+*x"], [*mesh, "--no-such-option"], ["check"]):
+                      [*mesh, "--threads", "0"], [*mesh, "--spacing", "1+*x"], [*mesh, "--no-such-option"], ["check"],
+                      [*mesh, "--improve", "better"], [*mesh, "--improve", "best", "--no-improve"]):
             self.assertNotEqual(self.call(*words, code=2).stderr, "", words)
         self.assertEqual([p.name for p in self.path.iterdir()], ["plate.poly"])
 

@@ -1,11 +1,14 @@
 // Benchmark of the standard cases. One process a case, so that each has a memory peak of its own; CSV on stdout.
-//   forefront_bench [--grid none|uniform|hierarchical] [--no-improve] [--repeat N] [SCENE SIZE]...
+//   forefront_bench [--grid none|uniform|hierarchical] [--improve none|default|best] [--threads N] [--repeat N]
+//                   [SCENE SIZE]...
+#include "core/io/project_words.hpp"
 #include "core/mesh/quality.hpp"
 #include "core/mesher/cpu_clock.hpp"
 #include "core/mesher/mesher.hpp"
 #include "core/mesher/pipeline.hpp"
 #include "tests/bench/scenes.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -20,7 +23,8 @@ namespace {
 
 struct Settings {
     GridKind grid = GridKind::Hierarchical;
-    bool improve = true;
+    ImproveLevel improve = ImproveLevel::Default;
+    unsigned threads = 1;
     int repeat = 1;
     std::vector<std::pair<std::string, double>> cases;
 };
@@ -52,6 +56,7 @@ int runCase(const std::string &name, double size, const Settings &settings) {
     bench::Scene &scene = *made;
     scene.job.options.grid = settings.grid;
     scene.job.options.improve = settings.improve;
+    scene.job.options.threads = settings.threads;
     const double before = residentBytes();
     const Result<MeshingOutcome> outcome = meshDomain(scene.job);
     if (!outcome) {
@@ -62,9 +67,10 @@ int runCase(const std::string &name, double size, const Settings &settings) {
     const MeshQuality quality = measure(outcome->mesh, outcome->spacing.get());
     const auto elements = static_cast<double>(quality.elements);
     const WorkCounters &work = outcome->work;
-    std::printf("%s,%g,%s,%zu,%.4f,%.4f,%.0f,%.0f,%.1f,%.5f,%.4f,%.2f,%.4f,%.0f,%.3f,%.4f,%.3f,%.4f,%llu,%s\n",
-                name.c_str(), size, gridName(settings.grid), quality.elements, outcome->secondsMesh,
-                outcome->secondsImprove, elements / outcome->secondsMesh,
+    std::printf("%s,%g,%s,%s,%u,%zu,%.4f,%.4f,%.0f,%.0f,%.1f,%.5f,%.4f,%.2f,%.4f,%.0f,%.3f,%.4f,%.3f,%.4f,%llu,%s\n",
+                name.c_str(), size, gridName(settings.grid),
+                kImproveLevels[static_cast<std::size_t>(settings.improve)].data(), settings.threads, quality.elements,
+                outcome->secondsMesh, outcome->secondsImprove, elements / outcome->secondsMesh,
                 elements / (outcome->secondsMesh + outcome->secondsImprove), peak / elements, quality.alphaMean,
                 quality.alphaMin, quality.minAngle, quality.deltaMean, work.frontMean(), work.neighboursMean(),
                 work.testsMean(), static_cast<double>(work.cellsVisited) / elements,
@@ -77,7 +83,16 @@ bool parse(int argc, char **argv, Settings &settings) {
     for (int i = 1; i < argc; ++i) {
         const std::string word = argv[i];
         if (word == "--no-improve") {
-            settings.improve = false;
+            settings.improve = ImproveLevel::None;
+        } else if (word == "--improve" && i + 1 < argc) {
+            const std::string level = argv[++i];
+            const auto known = std::find(kImproveLevels.begin(), kImproveLevels.end(), level);
+            if (known == kImproveLevels.end()) {
+                return false;
+            }
+            settings.improve = static_cast<ImproveLevel>(known - kImproveLevels.begin());
+        } else if (word == "--threads" && i + 1 < argc) {
+            settings.threads = static_cast<unsigned>(std::max(1, std::atoi(argv[++i])));
         } else if (word == "--grid" && i + 1 < argc) {
             const std::string grid = argv[++i];
             if (grid != "none" && grid != "uniform" && grid != "hierarchical") {
@@ -109,10 +124,12 @@ int main(int argc, char **argv) {
     if (!parse(argc, argv, settings)) {
         std::fprintf(
             stderr,
-            "usage: forefront_bench [--grid none|uniform|hierarchical] [--no-improve] [--repeat N] [SCENE SIZE]...\n");
+            "usage: forefront_bench [--grid none|uniform|hierarchical] [--improve none|default|best] [--threads N]\n"
+            "                       [--repeat N] [SCENE SIZE]...\n");
         return 2;
     }
-    std::printf("scene,size,grid,triangles,seconds_mesh,seconds_improve,triangles_per_second_raw,triangles_per_second,"
+    std::printf("scene,size,grid,improve,threads,triangles,seconds_mesh,seconds_improve,triangles_per_second_raw,"
+                "triangles_per_second,"
                 "peak_bytes_per_triangle,alpha_mean,alpha_min,min_angle_deg,delta_mean,Nb,Nc,Ns,cells_per_triangle,"
                 "candidates_per_triangle,forced,hash\n");
     int failures = 0;

@@ -84,7 +84,7 @@ Document fullDocument() {
     document.options.gridColumns = 12;
     document.options.gridRows = 7;
     document.options.keepBoundary = true;
-    document.options.improve = false;
+    document.options.improve = ImproveLevel::Best;
     document.options.threads = 3;
     document.circleTolerance = 0.01;
     document.nextId = 12;

@@ -44,6 +44,19 @@ TEST_CASE("Project: an empty document survives, too") {
     CHECK(sameContent(Document{}, *back));
 }
 
+TEST_CASE("Project: the level of improvement is a word; the flag of older projects is understood") {
+    const auto levelOf = [](const char *value) {
+        const auto document = parseProject(kHead + "],\n\"options\": {\"improve\": " + value + "}}", "test.json");
+        REQUIRE_MESSAGE(document.ok(), messages(document.faults()));
+        return document->options.improve;
+    };
+    CHECK(levelOf("true") == ImproveLevel::Default);
+    CHECK(levelOf("false") == ImproveLevel::None);
+    CHECK(levelOf("\"none\"") == ImproveLevel::None);
+    CHECK(levelOf("\"default\"") == ImproveLevel::Default);
+    CHECK(levelOf("\"best\"") == ImproveLevel::Best);
+}
+
 TEST_CASE("Project: a newer version is refused with the advice to update") {
     const Diagnostics faults = faultsOf("{\"format\": \"forefront\",\n  \"version\": 2, \"shapes\": \"who knows\"}");
     REQUIRE(faults.size() == 1);
@@ -88,6 +101,7 @@ TEST_CASE("Project: wrong values of every kind are refused") {
           R"("options": {"grid": "quadtree"})",
           R"("options": {"threads": 1.5})",
           R"("options": {"improve": 1})",
+          R"("options": {"improve": "better"})",
           R"("circleTolerance": 0)",
           R"("circleTolerance": 1e-30)",
           R"("boundaryNames": {"0": "x"})",

@@ -82,7 +82,7 @@ TEST_CASE("Meshing: 2,000 random domains of hostile shape are meshed and the mes
         MeshingJob job;
         job.domain = randomDomain(seed);
         job.options.keepBoundary = seed % 3 == 0;
-        job.options.improve = seed % 2 == 0;
+        job.options.improve = static_cast<ImproveLevel>(seed % 3);
         if (seed % 5 == 0) {
             job.spacing.size = job.domain.bounds().diagonal() / 20.0;
         }

@@ -14,7 +14,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-std::shared_ptr<const MeshingJob> squareWithHole(double size, bool improve = true) {
+std::shared_ptr<const MeshingJob> squareWithHole(double size, ImproveLevel improve = ImproveLevel::Default) {
     auto job = std::make_shared<MeshingJob>();
     job->domain.nodes = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 1}, {1, 2}, {2, 2}, {2, 1}};
     for (std::uint32_t i = 0; i < 4; ++i) {
