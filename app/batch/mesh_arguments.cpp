@@ -98,6 +98,7 @@ std::string checkFormats(const MeshArguments &arguments) {
 std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const *argv) {
     MeshArguments arguments;
     std::string grid;
+    std::string method;
     std::string level;
     bool noImprove = false;
     CLI::App app("Meshes a planar domain with triangles by the advancing front technique.", "forefront mesh");
@@ -122,6 +123,9 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     app.add_option("--gradation", arguments.gradation, "greatest change of edge length per unit of distance")
         ->check(CLI::PositiveNumber)
         ->type_name("G");
+    app.add_option("--method", method, "fast (default), or classic: the ten steps after Lo, shortest segment first")
+        ->check(CLI::IsMember({"fast", "classic"}))
+        ->type_name("METHOD");
     app.add_option("--grid", grid, "background grid: none, uniform[:COLSxROWS], hierarchical (default)")
         ->type_name("KIND");
     app.add_flag("--keep-boundary", arguments.keepBoundary, "use the given segments as they are, without cutting them");
@@ -140,6 +144,9 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
         app.parse(argc, argv);
     } catch (const CLI::ParseError &error) {
         return app.exit(error) == 0 ? kDone : kUsage;
+    }
+    if (!method.empty()) {
+        arguments.method = method == "classic" ? Method::Classic : Method::Fast;
     }
     std::string wrong;
     if (!grid.empty()) {

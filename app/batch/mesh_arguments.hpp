@@ -23,6 +23,7 @@ struct MeshArguments {
     int gridColumns = 0, gridRows = 0;
     bool keepBoundary = false;
     bool repair = false;
+    std::optional<Method> method;
     std::optional<ImproveLevel> improve;
     std::optional<unsigned> threads;
     std::optional<std::filesystem::path> statistics;

@@ -175,6 +175,21 @@ void GenerationFront::undoCutOut(SlotId x, SlotId p, NodeId node, Vec2 position,
     ++segments_;
 }
 
+void GenerationFront::replace(SlotId x, Vec2 position, NodeId node) {
+    slots_[index(x)].position = position;
+    slots_[index(x)].node = node;
+    renew(prev(x));
+    renew(x);
+}
+
+void GenerationFront::undoReplace(SlotId x, NodeId node, Vec2 position, SegmentMark mark, SegmentMark markOfPrev) {
+    slots_[index(x)].position = position;
+    slots_[index(x)].node = node;
+    restore(x, mark);
+    restore(prev(x), markOfPrev);
+    nextSerial_ -= 2;
+}
+
 void GenerationFront::removeLoop(SlotId a) {
     const SlotId b = next(a);
     const SlotId c = next(b);
@@ -208,6 +223,7 @@ SlotId GenerationFront::connect(SlotId a, SlotId s) {
         t = allocate();
         slots_[index(t)].position = slots_[index(s)].position;
         slots_[index(t)].node = slots_[index(s)].node;
+        slots_[index(t)].rho = slots_[index(s)].rho;
         slots_[index(t)].region = slots_[index(a)].region;
         link(before, t);
     }

@@ -21,9 +21,10 @@ struct SegmentMark {
 /// A front node together with its outgoing front segment. A node where the front touches itself has one slot for each
 /// free angle, so that every angle test is local to its slot. An isolated constraint point is a slot that is its own
 /// neighbour.
-struct FrontSlot {
+struct alignas(64) FrontSlot {
     Vec2 position;       ///< of the node, in domain units
     double length = 0.0; ///< of the outgoing segment
+    double rho = 0.0;    ///< node spacing at the node, where the method keeps it
     NodeId node = kNoNode;
     SlotId next = kNoSlot;    ///< where the outgoing segment ends
     SlotId prev = kNoSlot;    ///< where the incoming segment starts
@@ -63,6 +64,11 @@ class GenerationFront {
     /// `node`, `position`, `mark`: of the slot x that was cut out after p; `markOfP`: of the segment P→X.
     void undoCutOut(SlotId x, SlotId p, NodeId node, Vec2 position, SegmentMark mark, SegmentMark markOfP);
 
+    /// P→X→N becomes P→C→N: slot x gets the new node C.
+    void replace(SlotId x, Vec2 position, NodeId node);
+    /// `mark` and `markOfPrev`: of the segments X→N and P→X.
+    void undoReplace(SlotId x, NodeId node, Vec2 position, SegmentMark mark, SegmentMark markOfPrev);
+
     /// Removes the loop of three slots that starts at a.
     void removeLoop(SlotId a);
     struct LoopSlot {
@@ -79,6 +85,7 @@ class GenerationFront {
     SlotId connect(SlotId a, SlotId s);
     void undoConnect(SlotId a, SlotId s, SlotId t, SegmentMark base);
 
+    void setRho(SlotId id, double rho) { slots_[index(id)].rho = rho; }
     void setFailureClass(SlotId id, std::uint32_t failureClass) { slots_[index(id)].mark.failureClass = failureClass; }
 
     /// True if the direction from the node of s to p lies strictly inside the free angle of s (exact).

@@ -352,6 +352,9 @@ class ProjectReader {
 
     void options(const JsonValue &object) {
         MeshingOptions &options = document_.options;
+        if (const auto method = object.find("method")) {
+            options.method = static_cast<Method>(check_.choice(*method, kMethods, "the method"));
+        }
         if (const auto grid = object.find("grid")) {
             options.grid = static_cast<GridKind>(check_.choice(*grid, kGridKinds, "the background grid"));
         }

@@ -12,6 +12,7 @@ inline constexpr int kProjectVersion = 1;
 inline constexpr std::array<std::string_view, 5> kShapeKinds = {"polygon", "polyline", "rectangle", "circle", "point"};
 inline constexpr std::array<std::string_view, 2> kShapeUses = {"boundary", "constraint"};
 inline constexpr std::array<std::string_view, 3> kSourceShapes = {"point", "line", "circle"};
+inline constexpr std::array<std::string_view, 2> kMethods = {"fast", "classic"};
 inline constexpr std::array<std::string_view, 3> kGridKinds = {"none", "uniform", "hierarchical"};
 inline constexpr std::array<std::string_view, 3> kImproveLevels = {"none", "default", "best"};
 

@@ -157,7 +157,8 @@ class ProjectWriter {
     }
 
     void options(const MeshingOptions &options) {
-        out_ << ",\n  \"options\": {\"grid\": \"" << kGridKinds[static_cast<std::size_t>(options.grid)]
+        out_ << ",\n  \"options\": {\"method\": \"" << kMethods[static_cast<std::size_t>(options.method)]
+             << "\", \"grid\": \"" << kGridKinds[static_cast<std::size_t>(options.grid)]
              << "\", \"gridColumns\": " << options.gridColumns << ", \"gridRows\": " << options.gridRows
              << ", \"keepBoundary\": " << (options.keepBoundary ? "true" : "false") << ", \"improve\": \""
              << kImproveLevels[static_cast<std::size_t>(options.improve)] << "\", \"threads\": " << options.threads

@@ -5,10 +5,9 @@
 namespace forefront {
 
 FrontState::FrontState(const DiscreteDomain &boundary)
-    : front(boundary), nodes(boundary.nodes), manyRegions(boundary.regions.size() > 1),
-      smallNodesLeft(16 * static_cast<std::uint64_t>(boundary.nodes.size()) + 1000) {
-    order.rebuild(front);
-}
+    : front(boundary), regions(std::make_shared<const FrontRegions>()), nodes(boundary.nodes),
+      manyRegions(boundary.regions.size() > 1),
+      smallNodesLeft(16 * static_cast<std::uint64_t>(boundary.nodes.size()) + 1000) {}
 
 std::uint64_t FrontState::hash() const {
     Hash64 hash;
@@ -24,9 +23,12 @@ std::uint64_t FrontState::hash() const {
             hash.add(static_cast<std::uint64_t>(index(node)));
         }
     }
-    for (const std::uint64_t value : {work.advances, work.elements, work.frontSum, work.tested, work.candidates,
-                                      work.newNodes, work.deferrals, work.forced, smallNodesLeft}) {
-        hash.add(value); // work.delivered and work.cellsVisited belong to the grid
+    walkOrder.addTo(hash);
+    hash.add((static_cast<std::uint64_t>(index(walk.base)) << 32) | static_cast<std::uint64_t>(walk.level));
+    hash.add(static_cast<std::uint64_t>(region));
+    for (const std::uint64_t value : {work.advances, work.elements, work.frontSum, work.candidates, work.newNodes,
+                                      work.deferrals, work.forced, smallNodesLeft}) {
+        hash.add(value); // the work that depends on the grid and on the order in which it delivers is left out
     }
     return hash.value();
 }

@@ -4,7 +4,8 @@
 #include "core/grid/hierarchical_grid.hpp"
 #include "core/grid/no_grid.hpp"
 #include "core/grid/uniform_grid.hpp"
-#include "core/mesher/advancer.hpp"
+#include "core/mesher/classic_advancer.hpp"
+#include "core/mesher/fast_advancer.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,12 +15,13 @@ namespace forefront {
 
 namespace {
 
-template <class Grid>
+template <template <class, class> class Advancer, class Grid>
 class GridMesher final : public Mesher {
   public:
     GridMesher(std::shared_ptr<const DiscreteDomain> boundary, std::shared_ptr<const SpacingField> spacing, Grid grid)
         : Mesher(std::move(boundary), std::move(spacing)), grid_(std::move(grid)),
           slack_(gridSlack(boundary_->bounds())), advancer_(state_, grid_, *spacing_, slack_, NoTrace{}) {
+        Advancer<Grid, NoTrace>::prepare(state_, *spacing_);
         for (std::uint32_t i = 0; i < state_.front.capacity(); ++i) {
             grid_.insert(state_.front, SlotId{i});
         }
@@ -28,6 +30,7 @@ class GridMesher final : public Mesher {
     std::uint64_t advance(std::uint64_t count, std::vector<AdvanceDelta> *deltas) override {
         AdvanceDelta delta;
         std::uint64_t done = 0;
+        advancer_.keepLog(deltas != nullptr);
         for (; done < count && advancer_.advance(delta); ++done) {
             if (deltas != nullptr) {
                 deltas->push_back(delta);
@@ -40,8 +43,9 @@ class GridMesher final : public Mesher {
 
     AdvanceExplanation explainNext() override {
         AdvanceExplanation explanation;
-        FrontAdvancer<Grid, Recorder> recording(state_, grid_, *spacing_, slack_, Recorder{explanation});
+        Advancer<Grid, Recorder> recording(state_, grid_, *spacing_, slack_, Recorder{explanation});
         AdvanceDelta delta;
+        recording.keepLog(true);
         if (recording.advance(delta)) {
             recording.retreat(delta);
         }
@@ -55,7 +59,7 @@ class GridMesher final : public Mesher {
   private:
     Grid grid_;
     double slack_;
-    FrontAdvancer<Grid, NoTrace> advancer_;
+    Advancer<Grid, NoTrace> advancer_;
 };
 
 /// Unless the user says how many: cells about three mean node spacings wide, from the number of elements that the
@@ -103,18 +107,23 @@ Mesher::Mesher(std::shared_ptr<const DiscreteDomain> boundary, std::shared_ptr<c
 std::unique_ptr<Mesher> Mesher::create(std::shared_ptr<const DiscreteDomain> boundary,
                                        std::shared_ptr<const SpacingField> spacing, const MeshingOptions &options) {
     const DiscreteDomain &domain = *boundary;
+    const auto make = [&]<class Grid>(Grid grid) -> std::unique_ptr<Mesher> {
+        if (options.method == Method::Classic) {
+            return std::make_unique<GridMesher<ClassicAdvancer, Grid>>(std::move(boundary), std::move(spacing),
+                                                                       std::move(grid));
+        }
+        return std::make_unique<GridMesher<FastAdvancer, Grid>>(std::move(boundary), std::move(spacing),
+                                                                std::move(grid));
+    };
     switch (options.grid) {
     case GridKind::None:
-        return std::make_unique<GridMesher<NoGrid>>(std::move(boundary), std::move(spacing), NoGrid{});
-    case GridKind::Uniform: {
-        UniformGrid grid = uniformGridFor(domain, *spacing, options);
-        return std::make_unique<GridMesher<UniformGrid>>(std::move(boundary), std::move(spacing), std::move(grid));
-    }
+        return make(NoGrid{});
+    case GridKind::Uniform:
+        return make(uniformGridFor(domain, *spacing, options));
     case GridKind::Hierarchical:
         break;
     }
-    HierarchicalGrid grid(domain.bounds());
-    return std::make_unique<GridMesher<HierarchicalGrid>>(std::move(boundary), std::move(spacing), std::move(grid));
+    return make(HierarchicalGrid(domain.bounds()));
 }
 
 void Mesher::reserve(std::uint64_t elements) {

@@ -8,10 +8,17 @@
 
 namespace forefront {
 
+/// How the front advances.
+enum class Method : std::uint8_t {
+    Fast,   ///< walks along the front; one new node makes up to three elements
+    Classic ///< the ten steps after Lo: shortest segment first, one element an advance
+};
+
 /// The background grid that answers the searches of the front. It changes the work, never the mesh.
 enum class GridKind : std::uint8_t { None, Uniform, Hierarchical };
 
 struct MeshingOptions {
+    Method method = Method::Fast;
     GridKind grid = GridKind::Hierarchical;
     int gridColumns = 0; ///< uniform grid only; 0: chosen from the domain and the spacing
     int gridRows = 0;

@@ -10,12 +10,14 @@ namespace {
 int growth(AdvanceDelta::Kind kind) {
     switch (kind) {
     case AdvanceDelta::Kind::Deferral:
+    case AdvanceDelta::Kind::Two:
         return 0;
     case AdvanceDelta::Kind::NewNode:
     case AdvanceDelta::Kind::Connection:
         return 1;
     case AdvanceDelta::Kind::Previous:
     case AdvanceDelta::Kind::Next:
+    case AdvanceDelta::Kind::Three:
         return -1;
     case AdvanceDelta::Kind::Loop:
         return -3;

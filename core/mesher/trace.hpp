@@ -77,8 +77,12 @@ struct AdvanceExplanation {
     std::vector<TestTrace> tests;
     std::vector<Box2> cells; ///< cells of the background grid visited, in order
     std::vector<TraceEvent> events;
-    Vec2 apex; ///< of the element made (when not deferred)
-    ElementId element = kNoElement;
+    Vec2 apex;                      ///< of the elements made (when not deferred)
+    ElementId element = kNoElement; ///< the first of them
+    unsigned elements = 0;          ///< how many
+    /// Fast method: the nodes of the front that a new node was tried over, in order; empty where AB alone was.
+    std::vector<Vec2> chain;
+    bool walked = false; ///< fast method: the base follows the one before along the front
 };
 
 /// The moment in words, for the caption: "Edge 41-42: ideal point accepted; 3 candidates rejected: 2 cross the front, 1

@@ -1,5 +1,5 @@
 // Benchmark of the standard cases. One process a case, so that each has a memory peak of its own; CSV on stdout.
-//   forefront_bench [--grid none|uniform|hierarchical] [--improve none|default|best] [--threads N] [--repeat N]
+//   forefront_bench [--classic] [--grid none|uniform|hierarchical] [--improve none|default|best] [--threads N] [--repeat N]
 //                   [SCENE SIZE]...
 #include "core/io/project_words.hpp"
 #include "core/mesh/quality.hpp"
@@ -23,6 +23,7 @@ namespace {
 
 struct Settings {
     GridKind grid = GridKind::Hierarchical;
+    Method method = Method::Fast;
     ImproveLevel improve = ImproveLevel::Default;
     unsigned threads = 1;
     int repeat = 1;
@@ -57,6 +58,7 @@ int runCase(const std::string &name, double size, const Settings &settings) {
     scene.job.options.grid = settings.grid;
     scene.job.options.improve = settings.improve;
     scene.job.options.threads = settings.threads;
+    scene.job.options.method = settings.method;
     const double before = residentBytes();
     const Result<MeshingOutcome> outcome = meshDomain(scene.job);
     if (!outcome) {
@@ -82,7 +84,9 @@ int runCase(const std::string &name, double size, const Settings &settings) {
 bool parse(int argc, char **argv, Settings &settings) {
     for (int i = 1; i < argc; ++i) {
         const std::string word = argv[i];
-        if (word == "--no-improve") {
+        if (word == "--classic") {
+            settings.method = Method::Classic;
+        } else if (word == "--no-improve") {
             settings.improve = ImproveLevel::None;
         } else if (word == "--improve" && i + 1 < argc) {
             const std::string level = argv[++i];
@@ -124,7 +128,7 @@ int main(int argc, char **argv) {
     if (!parse(argc, argv, settings)) {
         std::fprintf(
             stderr,
-            "usage: forefront_bench [--grid none|uniform|hierarchical] [--improve none|default|best] [--threads N]\n"
+            "usage: forefront_bench [--classic] [--grid none|uniform|hierarchical] [--improve none|default|best] [--threads N]\n"
             "                       [--repeat N] [SCENE SIZE]...\n");
         return 2;
     }

@@ -1,7 +1,7 @@
 #include "core/grid/hierarchical_grid.hpp"
 #include "core/mesh/quality.hpp"
 #include "core/mesh/verify.hpp"
-#include "core/mesher/advancer.hpp"
+#include "core/mesher/classic_advancer.hpp"
 #include "core/mesher/mesher.hpp"
 #include "core/mesher/timeline.hpp"
 #include "tests/support/discrete_samples.hpp"
@@ -17,12 +17,14 @@ using namespace forefront::testing;
 
 namespace {
 
+constexpr Method kMethods[] = {Method::Fast, Method::Classic};
 constexpr GridKind kGrids[] = {GridKind::None, GridKind::Uniform, GridKind::Hierarchical};
 
 std::unique_ptr<Mesher> mesherOn(std::shared_ptr<const DiscreteDomain> domain, double rho,
-                                 GridKind grid = GridKind::Hierarchical) {
+                                 GridKind grid = GridKind::Hierarchical, Method method = Method::Classic) {
     MeshingOptions options;
     options.grid = grid;
+    options.method = method;
     return Mesher::create(std::move(domain), spacingOf([rho](Vec2) { return rho; }), options);
 }
 
@@ -36,26 +38,30 @@ std::string faultsOf(const Diagnostics &faults) {
 
 } // namespace
 
-TEST_CASE("FrontAdvancer: fills a disc with nearly equilateral elements") {
-    auto mesher = mesherOn(discreteDisc(0.1), 0.1);
-    while (mesher->advance(100) == 100) {
-    }
-    CHECK(mesher->finished());
-    const Mesh mesh = toMesh(mesher->state(), mesher->boundary());
-    CHECK(faultsOf(verifyAgainst(mesh, mesher->boundary())) == "");
-    CHECK(measure(mesh, &mesher->spacing()).alphaMean > 0.95);
-}
-
-TEST_CASE("FrontAdvancer: a slit, a hole and an isolated point are all in the mesh") {
-    for (const double h : {0.05, 0.1, 0.3}) {
-        auto mesher = mesherOn(discretePlate(h), h);
-        mesher->advance(~std::uint64_t{0});
+TEST_CASE("Advance: fills a disc with nearly equilateral elements") {
+    for (const Method method : kMethods) {
+        auto mesher = mesherOn(discreteDisc(0.1), 0.1, GridKind::Hierarchical, method);
+        while (mesher->advance(100) == 100) {
+        }
+        CHECK(mesher->finished());
         const Mesh mesh = toMesh(mesher->state(), mesher->boundary());
         CHECK(faultsOf(verifyAgainst(mesh, mesher->boundary())) == "");
+        CHECK(measure(mesh, &mesher->spacing()).alphaMean > 0.95);
     }
 }
 
-TEST_CASE("FrontAdvancer: closes by existing nodes alone when the budget of small nodes is spent") {
+TEST_CASE("Advance: a slit, a hole and an isolated point are all in the mesh") {
+    for (const Method method : kMethods) {
+        for (const double h : {0.05, 0.1, 0.3}) {
+            auto mesher = mesherOn(discretePlate(h), h, GridKind::Hierarchical, method);
+            mesher->advance(~std::uint64_t{0});
+            const Mesh mesh = toMesh(mesher->state(), mesher->boundary());
+            CHECK(faultsOf(verifyAgainst(mesh, mesher->boundary())) == "");
+        }
+    }
+}
+
+TEST_CASE("Advance: closes by existing nodes alone when the budget of small nodes is spent") {
     // The node spacing is far above the lengths of the boundary, so every new node counts as small and none is left.
     // A small hole far from the outline, its segments first, as if they had been deferred already: they find no partner
     // nearby.
@@ -79,7 +85,7 @@ TEST_CASE("FrontAdvancer: closes by existing nodes alone when the budget of smal
         for (std::uint32_t i = 0; i < state.front.capacity(); ++i) {
             grid.insert(state.front, SlotId{i});
         }
-        FrontAdvancer<HierarchicalGrid, NoTrace> advancer(state, grid, *spacing, gridSlack(bounds), NoTrace{});
+        ClassicAdvancer<HierarchicalGrid, NoTrace> advancer(state, grid, *spacing, gridSlack(bounds), NoTrace{});
         AdvanceDelta delta;
         while (advancer.advance(delta)) {
         }
@@ -90,14 +96,14 @@ TEST_CASE("FrontAdvancer: closes by existing nodes alone when the budget of smal
     }
 }
 
-TEST_CASE("FrontAdvancer: closes however far the spacing lies from the lengths of the boundary") {
+TEST_CASE("Advance: closes however far the spacing lies from the lengths of the boundary") {
     auto mesher = mesherOn(discretePlate(0.2), 1e9);
     mesher->advance(~std::uint64_t{0});
     REQUIRE(mesher->finished());
     CHECK(faultsOf(verifyAgainst(toMesh(mesher->state(), mesher->boundary()), mesher->boundary())) == "");
 }
 
-TEST_CASE("FrontAdvancer: the caption never names a withdrawn ideal point as the best candidate") {
+TEST_CASE("Advance: the caption never names a withdrawn ideal point as the best candidate") {
     auto mesher = mesherOn(discretePlate(0.08), 0.08);
     std::size_t withdrawn = 0;
     while (!mesher->finished()) {
@@ -120,21 +126,27 @@ TEST_CASE("FrontAdvancer: the caption never names a withdrawn ideal point as the
 }
 
 TEST_CASE("Timeline: the work counters come back to nothing after going to and fro") {
-    Timeline timeline(mesherOn(discretePlate(0.05), 0.05));
-    timeline.forward(~std::uint64_t{0});
-    const WorkCounters first = timeline.mesher().state().work;
-    timeline.back(timeline.known());
-    timeline.forward(timeline.known());
-    CHECK(timeline.mesher().state().work.tested == first.tested);
-    timeline.back(timeline.known());
-    const WorkCounters &work = timeline.mesher().state().work;
-    for (const std::uint64_t sum : {work.advances, work.elements, work.frontSum, work.delivered, work.tested,
-                                    work.cellsVisited, work.candidates, work.newNodes, work.deferrals, work.forced}) {
-        CHECK(sum == 0);
+    for (const Method method : kMethods) {
+        Timeline timeline(mesherOn(discretePlate(0.05), 0.05, GridKind::Hierarchical, method));
+        timeline.forward(~std::uint64_t{0});
+        const WorkCounters first = timeline.mesher().state().work;
+        timeline.back(timeline.known());
+        timeline.forward(timeline.known());
+        CHECK(timeline.mesher().state().work.candidates == first.candidates);
+        if (method == Method::Classic) {
+            CHECK(timeline.mesher().state().work.tested == first.tested);
+        }
+        timeline.back(timeline.known());
+        const WorkCounters &work = timeline.mesher().state().work;
+        for (const std::uint64_t sum :
+             {work.advances, work.elements, work.frontSum, work.delivered, work.tested, work.cellsVisited,
+              work.candidates, work.newNodes, work.deferrals, work.forced}) {
+            CHECK(sum == 0);
+        }
     }
 }
 
-TEST_CASE("FrontAdvancer: the grid changes the work, never the mesh") {
+TEST_CASE("Advance: the grid changes the work, never the mesh") {
     std::vector<std::uint64_t> meshes;
     std::vector<std::uint64_t> tests;
     std::vector<std::uint64_t> delivered;
@@ -153,49 +165,52 @@ TEST_CASE("FrontAdvancer: the grid changes the work, never the mesh") {
     CHECK(delivered[2] * 4 < delivered[0]);
 }
 
-TEST_CASE("FrontAdvancer: N advances forward and N back lead to the same state") {
-    for (const GridKind grid : kGrids) {
-        Timeline timeline(mesherOn(discretePlate(0.06), 0.06, grid));
-        std::vector<std::uint64_t> states{timeline.mesher().state().hash()};
-        while (timeline.forward(1) == 1) {
-            states.push_back(timeline.mesher().state().hash());
+TEST_CASE("Advance: N advances forward and N back lead to the same state") {
+    for (const GridKind grid : kGrids)
+        for (const Method method : kMethods) {
+            Timeline timeline(mesherOn(discretePlate(0.06), 0.06, grid, method));
+            std::vector<std::uint64_t> states{timeline.mesher().state().hash()};
+            while (timeline.forward(1) == 1) {
+                states.push_back(timeline.mesher().state().hash());
+            }
+            CHECK(timeline.complete());
+            while (timeline.back(1) == 1) {
+                REQUIRE(timeline.mesher().state().hash() == states[timeline.position()]);
+                REQUIRE(timeline.mesher().state().front.consistent());
+            }
+            CHECK(timeline.position() == 0);
+            std::uint64_t p = 0;
+            while (timeline.forward(37) > 0) {
+                p = timeline.position();
+                REQUIRE(timeline.mesher().state().hash() == states[p]);
+            }
+            CHECK(p == timeline.known());
         }
-        CHECK(timeline.complete());
-        while (timeline.back(1) == 1) {
-            REQUIRE(timeline.mesher().state().hash() == states[timeline.position()]);
-            REQUIRE(timeline.mesher().state().front.consistent());
+}
+
+TEST_CASE("Advance: explaining an advance leaves the run as it is and tells what will happen") {
+    for (const Method method : kMethods) {
+        auto mesher = mesherOn(discretePlate(0.08), 0.08, GridKind::Hierarchical, method);
+        while (!mesher->finished()) {
+            const std::uint64_t before = mesher->state().hash();
+            const AdvanceExplanation explanation = mesher->explainNext();
+            REQUIRE(mesher->state().hash() == before);
+            const std::size_t elements = mesher->state().elements.size();
+            mesher->advance(1);
+            REQUIRE(explanation.advance == mesher->state().work.advances);
+            REQUIRE(explanation.deferred == (mesher->state().elements.size() == elements));
+            REQUIRE(explanation.events.size() >= 6);
+            const auto accepted = std::count_if(explanation.candidates.begin(), explanation.candidates.end(),
+                                                [](const CandidateTrace &c) { return c.verdict == Verdict::Accepted; });
+            REQUIRE(accepted == (explanation.deferred ? 0 : 1));
+            for (std::size_t cursor = 0; cursor <= explanation.events.size(); ++cursor) {
+                REQUIRE_FALSE(caption(explanation, cursor).empty());
+            }
         }
-        CHECK(timeline.position() == 0);
-        std::uint64_t p = 0;
-        while (timeline.forward(37) > 0) {
-            p = timeline.position();
-            REQUIRE(timeline.mesher().state().hash() == states[p]);
-        }
-        CHECK(p == timeline.known());
     }
 }
 
-TEST_CASE("FrontAdvancer: explaining an advance leaves the run as it is and tells what will happen") {
-    auto mesher = mesherOn(discretePlate(0.08), 0.08);
-    while (!mesher->finished()) {
-        const std::uint64_t before = mesher->state().hash();
-        const AdvanceExplanation explanation = mesher->explainNext();
-        REQUIRE(mesher->state().hash() == before);
-        const std::size_t elements = mesher->state().elements.size();
-        mesher->advance(1);
-        REQUIRE(explanation.advance == mesher->state().work.advances);
-        REQUIRE(explanation.deferred == (mesher->state().elements.size() == elements));
-        REQUIRE(explanation.events.size() >= 6);
-        const auto accepted = std::count_if(explanation.candidates.begin(), explanation.candidates.end(),
-                                            [](const CandidateTrace &c) { return c.verdict == Verdict::Accepted; });
-        REQUIRE(accepted == (explanation.deferred ? 0 : 1));
-        for (std::size_t cursor = 0; cursor <= explanation.events.size(); ++cursor) {
-            REQUIRE_FALSE(caption(explanation, cursor).empty());
-        }
-    }
-}
-
-TEST_CASE("FrontAdvancer: the work for an element does not grow with the mesh") {
+TEST_CASE("Advance: the work for an element does not grow with the mesh") {
     double tests[2];
     double neighbours[2];
     int k = 0;

@@ -1,0 +1,319 @@
+#include "core/mesher/apex_search.hpp"
+
+#include "core/grid/hierarchical_grid.hpp"
+#include "core/grid/no_grid.hpp"
+#include "core/grid/uniform_grid.hpp"
+#include "core/mesh/quality.hpp"
+#include "core/mesher/clearance.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace forefront {
+
+namespace {
+
+// Clamping of ρ against the length of the base: keeps neighbouring elements within a factor of two.
+constexpr double kLeastRho = 0.55;
+constexpr double kGreatestRho = 2.0;
+constexpr double kLeastHeight = 0.5; ///< of the ideal point, in lengths of the base
+
+} // namespace
+
+Base baseAt(const GenerationFront &front, SlotId slotA) {
+    const SlotId slotB = front.next(slotA);
+    return {slotA,
+            slotB,
+            front.start(slotA),
+            front.start(slotB),
+            front[slotA].node,
+            front[slotB].node,
+            front[slotA].length,
+            0.0,
+            0.0,
+            {}};
+}
+
+template <class Grid, class Trace>
+void ApexSearch<Grid, Trace>::evaluateSpacing(Base &base) {
+    const Vec2 middle = midpoint(base.a, base.b);
+    const Vec2 normal = (1.0 / base.length) * leftNormal(base.b - base.a);
+    const auto clampRho = [&](double rho) {
+        return std::clamp(rho, kLeastRho * base.length, kGreatestRho * base.length);
+    };
+    const auto idealFor = [&](double rho) {
+        const double height = std::sqrt(std::max(0.0, rho * rho - 0.25 * base.length * base.length));
+        return middle + std::max(height, kLeastHeight * base.length) * normal;
+    };
+    const double atMiddle = spacing_.at(middle);
+    const double atIdeal = spacing_.at(idealFor(clampRho(atMiddle)));
+    base.fieldRho = 0.5 * (atMiddle + atIdeal);
+    base.rho = clampRho(base.fieldRho);
+    base.ideal = idealFor(base.rho);
+    if constexpr (Trace::kRecords) {
+        trace_.out.rho = base.rho;
+        trace_.out.ideal = base.ideal;
+        trace_.event(Step::EvaluateSpacing);
+        trace_.event(Step::IdealPoint);
+    }
+}
+
+template <class Grid, class Trace>
+Box2 ApexSearch<Grid, Trace>::reach(const Base &base, double radius) {
+    Box2 box = boxAround(base.ideal, radius);
+    box.add(base.a);
+    box.add(base.b);
+    return box;
+}
+
+template <class Grid, class Trace>
+void ApexSearch<Grid, Trace>::force(const Base &base, double radius, Candidate &apex) {
+    do { // ends before the search covers all of Γ: see FrontAdvancer
+        radius *= 2.0;
+        FOREFRONT_ASSERT(radius < 1e6 * (base.rho + slack_ / std::numeric_limits<double>::epsilon()));
+        if constexpr (Trace::kRecords) {
+            ++trace_.out.widening;
+        }
+    } while (!find(base, {radius, false}, apex));
+}
+
+template <class Grid, class Trace>
+bool ApexSearch<Grid, Trace>::find(const Base &base, const Limits &limits, Candidate &apex) {
+    gather(reach(base, limits.radius));
+    rank(base, limits);
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+        std::uint32_t number = static_cast<std::uint32_t>(i);
+        if constexpr (Trace::kRecords) {
+            number = firstTraced_ + static_cast<std::uint32_t>(i);
+            trace_.event(Step::Test, number);
+        }
+        const Verdict verdict = test(base, candidates_[i], number);
+        if constexpr (Trace::kRecords) {
+            trace_.out.candidates[number].verdict = verdict;
+            trace_.event(Step::Test, number);
+        }
+        if (verdict == Verdict::Accepted) {
+            apex = candidates_[i];
+            return true;
+        }
+    }
+    return false;
+}
+
+/// The segments of Γ near the box, each once, in the order of their slots: the same whatever the grid delivers beyond
+/// them.
+template <class Grid, class Trace>
+void ApexSearch<Grid, Trace>::gather(const Box2 &box) {
+    const GenerationFront &front = state_.front;
+    if (stamps_.size() < front.capacity()) {
+        stamps_.resize(front.capacity() + front.capacity() / 2, 0);
+    }
+    if (++stamp_ == 0) {
+        std::fill(stamps_.begin(), stamps_.end(), 0U);
+        stamp_ = 1;
+    }
+    found_.clear();
+    grid_.query(
+        front, box,
+        [&](SlotId id) {
+            std::uint32_t &stamp = stamps_[index(id)];
+            if (stamp != stamp_) {
+                stamp = stamp_;
+                ++work_.delivered;
+                if (segmentNearBox(front.start(id), front.end(id), box, slack_)) {
+                    found_.push_back(id);
+                }
+            }
+        },
+        [&](const Box2 &cell) {
+            ++work_.cells;
+            if constexpr (Trace::kRecords) {
+                trace_.out.cells.push_back(cell);
+            } else {
+                static_cast<void>(cell);
+            }
+        });
+    std::sort(found_.begin(), found_.end());
+    neighbours_.clear();
+    for (const SlotId id : found_) {
+        const FrontSlot &slot = front[id];
+        const FrontSlot &end = front[slot.next];
+        neighbours_.push_back({id, slot.node, end.node, slot.position, end.position});
+    }
+}
+
+/// Steps 5 to 7: front nodes within the radius, and the ideal point where it keeps clear of Γ; best score first, ties
+/// by id.
+template <class Grid, class Trace>
+void ApexSearch<Grid, Trace>::rank(const Base &base, const Limits &limits) {
+    candidates_.clear();
+    const double radius2 = limits.radius * limits.radius;
+    for (const Neighbour &n : neighbours_) {
+        if (n.nodeA != base.nodeA && n.nodeA != base.nodeB && distanceSquared(n.a, base.ideal) <= radius2) {
+            candidates_.push_back({score(base, n.a), n.a, n.nodeA, n.slot});
+        }
+    }
+    work_.candidates += static_cast<std::uint32_t>(candidates_.size());
+    bool withdrawn = false;
+    if (limits.newNodes) {
+        withdrawn = !idealIsClear(base) || (state_.smallNodesLeft == 0 && base.small());
+        if (!withdrawn) {
+            candidates_.push_back({score(base, base.ideal), base.ideal, kNoNode, kNoSlot});
+            ++work_.candidates;
+        }
+    }
+    std::sort(candidates_.begin(), candidates_.end(), [](const Candidate &p, const Candidate &q) {
+        if (p.score != q.score) {
+            return p.score > q.score;
+        }
+        return p.node != q.node ? p.node < q.node : p.slot < q.slot;
+    });
+    if constexpr (Trace::kRecords) {
+        describe(base, limits, withdrawn);
+    }
+}
+
+template <class Grid, class Trace>
+void ApexSearch<Grid, Trace>::describe(const Base &base, const Limits &limits, bool withdrawn) {
+    if constexpr (Trace::kRecords) {
+        trace_.out.searchRadius = limits.radius;
+        firstTraced_ = static_cast<std::uint32_t>(trace_.out.candidates.size());
+        trace_.event(Step::FindCandidates);
+        const auto add = [&](const Candidate &c, Verdict verdict) {
+            CandidateTrace t;
+            t.position = c.position;
+            t.node = c.node;
+            t.alpha = shapeFactor(base.a, base.b, c.position);
+            t.deltaAC = spacingConformity(distance(base.a, c.position), base.rho);
+            t.deltaCB = spacingConformity(distance(base.b, c.position), base.rho);
+            t.score = c.score;
+            t.verdict = verdict;
+            trace_.out.candidates.push_back(t);
+        };
+        for (const Candidate &c : candidates_) {
+            add(c, Verdict::NotTried);
+        }
+        if (withdrawn) {
+            add({score(base, base.ideal), base.ideal, kNoNode, kNoSlot}, Verdict::Withdrawn);
+        }
+        trace_.event(Step::Score);
+        trace_.event(Step::Sort, candidates_.empty() ? kNoIndex : firstTraced_);
+    } else {
+        static_cast<void>(base);
+        static_cast<void>(limits);
+        static_cast<void>(withdrawn);
+    }
+}
+
+template <class Grid, class Trace>
+bool ApexSearch<Grid, Trace>::idealIsClear(const Base &base) const {
+    const double node2 = kNodeClearance * kNodeClearance * base.rho * base.rho;
+    const double segment2 = kSegmentClearance * kSegmentClearance * base.rho * base.rho;
+    return std::none_of(neighbours_.begin(), neighbours_.end(), [&](const Neighbour &n) {
+        if (n.slot == base.slotA) {
+            return false;
+        }
+        const bool own = n.nodeA == base.nodeA || n.nodeA == base.nodeB;
+        return (!own && distanceSquared(n.a, base.ideal) < node2) ||
+               distanceSquaredToSegment(base.ideal, n.a, n.b) < segment2;
+    });
+}
+
+template <class Grid, class Trace>
+double ApexSearch<Grid, Trace>::score(const Base &base, Vec2 p) const {
+    return shapeFactor(base.a, base.b, p) * spacingConformity(distance(base.a, p), base.rho) *
+           spacingConformity(distance(base.b, p), base.rho);
+}
+
+/// Step 8.
+template <class Grid, class Trace>
+Verdict ApexSearch<Grid, Trace>::test(const Base &base, const Candidate &candidate, std::uint32_t number) {
+    const GenerationFront &front = state_.front;
+    if (orientation(base.a, base.b, candidate.position) <= 0) {
+        return Verdict::NotLeft;
+    }
+    if (!anglesAllow(base, candidate)) {
+        return Verdict::OutsideAngle;
+    }
+    const bool known = candidate.slot != kNoSlot;
+    const bool existsAC = known && front.prev(base.slotA) == candidate.slot;
+    const bool existsCB = known && front.next(base.slotB) == candidate.slot;
+    if ((!existsAC && crosses(base, base.a, base.nodeA, candidate, number)) ||
+        (!existsCB && crosses(base, base.b, base.nodeB, candidate, number))) {
+        return Verdict::CrossesFront;
+    }
+    return containsNode(base, candidate, number) ? Verdict::ContainsNode : Verdict::Accepted;
+}
+
+/// AC and CB leave A, B and C on the unmeshed side. A side that is a segment of Γ already needs no test at its ends.
+template <class Grid, class Trace>
+bool ApexSearch<Grid, Trace>::anglesAllow(const Base &base, const Candidate &candidate) const {
+    const GenerationFront &front = state_.front;
+    const bool known = candidate.slot != kNoSlot;
+    if (!(known && front.prev(base.slotA) == candidate.slot) &&
+        !(front.insideAngle(base.slotA, candidate.position) && (!known || front.insideAngle(candidate.slot, base.a)))) {
+        return false;
+    }
+    return (known && front.next(base.slotB) == candidate.slot) ||
+           (front.insideAngle(base.slotB, candidate.position) && (!known || front.insideAngle(candidate.slot, base.b)));
+}
+
+/// Segments of Γ that share an end with the candidate segment are left out: the angle tests have dealt with them.
+template <class Grid, class Trace>
+bool ApexSearch<Grid, Trace>::crosses(const Base &base, Vec2 from, NodeId fromNode, const Candidate &to,
+                                      std::uint32_t number) {
+    const Box2 box = boxOf(from, to.position);
+    for (const Neighbour &n : neighbours_) {
+        const bool sharesEnd = n.nodeA == fromNode || n.nodeB == fromNode || n.nodeA == to.node || n.nodeB == to.node;
+        if (n.slot == base.slotA || sharesEnd || !box.overlaps(boxOf(n.a, n.b))) {
+            continue;
+        }
+        ++work_.tested;
+        const bool meets = segmentsMeet(from, to.position, n.a, n.b);
+        if constexpr (Trace::kRecords) {
+            trace_.out.tests.push_back({from, to.position, n.a, n.b, number, meets});
+            trace_.event(Step::Test, number, static_cast<std::uint32_t>(trace_.out.tests.size() - 1));
+            if (meets) {
+                trace_.out.candidates[number].blocked = true;
+                trace_.out.candidates[number].blockA = n.a;
+                trace_.out.candidates[number].blockB = n.b;
+            }
+        } else {
+            static_cast<void>(number);
+        }
+        if (meets) {
+            return true;
+        }
+    }
+    return false;
+}
+
+template <class Grid, class Trace>
+bool ApexSearch<Grid, Trace>::containsNode(const Base &base, const Candidate &candidate, std::uint32_t number) {
+    Box2 box = boxOf(base.a, base.b);
+    box.add(candidate.position);
+    for (const Neighbour &n : neighbours_) {
+        if (n.nodeA == base.nodeA || n.nodeA == base.nodeB || n.nodeA == candidate.node || !box.contains(n.a)) {
+            continue;
+        }
+        if (insideOrOn(base.a, base.b, candidate.position, n.a)) {
+            if constexpr (Trace::kRecords) {
+                trace_.out.candidates[number].blocked = true;
+                trace_.out.candidates[number].blockA = trace_.out.candidates[number].blockB = n.a;
+            } else {
+                static_cast<void>(number);
+            }
+            return true;
+        }
+    }
+    return false;
+}
+
+template class ApexSearch<NoGrid, NoTrace>;
+template class ApexSearch<NoGrid, Recorder>;
+template class ApexSearch<UniformGrid, NoTrace>;
+template class ApexSearch<UniformGrid, Recorder>;
+template class ApexSearch<HierarchicalGrid, NoTrace>;
+template class ApexSearch<HierarchicalGrid, Recorder>;
+
+} // namespace forefront

@@ -1,0 +1,106 @@
+#pragma once
+
+#include "core/mesher/front_state.hpp"
+#include "core/mesher/recorder.hpp"
+#include "core/spacing/spacing_field.hpp"
+
+#include <vector>
+
+namespace forefront {
+
+/// Below this part of the node spacing a new node counts as small, see FrontState::smallNodesLeft.
+inline constexpr double kSmallNode = 0.5;
+
+/// A base segment AB with what the node spacing function wants there.
+struct Base {
+    SlotId slotA, slotB;
+    Vec2 a, b;
+    NodeId nodeA, nodeB;
+    double length;
+    double rho = 0.0;      ///< clamped against the length
+    double fieldRho = 0.0; ///< as the node spacing function says
+    Vec2 ideal;            ///< the ideal point C
+
+    bool small() const { return rho < kSmallNode * fieldRho; }
+};
+Base baseAt(const GenerationFront &front, SlotId slotA);
+
+/// A candidate node for the apex.
+struct Candidate {
+    double score;
+    Vec2 position;
+    NodeId node; ///< kNoNode: the ideal point
+    SlotId slot; ///< kNoSlot: the ideal point
+};
+
+/// Work of the searches of one advance.
+struct SearchWork {
+    std::uint32_t delivered = 0, tested = 0, cells = 0, candidates = 0;
+
+    void store(AdvanceDelta &delta) const {
+        delta.delivered = delivered;
+        delta.tested = tested;
+        delta.cells = cells;
+        delta.candidates = candidates;
+    }
+};
+
+/// Steps 3 to 8 of the ten: from a base segment to the apex of its element. Changes nothing but its own scratch memory.
+template <class Grid, class Trace>
+class ApexSearch {
+  public:
+    struct Limits {
+        double radius;
+        bool newNodes;
+    };
+
+    ApexSearch(const FrontState &state, const Grid &grid, const SpacingField &spacing, double slack, Trace trace)
+        : state_(state), grid_(grid), spacing_(spacing), slack_(slack), trace_(trace) {}
+
+    /// Steps 3 and 4. ρ at the midpoint of AB and again at the ideal point that follows from it; their mean places the
+    /// final one.
+    void evaluateSpacing(Base &base);
+    /// Where find() looks: all that can bear on the element lies in or meets this box.
+    static Box2 reach(const Base &base, double radius);
+    /// Steps 5 to 8 for one search radius. False if no candidate passes.
+    bool find(const Base &base, const Limits &limits, Candidate &apex);
+    /// The last search, which cannot fail: existing nodes alone, the radius doubled until it covers all of Γ.
+    void force(const Base &base, double radius, Candidate &apex);
+
+    void startCounting() { work_ = {}; }
+    const SearchWork &work() const { return work_; }
+    SearchWork &work() { return work_; }
+
+  private:
+    struct Neighbour {
+        SlotId slot;
+        NodeId nodeA, nodeB;
+        Vec2 a, b;
+    };
+
+    void gather(const Box2 &box);
+    void rank(const Base &base, const Limits &limits);
+    void describe(const Base &base, const Limits &limits, bool withdrawn);
+    bool idealIsClear(const Base &base) const;
+    double score(const Base &base, Vec2 p) const;
+    Verdict test(const Base &base, const Candidate &candidate, std::uint32_t number);
+    bool anglesAllow(const Base &base, const Candidate &candidate) const;
+    bool crosses(const Base &base, Vec2 from, NodeId fromNode, const Candidate &to, std::uint32_t number);
+    bool containsNode(const Base &base, const Candidate &candidate, std::uint32_t number);
+
+    const FrontState &state_;
+    const Grid &grid_;
+    const SpacingField &spacing_;
+    double slack_;
+    Trace trace_;
+
+    std::vector<std::uint32_t> stamps_; ///< per slot: search in which it was last delivered
+    std::uint32_t stamp_ = 0;
+    std::vector<Neighbour> neighbours_; ///< of the current search, by slot
+    std::vector<SlotId> found_;
+    std::vector<Candidate> candidates_; ///< by (score, id)
+    std::uint32_t firstTraced_ = 0;     ///< index of the search's first candidate in the explanation
+    SearchWork work_;
+};
+
+} // namespace forefront

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/mesher/front_update.hpp"
+
+namespace forefront {
+
+// Search radii around the ideal point, in ρ.
+inline constexpr double kFirstRadius = 1.2;
+inline constexpr double kSecondRadius = 1.75;
+
+/// The classic method: the ten steps after Lo, strictly shortest base first, one base segment an advance and at most
+/// one element.
+///
+/// Closing guarantee. A base first looks for the best of the nearby front nodes and a new node. If none passes it is
+/// deferred once; the second time, after a wider search, only existing nodes are taken and the search grows until it
+/// covers all of Γ. Γ is a set of polygons with holes that do not cross (exact predicates), and such a set has a
+/// triangulation, in which every segment has a visible apex: that last search cannot fail. By Euler's formula the
+/// number of elements still needed without new nodes falls by one with each of them. New nodes keep a distance in
+/// proportion to the node spacing from Γ, hence from all nodes, so only finitely many fit; those far smaller than the
+/// node spacing are counted against FrontState::smallNodesLeft.
+template <class Grid, class Trace>
+class ClassicAdvancer {
+  public:
+    ClassicAdvancer(FrontState &state, Grid &grid, const SpacingField &spacing, double slack, Trace trace)
+        : state_(state), search_(state, grid, spacing, slack, trace), update_(state, grid, nullptr), trace_(trace) {}
+
+    /// Makes the state of a run that begins.
+    static void prepare(FrontState &state, const SpacingField &) { state.order.rebuild(state.front); }
+
+    /// Performs steps 2 to 9 once. False when Γ = ∅ (step 10).
+    bool advance(AdvanceDelta &delta);
+    /// Takes back the last advance, exactly.
+    void retreat(const AdvanceDelta &delta);
+    /// The order of bases follows from Γ alone and needs no log.
+    void keepLog(bool) {}
+
+  private:
+    FrontState &state_;
+    ApexSearch<Grid, Trace> search_;
+    FrontUpdate<Grid> update_;
+    Trace trace_;
+};
+
+} // namespace forefront

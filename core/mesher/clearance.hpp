@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/geometry/predicates.hpp"
+
+#include <algorithm>
+
+namespace forefront {
+
+// The ideal point is withdrawn when a node or a segment of Γ is nearer, in ρ.
+inline constexpr double kNodeClearance = 0.65;
+inline constexpr double kSegmentClearance = 0.5;
+
+inline double distanceSquaredToSegment(Vec2 p, Vec2 a, Vec2 b) {
+    const Vec2 d = b - a;
+    const double length2 = lengthSquared(d);
+    const double t = length2 > 0.0 ? std::clamp(dot(p - a, d) / length2, 0.0, 1.0) : 0.0;
+    return distanceSquared(p, a + t * d);
+}
+
+/// True if the closed segments pq and ab have a common point (exact); a may equal b.
+inline bool segmentsMeet(Vec2 p, Vec2 q, Vec2 a, Vec2 b) {
+    const int a1 = orientation(p, q, a);
+    const int b1 = orientation(p, q, b);
+    if (a1 * b1 > 0) {
+        return false;
+    }
+    const int p1 = orientation(a, b, p);
+    const int q1 = orientation(a, b, q);
+    if (p1 * q1 > 0) {
+        return false;
+    }
+    // Each meets the line of the other. On one line they meet where their boxes do, which the caller has found.
+    return true;
+}
+
+/// True if p lies in or on the triangle abc (exact).
+inline bool insideOrOn(Vec2 a, Vec2 b, Vec2 c, Vec2 p) {
+    return orientation(a, b, p) >= 0 && orientation(b, c, p) >= 0 && orientation(c, a, p) >= 0;
+}
+
+} // namespace forefront

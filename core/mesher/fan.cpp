@@ -1,0 +1,229 @@
+#include "core/mesher/fan.hpp"
+
+#include "core/grid/hierarchical_grid.hpp"
+#include "core/grid/no_grid.hpp"
+#include "core/grid/uniform_grid.hpp"
+#include "core/mesher/clearance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace forefront {
+
+namespace {
+
+// Sizes of elements against the segments they stand on, as in the ten steps.
+constexpr double kLeastRho = 0.55;
+constexpr double kGreatestRho = 2.0;
+constexpr double kLeastHeight = 0.5;
+// Distances of the apex, in element sizes: from the nodes of the chain and, at least, from other nodes of Γ.
+constexpr double kNearest = 0.78;
+constexpr double kFarthest = 1.3;
+constexpr double kFanClearance = 0.8;
+
+Vec2 idealPoint(Vec2 a, Vec2 b, double length, double size) {
+    const double rho = std::clamp(size, kLeastRho * length, kGreatestRho * length);
+    const double height =
+        std::sqrt(std::max(rho * rho - 0.25 * length * length, kLeastHeight * kLeastHeight * length * length));
+    return midpoint(a, b) + (height / length) * leftNormal(b - a);
+}
+
+} // namespace
+
+Fan::Fan(const GenerationFront &front, SlotId first, unsigned count) : segments(count) {
+    SlotId id = first;
+    for (unsigned i = 0; i <= count; ++i) {
+        const FrontSlot &slot = front[id];
+        slots[i] = id;
+        at[i] = slot.position;
+        nodes[i] = slot.node;
+        id = slot.next;
+    }
+}
+
+Box2 Fan::box() const {
+    Box2 box;
+    for (unsigned i = 0; i <= segments; ++i) {
+        box.add(at[i]);
+    }
+    return box;
+}
+
+template <class Grid, class Trace>
+bool FanBuilder<Grid, Trace>::place(Fan &fan) const {
+    const GenerationFront &front = state_.front;
+    std::array<double, Fan::kMost> lengths{}, sizes{};
+    for (unsigned i = 0; i < fan.segments; ++i) {
+        lengths[i] = front[fan.slots[i]].length;
+        sizes[i] = 0.5 * (front[fan.slots[i]].rho + front[fan.slots[i + 1]].rho);
+    }
+    const double share = 1.0 / fan.segments;
+    const auto meanOfIdeals = [&](double pull) { // `pull`: what the spacing at the apex adds to that of the segments
+        Vec2 sum;
+        for (unsigned i = 0; i < fan.segments; ++i) {
+            sum += idealPoint(fan.at[i], fan.at[i + 1], lengths[i], sizes[i] + pull);
+        }
+        return share * sum;
+    };
+    fan.size = 0.0;
+    for (unsigned i = 0; i < fan.segments; ++i) {
+        fan.size += share * std::clamp(sizes[i], kLeastRho * lengths[i], kGreatestRho * lengths[i]);
+    }
+    double mean = 0.0;
+    for (unsigned i = 0; i < fan.segments; ++i) {
+        mean += share * sizes[i];
+    }
+    fan.apex = meanOfIdeals(0.0);
+    fan.rho = spacing_.at(fan.apex);
+    if (fan.rho != mean) { // the sides of the elements lead from the spacing here to the spacing there
+        fan.apex = meanOfIdeals(0.5 * (fan.rho - mean));
+        fan.rho = spacing_.at(fan.apex);
+        fan.size = std::clamp(0.5 * (fan.rho + mean), kLeastRho * fan.size, kGreatestRho * fan.size);
+    }
+    if (fan.size < kSmallNode * fan.rho) {
+        return false;
+    }
+    const double nearest = kNearest * kNearest * fan.size * fan.size;
+    const double farthest = kFarthest * kFarthest * fan.size * fan.size;
+    for (unsigned i = 0; i <= fan.segments; ++i) {
+        const double d = distanceSquared(fan.apex, fan.at[i]);
+        if (d < nearest || d > farthest) {
+            return false;
+        }
+    }
+    for (unsigned i = 0; i < fan.segments; ++i) {
+        if (orientation(fan.at[i], fan.at[i + 1], fan.apex) <= 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+template <class Grid, class Trace>
+Box2 FanBuilder<Grid, Trace>::reach(const Fan &fan) {
+    Box2 box = boxAround(fan.apex, kFanClearance * fan.size);
+    box.add(fan.box());
+    return box;
+}
+
+template <class Grid, class Trace>
+bool FanBuilder<Grid, Trace>::anglesAllow(const Fan &fan) const {
+    const GenerationFront &front = state_.front;
+    return front.insideAngle(fan.slots[0], fan.apex) && front.insideAngle(fan.last(), fan.apex);
+}
+
+template <class Grid, class Trace>
+void FanBuilder<Grid, Trace>::visited(const Box2 &cell, SearchWork &work) {
+    ++work.cells;
+    if constexpr (Trace::kRecords) {
+        trace_.out.cells.push_back(cell);
+    } else {
+        static_cast<void>(cell);
+    }
+}
+
+template <class Grid, class Trace>
+bool FanBuilder<Grid, Trace>::clear(const Fan &fan, const Box2 &reach, SearchWork &work) {
+    if (!anglesAllow(fan)) {
+        return false;
+    }
+    const GenerationFront &front = state_.front;
+    bool free = true;
+    grid_.query(
+        front, reach,
+        [&](SlotId id) {
+            ++work.delivered;
+            if (free && id != fan.slots[0] && (fan.segments < 2 || id != fan.slots[1]) &&
+                (fan.segments < 3 || id != fan.slots[2])) {
+                free = !blocks(fan, reach, front[id], work);
+            }
+        },
+        [&](const Box2 &cell) { visited(cell, work); });
+    return free;
+}
+
+template <class Grid, class Trace>
+bool FanBuilder<Grid, Trace>::blocks(const Fan &fan, const Box2 &reach, const FrontSlot &n, SearchWork &work) {
+    const Vec2 a = n.position;
+    const Vec2 b = state_.front.start(n.next);
+    if (!reach.overlaps(boxOf(a, b))) {
+        return false;
+    }
+    const double size2 = fan.size * fan.size;
+    if (distanceSquaredToSegment(fan.apex, a, b) < kSegmentClearance * kSegmentClearance * size2) {
+        return true;
+    }
+    const auto end = fan.nodes.begin() + fan.segments + 1;
+    if (std::find(fan.nodes.begin(), end, n.node) == end) { // not a node of the chain
+        if (distanceSquared(fan.apex, a) < kFanClearance * kFanClearance * size2) {
+            return true;
+        }
+        for (unsigned i = 0; i < fan.segments; ++i) {
+            Box2 box = boxOf(fan.at[i], fan.at[i + 1]);
+            box.add(fan.apex);
+            if (box.contains(a) && insideOrOn(fan.at[i], fan.at[i + 1], fan.apex, a)) {
+                return true;
+            }
+        }
+    }
+    return meets(fan.at[0], fan.nodes[0], fan.apex, kNoNode, n, work) ||
+           meets(fan.at[fan.segments], fan.nodes[fan.segments], fan.apex, kNoNode, n, work);
+}
+
+/// Segments that share an end with the new one are left out: the angle tests have dealt with them.
+template <class Grid, class Trace>
+bool FanBuilder<Grid, Trace>::meets(Vec2 from, NodeId fromNode, Vec2 to, NodeId toNode, const FrontSlot &n,
+                                    SearchWork &work) {
+    const FrontSlot &end = state_.front[n.next];
+    if (n.node == fromNode || end.node == fromNode || n.node == toNode || end.node == toNode ||
+        !boxOf(from, to).overlaps(boxOf(n.position, end.position))) {
+        return false;
+    }
+    ++work.tested;
+    const bool met = segmentsMeet(from, to, n.position, end.position);
+    if constexpr (Trace::kRecords) {
+        const auto candidate = static_cast<std::uint32_t>(trace_.out.candidates.size() - 1);
+        trace_.out.tests.push_back({from, to, n.position, end.position, candidate, met});
+        trace_.event(Step::Test, candidate, static_cast<std::uint32_t>(trace_.out.tests.size() - 1));
+    }
+    return met;
+}
+
+template <class Grid, class Trace>
+bool FanBuilder<Grid, Trace>::cornerClear(const Fan &corner, SearchWork &work) {
+    const GenerationFront &front = state_.front;
+    if (!front.insideAngle(corner.slots[0], corner.at[2]) || !front.insideAngle(corner.slots[2], corner.at[0])) {
+        return false;
+    }
+    const Box2 box = corner.box();
+    bool free = true;
+    grid_.query(
+        front, box,
+        [&](SlotId id) {
+            ++work.delivered;
+            if (free && id != corner.slots[0] && id != corner.slots[1]) {
+                free = !blocksCorner(corner, box, front[id], work);
+            }
+        },
+        [&](const Box2 &cell) { visited(cell, work); });
+    return free;
+}
+
+template <class Grid, class Trace>
+bool FanBuilder<Grid, Trace>::blocksCorner(const Fan &corner, const Box2 &box, const FrontSlot &n, SearchWork &work) {
+    const auto end = corner.nodes.begin() + 3;
+    if (box.contains(n.position) && std::find(corner.nodes.begin(), end, n.node) == end &&
+        insideOrOn(corner.at[0], corner.at[1], corner.at[2], n.position)) {
+        return true;
+    }
+    return meets(corner.at[0], corner.nodes[0], corner.at[2], corner.nodes[2], n, work);
+}
+
+template class FanBuilder<NoGrid, NoTrace>;
+template class FanBuilder<NoGrid, Recorder>;
+template class FanBuilder<UniformGrid, NoTrace>;
+template class FanBuilder<UniformGrid, Recorder>;
+template class FanBuilder<HierarchicalGrid, NoTrace>;
+template class FanBuilder<HierarchicalGrid, Recorder>;
+
+} // namespace forefront

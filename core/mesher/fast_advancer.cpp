@@ -1,0 +1,348 @@
+#include "core/mesher/fast_advancer.hpp"
+
+#include "core/grid/hierarchical_grid.hpp"
+#include "core/grid/no_grid.hpp"
+#include "core/grid/uniform_grid.hpp"
+#include "core/mesh/quality.hpp"
+#include "core/mesher/classic_advancer.hpp"
+
+#include <algorithm>
+
+namespace forefront {
+
+namespace {
+
+// Cosines of angles of the front. Measured together with the lengths below on discs, a ring of small spacing and a
+// coast: what raises α and δ after the improvement most.
+constexpr double kSharp = 0.05;     ///< 87 degrees: closed by one segment
+constexpr double kWide = -0.94;     ///< 160 degrees: not served by one node with its neighbour
+constexpr double kRoomy = -0.5;     ///< 120 degrees: room for two nodes
+constexpr double kThreeFrom = -0.8; ///< 143 degrees: up to this on both sides three segments share a node
+/// Where segments are shorter than this part of the node spacing, three share a node, so that one fewer remains.
+constexpr double kShort = 0.85;
+/// Where a segment is longer, it gets a node of its own, so that one more remains.
+constexpr double kLong = 1.2;
+/// Segments served by one node differ in length by less than this.
+constexpr double kSimilar = 2.0;
+
+} // namespace
+
+void offerAll(WalkOrder &order, const GenerationFront &front, const Box2 &box) {
+    std::vector<SlotId> slots;
+    for (std::uint32_t i = 0; i < front.capacity(); ++i) {
+        const SlotId id{i};
+        if (front[id].alive && !front.isolated(id) && holds(box, front.start(id)) && holds(box, front.end(id))) {
+            slots.push_back(id);
+        }
+    }
+    std::sort(slots.begin(), slots.end(), [&](SlotId p, SlotId q) {
+        return front[p].node != front[q].node ? front[p].node < front[q].node
+                                              : front[front.next(p)].node < front[front.next(q)].node;
+    });
+    for (const SlotId id : slots) {
+        order.offer(front, id);
+    }
+}
+
+template <class Grid, class Trace>
+void FastAdvancer<Grid, Trace>::prepare(FrontState &state, const SpacingField &spacing) {
+    GenerationFront &front = state.front;
+    for (std::uint32_t i = 0; i < front.capacity(); ++i) {
+        front.setRho(SlotId{i}, spacing.at(front.start(SlotId{i})));
+    }
+    state.walkOrder.clear();
+    offerAll(state.walkOrder, front, state.regions->boxes.front());
+}
+
+/// Where the present region confines all that is touched; null in the last one.
+template <class Grid, class Trace>
+const Box2 *FastAdvancer<Grid, Trace>::limits() const {
+    return state_.regions->last(state_.region) ? nullptr : &state_.regions->boxes[state_.region];
+}
+
+/// The base to go on with, else the next of the order, else the first of the next region.
+template <class Grid, class Trace>
+SlotId FastAdvancer<Grid, Trace>::nextBase() {
+    if (state_.walk.base != kNoSlot) {
+        const SlotId base = state_.walk.base;
+        state_.walk.base = kNoSlot;
+        if constexpr (Trace::kRecords) {
+            trace_.out.walked = true;
+        }
+        return base;
+    }
+    if constexpr (Trace::kRecords) {
+        trace_.out.walked = false;
+    }
+    SlotId base = state_.walkOrder.take(state_.front);
+    while (base == kNoSlot && !state_.regions->last(state_.region)) {
+        ++state_.region;
+        offerAll(state_.walkOrder, state_.front, state_.regions->boxes[state_.region]);
+        base = state_.walkOrder.take(state_.front);
+    }
+    if (base != kNoSlot) {
+        state_.walk.level = WalkOrder::level(state_.front[base].length);
+    }
+    return base;
+}
+
+template <class Grid, class Trace>
+bool FastAdvancer<Grid, Trace>::advance(AdvanceDelta &delta) {
+    const Walk walk = state_.walk;
+    const auto logged = static_cast<std::uint32_t>(state_.walkOrder.logSize());
+    const std::uint32_t region = state_.region;
+    for (SlotId base = nextBase(); base != kNoSlot; base = nextBase()) {
+        if (tryBase(base, delta) == Outcome::Done) {
+            delta.walk = walk;
+            delta.logged = logged;
+            delta.region = region;
+            return true;
+        }
+    }
+    return false;
+}
+
+template <class Grid, class Trace>
+typename FastAdvancer<Grid, Trace>::Outcome FastAdvancer<Grid, Trace>::tryBase(SlotId slotA, AdvanceDelta &delta) {
+    const GenerationFront &front = state_.front;
+    Base base = baseAt(front, slotA);
+    delta = update_.begin(slotA);
+    search_.startCounting();
+    const std::size_t segments = front.segments();
+    if constexpr (Trace::kRecords) {
+        const bool walked = trace_.out.walked;
+        trace_.out = {};
+        trace_.out.walked = walked;
+    }
+    trace_.begin(state_, base);
+    Vec2 apex;
+    if (!trySimple(base, delta, apex) && searchApex(base, delta, apex) == Outcome::LeftOver) {
+        return Outcome::LeftOver;
+    }
+    walkOn(delta);
+    trace_.end(state_, delta, apex);
+    search_.work().store(delta);
+    update_.count(delta, segments, true);
+    return Outcome::Done;
+}
+
+/// Cosine of the free angle at a node of Γ; -1 from 180 degrees on.
+template <class Grid, class Trace>
+double FastAdvancer<Grid, Trace>::cosine(SlotId corner) const {
+    const GenerationFront &front = state_.front;
+    const SlotId before = front.prev(corner);
+    const Vec2 out = front.end(corner) - front.start(corner);
+    const Vec2 in = front.start(before) - front.start(corner);
+    return cross(out, in) <= 0.0 ? -1.0 : dot(out, in) / (front[corner].length * front[before].length);
+}
+
+template <class Grid, class Trace>
+bool FastAdvancer<Grid, Trace>::similar(SlotId first, unsigned segments) const {
+    double least = state_.front[first].length, greatest = least;
+    SlotId id = first;
+    for (unsigned i = 1; i < segments; ++i) {
+        id = state_.front.next(id);
+        least = std::min(least, state_.front[id].length);
+        greatest = std::max(greatest, state_.front[id].length);
+    }
+    return greatest < kSimilar * least;
+}
+
+/// A corner closed, or a new node over one to three segments.
+template <class Grid, class Trace>
+bool FastAdvancer<Grid, Trace>::trySimple(const Base &base, AdvanceDelta &delta, Vec2 &apex) {
+    const GenerationFront &front = state_.front;
+    const SlotId before = front.prev(base.slotA), after = front.next(base.slotB);
+    if (after == before || front.next(after) == before || state_.front[base.slotA].mark.failureClass > 0) {
+        return false; // the last three or four segments of a loop
+    }
+    const double atA = cosine(base.slotA), atB = cosine(base.slotB);
+    if (std::max(atA, atB) > kSharp) {
+        const SlotId first = atB >= atA ? base.slotA : before;
+        return tryCorner(first, delta, apex);
+    }
+    if (std::max(atA, atB) < kWide) {
+        return tryFan(base.slotA, 1, delta, apex);
+    }
+    if (std::min(atA, atB) > kThreeFrom && similar(before, 3) && tryFan(before, 3, delta, apex)) {
+        return true;
+    }
+    const SlotId first = atB >= atA ? base.slotA : before;
+    Fan two(front, first, 2);
+    if (!similar(first, 2) || !fans_.place(two)) {
+        return tryFan(base.slotA, 1, delta, apex);
+    }
+    const double length = 0.5 * (front[first].length + front[two.slots[1]].length);
+    if (length < kShort * two.rho && ((similar(base.slotA, 3) && tryFan(base.slotA, 3, delta, apex)) ||
+                                      (similar(before, 3) && tryFan(before, 3, delta, apex)))) {
+        return true;
+    }
+    if (length > kLong * two.rho && std::max(atA, atB) < kRoomy && tryFan(base.slotA, 1, delta, apex)) {
+        return true;
+    }
+    return makeFan(two, delta, apex) || tryFan(base.slotA, 1, delta, apex);
+}
+
+template <class Grid, class Trace>
+bool FastAdvancer<Grid, Trace>::tryCorner(SlotId first, AdvanceDelta &delta, Vec2 &apex) {
+    const Fan corner(state_.front, first, 2);
+    const Box2 *limit = limits();
+    if (limit != nullptr && !holds(*limit, corner.box())) {
+        return false;
+    }
+    traceFan(corner, corner.nodes[2], corner.at[2]);
+    if (!fans_.cornerClear(corner, search_.work())) {
+        traceVerdict(Verdict::CrossesFront);
+        return false;
+    }
+    traceVerdict(Verdict::Accepted);
+    apex = corner.at[2];
+    const Base base = baseAt(state_.front, first);
+    update_.addElement(base, {0.0, apex, corner.nodes[2], corner.last()}, delta = update_.begin(first));
+    return true;
+}
+
+template <class Grid, class Trace>
+bool FastAdvancer<Grid, Trace>::tryFan(SlotId first, unsigned segments, AdvanceDelta &delta, Vec2 &apex) {
+    Fan fan(state_.front, first, segments);
+    return fans_.place(fan) && makeFan(fan, delta, apex);
+}
+
+template <class Grid, class Trace>
+bool FastAdvancer<Grid, Trace>::makeFan(const Fan &fan, AdvanceDelta &delta, Vec2 &apex) {
+    const Box2 reach = FanBuilder<Grid, Trace>::reach(fan);
+    const Box2 *limit = limits();
+    if (limit != nullptr && !holds(*limit, reach)) {
+        return false;
+    }
+    ++search_.work().candidates;
+    traceFan(fan, kNoNode, fan.apex);
+    if (!fans_.clear(fan, reach, search_.work())) {
+        traceVerdict(Verdict::Withdrawn);
+        return false;
+    }
+    traceVerdict(Verdict::Accepted);
+    apex = fan.apex;
+    if (fan.segments == 1) {
+        delta = update_.begin(fan.slots[0]);
+        update_.addElement(baseAt(state_.front, fan.slots[0]), {0.0, apex, kNoNode, kNoSlot}, delta);
+    } else {
+        update_.addFan(fan.chain(), apex, fan.rho, delta);
+    }
+    return true;
+}
+
+/// Steps 3 to 9 as in the ClassicAdvancer. In a region that confines them they are left for later where they do not
+/// pass at once.
+template <class Grid, class Trace>
+typename FastAdvancer<Grid, Trace>::Outcome FastAdvancer<Grid, Trace>::searchApex(Base &base, AdvanceDelta &delta,
+                                                                                  Vec2 &apex) {
+    search_.evaluateSpacing(base);
+    const bool secondTime = delta.markA.failureClass > 0;
+    const double radius = (secondTime ? kSecondRadius : kFirstRadius) * base.rho;
+    Candidate found;
+    const Box2 *limit = limits();
+    if (limit != nullptr) {
+        if (base.small() || !holds(*limit, ApexSearch<Grid, Trace>::reach(base, radius)) ||
+            !search_.find(base, {radius, true}, found) || !mayConnect(found)) {
+            return Outcome::LeftOver;
+        }
+    } else if (!search_.find(base, {radius, true}, found)) {
+        if (!secondTime) {
+            update_.defer(base.slotA, delta);
+            return Outcome::Done;
+        }
+        search_.force(base, radius, found);
+        delta.forced = true;
+    }
+    update_.addElement(base, found, delta);
+    apex = found.position;
+    return Outcome::Done;
+}
+
+/// A connection elsewhere changes a link of the slot before its apex: that, too, must lie in the region.
+template <class Grid, class Trace>
+bool FastAdvancer<Grid, Trace>::mayConnect(const Candidate &apex) const {
+    return apex.slot == kNoSlot || holds(*limits(), state_.front.start(state_.front.prev(apex.slot)));
+}
+
+/// The walk goes on with the new segment that follows along the loop, unless it is of a greater class of length; all
+/// other new ones are put into the order.
+template <class Grid, class Trace>
+void FastAdvancer<Grid, Trace>::walkOn(const AdvanceDelta &delta) {
+    const GenerationFront &front = state_.front;
+    SlotId last = kNoSlot;
+    FrontUpdate<Grid>::forEachNew(delta, [&](SlotId id) {
+        if (last != kNoSlot) {
+            state_.walkOrder.offer(front, last);
+        }
+        last = id;
+    });
+    if (last == kNoSlot) {
+        return;
+    }
+    if (delta.kind == AdvanceDelta::Kind::Deferral || WalkOrder::level(front[last].length) > state_.walk.level) {
+        state_.walkOrder.offer(front, last);
+    } else {
+        state_.walk.base = last;
+    }
+}
+
+template <class Grid, class Trace>
+void FastAdvancer<Grid, Trace>::retreat(const AdvanceDelta &delta) {
+    update_.undo(delta);
+    if (delta.region != state_.region) {
+        state_.region = delta.region;
+    }
+    state_.walkOrder.rollBack(delta.logged);
+    state_.walk = delta.walk;
+}
+
+template <class Grid, class Trace>
+void FastAdvancer<Grid, Trace>::traceFan(const Fan &fan, NodeId apexNode, Vec2 apex) {
+    if constexpr (Trace::kRecords) {
+        AdvanceExplanation &out = trace_.out;
+        out.rho = fan.rho;
+        out.ideal = apex;
+        out.chain.assign(fan.at.begin(), fan.at.begin() + fan.segments + 1);
+        CandidateTrace candidate;
+        candidate.position = apex;
+        candidate.node = apexNode;
+        candidate.alpha = apexNode == kNoNode ? shapeFactor(fan.at[0], fan.at[1], apex)
+                                              : shapeFactor(fan.at[0], fan.at[1], fan.at[2]);
+        if (apexNode == kNoNode) {
+            candidate.deltaAC = spacingConformity(distance(fan.at[0], apex), fan.size);
+            candidate.deltaCB = spacingConformity(distance(fan.at[1], apex), fan.size);
+            trace_.event(Step::EvaluateSpacing);
+            trace_.event(Step::IdealPoint);
+        }
+        candidate.score = candidate.alpha * candidate.deltaAC * candidate.deltaCB;
+        out.candidates.push_back(candidate);
+        trace_.event(Step::FindCandidates);
+        trace_.event(Step::Score);
+        trace_.event(Step::Sort, static_cast<std::uint32_t>(out.candidates.size() - 1));
+    } else {
+        static_cast<void>(fan);
+        static_cast<void>(apexNode);
+        static_cast<void>(apex);
+    }
+}
+
+template <class Grid, class Trace>
+void FastAdvancer<Grid, Trace>::traceVerdict(Verdict verdict) {
+    if constexpr (Trace::kRecords) {
+        trace_.out.candidates.back().verdict = verdict;
+        trace_.event(Step::Test, static_cast<std::uint32_t>(trace_.out.candidates.size() - 1));
+    } else {
+        static_cast<void>(verdict);
+    }
+}
+
+template class FastAdvancer<NoGrid, NoTrace>;
+template class FastAdvancer<NoGrid, Recorder>;
+template class FastAdvancer<UniformGrid, NoTrace>;
+template class FastAdvancer<UniformGrid, Recorder>;
+template class FastAdvancer<HierarchicalGrid, NoTrace>;
+template class FastAdvancer<HierarchicalGrid, Recorder>;
+
+} // namespace forefront
