@@ -24,12 +24,9 @@ HierarchicalGrid::HierarchicalGrid(const Box2 &bounds) : slack_(gridSlack(bounds
 }
 
 std::uint32_t HierarchicalGrid::addTable(const Box2 &box, int columns, int rows) {
+    const Vec2 size = box.size();
     Table table;
-    table.lattice.origin = box.min;
-    table.lattice.columns = columns;
-    table.lattice.rows = rows;
-    table.lattice.cellWidth = (box.max.x - box.min.x) / columns;
-    table.lattice.cellHeight = (box.max.y - box.min.y) / rows;
+    table.lattice = {box.min, {size.x / columns, size.y / rows}, columns, rows};
     table.firstCell = cells_.size();
     cells_.resize(cells_.size() + static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
     tables_.push_back(table);
@@ -41,11 +38,38 @@ bool HierarchicalGrid::tooCoarse(const Lattice &lattice, double length) const {
 }
 
 void HierarchicalGrid::insert(const GenerationFront &front, SlotId id) {
+    if (places_.size() <= index(id)) {
+        places_.resize(std::max(front.capacity(), index(id) + 1));
+    }
+    pushed_ = 0;
     insertInto(0, front, id);
+    if (pushed_ != 1) {
+        places_[index(id)].table = Place::kNowhere;
+    }
 }
 
 void HierarchicalGrid::remove(const GenerationFront &front, SlotId id) {
+    const Place &place = places_[index(id)];
+    if (place.table != Place::kNowhere) {
+        CellContent &content = cells_[cell(tables_[place.table], place.i, place.j)];
+        if (content.table == kLeaf) {
+            lists_.erase(content.head, id);
+            return;
+        }
+    }
     removeFrom(0, front, id);
+}
+
+bool HierarchicalGrid::keeps(SlotId id, Vec2 a, Vec2 b) const {
+    const Place &place = places_[index(id)];
+    if (place.table == Place::kNowhere) {
+        return false;
+    }
+    const Table &table = tables_[place.table];
+    const Box2 box = table.lattice.cellBox(place.i, place.j).grown(-slack_);
+    const double least = table.lattice.cellWidth / (2.0 * kCellPerLength);
+    return box.contains(a) && box.contains(b) && distanceSquared(a, b) >= least * least &&
+           cells_[cell(table, place.i, place.j)].table == kLeaf;
 }
 
 void HierarchicalGrid::insertInto(std::uint32_t tableIndex, const GenerationFront &front, SlotId id) {
@@ -59,6 +83,8 @@ void HierarchicalGrid::insertInto(std::uint32_t tableIndex, const GenerationFron
         }
         if (cells_[at].table == kLeaf) {
             lists_.push(cells_[at].head, id);
+            places_[index(id)] = {tableIndex, i, j};
+            ++pushed_;
         } else {
             insertInto(cells_[at].table, front, id);
         }

@@ -20,6 +20,8 @@ class HierarchicalGrid {
 
     void insert(const GenerationFront &front, SlotId id);
     void remove(const GenerationFront &front, SlotId id);
+    /// As NoGrid::keeps: where the segment lies in one cell and stays there, and the cell need not split.
+    bool keeps(SlotId id, Vec2 a, Vec2 b) const;
 
     /// As UniformGrid::query.
     template <class Deliver, class Visited>
@@ -51,6 +53,12 @@ class HierarchicalGrid {
     struct Table {
         Lattice lattice;
         std::size_t firstCell = 0;
+    };
+    /// The only cell that a segment crosses; kNowhere: it crosses several.
+    struct Place {
+        static constexpr std::uint32_t kNowhere = kNoIndex;
+        std::uint32_t table = kNowhere;
+        int i = 0, j = 0;
     };
 
     static std::size_t cell(const Table &table, int i, int j) {
@@ -87,6 +95,8 @@ class HierarchicalGrid {
     std::vector<Table> tables_;
     std::vector<CellContent> cells_;
     CellLists lists_;
+    std::vector<Place> places_; ///< per slot
+    std::uint32_t pushed_ = 0;  ///< cells that the present insertion has reached
 };
 
 } // namespace forefront

@@ -16,8 +16,17 @@ struct Lattice {
     int columns = 1;
     int rows = 1;
 
-    int column(double x) const { return clampIndex((x - origin.x) / cellWidth, columns); }
-    int row(double y) const { return clampIndex((y - origin.y) / cellHeight, rows); }
+    double perWidth = 1.0; ///< 1 / cellWidth
+    double perHeight = 1.0;
+
+    Lattice() = default;
+    /// `size`: of one cell.
+    Lattice(Vec2 low, Vec2 size, int columnCount, int rowCount)
+        : origin(low), cellWidth(size.x), cellHeight(size.y), columns(columnCount), rows(rowCount),
+          perWidth(1.0 / size.x), perHeight(1.0 / size.y) {}
+
+    int column(double x) const { return clampIndex((x - origin.x) * perWidth, columns); }
+    int row(double y) const { return clampIndex((y - origin.y) * perHeight, rows); }
     Box2 cellBox(int i, int j) const {
         return {{origin.x + i * cellWidth, origin.y + j * cellHeight},
                 {origin.x + (i + 1) * cellWidth, origin.y + (j + 1) * cellHeight}};

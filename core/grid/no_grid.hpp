@@ -13,6 +13,8 @@ class NoGrid {
 
     void insert(const GenerationFront &, SlotId) {}
     void remove(const GenerationFront &, SlotId) {}
+    /// True if the segment of a slot may become ab without being removed and inserted again.
+    bool keeps(SlotId, Vec2, Vec2) const { return true; }
 
     /// Calls deliver(slot) for every front segment (and isolated point) near `box`, and visited(cell box) for every
     /// cell looked into.

@@ -5,15 +5,10 @@ namespace forefront {
 namespace {
 
 Lattice latticeOver(const Box2 &bounds, int columns, int rows) {
-    Lattice lattice;
-    lattice.origin = bounds.min;
-    lattice.columns = std::max(columns, 1);
-    lattice.rows = std::max(rows, 1);
     const Vec2 size = bounds.size();
     const double least = gridSlack(bounds) * 8.0;
-    lattice.cellWidth = std::max(size.x / lattice.columns, least);
-    lattice.cellHeight = std::max(size.y / lattice.rows, least);
-    return lattice;
+    const int c = std::max(columns, 1), r = std::max(rows, 1);
+    return {bounds.min, {std::max(size.x / c, least), std::max(size.y / r, least)}, c, r};
 }
 
 } // namespace

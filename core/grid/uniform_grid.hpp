@@ -19,6 +19,8 @@ class UniformGrid {
 
     void insert(const GenerationFront &front, SlotId id);
     void remove(const GenerationFront &front, SlotId id);
+    /// As NoGrid::keeps; does not look.
+    bool keeps(SlotId, Vec2, Vec2) const { return false; }
 
     /// Calls deliver(slot) at least once for every front segment (and isolated point) that comes near `box`, and
     /// visited(cell box) for every cell looked into.

@@ -214,8 +214,7 @@ bool ApexSearch<Grid, Trace>::idealIsClear(const Base &base) const {
             return false;
         }
         const bool own = n.nodeA == base.nodeA || n.nodeA == base.nodeB;
-        return (!own && distanceSquared(n.a, base.ideal) < node2) ||
-               distanceSquaredToSegment(base.ideal, n.a, n.b) < segment2;
+        return (!own && distanceSquared(n.a, base.ideal) < node2) || nearSegment(base.ideal, n.a, n.b, segment2);
     });
 }
 

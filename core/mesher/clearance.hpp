@@ -2,19 +2,26 @@
 
 #include "core/geometry/predicates.hpp"
 
-#include <algorithm>
-
 namespace forefront {
 
 // The ideal point is withdrawn when a node or a segment of Γ is nearer, in ρ.
 inline constexpr double kNodeClearance = 0.65;
 inline constexpr double kSegmentClearance = 0.5;
 
-inline double distanceSquaredToSegment(Vec2 p, Vec2 a, Vec2 b) {
+/// True if p is nearer to the segment ab than the root of `distance2`; without a division.
+inline bool nearSegment(Vec2 p, Vec2 a, Vec2 b, double distance2) {
     const Vec2 d = b - a;
+    const Vec2 q = p - a;
+    const double along = dot(q, d);
     const double length2 = lengthSquared(d);
-    const double t = length2 > 0.0 ? std::clamp(dot(p - a, d) / length2, 0.0, 1.0) : 0.0;
-    return distanceSquared(p, a + t * d);
+    if (along <= 0.0) {
+        return lengthSquared(q) < distance2;
+    }
+    if (along >= length2) {
+        return distanceSquared(p, b) < distance2;
+    }
+    const double side = cross(d, q);
+    return side * side < distance2 * length2;
 }
 
 /// True if the closed segments pq and ab have a common point (exact); a may equal b.

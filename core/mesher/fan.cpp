@@ -133,9 +133,14 @@ bool FanBuilder<Grid, Trace>::clear(const Fan &fan, const Box2 &reach, SearchWor
         front, reach,
         [&](SlotId id) {
             ++work.delivered;
-            if (free && id != fan.slots[0] && (fan.segments < 2 || id != fan.slots[1]) &&
+            const FrontSlot &n = front[id];
+            const Vec2 a = n.position;
+            const Vec2 b = front.start(n.next);
+            const bool apart = std::max(a.x, b.x) < reach.min.x || std::min(a.x, b.x) > reach.max.x ||
+                               std::max(a.y, b.y) < reach.min.y || std::min(a.y, b.y) > reach.max.y;
+            if (!apart && free && id != fan.slots[0] && (fan.segments < 2 || id != fan.slots[1]) &&
                 (fan.segments < 3 || id != fan.slots[2])) {
-                free = !blocks(fan, reach, front[id], work);
+                free = !blocks(fan, n, work);
             }
         },
         [&](const Box2 &cell) { visited(cell, work); });
@@ -143,14 +148,11 @@ bool FanBuilder<Grid, Trace>::clear(const Fan &fan, const Box2 &reach, SearchWor
 }
 
 template <class Grid, class Trace>
-bool FanBuilder<Grid, Trace>::blocks(const Fan &fan, const Box2 &reach, const FrontSlot &n, SearchWork &work) {
+bool FanBuilder<Grid, Trace>::blocks(const Fan &fan, const FrontSlot &n, SearchWork &work) {
     const Vec2 a = n.position;
     const Vec2 b = state_.front.start(n.next);
-    if (!reach.overlaps(boxOf(a, b))) {
-        return false;
-    }
     const double size2 = fan.size * fan.size;
-    if (distanceSquaredToSegment(fan.apex, a, b) < kSegmentClearance * kSegmentClearance * size2) {
+    if (nearSegment(fan.apex, a, b, kSegmentClearance * kSegmentClearance * size2)) {
         return true;
     }
     const auto end = fan.nodes.begin() + fan.segments + 1;

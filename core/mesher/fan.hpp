@@ -47,7 +47,7 @@ class FanBuilder {
 
   private:
     bool anglesAllow(const Fan &fan) const;
-    bool blocks(const Fan &fan, const Box2 &reach, const FrontSlot &n, SearchWork &work);
+    bool blocks(const Fan &fan, const FrontSlot &n, SearchWork &work);
     bool blocksCorner(const Fan &corner, const Box2 &box, const FrontSlot &n, SearchWork &work);
     bool meets(Vec2 from, NodeId fromNode, Vec2 to, NodeId toNode, const FrontSlot &n, SearchWork &work);
     void visited(const Box2 &cell, SearchWork &work);

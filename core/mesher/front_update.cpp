@@ -36,10 +36,18 @@ void FrontUpdate<Grid>::addElement(const Base &base, const Candidate &apex, Adva
     const std::uint32_t region = front[base.slotA].region;
     delta.s = apex.slot;
     NodeId apexNode = apex.node;
-    remove(base.slotA);
+    SlotId kept = kNoSlot; // its new segment lies in the cell of its old one
+    const auto removeUnlessKept = [&](SlotId id, Vec2 a, Vec2 b) {
+        if (grid_.keeps(id, a, b)) {
+            kept = id;
+        } else {
+            remove(id);
+        }
+    };
     if (apex.slot == kNoSlot) {
         delta.kind = AdvanceDelta::Kind::NewNode;
         delta.smallNode = base.small();
+        removeUnlessKept(base.slotA, base.a, apex.position);
         apexNode = pushNode(apex.position);
         delta.s = front.insertAfter(base.slotA, apex.position, apexNode);
         restoreRho(delta.s);
@@ -47,27 +55,35 @@ void FrontUpdate<Grid>::addElement(const Base &base, const Candidate &apex, Adva
         delta.kind = AdvanceDelta::Kind::Loop;
         delta.markB = front[base.slotB].mark;
         delta.markS = front[apex.slot].mark;
+        remove(base.slotA);
         remove(base.slotB);
         remove(apex.slot);
         front.removeLoop(base.slotA);
     } else if (front.prev(base.slotA) == apex.slot) {
         delta.kind = AdvanceDelta::Kind::Previous;
         delta.markS = front[apex.slot].mark;
-        remove(apex.slot);
+        remove(base.slotA);
+        removeUnlessKept(apex.slot, apex.position, base.b);
         front.cutOut(base.slotA);
     } else if (front.next(base.slotB) == apex.slot) {
         delta.kind = AdvanceDelta::Kind::Next;
         delta.markB = front[base.slotB].mark;
+        removeUnlessKept(base.slotA, base.a, apex.position);
         remove(base.slotB);
         front.cutOut(base.slotB);
     } else {
         delta.kind = AdvanceDelta::Kind::Connection;
+        removeUnlessKept(base.slotA, base.a, apex.position);
         if (front.isolated(apex.slot)) {
             remove(apex.slot);
         }
         delta.t = front.connect(base.slotA, apex.slot);
     }
-    forEachNew(delta, [&](SlotId id) { insert(id); });
+    forEachNew(delta, [&](SlotId id) {
+        if (id != kept) {
+            insert(id);
+        }
+    });
     pushElement(base.nodeA, base.nodeB, apexNode, region);
 }
 
@@ -84,17 +100,29 @@ void FrontUpdate<Grid>::addFan(std::span<const SlotId> chain, Vec2 position, dou
     const NodeId node = pushNode(position);
     for (const SlotId id : chain) {
         pushElement(front[id].node, front[front.next(id)].node, node, region);
-        remove(id);
     }
-    front.replace(delta.b, position, node);
-    front.setRho(delta.b, rho);
+    const bool keepA = grid_.keeps(delta.a, front.start(delta.a), position);
+    const bool keepB = grid_.keeps(delta.b, position, front.end(chain.back()));
+    if (!keepA) {
+        remove(delta.a);
+    }
+    if (!keepB) {
+        remove(delta.b);
+    }
     if (three) {
         delta.s = chain[2];
         delta.markS = front[delta.s].mark;
+        remove(delta.s);
         front.cutOut(delta.s);
     }
-    insert(delta.a);
-    insert(delta.b);
+    front.replace(delta.b, position, node);
+    front.setRho(delta.b, rho);
+    if (!keepA) {
+        insert(delta.a);
+    }
+    if (!keepB) {
+        insert(delta.b);
+    }
 }
 
 template <class Grid>
@@ -162,13 +190,13 @@ void FrontUpdate<Grid>::undoTopology(const AdvanceDelta &delta) {
             insert(delta.s);
         }
         break;
-    case Kind::Three: {
-        const NodeId last = state_.elements.back()[0];
-        front.undoCutOut(delta.s, delta.b, last, position(last), delta.markS, delta.markB);
-        [[fallthrough]];
-    }
     case Kind::Two:
+    case Kind::Three:
         front.undoReplace(delta.b, element[1], position(element[1]), delta.markB, delta.markA);
+        if (delta.kind == Kind::Three) {
+            const NodeId last = state_.elements.back()[0];
+            front.undoCutOut(delta.s, delta.b, last, position(last), delta.markS, delta.markB);
+        }
         state_.nodes.pop_back();
         break;
     }

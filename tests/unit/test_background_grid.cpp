@@ -110,12 +110,7 @@ TEST_CASE("HierarchicalGrid: the number of segments delivered stays flat when si
 }
 
 TEST_CASE("Lattice: cells crossed by a segment contain every point of it") {
-    Lattice lattice;
-    lattice.origin = {-1, -1};
-    lattice.cellWidth = 0.1;
-    lattice.cellHeight = 0.07;
-    lattice.columns = 20;
-    lattice.rows = 30;
+    const Lattice lattice({-1, -1}, {0.1, 0.07}, 20, 30);
     std::mt19937_64 random(3);
     const auto unit = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
     for (int round = 0; round < 3000; ++round) {
