@@ -1,0 +1,69 @@
+#include "core/base/thread_pool.hpp"
+
+#include <system_error>
+#include <utility>
+
+namespace forefront {
+
+ThreadPool::ThreadPool(unsigned threads) {
+    try {
+        for (unsigned thread = 1; thread < threads; ++thread) {
+            workers_.emplace_back([this, thread](const std::stop_token &stop) { serve(stop, thread); });
+        }
+    } catch (const std::system_error &) { // no more threads to be had
+    }
+}
+
+ThreadPool::~ThreadPool() = default;
+
+void ThreadPool::run(std::size_t tasks, const Task &work) {
+    if (workers_.empty() || tasks <= 1) {
+        for (std::size_t task = 0; task < tasks; ++task) {
+            work(task, 0);
+        }
+        return;
+    }
+    std::unique_lock lock(mutex_);
+    work_ = &work;
+    next_ = 0;
+    tasks_ = tasks;
+    begin_.notify_all();
+    takeTasks(lock, 0);
+    done_.wait(lock, [this] { return active_ == 0; });
+    work_ = nullptr;
+    tasks_ = 0;
+    if (failure_) {
+        std::rethrow_exception(std::exchange(failure_, nullptr));
+    }
+}
+
+void ThreadPool::serve(const std::stop_token &stop, unsigned thread) {
+    std::unique_lock lock(mutex_);
+    while (begin_.wait(lock, stop, [this] { return next_ < tasks_; })) {
+        takeTasks(lock, thread);
+    }
+}
+
+void ThreadPool::takeTasks(std::unique_lock<std::mutex> &lock, unsigned thread) {
+    while (next_ < tasks_) {
+        const std::size_t task = next_++;
+        ++active_;
+        lock.unlock();
+        std::exception_ptr failure;
+        try {
+            (*work_)(task, thread);
+        } catch (...) {
+            failure = std::current_exception();
+        }
+        lock.lock();
+        if (failure) {
+            failure_ = failure;
+            next_ = tasks_;
+        }
+        if (--active_ == 0 && next_ >= tasks_) {
+            done_.notify_one();
+        }
+    }
+}
+
+} // namespace forefront

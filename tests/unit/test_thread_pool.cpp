@@ -1,0 +1,70 @@
+#include "core/base/thread_pool.hpp"
+
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <numeric>
+#include <stdexcept>
+
+using namespace forefront;
+
+TEST_CASE("ThreadPool: each task is done exactly once, whatever the number of threads and tasks") {
+    for (const unsigned threads : {0U, 1U, 2U, 3U, 8U}) {
+        ThreadPool pool(threads);
+        CHECK(pool.threads() == std::max(1U, threads));
+        for (const std::size_t tasks : {0U, 1U, 2U, 7U, 1000U}) {
+            std::vector<std::atomic<int>> done(tasks);
+            std::atomic<bool> known = true;
+            pool.run(tasks, [&](std::size_t task, unsigned thread) {
+                ++done[task];
+                known = known && thread < pool.threads();
+            });
+            CHECK(std::all_of(done.begin(), done.end(), [](const std::atomic<int> &d) { return d == 1; }));
+            CHECK(known);
+        }
+    }
+}
+
+TEST_CASE("ThreadPool: what the tasks wrote is there when run returns") {
+    ThreadPool pool(3);
+    std::vector<int> numbers(1 << 16);
+    for (int round = 1; round <= 50; ++round) {
+        pool.forChunks(numbers.size(), 1000, [&](std::size_t begin, std::size_t end, std::size_t) {
+            for (std::size_t i = begin; i < end; ++i) {
+                numbers[i] += round;
+            }
+        });
+    }
+    CHECK(std::accumulate(numbers.begin(), numbers.end(), 0LL) == 1275LL << 16);
+}
+
+TEST_CASE("ThreadPool: chunks are the same for any number of threads and cover the range") {
+    ThreadPool one(1), four(4);
+    for (const std::size_t count : {0U, 1U, 99U, 100U, 101U, 1050U}) {
+        std::vector<std::size_t> ends[2] = {std::vector<std::size_t>(11), std::vector<std::size_t>(11)};
+        int which = 0;
+        for (ThreadPool *pool : {&one, &four}) {
+            pool->forChunks(count, 100, [&, which](std::size_t begin, std::size_t end, std::size_t chunk) {
+                CHECK(begin == 100 * chunk);
+                ends[which][chunk] = end;
+            });
+            ++which;
+        }
+        CHECK(ends[0] == ends[1]);
+        CHECK(*std::max_element(ends[0].begin(), ends[0].end()) == count);
+    }
+}
+
+TEST_CASE("ThreadPool: what a task throws arrives at the caller, and the pool goes on") {
+    ThreadPool pool(2);
+    CHECK_THROWS_AS(pool.run(100,
+                             [](std::size_t task, unsigned) {
+                                 if (task == 42) {
+                                     throw std::runtime_error("task");
+                                 }
+                             }),
+                    std::runtime_error);
+    std::atomic<int> count = 0;
+    pool.run(100, [&](std::size_t, unsigned) { ++count; });
+    CHECK(count == 100);
+}
