@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <sys/resource.h>
 
@@ -17,12 +18,34 @@ std::uint64_t peakBytes() {
     return getrusage(RUSAGE_SELF, &usage) == 0 ? static_cast<std::uint64_t>(usage.ru_maxrss) * 1024U : 0U;
 }
 
+std::string sharpCornerLines(const SharpCorners &sharp) {
+    constexpr std::size_t kShown = 10;
+    if (sharp.corners.empty()) {
+        return {};
+    }
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "%zu corner%s of the domain below %.0f degrees; least angle elsewhere %.1f degrees\n",
+                  sharp.corners.size(), sharp.corners.size() == 1 ? "" : "s", kSharpCorner, sharp.minAngleElsewhere);
+    std::string lines = text;
+    for (std::size_t i = 0; i < std::min(kShown, sharp.corners.size()); ++i) {
+        const SharpCorner &corner = sharp.corners[i];
+        std::snprintf(text, sizeof text, "  %.1f degrees at (%.8g, %.8g)\n", corner.angle, corner.at.x, corner.at.y);
+        lines += text;
+    }
+    if (sharp.corners.size() > kShown) {
+        lines += "  and " + std::to_string(sharp.corners.size() - kShown) + " more, all in --stats\n";
+    }
+    return lines;
+}
+
 } // namespace
 
 RunReport reportOf(const MeshingOutcome &outcome, const MeshingOptions &options) {
     RunReport report;
     report.peakBytes = peakBytes(); // before measuring, which needs memory of its own
     report.quality = measure(outcome.mesh, outcome.spacing.get());
+    report.sharp = sharpCorners(outcome.mesh, kSharpCorner);
     report.work = outcome.work;
     report.improve = options.improve;
     report.secondsPrepare = outcome.secondsPrepare;
@@ -43,6 +66,11 @@ std::string statisticsJson(const RunReport &report) {
     json["delta_mean"] = q.deltaMean;
     json["min_angle_deg"] = q.minAngle;
     json["max_angle_deg"] = q.maxAngle;
+    json["min_angle_elsewhere_deg"] = report.sharp.minAngleElsewhere;
+    json["sharp_corners"] = nlohmann::ordered_json::array();
+    for (const SharpCorner &corner : report.sharp.corners) {
+        json["sharp_corners"].push_back({{"x", corner.at.x}, {"y", corner.at.y}, {"angle_deg", corner.angle}});
+    }
     json["front_mean"] = report.work.frontMean();
     json["neighbours_mean"] = report.work.neighboursMean();
     json["tests_mean"] = report.work.testsMean();
@@ -68,7 +96,7 @@ std::string summary(const RunReport &report) {
                   q.minAngle, q.maxAngle, q.deltaMean, cpu, report.secondsPrepare, report.secondsMesh,
                   report.secondsImprove, cpu > 0.0 ? static_cast<double>(q.elements) / cpu : 0.0,
                   static_cast<double>(report.peakBytes) / 1e6);
-    return text;
+    return text + sharpCornerLines(report.sharp);
 }
 
 } // namespace forefront

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/mesh/quality.hpp"
+#include "core/mesh/sharp_corners.hpp"
 #include "core/mesher/pipeline.hpp"
 
 #include <cstdint>
@@ -8,9 +9,13 @@
 
 namespace forefront {
 
+/// Corners sharper than this, in degrees, are named: no mesh has greater angles there.
+inline constexpr double kSharpCorner = 20.0;
+
 /// Figures of a finished run.
 struct RunReport {
     MeshQuality quality;
+    SharpCorners sharp; ///< corners of the domain below kSharpCorner
     WorkCounters work;
     ImproveLevel improve = ImproveLevel::None;
     double secondsPrepare = 0.0, secondsMesh = 0.0, secondsImprove = 0.0;

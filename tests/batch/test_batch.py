@@ -22,7 +22,7 @@ import unittest
 PROGRAM = os.path.abspath(sys.argv.pop(1))
 STATS = ["nodes", "elements", "alpha_mean", "alpha_geometric_mean", "alpha_min", "delta_mean", "min_angle_deg",
          "max_angle_deg", "front_mean", "neighbours_mean", "tests_mean", "seconds_mesh", "seconds_improve",
-         "improve", "peak_bytes", "hash"]
+         "improve", "sharp_corners", "min_angle_elsewhere_deg", "peak_bytes", "hash"]
 
 SQUARE = [(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)]
 HOLE = [(1.0, 1.0), (1.0, 2.0), (2.0, 2.0), (2.0, 1.0)]
@@ -121,6 +121,16 @@ class Meshing(Case):
         self.assertEqual(raw["elements"], improved["elements"])
         self.assertGreaterEqual(improved["alpha_min"], raw["alpha_min"])
         self.assertNotEqual(raw["hash"], improved["hash"])
+
+    def test_corners_that_force_small_angles_are_named(self):
+        self.assertEqual(self.stats("plate.poly", "--size", "0.2")["sharp_corners"], [])
+        self.write("needle.poly", poly([[(1.0, 2.0), (5.0, 2.0), (5.0, 3.0)]]))
+        done = self.call("mesh", "needle.poly", "--size", "0.25", "--stats", "stats.json")
+        [corner] = json.loads(self.read("stats.json"))["sharp_corners"]
+        self.assertEqual((corner["x"], corner["y"]), (1, 2))
+        self.assertAlmostEqual(corner["angle_deg"], math.degrees(math.atan(1 / 4)))
+        self.assertIn("1 corner of the domain below 20 degrees", done.stdout)
+        self.assertIn("14.0 degrees at (1, 2)", done.stdout)
 
     def test_several_outputs_and_formats(self):
         self.call("mesh", "plate.poly", "-o", "a.dat", "-o", "b.msh", "-o", "c.vtu", "-o", "d.svg", "--format", "msh41",

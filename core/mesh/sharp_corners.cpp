@@ -1,0 +1,116 @@
+#include "core/mesh/sharp_corners.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace forefront {
+
+namespace {
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+/// Angle from u to v, counter-clockwise, in [0, 360) degrees.
+double turnFrom(Vec2 u, Vec2 v) {
+    const double angle = std::atan2(cross(u, v), dot(u, v)) * kDegrees;
+    return angle < 0.0 ? angle + 360.0 : angle;
+}
+
+/// The wedge at a node from one tagged edge counter-clockwise to the next.
+struct Wedge {
+    NodeId node;
+    Vec2 from;
+    double angle;
+    bool meshed = false;
+};
+
+bool operator<(const Wedge &w, NodeId n) {
+    return w.node < n;
+}
+
+/// Wedges sharper than the limit, ordered by node; whether elements lie in them is still open.
+std::vector<Wedge> sharpWedges(const Mesh &mesh, double limit) {
+    struct Ray {
+        NodeId node;
+        double direction;
+        Vec2 to;
+    };
+    std::vector<Ray> rays;
+    rays.reserve(2 * mesh.edges.size());
+    for (const TaggedEdge &edge : mesh.edges) {
+        const Vec2 along = mesh.nodes[index(edge.b)] - mesh.nodes[index(edge.a)];
+        const Vec2 back = mesh.nodes[index(edge.a)] - mesh.nodes[index(edge.b)];
+        rays.push_back({edge.a, std::atan2(along.y, along.x), along});
+        rays.push_back({edge.b, std::atan2(back.y, back.x), back});
+    }
+    std::sort(rays.begin(), rays.end(), [](const Ray &r, const Ray &s) {
+        return r.node != s.node ? r.node < s.node : r.direction < s.direction;
+    });
+    std::vector<Wedge> wedges;
+    for (std::size_t begin = 0, end = 0; begin < rays.size(); begin = end) {
+        while (end < rays.size() && rays[end].node == rays[begin].node) {
+            ++end;
+        }
+        for (std::size_t i = begin; i < end && end - begin > 1; ++i) {
+            const Ray &next = rays[i + 1 < end ? i + 1 : begin];
+            const double angle = turnFrom(rays[i].to, next.to);
+            if (angle > 0.0 && angle < limit) { // an edge given twice makes no corner
+                wedges.push_back({rays[i].node, rays[i].to, angle});
+            }
+        }
+    }
+    return wedges;
+}
+
+/// Least angle of abc in degrees; 0 where it is not positive.
+double leastAngle(Vec2 a, Vec2 b, Vec2 c) {
+    const double twiceArea = cross(b - a, c - a);
+    if (!(twiceArea > 0.0)) {
+        return 0.0;
+    }
+    const double cosines = std::max({dot(b - a, c - a), dot(a - b, c - b), dot(a - c, b - c)});
+    return std::atan2(twiceArea, cosines) * kDegrees;
+}
+
+} // namespace
+
+SharpCorners sharpCorners(const Mesh &mesh, double limit) {
+    std::vector<Wedge> wedges = sharpWedges(mesh, limit);
+    std::vector<std::uint8_t> sharp(mesh.nodes.size(), 0);
+    for (const Wedge &w : wedges) {
+        sharp[index(w.node)] = 1;
+    }
+    SharpCorners result;
+    result.minAngleElsewhere = mesh.elements.empty() ? 0.0 : 60.0;
+    for (const Element &e : mesh.elements) {
+        bool inCorner = false;
+        for (unsigned k = 0; k < 3; ++k) {
+            if (sharp[index(e[k])] == 0) {
+                continue;
+            }
+            const Vec2 at = mesh.nodes[index(e[k])];
+            const Vec2 middle = midpoint(mesh.nodes[index(e[(k + 1) % 3])], mesh.nodes[index(e[(k + 2) % 3])]) - at;
+            for (auto w = std::lower_bound(wedges.begin(), wedges.end(), e[k]); w != wedges.end() && w->node == e[k];
+                 ++w) {
+                if (turnFrom(w->from, middle) < w->angle) {
+                    w->meshed = inCorner = true;
+                }
+            }
+        }
+        if (!inCorner) {
+            result.minAngleElsewhere =
+                std::min(result.minAngleElsewhere,
+                         leastAngle(mesh.nodes[index(e[0])], mesh.nodes[index(e[1])], mesh.nodes[index(e[2])]));
+        }
+    }
+    for (const Wedge &w : wedges) {
+        if (w.meshed) {
+            result.corners.push_back({w.node, mesh.nodes[index(w.node)], w.angle});
+        }
+    }
+    std::stable_sort(result.corners.begin(), result.corners.end(),
+                     [](const SharpCorner &c, const SharpCorner &d) { return c.angle < d.angle; });
+    return result;
+}
+
+} // namespace forefront

@@ -1,0 +1,49 @@
+#include "core/mesh/sharp_corners.hpp"
+#include "tests/unit/mesh_samples.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace forefront;
+using samples::node;
+
+namespace {
+
+/// A needle of 10 degrees with its tip at the origin and a nearly equilateral element at its other end.
+Mesh needle() {
+    Mesh mesh;
+    mesh.nodes = {{0, 0}, {1, 0}, {1, std::tan(10.0 * 0.017453292519943295)}, {1.15, 0.09}};
+    mesh.elements = {{node(0), node(1), node(2)}, {node(1), node(3), node(2)}};
+    mesh.edges = {{node(0), node(1), 1}, {node(1), node(3), 2}, {node(3), node(2), 2}, {node(2), node(0), 3}};
+    return mesh;
+}
+
+} // namespace
+
+TEST_CASE("sharpCorners: the tip of a needle is named with its place and angle") {
+    const SharpCorners sharp = sharpCorners(needle(), 20.0);
+    REQUIRE(sharp.corners.size() == 1);
+    CHECK(sharp.corners[0].node == node(0));
+    CHECK(sharp.corners[0].at == Vec2{});
+    CHECK(sharp.corners[0].angle == doctest::Approx(10.0));
+    CHECK(sharp.minAngleElsewhere > 55.0);
+    CHECK(sharpCorners(needle(), 9.0).corners.empty());
+    CHECK(sharpCorners(needle(), 9.0).minAngleElsewhere == doctest::Approx(10.0));
+}
+
+TEST_CASE("sharpCorners: a wedge outside the mesh is none, one between inner lines is") {
+    Mesh mesh = needle();
+    mesh.elements.erase(mesh.elements.begin()); // what is left lies beyond the tip
+    CHECK(sharpCorners(mesh, 20.0).corners.empty());
+    Mesh square = samples::square(8, 8);
+    CHECK(sharpCorners(square, 89.0).corners.empty());
+    CHECK(sharpCorners(square, 91.0).corners.size() == 4);
+    const Element inner = square.elements[60];
+    square.edges.push_back({inner[0], inner[1], 9});
+    square.edges.push_back({inner[0], inner[2], 9});
+    CHECK(sharpCorners(square, 91.0).corners.size() == 5);
+}
+
+TEST_CASE("sharpCorners: a mesh without elements has none") {
+    CHECK(sharpCorners({}, 20.0).corners.empty());
+    CHECK(sharpCorners({}, 20.0).minAngleElsewhere == 0.0);
+}
