@@ -3,27 +3,92 @@
 #include "core/improve/repair.hpp"
 #include "core/improve/smooth.hpp"
 #include "core/improve/swap.hpp"
+#include "core/mesh/quality.hpp"
 
 #include <algorithm>
 #include <optional>
+#include <span>
 
 namespace forefront {
 
 namespace {
 
-/// Elements below this α are worked on one by one at the end.
-constexpr double kWorst = 0.8;
-/// Early sweeps let elements fall this far, so that the mesh can flow; the last ones hold the better floor.
-constexpr double kEarlyFloor = 0.4;
-constexpr double kLateFloor = 0.75;
-constexpr int kRounds = 3;
-constexpr int kSweepsEarly = 3;
-constexpr int kSweepsLate = 2;
+/// Swaps, then sweeps. Early rounds let elements fall far, so that the mesh can flow; the last holds a better floor.
+struct Round {
+    int sweeps;
+    SmoothingAims aims;
+    double floor;
+};
 
+constexpr double kEarlyFloor = 0.4, kLateFloor = 0.7;
+constexpr Round kDefaultRounds[] = {{2, {0.7F, 0.7F}, kEarlyFloor}, {2, {0.7F, 0.7F}, kLateFloor}};
+constexpr Round kBestRounds[] = {
+    {4, {0.7F, 0.7F}, kEarlyFloor}, {6, {0.6F, 0.8F}, kEarlyFloor}, {10, {0.6F, 0.8F}, kLateFloor}};
+constexpr ShapeGoal kDefaultGoal{0.8, 35.0, 6};
+constexpr ShapeGoal kBestGoal{0.85, 39.0, 12};
+
+class Improvement {
+  public:
+    Improvement(Mesh &mesh, const ImproveOptions &options, const Progress &progress)
+        : options_(options), progress_(progress), pool_(options.threads), work_(mesh, pool_) {}
+
+    ImproveReport run() {
+        const bool best = options_.level == ImproveLevel::Best;
+        const std::span<const Round> rounds = best ? std::span<const Round>(kBestRounds) : kDefaultRounds;
+        stages_ = 2 * static_cast<int>(rounds.size()) + 1;
+        report_.alphaMinBefore = work_.measureAlpha();
+        bool going = !progress_.cancelled();
+        std::optional<NodeSmoother> smoother;
+        for (const Round &round : rounds) {
+            going = going && swapAndSweep(round, smoother);
+        }
+        smoother.reset(); // its memory
+        if (going) {
+            const RepairCounts repaired =
+                repairWorst(work_, best ? kBestGoal : kDefaultGoal, report_.alphaMinBefore, progress_);
+            report_.swaps += repaired.swaps;
+            report_.moves += repaired.moves;
+            next();
+        }
+        report_.alphaMinAfter = work_.leastAlpha();
+        return report_;
+    }
+
+  private:
+    bool next() {
+        progress_("improving", static_cast<double>(++done_) / static_cast<double>(stages_));
+        return !progress_.cancelled();
+    }
+
+    bool swapAndSweep(const Round &round, std::optional<NodeSmoother> &smoother) {
+        // No element gets below the floor, unless it was below and rises: so the least α never falls.
+        const double floor = std::max(round.floor, report_.alphaMinBefore);
+        report_.swaps += swapEdges(work_, {true, floor}, progress_);
+        if (!next()) {
+            return false;
+        }
+        if (!smoother) {
+            smoother.emplace(work_, options_.spacing);
+        } else {
+            smoother->renewSpacing();
+        }
+        report_.moves += smoother->sweep(round.sweeps, round.aims, floor, progress_);
+        return next();
+    }
+
+    const ImproveOptions &options_;
+    const Progress &progress_;
+    ThreadPool pool_;
+    ImproveWorkspace work_;
+    ImproveReport report_;
+    int stages_ = 1, done_ = 0;
+};
+
+/// The least α, as measure() finds it.
 double leastAlpha(const Mesh &mesh) {
     double least = mesh.elements.empty() ? 0.0 : 2.0;
-    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-        least = std::min(least, alphaOf(mesh, e));
+    for (const Element &n : mesh.elements) {
+        least = std::min(least, shapeFactor(mesh.nodes[index(n[0])], mesh.nodes[index(n[1])], mesh.nodes[index(n[2])]));
     }
     return least;
 }
@@ -31,42 +96,13 @@ double leastAlpha(const Mesh &mesh) {
 } // namespace
 
 ImproveReport improve(Mesh &mesh, const ImproveOptions &options, const Progress &progress) {
-    ImproveReport report;
-    report.alphaMinBefore = report.alphaMinAfter = leastAlpha(mesh);
-    if (mesh.elements.empty() || options.level == ImproveLevel::None || progress.cancelled()) {
+    if (mesh.elements.empty() || mesh.elements.size() > ImproveWorkspace::kMostElements ||
+        options.level == ImproveLevel::None || progress.cancelled()) {
+        ImproveReport report;
+        report.alphaMinBefore = report.alphaMinAfter = leastAlpha(mesh);
         return report;
     }
-    constexpr const char *kStage = "improving";
-    ImproveWorkspace work(mesh);
-    std::optional<NodeSmoother> smoother(std::in_place, work);
-    const int stages = 2 * kRounds + 1;
-    int done = 0;
-    const auto next = [&] {
-        progress(kStage, static_cast<double>(++done) / static_cast<double>(stages));
-        return !progress.cancelled();
-    };
-    bool going = true;
-    for (int round = 0; round < kRounds && going; ++round) {
-        const bool last = round + 1 == kRounds;
-        work.floor = std::max(last ? kLateFloor : kEarlyFloor, report.alphaMinBefore);
-        report.swaps += swapEdges(work, !last, progress);
-        going = next();
-        const int sweeps = last ? kSweepsLate : kSweepsEarly;
-        for (int sweep = 0; sweep < sweeps && going; ++sweep) {
-            report.moves += smoother->sweep(work.floor);
-            going = !progress.cancelled();
-        }
-        going = going && next();
-    }
-    smoother.reset(); // its memory
-    if (going) {
-        const RepairCounts repaired = repairWorst(work, kWorst, progress);
-        report.swaps += repaired.swaps;
-        report.moves += repaired.moves;
-        next();
-    }
-    report.alphaMinAfter = leastAlpha(mesh);
-    return report;
+    return Improvement(mesh, options, progress).run();
 }
 
 } // namespace forefront

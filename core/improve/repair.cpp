@@ -1,5 +1,7 @@
 #include "core/improve/repair.hpp"
 
+#include "core/improve/patches.hpp"
+#include "core/improve/shape_measure.hpp"
 #include "core/improve/swap.hpp"
 #include "core/mesh/quality.hpp"
 
@@ -9,195 +11,357 @@ namespace forefront {
 
 namespace {
 
-/// A node with the ring of nodes around it, counter-clockwise; elements[i] is node, nodes[i], nodes[i+1].
-struct Ring {
-    NodeId node = kNoNode;
-    std::vector<NodeId> nodes;
-    std::vector<std::size_t> elements;
+/// A free node's surroundings, copied: elements[i] is the node, nodes[i], nodes[i+1].
+struct Surroundings {
+    std::array<Vec2, ImproveWorkspace::kMostValence + 1>
+        nodes;                                                ///< relative to where the node was; the first again last
+    std::array<double, ImproveWorkspace::kMostValence> sides; ///< squared length of the side opposite the node
+    std::array<std::uint32_t, ImproveWorkspace::kMostValence> elements;
+    std::size_t count = 0;
+    double reach = 0.0; ///< distance of the farthest node
+
+    void take(const ImproveWorkspace &work, NodeId node) {
+        const Vec2 centre = work.at(node);
+        count = 0;
+        double farthest = 0.0;
+        work.aroundFree(node, [&](HalfEdge h) {
+            nodes[count] = work.at(work.to(h)) - centre;
+            farthest = std::max(farthest, lengthSquared(nodes[count]));
+            elements[count++] = static_cast<std::uint32_t>(elementOf(h));
+        });
+        nodes[count] = nodes[0];
+        for (std::size_t i = 0; i < count; ++i) {
+            sides[i] = distanceSquared(nodes[i], nodes[i + 1]);
+        }
+        reach = std::sqrt(farthest);
+    }
 };
 
-unsigned corner(const Element &e, NodeId n) {
-    return e[0] == n ? 0U : e[1] == n ? 1U : 2U;
-}
+/// Repairs single elements; one for each thread.
+class Mender {
+  public:
+    Mender(ImproveWorkspace &work, const ShapeMeasure &measure, double leastAlpha)
+        : work_(work), measure_(measure), leastAlpha_(leastAlpha) {}
 
-/// The ring around a node of an element; false where the node is not free or its ring is open.
-bool walkRing(const ImproveWorkspace &work, std::size_t element, NodeId node, Ring &ring) {
-    ring.node = node;
-    ring.nodes.clear();
-    ring.elements.clear();
-    if (work.fixed[index(node)] != 0) {
-        return false;
-    }
-    for (std::size_t e = element;;) {
-        const Element &n = work.mesh.elements[e];
-        const unsigned k = corner(n, node);
-        ring.nodes.push_back(n[(k + 1) % 3]);
-        ring.elements.push_back(e);
-        const ElementId next = work.neighbours[e][(k + 2) % 3];
-        if (next == kNoElement || ring.elements.size() > 64) {
+    bool misses(std::size_t e) const {
+        if (work_.alpha[e] >= measure_.surelyGood()) {
             return false;
         }
-        e = index(next);
-        if (e == element) {
-            return true;
-        }
+        return of(work_.mesh.elements[e]) < 1.0;
     }
-}
 
-/// Least α of the ring's elements with the node at p; negative where one is not positive.
-double leastAlpha(const ImproveWorkspace &work, const Ring &ring, Vec2 p, double giveUpBelow) {
-    double least = 2.0;
-    for (std::size_t i = 0; i < ring.nodes.size(); ++i) {
-        const Vec2 a = work.at(ring.nodes[i]);
-        const Vec2 b = work.at(ring.nodes[i + 1 < ring.nodes.size() ? i + 1 : 0]);
-        const double alpha = shapeFactor(p, a, b);
-        if (!surelyPositive(alpha, p, a, b)) {
-            return -1.0;
+    /// True if something changed.
+    bool mend(std::size_t e, bool alsoAround) {
+        bool changed = turn(e);
+        const Element nodes = work_.mesh.elements[e];
+        for (const NodeId n : nodes) {
+            changed = move(n) || changed;
         }
-        least = std::min(least, alpha);
-        if (least <= giveUpBelow) {
-            break;
+        if (!alsoAround || !misses(e)) {
+            return changed;
         }
-    }
-    return least;
-}
-
-/// Moves the node where the least α around it is greatest, as far as a pattern of eight directions finds that.
-bool searchBestPlace(ImproveWorkspace &work, const Ring &ring) {
-    constexpr double kDiagonal = 0.7071067811865476;
-    constexpr Vec2 kPattern[] = {{1, 0},
-                                 {0, 1},
-                                 {-1, 0},
-                                 {0, -1},
-                                 {kDiagonal, kDiagonal},
-                                 {-kDiagonal, kDiagonal},
-                                 {-kDiagonal, -kDiagonal},
-                                 {kDiagonal, -kDiagonal}};
-    constexpr int kTries = 40;
-    constexpr double kSmallestStep = 0.004;
-    const Vec2 start = work.at(ring.node);
-    double reach = 0.0;
-    for (const NodeId n : ring.nodes) {
-        reach = std::max(reach, distance(start, work.at(n)));
-    }
-    Vec2 best = start;
-    double bestAlpha = leastAlpha(work, ring, start, -2.0);
-    double step = 0.25;
-    for (int tries = 0; tries < kTries && step > kSmallestStep; ++tries) {
-        const Vec2 from = best;
-        for (const Vec2 direction : kPattern) {
-            const Vec2 p = from + (step * reach) * direction;
-            const double alpha = leastAlpha(work, ring, p, bestAlpha);
-            if (alpha > bestAlpha) {
-                bestAlpha = alpha;
-                best = p;
+        for (unsigned k = 0; k < 3 && misses(e); ++k) {
+            if (turnAndMove(static_cast<HalfEdge>(3 * e + k))) {
+                return true;
             }
         }
-        if (best == from) {
-            step *= 0.5;
-        }
-    }
-    work.mesh.nodes[index(ring.node)] = best;
-    return !(best == start);
-}
-
-class Repair {
-  public:
-    Repair(ImproveWorkspace &work, double wanted) : work_(work), wanted_(wanted) {}
-
-    RepairCounts run(const Progress &progress) {
-        constexpr int kRounds = 5;
-        std::vector<std::uint32_t> bad;
-        for (std::size_t e = 0; e < work_.mesh.elements.size(); ++e) {
-            if (alphaOf(work_.mesh, e) < wanted_) {
-                bad.push_back(static_cast<std::uint32_t>(e));
-            }
-        }
-        for (int round = 0; round < kRounds && !bad.empty() && !progress.cancelled(); ++round) {
-            next_.clear();
-            bool any = false;
-            for (const std::uint32_t e : bad) {
-                if (alphaOf(work_.mesh, e) < wanted_) {
-                    any = mend(e, round > 0) || any;
+        if (misses(e)) {
+            for (unsigned k = 0; k < 3; ++k) {
+                const HalfEdge g = work_.twin[3 * e + k];
+                if (g != kNoHalfEdge) {
+                    changed = move(work_.apex(g)) || changed;
                 }
             }
-            if (!any) {
-                break;
+            for (const NodeId n : nodes) {
+                changed = move(n) || changed;
             }
-            std::sort(next_.begin(), next_.end());
-            next_.erase(std::unique(next_.begin(), next_.end()), next_.end());
-            bad.swap(next_);
         }
-        return counts_;
+        return changed;
     }
+
+    RepairCounts counts;
 
   private:
-    void keepIfBad(std::size_t e) {
-        if (alphaOf(work_.mesh, e) < wanted_) {
-            next_.push_back(static_cast<std::uint32_t>(e));
-        }
-    }
+    double of(const Element &n) const { return measure_(work_.at(n[0]), work_.at(n[1]), work_.at(n[2])); }
 
-    bool moveNode(std::size_t e, NodeId node) {
-        if (!walkRing(work_, e, node, ring_) || !searchBestPlace(work_, ring_)) {
+    /// Turns the side that gains most.
+    bool turn(std::size_t e) {
+        HalfEdge best = kNoHalfEdge;
+        double bestGain = 1e-6;
+        for (unsigned k = 0; k < 3; ++k) {
+            const auto h = static_cast<HalfEdge>(3 * e + k);
+            const HalfEdge g = work_.twin[h];
+            if (g == kNoHalfEdge || !mayTurn(work_, h)) {
+                continue;
+            }
+            const NodeId a = work_.from(h), b = work_.to(h), c = work_.apex(h), d = work_.apex(g);
+            const double before = std::min(of({a, b, c}), of({b, a, d}));
+            const double after = std::min(of({a, d, c}), of({d, b, c}));
+            if (after - before > bestGain && staysAbove(std::min(alpha(a, d, c), alpha(d, b, c)), e, elementOf(g))) {
+                best = h;
+                bestGain = after - before;
+            }
+        }
+        if (best == kNoHalfEdge) {
             return false;
         }
-        ++counts_.moves;
+        turnWithRings(work_, best);
+        ++counts.swaps;
         return true;
     }
 
-    bool mend(std::size_t e, bool alsoAround) {
-        bool changed = false;
-        for (unsigned k = 0; k < 3; ++k) {
-            const ElementId f = work_.neighbours[e][k];
-            if (turnIfBetter(work_, e, k)) {
-                ++counts_.swaps;
-                changed = true;
-                keepIfBad(index(f));
+    /// Turns an edge though that alone is no gain, and lets its nodes look for their best places. All is taken back
+    /// where it does not pay.
+    bool turnAndMove(HalfEdge h) {
+        if (!mayTurn(work_, h)) {
+            return false;
+        }
+        const HalfEdge g = work_.twin[h];
+        const std::array<NodeId, 4> nodes = {work_.from(h), work_.to(h), work_.apex(h), work_.apex(g)};
+        const std::size_t e = elementOf(h), f = elementOf(g);
+        if (!(std::min(alpha(nodes[0], nodes[3], nodes[2]), alpha(nodes[3], nodes[1], nodes[2])) > kFlattest)) {
+            return false;
+        }
+        std::array<Vec2, 4> places;
+        for (std::size_t i = 0; i < 4; ++i) {
+            places[i] = work_.at(nodes[i]);
+        }
+        const RepairCounts countsBefore = counts;
+        const auto [measure, least] = worstAround(nodes, e, f);
+        turnWithRings(work_, h);
+        for (int pass = 0; pass < kPasses; ++pass) {
+            for (const NodeId n : {nodes[2], nodes[3], nodes[0], nodes[1]}) {
+                move(n);
+            }
+        }
+        const auto [measureNow, leastNow] = worstAround(nodes, e, f);
+        if (measureNow > measure + 1e-3 && leastNow >= std::min(least, leastAlpha_)) {
+            ++counts.swaps;
+            return true;
+        }
+        for (std::size_t i = 0; i < 4; ++i) {
+            work_.mesh.nodes[index(nodes[i])] = places[i];
+        }
+        turnWithRings(work_, static_cast<HalfEdge>(3 * e + 1));
+        for (const NodeId n : nodes) {
+            if (work_.isFree(n)) {
+                work_.aroundFree(n, [&](HalfEdge k) { renewAlpha(elementOf(k)); });
+            }
+        }
+        counts = countsBefore;
+        return false;
+    }
+
+    void renewAlpha(std::size_t e) { work_.alpha[e] = static_cast<float>(work_.alphaOf(e)); }
+
+    struct Worst {
+        double measure, alpha;
+    };
+    /// Of two elements and those around four nodes.
+    Worst worstAround(const std::array<NodeId, 4> &nodes, std::size_t e, std::size_t f) const {
+        Worst worst{1e300, 1e300};
+        const auto look = [&](std::size_t element) {
+            worst.measure = std::min(worst.measure, of(work_.mesh.elements[element]));
+            worst.alpha = std::min(worst.alpha, work_.alphaOf(element));
+        };
+        look(e);
+        look(f);
+        for (const NodeId n : nodes) {
+            if (work_.isFree(n)) {
+                work_.aroundFree(n, [&](HalfEdge h) { look(elementOf(h)); });
+            }
+        }
+        return worst;
+    }
+
+    double alpha(NodeId a, NodeId b, NodeId c) const { return shapeFactor(work_.at(a), work_.at(b), work_.at(c)); }
+    bool staysAbove(double after, std::size_t e, std::size_t f) const {
+        return after > kCertainAlpha && (after >= leastAlpha_ || after > std::min(work_.alphaOf(e), work_.alphaOf(f)));
+    }
+
+    /// Least measure of the surroundings with the node at p; looks first at the element that was too bad last.
+    double at(Vec2 p, double giveUpBelow) {
+        double least = 1e300;
+        for (std::size_t i = first_, n = 0; n < around_.count; ++n, i = i + 1 < around_.count ? i + 1 : 0) {
+            least = std::min(least, measure_.of(around_.nodes[i] - p, around_.nodes[i + 1] - p, around_.sides[i]));
+            if (least <= giveUpBelow) {
+                first_ = i;
                 break;
             }
         }
-        const Element nodes = work_.mesh.elements[e];
-        for (const NodeId n : nodes) {
-            changed = moveNode(e, n) || changed;
-        }
-        if (alsoAround && alphaOf(work_.mesh, e) < wanted_) {
-            changed = moveAround(e, nodes) || changed;
-        }
-        keepIfBad(e);
-        return changed;
+        return least;
     }
 
-    /// Gives the rings room: the nodes opposite the element's sides.
-    bool moveAround(std::size_t e, const Element &nodes) {
-        bool changed = false;
-        for (const ElementId f : work_.neighbours[e]) {
-            if (f == kNoElement) {
-                continue;
+    /// Moves the node where the worst around it is best, as far as a pattern of eight directions finds that.
+    bool move(NodeId node) {
+        if (!work_.isFree(node)) {
+            return false;
+        }
+        constexpr double kDiagonal = 0.7071067811865476;
+        constexpr Vec2 kPattern[] = {{1, 0},
+                                     {0, 1},
+                                     {-1, 0},
+                                     {0, -1},
+                                     {kDiagonal, kDiagonal},
+                                     {-kDiagonal, kDiagonal},
+                                     {-kDiagonal, -kDiagonal},
+                                     {kDiagonal, -kDiagonal}};
+        constexpr int kTries = 24;
+        constexpr double kFirstStep = 0.16, kSmallestStep = 0.008;
+        around_.take(work_, node);
+        first_ = 0;
+        Vec2 best;
+        double bestMeasure = at(best, -1e300);
+        if (bestMeasure >= 1.0) {
+            return false; // nothing to gain for the worst
+        }
+        double step = kFirstStep;
+        for (int tries = 0; tries < kTries && step > kSmallestStep && bestMeasure < kEnough; ++tries) {
+            const Vec2 from = best;
+            for (const Vec2 direction : kPattern) {
+                const Vec2 p = from + (step * around_.reach) * direction;
+                const double measure = at(p, bestMeasure);
+                if (measure > bestMeasure) {
+                    bestMeasure = measure;
+                    best = p;
+                }
             }
-            for (const NodeId n : work_.mesh.elements[index(f)]) {
-                if (std::find(nodes.begin(), nodes.end(), n) == nodes.end()) {
-                    changed = moveNode(index(f), n) || changed;
+            if (best == from) {
+                step *= 0.5;
+            }
+        }
+        return !(best == Vec2{}) && place(node, best);
+    }
+
+    /// Moves the node unless that breaks a promise about α, which is given in terms of shapeFactor.
+    bool place(NodeId node, Vec2 by) {
+        const Vec2 before = work_.at(node);
+        std::array<double, ImproveWorkspace::kMostValence> was;
+        for (std::size_t i = 0; i < around_.count; ++i) {
+            was[i] = work_.alphaOf(around_.elements[i]);
+        }
+        work_.mesh.nodes[index(node)] = before + by;
+        for (std::size_t i = 0; i < around_.count; ++i) {
+            const double is = work_.alphaOf(around_.elements[i]);
+            if (!(is > kCertainAlpha) || (is < leastAlpha_ && is < was[i])) {
+                work_.mesh.nodes[index(node)] = before;
+                return false;
+            }
+        }
+        for (std::size_t i = 0; i < around_.count; ++i) {
+            work_.alpha[around_.elements[i]] = static_cast<float>(work_.alphaOf(around_.elements[i]));
+        }
+        ++counts.moves;
+        return true;
+    }
+
+    /// A little beyond the goal the search ends.
+    static constexpr double kEnough = 1.02;
+    static constexpr int kPasses = 2;
+    /// Elements are not made flatter than this even in passing.
+    static constexpr double kFlattest = 0.05;
+
+    ImproveWorkspace &work_;
+    const ShapeMeasure &measure_;
+    double leastAlpha_;
+    Surroundings around_;
+    std::size_t first_ = 0;
+};
+
+class Repair {
+  public:
+    Repair(ImproveWorkspace &work, const ShapeGoal &goal, double leastAlpha)
+        : work_(work), measure_(goal), rounds_(goal.rounds) {
+        for (unsigned thread = 0; thread < work.pool.threads(); ++thread) {
+            menders_.emplace_back(work, measure_, leastAlpha);
+        }
+    }
+
+    RepairCounts run(const Progress &progress) {
+        std::vector<std::uint32_t> bad = findBad();
+        for (int round = 0; round < rounds_ && !bad.empty() && !progress.cancelled(); ++round) {
+            std::vector<std::uint8_t> changed(bad.size(), 0);
+            const std::vector<std::vector<std::uint32_t>> batches = independentBatches(work_, bad);
+            for (const std::vector<std::uint32_t> &batch : batches) {
+                constexpr std::size_t kAtOnce = 64;
+                work_.pool.run((batch.size() + kAtOnce - 1) / kAtOnce, [&](std::size_t task, unsigned thread) {
+                    for (std::size_t i = task * kAtOnce; i < std::min(batch.size(), (task + 1) * kAtOnce); ++i) {
+                        const std::uint32_t e = bad[batch[i]];
+                        changed[batch[i]] = menders_[thread].misses(e) && menders_[thread].mend(e, round > 0) ? 1 : 0;
+                    }
+                });
+            }
+            bad = stillBad(bad, changed);
+        }
+        RepairCounts counts;
+        for (const Mender &mender : menders_) {
+            counts.swaps += mender.counts.swaps;
+            counts.moves += mender.counts.moves;
+        }
+        counts.left = bad.size();
+        return counts;
+    }
+
+  private:
+    std::vector<std::uint32_t> findBad() {
+        const std::size_t count = work_.mesh.elements.size();
+        std::vector<std::vector<std::uint32_t>> found((count + ImproveWorkspace::kChunk - 1) /
+                                                      ImproveWorkspace::kChunk);
+        work_.pool.forChunks(count, ImproveWorkspace::kChunk,
+                             [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+                                 for (std::size_t e = begin; e < end; ++e) {
+                                     if (menders_.front().misses(e)) {
+                                         found[chunk].push_back(static_cast<std::uint32_t>(e));
+                                     }
+                                 }
+                             });
+        std::vector<std::uint32_t> all;
+        for (const auto &some : found) {
+            all.insert(all.end(), some.begin(), some.end());
+        }
+        return all;
+    }
+
+    /// Of the elements repaired and, where something changed, those around the nodes that may have moved.
+    std::vector<std::uint32_t> stillBad(const std::vector<std::uint32_t> &bad,
+                                        const std::vector<std::uint8_t> &changed) {
+        std::vector<std::uint32_t> next;
+        const auto keep = [&](std::size_t e) {
+            if (menders_.front().misses(e)) {
+                next.push_back(static_cast<std::uint32_t>(e));
+            }
+        };
+        const auto keepAround = [&](NodeId n) {
+            if (work_.isFree(n)) {
+                work_.aroundFree(n, [&](HalfEdge h) { keep(elementOf(h)); });
+            }
+        };
+        for (std::size_t i = 0; i < bad.size(); ++i) {
+            keep(bad[i]);
+            for (unsigned k = 0; k < 3 && changed[i] != 0; ++k) {
+                const HalfEdge h = 3 * bad[i] + k, g = work_.twin[h];
+                keepAround(work_.from(h));
+                if (g != kNoHalfEdge) {
+                    keepAround(work_.apex(g));
+                    keep(elementOf(g));
                 }
             }
         }
-        for (const NodeId n : nodes) {
-            changed = moveNode(e, n) || changed;
-        }
-        return changed;
+        std::sort(next.begin(), next.end());
+        next.erase(std::unique(next.begin(), next.end()), next.end());
+        return next;
     }
 
     ImproveWorkspace &work_;
-    double wanted_;
-    RepairCounts counts_;
-    Ring ring_;
-    std::vector<std::uint32_t> next_;
+    ShapeMeasure measure_;
+    int rounds_;
+    std::vector<Mender> menders_;
 };
 
 } // namespace
 
-RepairCounts repairWorst(ImproveWorkspace &work, double wanted, const Progress &progress) {
-    return Repair(work, wanted).run(progress);
+RepairCounts repairWorst(ImproveWorkspace &work, const ShapeGoal &goal, double leastAlpha, const Progress &progress) {
+    return Repair(work, goal, leastAlpha).run(progress);
 }
 
 } // namespace forefront

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/progress.hpp"
 #include "core/improve/workspace.hpp"
 
 #include <cstddef>
@@ -7,26 +8,47 @@
 
 namespace forefront {
 
-/// Moves free nodes towards the places their neighbours would have them at. Each edge pulls like Laplace's smoothing
-/// and, half as strong, pushes like a spring whose rest length is the mean edge length that its ends had at the start;
-/// so the shapes get better and the spacing is kept. (Laplace alone: on a mesh of size ratio 300, α .9827 and
-/// conformity .940, with the springs .9830 and .949.) Streams over the elements, without any search for rings; 20 bytes
-/// per node.
+class SpacingField;
+
+/// How much the two aims of smoothing count. Their sum is the part of the way that a node goes in one sweep; above 1.4
+/// neighbours begin to chase each other.
+struct SmoothingAims {
+    float shape = 0.6F;   ///< equilateral elements
+    float spacing = 0.8F; ///< edges of length ρ
+};
+
+/// Moves free nodes to where the elements around them have the best shapes and their edges the wanted lengths.
+///
+/// Shape: near its best place p* over a side of length l (the apex of the equilateral triangle) the node loses 1 − α ≈
+/// ⅔|p − p*|²/l², so the sum over the elements is least at the mean of all p*, weighted with 1/l². (With equal weights
+/// this mean is the centre of the nodes around, Laplace's smoothing, which shrinks the small elements of a graded
+/// mesh.) Spacing: springs with rest length ρ. On a mesh of size ratio 500: Laplace alone α .9863, conformity .932;
+/// shape alone .9876, .937; both as above .9866, .9535.
+///
+/// All nodes move at once from the places of the sweep before, so the result is the same in any order.
 class NodeSmoother {
   public:
-    explicit NodeSmoother(ImproveWorkspace &work);
+    /// Evaluates ρ at the nodes; without a field ρ is the mean length of a node's edges.
+    NodeSmoother(ImproveWorkspace &work, const SpacingField *spacing);
 
-    /// One sweep, all nodes at once. Where an element would fall below `floor` and lose, its nodes stay. Returns the
-    /// number of nodes moved.
-    std::size_t sweep(double floor);
+    /// So many sweeps; then nodes of elements that have fallen below `floor` and have lost go back to where they were
+    /// before all, until there is no such element. α is then up to date. Returns the number of nodes moved. When
+    /// cancelled, all are.
+    std::size_t sweep(int count, const SmoothingAims &aims, double floor, const Progress &progress);
+
+    /// ρ at the places where the nodes are now.
+    void renewSpacing();
 
   private:
-    void findTargets();
-    void putBackWhereSpoilt(double floor);
+    void meanLengths();
+    void moveAll(const SmoothingAims &aims, std::vector<Vec2> &to) const;
+    bool spoilt(std::size_t e, double alpha, double floor) const;
+    std::size_t putBackWhereSpoilt(double floor);
 
     ImproveWorkspace &work_;
-    std::vector<float> lengths_; ///< per node: mean length of its edges at the start
-    std::vector<Vec2> targets_;
+    const SpacingField *spacing_;
+    std::vector<float> rho_;
+    std::vector<Vec2> before_, next_;
 };
 
 } // namespace forefront

@@ -3,7 +3,6 @@
 #include "core/mesh/quality.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace forefront {
 
@@ -11,18 +10,9 @@ namespace {
 
 /// The two elements at an edge ab: abc on its left and bad on its right.
 struct Diamond {
-    Diamond(const ImproveWorkspace &work, std::size_t element, unsigned side) : e(element), k(side) {
-        const Mesh &mesh = work.mesh;
-        f = index(work.neighbours[e][k]);
-        a = mesh.elements[e][k];
-        b = mesh.elements[e][(k + 1) % 3];
-        c = mesh.elements[e][(k + 2) % 3];
-        const Element &other = mesh.elements[f];
-        j = other[0] == b ? 0U : other[1] == b ? 1U : 2U; // side b -> a of f
-        d = other[(j + 2) % 3];
-    }
-    std::size_t e, f;
-    unsigned k, j;
+    Diamond(const ImproveWorkspace &work, HalfEdge side)
+        : h(side), g(work.twin[side]), a(work.from(h)), b(work.to(h)), c(work.apex(h)), d(work.apex(g)) {}
+    HalfEdge h, g;
     NodeId a, b, c, d;
 };
 
@@ -38,10 +28,10 @@ Shapes shapes(const ImproveWorkspace &work, const Diamond &q) {
     return {before, positive ? std::min(left, right) : -1.0};
 }
 
-/// What the swap gains in Σ(valence − wanted)², wanted being 6 inside; nodes that are held count nothing.
+/// What the swap gains in Σ(valence − 6)²; nodes that are held count nothing.
 int valenceGain(const ImproveWorkspace &work, const Diamond &q) {
     const auto change = [&work](NodeId n, int step) {
-        if (work.fixed[index(n)] != 0) {
+        if (!work.isFree(n)) {
             return 0;
         }
         const int off = static_cast<int>(work.valence[index(n)]) - 6;
@@ -50,116 +40,149 @@ int valenceGain(const ImproveWorkspace &work, const Diamond &q) {
     return change(q.a, -1) + change(q.b, -1) + change(q.c, +1) + change(q.d, +1);
 }
 
-void turn(ImproveWorkspace &work, const Diamond &q) {
-    const auto toSide = [&work](std::size_t element, ElementId from, ElementId to) {
-        for (ElementId &n : work.neighbours[element]) {
-            if (n == from) {
-                n = to;
-                return;
-            }
-        }
-    };
-    const unsigned bc = (q.k + 1) % 3, ca = (q.k + 2) % 3, ad = (q.j + 1) % 3, db = (q.j + 2) % 3;
-    const auto e = ElementId{static_cast<std::uint32_t>(q.e)}, f = ElementId{static_cast<std::uint32_t>(q.f)};
-    const ElementId acrossBc = work.neighbours[q.e][bc], acrossCa = work.neighbours[q.e][ca];
-    const ElementId acrossAd = work.neighbours[q.f][ad], acrossDb = work.neighbours[q.f][db];
-    const auto lock = [&work](std::size_t element, unsigned side) { return work.isLocked(element, side) ? 1U : 0U; };
-    const unsigned lockBc = lock(q.e, bc), lockCa = lock(q.e, ca), lockAd = lock(q.f, ad), lockDb = lock(q.f, db);
-
-    work.mesh.elements[q.e] = {q.a, q.d, q.c};
-    work.mesh.elements[q.f] = {q.d, q.b, q.c};
-    work.neighbours[q.e] = {acrossAd, f, acrossCa};
-    work.neighbours[q.f] = {acrossDb, acrossBc, e};
-    work.locked[q.e] = static_cast<std::uint8_t>(lockAd | (lockCa << 2U));
-    work.locked[q.f] = static_cast<std::uint8_t>(lockDb | (lockBc << 1U));
-    if (acrossAd != kNoElement) {
-        toSide(index(acrossAd), f, e);
-    }
-    if (acrossBc != kNoElement) {
-        toSide(index(acrossBc), e, f);
-    }
-    work.addValence(q.a, -1);
-    work.addValence(q.b, -1);
-    work.addValence(q.c, +1);
-    work.addValence(q.d, +1);
+/// Without a look across the edge: the gain is 2(a + b − c − d) − 4 in the excesses over 6 of free nodes, and d is
+/// seldom below −2; where it is, α is poor.
+bool mayGainValence(const ImproveWorkspace &work, HalfEdge h) {
+    const std::size_t a = index(work.from(h)), b = index(work.to(h)), c = index(work.apex(h));
+    return (work.fixed[a] | work.fixed[b] | work.fixed[c]) != 0 ||
+           work.valence[a] + work.valence[b] > work.valence[c] + 6;
 }
 
 /// Swaps must gain a little, lest rounding turns an edge to and fro.
 constexpr double kGain = 1e-9;
 /// A swap for the valences alone may lower the lesser α to this part of it.
 constexpr double kNearlyAsGood = 0.6;
+/// α of half a square: where both elements are better, the other diagonal is worse.
+constexpr float kHalfSquare = 0.8661F;
 
-bool worthwhile(const ImproveWorkspace &work, const Diamond &q, bool mindValence) {
+bool hasRoom(const ImproveWorkspace &work, const Diamond &q) {
+    const auto full = [&work](NodeId n) {
+        return work.isFree(n) && work.valence[index(n)] + 1U >= ImproveWorkspace::kMostValence;
+    };
+    const auto poor = [&work](NodeId n) { return work.isFree(n) && work.valence[index(n)] <= 3; };
+    return !full(q.c) && !full(q.d) && !poor(q.a) && !poor(q.b);
+}
+
+bool worthwhile(const ImproveWorkspace &work, HalfEdge h, const SwapRule &rule) {
+    const bool good = std::min(work.alpha[elementOf(h)], work.alpha[elementOf(work.twin[h])]) > kHalfSquare;
+    if (good && !(rule.mindValence && mayGainValence(work, h))) {
+        return false;
+    }
+    const Diamond q(work, h);
+    const int gain = rule.mindValence ? valenceGain(work, q) : 0;
+    if ((good && gain <= 0) || !hasRoom(work, q)) {
+        return false;
+    }
     const Shapes s = shapes(work, q);
     if (s.after <= 0.0) {
         return false;
     }
-    if (!mindValence) {
-        return s.after > s.before + kGain;
+    return (s.after > s.before + kGain && (gain >= 0 || s.before < rule.floor)) ||
+           (gain > 0 && s.after >= rule.floor && s.after > kNearlyAsGood * s.before);
+}
+
+/// All edges worth turning, in the order of their half-edges, each from its lesser one.
+std::vector<HalfEdge> findWorthwhile(ImproveWorkspace &work, const SwapRule &rule) {
+    const std::size_t count = work.mesh.elements.size();
+    const std::size_t chunks = (count + ImproveWorkspace::kChunk - 1) / ImproveWorkspace::kChunk;
+    std::vector<std::vector<HalfEdge>> found(chunks);
+    work.pool.forChunks(count, ImproveWorkspace::kChunk, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        for (auto h = static_cast<HalfEdge>(3 * begin); h < 3 * end; ++h) {
+            if (work.twin[h] != kNoHalfEdge && h < work.twin[h] && worthwhile(work, h, rule)) {
+                found[chunk].push_back(h);
+            }
+        }
+    });
+    std::vector<HalfEdge> all;
+    for (const std::vector<HalfEdge> &some : found) {
+        all.insert(all.end(), some.begin(), some.end());
     }
-    const int gain = valenceGain(work, q);
-    return (s.after > s.before + kGain && (gain >= 0 || s.before < work.floor)) ||
-           (gain > 0 && s.after >= work.floor && s.after > kNearlyAsGood * s.before);
+    return all;
+}
+
+void join(ImproveWorkspace &work, HalfEdge h, HalfEdge g) {
+    work.twin[h] = g;
+    if (g != kNoHalfEdge) {
+        work.twin[g] = h;
+    }
+}
+
+template <class List>
+void uniqueSorted(List &list) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
 } // namespace
 
-void turnEdge(ImproveWorkspace &work, std::size_t element, unsigned side) {
-    turn(work, Diamond(work, element, side));
+void turnEdge(ImproveWorkspace &work, HalfEdge h) {
+    const Diamond q(work, h);
+    const HalfEdge bc = work.twin[nextSide(q.h)], ca = work.twin[previousSide(q.h)];
+    const HalfEdge ad = work.twin[nextSide(q.g)], db = work.twin[previousSide(q.g)];
+    const std::size_t e = elementOf(q.h), f = elementOf(q.g);
+    const auto e0 = static_cast<HalfEdge>(3 * e), f0 = static_cast<HalfEdge>(3 * f);
+    work.mesh.elements[e] = {q.a, q.d, q.c};
+    work.mesh.elements[f] = {q.d, q.b, q.c};
+    join(work, e0, ad);
+    join(work, e0 + 1, f0 + 2);
+    join(work, e0 + 2, ca);
+    join(work, f0, db);
+    join(work, f0 + 1, bc);
+    work.start[index(q.a)] = e0;
+    work.start[index(q.d)] = e0 + 1;
+    work.start[index(q.c)] = e0 + 2;
+    work.start[index(q.b)] = f0 + 1;
+    --work.valence[index(q.a)];
+    --work.valence[index(q.b)];
+    ++work.valence[index(q.c)];
+    ++work.valence[index(q.d)];
+    work.alpha[e] = static_cast<float>(work.alphaOf(e));
+    work.alpha[f] = static_cast<float>(work.alphaOf(f));
 }
 
-bool turnIfBetter(ImproveWorkspace &work, std::size_t element, unsigned side) {
-    if (!work.swappable(element, side)) {
-        return false;
-    }
-    const Diamond q(work, element, side);
-    if (!worthwhile(work, q, false)) {
-        return false;
-    }
-    turn(work, q);
-    return true;
+bool mayTurn(const ImproveWorkspace &work, HalfEdge h) {
+    return work.twin[h] != kNoHalfEdge && hasRoom(work, Diamond(work, h));
 }
 
-std::size_t swapEdges(ImproveWorkspace &work, bool mindValence, const Progress &progress) {
+void turnWithRings(ImproveWorkspace &work, HalfEdge h) {
+    const Diamond q(work, h);
+    turnEdge(work, h);
+    for (const NodeId n : {q.a, q.b, q.c, q.d}) {
+        if (work.isFree(n)) {
+            work.renewRing(n);
+        }
+    }
+}
+
+std::size_t swapEdges(ImproveWorkspace &work, const SwapRule &rule, const Progress &progress) {
     constexpr int kRounds = 6;
-    const std::size_t count = work.mesh.elements.size();
-    std::vector<std::uint8_t> open(count, 1); // 1: look in this round, 2: in the next
+    std::vector<HalfEdge> open = findWorthwhile(work, rule), next;
+    std::vector<NodeId> touched;
     std::size_t swaps = 0;
-    for (int round = 0; round < kRounds; ++round) {
-        std::size_t inRound = 0;
-        for (std::size_t e = 0; e < count; ++e) {
-            if ((e & 0xffffU) == 0 && progress.cancelled()) {
-                return swaps;
-            }
-            if (open[e] == 0) {
+    for (int round = 0; round < kRounds && !open.empty() && !progress.cancelled(); ++round) {
+        next.clear();
+        for (const HalfEdge h : open) {
+            if (work.twin[h] == kNoHalfEdge || !worthwhile(work, h, rule)) {
                 continue;
             }
-            open[e] &= 2U;
-            for (unsigned k = 0; k < 3; ++k) {
-                if (!work.swappable(e, k)) {
-                    continue;
-                }
-                const std::size_t f = index(work.neighbours[e][k]);
-                if (round == 0 && f < e) {
-                    continue; // seen from f
-                }
-                const Diamond q(work, e, k);
-                if (worthwhile(work, q, mindValence)) {
-                    turn(work, q);
-                    ++inRound;
-                    open[e] = open[f] = 2;
-                    break;
-                }
+            const Diamond q(work, h);
+            turnEdge(work, h);
+            ++swaps;
+            const auto e0 = static_cast<HalfEdge>(3 * elementOf(q.h)), f0 = static_cast<HalfEdge>(3 * elementOf(q.g));
+            next.insert(next.end(), {e0, e0 + 1, e0 + 2, f0, f0 + 1, f0 + 2});
+            touched.insert(touched.end(), {q.a, q.b, q.c, q.d});
+        }
+        uniqueSorted(next);
+        open.swap(next);
+    }
+    uniqueSorted(touched);
+    work.pool.forChunks(touched.size(), ImproveWorkspace::kChunk, [&](std::size_t begin, std::size_t end, std::size_t) {
+        for (std::size_t i = begin; i < end; ++i) {
+            if (work.isFree(touched[i])) {
+                work.renewRing(touched[i]);
             }
         }
-        swaps += inRound;
-        if (inRound == 0) {
-            break;
-        }
-        for (std::uint8_t &o : open) {
-            o = static_cast<std::uint8_t>(o >> 1U);
-        }
-    }
+    });
     return swaps;
 }
 

@@ -7,16 +7,25 @@
 
 namespace forefront {
 
-/// Turns the edge at a side of an element to the other diagonal of its two elements. The side must be swappable and the
-/// new elements positive.
-void turnEdge(ImproveWorkspace &work, std::size_t element, unsigned side);
+/// When an edge is turned.
+struct SwapRule {
+    bool mindValence =
+        false;          ///< also where that brings the valences nearer to 6 and the lesser α stays nearly as it is
+    double floor = 0.0; ///< an element below may be mended at the cost of valences; none falls below
+};
 
-/// Turns the edge if the lesser α of its two elements grows. Exact signs.
-bool turnIfBetter(ImproveWorkspace &work, std::size_t element, unsigned side);
+/// Turns the edge of h to the other diagonal of its two elements, which must be positive. Neighbours, valences and α
+/// follow; the rings of the four nodes are left to the caller.
+void turnEdge(ImproveWorkspace &work, HalfEdge h);
 
-/// Turns edges wherever that raises the lesser α of the two elements and, with `mindValence`, also where it leaves it
-/// nearly as it is (and not below the floor) and brings the valences nearer to 6; then again around the changes, a few
-/// times. Returns the number of swaps.
-std::size_t swapEdges(ImproveWorkspace &work, bool mindValence, const Progress &progress);
+/// The same and renews the rings.
+void turnWithRings(ImproveWorkspace &work, HalfEdge h);
+
+/// True when the edge of h has elements on both sides that may be joined and its nodes can lose and take an element.
+bool mayTurn(const ImproveWorkspace &work, HalfEdge h);
+
+/// Turns edges wherever the rule says so, then again around the changes, a few times. α must be up to date and is
+/// kept so. Looks at the edges in parallel and turns them one by one. Returns the number of swaps.
+std::size_t swapEdges(ImproveWorkspace &work, const SwapRule &rule, const Progress &progress);
 
 } // namespace forefront

@@ -1,69 +1,87 @@
 #include "core/improve/workspace.hpp"
 
 #include "core/geometry/predicates.hpp"
-#include "core/mesh/edge_table.hpp"
+#include "core/improve/join.hpp"
 #include "core/mesh/quality.hpp"
+
+#include <algorithm>
+#include <limits>
 
 namespace forefront {
 
-namespace {
-
-ElementId elementId(HalfEdge h) {
-    return ElementId{static_cast<std::uint32_t>(elementOf(h))};
-}
-
-/// Joins the elements of each edge; edges of the boundary, between regions and those that do not conform are held.
-void joinElements(ImproveWorkspace &work, const EdgeTable &table) {
-    const Mesh &mesh = work.mesh;
-    table.forEach([&](NodeId a, NodeId b, std::span<const HalfEdge> sides) {
-        const bool simple = sides.size() == 2 && startOf(mesh, sides[0]) != startOf(mesh, sides[1]);
-        if (simple) {
-            work.neighbours[elementOf(sides[0])][sideOf(sides[0])] = elementId(sides[1]);
-            work.neighbours[elementOf(sides[1])][sideOf(sides[1])] = elementId(sides[0]);
-        }
-        if (!simple || mesh.region(elementOf(sides[0])) != mesh.region(elementOf(sides[1]))) {
-            work.fixed[index(a)] = work.fixed[index(b)] = 1;
-            for (const HalfEdge h : sides) {
-                work.locked[elementOf(h)] |= static_cast<std::uint8_t>(1U << sideOf(h));
+ImproveWorkspace::ImproveWorkspace(Mesh &improved, ThreadPool &threads)
+    : mesh(improved), pool(threads), twin(3 * mesh.elements.size()), start(mesh.nodes.size(), kNoHalfEdge),
+      fixed(mesh.nodes.size(), 0), valence(mesh.nodes.size(), 0), alpha(mesh.elements.size()),
+      rings(mesh.nodes.size()) {
+    joinElements(*this);
+    pool.forChunks(mesh.nodes.size(), kChunk, [this](std::size_t begin, std::size_t end, std::size_t) {
+        for (std::size_t n = begin; n < end; ++n) {
+            const HalfEdge first = start[n];
+            if (fixed[n] != 0 || first == kNoHalfEdge) {
+                fixed[n] = 1;
+                continue;
+            }
+            // The ring begins at its least half-edge, whichever was noted.
+            HalfEdge least = first;
+            unsigned count = 0;
+            HalfEdge h = first;
+            do {
+                least = std::min(least, h);
+                h = twin[previousSide(h)];
+            } while (h != first && ++count < kMostValence);
+            start[n] = least;
+            if (count >= kMostValence) {
+                fixed[n] = 1;
+            } else {
+                renewRing(NodeId{static_cast<std::uint32_t>(n)});
             }
         }
     });
 }
 
-void holdTagged(ImproveWorkspace &work, const EdgeTable &table) {
-    for (const TaggedEdge &edge : work.mesh.edges) {
-        work.fixed[index(edge.a)] = work.fixed[index(edge.b)] = 1;
-        for (const HalfEdge h : table.find(edge.a, edge.b)) {
-            work.locked[elementOf(h)] |= static_cast<std::uint8_t>(1U << sideOf(h));
+void ImproveWorkspace::renewRing(NodeId n) {
+    Ring &ring = rings[index(n)];
+    unsigned count = 0;
+    aroundFree(n, [&](HalfEdge h) {
+        if (count < kRingNodes) {
+            ring[count] = to(h);
         }
-    }
-    for (const TaggedNode &point : work.mesh.points) {
-        work.fixed[index(point.node)] = 1;
-    }
+        ++count;
+    });
+    valence[index(n)] = static_cast<std::uint8_t>(count);
 }
 
-} // namespace
-
-ImproveWorkspace::ImproveWorkspace(Mesh &improved)
-    : mesh(improved), neighbours(mesh.elements.size(), {kNoElement, kNoElement, kNoElement}),
-      locked(mesh.elements.size(), 0), fixed(mesh.nodes.size(), 0), valence(mesh.nodes.size(), 0) {
-    const EdgeTable table(mesh);
-    joinElements(*this, table);
-    holdTagged(*this, table);
-    for (const Element &element : mesh.elements) {
-        for (const NodeId n : element) {
-            addValence(n, +1);
-        }
-    }
-}
-
-double alphaOf(const Mesh &mesh, std::size_t e) {
+double ImproveWorkspace::alphaOf(std::size_t e) const {
     const Element &n = mesh.elements[e];
-    return shapeFactor(mesh.nodes[index(n[0])], mesh.nodes[index(n[1])], mesh.nodes[index(n[2])]);
+    return shapeFactor(at(n[0]), at(n[1]), at(n[2]));
 }
 
-bool surelyPositive(double alpha, Vec2 a, Vec2 b, Vec2 c) {
-    return alpha > kCertainAlpha || (alpha > -kCertainAlpha && orientation(a, b, c) > 0);
+double ImproveWorkspace::measureAlpha() {
+    pool.forChunks(alpha.size(), kChunk, [this](std::size_t begin, std::size_t end, std::size_t) {
+        for (std::size_t e = begin; e < end; ++e) {
+            alpha[e] = static_cast<float>(alphaOf(e));
+        }
+    });
+    return leastAlpha();
+}
+
+double ImproveWorkspace::leastAlpha() const {
+    if (alpha.empty()) {
+        return 0.0;
+    }
+    // Rounding to float keeps the order but for ties.
+    const float rounded = *std::min_element(alpha.begin(), alpha.end());
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t e = 0; e < alpha.size(); ++e) {
+        if (alpha[e] == rounded) {
+            least = std::min(least, alphaOf(e));
+        }
+    }
+    return least;
+}
+
+bool surelyPositive(double a, Vec2 p, Vec2 q, Vec2 r) {
+    return a > kCertainAlpha || (a > -kCertainAlpha && orientation(p, q, r) > 0);
 }
 
 } // namespace forefront

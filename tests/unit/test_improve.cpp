@@ -1,4 +1,7 @@
+#include "core/domain/domain.hpp"
+#include "core/geometry/predicates.hpp"
 #include "core/improve/improve.hpp"
+#include "core/improve/patches.hpp"
 #include "core/improve/repair.hpp"
 #include "core/improve/smooth.hpp"
 #include "core/improve/swap.hpp"
@@ -6,11 +9,14 @@
 #include "core/mesh/quality.hpp"
 #include "core/mesh/topology.hpp"
 #include "core/mesh/verify.hpp"
+#include "core/spacing/spacing_field.hpp"
 #include "tests/unit/mesh_samples.hpp"
 
 #include <doctest/doctest.h>
 
 #include <map>
+#include <numeric>
+#include <set>
 
 using namespace forefront;
 using samples::node;
@@ -51,7 +57,8 @@ TEST_CASE("improve: keeps a mesh valid, its tags, held nodes, regions and least 
             for (const std::size_t n : {3U, 5U, 12U, 40U}) {
                 const Mesh before = constrainedSquare(n, jitter, offset, ++seed);
                 Mesh mesh = before;
-                const ImproveReport report = improve(mesh);
+                const ImproveReport report =
+                    improve(mesh, {seed % 2 == 0 ? ImproveLevel::Default : ImproveLevel::Best, 2, nullptr});
                 const Diagnostics faults = verify(mesh);
                 REQUIRE_MESSAGE(faults.empty(), samples::list(faults));
                 const double least = measure(mesh, nullptr).alphaMin;
@@ -76,12 +83,14 @@ TEST_CASE("improve: keeps a mesh valid, its tags, held nodes, regions and least 
 }
 
 TEST_CASE("improve: a distorted lattice with diagonals by chance becomes a good mesh") {
-    Mesh mesh = samples::square(60, 60, 0.24);
-    CHECK(measure(mesh, nullptr).alphaGeometricMean < 0.82);
-    improve(mesh);
-    const MeshQuality q = measure(mesh, nullptr);
-    CHECK(q.alphaGeometricMean > 0.965);
-    CHECK(q.alphaMin > 0.7);
+    for (const ImproveLevel level : {ImproveLevel::Default, ImproveLevel::Best}) {
+        Mesh mesh = samples::square(60, 60, 0.24);
+        CHECK(measure(mesh, nullptr).alphaGeometricMean < 0.82);
+        improve(mesh, {level, 1, nullptr});
+        const MeshQuality q = measure(mesh, nullptr);
+        CHECK(q.alphaGeometricMean > 0.96);
+        CHECK(q.alphaMin > 0.7);
+    }
 }
 
 TEST_CASE("improve: improving again does not lower the least α") {
@@ -161,18 +170,70 @@ TEST_CASE("improve: a node with more elements than can be counted stays in place
     CHECK_MESSAGE(verify(mesh).empty(), samples::list(verify(mesh)));
 }
 
-TEST_CASE("turnEdge: neighbours and locks stay those of the mesh") {
+TEST_CASE("ImproveWorkspace: neighbours are those of the mesh, but for edges that are held") {
+    Mesh mesh = constrainedSquare(12, 0.2, {}, 3);
+    ThreadPool pool(1);
+    const ImproveWorkspace work(mesh, pool);
+    const auto expected = elementNeighbours(mesh);
+    std::size_t held = 0;
+    for (HalfEdge h = 0; h < work.twin.size(); ++h) {
+        const ElementId across = expected[elementOf(h)][sideOf(h)];
+        if (work.twin[h] != kNoHalfEdge) {
+            CHECK(index(across) == elementOf(work.twin[h]));
+            CHECK(work.from(work.twin[h]) == work.to(h));
+            CHECK(work.to(work.twin[h]) == work.from(h));
+            CHECK(mesh.region(elementOf(h)) == mesh.region(index(across)));
+        } else if (across != kNoElement) {
+            ++held;
+            CHECK((!work.isFree(work.from(h)) && !work.isFree(work.to(h))));
+        }
+    }
+    CHECK(held == 2 * (12 / 3 + 12)); // the inner line and the interface, from both sides
+}
+
+TEST_CASE(
+    "ImproveWorkspace: rings go once around each free node, counter-clockwise, in the same order for any threads") {
+    Mesh mesh = samples::square(150, 150, 0.2);
+    ThreadPool one(1), three(3);
+    const ImproveWorkspace work(mesh, one), again(mesh, three);
+    CHECK(work.twin == again.twin);
+    CHECK(work.rings == again.rings);
+    CHECK(work.valence == again.valence);
+    const NodeElements around = nodeElements(mesh);
+    for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+        if (!work.isFree(n)) {
+            continue;
+        }
+        REQUIRE(work.valence[n] == around.offsets[n + 1] - around.offsets[n]);
+        for (unsigned k = 0; k < work.valence[n] && work.valence[n] <= ImproveWorkspace::kRingNodes; ++k) {
+            const NodeId a = work.rings[n][k], b = work.rings[n][(k + 1) % work.valence[n]];
+            CHECK(orientation(mesh.nodes[n], work.at(a), work.at(b)) > 0);
+        }
+    }
+}
+
+TEST_CASE("turnEdge: neighbours, valences and rings stay those of the mesh") {
     Mesh mesh = samples::square(12, 12, 0.2);
     mesh.edges.push_back({mesh.elements[100][0], mesh.elements[100][1], 5});
-    ImproveWorkspace work(mesh);
-    const std::size_t swaps = swapEdges(work, false, {});
+    ThreadPool pool(1);
+    ImproveWorkspace work(mesh, pool);
+    work.measureAlpha();
+    const std::size_t swaps = swapEdges(work, {}, {});
     CHECK(swaps > 20);
-    const auto expected = elementNeighbours(mesh);
-    CHECK(work.neighbours == expected);
-    const ImproveWorkspace fresh(mesh);
-    CHECK(work.locked == fresh.locked);
-    CHECK(work.valence == fresh.valence);
+    const ImproveWorkspace fresh(mesh, pool);
+    CHECK(work.twin == fresh.twin);
     CHECK(work.fixed == fresh.fixed);
+    for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+        if (work.isFree(n)) {
+            CHECK(work.valence[n] == fresh.valence[n]);
+            const auto &ring = work.rings[n], &expected = fresh.rings[n];
+            REQUIRE(work.valence[n] <= ImproveWorkspace::kRingNodes);
+            CHECK(std::is_permutation(ring.begin(), ring.begin() + work.valence[n], expected.begin()));
+        }
+    }
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+        CHECK(work.alpha[e] == static_cast<float>(work.alphaOf(e)));
+    }
 }
 
 TEST_CASE("swapEdges: of the two diagonals of a kite the short one is taken, unless it is tagged") {
@@ -180,22 +241,26 @@ TEST_CASE("swapEdges: of the two diagonals of a kite the short one is taken, unl
     mesh.nodes = {{-2, 0}, {0, -0.5}, {2, 0}, {0, 0.5}};
     mesh.elements = {{node(0), node(1), node(2)}, {node(0), node(2), node(3)}};
     Mesh tagged = mesh;
-    ImproveWorkspace work(mesh);
-    CHECK(swapEdges(work, false, {}) == 1);
+    ThreadPool pool(1);
+    ImproveWorkspace work(mesh, pool);
+    work.measureAlpha();
+    CHECK(swapEdges(work, {}, {}) == 1);
     CHECK(EdgeTable(mesh).find(node(1), node(3)).size() == 2);
     tagged.edges = {{node(0), node(2), 1}};
-    ImproveWorkspace held(tagged);
-    CHECK(swapEdges(held, false, {}) == 0);
+    ImproveWorkspace held(tagged, pool);
+    held.measureAlpha();
+    CHECK(swapEdges(held, {}, {}) == 0);
 }
 
 TEST_CASE("NodeSmoother: no element falls below the floor unless it was below and does not lose") {
+    ThreadPool pool(1);
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         Mesh mesh = samples::square(15, 15, 0.24, {}, seed);
-        ImproveWorkspace work(mesh);
-        NodeSmoother smoother(work);
+        ImproveWorkspace work(mesh, pool);
+        NodeSmoother smoother(work, nullptr);
         for (const double floor : {0.0, 0.5, 0.9}) {
             const std::vector<float> before = shapeFactors(mesh);
-            smoother.sweep(floor);
+            smoother.sweep(2, {}, floor, {});
             const std::vector<float> after = shapeFactors(mesh);
             for (std::size_t e = 0; e < after.size(); ++e) {
                 CHECK(after[e] >= std::min(before[e], static_cast<float>(floor)) - 1e-6F);
@@ -204,13 +269,75 @@ TEST_CASE("NodeSmoother: no element falls below the floor unless it was below an
     }
 }
 
-TEST_CASE("repairWorst: raises the least α where smoothing has left it") {
-    Mesh mesh = samples::square(30, 30, 0.24, {}, 11);
-    ImproveWorkspace work(mesh);
-    const double before = measure(mesh, nullptr).alphaMin;
-    const RepairCounts counts = repairWorst(work, 0.8, {});
-    CHECK(counts.moves > 0);
-    CHECK(counts.swaps > 0);
-    CHECK(measure(mesh, nullptr).alphaMin > before + 0.2);
+TEST_CASE("NodeSmoother: edges take the lengths that the spacing wants") {
+    // A lattice of equal columns, wanted twice as wide on the right as on the left.
+    Mesh mesh = samples::square(24, 24);
+    SpacingSpec spec;
+    spec.expression = "(1+x)/36";
+    Domain domain;
+    domain.nodes = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    domain.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+    const auto field = SpacingField::build(spec, domain);
+    REQUIRE(field.ok());
+    const double before = measure(mesh, field->get()).deltaMean;
+    ThreadPool pool(1);
+    ImproveWorkspace work(mesh, pool);
+    NodeSmoother smoother(work, field->get());
+    smoother.sweep(20, {0.0F, 1.0F}, 0.2, {});
     CHECK(verify(mesh).empty());
+    CHECK(measure(mesh, field->get()).deltaMean > before + 0.02);
+}
+
+TEST_CASE("repairWorst: brings elements to the least α and angle asked for where smoothing has left them") {
+    for (const unsigned threads : {1U, 3U}) {
+        Mesh mesh = samples::square(30, 30, 0.24, {}, 11);
+        ThreadPool pool(threads);
+        ImproveWorkspace work(mesh, pool);
+        const double least = work.measureAlpha();
+        const MeshQuality before = measure(mesh, nullptr);
+        const RepairCounts counts = repairWorst(work, {0.75, 32.0, 6}, least, {});
+        const MeshQuality after = measure(mesh, nullptr);
+        CHECK(counts.moves > 0);
+        CHECK(counts.swaps > 0);
+        CHECK(after.alphaMin > before.alphaMin + 0.2);
+        CHECK(after.minAngle > before.minAngle + 8.0);
+        CHECK((counts.left == 0) == (after.alphaMin >= 0.75 && after.minAngle >= 32.0));
+        CHECK(verify(mesh).empty());
+        for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+            CHECK(work.alpha[e] == static_cast<float>(work.alphaOf(e)));
+        }
+    }
+}
+
+TEST_CASE("independentBatches: each element is in one batch; in a batch no two may touch the same nodes") {
+    Mesh mesh = samples::square(20, 20, 0.2);
+    ThreadPool pool(1);
+    const ImproveWorkspace work(mesh, pool);
+    std::vector<std::uint32_t> all(mesh.elements.size());
+    std::iota(all.begin(), all.end(), 0U);
+    const auto batches = independentBatches(work, all);
+    std::vector<int> seen(all.size(), 0);
+    for (const auto &batch : batches) {
+        std::set<NodeId> nodes;
+        for (const std::uint32_t i : batch) {
+            ++seen[i];
+            for (const NodeId n : mesh.elements[all[i]]) {
+                CHECK(nodes.insert(n).second);
+            }
+        }
+    }
+    CHECK(std::count(seen.begin(), seen.end(), 1) == static_cast<std::ptrdiff_t>(seen.size()));
+}
+
+TEST_CASE("improve: one, two, three and eight threads make the same mesh bit for bit") {
+    for (const ImproveLevel level : {ImproveLevel::Default, ImproveLevel::Best}) {
+        const Mesh raw = constrainedSquare(200, 0.24, {3.0, 4.0}, 77);
+        std::set<std::uint64_t> hashes;
+        for (const unsigned threads : {1U, 2U, 3U, 8U}) {
+            Mesh mesh = raw;
+            improve(mesh, {level, threads, nullptr});
+            hashes.insert(meshHash(mesh));
+        }
+        CHECK(hashes.size() == 1);
+    }
 }
