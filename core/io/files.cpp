@@ -106,6 +106,12 @@ Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &op
         [](const Format &format, const SourceText &source) { return format.readMesh(source); });
 }
 
+Result<MeshField> readField(const std::filesystem::path &path, std::string_view name, const ImportOptions &options) {
+    return readFile<MeshField>(
+        path, options, [](const Format &format) { return format.readField != nullptr; },
+        [name](const Format &format, const SourceText &source) { return format.readField(source, name); });
+}
+
 Result<SpacingSpec> readSpacing(const std::filesystem::path &path, const ImportOptions &options) {
     return readFile<SpacingSpec>(
         path, options, [](const Format &format) { return format.readSpacing != nullptr; },

@@ -35,6 +35,14 @@ Result<Document> readDocument(const std::filesystem::path &path, const ImportOpt
 Result<Domain> readDomain(const std::filesystem::path &path, const ImportOptions &options = {});
 /// A mesh: MSH 2.2 or 4.1 (ASCII), VTU, VTK legacy, MEDIT, Abaqus, SU2, Triangle .node/.ele, OBJ.
 Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &options = {});
+/// A mesh with one value per node.
+struct MeshField {
+    Mesh mesh;
+    std::vector<double> values;
+};
+/// A mesh and the nodal values of that name on it: point data of VTU and VTK legacy files, $NodeData of MSH.
+Result<MeshField> readField(const std::filesystem::path &path, std::string_view name,
+                            const ImportOptions &options = {});
 /// Spacing from a background mesh file with nodal values (MSH $NodeData), or the spacing of a project file.
 Result<SpacingSpec> readSpacing(const std::filesystem::path &path, const ImportOptions &options = {});
 

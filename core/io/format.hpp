@@ -23,6 +23,7 @@ struct Format {
     Result<Domain> (*readDomain)(const SourceText &) = nullptr;     ///< null: the domain of its mesh, if it has one
     Result<Mesh> (*readMesh)(const SourceText &) = nullptr;
     Result<SpacingSpec> (*readSpacing)(const SourceText &) = nullptr;
+    Result<MeshField> (*readField)(const SourceText &, std::string_view name) = nullptr;
     void (*writeMesh)(const Mesh &, TextWriter &) = nullptr;
     /// For formats of several files; else null.
     Status (*writeFiles)(const std::filesystem::path &, const Mesh &, const Progress &) = nullptr;

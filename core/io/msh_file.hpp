@@ -10,12 +10,12 @@
 
 namespace forefront {
 
-/// Nodal values of the first $NodeData section with one component.
+/// Nodal values of a $NodeData section with one component.
 struct MshValues {
-    bool given = false;
+    std::string name;
     std::size_t offset = 0;
-    std::vector<double> values; ///< per node
-    std::vector<bool> known;    ///< per node: the section has a value for it
+    std::vector<double> values;                       ///< per node; NaN where the section has none
+    std::size_t notPositive = std::string_view::npos; ///< offset of the first value that is 0 or less
 };
 
 /// Reader of Gmsh MSH 2.2 and 4.1, ASCII. Sections it has no use for are skipped.
@@ -28,7 +28,8 @@ class MshFile {
     const Diagnostics &faults() const { return scanner_.faults(); }
     TextScanner &scanner() { return scanner_; }
     PlanarMeshBuilder &builder() { return builder_; }
-    const MshValues &values() const { return values_; }
+    /// In the order of the file.
+    const std::vector<MshValues> &values() const { return values_; }
 
   private:
     bool readSection(std::string_view name);
@@ -52,7 +53,7 @@ class MshFile {
 
     TextScanner scanner_;
     PlanarMeshBuilder builder_;
-    MshValues values_;
+    std::vector<MshValues> values_;
     bool version4_ = false, formatRead_ = false, nodesRead_ = false, elementsRead_ = false;
     std::map<std::pair<int, std::int64_t>, std::int32_t> physical_; ///< by dimension and entity
     std::vector<std::int64_t> edgeNumbers_, elementNumbers_;        ///< MSH 4.1: as in the file

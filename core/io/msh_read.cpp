@@ -1,7 +1,10 @@
+#include "core/io/mesh_field.hpp"
 #include "core/io/msh_file.hpp"
 #include "core/io/names.hpp"
 #include "core/io/readers.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 
@@ -49,7 +52,7 @@ bool MshFile::readSection(std::string_view name) {
         elementsRead_ = true;
     } else if (name == "Entities" && version4_) {
         done = readEntities4();
-    } else if (name == "NodeData" && !values_.given && nodesRead_) {
+    } else if (name == "NodeData" && nodesRead_) {
         done = readNodeData();
     } else {
         return skipSection(name);
@@ -181,6 +184,8 @@ bool MshFile::readNodeData() {
     const std::size_t place = scanner_.offset();
     std::size_t strings = 0, reals = 0, integers = 0, count = 0;
     std::string_view text;
+    MshValues field;
+    field.offset = place;
     double number = 0.0;
     if (!scanner_.count(strings, 2, {"the number of string tags"})) {
         return false;
@@ -189,6 +194,7 @@ bool MshFile::readNodeData() {
         if (!scanner_.quotedWord(text, {"a string tag"})) {
             return false;
         }
+        field.name = k == 0 ? std::string(text) : field.name;
     }
     if (!scanner_.count(reals, 2, {"the number of real tags"})) {
         return false;
@@ -212,14 +218,12 @@ bool MshFile::readNodeData() {
         }
         components = k == 1 ? tag : components;
     }
-    if (components != 1) {
-        return scanner_.fail(place, "bad-values",
-                             "the nodal values have " + std::to_string(components) + " components, a spacing has one");
+    if (components != 1) { // vectors and tensors: of no use here
+        const std::size_t end = scanner_.source().text.find("\n$EndNodeData", scanner_.offset());
+        scanner_.seek(end == std::string_view::npos ? scanner_.source().text.size() : end);
+        return true;
     }
-    values_.given = true;
-    values_.offset = place;
-    values_.values.resize(builder_.mesh.nodes.size());
-    values_.known.resize(builder_.mesh.nodes.size());
+    field.values.assign(builder_.mesh.nodes.size(), std::numeric_limits<double>::quiet_NaN());
     for (std::size_t k = 0; k < count; ++k) {
         NodeId node = kNoNode;
         if (!builder_.readNodeId(scanner_, node, {"nodal value", k + 1})) {
@@ -230,11 +234,11 @@ bool MshFile::readNodeData() {
             return false;
         }
         if (!(number > 0.0)) {
-            return scanner_.fail(valueOffset, "bad-values", "a spacing must be greater than 0");
+            field.notPositive = std::min(field.notPositive, valueOffset);
         }
-        values_.values[index(node)] = number;
-        values_.known[index(node)] = true;
+        field.values[index(node)] = number;
     }
+    values_.push_back(std::move(field));
     return true;
 }
 
@@ -250,17 +254,33 @@ Result<Mesh> readMsh(const SourceText &source) {
     return file.builder().finish();
 }
 
+Result<MeshField> readMshField(const SourceText &source, std::string_view name) {
+    MshFile file(source);
+    if (!file.read()) {
+        return file.faults();
+    }
+    NamedFields fields;
+    for (const MshValues &field : file.values()) {
+        fields.insert_or_assign(field.name, field.values); // of several time steps the last
+    }
+    return meshWithField(file.builder().finish(), std::move(fields), name, source);
+}
+
 Result<SpacingSpec> readMshSpacing(const SourceText &source) {
     MshFile file(source);
     if (!file.read()) {
         return file.faults();
     }
-    const MshValues &values = file.values();
     TextScanner &scanner = file.scanner();
     const Mesh mesh = file.builder().finish();
-    if (!values.given || mesh.elements.empty()) {
+    if (file.values().empty() || mesh.elements.empty()) {
         scanner.fail(0, "no-values",
                      "the file holds no triangles with nodal values ($NodeData) to take a spacing from");
+        return scanner.faults();
+    }
+    const MshValues &values = file.values().front();
+    if (values.notPositive != std::string_view::npos) {
+        scanner.fail(values.notPositive, "bad-values", "a spacing must be greater than 0");
         return scanner.faults();
     }
     auto background = std::make_shared<BackgroundMesh>();
@@ -271,7 +291,7 @@ Result<SpacingSpec> readMshSpacing(const SourceText &source) {
         std::array<std::uint32_t, 3> corners{};
         for (std::size_t k = 0; k < 3; ++k) {
             corners[k] = static_cast<std::uint32_t>(element[k]);
-            if (!values.known[corners[k]]) {
+            if (std::isnan(values.values[corners[k]])) {
                 scanner.fail(values.offset, "no-values", "some nodes of triangles have no value in $NodeData");
                 return scanner.faults();
             }
@@ -279,8 +299,8 @@ Result<SpacingSpec> readMshSpacing(const SourceText &source) {
         background->elements.push_back(corners);
     }
     // Nodes that no triangle uses have no value; any positive one serves.
-    for (std::size_t n = 0; n < background->nodes.size(); ++n) {
-        background->values[n] = values.known[n] ? background->values[n] : 1.0;
+    for (double &value : background->values) {
+        value = std::isnan(value) ? 1.0 : value;
     }
     SpacingSpec spec;
     spec.background = std::move(background);

@@ -14,15 +14,18 @@ Result<SpacingSpec> readProjectSpacing(const SourceText &source);
 
 Result<Mesh> readMsh(const SourceText &source);
 Result<SpacingSpec> readMshSpacing(const SourceText &source);
+Result<MeshField> readMshField(const SourceText &source, std::string_view name);
 bool looksLikeMsh(std::string_view head);
 void writeMsh2(const Mesh &mesh, TextWriter &out);
 void writeMsh4(const Mesh &mesh, TextWriter &out);
 
 Result<Mesh> readVtu(const SourceText &source);
+Result<MeshField> readVtuField(const SourceText &source, std::string_view name);
 bool looksLikeVtu(std::string_view head);
 void writeVtu(const Mesh &mesh, TextWriter &out);
 
 Result<Mesh> readVtk(const SourceText &source);
+Result<MeshField> readVtkField(const SourceText &source, std::string_view name);
 bool looksLikeVtk(std::string_view head);
 void writeVtk(const Mesh &mesh, TextWriter &out);
 

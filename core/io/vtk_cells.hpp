@@ -26,7 +26,8 @@ struct VtkGrid {
     std::vector<std::int64_t> types;
     std::map<std::string, std::vector<std::int64_t>> cellArrays;
     std::map<std::string, std::vector<std::int64_t>> fields;
-    std::size_t offset = 0; ///< of the cells, for faults
+    std::map<std::string, std::vector<double>> pointArrays; ///< of one component; only where they are asked for
+    std::size_t offset = 0;                                 ///< of the cells, for faults
 };
 
 /// Failures are recorded in the scanner.

@@ -1,3 +1,4 @@
+#include "core/io/mesh_field.hpp"
 #include "core/io/planar_mesh.hpp"
 #include "core/io/readers.hpp"
 #include "core/io/vtk_cells.hpp"
@@ -121,6 +122,8 @@ class VtkReader {
         return mesh;
     }
 
+    std::map<std::string, std::vector<double>> takePointArrays() { return std::move(grid_.pointArrays); }
+
   private:
     bool header() {
         scanner_.skipLine();
@@ -159,6 +162,9 @@ class VtkReader {
         }
         if (word == "SCALARS") {
             return scalars();
+        }
+        if (word == "VECTORS" || word == "NORMALS") {
+            return vectors();
         }
         if (word == "LOOKUP_TABLE") {
             scanner_.skipLine();
@@ -228,17 +234,46 @@ class VtkReader {
         return true;
     }
 
-    /// Numbers of any kind; those that are whole are kept as tags.
-    bool values(std::size_t count, std::vector<std::int64_t> &kept) {
+    /// Numbers of any kind; as tags, those that are whole are kept.
+    template <class Kept>
+    bool values(std::size_t count, std::vector<Kept> &kept) {
         constexpr double kWhole = 1e15;
         double value = 0.0;
         for (std::size_t k = 0; k < count; ++k) {
             if (!scanner_.real(value, {"a value"})) {
                 return false;
             }
-            kept.push_back(value > -kWhole && value < kWhole ? static_cast<std::int64_t>(value) : 0);
+            if constexpr (std::is_integral_v<Kept>) {
+                kept.push_back(value > -kWhole && value < kWhole ? static_cast<Kept>(value) : 0);
+            } else {
+                kept.push_back(value);
+            }
         }
         return true;
+    }
+
+    /// The values of an array after its head, kept where they may be wanted: one component, of points or cells.
+    bool arrayOf(const std::string &name, std::size_t components, std::size_t tuples) {
+        const std::size_t place = scanner_.offset();
+        std::vector<std::int64_t> tags;
+        std::vector<double> reals;
+        const bool ofPoints = items_ > 0 && !inCells_;
+        const bool fits = components == 0 || tuples <= scanner_.remaining() / components + 1;
+        if (!fits || !(ofPoints ? values(components * tuples, reals) : values(components * tuples, tags))) {
+            return scanner_.fail(place, "bad-count", "more values are announced than follow");
+        }
+        if (ofPoints && components == 1) {
+            grid_.pointArrays[name] = std::move(reals);
+        } else if (!ofPoints && (components == 1 || items_ == 0)) {
+            (items_ == 0 ? grid_.fields : grid_.cellArrays)[name] = std::move(tags);
+        }
+        return true;
+    }
+
+    bool vectors() {
+        const std::string name = percentDecoded(scanner_.word());
+        scanner_.word();
+        return arrayOf(name, 3, items_);
     }
 
     bool scalars() {
@@ -251,14 +286,7 @@ class VtkReader {
         if (scanner_.peek() == "LOOKUP_TABLE") {
             scanner_.skipLine();
         }
-        std::vector<std::int64_t> kept;
-        if (components > scanner_.remaining() || !values(items_ * components, kept)) {
-            return scanner_.fail(scanner_.offset(), "bad-count", "more values are announced than follow");
-        }
-        if (inCells_ && components == 1) {
-            grid_.cellArrays[name] = std::move(kept);
-        }
-        return true;
+        return arrayOf(name, components, items_);
     }
 
     bool field() {
@@ -279,12 +307,9 @@ class VtkReader {
             if (type == "string") {
                 return scanner_.fail(place, "unknown-section", "arrays of strings cannot be read");
             }
-            std::vector<std::int64_t> kept;
-            if ((components > 0 && tuples > scanner_.remaining() / components + 1) ||
-                !values(components * tuples, kept)) {
-                return scanner_.fail(place, "bad-count", "more values are announced than follow");
+            if (!arrayOf(name, components, tuples)) {
+                return false;
             }
-            (items_ == 0 ? grid_.fields : inCells_ ? grid_.cellArrays : other_)[name] = std::move(kept);
             if (scanner_.peek() == "METADATA") {
                 section(scanner_.word(), scanner_.offset());
             }
@@ -297,7 +322,6 @@ class VtkReader {
     VtkGrid grid_;
     std::size_t items_ = 0; ///< values of an array in the current CELL_DATA or POINT_DATA; 0: before them
     bool inCells_ = false;
-    std::map<std::string, std::vector<std::int64_t>> other_;
 };
 
 } // namespace
@@ -308,6 +332,15 @@ bool looksLikeVtk(std::string_view head) {
 
 Result<Mesh> readVtk(const SourceText &source) {
     return VtkReader(source).read();
+}
+
+Result<MeshField> readVtkField(const SourceText &source, std::string_view name) {
+    VtkReader reader(source);
+    Result<Mesh> mesh = reader.read();
+    if (!mesh) {
+        return mesh.faults();
+    }
+    return meshWithField(std::move(*mesh), reader.takePointArrays(), name, source);
 }
 
 } // namespace forefront

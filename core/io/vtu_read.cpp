@@ -1,4 +1,5 @@
 #include "core/io/base64.hpp"
+#include "core/io/mesh_field.hpp"
 #include "core/io/planar_mesh.hpp"
 #include "core/io/readers.hpp"
 #include "core/io/vtk_cells.hpp"
@@ -77,7 +78,9 @@ void convert(NumberType type, std::string_view bytes, std::vector<Target> &value
 /// Reads an unstructured grid of one piece; arrays as ASCII, base64 or appended (raw or base64), not compressed.
 class VtuReader {
   public:
-    explicit VtuReader(const SourceText &source) : scanner_(source), text_(source.text) {}
+    /// Point data are read only where they are wanted: those of others may be of kinds that cannot be read.
+    VtuReader(const SourceText &source, bool wantsPointData)
+        : scanner_(source), text_(source.text), wantsPointData_(wantsPointData) {}
 
     Result<Mesh> read() {
         Mesh mesh;
@@ -86,6 +89,8 @@ class VtuReader {
         }
         return mesh;
     }
+
+    std::map<std::string, std::vector<double>> takePointArrays() { return std::move(grid_.pointArrays); }
 
   private:
     static std::size_t offsetOf(const pugi::xml_node &node) {
@@ -147,7 +152,18 @@ class VtuReader {
                 return false;
             }
         }
-        return arrays(piece.child("CellData"), grid_.cellArrays) && arrays(grid.child("FieldData"), grid_.fields);
+        return arrays(piece.child("CellData"), grid_.cellArrays) && arrays(grid.child("FieldData"), grid_.fields) &&
+               (!wantsPointData_ || pointArrays(piece.child("PointData")));
+    }
+
+    bool pointArrays(const pugi::xml_node &parent) {
+        for (const pugi::xml_node node : parent.children("DataArray")) {
+            if (typeOf(node) != NumberType::None && node.attribute("NumberOfComponents").as_int(1) == 1 &&
+                !numbers(node, grid_.pointArrays[node.attribute("Name").value()])) {
+                return false;
+            }
+        }
+        return true;
     }
 
     bool arrays(const pugi::xml_node &parent, std::map<std::string, std::vector<std::int64_t>> &target) {
@@ -311,6 +327,7 @@ class VtuReader {
 
     TextScanner scanner_;
     std::string_view text_;
+    bool wantsPointData_;
     pugi::xml_document xml_;
     pugi::xml_node root_;
     std::string_view appended_;
@@ -326,7 +343,16 @@ bool looksLikeVtu(std::string_view head) {
 }
 
 Result<Mesh> readVtu(const SourceText &source) {
-    return VtuReader(source).read();
+    return VtuReader(source, false).read();
+}
+
+Result<MeshField> readVtuField(const SourceText &source, std::string_view name) {
+    VtuReader reader(source, true);
+    Result<Mesh> mesh = reader.read();
+    if (!mesh) {
+        return mesh.faults();
+    }
+    return meshWithField(std::move(*mesh), reader.takePointArrays(), name, source);
 }
 
 } // namespace forefront

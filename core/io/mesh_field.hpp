@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/io/files.hpp"
+#include "core/io/source.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace forefront {
+
+/// Nodal values with one component by name, as a file holds them; NaN where it says nothing.
+using NamedFields = std::map<std::string, std::vector<double>>;
+
+/// The mesh with the field of that name. Faults: "no-field", which lists the fields there are, and "bad-values" where
+/// there is not one finite value for each node of an element.
+Result<MeshField> meshWithField(Mesh mesh, NamedFields fields, std::string_view name, const SourceText &source);
+
+} // namespace forefront

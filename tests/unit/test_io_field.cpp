@@ -1,0 +1,85 @@
+#include "core/io/readers.hpp"
+#include "tests/unit/io_samples.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+using namespace forefront;
+using namespace forefront::testing;
+
+namespace {
+
+const std::string kMsh = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
+                         "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n$EndNodes\n"
+                         "$Elements\n2\n1 2 2 1 1 1 2 3\n2 2 2 1 1 1 3 4\n$EndElements\n";
+
+std::string nodeData(const char *name, const char *values) {
+    return std::string("$NodeData\n1\n\"") + name + "\"\n1\n0\n3\n0\n1\n4\n" + values + "$EndNodeData\n";
+}
+
+const std::string kVtk = "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+                         "POINTS 3 double\n0 0 0 1 0 0 0 1 0\nCELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n5\n";
+
+const std::string kVtuHead = "<VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid><Piece NumberOfPoints=\"3\" "
+                             "NumberOfCells=\"1\"><PointData>";
+const std::string kVtuTail =
+    "</PointData><Points><DataArray type=\"Float64\" NumberOfComponents=\"3\">0 0 0 1 0 0 0 1 0</DataArray></Points>"
+    "<Cells><DataArray type=\"Int32\" Name=\"connectivity\">0 1 2</DataArray><DataArray type=\"Int32\" "
+    "Name=\"offsets\">3</DataArray><DataArray type=\"UInt8\" Name=\"types\">5</DataArray></Cells>"
+    "</Piece></UnstructuredGrid></VTKFile>";
+
+} // namespace
+
+TEST_CASE("readMshField: by name, of any sign, the last of several time steps") {
+    const std::string text = kMsh + nodeData("heat", "1 -1\n2 0\n3 2.5\n4 7\n") +
+                             nodeData("flow", "1 1\n2 1\n3 1\n4 1\n") + nodeData("heat", "1 5\n2 6\n3 7\n4 -8\n");
+    const auto field = readMshField(sourceOf(text), "heat");
+    REQUIRE_MESSAGE(field.ok(), messages(field.faults()));
+    CHECK(field->values == std::vector<double>{5, 6, 7, -8});
+    CHECK(field->mesh.elements.size() == 2);
+    CHECK(readMshField(sourceOf(text), "flow")->values[2] == 1.0);
+    const auto missing = readMshField(sourceOf(text), "cold");
+    REQUIRE_FALSE(missing.ok());
+    CHECK(hasCode(missing.faults(), "no-field"));
+    CHECK(messages(missing.faults()).find("'heat'") != std::string::npos);
+}
+
+TEST_CASE("readMshField: nodes without a value are refused, values of several components passed over") {
+    CHECK(hasCode(
+        readMshField(sourceOf(kMsh + "$NodeData\n1\n\"h\"\n1\n0\n3\n0\n1\n1\n1 3\n$EndNodeData\n"), "h").faults(),
+        "bad-values"));
+    const std::string vectors = kMsh + "$NodeData\n1\n\"v\"\n1\n0\n3\n0\n3\n1\n1 3 4 5\n$EndNodeData\n";
+    CHECK(readMsh(sourceOf(vectors)).ok());
+    CHECK(hasCode(readMshField(sourceOf(vectors), "v").faults(), "no-field"));
+}
+
+TEST_CASE("readMshSpacing: a value of 0 or less is still refused with its line") {
+    const auto spacing = readMshSpacing(sourceOf(kMsh + nodeData("size", "1 1\n2 0\n3 2\n4 2\n")));
+    REQUIRE_FALSE(spacing.ok());
+    CHECK(hasCode(spacing.faults(), "bad-values"));
+    CHECK(allLocated(spacing.faults()));
+}
+
+TEST_CASE("readVtkField: scalars and fields of points, not of cells") {
+    const std::string text =
+        kVtk + "CELL_DATA 1\nSCALARS heat double 1\nLOOKUP_TABLE default\n9\n" +
+        "POINT_DATA 3\nVECTORS v double\n1 2 3 4 5 6 7 8 9\n" +
+        "SCALARS heat double 1\nLOOKUP_TABLE default\n0.5 -1 2\nFIELD f 1\nflow 1 3 float\n1 2 3\n";
+    const auto heat = readVtkField(sourceOf(text), "heat");
+    REQUIRE_MESSAGE(heat.ok(), messages(heat.faults()));
+    CHECK(heat->values == std::vector<double>{0.5, -1, 2});
+    CHECK(readVtkField(sourceOf(text), "flow")->values == std::vector<double>{1, 2, 3});
+    CHECK(hasCode(readVtkField(sourceOf(text), "v").faults(), "no-field"));
+    CHECK(readVtk(sourceOf(text)).ok());
+}
+
+TEST_CASE("readVtuField: point data by name, with as many values as nodes") {
+    const std::string array = "<DataArray type=\"Float64\" Name=\"heat\">";
+    const auto heat = readVtuField(sourceOf(kVtuHead + array + "0.5 -1 2</DataArray>" + kVtuTail), "heat");
+    REQUIRE_MESSAGE(heat.ok(), messages(heat.faults()));
+    CHECK(heat->values == std::vector<double>{0.5, -1, 2});
+    CHECK(hasCode(readVtuField(sourceOf(kVtuHead + array + "0.5 -1</DataArray>" + kVtuTail), "heat").faults(),
+                  "bad-values"));
+    CHECK(hasCode(readVtuField(sourceOf(kVtuHead + kVtuTail), "heat").faults(), "no-field"));
+}
