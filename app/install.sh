@@ -13,7 +13,7 @@ here=$(cd "$(dirname "$0")/.." && pwd)
 core='g++ cmake ninja-build pkg-config nlohmann-json3-dev libcli11-dev libmuparser-dev libpugixml-dev'
 editor='libimgui-dev python3-glad libglfw3-dev libglm-dev libstb-dev libfreetype-dev libegl-dev libgl-dev libopengl-dev
     libgl1-mesa-dri libegl-mesa0 libglx-mesa0 libstb0 fonts-inter fonts-dejavu-core fonts-font-awesome'
-tests='doctest-dev libboost-dev python3 xvfb xauth xdotool x11-utils imagemagick librsvg2-bin'
+tests='doctest-dev libboost-dev libeigen3-dev python3 xvfb xauth xdotool x11-utils imagemagick librsvg2-bin'
 
 wanted="$core $editor"
 for option in "$@"; do

@@ -1,0 +1,57 @@
+#include "core/adapt/adaptive_meshing.hpp"
+
+#include "core/mesher/pipeline.hpp"
+#include "core/spacing/expression.hpp"
+
+#include <cmath>
+#include <memory>
+
+namespace forefront {
+
+Result<NodalField> expressionField(const std::string &expression) {
+    Result<ExpressionProgram> program = compileExpression(expression);
+    if (!program) {
+        return program.faults();
+    }
+    const auto shared = std::make_shared<const ExpressionProgram>(std::move(*program));
+    return NodalField([shared](const Mesh &mesh) -> Result<std::vector<double>> {
+        std::vector<double> values(mesh.nodes.size());
+        shared->evaluateMany(mesh.nodes, values);
+        for (std::size_t n = 0; n < values.size(); ++n) {
+            if (!std::isfinite(values[n])) {
+                Diagnostics faults = error("expression-value", "the field has no finite value at a node",
+                                           "choose an expression that is finite all over the domain");
+                faults.front().at = mesh.nodes[n];
+                return faults;
+            }
+        }
+        return values;
+    });
+}
+
+Result<AdaptOutcome> adapt(const Domain &domain, Mesh mesh, const NodalField &field, const AdaptTarget &target,
+                           int most, const MeshingOptions &options, const Progress &progress) {
+    AdaptOutcome outcome;
+    outcome.mesh = std::move(mesh);
+    for (int round = 0;; ++round) {
+        const Result<std::vector<double>> values = field(outcome.mesh);
+        if (!values) {
+            return values.faults();
+        }
+        const ErrorEstimate estimate = estimateError(outcome.mesh, *values);
+        outcome.rounds.push_back({outcome.mesh.nodes.size(), outcome.mesh.elements.size(), estimate.relative()});
+        outcome.met = estimate.relative() <= target.error;
+        if (round >= 1 && (outcome.met || round >= most)) {
+            return outcome;
+        }
+        MeshingJob job{domain, adaptedSpacing(outcome.mesh, estimate, target), options};
+        Result<MeshingOutcome> next = meshDomain(job, progress);
+        if (!next) {
+            return next.faults();
+        }
+        outcome.spacing = std::move(job.spacing);
+        outcome.mesh = std::move(next->mesh);
+    }
+}
+
+} // namespace forefront

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/adapt/error_spacing.hpp"
+#include "core/base/progress.hpp"
+#include "core/base/result.hpp"
+#include "core/domain/domain.hpp"
+#include "core/mesher/options.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace forefront {
+
+/// Values at the nodes of a mesh: a formula, or the result of a solver that is run on it.
+using NodalField = std::function<Result<std::vector<double>>(const Mesh &)>;
+
+/// A field from an expression in x and y. Faults: "expression-syntax"; when evaluated: "expression-value" with the
+/// place.
+Result<NodalField> expressionField(const std::string &expression);
+
+/// A mesh on the way and the error of the field on it.
+struct AdaptRound {
+    std::size_t nodes = 0, elements = 0;
+    double error = 0.0; ///< ErrorEstimate::relative()
+};
+
+struct AdaptOutcome {
+    Mesh mesh;
+    SpacingSpec spacing;            ///< of the last round: on the mesh before the last
+    std::vector<AdaptRound> rounds; ///< the given mesh and each that was made
+    bool met = false;               ///< the last estimate is within the target
+};
+
+/// Estimates, remeshes the domain with the spacing that follows, evaluates the field on the new mesh, and so on until
+/// the estimate meets the target; at least one and at most `most` new meshes. Faults: those of the field and of the
+/// mesher, "cancelled".
+Result<AdaptOutcome> adapt(const Domain &domain, Mesh mesh, const NodalField &field, const AdaptTarget &target,
+                           int most, const MeshingOptions &options, const Progress &progress = {});
+
+} // namespace forefront

@@ -1,0 +1,151 @@
+#include "core/adapt/error_spacing.hpp"
+
+#include "core/mesh/topology.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <queue>
+
+namespace forefront {
+
+namespace {
+
+constexpr double kMostRefined = 1.0 / 6.0;
+constexpr double kMostCoarsened = 3.0;
+
+std::vector<double> areasOf(const Mesh &mesh) {
+    std::vector<double> areas;
+    areas.reserve(mesh.elements.size());
+    for (const Element &nodes : mesh.elements) {
+        const Vec2 a = mesh.nodes[index(nodes[0])];
+        areas.push_back(0.5 * cross(mesh.nodes[index(nodes[1])] - a, mesh.nodes[index(nodes[2])] - a));
+    }
+    return areas;
+}
+
+/// Side of the equilateral triangle of this area.
+double sizeOf(double area) {
+    return std::sqrt(4.0 / std::numbers::sqrt3 * area);
+}
+
+/// The spacing that follows from an error per element, see elementSpacing.
+class SpacingLaw {
+  public:
+    SpacingLaw(const Mesh &mesh, const ErrorEstimate &estimate, const AdaptTarget &target)
+        : areas_(areasOf(mesh)), errors_(estimate.elements), target_(target) {}
+
+    double spacing(std::size_t e, double logElementError) const {
+        const double h = sizeOf(areas_[e]);
+        const double factor =
+            errors_[e] > 0.0 ? std::exp(0.5 * (logElementError - std::log(errors_[e]))) : kMostCoarsened;
+        const double wanted = h * std::clamp(factor, kMostRefined, kMostCoarsened);
+        return std::min(std::max(wanted, target_.sizeMin), target_.sizeMax);
+    }
+
+    /// Logarithm of the error per element for which the total meets the wanted one. The square of the total is the sum
+    /// of (h_new/h)²·e² over the old elements, and grows with it: bisection.
+    double solve(double wantedTotal) const {
+        double low = std::log(wantedTotal) - 60.0, high = std::log(wantedTotal) + 10.0;
+        constexpr int kSteps = 60;
+        for (int i = 0; i < kSteps; ++i) {
+            const double middle = 0.5 * (low + high);
+            (totalSquare(middle) > wantedTotal * wantedTotal ? high : low) = middle;
+        }
+        return low;
+    }
+
+  private:
+    double totalSquare(double logElementError) const {
+        double sum = 0.0;
+        for (std::size_t e = 0; e < areas_.size(); ++e) {
+            const double ratio = spacing(e, logElementError) / sizeOf(areas_[e]);
+            sum += ratio * ratio * errors_[e] * errors_[e];
+        }
+        return sum;
+    }
+
+    std::vector<double> areas_;
+    const std::vector<double> &errors_;
+    const AdaptTarget &target_;
+};
+
+} // namespace
+
+std::vector<double> elementSpacing(const Mesh &mesh, const ErrorEstimate &estimate, const AdaptTarget &target) {
+    const SpacingLaw law(mesh, estimate, target);
+    const double wanted = target.error * std::hypot(estimate.norm, estimate.total);
+    const double elementError = wanted > 0.0 ? law.solve(wanted) : 0.0;
+    std::vector<double> spacing(mesh.elements.size());
+    for (std::size_t e = 0; e < spacing.size(); ++e) {
+        spacing[e] = law.spacing(e, elementError);
+    }
+    return spacing;
+}
+
+std::vector<double> nodalSpacing(const Mesh &mesh, std::span<const double> elementSpacing) {
+    const std::vector<double> areas = areasOf(mesh);
+    std::vector<double> area(mesh.nodes.size(), 0.0), density(mesh.nodes.size(), 0.0);
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+        for (const NodeId node : mesh.elements[e]) {
+            area[index(node)] += areas[e];
+            density[index(node)] += areas[e] / (elementSpacing[e] * elementSpacing[e]);
+        }
+    }
+    std::vector<double> spacing(mesh.nodes.size(), 1.0); // of nodes without elements; asked by nobody
+    for (std::size_t n = 0; n < spacing.size(); ++n) {
+        if (density[n] > 0.0) {
+            spacing[n] = std::sqrt(area[n] / density[n]);
+        }
+    }
+    return spacing;
+}
+
+void limitGradation(const Mesh &mesh, double gradation, std::span<double> spacing) {
+    const NodeElements around = nodeElements(mesh);
+    using Entry = std::pair<double, std::uint32_t>;
+    std::vector<Entry> entries;
+    for (std::uint32_t n = 0; n < spacing.size(); ++n) {
+        entries.emplace_back(spacing[n], n);
+    }
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue({}, std::move(entries));
+    while (!queue.empty()) {
+        const auto [value, node] = queue.top();
+        queue.pop();
+        if (value > spacing[node]) {
+            continue; // lowered since
+        }
+        for (std::uint32_t i = around.offsets[node]; i < around.offsets[node + 1]; ++i) {
+            for (const NodeId next : mesh.elements[index(around.elements[i])]) {
+                const double limit = value + gradation * distance(mesh.nodes[node], mesh.nodes[index(next)]);
+                if (limit < spacing[index(next)]) {
+                    spacing[index(next)] = limit;
+                    queue.emplace(limit, static_cast<std::uint32_t>(next));
+                }
+            }
+        }
+    }
+}
+
+SpacingSpec adaptedSpacing(const Mesh &mesh, const ErrorEstimate &estimate, const AdaptTarget &target) {
+    auto background = std::make_shared<BackgroundMesh>();
+    background->nodes = mesh.nodes;
+    background->values = nodalSpacing(mesh, elementSpacing(mesh, estimate, target));
+    limitGradation(mesh, target.gradation, background->values);
+    background->elements.reserve(mesh.elements.size());
+    for (const Element &nodes : mesh.elements) {
+        background->elements.push_back({static_cast<std::uint32_t>(nodes[0]), static_cast<std::uint32_t>(nodes[1]),
+                                        static_cast<std::uint32_t>(nodes[2])});
+    }
+    SpacingSpec spec;
+    spec.background = std::move(background);
+    if (target.sizeMin > 0.0) {
+        spec.minimum = target.sizeMin;
+    }
+    if (target.sizeMax < std::numeric_limits<double>::infinity()) {
+        spec.maximum = target.sizeMax;
+    }
+    return spec;
+}
+
+} // namespace forefront

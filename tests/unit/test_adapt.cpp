@@ -1,0 +1,203 @@
+#include "core/adapt/adaptive_meshing.hpp"
+#include "core/adapt/gradient_recovery.hpp"
+#include "core/adapt/mesh_outline.hpp"
+#include "core/mesh/verify.hpp"
+#include "core/mesher/pipeline.hpp"
+#include "core/tables/power_law.hpp"
+#include "tests/support/poisson.hpp"
+#include "tests/unit/mesh_samples.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace forefront;
+
+namespace {
+
+std::vector<double> valuesOf(const Mesh &mesh, double (*f)(Vec2)) {
+    std::vector<double> values;
+    for (const Vec2 p : mesh.nodes) {
+        values.push_back(f(p));
+    }
+    return values;
+}
+
+Mesh uniformMesh(const Domain &domain, double size) {
+    MeshingJob job;
+    job.domain = domain;
+    job.spacing.size = size;
+    Result<MeshingOutcome> outcome = meshDomain(job);
+    REQUIRE(outcome);
+    return std::move(outcome->mesh);
+}
+
+} // namespace
+
+TEST_CASE("recoverGradient: the gradient of a linear field comes back exactly, also at the boundary") {
+    const Mesh mesh = samples::square(7, 5, 0.2);
+    const std::vector<double> values = valuesOf(mesh, [](Vec2 p) { return 3.0 * p.x - 2.0 * p.y + 1.0; });
+    for (const auto &corners : recoverGradient(mesh, values)) {
+        for (const Vec2 g : corners) {
+            CHECK(distance(g, {3.0, -2.0}) < 1e-10);
+        }
+    }
+    CHECK(estimateError(mesh, values).relative() < 1e-10);
+}
+
+TEST_CASE("recoverGradient: a field that bends is recovered better than by its elements") {
+    const Mesh mesh = samples::square(20, 20, 0.15);
+    const std::vector<double> values = valuesOf(mesh, [](Vec2 p) { return std::sin(3.0 * p.x) * std::exp(p.y); });
+    const CornerGradients recovered = recoverGradient(mesh, values);
+    const std::vector<Vec2> constant = elementGradients(mesh, values);
+    double best = 0.0, plain = 0.0;
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec2 p = mesh.nodes[index(mesh.elements[e][k])];
+            const Vec2 exact{3.0 * std::cos(3.0 * p.x) * std::exp(p.y), std::sin(3.0 * p.x) * std::exp(p.y)};
+            best += lengthSquared(recovered[e][k] - exact);
+            plain += lengthSquared(constant[e] - exact);
+        }
+    }
+    CHECK(best < 0.02 * plain);
+}
+
+TEST_CASE("estimateError: a gradient may jump where regions meet, and nowhere else") {
+    Mesh mesh = samples::square(8, 8);
+    const std::vector<double> values = valuesOf(mesh, [](Vec2 p) { return std::abs(p.x - 0.5); });
+    CHECK(estimateError(mesh, values).relative() > 0.1);
+    for (const Element &element : mesh.elements) {
+        double x = 0.0;
+        for (const NodeId node : element) {
+            x += mesh.nodes[index(node)].x / 3.0;
+        }
+        mesh.regions.push_back(x < 0.5 ? 1 : 2);
+    }
+    CHECK(estimateError(mesh, values).relative() < 1e-10);
+}
+
+TEST_CASE("estimateError: a constant field has no error and asks for no refinement") {
+    const Mesh mesh = samples::square(6, 6, 0.1);
+    const ErrorEstimate estimate = estimateError(mesh, std::vector<double>(mesh.nodes.size(), 4.0));
+    CHECK(estimate.relative() == 0.0);
+    for (const double h : elementSpacing(mesh, estimate, {0.05, 0.0, 1.0, 0.3})) {
+        CHECK(h > 0.15); // of cells of 1/6
+        CHECK(std::isfinite(h));
+    }
+}
+
+TEST_CASE("elementSpacing: equal errors are scaled alike, and the total meets the target") {
+    const Mesh mesh = samples::square(10, 10);
+    ErrorEstimate estimate;
+    estimate.elements.assign(mesh.elements.size(), 0.01);
+    estimate.total = 0.01 * std::sqrt(static_cast<double>(mesh.elements.size()));
+    estimate.norm = std::sqrt(1.0 - estimate.total * estimate.total); // relative error = total
+    const double wanted = 0.5 * estimate.total;
+    const std::vector<double> spacing = elementSpacing(mesh, estimate, {wanted, 0.0, 1e9, 0.3});
+    const double h = std::sqrt(4.0 / std::sqrt(3.0) * 0.5 * 0.01); // half of a cell of 0.1
+    for (const double s : spacing) {
+        CHECK(s == doctest::Approx(0.5 * h).epsilon(1e-6)); // the error falls in proportion to h
+    }
+    for (const double s : elementSpacing(mesh, estimate, {wanted, 0.9 * h, 1e9, 0.3})) {
+        CHECK(s == doctest::Approx(0.9 * h)); // but not below the least size
+    }
+}
+
+TEST_CASE("limitGradation: the largest spacing below the given one that grows slowly enough along every edge") {
+    const Mesh mesh = samples::square(12, 9, 0.2);
+    samples::Random random(5);
+    std::vector<double> given(mesh.nodes.size());
+    for (double &h : given) {
+        h = random(0.01, 2.0);
+    }
+    std::vector<double> limited = given;
+    limitGradation(mesh, 0.4, limited);
+    // Relaxation until nothing changes gives the same.
+    std::vector<double> relaxed = given;
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (const Element &element : mesh.elements) {
+            for (const NodeId a : element) {
+                for (const NodeId b : element) {
+                    const double limit = relaxed[index(a)] + 0.4 * distance(mesh.nodes[index(a)], mesh.nodes[index(b)]);
+                    if (limit < relaxed[index(b)]) {
+                        relaxed[index(b)] = limit;
+                        changed = true;
+                    }
+                }
+            }
+        }
+    }
+    CHECK(limited == relaxed);
+    CHECK(limited != given);
+}
+
+TEST_CASE("outlineOf: nodes that only divide a straight side are dropped, tags and names stay") {
+    const Mesh mesh = samples::square(9, 4, 0.1, {3.0, 7.0});
+    const Result<Domain> domain = outlineOf(mesh);
+    REQUIRE(domain);
+    CHECK(domain->nodes.size() == 4);
+    CHECK(domain->segments.size() == 4);
+    std::set<std::int32_t> tags;
+    for (const DomainSegment &segment : domain->segments) {
+        tags.insert(segment.tag);
+    }
+    CHECK(tags == std::set<std::int32_t>{1, 2, 3, 4});
+    CHECK(domain->boundaryNames == mesh.boundaryNames);
+    Mesh pinned = mesh;
+    pinned.points.push_back({samples::node(4), 7}); // in the middle of the bottom
+    CHECK(outlineOf(pinned)->nodes.size() == 5);
+}
+
+TEST_CASE("adapt: an expression is met round after round, within the limits that are set") {
+    const Result<NodalField> field = expressionField("atan(30*(hypot(x,y)-1))");
+    REQUIRE(field);
+    Domain square;
+    square.nodes = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        square.segments.push_back({i, (i + 1) % 4, 1, SegmentRole::Boundary});
+    }
+    const AdaptTarget target{0.06, 0.0, 0.5, 0.3};
+    const Result<AdaptOutcome> outcome = adapt(square, uniformMesh(square, 0.2), *field, target, 8, {});
+    REQUIRE(outcome);
+    CHECK(outcome->met);
+    CHECK(outcome->rounds.back().error <= 0.06);
+    CHECK(outcome->rounds.back().error > 0.04); // not much finer than needed
+    CHECK(verify(outcome->mesh).empty());
+    const Result<AdaptOutcome> again = adapt(square, uniformMesh(square, 0.2), *field, target, 8, {});
+    CHECK(meshHash(again->mesh) == meshHash(outcome->mesh));
+    CHECK(!expressionField("1+*x"));
+    const Result<AdaptOutcome> infinite =
+        adapt(square, uniformMesh(square, 0.5), *expressionField("1/x"), target, 2, {});
+    REQUIRE(!infinite);
+    CHECK(infinite.faults().front().code == "expression-value");
+}
+
+TEST_CASE("adapt: at a re-entrant corner the energy error falls at the optimal rate, uniform refinement is slower") {
+    using namespace forefront::testing;
+    const Domain domain = lShape();
+    std::vector<Vec2> uniform, adapted; // energy error against degrees of freedom
+    for (const double size : {0.2, 0.1, 0.05, 0.025}) {
+        const Mesh mesh = uniformMesh(domain, size);
+        uniform.push_back({static_cast<double>(mesh.nodes.size()), cornerEnergyError(mesh, solveCornerProblem(mesh))});
+    }
+    const NodalField solver = [](const Mesh &mesh) -> Result<std::vector<double>> { return solveCornerProblem(mesh); };
+    Mesh mesh = uniformMesh(domain, 0.2);
+    for (const double wanted : {0.06, 0.03, 0.015, 0.0075}) {
+        Result<AdaptOutcome> outcome = adapt(domain, std::move(mesh), solver, {wanted, 0.0, 0.5, 0.3}, 5, {});
+        REQUIRE(outcome);
+        CHECK(outcome->met);
+        mesh = std::move(outcome->mesh);
+        const std::vector<double> values = solveCornerProblem(mesh);
+        const double exact = cornerEnergyError(mesh, values);
+        adapted.push_back({static_cast<double>(mesh.nodes.size()), exact});
+        // The estimate tells the error.
+        CHECK(estimateError(mesh, values).total == doctest::Approx(exact).epsilon(0.15));
+    }
+    const auto slow = fitPowerLaw(uniform), fast = fitPowerLaw(adapted);
+    REQUIRE((slow && fast));
+    MESSAGE("slopes: uniform " << slow->exponent << ", adapted " << fast->exponent);
+    CHECK(slow->exponent == doctest::Approx(-1.0 / 3.0).epsilon(0.1));
+    CHECK(fast->exponent == doctest::Approx(-0.5).epsilon(0.1));
+    CHECK(adapted.back().y < 0.3 * uniform.back().y);
+}
