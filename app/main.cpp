@@ -18,6 +18,8 @@ constexpr const char *kUsageText = R"(Forefront: planar triangle meshes by the a
   forefront [FILE]          open the editor, on a project or domain file
   forefront mesh IN -o OUT  mesh a file in batch           (forefront mesh --help)
   forefront check MESH      check a mesh                   (forefront check --help)
+  forefront adapt MESH      remesh to a wanted error       (forefront adapt --help)
+  forefront tables          run the published tables       (forefront tables --help)
   forefront --version       print the version
   forefront --help          print this
 
@@ -59,6 +61,12 @@ int dispatch(int argc, const char *const *argv) {
     }
     if (command == "check") {
         return checkCommand(argc - 1, argv + 1);
+    }
+    if (command == "adapt") {
+        return adaptCommand(argc - 1, argv + 1);
+    }
+    if (command == "tables") {
+        return tablesCommand(argc - 1, argv + 1);
     }
     if (command == "--version") {
         std::printf("forefront %s\n", kVersion);

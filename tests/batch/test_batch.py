@@ -232,6 +232,83 @@ class Refusing(Case):
             self.assertIn("Examples:", self.call(*words).stdout)
 
 
+class Tables(Case):
+    def test_rows_are_run_and_written(self):
+        done = self.call("tables", "--rows", "1a,2A", "--grids", "60x40,hierarchical", "--csv", "t.csv", "--svg",
+                         "t.svg")
+        self.assertEqual(done.stderr, "")
+        for words in ("30384", "44937", "Growth of the cost", "alpha higher by 0.03 or more", "Reading"):
+            self.assertIn(words, done.stdout)
+        head, *lines = [line.split(",") for line in self.read("t.csv").splitlines()]
+        rows = [dict(zip(head, line)) for line in lines]
+        self.assertEqual([(r["row"], r["grid"], r["source"]) for r in rows],
+                         [("1A", "60x40", "Lo"), ("1A", "60x40", "ours"), ("1A", "hierarchical", "ours"),
+                          ("2A", "60x40", "Lo"), ("2A", "60x40", "ours"), ("2A", "hierarchical", "ours")])
+        for published, uniform, hierarchical in (rows[:3], rows[3:]):
+            self.assertEqual(uniform["hash"], hierarchical["hash"])
+            self.assertEqual(uniform["Ne"], hierarchical["Ne"])
+            self.assertGreater(float(uniform["alpha"]), float(published["alpha"]) + 0.03)
+            self.assertGreater(float(uniform["delta"]), float(published["delta"]))
+            self.assertLess(float(uniform["Ns"]), float(published["Ns"]))
+            self.assertLess(float(hierarchical["Nc"]), float(uniform["Nc"]))
+        self.assertIn("hierarchical", self.read("t.svg"))
+
+    def test_wrong_rows_and_grids_are_refused(self):
+        for words in (["--rows", "9Z"], ["--grids", "hexagonal"], ["--grids", "none,none"], ["--rows"]):
+            self.assertNotEqual(self.call("tables", *words, code=2).stderr, "", words)
+        self.assertIn("Examples:", self.call("tables", "--help").stdout)
+
+    def test_interrupt_cancels(self):
+        process = subprocess.Popen([PROGRAM, "tables", "--rows", "2E", "--grids", "none"], cwd=self.path,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        time.sleep(1.0)
+        self.assertIsNone(process.poll(), "finished before it could be cancelled")
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 3)
+
+
+class Adapting(Case):
+    FORMULA = "atan(20*(hypot(x-2,y-1.5)-1.2))"
+
+    def test_an_expression_is_met_and_the_domain_kept(self):
+        self.call("mesh", "plate.poly", "-o", "plate.msh", "--size", "0.4")
+        done = self.call("adapt", "plate.msh", "--expression", self.FORMULA, "--error", "0.1", "-o", "new.vtu",
+                         "--size-max", "0.5")
+        self.assertEqual(done.stderr, "")
+        errors = [float(word) for word in re.findall(r"estimated error ([0-9.]+)", done.stdout)]
+        self.assertGreater(errors[0], 0.1)
+        self.assertLessEqual(errors[-1], 0.1)
+        self.call("check", "new.vtu", "--domain", "plate.poly")
+
+    def test_a_field_of_a_file_gives_one_finer_mesh(self):
+        self.call("mesh", "plate.poly", "-o", "plate.vtk", "--size", "0.3")
+        text = self.read("plate.vtk")
+        count = int(re.search(r"^POINTS (\d+)", text, re.M)[1])
+        numbers = text.split("POINTS")[1].split()[2:2 + 3 * count]
+        places = [(float(numbers[3 * i]), float(numbers[3 * i + 1])) for i in range(count)]
+        values = [math.atan(10 * (math.hypot(x - 2, y - 1.5) - 1.2)) for x, y in places]
+        self.write("solved.vtk", text + f"POINT_DATA {count}\nSCALARS heat double 1\nLOOKUP_TABLE default\n" +
+                   "\n".join(map(repr, values)) + "\n")
+        done = self.call("adapt", "solved.vtk", "--field", "heat", "--error", "0.1", "-o", "new.msh")
+        self.assertIn("solve on the new mesh", done.stdout)
+        elements = [int(word) for word in re.findall(r"(\d+) elements", done.stdout)]
+        self.assertEqual(len(elements), 2)
+        self.assertGreater(elements[1], elements[0])
+        self.call("check", "new.msh", "--domain", "plate.poly")
+        self.assertIn("'heat'", self.call("adapt", "solved.vtk", "--field", "cold", "--error", "0.1", "-o", "new.msh",
+                                          code=1).stderr)
+
+    def test_wrong_usage_is_refused(self):
+        self.call("mesh", "plate.poly", "-o", "plate.msh")
+        adapt = ["adapt", "plate.msh", "-o", "new.msh", "--error", "0.1"]
+        for words in (adapt, [*adapt, "--expression", "x", "--field", "u"], [*adapt[:4], "--expression", "x"],
+                      [*adapt, "--expression", "1+*x"], [*adapt, "--expression", "x", "-o", "new.unknown"]):
+            self.assertNotEqual(self.call(*words, code=2).stderr, "", words)
+        self.call("adapt", "missing.msh", "--expression", "x", "--error", "0.1", "-o", "new.msh", code=1)
+        self.assertIn("Examples:", self.call("adapt", "--help").stdout)
+
+
 class RealDomains(Case):
     def test_every_file_meshes_by_default_and_with_its_boundary_kept(self):
         data = os.environ.get("FOREFRONT_DATA")

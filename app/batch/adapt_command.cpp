@@ -1,0 +1,227 @@
+#include "app/batch/commands.hpp"
+#include "app/batch/exit_code.hpp"
+#include "app/batch/interrupt.hpp"
+#include "app/batch/progress_bar.hpp"
+#include "core/adapt/adaptive_meshing.hpp"
+#include "core/adapt/mesh_outline.hpp"
+#include "core/io/files.hpp"
+#include "core/mesh/verify.hpp"
+#include "core/mesher/pipeline.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace forefront {
+
+namespace {
+
+constexpr const char *kExamples = R"help(
+The error is that of the gradient, estimated after Zienkiewicz and Zhu and divided by the norm of the gradient: 0.05 is
+5 %. A field of a file is known on that mesh alone: one new mesh is made; solve on it again and repeat. An expression is
+evaluated on each new mesh until the estimate meets the wanted error.
+
+Examples:
+  forefront adapt plate.vtu --field temperature --error 0.05 -o finer.msh
+        a mesh on which the error of the point data "temperature" should be 5 %
+  forefront adapt plate.msh --expression "atan(20*(x*x+y*y-1))" --error 0.02 --size-min 0.001 -o adapted.msh
+        round after round until the interpolation of the formula is within 2 %
+
+Exit codes: 0 done, 1 the input is refused (faults on stderr, one a line), 2 wrong usage, 3 cancelled.)help";
+
+struct AdaptArguments {
+    std::filesystem::path mesh;
+    std::optional<std::string> field, expression;
+    AdaptTarget target;
+    int rounds = 8;
+    std::optional<std::filesystem::path> domain;
+    std::vector<std::filesystem::path> outputs;
+    bool quiet = false;
+};
+
+void printRound(const AdaptArguments &arguments, std::size_t round, std::size_t nodes, std::size_t elements,
+                std::optional<double> error) {
+    if (!arguments.quiet) {
+        std::printf("mesh %zu: %zu nodes, %zu elements", round, nodes, elements);
+        if (error) {
+            std::printf(", estimated error %.4f", *error);
+        }
+        std::printf("\n");
+    }
+}
+
+/// Mesh and, with --field, its values; refused where it is no valid mesh.
+Result<MeshField> readInput(const AdaptArguments &arguments) {
+    MeshField input;
+    if (arguments.field) {
+        Result<MeshField> read = readField(arguments.mesh, *arguments.field);
+        if (!read) {
+            return read.faults();
+        }
+        input = std::move(*read);
+    } else {
+        Result<Mesh> read = readMesh(arguments.mesh);
+        if (!read) {
+            return read.faults();
+        }
+        input.mesh = std::move(*read);
+    }
+    if (input.mesh.elements.empty()) {
+        return error("empty-mesh", arguments.mesh.string() + " holds no triangles");
+    }
+    Diagnostics faults = verify(input.mesh);
+    if (hasErrors(faults)) {
+        return faults;
+    }
+    return input;
+}
+
+/// One round: what the solver says of the next mesh is not known here.
+Result<Mesh> adaptToField(const AdaptArguments &arguments, const Domain &domain, const MeshField &input,
+                          const Progress &progress) {
+    const ErrorEstimate estimate = estimateError(input.mesh, input.values);
+    printRound(arguments, 0, input.mesh.nodes.size(), input.mesh.elements.size(), estimate.relative());
+    const MeshingJob job{domain, adaptedSpacing(input.mesh, estimate, arguments.target), {}};
+    Result<MeshingOutcome> outcome = meshDomain(job, progress);
+    if (!outcome) {
+        return outcome.faults();
+    }
+    printRound(arguments, 1, outcome->mesh.nodes.size(), outcome->mesh.elements.size(), std::nullopt);
+    if (!arguments.quiet) {
+        std::printf("now solve on the new mesh; if the error is still too large there, adapt again\n");
+    }
+    return std::move(outcome->mesh);
+}
+
+Result<Mesh> adaptToExpression(const AdaptArguments &arguments, const Domain &domain, Mesh mesh,
+                               const Progress &progress) {
+    const Result<NodalField> field = expressionField(*arguments.expression);
+    if (!field) {
+        return field.faults();
+    }
+    Result<AdaptOutcome> outcome =
+        adapt(domain, std::move(mesh), *field, arguments.target, arguments.rounds, {}, progress);
+    if (!outcome) {
+        return outcome.faults();
+    }
+    for (std::size_t i = 0; i < outcome->rounds.size(); ++i) {
+        const AdaptRound &round = outcome->rounds[i];
+        printRound(arguments, i, round.nodes, round.elements, round.error);
+    }
+    if (!outcome->met) {
+        std::fprintf(stderr, "warning: the wanted error is not met; allow more rounds%s\n",
+                     arguments.target.sizeMin > 0.0 ? " or a smaller --size-min" : "");
+    }
+    return std::move(outcome->mesh);
+}
+
+bool isSyntax(const Diagnostics &faults) {
+    return std::any_of(faults.begin(), faults.end(), [](const Diagnostic &d) { return d.code == "expression-syntax"; });
+}
+
+int refuse(const Diagnostics &faults, const InterruptWatch &interrupt) {
+    if (interrupt.interrupted()) {
+        std::fputs("cancelled\n", stderr);
+        return kCancelled;
+    }
+    printFaults(faults);
+    return isSyntax(faults) ? kUsage : kRefused;
+}
+
+int runAdapt(const AdaptArguments &arguments) {
+    const InterruptWatch interrupt;
+    ProgressBar bar(!arguments.quiet);
+    Progress progress;
+    progress.stop = interrupt.token();
+    progress.report = [&bar](std::string_view stage, double fraction) { bar.show(stage, fraction); };
+    Result<MeshField> input = readInput(arguments);
+    if (!input) {
+        return refuse(input.faults(), interrupt);
+    }
+    const Result<Domain> domain = arguments.domain ? readDomain(*arguments.domain) : outlineOf(input->mesh);
+    if (!domain) {
+        return refuse(domain.faults(), interrupt);
+    }
+    const Result<Mesh> mesh = arguments.field ? adaptToField(arguments, *domain, *input, progress)
+                                              : adaptToExpression(arguments, *domain, std::move(input->mesh), progress);
+    bar.clear();
+    if (!mesh) {
+        return refuse(mesh.faults(), interrupt);
+    }
+    for (const std::filesystem::path &path : arguments.outputs) {
+        const Status written = writeMesh(path, *mesh, {}, progress);
+        bar.clear();
+        if (hasErrors(written)) {
+            return refuse(written, interrupt);
+        }
+        if (!arguments.quiet) {
+            std::printf("wrote %s\n", path.string().c_str());
+        }
+    }
+    return kDone;
+}
+
+bool writable(const std::filesystem::path &path) {
+    const auto formats = fileFormats();
+    return std::any_of(formats.begin(), formats.end(), [&](const FileFormat &format) {
+        return format.writesMesh && path.extension() == format.extension;
+    });
+}
+
+} // namespace
+
+int adaptCommand(int argc, const char *const *argv) {
+    AdaptArguments arguments;
+    CLI::App app("Makes a mesh on which a field is as exact as wanted, with as few elements as possible.",
+                 "forefront adapt");
+    app.footer(kExamples);
+    app.add_option("MESH", arguments.mesh, "mesh file; with --field one that holds nodal values: .vtu, .vtk, .msh")
+        ->required();
+    auto *field = app.add_option_group("Field", "exactly one");
+    field->add_option("--field", arguments.field, "nodal values of the file by their name")->type_name("NAME");
+    field->add_option("--expression", arguments.expression, "a field as an expression in x and y")->type_name("EXPR");
+    field->require_option(1);
+    app.add_option("--error", arguments.target.error, "wanted error of the gradient, as a part of its norm: 0 to 1")
+        ->required()
+        ->check(CLI::Range(1e-9, 1.0))
+        ->type_name("E");
+    app.add_option("-o,--output", arguments.outputs, "mesh to write; the extension tells the format; repeatable")
+        ->required()
+        ->allow_extra_args(false)
+        ->type_name("OUT");
+    app.add_option("--rounds", arguments.rounds, "with --expression: at most so many new meshes (default 8)")
+        ->check(CLI::Range(1, 100))
+        ->type_name("N");
+    app.add_option("--size-min", arguments.target.sizeMin, "no edges much shorter than this")
+        ->check(CLI::PositiveNumber)
+        ->type_name("H");
+    app.add_option("--size-max", arguments.target.sizeMax, "nor longer than this")
+        ->check(CLI::PositiveNumber)
+        ->type_name("H");
+    app.add_option("--gradation", arguments.target.gradation,
+                   "greatest change of edge length per unit of distance (default 0.3)")
+        ->check(CLI::PositiveNumber)
+        ->type_name("G");
+    app.add_option("--domain", arguments.domain, "domain to mesh; else what the mesh covers, with its tags")
+        ->type_name("IN");
+    app.add_flag("-q,--quiet", arguments.quiet, "no progress and no summary");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError &error) {
+        return app.exit(error) == 0 ? kDone : kUsage;
+    }
+    for (const std::filesystem::path &path : arguments.outputs) {
+        if (!writable(path)) {
+            std::fprintf(stderr, "forefront adapt: -o %s: no format has this extension\n", path.string().c_str());
+            return kUsage;
+        }
+    }
+    return runAdapt(arguments);
+}
+
+} // namespace forefront

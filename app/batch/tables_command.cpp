@@ -1,0 +1,134 @@
+#include "app/batch/commands.hpp"
+#include "app/batch/exit_code.hpp"
+#include "app/batch/interrupt.hpp"
+#include "app/batch/progress_bar.hpp"
+#include "core/io/files.hpp"
+#include "core/tables/table_report.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace forefront {
+
+namespace {
+
+constexpr const char *kExamples = R"(
+Examples:
+  forefront tables
+        every row with every grid, published figures beside ours; several minutes, most of them without grid
+  forefront tables --rows 1A,2A --grids none,60x40,hierarchical
+        two small rows
+  forefront tables --csv tables.csv --svg times.svg
+        the same figures as CSV, and a drawing of time against elements
+
+Exit codes: 0 done, 1 a grid has changed a mesh or a file cannot be written, 2 wrong usage, 3 cancelled.)";
+
+struct TablesArguments {
+    std::vector<TableCase> rows;
+    std::vector<TableGrid> grids;
+    std::optional<std::filesystem::path> csv, svg;
+};
+
+int wrongUsage(const std::string &message) {
+    std::fprintf(stderr, "forefront tables: %s\nRun with --help for more information.\n", message.c_str());
+    return kUsage;
+}
+
+/// What is wrong with the lists; empty if nothing.
+std::string parseLists(const std::vector<std::string> &rows, const std::vector<std::string> &grids,
+                       TablesArguments &arguments) {
+    for (const std::string &name : rows) {
+        const TableCase *row = tableCase(name);
+        if (row == nullptr) {
+            return "--rows: '" + name + "' is none of 1A to 1E, 2A to 2E, 3, 4";
+        }
+        arguments.rows.push_back(*row);
+    }
+    for (const std::string &name : grids) {
+        const auto grid = parseTableGrid(name);
+        if (!grid) {
+            return "--grids: '" + name + "' is none of none, COLUMNSxROWS, hierarchical";
+        }
+        const auto same = [&](const TableGrid &other) { return other.name == grid->name; };
+        if (std::any_of(arguments.grids.begin(), arguments.grids.end(), same)) {
+            return "--grids: '" + name + "' is given twice";
+        }
+        arguments.grids.push_back(*grid);
+    }
+    if (arguments.rows.empty()) {
+        arguments.rows.assign(tableCases().begin(), tableCases().end());
+    }
+    return {};
+}
+
+int refuse(const Diagnostics &faults, const InterruptWatch &interrupt) {
+    if (interrupt.interrupted()) {
+        std::fputs("cancelled\n", stderr);
+        return kCancelled;
+    }
+    printFaults(faults);
+    return kRefused;
+}
+
+int runTables(const TablesArguments &arguments) {
+    const InterruptWatch interrupt;
+    ProgressBar bar(true);
+    Progress progress;
+    progress.stop = interrupt.token();
+    progress.report = [&bar](std::string_view stage, double fraction) { bar.show(stage, fraction); };
+    std::vector<RowFigures> rows;
+    std::fputs(tableHead().c_str(), stdout);
+    for (const TableCase &row : arguments.rows) {
+        Result<RowFigures> figures = runTableRow(row, arguments.grids, progress);
+        bar.clear();
+        if (!figures) {
+            return refuse(figures.faults(), interrupt);
+        }
+        std::fputs(tableLines(*figures).c_str(), stdout);
+        std::fflush(stdout);
+        rows.push_back(std::move(*figures));
+    }
+    std::fputs(tableNotes(rows).c_str(), stdout);
+    const auto write = [](const std::optional<std::filesystem::path> &path, const std::string &text) {
+        return path ? writeFileAtomically(*path, text) : Status{};
+    };
+    Status written = write(arguments.csv, tableCsv(rows));
+    if (!hasErrors(written)) {
+        written = write(arguments.svg, toSvg(tablePlot(rows)));
+    }
+    return hasErrors(written) ? refuse(written, interrupt) : static_cast<int>(kDone);
+}
+
+} // namespace
+
+int tablesCommand(int argc, const char *const *argv) {
+    TablesArguments arguments;
+    std::vector<std::string> rows;
+    std::vector<std::string> grids{"none", "30x20", "60x40", "hierarchical"};
+    CLI::App app("Runs the published cases of S. H. Lo's advancing front tables by the classic method.",
+                 "forefront tables");
+    app.footer(kExamples);
+    app.add_option("--rows", rows, "rows to run, separated by commas: 1A to 1E, 2A to 2E, 3, 4; else all")
+        ->delimiter(',')
+        ->type_name("ROWS");
+    app.add_option("--grids", grids, "background grids: none, COLUMNSxROWS, hierarchical; else none and all three")
+        ->delimiter(',')
+        ->type_name("GRIDS");
+    app.add_option("--csv", arguments.csv, "write the figures as CSV")->type_name("FILE");
+    app.add_option("--svg", arguments.svg, "draw time against elements")->type_name("FILE");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError &error) {
+        return app.exit(error) == 0 ? kDone : kUsage;
+    }
+    const std::string wrong = parseLists(rows, grids, arguments);
+    return wrong.empty() ? runTables(arguments) : wrongUsage(wrong);
+}
+
+} // namespace forefront
