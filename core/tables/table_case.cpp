@@ -70,7 +70,8 @@ const TableCase *tableCase(std::string_view row) {
 Result<MeshingJob> tableJob(const TableCase &row, const Progress &) {
     MeshingJob job;
     job.options.keepBoundary = true;
-    job.options.improve = false;
+    job.options.method = Method::Classic;
+    job.options.improve = ImproveLevel::None;
     job.domain = rectangle();
     job.spacing.expression = spacingExpression(row);
     return job;

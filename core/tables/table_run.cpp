@@ -87,7 +87,7 @@ void describeMesh(Mesh mesh, const PreparedJob &prepared, const Progress &progre
     figures.deltaRaw = raw.deltaMean;
     figures.expectedElements = integralOfDensity(mesh, *prepared.spacing);
     CpuClock clock;
-    improve(mesh, {}, progress);
+    improve(mesh, {.level = ImproveLevel::Default, .threads = 1, .spacing = prepared.spacing.get()}, progress);
     figures.secondsImprove = clock.lap();
     const MeshQuality improved = measure(mesh, prepared.spacing.get());
     figures.alphaImproved = improved.alphaMean;
