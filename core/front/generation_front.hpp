@@ -11,6 +11,7 @@
 namespace forefront {
 
 struct DiscreteDomain;
+struct FrontPart;
 
 /// What the base order knows of a segment of Γ.
 struct SegmentMark {
@@ -38,6 +39,8 @@ struct alignas(64) FrontSlot {
 /// including slot ids and serials.
 class GenerationFront {
   public:
+    /// Γ = ∅.
+    GenerationFront() = default;
     /// Γ := B. Every side of a discrete segment that borders the domain becomes a front segment.
     explicit GenerationFront(const DiscreteDomain &boundary);
 
@@ -88,6 +91,12 @@ class GenerationFront {
     void setRho(SlotId id, double rho) { slots_[index(id)].rho = rho; }
     void setFailureClass(SlotId id, std::uint32_t failureClass) { slots_[index(id)].mark.failureClass = failureClass; }
 
+    /// The part of Γ that comes near the box.
+    FrontPart part(const Box2 &box) const;
+    /// Takes over a part that has changed inside `box` alone: no link of a slot outside it has. Its nodes from
+    /// `firstNew` on get ids greater by `shift`.
+    void adopt(const FrontPart &part, const Box2 &box, std::uint32_t firstNew, std::uint32_t shift);
+
     /// True if the direction from the node of s to p lies strictly inside the free angle of s (exact).
     bool insideAngle(SlotId s, Vec2 p) const;
 
@@ -107,6 +116,14 @@ class GenerationFront {
     std::vector<SlotId> free_;
     std::size_t segments_ = 0;
     std::uint32_t nextSerial_ = 0;
+};
+
+/// Segments and isolated points of Γ in some region, with the slots of their ends; links that lead out of it are
+/// kNoSlot.
+struct FrontPart {
+    GenerationFront front;
+    std::vector<SlotId> origin; ///< per slot that was taken over: where it comes from, rising
+    std::size_t segments = 0;   ///< taken over
 };
 
 } // namespace forefront

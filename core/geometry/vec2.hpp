@@ -101,4 +101,13 @@ constexpr Box2 boxAround(Vec2 centre, double radius) {
     return {{centre.x - radius, centre.y - radius}, {centre.x + radius, centre.y + radius}};
 }
 
+/// True if `inner` lies in `outer`, whose upper limits do not belong to it: so neighbours share nothing.
+constexpr bool holds(const Box2 &outer, const Box2 &inner) {
+    return outer.min.x <= inner.min.x && inner.max.x < outer.max.x && outer.min.y <= inner.min.y &&
+           inner.max.y < outer.max.y;
+}
+constexpr bool holds(const Box2 &outer, Vec2 p) {
+    return outer.min.x <= p.x && p.x < outer.max.x && outer.min.y <= p.y && p.y < outer.max.y;
+}
+
 } // namespace forefront

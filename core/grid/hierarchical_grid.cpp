@@ -12,7 +12,7 @@ constexpr int kMostCells = 16;
 
 } // namespace
 
-HierarchicalGrid::HierarchicalGrid(const Box2 &bounds) : slack_(gridSlack(bounds)) {
+HierarchicalGrid::HierarchicalGrid(const Box2 &bounds, double slack) : slack_(slack) {
     const Vec2 size = bounds.size();
     const double cellSize = std::max(std::max(size.x, size.y) / kTopCells, 64.0 * slack_);
     const auto cellsAlong = [&](double extent) {

@@ -16,7 +16,8 @@ class HierarchicalGrid {
   public:
     static constexpr std::string_view kName = "hierarchical";
 
-    explicit HierarchicalGrid(const Box2 &bounds);
+    /// `slack`: at least gridSlack() of all that will be inserted.
+    HierarchicalGrid(const Box2 &bounds, double slack);
 
     void insert(const GenerationFront &front, SlotId id);
     void remove(const GenerationFront &front, SlotId id);

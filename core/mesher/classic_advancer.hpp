@@ -25,7 +25,9 @@ class ClassicAdvancer {
         : state_(state), search_(state, grid, spacing, slack, trace), update_(state, grid, nullptr), trace_(trace) {}
 
     /// Makes the state of a run that begins.
-    static void prepare(FrontState &state, const SpacingField &) { state.order.rebuild(state.front); }
+    static void prepare(FrontState &state, const DiscreteDomain &, const SpacingField &) {
+        state.order.rebuild(state.front);
+    }
 
     /// Performs steps 2 to 9 once. False when Γ = ∅ (step 10).
     bool advance(AdvanceDelta &delta);

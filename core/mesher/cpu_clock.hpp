@@ -1,13 +1,17 @@
 #pragma once
 
+#include <cstdint>
 #include <ctime>
 
 namespace forefront {
 
-/// CPU time of the calling thread.
+/// CPU time of the calling thread, or of all threads of the program.
 class CpuClock {
   public:
-    CpuClock() : start_(now()) {}
+    enum class Of : std::uint8_t { Thread, Program };
+
+    explicit CpuClock(Of of = Of::Thread)
+        : id_(of == Of::Thread ? CLOCK_THREAD_CPUTIME_ID : CLOCK_PROCESS_CPUTIME_ID), start_(now()) {}
     /// Seconds since construction or the last lap.
     double lap() {
         const double end = now();
@@ -17,12 +21,13 @@ class CpuClock {
     }
 
   private:
-    static double now() {
+    double now() const {
         timespec time{};
-        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+        clock_gettime(id_, &time);
         return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
     }
 
+    clockid_t id_;
     double start_;
 };
 

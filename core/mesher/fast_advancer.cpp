@@ -45,11 +45,14 @@ void offerAll(WalkOrder &order, const GenerationFront &front, const Box2 &box) {
 }
 
 template <class Grid, class Trace>
-void FastAdvancer<Grid, Trace>::prepare(FrontState &state, const SpacingField &spacing) {
+void FastAdvancer<Grid, Trace>::prepare(FrontState &state, const DiscreteDomain &boundary, const SpacingField &spacing,
+                                        double perStrip) {
+    state.regions = std::make_shared<const FrontRegions>(boundary, spacing, perStrip);
     GenerationFront &front = state.front;
     for (std::uint32_t i = 0; i < front.capacity(); ++i) {
         front.setRho(SlotId{i}, spacing.at(front.start(SlotId{i})));
     }
+    state.regionEnd = static_cast<std::uint32_t>(state.regions->boxes.size());
     state.walkOrder.clear();
     offerAll(state.walkOrder, front, state.regions->boxes.front());
 }
@@ -75,7 +78,7 @@ SlotId FastAdvancer<Grid, Trace>::nextBase() {
         trace_.out.walked = false;
     }
     SlotId base = state_.walkOrder.take(state_.front);
-    while (base == kNoSlot && !state_.regions->last(state_.region)) {
+    while (base == kNoSlot && state_.region + 1 < state_.regionEnd) {
         ++state_.region;
         offerAll(state_.walkOrder, state_.front, state_.regions->boxes[state_.region]);
         base = state_.walkOrder.take(state_.front);
@@ -153,6 +156,10 @@ template <class Grid, class Trace>
 bool FastAdvancer<Grid, Trace>::trySimple(const Base &base, AdvanceDelta &delta, Vec2 &apex) {
     const GenerationFront &front = state_.front;
     const SlotId before = front.prev(base.slotA), after = front.next(base.slotB);
+    const Box2 *limit = limits();
+    if (limit != nullptr && !(holds(*limit, front.start(before)) && holds(*limit, front.start(after)))) {
+        return false; // beyond the nodes of a region its part of Γ may end
+    }
     if (after == before || front.next(after) == before || state_.front[base.slotA].mark.failureClass > 0) {
         return false; // the last three or four segments of a loop
     }

@@ -19,7 +19,8 @@ class FastAdvancer {
           update_(state, grid, &spacing), trace_(trace), spacing_(spacing) {}
 
     /// Makes the state of a run that begins: the node spacing at the nodes of Γ and the bases of the first region.
-    static void prepare(FrontState &state, const SpacingField &spacing);
+    static void prepare(FrontState &state, const DiscreteDomain &boundary, const SpacingField &spacing,
+                        double perStrip = FrontRegions::kPerStrip);
 
     /// Makes one to three elements, or puts a base back. False when there is no base left in any region: Γ = ∅.
     bool advance(AdvanceDelta &delta);

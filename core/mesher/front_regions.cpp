@@ -1,12 +1,144 @@
 #include "core/mesher/front_regions.hpp"
 
+#include "core/domain/estimate.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace forefront {
 
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kLeastStrips = 8.0; ///< with fewer, one thread is soon done with all
+constexpr double kMostStrips = 16.0; ///< enough for any number of threads
+
+/// How the elements to come are spread along the longer side of a box: ∫ dA/ρ², by cells that are quartered where ρ
+/// differs much. Strips may be uneven where small spacing hides from the samples; that costs time, nothing else.
+class ElementProfile {
+  public:
+    ElementProfile(const Box2 &box, const SpacingField &spacing) : box_(box), spacing_(spacing) {
+        constexpr int kColumns = 64;
+        constexpr int kDepth = 5;
+        const Vec2 size = box.size();
+        along_ = size.x >= size.y ? 0 : 1;
+        const double cell = std::max(size.x, size.y) / kColumns;
+        const auto cells = [&](double extent) { return std::max(1, static_cast<int>(std::round(extent / cell))); };
+        const int columns = cells(size.x), rows = cells(size.y);
+        const Vec2 half{0.5 * size.x / columns, 0.5 * size.y / rows};
+        for (int j = 0; j < rows; ++j) {
+            for (int i = 0; i < columns; ++i) {
+                const Vec2 centre{box.min.x + (2 * i + 1) * half.x, box.min.y + (2 * j + 1) * half.y};
+                add(centre, half, spacing_.at(centre), kDepth);
+            }
+        }
+    }
+
+    /// Places that cut the side into `strips` with equal shares, rising; ends not among them.
+    std::vector<double> cuts(int strips) const {
+        double sum = 0.0;
+        for (const double share : shares_) {
+            sum += share;
+        }
+        std::vector<double> cuts;
+        double before = 0.0;
+        for (std::size_t k = 0; k < shares_.size(); ++k) {
+            const double after = before + shares_[k];
+            for (double wanted = sum * static_cast<double>(cuts.size() + 1) / strips;
+                 static_cast<int>(cuts.size()) + 1 < strips && after >= wanted && shares_[k] > 0.0;
+                 wanted = sum * static_cast<double>(cuts.size() + 1) / strips) {
+                const double part = (static_cast<double>(k) + (wanted - before) / shares_[k]) / kBins;
+                cuts.push_back(low() + part * extent());
+            }
+            before = after;
+        }
+        return cuts;
+    }
+
+    bool alongX() const { return along_ == 0; }
+
+  private:
+    static constexpr std::size_t kBins = 2048;
+
+    double low() const { return alongX() ? box_.min.x : box_.min.y; }
+    double extent() const { return alongX() ? box_.size().x : box_.size().y; }
+
+    void add(Vec2 centre, Vec2 half, double rho, int depth) {
+        std::array<Vec2, 4> centres{};
+        std::array<double, 4> rhos{};
+        double least = rho, greatest = rho;
+        for (unsigned k = 0; k < 4; ++k) {
+            centres[k] = centre + Vec2{(k % 2 != 0 ? 0.5 : -0.5) * half.x, (k / 2 != 0 ? 0.5 : -0.5) * half.y};
+            rhos[k] = spacing_.at(centres[k]);
+            least = std::min(least, rhos[k]);
+            greatest = std::max(greatest, rhos[k]);
+        }
+        if (depth > 0 && greatest > 1.3 * least) {
+            for (unsigned k = 0; k < 4; ++k) {
+                add(centres[k], 0.5 * half, rhos[k], depth - 1);
+            }
+            return;
+        }
+        for (unsigned k = 0; k < 4; ++k) {
+            const double at = ((alongX() ? centres[k].x : centres[k].y) - low()) / extent();
+            shares_[std::min(kBins - 1, static_cast<std::size_t>(at * kBins))] += half.x * half.y / (rhos[k] * rhos[k]);
+        }
+    }
+
+    Box2 box_;
+    const SpacingField &spacing_;
+    int along_ = 0;
+    std::array<double, kBins> shares_{};
+};
+
+Box2 strip(bool alongX, double from, double to) {
+    return alongX ? Box2{{from, -kInfinity}, {to, kInfinity}} : Box2{{-kInfinity, from}, {kInfinity, to}};
+}
+
+} // namespace
+
 FrontRegions::FrontRegions() : phases{0, 1} {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
     boxes.push_back({{-kInfinity, -kInfinity}, {kInfinity, kInfinity}});
+}
+
+FrontRegions::FrontRegions(const DiscreteDomain &domain, const SpacingField &spacing, double perStrip)
+    : FrontRegions() {
+    const Box2 box = domain.bounds();
+    // No more than the least spacing would give: spares most domains the estimate.
+    const double most = domain.area() * 4.0 / (std::numbers::sqrt3 * spacing.least() * spacing.least());
+    if (!(most > kLeastStrips * perStrip)) {
+        return;
+    }
+    const double elements = estimateElements(domain, spacing);
+    if (!(elements > kLeastStrips * perStrip)) {
+        return;
+    }
+    const ElementProfile profile(box, spacing);
+    const std::vector<double> cuts = profile.cuts(static_cast<int>(std::min(kMostStrips, elements / perStrip)));
+    if (cuts.empty()) {
+        return;
+    }
+    const Box2 everything = boxes.front();
+    boxes.clear();
+    phases = {0};
+    double from = -kInfinity;
+    for (const double cut : cuts) {
+        boxes.push_back(strip(profile.alongX(), from, cut));
+        from = cut;
+    }
+    boxes.push_back(strip(profile.alongX(), from, kInfinity));
+    phases.push_back(boxes.size());
+    for (std::size_t k = 0; k < cuts.size(); ++k) { // from the middle of one strip to the middle of the next
+        const double low = k == 0 ? -kInfinity : 0.5 * (cuts[k - 1] + cuts[k]);
+        const double high = k + 1 == cuts.size() ? kInfinity : 0.5 * (cuts[k] + cuts[k + 1]);
+        boxes.push_back(strip(profile.alongX(), low, high));
+    }
+    phases.push_back(boxes.size());
+    boxes.push_back(everything);
+    phases.push_back(boxes.size());
 }
 
 } // namespace forefront

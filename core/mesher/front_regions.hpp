@@ -7,6 +7,9 @@
 
 namespace forefront {
 
+struct DiscreteDomain;
+class SpacingField;
+
 /// The parts of the plane in which the fast method advances one after the other, or at once on several threads: in each
 /// it takes only bases whose whole search stays inside. Regions of one phase do not overlap, so their advances do not
 /// depend on each other; the last region is the whole plane. They follow from the domain and the spacing alone, never
@@ -18,17 +21,12 @@ struct FrontRegions {
 
     /// One region: everything.
     FrontRegions();
+    /// Strips across the longer side of the domain, each with about as many elements to come, where there are enough;
+    /// then strips over their seams; then everything. `perStrip`: elements that make a strip worth while.
+    FrontRegions(const DiscreteDomain &domain, const SpacingField &spacing, double perStrip);
+    static constexpr double kPerStrip = 62'500.0;
 
     bool last(std::size_t region) const { return region + 1 == boxes.size(); }
 };
-
-/// True if `inner` lies in `outer`: at its upper limits strictly, so that neighbours share nothing.
-constexpr bool holds(const Box2 &outer, const Box2 &inner) {
-    return outer.min.x <= inner.min.x && inner.max.x < outer.max.x && outer.min.y <= inner.min.y &&
-           inner.max.y < outer.max.y;
-}
-constexpr bool holds(const Box2 &outer, Vec2 p) {
-    return outer.min.x <= p.x && p.x < outer.max.x && outer.min.y <= p.y && p.y < outer.max.y;
-}
 
 } // namespace forefront

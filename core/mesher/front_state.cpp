@@ -9,6 +9,11 @@ FrontState::FrontState(const DiscreteDomain &boundary)
       manyRegions(boundary.regions.size() > 1),
       smallNodesLeft(16 * static_cast<std::uint64_t>(boundary.nodes.size()) + 1000) {}
 
+FrontState::FrontState(const FrontState &whole, GenerationFront part, std::uint32_t onlyRegion)
+    : front(std::move(part)), regions(whole.regions), region(onlyRegion), regionEnd(onlyRegion + 1),
+      firstNode(static_cast<std::uint32_t>(whole.nodes.size())), manyRegions(whole.manyRegions),
+      smallNodesLeft(whole.smallNodesLeft) {}
+
 std::uint64_t FrontState::hash() const {
     Hash64 hash;
     front.addTo(hash);

@@ -23,6 +23,8 @@ struct Walk {
 /// Everything a run consists of besides the background grid: Γ, the order of bases, nodes and elements so far.
 struct FrontState {
     explicit FrontState(const DiscreteDomain &boundary);
+    /// For a part of Γ that is advanced alone, in one region: new nodes get the ids after those of `whole`.
+    FrontState(const FrontState &whole, GenerationFront part, std::uint32_t onlyRegion);
 
     GenerationFront front;
     BaseOrder order;     ///< of the classic method
@@ -30,6 +32,7 @@ struct FrontState {
     Walk walk;
     std::shared_ptr<const FrontRegions> regions; ///< of the fast method; never null
     std::uint32_t region = 0;                    ///< the present one
+    std::uint32_t regionEnd = 1;                 ///< after the last to be worked on
     std::uint32_t firstNode = 0;                 ///< id of nodes[0]
     std::vector<Vec2> nodes;
     std::vector<Element> elements;

@@ -6,10 +6,12 @@
 #include "core/grid/uniform_grid.hpp"
 #include "core/mesher/classic_advancer.hpp"
 #include "core/mesher/fast_advancer.hpp"
+#include "core/mesher/region_runner.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 
 namespace forefront {
 
@@ -21,10 +23,8 @@ class GridMesher final : public Mesher {
     GridMesher(std::shared_ptr<const DiscreteDomain> boundary, std::shared_ptr<const SpacingField> spacing, Grid grid)
         : Mesher(std::move(boundary), std::move(spacing)), grid_(std::move(grid)),
           slack_(gridSlack(boundary_->bounds())), advancer_(state_, grid_, *spacing_, slack_, NoTrace{}) {
-        Advancer<Grid, NoTrace>::prepare(state_, *spacing_);
-        for (std::uint32_t i = 0; i < state_.front.capacity(); ++i) {
-            grid_.insert(state_.front, SlotId{i});
-        }
+        Advancer<Grid, NoTrace>::prepare(state_, *boundary_, *spacing_);
+        insertAll();
     }
 
     std::uint64_t advance(std::uint64_t count, std::vector<AdvanceDelta> *deltas) override {
@@ -37,6 +37,24 @@ class GridMesher final : public Mesher {
             }
         }
         return done;
+    }
+
+    bool advanceTogether(unsigned threads, const Progress &progress, double estimatedElements) override {
+        if constexpr (std::is_same_v<Grid, HierarchicalGrid> &&
+                      std::is_same_v<Advancer<Grid, NoTrace>, FastAdvancer<Grid, NoTrace>>) {
+            if (state_.regions->boxes.size() > 1) {
+                if (!runRegions(state_, *spacing_, slack_, threads, progress, estimatedElements)) {
+                    return false;
+                }
+                grid_ = HierarchicalGrid(boundary_->bounds(), slack_);
+                insertAll();
+            }
+        } else {
+            static_cast<void>(threads);
+            static_cast<void>(progress);
+            static_cast<void>(estimatedElements);
+        }
+        return true;
     }
 
     void retreat(const AdvanceDelta &delta) override { advancer_.retreat(delta); }
@@ -57,6 +75,14 @@ class GridMesher final : public Mesher {
     }
 
   private:
+    void insertAll() {
+        for (std::uint32_t i = 0; i < state_.front.capacity(); ++i) {
+            if (state_.front[SlotId{i}].alive) {
+                grid_.insert(state_.front, SlotId{i});
+            }
+        }
+    }
+
     Grid grid_;
     double slack_;
     Advancer<Grid, NoTrace> advancer_;
@@ -123,7 +149,7 @@ std::unique_ptr<Mesher> Mesher::create(std::shared_ptr<const DiscreteDomain> bou
     case GridKind::Hierarchical:
         break;
     }
-    return make(HierarchicalGrid(domain.bounds()));
+    return make(HierarchicalGrid(domain.bounds(), gridSlack(domain.bounds())));
 }
 
 void Mesher::reserve(std::uint64_t elements) {

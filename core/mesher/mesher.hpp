@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/progress.hpp"
 #include "core/mesher/front_state.hpp"
 #include "core/mesher/options.hpp"
 #include "core/mesher/trace.hpp"
@@ -22,6 +23,10 @@ class Mesher {
 
     /// Up to `count` advances; fewer only when Γ = ∅. Returns how many. Each is appended to `deltas` where given.
     virtual std::uint64_t advance(std::uint64_t count, std::vector<AdvanceDelta> *deltas = nullptr) = 0;
+    /// Performs, before the first advance, as many of them as can be shared by threads: the mesh is the same, but they
+    /// cannot be taken back. None with the classic method, with another grid than the hierarchical one, or where the
+    /// mesh will be small. False when cancelled.
+    virtual bool advanceTogether(unsigned threads, const Progress &progress, double estimatedElements) = 0;
     /// Takes back the advance done last.
     virtual void retreat(const AdvanceDelta &delta) = 0;
     /// The next advance with everything that happens in it; the state stays as it is. Γ must not be empty.

@@ -7,6 +7,7 @@
 #include "core/spacing/spacing_field.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <new>
 
@@ -65,7 +66,7 @@ namespace {
 
 Result<MeshingOutcome> runJob(const MeshingJob &job, const Progress &progress) {
     MeshingOutcome outcome;
-    CpuClock clock;
+    CpuClock clock(CpuClock::Of::Program);
     Result<PreparedJob> prepared = prepare(job, progress);
     if (!prepared) {
         return prepared.faults();
@@ -73,8 +74,12 @@ Result<MeshingOutcome> runJob(const MeshingJob &job, const Progress &progress) {
     outcome.boundary = prepared->boundary;
     outcome.spacing = prepared->spacing;
     outcome.secondsPrepare = clock.lap();
+    const auto begin = std::chrono::steady_clock::now();
 
     std::unique_ptr<Mesher> mesher = Mesher::create(outcome.boundary, outcome.spacing, job.options);
+    if (!mesher->advanceTogether(job.options.threads, progress, prepared->estimatedElements)) {
+        return cancelled();
+    }
     mesher->reserve(static_cast<std::uint64_t>(1.15 * prepared->estimatedElements) + 1024);
     while (mesher->advance(kBatch) == kBatch) {
         if (progress.cancelled()) {
@@ -93,6 +98,7 @@ Result<MeshingOutcome> runJob(const MeshingJob &job, const Progress &progress) {
             improve(outcome.mesh, {job.options.improve, job.options.threads, outcome.spacing.get()}, progress);
         outcome.secondsImprove = clock.lap();
     }
+    outcome.secondsWall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     if (progress.cancelled()) {
         return cancelled();
     }

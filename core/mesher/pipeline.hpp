@@ -34,6 +34,7 @@ struct MeshingOutcome {
     ImproveReport improvement;
     double secondsMesh = 0.0;    ///< CPU time: the front, from discretised boundary to Γ = ∅
     double secondsImprove = 0.0; ///< CPU time of the improvement
+    double secondsWall = 0.0;    ///< of both on the clock: less than their sum where threads share the work
     double secondsPrepare = 0.0; ///< CPU time of validation, spacing and discretisation
 };
 

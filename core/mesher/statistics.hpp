@@ -17,6 +17,19 @@ struct WorkCounters {
     std::uint64_t deferrals = 0; ///< advances without an element
     std::uint64_t forced = 0;    ///< elements made by the closing stage (existing nodes only)
 
+    void add(const WorkCounters &other) {
+        advances += other.advances;
+        elements += other.elements;
+        frontSum += other.frontSum;
+        delivered += other.delivered;
+        tested += other.tested;
+        cellsVisited += other.cellsVisited;
+        candidates += other.candidates;
+        newNodes += other.newNodes;
+        deferrals += other.deferrals;
+        forced += other.forced;
+    }
+
     /// Nb: mean number of segments of Γ, over the advances.
     double frontMean() const { return mean(frontSum, advances); }
     /// Nc: segments delivered by the grid per element.

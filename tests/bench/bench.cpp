@@ -1,5 +1,6 @@
 // Benchmark of the standard cases. One process a case, so that each has a memory peak of its own; CSV on stdout.
-//   forefront_bench [--classic] [--grid none|uniform|hierarchical] [--improve none|default|best] [--threads N] [--repeat N]
+//   forefront_bench [--classic] [--grid none|uniform|hierarchical] [--improve none|default|best] [--threads N]
+//   [--repeat N]
 //                   [SCENE SIZE]...
 #include "core/io/project_words.hpp"
 #include "core/mesh/quality.hpp"
@@ -69,15 +70,16 @@ int runCase(const std::string &name, double size, const Settings &settings) {
     const MeshQuality quality = measure(outcome->mesh, outcome->spacing.get());
     const auto elements = static_cast<double>(quality.elements);
     const WorkCounters &work = outcome->work;
-    std::printf("%s,%g,%s,%s,%u,%zu,%.4f,%.4f,%.0f,%.0f,%.1f,%.5f,%.4f,%.2f,%.4f,%.0f,%.3f,%.4f,%.3f,%.4f,%llu,%s\n",
-                name.c_str(), size, gridName(settings.grid),
-                kImproveLevels[static_cast<std::size_t>(settings.improve)].data(), settings.threads, quality.elements,
-                outcome->secondsMesh, outcome->secondsImprove, elements / outcome->secondsMesh,
-                elements / (outcome->secondsMesh + outcome->secondsImprove), peak / elements, quality.alphaMean,
-                quality.alphaMin, quality.minAngle, quality.deltaMean, work.frontMean(), work.neighboursMean(),
-                work.testsMean(), static_cast<double>(work.cellsVisited) / elements,
-                static_cast<double>(work.candidates) / elements, static_cast<unsigned long long>(work.forced),
-                toHex(meshHash(outcome->mesh)).c_str());
+    std::printf(
+        "%s,%g,%s,%s,%s,%u,%zu,%.4f,%.4f,%.4f,%.0f,%.0f,%.1f,%.5f,%.4f,%.2f,%.4f,%.0f,%.3f,%.4f,%.3f,%.4f,%llu,%s\n",
+        name.c_str(), size, settings.method == Method::Classic ? "classic" : "fast", gridName(settings.grid),
+        kImproveLevels[static_cast<std::size_t>(settings.improve)].data(), settings.threads, quality.elements,
+        outcome->secondsMesh, outcome->secondsImprove, outcome->secondsWall, elements / outcome->secondsMesh,
+        elements / (outcome->secondsMesh + outcome->secondsImprove), peak / elements, quality.alphaMean,
+        quality.alphaMin, quality.minAngle, quality.deltaMean, work.frontMean(), work.neighboursMean(),
+        work.testsMean(), static_cast<double>(work.cellsVisited) / elements,
+        static_cast<double>(work.candidates) / elements, static_cast<unsigned long long>(work.forced),
+        toHex(meshHash(outcome->mesh)).c_str());
     return 0;
 }
 
@@ -126,13 +128,13 @@ bool parse(int argc, char **argv, Settings &settings) {
 int main(int argc, char **argv) {
     Settings settings;
     if (!parse(argc, argv, settings)) {
-        std::fprintf(
-            stderr,
-            "usage: forefront_bench [--classic] [--grid none|uniform|hierarchical] [--improve none|default|best] [--threads N]\n"
-            "                       [--repeat N] [SCENE SIZE]...\n");
+        std::fprintf(stderr, "usage: forefront_bench [--classic] [--grid none|uniform|hierarchical] [--improve "
+                             "none|default|best] [--threads N]\n"
+                             "                       [--repeat N] [SCENE SIZE]...\n");
         return 2;
     }
-    std::printf("scene,size,grid,improve,threads,triangles,seconds_mesh,seconds_improve,triangles_per_second_raw,"
+    std::printf("scene,size,method,grid,improve,threads,triangles,seconds_mesh,seconds_improve,seconds_wall,triangles_"
+                "per_second_raw,"
                 "triangles_per_second,"
                 "peak_bytes_per_triangle,alpha_mean,alpha_min,min_angle_deg,delta_mean,Nb,Nc,Ns,cells_per_triangle,"
                 "candidates_per_triangle,forced,hash\n");

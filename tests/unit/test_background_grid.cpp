@@ -83,7 +83,7 @@ TEST_CASE("Background grids: deliver every segment near a box, whatever its leng
             checkAgainstAll(UniformGrid(bounds, 1, 1), front, bounds);
         }
         SUBCASE("hierarchical") {
-            checkAgainstAll(HierarchicalGrid(bounds), front, bounds);
+            checkAgainstAll(HierarchicalGrid(bounds, gridSlack(bounds)), front, bounds);
         }
     }
 }
@@ -96,7 +96,7 @@ TEST_CASE("HierarchicalGrid: the number of segments delivered stays flat when si
     }
     const auto domain = builder.region(1, 1.0).build();
     const GenerationFront front(*domain);
-    HierarchicalGrid grid(domain->bounds());
+    HierarchicalGrid grid(domain->bounds(), gridSlack(domain->bounds()));
     for (std::uint32_t i = 0; i < front.capacity(); ++i) {
         grid.insert(front, SlotId{i});
     }

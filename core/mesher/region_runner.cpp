@@ -1,0 +1,152 @@
+#include "core/mesher/region_runner.hpp"
+
+#include "core/base/thread_pool.hpp"
+#include "core/grid/hierarchical_grid.hpp"
+#include "core/mesher/fast_advancer.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace forefront {
+
+namespace {
+
+/// One region with its part of Γ and what has been made in it.
+struct RegionRun {
+    std::optional<FrontPart> part;
+    std::optional<FrontState> state;
+};
+
+/// Advances between looks at the stop token.
+constexpr int kBatch = 4096;
+
+class RegionRunner {
+  public:
+    RegionRunner(FrontState &state, const SpacingField &spacing, double slack, unsigned threads,
+                 const Progress &progress, double estimatedElements)
+        : state_(state), spacing_(spacing), slack_(slack), pool_(threads), progress_(progress),
+          estimatedElements_(estimatedElements), bounds_(boundsOf(state.nodes)) {}
+
+    bool run() {
+        const FrontRegions &regions = *state_.regions;
+        for (std::size_t phase = 0; phase + 2 < regions.phases.size(); ++phase) {
+            const std::size_t first = regions.phases[phase], last = regions.phases[phase + 1];
+            std::vector<RegionRun> runs(last - first);
+            pool_.run(runs.size(), [&](std::size_t k, unsigned thread) { advance(runs[k], first + k, thread == 0); });
+            if (progress_.cancelled()) {
+                return false;
+            }
+            putTogether(runs, first);
+        }
+        state_.region = static_cast<std::uint32_t>(regions.boxes.size() - 1);
+        state_.walk = {};
+        state_.walkOrder.clear();
+        offerAll(state_.walkOrder, state_.front, regions.boxes.back());
+        return true;
+    }
+
+  private:
+    static Box2 boundsOf(const std::vector<Vec2> &nodes) {
+        Box2 box;
+        for (const Vec2 p : nodes) {
+            box.add(p);
+        }
+        return box;
+    }
+
+    void advance(RegionRun &run, std::size_t region, bool reports) {
+        const Box2 &box = state_.regions->boxes[region];
+        run.part.emplace(state_.front.part(box));
+        FrontState &state = run.state.emplace(state_, run.part->front, static_cast<std::uint32_t>(region));
+        const auto share =
+            static_cast<std::size_t>(1.3 * estimatedElements_ / static_cast<double>(state_.regions->phases[1]));
+        if (region < state_.regions->phases[1]) { // later phases only fill seams
+            state.elements.reserve(share);
+            state.nodes.reserve(share / 2);
+        }
+        HierarchicalGrid grid({{std::max(box.min.x, bounds_.min.x), std::max(box.min.y, bounds_.min.y)},
+                               {std::min(box.max.x, bounds_.max.x), std::min(box.max.y, bounds_.max.y)}},
+                              slack_);
+        for (std::uint32_t i = 0; i < state.front.capacity(); ++i) {
+            if (state.front.next(SlotId{i}) != kNoSlot) { // else its segment leads out of the part
+                grid.insert(state.front, SlotId{i});
+            }
+        }
+        state.walkOrder.clear();
+        offerAll(state.walkOrder, state.front, box);
+        FastAdvancer<HierarchicalGrid, NoTrace> advancer(state, grid, spacing_, slack_, NoTrace{});
+        AdvanceDelta delta;
+        bool going = true;
+        while (going && !progress_.cancelled()) {
+            for (int i = 0; i < kBatch && going; ++i) {
+                going = advancer.advance(delta);
+            }
+            report(state, reports);
+        }
+    }
+
+    void report(const FrontState &state, bool reports) {
+        if (reports) {
+            progress_("advancing the front",
+                      std::min(0.99, static_cast<double>(done_ + state.elements.size()) / (estimatedElements_ + 1.0)));
+        }
+    }
+
+    void putTogether(std::vector<RegionRun> &runs, std::size_t firstRegion) {
+        const auto firstNew = static_cast<std::uint32_t>(state_.nodes.size());
+        std::vector<std::size_t> nodes(runs.size() + 1, state_.nodes.size());
+        std::vector<std::size_t> elements(runs.size() + 1, state_.elements.size());
+        for (std::size_t k = 0; k < runs.size(); ++k) {
+            RegionRun &run = runs[k];
+            nodes[k + 1] = nodes[k] + run.state->nodes.size();
+            elements[k + 1] = elements[k] + run.state->elements.size();
+            // Nb: of all Γ, as it is when one region follows the other.
+            const std::uint64_t others = state_.front.segments() - run.part->segments;
+            run.state->work.frontSum += run.state->work.advances * others;
+            state_.work.add(run.state->work);
+            run.part->front = std::move(run.state->front);
+            state_.front.adopt(*run.part, state_.regions->boxes[firstRegion + k], firstNew,
+                               static_cast<std::uint32_t>(nodes[k] - firstNew));
+            run.part.reset();
+        }
+        state_.nodes.resize(nodes.back());
+        state_.elements.resize(elements.back());
+        state_.elementRegions.resize(state_.manyRegions ? elements.back() : 0);
+        pool_.run(runs.size(), [&](std::size_t k, unsigned) {
+            const FrontState &from = *runs[k].state;
+            const auto shift = static_cast<std::uint32_t>(nodes[k] - firstNew);
+            std::copy(from.nodes.begin(), from.nodes.end(),
+                      state_.nodes.begin() + static_cast<std::ptrdiff_t>(nodes[k]));
+            std::copy(from.elementRegions.begin(), from.elementRegions.end(),
+                      state_.elementRegions.begin() +
+                          (state_.manyRegions ? static_cast<std::ptrdiff_t>(elements[k]) : 0));
+            Element *to = state_.elements.data() + elements[k];
+            for (const Element &e : from.elements) {
+                const auto shifted = [&](NodeId n) {
+                    return index(n) < firstNew ? n : NodeId{static_cast<std::uint32_t>(index(n)) + shift};
+                };
+                *to++ = {shifted(e[0]), shifted(e[1]), shifted(e[2])};
+            }
+            runs[k].state.reset();
+        });
+        done_ = elements.back();
+    }
+
+    FrontState &state_;
+    const SpacingField &spacing_;
+    double slack_;
+    ThreadPool pool_;
+    const Progress &progress_;
+    double estimatedElements_;
+    Box2 bounds_;
+    std::size_t done_ = 0; ///< elements of the phases before
+};
+
+} // namespace
+
+bool runRegions(FrontState &state, const SpacingField &spacing, double slack, unsigned threads,
+                const Progress &progress, double estimatedElements) {
+    return RegionRunner(state, spacing, slack, threads, progress, estimatedElements).run();
+}
+
+} // namespace forefront

@@ -1,0 +1,159 @@
+#include "core/grid/hierarchical_grid.hpp"
+#include "core/mesh/verify.hpp"
+#include "core/mesher/fast_advancer.hpp"
+#include "core/mesher/mesher.hpp"
+#include "core/mesher/pipeline.hpp"
+#include "core/mesher/region_runner.hpp"
+#include "tests/support/discrete_samples.hpp"
+#include "tests/support/random_domains.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace forefront;
+using namespace forefront::testing;
+
+namespace {
+
+/// A run of the fast method with strips of about `perStrip` elements.
+class StripRun {
+  public:
+    StripRun(const PreparedJob &job, double perStrip)
+        : job_(job), bounds_(job.boundary->bounds()), slack_(gridSlack(bounds_)), state_(*job.boundary) {
+        FastAdvancer<HierarchicalGrid, NoTrace>::prepare(state_, *job.boundary, *job.spacing, perStrip);
+    }
+
+    std::size_t regions() const { return state_.regions->boxes.size(); }
+
+    void together(unsigned threads) {
+        CHECK(runRegions(state_, *job_.spacing, slack_, threads, {}, job_.estimatedElements));
+        CHECK(state_.front.consistent());
+        inThem_ = state_.elements.size();
+    }
+
+    Mesh finish() {
+        HierarchicalGrid grid(bounds_, slack_);
+        for (std::uint32_t i = 0; i < state_.front.capacity(); ++i) {
+            if (state_.front[SlotId{i}].alive) {
+                grid.insert(state_.front, SlotId{i});
+            }
+        }
+        FastAdvancer<HierarchicalGrid, NoTrace> advancer(state_, grid, *job_.spacing, slack_, NoTrace{});
+        AdvanceDelta delta;
+        while (advancer.advance(delta)) {
+        }
+        CHECK(state_.front.empty());
+        return toMesh(state_, *job_.boundary);
+    }
+
+    std::size_t elementsInStrips() const { return inThem_; }
+    const WorkCounters &work() const { return state_.work; }
+
+  private:
+    const PreparedJob &job_;
+    Box2 bounds_;
+    double slack_;
+    FrontState state_;
+    std::size_t inThem_ = 0;
+};
+
+} // namespace
+
+TEST_CASE("FrontRegions: few elements make one region, many make strips that cover the plane and their seams") {
+    const auto domain = discreteDisc(0.05);
+    const auto spacing = spacingOf([](Vec2) { return 0.05; });
+    CHECK(FrontRegions(*domain, *spacing, FrontRegions::kPerStrip).boxes.size() == 1);
+    const FrontRegions regions(*domain, *spacing, 200.0);
+    REQUIRE(regions.phases.size() == 4);
+    const std::size_t strips = regions.phases[1];
+    CHECK(strips >= 8);
+    CHECK(regions.phases[2] - strips == strips - 1);
+    for (double x = -1.0; x < 1.0; x += 0.01) {
+        for (std::size_t phase = 0; phase < 3; ++phase) {
+            std::size_t holding = 0;
+            for (std::size_t k = regions.phases[phase]; k < regions.phases[phase + 1]; ++k) {
+                holding += holds(regions.boxes[k], Vec2{x, 0.0}) ? 1U : 0U;
+            }
+            REQUIRE(holding == 1);
+        }
+    }
+}
+
+TEST_CASE("runRegions: the same mesh and work one after the other and on 1, 2, 3 and 8 threads") {
+    std::size_t split = 0;
+    for (std::uint64_t seed = 300; seed < 340; ++seed) {
+        CAPTURE(seed);
+        MeshingJob job;
+        job.domain = randomDomain(seed);
+        const Result<PreparedJob> prepared = prepare(job);
+        REQUIRE(prepared);
+        const double perStrip = std::max(20.0, prepared->estimatedElements / 14.0);
+        StripRun single(*prepared, perStrip);
+        const Mesh expected = single.finish();
+        REQUIRE(verifyAgainst(expected, *prepared->boundary).empty());
+        for (const unsigned threads : {1U, 2U, 3U, 8U}) {
+            CAPTURE(threads);
+            StripRun run(*prepared, perStrip);
+            run.together(threads);
+            split += run.elementsInStrips();
+            REQUIRE(meshHash(run.finish()) == meshHash(expected));
+            REQUIRE(run.work().advances == single.work().advances);
+            REQUIRE(run.work().frontSum == single.work().frontSum);
+            REQUIRE(run.work().candidates == single.work().candidates);
+        }
+    }
+    CHECK(split > 10'000);
+}
+
+TEST_CASE("runRegions: strips of a large mesh leave little to the end, and can be cancelled") {
+    MeshingJob job;
+    job.domain.nodes = {{0, 0}, {2, 0}, {2, 1}, {0, 1}};
+    job.domain.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+    job.spacing.expression = "0.006 + 0.01*abs(x-1)";
+    const Result<PreparedJob> prepared = prepare(job);
+    REQUIRE(prepared);
+    StripRun run(*prepared, 6000.0);
+    REQUIRE(run.regions() > 15);
+    run.together(2);
+    const std::size_t before = run.elementsInStrips();
+    const Mesh mesh = run.finish();
+    CHECK(verifyAgainst(mesh, *prepared->boundary).empty());
+    CHECK(static_cast<double>(before) > 0.98 * static_cast<double>(mesh.elements.size()));
+
+    std::stop_source stop;
+    Progress progress;
+    progress.stop = stop.get_token();
+    stop.request_stop();
+    FrontState state(*prepared->boundary);
+    FastAdvancer<HierarchicalGrid, NoTrace>::prepare(state, *prepared->boundary, *prepared->spacing, 6000.0);
+    CHECK_FALSE(runRegions(state, *prepared->spacing, gridSlack(prepared->boundary->bounds()), 2, progress, 1e5));
+}
+
+TEST_CASE("FrontRegions: advances back through the regions lead to the same states") {
+    const auto domain = discreteDisc(0.05);
+    const auto spacing = spacingOf([](Vec2) { return 0.05; });
+    FrontState state(*domain);
+    HierarchicalGrid grid(domain->bounds(), gridSlack(domain->bounds()));
+    using Advancer = FastAdvancer<HierarchicalGrid, NoTrace>;
+    Advancer::prepare(state, *domain, *spacing, 150.0);
+    REQUIRE(state.regions->boxes.size() > 8);
+    for (std::uint32_t i = 0; i < state.front.capacity(); ++i) {
+        grid.insert(state.front, SlotId{i});
+    }
+    Advancer advancer(state, grid, *spacing, gridSlack(domain->bounds()), NoTrace{});
+    advancer.keepLog(true);
+    std::vector<std::uint64_t> states{state.hash()};
+    std::vector<AdvanceDelta> deltas;
+    for (AdvanceDelta delta; advancer.advance(delta); deltas.push_back(delta)) {
+        states.push_back(state.hash());
+    }
+    CHECK(state.region + 1 == state.regions->boxes.size());
+    for (std::size_t k = deltas.size(); k-- > 0;) {
+        advancer.retreat(deltas[k]);
+        REQUIRE(state.hash() == states[k]);
+    }
+    for (std::size_t k = 0; k < deltas.size(); ++k) {
+        AdvanceDelta delta;
+        REQUIRE(advancer.advance(delta));
+        REQUIRE(state.hash() == states[k + 1]);
+    }
+}
