@@ -144,11 +144,17 @@ void partTagged(ImproveWorkspace &work) {
         work.fixed[index(point.node)] = 1;
     }
     std::sort(tagged.begin(), tagged.end());
-    for (HalfEdge h = 0; h < work.twin.size() && !tagged.empty(); ++h) {
-        const NodeId a = work.from(h), b = work.to(h);
-        if (work.fixed[index(a)] != 0 && work.fixed[index(b)] != 0 && work.twin[h] != kNoHalfEdge &&
-            std::binary_search(tagged.begin(), tagged.end(), key(a, b))) {
-            part(work, h);
+    for (std::size_t e = 0; e < mesh.elements.size() && !tagged.empty(); ++e) {
+        const Element &n = mesh.elements[e];
+        if (work.fixed[index(n[0])] + work.fixed[index(n[1])] + work.fixed[index(n[2])] < 2) {
+            continue;
+        }
+        for (unsigned k = 0; k < 3; ++k) {
+            const auto h = static_cast<HalfEdge>(3 * e + k);
+            if (work.twin[h] != kNoHalfEdge &&
+                std::binary_search(tagged.begin(), tagged.end(), key(n[k], n[(k + 1) % 3]))) {
+                part(work, h);
+            }
         }
     }
 }

@@ -52,6 +52,7 @@ class Mender {
 
     /// True if something changed.
     bool mend(std::size_t e, bool alsoAround) {
+        thorough_ = alsoAround;
         bool changed = turn(e);
         const Element nodes = work_.mesh.elements[e];
         for (const NodeId n : nodes) {
@@ -60,7 +61,7 @@ class Mender {
         if (!alsoAround || !misses(e)) {
             return changed;
         }
-        for (unsigned k = 0; k < 3 && misses(e); ++k) {
+        for (unsigned k = 0; k < 3; ++k) {
             if (turnAndMove(static_cast<HalfEdge>(3 * e + k))) {
                 return true;
             }
@@ -126,6 +127,7 @@ class Mender {
         for (std::size_t i = 0; i < 4; ++i) {
             places[i] = work_.at(nodes[i]);
         }
+        const std::array<Element, 2> before = {work_.mesh.elements[e], work_.mesh.elements[f]};
         const RepairCounts countsBefore = counts;
         const auto [measure, least] = worstAround(nodes, e, f);
         turnWithRings(work_, h);
@@ -142,7 +144,7 @@ class Mender {
         for (std::size_t i = 0; i < 4; ++i) {
             work_.mesh.nodes[index(nodes[i])] = places[i];
         }
-        turnWithRings(work_, static_cast<HalfEdge>(3 * e + 1));
+        turnBack(work_, e, f, before);
         for (const NodeId n : nodes) {
             if (work_.isFree(n)) {
                 work_.aroundFree(n, [&](HalfEdge k) { renewAlpha(elementOf(k)); });
@@ -206,8 +208,9 @@ class Mender {
                                      {-kDiagonal, kDiagonal},
                                      {-kDiagonal, -kDiagonal},
                                      {kDiagonal, -kDiagonal}};
-        constexpr int kTries = 24;
-        constexpr double kFirstStep = 0.16, kSmallestStep = 0.008;
+        constexpr double kFirstStep = 0.16;
+        const int mostTries = thorough_ ? 60 : 24;
+        const double smallestStep = thorough_ ? 0.0005 : 0.008;
         around_.take(work_, node);
         first_ = 0;
         Vec2 best;
@@ -216,7 +219,7 @@ class Mender {
             return false; // nothing to gain for the worst
         }
         double step = kFirstStep;
-        for (int tries = 0; tries < kTries && step > kSmallestStep && bestMeasure < kEnough; ++tries) {
+        for (int tries = 0; tries < mostTries && step > smallestStep && bestMeasure < kEnough; ++tries) {
             const Vec2 from = best;
             for (const Vec2 direction : kPattern) {
                 const Vec2 p = from + (step * around_.reach) * direction;
@@ -266,6 +269,7 @@ class Mender {
     double leastAlpha_;
     Surroundings around_;
     std::size_t first_ = 0;
+    bool thorough_ = false; ///< the search goes on to small steps
 };
 
 class Repair {

@@ -10,62 +10,30 @@ namespace forefront {
 
 namespace {
 
-/// Neighbours are worked on in blocks of so many, which compilers turn into vector instructions.
-constexpr unsigned kLanes = 8;
-constexpr unsigned kMostLanes = ImproveWorkspace::kMostValence + kLanes;
-
-/// The nodes around a node, relative to it, the first again after the last; then copies of it to the end of a block.
-struct Around {
-    float x[kMostLanes], y[kMostLanes];
-    float rest[kMostLanes]; ///< wanted length of the edge to each
-    unsigned count;
+/// A node beside one that may move, relative to it.
+struct Spoke {
+    float x, y;
+    float rest; ///< wanted length of the edge to it
 };
-
-struct Lanes {
-    float used[kLanes], unused[kLanes]; ///< 1 and 0, and the reverse
-};
-
-constexpr std::array<Lanes, kLanes + 1> makeMasks() {
-    std::array<Lanes, kLanes + 1> masks{};
-    for (unsigned count = 0; count <= kLanes; ++count) {
-        for (unsigned k = 0; k < kLanes; ++k) {
-            masks[count].used[k] = k < count ? 1.0F : 0.0F;
-            masks[count].unused[k] = k < count ? 0.0F : 1.0F;
-        }
-    }
-    return masks;
-}
-
-constexpr std::array<Lanes, kLanes + 1> kMasks = makeMasks();
-
-/// Always in the same order.
-float sum(const float (&v)[kLanes]) {
-    return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
-}
 
 /// Σ w·(p* − p), Σ w and the pull of the springs.
 struct Pull {
     float x = 0.0F, y = 0.0F, weight = 0.0F, springX = 0.0F, springY = 0.0F;
 
-    void add(const Around &around, unsigned begin) {
+    /// The element between a spoke and the next, and the spoke's spring.
+    void add(const Spoke &spoke, const Spoke &next) {
         constexpr float kHeight = 0.8660254F; // of the equilateral triangle
-        const Lanes &lanes = kMasks[std::min(around.count - begin, kLanes)];
-        const float *const qx = around.x + begin, *const qy = around.y + begin, *const rest = around.rest + begin;
-        float w[kLanes], tx[kLanes], ty[kLanes], sx[kLanes], sy[kLanes];
-        for (unsigned k = 0; k < kLanes; ++k) {
-            const float ax = qx[k + 1] - qx[k], ay = qy[k + 1] - qy[k];
-            w[k] = lanes.used[k] / (ax * ax + ay * ay + lanes.unused[k]);
-            tx[k] = w[k] * (0.5F * (qx[k] + qx[k + 1]) - kHeight * ay);
-            ty[k] = w[k] * (0.5F * (qy[k] + qy[k + 1]) + kHeight * ax);
-            const float spring = lanes.used[k] * (1.0F - rest[k] / std::sqrt(qx[k] * qx[k] + qy[k] * qy[k]));
-            sx[k] = spring * qx[k];
-            sy[k] = spring * qy[k];
-        }
-        x += sum(tx);
-        y += sum(ty);
-        weight += sum(w);
-        springX += sum(sx);
-        springY += sum(sy);
+        const float ax = next.x - spoke.x, ay = next.y - spoke.y;
+        const float side = ax * ax + ay * ay; // squared
+        const float length = std::sqrt(spoke.x * spoke.x + spoke.y * spoke.y);
+        const float inverse = 1.0F / (side * length); // one division for two
+        const float w = inverse * length;
+        x += w * (0.5F * (spoke.x + next.x) - kHeight * ay);
+        y += w * (0.5F * (spoke.y + next.y) + kHeight * ax);
+        weight += w;
+        const float spring = 1.0F - spoke.rest * (inverse * side);
+        springX += spring * spoke.x;
+        springY += spring * spoke.y;
     }
 };
 
@@ -117,43 +85,36 @@ void NodeSmoother::meanLengths() {
 void NodeSmoother::moveAll(const SmoothingAims &aims, std::vector<Vec2> &to) const {
     const std::vector<Vec2> &nodes = work_.mesh.nodes;
     work_.pool.forChunks(nodes.size(), ImproveWorkspace::kChunk, [&](std::size_t begin, std::size_t end, std::size_t) {
-        Around around;
         for (std::size_t n = begin; n < end; ++n) {
             const Vec2 p = nodes[n];
             if (!work_.isFree(n)) {
                 to[n] = p;
                 continue;
             }
-            const float rho = rho_[n];
-            unsigned count = 0;
-            const auto take = [&](NodeId m) {
+            const float rho = rho_[n], scale = 1.0F / rho; // lengths in ρ: no power of them leaves the range of floats
+            const auto spokeTo = [&](NodeId m) {
                 const Vec2 q = nodes[index(m)];
-                around.x[count] = static_cast<float>(q.x - p.x);
-                around.y[count] = static_cast<float>(q.y - p.y);
-                around.rest[count] = 0.5F * (rho + rho_[index(m)]);
-                ++count;
+                return Spoke{scale * static_cast<float>(q.x - p.x), scale * static_cast<float>(q.y - p.y),
+                             0.5F + 0.5F * scale * rho_[index(m)]};
             };
-            const unsigned valence = work_.valence[n];
-            if (valence <= ImproveWorkspace::kRingNodes) {
-                const ImproveWorkspace::Ring &ring = work_.rings[n];
-                while (count < valence) {
-                    take(ring[count]);
-                }
-            } else {
-                work_.aroundFree(NodeId{static_cast<std::uint32_t>(n)}, [&](HalfEdge h) { take(work_.to(h)); });
-            }
-            around.count = count;
-            const unsigned lanes = (count + kLanes - 1) / kLanes * kLanes;
-            for (unsigned k = count; k <= lanes; ++k) {
-                around.x[k] = around.x[0];
-                around.y[k] = around.y[0];
-                around.rest[k] = 0.0F;
-            }
             Pull pull;
-            for (unsigned k = 0; k < count; k += kLanes) {
-                pull.add(around, k);
+            const unsigned count = work_.valence[n];
+            if (count <= ImproveWorkspace::kRingNodes) {
+                const ImproveWorkspace::Ring &ring = work_.rings[n];
+                const Spoke first = spokeTo(ring[0]);
+                Spoke spoke = first;
+                for (unsigned k = 1; k < count; ++k) {
+                    const Spoke next = spokeTo(ring[k]);
+                    pull.add(spoke, next);
+                    spoke = next;
+                }
+                pull.add(spoke, first);
+            } else {
+                work_.aroundFree(NodeId{static_cast<std::uint32_t>(n)},
+                                 [&](HalfEdge h) { pull.add(spokeTo(work_.to(h)), spokeTo(work_.apex(h))); });
             }
-            const float shape = aims.shape / pull.weight, spacing = aims.spacing / static_cast<float>(count);
+            const float shape = rho * aims.shape / pull.weight;
+            const float spacing = rho * aims.spacing / static_cast<float>(count);
             to[n] = {p.x + static_cast<double>(shape * pull.x + spacing * pull.springX),
                      p.y + static_cast<double>(shape * pull.y + spacing * pull.springY)};
         }

@@ -40,14 +40,6 @@ int valenceGain(const ImproveWorkspace &work, const Diamond &q) {
     return change(q.a, -1) + change(q.b, -1) + change(q.c, +1) + change(q.d, +1);
 }
 
-/// Without a look across the edge: the gain is 2(a + b − c − d) − 4 in the excesses over 6 of free nodes, and d is
-/// seldom below −2; where it is, α is poor.
-bool mayGainValence(const ImproveWorkspace &work, HalfEdge h) {
-    const std::size_t a = index(work.from(h)), b = index(work.to(h)), c = index(work.apex(h));
-    return (work.fixed[a] | work.fixed[b] | work.fixed[c]) != 0 ||
-           work.valence[a] + work.valence[b] > work.valence[c] + 6;
-}
-
 /// Swaps must gain a little, lest rounding turns an edge to and fro.
 constexpr double kGain = 1e-9;
 /// A swap for the valences alone may lower the lesser α to this part of it.
@@ -65,7 +57,7 @@ bool hasRoom(const ImproveWorkspace &work, const Diamond &q) {
 
 bool worthwhile(const ImproveWorkspace &work, HalfEdge h, const SwapRule &rule) {
     const bool good = std::min(work.alpha[elementOf(h)], work.alpha[elementOf(work.twin[h])]) > kHalfSquare;
-    if (good && !(rule.mindValence && mayGainValence(work, h))) {
+    if (good && !rule.mindValence) {
         return false;
     }
     const Diamond q(work, h);
@@ -81,16 +73,36 @@ bool worthwhile(const ImproveWorkspace &work, HalfEdge h, const SwapRule &rule) 
            (gain > 0 && s.after >= rule.floor && s.after > kNearlyAsGood * s.before);
 }
 
-/// All edges worth turning, in the order of their half-edges, each from its lesser one.
+/// Finds the sides of an element that are worth turning. A glance at the element alone sorts out most: where its α is
+/// good the edge must gain in valence (or be found from the other side), and the gain is 2(a + b − c − d) − 4 in the
+/// excesses over 6 of free nodes, with d seldom below −2; where it is, α is poor. Held nodes have valence 0.
+void lookAt(const ImproveWorkspace &work, std::size_t e, const SwapRule &rule, std::vector<HalfEdge> &found) {
+    const bool poor = work.alpha[e] <= kHalfSquare;
+    if (!poor && !rule.mindValence) {
+        return;
+    }
+    const Element &n = work.mesh.elements[e];
+    const int valence[3] = {work.valence[index(n[0])], work.valence[index(n[1])], work.valence[index(n[2])]};
+    const int sum = valence[0] + valence[1] + valence[2];
+    const bool held = valence[0] == 0 || valence[1] == 0 || valence[2] == 0;
+    for (unsigned k = 0; k < 3; ++k) {
+        const auto h = static_cast<HalfEdge>(3 * e + k);
+        const HalfEdge g = work.twin[h];
+        const bool mayGain = held || sum - 2 * valence[(k + 2) % 3] > 6;
+        if ((poor || (mayGain && h < g)) && g != kNoHalfEdge && worthwhile(work, h, rule)) {
+            found.push_back(h);
+        }
+    }
+}
+
+/// All edges worth turning, in the order of their half-edges; some from both sides.
 std::vector<HalfEdge> findWorthwhile(ImproveWorkspace &work, const SwapRule &rule) {
     const std::size_t count = work.mesh.elements.size();
     const std::size_t chunks = (count + ImproveWorkspace::kChunk - 1) / ImproveWorkspace::kChunk;
     std::vector<std::vector<HalfEdge>> found(chunks);
     work.pool.forChunks(count, ImproveWorkspace::kChunk, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-        for (auto h = static_cast<HalfEdge>(3 * begin); h < 3 * end; ++h) {
-            if (work.twin[h] != kNoHalfEdge && h < work.twin[h] && worthwhile(work, h, rule)) {
-                found[chunk].push_back(h);
-            }
+        for (std::size_t e = begin; e < end; ++e) {
+            lookAt(work, e, rule, found[chunk]);
         }
     });
     std::vector<HalfEdge> all;
@@ -132,10 +144,10 @@ void turnEdge(ImproveWorkspace &work, HalfEdge h) {
     work.start[index(q.d)] = e0 + 1;
     work.start[index(q.c)] = e0 + 2;
     work.start[index(q.b)] = f0 + 1;
-    --work.valence[index(q.a)];
-    --work.valence[index(q.b)];
-    ++work.valence[index(q.c)];
-    ++work.valence[index(q.d)];
+    work.addValence(q.a, -1);
+    work.addValence(q.b, -1);
+    work.addValence(q.c, +1);
+    work.addValence(q.d, +1);
     work.alpha[e] = static_cast<float>(work.alphaOf(e));
     work.alpha[f] = static_cast<float>(work.alphaOf(f));
 }
@@ -150,6 +162,38 @@ void turnWithRings(ImproveWorkspace &work, HalfEdge h) {
     for (const NodeId n : {q.a, q.b, q.c, q.d}) {
         if (work.isFree(n)) {
             work.renewRing(n);
+        }
+    }
+}
+
+void turnBack(ImproveWorkspace &work, std::size_t e, std::size_t f, const std::array<Element, 2> &before) {
+    const auto rotateTo = [&work](std::size_t element, const Element &nodes) {
+        const auto h = static_cast<HalfEdge>(3 * element);
+        while (work.mesh.elements[element] != nodes) {
+            const Element &n = work.mesh.elements[element];
+            work.mesh.elements[element] = {n[1], n[2], n[0]};
+            const std::array<HalfEdge, 3> across = {work.twin[h + 1], work.twin[h + 2], work.twin[h]};
+            for (unsigned k = 0; k < 3; ++k) {
+                join(work, h + k, across[k]);
+            }
+        }
+        for (unsigned k = 0; k < 3; ++k) {
+            work.start[index(nodes[k])] = h + k;
+        }
+    };
+    // A turn puts the new diagonal at side 1 of the first element; four turns bring each element back.
+    for (int turn = 0; turn < 3; ++turn) {
+        turnEdge(work, static_cast<HalfEdge>(3 * e + 1));
+    }
+    rotateTo(e, before[0]);
+    rotateTo(f, before[1]);
+    work.alpha[e] = static_cast<float>(work.alphaOf(e));
+    work.alpha[f] = static_cast<float>(work.alphaOf(f));
+    for (const Element &element : before) {
+        for (const NodeId n : element) {
+            if (work.isFree(n)) {
+                work.renewRing(n);
+            }
         }
     }
 }

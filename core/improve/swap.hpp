@@ -21,6 +21,9 @@ void turnEdge(ImproveWorkspace &work, HalfEdge h);
 /// The same and renews the rings.
 void turnWithRings(ImproveWorkspace &work, HalfEdge h);
 
+/// Takes a turn of the edge between two elements back, to the order of their nodes: α is then the same to the last bit.
+void turnBack(ImproveWorkspace &work, std::size_t e, std::size_t f, const std::array<Element, 2> &before);
+
 /// True when the edge of h has elements on both sides that may be joined and its nodes can lose and take an element.
 bool mayTurn(const ImproveWorkspace &work, HalfEdge h);
 

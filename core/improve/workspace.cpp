@@ -16,27 +16,38 @@ ImproveWorkspace::ImproveWorkspace(Mesh &improved, ThreadPool &threads)
     joinElements(*this);
     pool.forChunks(mesh.nodes.size(), kChunk, [this](std::size_t begin, std::size_t end, std::size_t) {
         for (std::size_t n = begin; n < end; ++n) {
-            const HalfEdge first = start[n];
-            if (fixed[n] != 0 || first == kNoHalfEdge) {
-                fixed[n] = 1;
-                continue;
-            }
-            // The ring begins at its least half-edge, whichever was noted.
-            HalfEdge least = first;
-            unsigned count = 0;
-            HalfEdge h = first;
-            do {
-                least = std::min(least, h);
-                h = twin[previousSide(h)];
-            } while (h != first && ++count < kMostValence);
-            start[n] = least;
-            if (count >= kMostValence) {
-                fixed[n] = 1;
-            } else {
-                renewRing(NodeId{static_cast<std::uint32_t>(n)});
-            }
+            beginRing(n);
         }
     });
+}
+
+void ImproveWorkspace::beginRing(std::size_t n) {
+    const HalfEdge first = start[n];
+    if (fixed[n] != 0 || first == kNoHalfEdge) {
+        fixed[n] = 1;
+        return;
+    }
+    std::array<NodeId, kRingNodes> nodes;
+    unsigned count = 0, leastAt = 0;
+    HalfEdge h = first;
+    do {
+        if (h < start[n]) {
+            start[n] = h;
+            leastAt = count;
+        }
+        if (count < kRingNodes) {
+            nodes[count] = to(h);
+        }
+        h = twin[previousSide(h)];
+    } while (++count < kMostValence && h != first);
+    if (h != first) {
+        fixed[n] = 1;
+        return;
+    }
+    valence[n] = static_cast<std::uint8_t>(count);
+    if (count <= kRingNodes) {
+        std::rotate_copy(nodes.begin(), nodes.begin() + leastAt, nodes.begin() + count, rings[n].begin());
+    }
 }
 
 void ImproveWorkspace::renewRing(NodeId n) {

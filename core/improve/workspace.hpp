@@ -40,7 +40,7 @@ struct ImproveWorkspace {
     std::vector<HalfEdge> twin;
     std::vector<HalfEdge> start;       ///< per node: a half-edge that starts there; none at a node without elements
     std::vector<std::uint8_t> fixed;   ///< per node: 1 where it may not move
-    std::vector<std::uint8_t> valence; ///< elements around each free node
+    std::vector<std::uint8_t> valence; ///< elements around each free node; 0 for others
     std::vector<float> alpha;          ///< per element
     using Ring = std::array<NodeId, kRingNodes>;
     std::vector<Ring> rings; ///< the nodes around each free node, counter-clockwise; meaningless where there are more
@@ -52,6 +52,11 @@ struct ImproveWorkspace {
     bool isFree(std::size_t n) const { return fixed[n] == 0; }
     bool isFree(NodeId n) const { return fixed[index(n)] == 0; }
     double alphaOf(std::size_t e) const;
+    void addValence(NodeId n, int step) {
+        if (isFree(n)) {
+            valence[index(n)] = static_cast<std::uint8_t>(valence[index(n)] + step);
+        }
+    }
 
     /// Calls visit(half-edge from n) for the elements around a free node, counter-clockwise.
     template <class Visit>
@@ -66,6 +71,8 @@ struct ImproveWorkspace {
 
     /// Brings ring and valence of a free node up to date after swaps around it.
     void renewRing(NodeId n);
+    /// Makes the ring of a node, beginning at its least half-edge, or holds the node where it has too many elements.
+    void beginRing(std::size_t n);
     /// Computes all α and returns the least, exactly as shapeFactor gives it; 0 for a mesh without elements.
     double measureAlpha();
     /// The least α, from `alpha`, exactly as shapeFactor gives it.

@@ -341,3 +341,30 @@ TEST_CASE("improve: one, two, three and eight threads make the same mesh bit for
         CHECK(hashes.size() == 1);
     }
 }
+
+TEST_CASE("turnBack: after a turn it leaves elements, neighbours and α as they were") {
+    Mesh mesh = samples::square(6, 6, 0.2);
+    ThreadPool pool(1);
+    ImproveWorkspace work(mesh, pool);
+    work.measureAlpha();
+    for (HalfEdge h = 0; h < work.twin.size(); ++h) {
+        if (!mayTurn(work, h)) {
+            continue;
+        }
+        const std::size_t e = elementOf(h), f = elementOf(work.twin[h]);
+        const auto elements = mesh.elements;
+        const auto twin = work.twin;
+        const auto valence = work.valence;
+        const auto alpha = work.alpha;
+        turnWithRings(work, h);
+        CHECK(mesh.elements != elements);
+        turnBack(work, e, f, {elements[e], elements[f]});
+        CHECK(mesh.elements == elements);
+        CHECK(work.twin == twin);
+        CHECK(work.valence == valence);
+        CHECK(work.alpha == alpha);
+        for (const NodeId n : elements[e]) {
+            CHECK(work.from(work.start[index(n)]) == n);
+        }
+    }
+}
