@@ -12,37 +12,37 @@ MeshingSession::MeshingSession(std::function<void()> wake) : worker_(std::make_u
 MeshingSession::~MeshingSession() = default;
 
 void MeshingSession::start(std::shared_ptr<const MeshingJob> job, bool runToEnd) {
-    worker_->push(StartCommand{std::move(job), runToEnd});
+    worker_->mailbox().push(StartCommand{std::move(job), runToEnd});
 }
 void MeshingSession::finish() {
-    worker_->push(FinishCommand{});
+    worker_->mailbox().push(FinishCommand{});
 }
 void MeshingSession::play(double advancesPerSecond) {
-    worker_->push(PlayCommand{advancesPerSecond});
+    worker_->mailbox().push(PlayCommand{advancesPerSecond});
 }
 void MeshingSession::pause() {
-    worker_->push(PauseCommand{});
+    worker_->mailbox().push(PauseCommand{});
 }
 void MeshingSession::step(Granularity granularity, std::int64_t n) {
-    worker_->push(StepCommand{granularity, n});
+    worker_->mailbox().push(StepCommand{granularity, n});
 }
 void MeshingSession::seek(std::uint64_t advance) {
-    worker_->push(SeekCommand{advance});
+    worker_->mailbox().push(SeekCommand{advance});
 }
 void MeshingSession::cancel() {
-    worker_->push(CancelCommand{});
+    worker_->mailbox().push(CancelCommand{});
 }
 void MeshingSession::clear() {
-    worker_->push(ClearCommand{});
+    worker_->mailbox().push(ClearCommand{});
 }
 void MeshingSession::want(SnapshotLayers layers) {
-    worker_->push(WantCommand{layers});
+    worker_->mailbox().push(WantCommand{layers});
 }
 std::shared_ptr<const SessionSnapshot> MeshingSession::latest() const {
-    return worker_->latest();
+    return worker_->mailbox().latest();
 }
 bool MeshingSession::busy() const {
-    return worker_->busy();
+    return worker_->mailbox().busy();
 }
 
 } // namespace forefront

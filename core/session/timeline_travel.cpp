@@ -1,0 +1,253 @@
+#include "core/session/timeline_travel.hpp"
+
+#include "core/mesher/cpu_clock.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace forefront {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+/// A batch of advances takes about a millisecond, so that commands are answered at once.
+constexpr std::int64_t kBatch = 512;
+constexpr auto kTick = 16ms;
+constexpr std::uint64_t kToTheEnd = std::numeric_limits<std::uint64_t>::max();
+/// Playing faster than this, single advances can't be followed and are not explained.
+constexpr double kExplainedRate = 120.0;
+
+} // namespace
+
+std::optional<TimelineTravel::Clock::time_point> TimelineTravel::workDue() const {
+    switch (activity_) {
+    case Activity::Resting:
+        break;
+    case Activity::Reaching:
+        return Clock::time_point{};
+    case Activity::Playing:
+        return lastTick_ + kTick;
+    }
+    return std::nullopt;
+}
+
+bool TimelineTravel::followed() const {
+    return activity_ == Activity::Resting || (activity_ == Activity::Playing && std::abs(rate_) <= kExplainedRate);
+}
+
+std::shared_ptr<const AdvanceExplanation> TimelineTravel::explainNext() {
+    return std::make_shared<const AdvanceExplanation>(timeline_.mesher().explainNext());
+}
+
+/// The advance that the cursor is in, or else the one done last, derived again by doing it once more with recording.
+TimelineTravel::Moment TimelineTravel::explain() {
+    Moment moment;
+    if (!followed()) {
+        return moment;
+    }
+    if (eventsDone_ > 0) {
+        moment = {nextAdvance_, eventsDone_ - 1};
+    } else if (timeline_.position() > 0) {
+        timeline_.back(1);
+        moment.advance = explainNext();
+        timeline_.forward(1);
+        moment.cursor = moment.advance->events.size();
+    }
+    return moment;
+}
+
+TimelineTravel::Way TimelineTravel::reach(std::uint64_t position) {
+    eventsDone_ = 0;
+    layersWanted_ = 0;
+    rateOnArrival_ = 0.0;
+    target_ = position;
+    activity_ = Activity::Reaching;
+    return timeline_.position() == target_ ? arrive() : Way::Still;
+}
+
+TimelineTravel::Way TimelineTravel::reachEnd() {
+    return reach(kToTheEnd);
+}
+
+TimelineTravel::Way TimelineTravel::step(Granularity granularity, std::int64_t n) {
+    switch (granularity) {
+    case Granularity::Event:
+        settle();
+        return stepEvents(n);
+    case Granularity::Advance:
+        return stepAdvances(n);
+    case Granularity::Layer:
+        settle();
+        return stepLayers(n);
+    }
+    return Way::Arrived;
+}
+
+TimelineTravel::Way TimelineTravel::stepAdvances(std::int64_t count) {
+    const bool underWay = activity_ == Activity::Reaching && target_ != kToTheEnd;
+    const std::uint64_t origin = underWay ? target_ : timeline_.position();
+    if (count > 0) {
+        return reach(origin + static_cast<std::uint64_t>(count));
+    }
+    // Inside an advance, the first step back leads to its beginning.
+    const auto back = static_cast<std::uint64_t>(-count) - (eventsDone_ > 0 ? 1 : 0);
+    return reach(origin - std::min(origin, back));
+}
+
+/// Goes the rest of a short way before something that starts from where it leads.
+void TimelineTravel::settle() {
+    for (int batch = 0; batch < 64 && activity_ == Activity::Reaching && target_ != kToTheEnd; ++batch) {
+        reachABatch();
+    }
+    activity_ = Activity::Resting;
+}
+
+TimelineTravel::Way TimelineTravel::stepEvents(std::int64_t count) {
+    for (; count > 0; --count) {
+        if (eventsDone_ == 0) {
+            if (timeline_.mesher().finished()) {
+                break;
+            }
+            nextAdvance_ = explainNext();
+        }
+        if (++eventsDone_ >= nextAdvance_->events.size()) {
+            eventsDone_ = 0;
+            move(1);
+        }
+    }
+    for (; count < 0; ++count) {
+        if (eventsDone_ == 0) {
+            if (move(-1) == 0) {
+                break;
+            }
+            nextAdvance_ = explainNext();
+            eventsDone_ = nextAdvance_->events.size();
+        }
+        --eventsDone_;
+    }
+    return arrive();
+}
+
+TimelineTravel::Way TimelineTravel::stepLayers(std::int64_t count) {
+    const std::vector<std::uint64_t> &ends = timeline_.layerEnds();
+    const std::uint64_t position = timeline_.position();
+    if (count > 0) {
+        const auto above = std::upper_bound(ends.begin(), ends.end(), position) - ends.begin();
+        const Way way = reachEnd();
+        layersWanted_ = static_cast<std::size_t>(above + count);
+        return way;
+    }
+    // Inside an advance, the first step back may lead to where it began.
+    const std::uint64_t from = position + (eventsDone_ > 0 ? 1 : 0);
+    const auto below = std::lower_bound(ends.begin(), ends.end(), from) - ends.begin();
+    const std::int64_t wanted = below + count;
+    return reach(wanted < 0 ? 0 : ends[static_cast<std::size_t>(wanted)]);
+}
+
+void TimelineTravel::play(double rate) {
+    if (rate > 0.0 && atEnd() && timeline_.position() > 0) {
+        reach(0); // in batches: the way back over a long run takes its time
+        rateOnArrival_ = rate;
+    } else {
+        startPlaying(rate);
+    }
+}
+
+void TimelineTravel::startPlaying(double rate) {
+    eventsDone_ = 0;
+    rateOnArrival_ = 0.0;
+    rate_ = rate;
+    owed_ = 0.0;
+    lastTick_ = Clock::now();
+    activity_ = Activity::Playing;
+}
+
+void TimelineTravel::rest() {
+    rateOnArrival_ = 0.0;
+    activity_ = Activity::Resting;
+}
+
+TimelineTravel::Way TimelineTravel::arrive() {
+    rest();
+    return Way::Arrived;
+}
+
+TimelineTravel::Way TimelineTravel::work() {
+    switch (activity_) {
+    case Activity::Resting:
+        break;
+    case Activity::Reaching:
+        return reachABatch();
+    case Activity::Playing:
+        return playABatch();
+    }
+    return Way::Arrived;
+}
+
+/// Advances done for the first time count as meshing time; repeated ones do not.
+std::uint64_t TimelineTravel::move(std::int64_t advances) {
+    CpuClock clock;
+    const auto begin = Clock::now();
+    const std::uint64_t knownBefore = timeline_.known();
+    const std::uint64_t done = advances >= 0 ? timeline_.forward(static_cast<std::uint64_t>(advances))
+                                             : timeline_.back(static_cast<std::uint64_t>(-advances));
+    if (timeline_.known() > knownBefore) {
+        seconds_ += clock.lap();
+    }
+    const double wall = std::chrono::duration<double>(Clock::now() - begin).count();
+    if (activity_ == Activity::Reaching && wall > 0.0) {
+        measuredRate_ = static_cast<double>(done) / wall;
+    }
+    return done;
+}
+
+TimelineTravel::Way TimelineTravel::reachABatch() {
+    if (layersWanted_ > 0 && timeline_.layerEnds().size() >= layersWanted_) {
+        target_ = timeline_.layerEnds()[layersWanted_ - 1];
+        layersWanted_ = 0;
+    }
+    const std::uint64_t position = timeline_.position();
+    std::uint64_t done = 0;
+    if (target_ > position) {
+        done = move(static_cast<std::int64_t>(std::min<std::uint64_t>(target_ - position, kBatch)));
+    } else if (target_ < position) {
+        done = move(-static_cast<std::int64_t>(std::min<std::uint64_t>(position - target_, kBatch)));
+    }
+    if (timeline_.position() != target_ && done != 0 && !atEnd()) {
+        return Way::Moved;
+    }
+    if (rateOnArrival_ != 0.0) {
+        startPlaying(rateOnArrival_);
+        return Way::Moved;
+    }
+    return arrive();
+}
+
+TimelineTravel::Way TimelineTravel::playABatch() {
+    const auto now = Clock::now();
+    owed_ += rate_ * std::chrono::duration<double>(now - lastTick_).count();
+    lastTick_ = now;
+    // A slow machine plays slower; it never falls behind without end.
+    const double most = 0.05 * std::abs(rate_) + 1.0;
+    owed_ = std::clamp(owed_, -most, most);
+    const auto due = static_cast<std::int64_t>(owed_);
+    if (due == 0) {
+        return Way::Still;
+    }
+    owed_ -= static_cast<double>(due);
+    measuredRate_ = std::abs(rate_);
+    std::int64_t left = due;
+    while (left != 0 && Clock::now() - now < kTick) {
+        const std::int64_t batch = std::clamp<std::int64_t>(left, -kBatch, kBatch);
+        const std::uint64_t done = move(batch);
+        left -= batch;
+        if (done < static_cast<std::uint64_t>(std::abs(batch))) {
+            return arrive();
+        }
+    }
+    return rate_ > 0.0 && atEnd() ? arrive() : Way::Moved;
+}
+
+} // namespace forefront
