@@ -1,11 +1,10 @@
 #include "core/mesh/quality.hpp"
 
 #include "core/mesh/edge_table.hpp"
+#include "core/mesh/shape_tally.hpp"
 #include "core/spacing/spacing_field.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -32,53 +31,6 @@ std::vector<float> shapeFactors(const Mesh &mesh) {
 }
 
 namespace {
-
-/// Product of many factors in (0, 1] by its logarithm, with few calls of log.
-class LogProduct {
-  public:
-    void multiply(double factor) {
-        if (product_ < 1e-100 || factor < 1e-100) {
-            flush();
-        }
-        product_ *= factor;
-    }
-    double logarithm() {
-        flush();
-        return sum_;
-    }
-
-  private:
-    void flush() {
-        sum_ += std::log(product_);
-        product_ = 1.0;
-    }
-    double product_ = 1.0;
-    double sum_ = 0.0;
-};
-
-/// Extreme angles by their cotangents, which fall as the angle grows.
-class AngleRange {
-  public:
-    void add(Vec2 a, Vec2 b, Vec2 c) {
-        const double twiceArea = cross(b - a, c - a);
-        if (!(twiceArea > 0.0)) {
-            flat_ = true;
-            return;
-        }
-        const double atA = dot(b - a, c - a), atB = dot(a - b, c - b), atC = dot(a - c, b - c);
-        greatestCot_ = std::max(greatestCot_, std::max({atA, atB, atC}) / twiceArea);
-        leastCot_ = std::min(leastCot_, std::min({atA, atB, atC}) / twiceArea);
-    }
-    double least() const { return flat_ ? 0.0 : degrees(greatestCot_); }
-    double greatest() const { return flat_ ? 180.0 : degrees(leastCot_); }
-
-  private:
-    static double degrees(double cot) { return std::atan2(1.0, cot) * 180.0 / std::numbers::pi; }
-
-    double greatestCot_ = -std::numeric_limits<double>::infinity();
-    double leastCot_ = std::numeric_limits<double>::infinity();
-    bool flat_ = false;
-};
 
 /// Mean of δ over segments, with ρ evaluated in blocks.
 class ConformityMean {
@@ -117,35 +69,11 @@ class ConformityMean {
 };
 
 void measureShapes(const Mesh &mesh, MeshQuality &quality) {
-    LogProduct product;
-    AngleRange angles;
-    double sum = 0.0, twiceArea = 0.0;
-    bool allPositive = true;
-    quality.alphaMin = std::numeric_limits<double>::infinity();
-    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-        const Element &n = mesh.elements[e];
-        const Vec2 a = mesh.nodes[index(n[0])], b = mesh.nodes[index(n[1])], c = mesh.nodes[index(n[2])];
-        const double alpha = shapeFactor(a, b, c);
-        sum += alpha;
-        twiceArea += cross(b - a, c - a);
-        angles.add(a, b, c);
-        if (alpha < quality.alphaMin) {
-            quality.alphaMin = alpha;
-            quality.worst = ElementId{static_cast<std::uint32_t>(e)};
-        }
-        allPositive = allPositive && alpha > 0.0;
-        if (alpha > 0.0) {
-            product.multiply(alpha);
-        }
-        const double bin = std::clamp(alpha, 0.0, 1.0) * static_cast<double>(kHistogramBins);
-        ++quality.alphaHistogram[std::min(static_cast<std::size_t>(bin), kHistogramBins - 1)];
+    ShapeTally tally;
+    for (const Element &n : mesh.elements) {
+        tally.add(mesh.nodes[index(n[0])], mesh.nodes[index(n[1])], mesh.nodes[index(n[2])]);
     }
-    const auto count = static_cast<double>(mesh.elements.size());
-    quality.area = 0.5 * twiceArea;
-    quality.alphaMean = sum / count;
-    quality.alphaGeometricMean = allPositive ? std::exp(product.logarithm() / count) : 0.0;
-    quality.minAngle = angles.least();
-    quality.maxAngle = angles.greatest();
+    tally.into(quality);
 }
 
 void measurePercentiles(const Mesh &mesh, MeshQuality &quality) {

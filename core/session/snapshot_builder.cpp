@@ -1,7 +1,6 @@
 #include "core/session/snapshot_builder.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace forefront {
 
@@ -10,6 +9,13 @@ namespace {
 /// Up to this size all of the quality is measured whenever the run rests; above, only at its end.
 constexpr std::size_t kMeasureUpTo = 200'000;
 constexpr std::uint64_t kMostMarks = 2000;
+/// Elements from one kept tally to the next: so many at most are counted again for the figures of any position.
+constexpr std::size_t kTallyStride = 1024;
+
+void count(ShapeTally &tally, const FrontState &state, std::size_t element) {
+    const Element &n = state.elements[element];
+    tally.add(state.nodes[index(n[0])], state.nodes[index(n[1])], state.nodes[index(n[2])]);
+}
 
 std::shared_ptr<const std::vector<FrontSegmentView>> frontOf(const GenerationFront &front) {
     auto view = std::make_shared<std::vector<FrontSegmentView>>();
@@ -73,7 +79,7 @@ void SnapshotBuilder::fill(SessionSnapshot &snapshot, const Timeline &timeline, 
 
 void SnapshotBuilder::fillMesh(SessionSnapshot &snapshot, const Timeline &timeline, bool wanted, bool resting) {
     const FrontState &state = timeline.mesher().state();
-    growAlpha(state);
+    growShapes(state);
     if (wanted && meshPosition_ != timeline.position()) {
         auto view = std::make_shared<MeshView>();
         view->mesh = toMesh(state, timeline.mesher().boundary());
@@ -94,38 +100,30 @@ void SnapshotBuilder::fillMesh(SessionSnapshot &snapshot, const Timeline &timeli
     snapshot.quality = whole ? quality_ : quickQuality(state);
 }
 
-void SnapshotBuilder::growAlpha(const FrontState &state) {
+void SnapshotBuilder::growShapes(const FrontState &state) {
     for (std::size_t e = alpha_.size(); e < state.elements.size(); ++e) {
-        const Element &element = state.elements[e];
-        alpha_.push_back(static_cast<float>(shapeFactor(state.nodes[index(element[0])], state.nodes[index(element[1])],
-                                                        state.nodes[index(element[2])])));
+        if (e % kTallyStride == 0) {
+            tallies_.push_back(growing_);
+        }
+        count(growing_, state, e);
+        const Element &n = state.elements[e];
+        alpha_.push_back(static_cast<float>(
+            shapeFactor(state.nodes[index(n[0])], state.nodes[index(n[1])], state.nodes[index(n[2])])));
     }
 }
 
-/// What follows from α alone, in one pass.
+/// What follows from the shapes alone; cheap at any position and size.
 MeshQuality SnapshotBuilder::quickQuality(const FrontState &state) const {
     MeshQuality quality;
     quality.nodes = state.nodes.size();
-    quality.elements = state.elements.size();
-    if (quality.elements == 0) {
+    if (state.elements.empty()) {
         return quality;
     }
-    double sum = 0.0;
-    double logSum = 0.0;
-    std::size_t worst = 0;
-    for (std::size_t e = 0; e < quality.elements; ++e) {
-        const double alpha = static_cast<double>(alpha_[e]);
-        sum += alpha;
-        logSum += std::log(std::max(alpha, 1e-300));
-        worst = alpha_[e] < alpha_[worst] ? e : worst;
-        const double bin = std::clamp(alpha * kHistogramBins, 0.0, kHistogramBins - 1.0);
-        ++quality.alphaHistogram[static_cast<std::size_t>(bin)];
+    ShapeTally tally = tallies_[(state.elements.size() - 1) / kTallyStride];
+    for (std::size_t e = tally.count(); e < state.elements.size(); ++e) {
+        count(tally, state, e);
     }
-    const auto count = static_cast<double>(quality.elements);
-    quality.alphaMean = sum / count;
-    quality.alphaGeometricMean = std::exp(logSum / count);
-    quality.alphaMin = static_cast<double>(alpha_[worst]);
-    quality.worst = ElementId{static_cast<std::uint32_t>(worst)};
+    tally.into(quality);
     return quality;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/mesh/shape_tally.hpp"
 #include "core/mesher/timeline.hpp"
 #include "core/session/snapshot.hpp"
 
@@ -23,11 +24,14 @@ class SnapshotBuilder {
 
   private:
     void fillMesh(SessionSnapshot &snapshot, const Timeline &timeline, bool wanted, bool resting);
-    void growAlpha(const FrontState &state);
+    void growShapes(const FrontState &state);
     MeshQuality quickQuality(const FrontState &state) const;
 
     /// α of every element made so far; element i is the same whenever it exists.
     std::vector<float> alpha_;
+    /// tallies_[i]: of the first i · kTallyStride elements; growing_: of all in alpha_.
+    std::vector<ShapeTally> tallies_;
+    ShapeTally growing_;
     std::shared_ptr<const MeshView> mesh_;
     std::optional<std::uint64_t> meshPosition_;
     std::optional<std::uint64_t> qualityPosition_;
