@@ -5,6 +5,7 @@
 #include "ui/app/canvas_input.hpp"
 #include "ui/app/imgui_bridge.hpp"
 #include "ui/app/recovery.hpp"
+#include "ui/app/snapshot_pace.hpp"
 #include "ui/app/state_file.hpp"
 #include "ui/canvas/canvas.hpp"
 #include "ui/dialogs/file_commands.hpp"
@@ -14,6 +15,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace forefront {
@@ -36,7 +38,10 @@ struct Editor::Parts {
     std::uint64_t liveRevision = 0;
     PixelSize size;
     std::shared_ptr<const SpacingRaster> raster;
+    SnapshotPace pace;
+    bool drewNews = false; ///< this frame draws a new snapshot
 
+    bool newsDue() const;
     void refreshLook();
     void takeResults();
     void meshLive();
@@ -48,6 +53,10 @@ struct Editor::Parts {
 };
 
 namespace {
+
+double steadySeconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 CursorShape cursorOf(ImGuiMouseCursor cursor) {
     switch (cursor) {
@@ -70,6 +79,11 @@ bool sameSettings(const Settings &a, const Settings &b) {
 }
 
 } // namespace
+
+bool Editor::Parts::newsDue() const {
+    const RunState state = context.run().now().state;
+    return pace.due(steadySeconds(), state == RunState::Running || state == RunState::Improving);
+}
 
 Editor::Editor(Platform &platform, EditorSetup options)
     : parts_(std::make_unique<Parts>(platform, std::move(options))) {
@@ -135,7 +149,7 @@ bool Editor::running() const {
 bool Editor::settled() const {
     const AppContext &c = parts_->context;
     return parts_->input.empty() && !parts_->input.replaying() && c.redraw <= 0 && !c.previews->busy() &&
-           !c.run().busy();
+           !c.run().busy() && !c.run().hasNews();
 }
 
 double Editor::sleepSeconds() const {
@@ -143,12 +157,13 @@ double Editor::sleepSeconds() const {
     if (c.redraw > 0 || !parts_->input.empty() || parts_->input.replaying()) {
         return 0.0;
     }
-    return std::clamp(c.nextFrameAt - c.platform.now(), 0.001, 0.5);
+    const double untilNews = c.run().hasNews() ? parts_->pace.next() - steadySeconds() : 0.5;
+    return std::clamp(std::min(c.nextFrameAt - c.platform.now(), untilNews), 0.001, 0.5);
 }
 
 bool Editor::needsFrame() const {
     const AppContext &c = parts_->context;
-    return sleepSeconds() <= 0.0 || c.platform.now() >= c.nextFrameAt || c.run().hasNews() ||
+    return sleepSeconds() <= 0.0 || c.platform.now() >= c.nextFrameAt || (c.run().hasNews() && parts_->newsDue()) ||
            c.previews->latest() != c.preview || c.previews->raster() != parts_->raster ||
            !(c.platform.framebufferSize() == parts_->size);
 }
@@ -207,7 +222,10 @@ void Editor::Parts::takeResults() {
     wanted.mesh = true; // the panels speak of it
     context.run().want(wanted);
     const auto before = context.run().snapshot();
-    context.run().refresh();
+    if (newsDue()) {
+        context.run().refresh();
+    }
+    drewNews = before != context.run().snapshot();
     context.previews->submit(context.document().current(), context.document().revision());
     if (recovery) {
         recovery->follow(context);
@@ -313,6 +331,7 @@ void Editor::frame() {
     c.nextFrameAt = 1e300;
     --c.redraw;
     const double now = c.platform.now();
+    const double begin = steadySeconds();
     const PixelSize size = c.platform.framebufferSize();
     if (!(size == p.size)) {
         p.size = size;
@@ -335,6 +354,10 @@ void Editor::frame() {
     p.bridge.endFrame();
     c.widgets.endFrame();
     c.platform.present();
+    if (p.drewNews) {
+        const double end = steadySeconds();
+        p.pace.drew(end, end - begin);
+    }
     p.showTitle();
     if (!ImGui::IsAnyItemActive()) {
         p.rememberSettings();
