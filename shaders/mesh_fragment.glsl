@@ -18,9 +18,10 @@ void main() {
     vec3 rate = fwidth(corner);
     vec3 pixels = corner / max(rate, vec3(1e-9));
     float nearest = min(min(pixels.x, pixels.y), pixels.z);
-    // Heights of the triangle in pixels; below a few of them edges would be solid colour, so they fade.
+    // Heights of the triangle in pixels; below a few of them edges would be solid colour, so they turn into an even
+    // veil, which still tells what is meshed from what is not.
     float least = 1.0 / max(max(rate.x, rate.y), rate.z);
-    float line = clamp(0.5 * edgeWidth + 0.5 - nearest, 0.0, 1.0) * smoothstep(1.5, 9.0, least);
+    float line = mix(0.3, clamp(0.5 * edgeWidth + 0.5 - nearest, 0.0, 1.0), smoothstep(1.5, 9.0, least));
     vec4 fill = coloured == 1 ? vec4(texture(map, vec2(clamp((shade - least) / (1.0 - least), 0.0, 1.0) * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb, opacity) : face;
     if (coloured == 1 && shade < badBelow) {
         float stripe = abs(fract((gl_FragCoord.x + gl_FragCoord.y) / 7.0) - 0.5) * 7.0;

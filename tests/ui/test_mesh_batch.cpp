@@ -106,6 +106,35 @@ TEST_CASE("MeshBatch: a mesh whose nodes have moved is uploaded anew") {
     CHECK(draw(stage, batch) == draw(stage, anew));
 }
 
+TEST_CASE("MeshBatch: what the GPU has is not sent again") {
+    Stage stage;
+    MeshBatch batch;
+    const auto whole = lattice(20, 800, 1);
+    batch.update(whole, false);
+    CHECK(batch.sent() == 800);
+    batch.update(whole, false);
+    CHECK(batch.sent() == 800);
+    batch.update(lattice(20, 250, 2), false); // back
+    CHECK(batch.sent() == 800);
+    batch.update(lattice(20, 640, 3), false); // forward
+    CHECK(batch.sent() == 800 + 390);
+}
+
+TEST_CASE("MeshBatch: elements too small for edges wear an even veil instead, and so differ from what is unmeshed") {
+    Stage stage;
+    stage.camera.fit({{0, 0}, {800, 800}});
+    MeshBatch batch;
+    batch.update(lattice(800, 640000, 1), false); // half of it
+    const std::vector<std::uint8_t> picture = draw(stage, batch);
+    std::size_t veiled = 0, bare = 0;
+    for (std::size_t i = 0; i < picture.size(); i += 4) {
+        veiled += picture[i] > 0x30 + 30 && picture[i] < 0xff - 60 ? 1 : 0; // red: between face and edge
+        bare += picture[i] == 0x30 ? 1 : 0;
+    }
+    CHECK(veiled > 10000);
+    CHECK(bare < veiled / 20);
+}
+
 TEST_CASE("MeshBatch: sorted by place it draws the same, and far less when zoomed in") {
     Stage stage;
     stage.camera.fit({{0, 0}, {200, 200}});

@@ -140,6 +140,7 @@ void MeshBatch::upload(std::size_t fromElement) {
     }
     if (fromElement < total) {
         const std::size_t count = total - fromElement;
+        sent_ += count;
         glBindBuffer(GL_ARRAY_BUFFER, cornerBuffer_);
         glBufferSubData(GL_ARRAY_BUFFER, bytes(fromElement, sizeof(Corner)), bytes(count, sizeof(Corner)),
                         &corners_[3 * fromElement]);

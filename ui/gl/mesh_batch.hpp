@@ -39,6 +39,8 @@ class MeshBatch {
     /// sorting by place.
     void update(const std::shared_ptr<const MeshView> &view, bool atRest);
     std::size_t elements() const { return uploaded_; }
+    /// Elements sent to the GPU so far, all updates together; for tests.
+    std::size_t sent() const { return sent_; }
     /// Chunks drawn by the last draw(); for tests.
     std::size_t chunksDrawn() const { return chunksDrawn_; }
     void draw(const GlKit &gl, const Camera &camera, const MeshStyle &style);
@@ -66,6 +68,7 @@ class MeshBatch {
     std::vector<float> values_;   ///< three per element: α
     std::size_t uploaded_ = 0;    ///< elements
     std::size_t capacity_ = 0;    ///< elements the buffers hold
+    std::size_t sent_ = 0;
     std::size_t chunksDrawn_ = 0;
     bool byPlace_ = false;
     unsigned array_ = 0, cornerBuffer_ = 0, valueBuffer_ = 0;

@@ -29,14 +29,20 @@ class FrontLayer final : public Layer {
             shown_ = frame.snapshot.front;
             theme_ = frame.theme.kind;
             segments_.clear();
+            meanLength_ = 0.0;
             if (shown_) {
                 for (const FrontSegmentView &segment : *shown_) {
                     segments_.add(segment.a, segment.b, frame.theme.front);
+                    meanLength_ += distance(segment.a, segment.b) / static_cast<double>(shown_->size());
                 }
             }
         }
+        // Where segments are a few pixels long, glow and heads would bury what they belong to, and cost time.
+        const bool fine = frame.camera.zoom * meanLength_ < 4.0 * frame.scale;
         segments_.draw(frame.gl, frame.camera,
-                       {.width = 2.0 * frame.scale, .glow = 9.0 * frame.scale, .arrow = 7.0 * frame.scale});
+                       {.width = (fine ? 1.25 : 2.0) * frame.scale,
+                        .glow = fine ? 0.0 : 9.0 * frame.scale,
+                        .arrow = fine ? 0.0 : 7.0 * frame.scale});
     }
 
     void drawOverlay(CanvasPainter &painter, const LayerFrame &frame) override {
@@ -68,6 +74,7 @@ class FrontLayer final : public Layer {
 
   private:
     LineBatch segments_;
+    double meanLength_ = 0.0; ///< of the segments, in domain units
     std::shared_ptr<const std::vector<FrontSegmentView>> shown_;
     ThemeKind theme_ = ThemeKind::Dark;
 };

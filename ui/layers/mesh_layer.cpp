@@ -36,7 +36,7 @@ class ElementPainter {
         const bool quality = frame.visible("quality");
         const bool tinted = frame.visible("size");
         MeshStyle style;
-        style.face = fade(frame.theme.element, tinted ? 0.28 : 1.0);
+        style.face = fade(frame.theme.element, tinted ? 0.5 : 1.0);
         style.edge = edges ? frame.theme.mesh : Colour{0};
         style.edgeWidth = 1.0 * frame.scale;
         style.coloured = quality;
