@@ -90,7 +90,9 @@ bool iconButton(AppContext &context, std::string_view name, const char *icon, co
         const Disabled disabled(!enabled);
         pushButtonColours(context.theme, ButtonKind::Quiet, on);
         ImGui::PushFont(size < 30.0F ? context.fonts.body : context.fonts.icons);
-        ImGui::PushStyleColor(ImGuiCol_Text, on ? context.theme.accent : size < 30.0F ? context.theme.muted : context.theme.text);
+        ImGui::PushStyleColor(ImGuiCol_Text, on             ? context.theme.accent
+                                             : size < 30.0F ? context.theme.muted
+                                                            : context.theme.text);
         ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
         pressed = ImGui::Button(icon, {context.px(size), context.px(size)});
         ImGui::PopStyleVar();
@@ -226,7 +228,8 @@ bool thinSlider(AppContext &context, std::string_view name, double &t, std::stri
     const float height = context.px(26), whole = context.px(static_cast<double>(width));
     ImGui::InvisibleButton("thin", {whole, height});
     mark(context, name);
-    const bool active = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
+    // A last move and the release may come in one frame.
+    const bool active = ImGui::IsItemActive() || ImGui::IsItemDeactivated(), hovered = ImGui::IsItemHovered();
     const float inset = context.px(6), middle = at.y + height / 2, half = context.px(2);
     const float left = at.x + inset, right = at.x + whole - inset;
     bool changed = false;

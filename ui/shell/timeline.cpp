@@ -88,7 +88,8 @@ void drawScrubber(AppContext &context, float width, float height) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton("##scrubber", {width, height});
     ui::mark(context, "timeline/scrubber", run.known > 0);
-    const bool active = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
+    // A last move and the release may come in one frame.
+    const bool active = ImGui::IsItemActive() || ImGui::IsItemDeactivated(), hovered = ImGui::IsItemHovered();
     ImDrawList &list = *ImGui::GetWindowDrawList();
     const Theme &theme = context.theme;
     const float middle = at.y + height / 2, half = context.px(3);
@@ -119,10 +120,32 @@ void drawScrubber(AppContext &context, float width, float height) {
     }
 }
 
-std::string captionText(const SessionSnapshot &run) {
+/// To two digits, so that the last ones do not flicker.
+std::uint64_t roundedRate(double rate) {
+    if (!(rate >= 1.0)) {
+        return 0;
+    }
+    const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(rate)) - 1.0));
+    return static_cast<std::uint64_t>(std::round(rate / unit) * unit);
+}
+
+std::string cancelledText(const SessionSnapshot &run) {
+    if (run.known == 0) {
+        return "Cancelled before the front advanced.";
+    }
+    return "Cancelled after " + ui::count(run.known) +
+           " advances: step through what is there, End goes on, 2 starts again.";
+}
+
+std::string captionText(const AppContext &context, const SessionSnapshot &run) {
     switch (run.state) {
     case RunState::Empty:
-        return "Press 2 to mesh, or Space to watch the front advance.";
+        return context.document().current()->shapes.empty()
+                   ? "Draw a domain: R rectangle, P polygon, C circle; a shape inside another is a hole. Or open one: "
+                     "Ctrl+O, samples in Learn."
+                   : "Press 2 to mesh, or Space to watch the front advance.";
+    case RunState::Cancelled:
+        return cancelledText(run);
     case RunState::Failed:
         return run.diagnostics.empty() ? "The domain cannot be meshed." : toString(run.diagnostics.front());
     case RunState::Preparing:
@@ -140,6 +163,9 @@ std::string captionText(const SessionSnapshot &run) {
     }
     if (run.advance == 0) {
         return "\xce\x93 is the boundary of the domain: nothing is meshed yet.";
+    }
+    if (run.state == RunState::Running) {
+        return "The front advances: " + ui::count(roundedRate(run.rate)) + " advances per second.";
     }
     return {};
 }
@@ -173,7 +199,7 @@ void drawTimeline(AppContext &context, const PixelRect &rect) {
     ImGui::SetCursorPos({right - ImGui::CalcTextSize(position.c_str()).x, context.px(14)});
     ImGui::TextUnformatted(position.c_str());
     ui::mark(context, "timeline/position");
-    const std::string words = captionText(run);
+    const std::string words = captionText(context, run);
     ImGui::SetCursorPos({context.px(14), context.px(50)});
     ImGui::PushStyleColor(ImGuiCol_Text, run.state == RunState::Failed ? context.theme.bad : context.theme.text);
     ImGui::PushClipRect({0, y}, {static_cast<float>(rect.width) - context.px(14), y + static_cast<float>(rect.height)},
