@@ -139,6 +139,7 @@ bool FileDialog::drawRow(AppContext &context, const FileEntry &entry) {
 bool FileDialog::drawList(AppContext &context) {
     bool opened = false;
     if (entries_.empty()) {
+        ImGui::SetCursorPos({context.px(10), context.px(8)});
         ui::muted(context, "Nothing of this kind here");
     }
     ImGuiListClipper clipper;

@@ -4,6 +4,8 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
+#include <filesystem>
 
 namespace forefront::shell {
 
@@ -52,11 +54,14 @@ void drawHints(AppContext &context, const PixelRect &canvas) {
     }
     const Plate plate(context, "##hints", canvas.x + 14.0 * static_cast<double>(context.scale),
                       canvas.y + canvas.height - 14.0 * static_cast<double>(context.scale), 0.0F, 1.0F);
-    const struct {
+    struct Hint {
         const char *key, *text;
-    } hints[] = {
-        {"2", "mesh"}, {"Space", "replay the front"}, {".", "step"}, {"B", "paint finer"}, {"?", "all shortcuts"}};
-    for (const auto &hint : hints) {
+    };
+    static constexpr std::array<Hint, 5> kMeshing{
+        {{"2", "mesh"}, {"Space", "replay the front"}, {".", "step"}, {"B", "paint finer"}, {"?", "all shortcuts"}}};
+    static constexpr std::array<Hint, 5> kDrawing{
+        {{"R", "rectangle"}, {"P", "polygon"}, {"C", "circle"}, {"Ctrl+O", "open"}, {"?", "all shortcuts"}}};
+    for (const Hint &hint : context.document().current()->shapes.empty() ? kDrawing : kMeshing) {
         key(context, hint.key);
         ui::muted(context, hint.text);
         ImGui::SameLine(0, context.px(16));
@@ -68,12 +73,27 @@ void drawHints(AppContext &context, const PixelRect &canvas) {
     ImGui::PopStyleVar();
 }
 
+/// Top of the plates at the right end: beside the options of the tool, below them on a narrow canvas.
+double topOfNotes(const AppContext &context, const PixelRect &canvas) {
+    const bool narrow = canvas.width < static_cast<double>(context.px(900));
+    return canvas.y + static_cast<double>(context.px(narrow ? 60 : 12));
+}
+
+bool working(const SessionSnapshot &run) {
+    return run.state == RunState::Preparing || run.state == RunState::Improving ||
+           (run.state == RunState::Running && run.progress > 0.0 &&
+            run.rate > 2.0 * RunControl::kFastest * RunControl::kAdvancesPerSecond);
+}
+
 void drawOutOfDate(AppContext &context, const PixelRect &canvas) {
+    if (working(context.run().now())) {
+        return; // the progress stands there
+    }
     if (!context.run().outOfDate() || context.run().now().state == RunState::Empty) {
         return;
     }
     const double scale = static_cast<double>(context.scale);
-    const Plate plate(context, "##outofdate", canvas.x + canvas.width - 12.0 * scale, canvas.y + 12.0 * scale, 1.0F,
+    const Plate plate(context, "##outofdate", canvas.x + canvas.width - 12.0 * scale, topOfNotes(context, canvas), 1.0F,
                       0.0F);
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, context.theme.warn);
@@ -88,16 +108,15 @@ void drawOutOfDate(AppContext &context, const PixelRect &canvas) {
 
 void drawProgress(AppContext &context, const PixelRect &canvas) {
     const SessionSnapshot &run = context.run().now();
-    const bool working = run.state == RunState::Preparing || run.state == RunState::Improving ||
-                         (run.state == RunState::Running && run.progress > 0.0 &&
-                          run.rate > 2.0 * RunControl::kFastest * RunControl::kAdvancesPerSecond);
-    if (!working) {
+    if (!working(run)) {
         return;
     }
     const double scale = static_cast<double>(context.scale);
-    const Plate plate(context, "##progress", canvas.centre().x, canvas.y + 14.0 * scale, 0.5F, 0.0F);
+    const Plate plate(context, "##progress", canvas.x + canvas.width - 12.0 * scale, topOfNotes(context, canvas), 1.0F,
+                      0.0F);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(run.stage.empty() ? "working" : run.stage.c_str());
+    ui::mark(context, "canvas/progress");
     ImGui::SameLine(0, context.px(12));
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 size{context.px(180), context.px(6)};
@@ -107,10 +126,33 @@ void drawProgress(AppContext &context, const PixelRect &canvas) {
     const float done = size.x * static_cast<float>(std::clamp(run.progress, 0.03, 1.0));
     list.AddRectFilled({at.x, y}, {at.x + done, y + size.y}, context.theme.accent, size.y / 2);
     ImGui::Dummy({size.x, ImGui::GetFrameHeight()});
+    ImGui::SameLine(0, context.px(10));
+    ui::muted(context, ui::format("%2.0f %%", 100.0 * std::clamp(run.progress, 0.0, 1.0)));
     ImGui::SameLine(0, context.px(12));
     if (ui::button(context, "canvas/cancel", "Cancel  Esc")) {
         context.actions.run("run.cancel", context);
     }
+}
+
+/// "FILE, line N: MESSAGE", the parts that are known.
+std::string withPlace(const Diagnostic &diagnostic) {
+    std::string text;
+    if (!diagnostic.file.empty()) {
+        text = std::filesystem::path(diagnostic.file).filename().string();
+        if (diagnostic.line > 0) {
+            text += ", line " + std::to_string(diagnostic.line);
+        }
+        text += ": ";
+    }
+    return text + diagnostic.message;
+}
+
+/// A fault of the drawing that "Repair drawing" mends.
+bool repairable(const Diagnostic &diagnostic) {
+    static constexpr std::array<std::string_view, 7> kCodes{
+        "zero-length",       "unreferenced-node", "duplicate-node",      "duplicate-segment",
+        "crossing-segments", "touching-segments", "overlapping-segments"};
+    return std::find(kCodes.begin(), kCodes.end(), diagnostic.code) != kCodes.end();
 }
 
 /// The newest error for some seconds, with a way to its place.
@@ -136,13 +178,24 @@ void drawNewestError(AppContext &context, const PixelRect &canvas) {
     ImGui::PopStyleColor();
     ImGui::SameLine(0, context.px(8));
     ImGui::PushTextWrapPos(context.px(520));
-    ImGui::TextUnformatted(entry.diagnostic.message.c_str());
+    ImGui::BeginGroup();
+    ImGui::TextUnformatted(withPlace(entry.diagnostic).c_str());
+    if (!entry.diagnostic.advice.empty()) {
+        ui::muted(context, entry.diagnostic.advice);
+    }
+    ImGui::EndGroup();
     ImGui::PopTextWrapPos();
     ui::mark(context, "canvas/error");
     if (entry.diagnostic.at) {
         ImGui::SameLine(0, context.px(12));
         if (ui::button(context, "canvas/error/goto", "Show place")) {
             context.view.goTo(*entry.diagnostic.at, context.platform.now());
+        }
+    }
+    if (repairable(entry.diagnostic) && hasErrors(context.preview->faults)) {
+        ImGui::SameLine(0, context.px(8));
+        if (ui::button(context, "canvas/error/repair", "Repair")) {
+            context.actions.run("edit.repair", context);
         }
     }
 }

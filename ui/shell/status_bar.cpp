@@ -75,17 +75,23 @@ void drawStatusBar(AppContext &context, const PixelRect &rect) {
         cells.add("counts",
                   ui::count(run.quality.elements) + " \xe2\x96\xb3   " + ui::count(run.quality.nodes) + " \xe2\x97\x8f",
                   theme.text, 100);
+        cells.clicked("counts");
+        ui::tooltip(context, "Triangles and nodes");
         cells.add(
             "quality",
             ui::format("\xce\xb1 %.3f   min\xe2\x88\xa0 %.1f\xc2\xb0", run.quality.alphaMean, run.quality.minAngle),
             theme.text, 120);
+        cells.clicked("quality");
+        ui::tooltip(context, run.complete && run.advance < run.known
+                                 ? "Mean shape factor and least angle so far; the mesh is improved at the end"
+                                 : "Mean shape factor and least angle");
     } else if (context.preview->estimatedElements > 0.0) {
         cells.add("estimate",
                   "about " + ui::count(static_cast<std::uint64_t>(context.preview->estimatedElements)) +
                       " \xe2\x96\xb3",
                   theme.muted, 100);
     }
-    if (run.complete && run.meshHash != 0) {
+    if (run.complete && run.meshHash != 0 && run.advance == run.known) {
         cells.add("hash", "hash " + toHex(run.meshHash).substr(0, 8), theme.muted);
         if (cells.clicked("hash")) {
             context.platform.setClipboard(toHex(run.meshHash));
