@@ -48,7 +48,7 @@ class Draughtsman : public Driver {
     }
     /// Folds the panels above, so that a lower one is in sight.
     void unfold(std::string_view panel) {
-        for (const char *id : {"layers", "inspector", "steps"}) {
+        for (const char *id : {"layers", "inspector"}) {
             if (panel != id && !folded(id)) {
                 click(std::string("panel/") + id);
             }
@@ -69,7 +69,7 @@ class Draughtsman : public Driver {
         return setup;
     }
     bool folded(const std::string &panel) {
-        const char *inside = panel == "layers" ? "layer/domain" : panel == "inspector" ? "inspector/here" : "steps/1";
+        const char *inside = panel == "layers" ? "layer/domain" : "inspector/here";
         return !has(inside);
     }
 };

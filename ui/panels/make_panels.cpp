@@ -7,8 +7,9 @@ std::vector<std::unique_ptr<Panel>> makePanels() {
     std::vector<std::unique_ptr<Panel>> panels;
     panels.push_back(makeLayersPanel());
     panels.push_back(makeInspectorPanel());
-    panels.push_back(makeStepsPanel());
     panels.push_back(makeSpacingPanel());
+    panels.push_back(makeMeshingPanel());
+    panels.push_back(makeStepsPanel());
     panels.push_back(makeHistogramPanel());
     panels.push_back(makeStatisticsPanel());
     panels.push_back(makeChecksPanel());

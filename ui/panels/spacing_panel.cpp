@@ -131,16 +131,21 @@ void SpacingPanel::drawLimits(AppContext &context) {
     }
     std::optional<double> gradation = document->spacing.gradation;
     form::label(context, "Gradation");
-    if (form::optionalField(context, "spacing/gradation", gradation, "by itself", half)) {
+    if (form::optionalField(context, "spacing/gradation", gradation, "by itself")) {
         EditState::apply(context, setGradation(*context.document().current(), gradation), "Change gradation");
     }
     ui::tooltip(context, "Greatest change of \xcf\x81 per unit of length: 0.1 is gentle, 0.3 is steep");
-    ImGui::SameLine(0, context.px(6));
+    form::label(context, "");
     bool fromBoundary = document->spacing.fromBoundary;
-    if (ui::checkbox(context, "spacing/fromboundary", "From boundary", fromBoundary)) {
+    if (ui::checkbox(context, "spacing/fromboundary", "Boundary lengths too", fromBoundary)) {
         context.document().apply(setFromBoundary(*context.document().current(), fromBoundary), "Spacing from boundary");
     }
     ui::tooltip(context, "The lengths of the boundary segments, as drawn, are sizes too");
+}
+
+/// Nothing that speaks of the whole domain is given: the automatic spacing does.
+bool fillsIn(const SpacingSpec &spacing) {
+    return !spacing.size && !spacing.expression && spacing.sources.empty() && !spacing.fromBoundary;
 }
 
 void SpacingPanel::draw(AppContext &context) {
@@ -148,7 +153,7 @@ void SpacingPanel::draw(AppContext &context) {
     const SpacingSpec &spacing = document->spacing;
     std::optional<double> size = spacing.size;
     form::label(context, "Size");
-    if (form::optionalField(context, "spacing/size", size, spacing.automatic() ? "automatic" : "none")) {
+    if (form::optionalField(context, "spacing/size", size, fillsIn(spacing) ? "automatic" : "none")) {
         EditState::apply(context, setSize(*document, size), "Change size");
     }
     ui::tooltip(context, "Element size everywhere, where nothing finer is asked for. Empty: automatic.");

@@ -52,12 +52,13 @@ class StepsPanel final : public Panel {
   public:
     const char *id() const override { return "steps"; }
     const char *title() const override { return "Steps"; }
+    PanelPlace place() const override { return PanelPlace::Tabbed; }
 
     void draw(AppContext &context) override {
         const SessionSnapshot &run = context.run().now();
         const Moment moment = momentOf(run);
         const int live = liveStep(run, moment);
-        const float width = ImGui::GetContentRegionAvail().x, height = context.px(19);
+        const float width = ImGui::GetContentRegionAvail().x, height = context.px(16);
         ImDrawList &list = *ImGui::GetWindowDrawList();
         ImGui::PushFont(context.fonts.small);
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));

@@ -111,6 +111,13 @@ void drawTabs(AppContext &context) {
     ImDrawList &list = *ImGui::GetWindowDrawList();
     ImGui::PushFont(context.fonts.heading);
     const float height = context.px(24);
+    float words = 0.0F;
+    for (const Panel *tab : tabs) {
+        words += ImGui::CalcTextSize(capitals(tab->title()).c_str()).x + context.px(2);
+    }
+    const float room = ImGui::GetContentRegionAvail().x - words;
+    const float gap =
+        std::clamp(room / std::max(1.0F, static_cast<float>(tabs.size()) - 1.0F), context.px(5), context.px(16));
     for (std::size_t i = 0; i < tabs.size(); ++i) {
         const std::string title = capitals(tabs[i]->title());
         const ImVec2 size = ImGui::CalcTextSize(title.c_str());
@@ -127,7 +134,7 @@ void drawTabs(AppContext &context) {
             list.AddRectFilled({at.x, at.y + height - context.px(2)}, {at.x + size.x, at.y + height},
                                context.theme.accent, context.px(1));
         }
-        ImGui::SameLine(0, context.px(16));
+        ImGui::SameLine(0, gap);
     }
     ImGui::PopFont();
     ImGui::NewLine();
