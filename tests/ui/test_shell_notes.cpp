@@ -1,0 +1,153 @@
+#include "tests/ui/edit_driver.hpp"
+#include "ui/app/snapshot_pace.hpp"
+
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <cmath>
+
+namespace forefront::test {
+
+namespace {
+
+bool overlap(const PixelRect &a, const PixelRect &b) {
+    return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+}
+
+/// Draws frames until the condition holds. False after a minute.
+template <class Condition>
+bool framesUntil(Driver &driver, Condition condition) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    while (!condition()) {
+        if (std::chrono::steady_clock::now() > end) {
+            return false;
+        }
+        driver.frames(1);
+    }
+    return true;
+}
+
+/// A square whose mesh takes long enough to look at it on its way.
+struct LongRun : Draughtsman {
+    LongRun() {
+        rectangle({0, 0}, {8, 8});
+        Document fine = document();
+        fine.spacing.size = 0.004;
+        context().document().apply(std::move(fine), "Fine");
+        settle();
+        key(key::k2);
+    }
+    ~LongRun() {
+        key(key::kEscape);
+        settle();
+    }
+    LongRun(const LongRun &) = delete;
+    LongRun &operator=(const LongRun &) = delete;
+};
+
+} // namespace
+
+TEST_CASE("Notes: the progress of a long run stands clear of the options of the tool") {
+    LongRun driver;
+    REQUIRE(framesUntil(driver, [&] { return driver.has("canvas/progress") && driver.run().advance > 5000; }));
+    driver.frames(2);
+    const PixelRect cancel = driver.context().widgets.find("canvas/cancel")->rect;
+    const PixelRect progress = driver.context().widgets.find("canvas/progress")->rect;
+    for (const char *option : {"options/tag", "options/snap/drawing", "options/snap/grid"}) {
+        REQUIRE(driver.has(option));
+        const PixelRect rect = driver.context().widgets.find(option)->rect;
+        CHECK_FALSE(overlap(rect, cancel));
+        CHECK_FALSE(overlap(rect, progress));
+    }
+    driver.click("canvas/cancel");
+    REQUIRE(driver.settle());
+    CHECK(driver.run().state == RunState::Cancelled);
+    CHECK_FALSE(driver.has("canvas/progress"));
+}
+
+TEST_CASE("SnapshotPace: what is costly to draw is drawn seldom while the run works, and at once when it rests") {
+    SnapshotPace pace;
+    CHECK(pace.due(100.0, true));
+    pace.drew(100.0, 0.2);
+    CHECK_FALSE(pace.due(100.3, true));
+    CHECK(pace.due(100.3, false));
+    CHECK(pace.due(pace.next(), true));
+    CHECK(pace.next() == doctest::Approx(100.4));
+    pace.drew(200.0, 60.0); // a stopped machine
+    CHECK(pace.due(201.0, true));
+}
+
+TEST_CASE("Timeline: where the last move comes with the release, the place of the release counts") {
+    Driver driver;
+    driver.key(key::k2);
+    REQUIRE(driver.settle());
+    const PixelRect bar = driver.context().widgets.find("timeline/scrubber")->rect;
+    const double y = bar.centre().y;
+    driver.press({bar.x + bar.width - 8, y});
+    InputQueue &input = driver.editor().input();
+    input.push({.kind = InputKind::MouseMove, .x = bar.x + 0.25 * bar.width, .y = y});
+    input.push({.kind = InputKind::MouseButton, .code = 0, .pressed = false});
+    REQUIRE(driver.settle());
+    const double part = static_cast<double>(driver.run().advance) / static_cast<double>(driver.run().known);
+    CHECK(std::abs(part - 0.25) < 0.03);
+}
+
+TEST_CASE("Status: the hash of the mesh stands only where that mesh is shown") {
+    Driver driver;
+    driver.key(key::k2);
+    REQUIRE(driver.settle());
+    CHECK(driver.has("status/hash"));
+    driver.key(key::kComma);
+    REQUIRE(driver.settle());
+    CHECK_FALSE(driver.has("status/hash"));
+    driver.key(key::kPeriod);
+    REQUIRE(driver.settle());
+    CHECK(driver.has("status/hash"));
+}
+
+TEST_CASE("Notes: a crossing is repaired from the message that reports it") {
+    Draughtsman driver;
+    driver.polygon({{0, 0}, {8, 6}, {8, 0}, {0, 6}});
+    REQUIRE(driver.settle());
+    driver.key(key::k2);
+    REQUIRE(driver.settle());
+    CHECK(driver.run().state == RunState::Failed);
+    REQUIRE(driver.has("canvas/error/goto"));
+    driver.click("canvas/error/repair");
+    REQUIRE(driver.settle());
+    CHECK(driver.context().preview->faults.empty());
+    driver.key(key::k2);
+    REQUIRE(driver.settle());
+    CHECK(driver.run().state == RunState::Finished);
+}
+
+TEST_CASE("Meshing panel: its options belong to the document, and undo brings them back") {
+    Draughtsman driver;
+    driver.rectangle({0, 0}, {8, 8});
+    driver.key(key::kEscape);
+    driver.unfold("meshing");
+    REQUIRE(driver.document().options.improve == ImproveLevel::Default);
+    driver.click("meshing/improve/None");
+    CHECK(driver.document().options.improve == ImproveLevel::None);
+    driver.key(key::k2);
+    REQUIRE(driver.settle());
+    CHECK(driver.run().state == RunState::Finished);
+    CHECK_FALSE(driver.run().improved);
+    driver.key('Z', {Modifiers::kControl});
+    REQUIRE(driver.settle());
+    CHECK(driver.document().options.improve == ImproveLevel::Default);
+    CHECK(driver.context().run().outOfDate());
+}
+
+TEST_CASE("Spacing panel: no field is cut off at the edge of the column") {
+    Draughtsman driver;
+    driver.rectangle({0, 0}, {8, 8});
+    driver.key(key::kEscape);
+    driver.unfold("spacing");
+    const PixelRect column = driver.context().widgets.find("spacing/size")->rect;
+    const PixelRect lengths = driver.context().widgets.find("spacing/fromboundary")->rect;
+    CHECK(lengths.x >= column.x - 1.0);
+    CHECK(lengths.x + lengths.width <= column.x + column.width + 1.0);
+}
+
+} // namespace forefront::test
