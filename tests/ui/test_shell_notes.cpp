@@ -129,10 +129,15 @@ TEST_CASE("Meshing panel: its options belong to the document, and undo brings th
     REQUIRE(driver.document().options.improve == ImproveLevel::Default);
     driver.click("meshing/improve/None");
     CHECK(driver.document().options.improve == ImproveLevel::None);
+    REQUIRE(driver.document().options.method == Method::Fast);
+    driver.click("meshing/method/Classic");
+    CHECK(driver.document().options.method == Method::Classic);
     driver.key(key::k2);
     REQUIRE(driver.settle());
     CHECK(driver.run().state == RunState::Finished);
     CHECK_FALSE(driver.run().improved);
+    driver.key('Z', {Modifiers::kControl});
+    CHECK(driver.document().options.method == Method::Fast);
     driver.key('Z', {Modifiers::kControl});
     REQUIRE(driver.settle());
     CHECK(driver.document().options.improve == ImproveLevel::Default);

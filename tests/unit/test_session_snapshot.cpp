@@ -60,7 +60,7 @@ TEST_CASE("SnapshotBuilder: a moving run has the shape figures of its partial me
 }
 
 TEST_CASE("TimelineTravel: playing from the end goes back in batches, then plays") {
-    TimelineTravel travel(mesherOfSquare(0.05));
+    TimelineTravel travel(mesherOfSquare(0.03));
     travel.reachEnd();
     travelOn(travel);
     REQUIRE(travel.atEnd());

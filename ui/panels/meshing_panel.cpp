@@ -17,6 +17,18 @@ class MeshingPanel final : public Panel {
     void draw(AppContext &context) override {
         MeshingOptions options = context.document().current()->options;
         bool changed = false;
+        form::label(context, "Method");
+        static constexpr const char *kMethods[] = {"Fast", "Classic"};
+        int method = static_cast<int>(options.method);
+        ImGui::BeginGroup();
+        if (ui::segmented(context, "meshing/method", kMethods, method)) {
+            options.method = static_cast<Method>(method);
+            changed = true;
+        }
+        ImGui::EndGroup();
+        ui::tooltip(context,
+                    "Fast: walks along the front, up to three elements an advance. Classic: the ten steps, one "
+                    "element an advance.");
         form::label(context, "Improve");
         static constexpr const char *kLevels[] = {"None", "Default", "Best"};
         int level = static_cast<int>(options.improve);
