@@ -13,8 +13,16 @@ int WalkOrder::level(double length) {
     return 2 * exponent + (mantissa >= kHalfOctave ? 1 : 0) + kOffset;
 }
 
+WalkOrder::Bucket &WalkOrder::bucketAt(std::size_t bucket) {
+    if (indices_[bucket] == 0) {
+        buckets_.emplace_back();
+        indices_[bucket] = static_cast<std::uint16_t>(buckets_.size());
+    }
+    return buckets_[indices_[bucket] - 1U];
+}
+
 void WalkOrder::mark(std::size_t bucket) {
-    const Bucket &b = buckets_[bucket];
+    const Bucket &b = bucketAt(bucket);
     const std::uint64_t bit = std::uint64_t{1} << (bucket % 64);
     if (b.first < b.entries.size()) {
         filled_[bucket / 64] |= bit;
@@ -37,7 +45,7 @@ void WalkOrder::offer(const GenerationFront &front, SlotId id) {
     const std::size_t bucket =
         static_cast<std::size_t>(level(slot.length)) + (slot.mark.failureClass > 0 ? kLevels : 0);
     const Entry entry{id, slot.mark.serial};
-    buckets_[bucket].entries.push_back(entry);
+    bucketAt(bucket).entries.push_back(entry);
     filled_[bucket / 64] |= std::uint64_t{1} << (bucket % 64);
     if (logging_) {
         log_.push_back({entry, static_cast<std::uint16_t>(bucket), true});
@@ -47,7 +55,7 @@ void WalkOrder::offer(const GenerationFront &front, SlotId id) {
 SlotId WalkOrder::take(const GenerationFront &front) {
     constexpr std::size_t kCompactFrom = 1024;
     for (std::size_t bucket = lowest(); bucket < kBuckets; bucket = lowest()) {
-        Bucket &b = buckets_[bucket];
+        Bucket &b = bucketAt(bucket);
         SlotId found = kNoSlot;
         while (b.first < b.entries.size() && found == kNoSlot) {
             const Entry entry = b.entries[b.first++];
@@ -71,10 +79,10 @@ SlotId WalkOrder::take(const GenerationFront &front) {
 }
 
 void WalkOrder::clear() {
-    buckets_.resize(kBuckets);
+    indices_.resize(kBuckets, 0);
     for (std::size_t word = 0; word < filled_.size(); ++word) {
         for (; filled_[word] != 0; filled_[word] &= filled_[word] - 1) {
-            Bucket &b = buckets_[word * 64 + static_cast<std::size_t>(std::countr_zero(filled_[word]))];
+            Bucket &b = bucketAt(word * 64 + static_cast<std::size_t>(std::countr_zero(filled_[word])));
             b.entries.resize(b.first);
         }
     }
@@ -83,7 +91,7 @@ void WalkOrder::clear() {
 void WalkOrder::rollBack(std::size_t size) {
     for (; log_.size() > size; log_.pop_back()) {
         const Change &change = log_.back();
-        Bucket &b = buckets_[change.bucket];
+        Bucket &b = bucketAt(change.bucket);
         if (change.offered) {
             b.entries.pop_back();
         } else if (b.first > 0) {
@@ -98,7 +106,8 @@ void WalkOrder::rollBack(std::size_t size) {
 void WalkOrder::addTo(Hash64 &hash) const {
     for (std::size_t word = 0; word < filled_.size(); ++word) {
         for (std::uint64_t bits = filled_[word]; bits != 0; bits &= bits - 1) {
-            const Bucket &b = buckets_[word * 64 + static_cast<std::size_t>(std::countr_zero(bits))];
+            const std::size_t bucket = word * 64 + static_cast<std::size_t>(std::countr_zero(bits));
+            const Bucket &b = buckets_[indices_[bucket] - 1U];
             for (std::size_t i = b.first; i < b.entries.size(); ++i) {
                 hash.add((static_cast<std::uint64_t>(index(b.entries[i].slot)) << 32) | b.entries[i].serial);
             }

@@ -53,6 +53,9 @@ class WalkOrder {
     std::size_t lowest() const;
     void mark(std::size_t bucket);
 
+    Bucket &bucketAt(std::size_t bucket);
+
+    std::vector<std::uint16_t> indices_; ///< per bucket: place in buckets_, from 1; 0: not used yet
     std::vector<Bucket> buckets_;
     std::array<std::uint64_t, kBuckets / 64> filled_{}; ///< bit per bucket that has entries left
     std::vector<Change> log_;

@@ -27,10 +27,31 @@ std::uint32_t HierarchicalGrid::addTable(const Box2 &box, int columns, int rows)
     const Vec2 size = box.size();
     Table table;
     table.lattice = {box.min, {size.x / columns, size.y / rows}, columns, rows};
+    table.box = box;
     table.firstCell = cells_.size();
     cells_.resize(cells_.size() + static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
     tables_.push_back(table);
     return static_cast<std::uint32_t>(tables_.size() - 1);
+}
+
+std::uint32_t HierarchicalGrid::tableAround(const Box2 &box) const {
+    const Box2 &last = tables_[last_].box;
+    if (!(last.min.x <= box.min.x && box.max.x < last.max.x && last.min.y <= box.min.y && box.max.y < last.max.y)) {
+        last_ = 0;
+    }
+    for (;;) {
+        const Table &table = tables_[last_];
+        const int i = table.lattice.column(box.min.x);
+        const int j = table.lattice.row(box.min.y);
+        if (table.lattice.column(box.max.x) != i || table.lattice.row(box.max.y) != j) {
+            return last_;
+        }
+        const std::uint32_t below = cells_[cell(table, i, j)].table;
+        if (below == kLeaf) {
+            return last_;
+        }
+        last_ = below;
+    }
 }
 
 bool HierarchicalGrid::tooCoarse(const Lattice &lattice, double length) const {
@@ -42,7 +63,7 @@ void HierarchicalGrid::insert(const GenerationFront &front, SlotId id) {
         places_.resize(std::max(front.capacity(), index(id) + 1));
     }
     pushed_ = 0;
-    insertInto(0, front, id);
+    insertInto(tableAround(boxOf(front.start(id), front.end(id)).grown(slack_)), front, id);
     if (pushed_ != 1) {
         places_[index(id)].table = Place::kNowhere;
     }
@@ -57,7 +78,7 @@ void HierarchicalGrid::remove(const GenerationFront &front, SlotId id) {
             return;
         }
     }
-    removeFrom(0, front, id);
+    removeFrom(tableAround(boxOf(front.start(id), front.end(id)).grown(slack_)), front, id);
 }
 
 bool HierarchicalGrid::keeps(SlotId id, Vec2 a, Vec2 b) const {

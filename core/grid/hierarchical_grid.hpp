@@ -27,7 +27,7 @@ class HierarchicalGrid {
     /// As UniformGrid::query.
     template <class Deliver, class Visited>
     void query(const GenerationFront &, const Box2 &box, Deliver &&deliver, Visited &&visited) const {
-        queryTable(0, box, deliver, visited);
+        queryTable(tableAround(box.grown(slack_)), box, deliver, visited);
     }
 
     template <class Cell>
@@ -54,6 +54,7 @@ class HierarchicalGrid {
     struct Table {
         Lattice lattice;
         std::size_t firstCell = 0;
+        Box2 box;
     };
     /// The only cell that a segment crosses; kNowhere: it crosses several.
     struct Place {
@@ -66,6 +67,9 @@ class HierarchicalGrid {
         return table.firstCell + static_cast<std::size_t>(j) * static_cast<std::size_t>(table.lattice.columns) +
                static_cast<std::size_t>(i);
     }
+    /// The table to look up a box in: the last one where it holds the box, else the top one, and down while all of the
+    /// box lies in one cell.
+    std::uint32_t tableAround(const Box2 &box) const;
     std::uint32_t addTable(const Box2 &box, int columns, int rows);
     bool tooCoarse(const Lattice &lattice, double length) const;
     void insertInto(std::uint32_t table, const GenerationFront &front, SlotId id);
@@ -96,8 +100,9 @@ class HierarchicalGrid {
     std::vector<Table> tables_;
     std::vector<CellContent> cells_;
     CellLists lists_;
-    std::vector<Place> places_; ///< per slot
-    std::uint32_t pushed_ = 0;  ///< cells that the present insertion has reached
+    std::vector<Place> places_;      ///< per slot
+    mutable std::uint32_t last_ = 0; ///< table of the last look-up: the next one is likely to be there, too
+    std::uint32_t pushed_ = 0;       ///< cells that the present insertion has reached
 };
 
 } // namespace forefront

@@ -75,9 +75,9 @@ bool FanBuilder<Grid, Trace>::place(Fan &fan) const {
     }
     fan.apex = meanOfIdeals(0.0);
     fan.rho = spacing_.at(fan.apex);
+    fan.rhoThere = fan.apex;
     if (fan.rho != mean) { // the sides of the elements lead from the spacing here to the spacing there
         fan.apex = meanOfIdeals(0.5 * (fan.rho - mean));
-        fan.rho = spacing_.at(fan.apex);
         fan.size = std::clamp(0.5 * (fan.rho + mean), kLeastRho * fan.size, kGreatestRho * fan.size);
     }
     if (fan.size < kSmallNode * fan.rho) {
@@ -128,22 +128,37 @@ bool FanBuilder<Grid, Trace>::clear(const Fan &fan, const Box2 &reach, SearchWor
         return false;
     }
     const GenerationFront &front = state_.front;
+    // First, without a branch, those that may be near by what is in their slot alone; then the few that are left.
+    constexpr unsigned kMostNear = 64;
+    std::array<SlotId, kMostNear> near;
+    unsigned count = 0;
     bool free = true;
+    const auto look = [&] {
+        for (unsigned k = 0; k < count && free; ++k) {
+            const SlotId id = near[k];
+            if (id != fan.slots[0] && (fan.segments < 2 || id != fan.slots[1]) &&
+                (fan.segments < 3 || id != fan.slots[2]) && reach.overlaps(boxOf(front.start(id), front.end(id)))) {
+                free = !blocks(fan, front[id], work);
+            }
+        }
+        count = 0;
+    };
     grid_.query(
         front, reach,
         [&](SlotId id) {
             ++work.delivered;
             const FrontSlot &n = front[id];
             const Vec2 a = n.position;
-            const Vec2 b = front.start(n.next);
-            const bool apart = std::max(a.x, b.x) < reach.min.x || std::min(a.x, b.x) > reach.max.x ||
-                               std::max(a.y, b.y) < reach.min.y || std::min(a.y, b.y) > reach.max.y;
-            if (!apart && free && id != fan.slots[0] && (fan.segments < 2 || id != fan.slots[1]) &&
-                (fan.segments < 3 || id != fan.slots[2])) {
-                free = !blocks(fan, n, work);
+            const double l = n.length;
+            near[count] = id;
+            count += static_cast<unsigned>((a.x - l <= reach.max.x) & (a.x + l >= reach.min.x) &
+                                           (a.y - l <= reach.max.y) & (a.y + l >= reach.min.y));
+            if (count == kMostNear) {
+                look();
             }
         },
         [&](const Box2 &cell) { visited(cell, work); });
+    look();
     return free;
 }
 
@@ -168,17 +183,18 @@ bool FanBuilder<Grid, Trace>::blocks(const Fan &fan, const FrontSlot &n, SearchW
             }
         }
     }
-    return meets(fan.at[0], fan.nodes[0], fan.apex, kNoNode, n, work) ||
-           meets(fan.at[fan.segments], fan.nodes[fan.segments], fan.apex, kNoNode, n, work);
+    const Box2 box = boxOf(a, b);
+    const Vec2 first = fan.at[0], last = fan.at[fan.segments];
+    return (box.overlaps(boxOf(first, fan.apex)) && meets(first, fan.nodes[0], fan.apex, kNoNode, n, work)) ||
+           (box.overlaps(boxOf(last, fan.apex)) && meets(last, fan.nodes[fan.segments], fan.apex, kNoNode, n, work));
 }
 
-/// Segments that share an end with the new one are left out: the angle tests have dealt with them.
+/// Segments that share an end with the new one are left out: the angle tests have dealt with them. The boxes overlap.
 template <class Grid, class Trace>
 bool FanBuilder<Grid, Trace>::meets(Vec2 from, NodeId fromNode, Vec2 to, NodeId toNode, const FrontSlot &n,
                                     SearchWork &work) {
     const FrontSlot &end = state_.front[n.next];
-    if (n.node == fromNode || end.node == fromNode || n.node == toNode || end.node == toNode ||
-        !boxOf(from, to).overlaps(boxOf(n.position, end.position))) {
+    if (n.node == fromNode || end.node == fromNode || n.node == toNode || end.node == toNode) {
         return false;
     }
     ++work.tested;
@@ -218,7 +234,8 @@ bool FanBuilder<Grid, Trace>::blocksCorner(const Fan &corner, const Box2 &box, c
         insideOrOn(corner.at[0], corner.at[1], corner.at[2], n.position)) {
         return true;
     }
-    return meets(corner.at[0], corner.nodes[0], corner.at[2], corner.nodes[2], n, work);
+    return boxOf(corner.at[0], corner.at[2]).overlaps(boxOf(n.position, state_.front.start(n.next))) &&
+           meets(corner.at[0], corner.nodes[0], corner.at[2], corner.nodes[2], n, work);
 }
 
 template class FanBuilder<NoGrid, NoTrace>;

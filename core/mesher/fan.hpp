@@ -18,7 +18,8 @@ struct Fan {
     std::array<NodeId, kMost + 1> nodes{};
     Vec2 apex;
     double size = 0.0; ///< element size that the apex was placed with
-    double rho = 0.0;  ///< node spacing at the apex
+    double rho = 0.0;  ///< node spacing at `rhoThere`: the apex or, before its last correction, near it
+    Vec2 rhoThere;
 
     /// The `segments` segments from slot `first` on.
     Fan(const GenerationFront &front, SlotId first, unsigned segments);

@@ -234,7 +234,7 @@ bool FastAdvancer<Grid, Trace>::makeFan(const Fan &fan, AdvanceDelta &delta, Vec
         delta = update_.begin(fan.slots[0]);
         update_.addElement(baseAt(state_.front, fan.slots[0]), {0.0, apex, kNoNode, kNoSlot}, delta);
     } else {
-        update_.addFan(fan.chain(), apex, fan.rho, delta);
+        update_.addFan(fan.chain(), apex, apex == fan.rhoThere ? fan.rho : spacing_.at(apex), delta);
     }
     return true;
 }
