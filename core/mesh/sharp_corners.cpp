@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 namespace forefront {
@@ -62,14 +63,45 @@ std::vector<Wedge> sharpWedges(const Mesh &mesh, double limit) {
     return wedges;
 }
 
-/// Least angle of abc in degrees; 0 where it is not positive.
-double leastAngle(Vec2 a, Vec2 b, Vec2 c) {
+/// Least angle of an element in degrees; 0 where it is not positive.
+double leastAngle(const Mesh &mesh, const Element &e) {
+    const Vec2 a = mesh.nodes[index(e[0])], b = mesh.nodes[index(e[1])], c = mesh.nodes[index(e[2])];
     const double twiceArea = cross(b - a, c - a);
     if (!(twiceArea > 0.0)) {
         return 0.0;
     }
     const double cosines = std::max({dot(b - a, c - a), dot(a - b, c - b), dot(a - c, b - c)});
     return std::atan2(twiceArea, cosines) * kDegrees;
+}
+
+/// The elements that no way across common sides leads to from the tips.
+std::vector<Element> notReached(std::vector<Element> reached, const std::vector<Element> &elements) {
+    using Side = std::pair<NodeId, NodeId>;
+    std::map<Side, std::size_t> withSide; // each direction of a side has one element
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        for (unsigned k = 0; k < 3; ++k) {
+            withSide[{elements[i][k], elements[i][(k + 1) % 3]}] = i;
+        }
+    }
+    std::vector<std::uint8_t> done(elements.size(), 0);
+    while (!reached.empty()) {
+        const Element e = reached.back();
+        reached.pop_back();
+        for (unsigned k = 0; k < 3; ++k) {
+            const auto across = withSide.find({e[(k + 1) % 3], e[k]});
+            if (across != withSide.end() && done[across->second] == 0) {
+                done[across->second] = 1;
+                reached.push_back(elements[across->second]);
+            }
+        }
+    }
+    std::vector<Element> others;
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        if (done[i] == 0) {
+            others.push_back(elements[i]);
+        }
+    }
+    return others;
 }
 
 } // namespace
@@ -80,8 +112,13 @@ SharpCorners sharpCorners(const Mesh &mesh, double limit) {
     for (const Wedge &w : wedges) {
         sharp[index(w.node)] = 1;
     }
+    std::vector<std::uint8_t> held(mesh.nodes.size(), 0);
+    for (const TaggedEdge &edge : mesh.edges) {
+        held[index(edge.a)] = held[index(edge.b)] = 1;
+    }
     SharpCorners result;
     result.minAngleElsewhere = mesh.elements.empty() ? 0.0 : 60.0;
+    std::vector<Element> tips, strips;
     for (const Element &e : mesh.elements) {
         bool inCorner = false;
         for (unsigned k = 0; k < 3; ++k) {
@@ -97,11 +134,19 @@ SharpCorners sharpCorners(const Mesh &mesh, double limit) {
                 }
             }
         }
-        if (!inCorner) {
-            result.minAngleElsewhere =
-                std::min(result.minAngleElsewhere,
-                         leastAngle(mesh.nodes[index(e[0])], mesh.nodes[index(e[1])], mesh.nodes[index(e[2])]));
+        if (inCorner) {
+            tips.push_back(e);
+            continue;
         }
+        const double angle = leastAngle(mesh, e);
+        if (angle < limit && !wedges.empty() && (held[index(e[0])] & held[index(e[1])] & held[index(e[2])]) != 0) {
+            strips.push_back(e);
+        } else {
+            result.minAngleElsewhere = std::min(result.minAngleElsewhere, angle);
+        }
+    }
+    for (const Element &e : notReached(tips, strips)) {
+        result.minAngleElsewhere = std::min(result.minAngleElsewhere, leastAngle(mesh, e));
     }
     for (const Wedge &w : wedges) {
         if (w.meshed) {

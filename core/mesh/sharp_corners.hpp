@@ -15,9 +15,11 @@ struct SharpCorner {
 
 struct SharpCorners {
     std::vector<SharpCorner> corners; ///< sharpest first
-    double minAngleElsewhere = 0.0;   ///< least angle of the elements that lie in none of these corners, degrees
+    double minAngleElsewhere = 0.0;   ///< least angle of the other elements, degrees
 };
 
+/// A corner holds the elements at its tip and, from one to the next across their sides, those sharper than the limit
+/// that have all nodes on tagged edges: the strip along its two edges where there is no room for a node between.
 /// The meshed corners between neighbouring tagged edges that are sharper than `limit` degrees. O(elements).
 SharpCorners sharpCorners(const Mesh &mesh, double limit);
 

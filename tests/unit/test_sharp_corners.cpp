@@ -30,6 +30,27 @@ TEST_CASE("sharpCorners: the tip of a needle is named with its place and angle")
     CHECK(sharpCorners(needle(), 9.0).minAngleElsewhere == doctest::Approx(10.0));
 }
 
+TEST_CASE("sharpCorners: the strip along a needle belongs to its tip, a needle elsewhere does not") {
+    // Two lines 2 degrees apart with nodes at 1, 2, 3; beyond them a flat element that has an edge of its own.
+    Mesh mesh;
+    const double slope = std::tan(2.0 * 0.017453292519943295);
+    mesh.nodes = {{0, 0}, {1, 0}, {1, slope}, {2, 0}, {2, 2 * slope}, {3, 0}, {3, 3 * slope}, {7, 0}, {9, 0}, {9, 0.2}};
+    mesh.elements = {{node(0), node(1), node(2)},
+                     {node(1), node(3), node(2)},
+                     {node(3), node(4), node(2)},
+                     {node(3), node(5), node(4)},
+                     {node(5), node(6), node(4)}};
+    mesh.edges = {{node(0), node(1), 1}, {node(1), node(3), 1}, {node(3), node(5), 1}, {node(5), node(6), 1},
+                  {node(6), node(4), 1}, {node(4), node(2), 1}, {node(2), node(0), 1}};
+    const SharpCorners strip = sharpCorners(mesh, 20.0);
+    REQUIRE(strip.corners.size() == 1);
+    CHECK(strip.minAngleElsewhere == 60.0); // nothing is elsewhere
+    mesh.elements.push_back({node(7), node(8), node(9)});
+    const SharpCorners both = sharpCorners(mesh, 20.0);
+    CHECK(both.corners.size() == 1);
+    CHECK(both.minAngleElsewhere == doctest::Approx(5.71).epsilon(0.01));
+}
+
 TEST_CASE("sharpCorners: a wedge outside the mesh is none, one between inner lines is") {
     Mesh mesh = needle();
     mesh.elements.erase(mesh.elements.begin()); // what is left lies beyond the tip
