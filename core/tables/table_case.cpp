@@ -67,7 +67,7 @@ const TableCase *tableCase(std::string_view row) {
     return found == kCases.end() ? nullptr : &*found;
 }
 
-Result<MeshingJob> tableJob(const TableCase &row, const Progress &) {
+MeshingJob tableJob(const TableCase &row) {
     MeshingJob job;
     job.options.keepBoundary = true;
     job.options.method = Method::Classic;

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "core/base/progress.hpp"
-#include "core/base/result.hpp"
 #include "core/mesher/options.hpp"
 
 #include <span>
@@ -11,11 +9,11 @@ namespace forefront {
 
 /// A row of the published tables.
 struct TableCase {
-    std::string_view row; ///< 1A ... 1E, 2A ... 2E, 3, 4
+    std::string_view row; ///< 1A ... 1E, 2A ... 2E
     double rhoMin = 0.0;
 };
 
-/// All rows in the order of the tables.
+/// These rows in the order of the tables.
 std::span<const TableCase> tableCases();
 /// Null for an unknown row; letters in either case.
 const TableCase *tableCase(std::string_view row);
@@ -27,9 +25,8 @@ const TableCase *tableCase(std::string_view row);
 ///   first function:  max(ρmin, 0.303·| r(45,30) − 16 |)
 ///   second function: max(ρmin, 0.298·min(| r(22.5,30) − 12 |, | r(67.5,30) − 12 |)),   r(p): distance to p,
 /// reproduces the published numbers of elements within 3 % by ∫ 4/(√3·ρ²) dA.
-///
-/// 3 and 4: domains and fields of our own, see adaptive_cases.hpp; their node spacing is found by adaptive refinement,
-/// which takes a while. Faults: "cancelled".
-Result<MeshingJob> tableJob(const TableCase &row, const Progress &progress = {});
+/// The published rows 3 and 4 are adaptive meshes of domains and fields that are not known; they are not among the
+/// cases.
+MeshingJob tableJob(const TableCase &row);
 
 } // namespace forefront

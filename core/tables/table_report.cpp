@@ -212,10 +212,10 @@ std::string countNotes(const std::vector<RowFigures> &rows) {
 constexpr const char *kExplanation =
     R"(  Percentages: ours against that figure. The domain and the functions of the publication are not printed in it:
   rows 1A to 2E are reconstructed from its counts (rectangle in 50 boundary segments, distance to one or two circles,
-  constants that meet the ten published Ne within 3 % by the integral). Ours have more elements than the integral
-  since segments on the mean shorter than rho conform as well as longer ones, and fit in more easily. Lo's counts move
-  with the grid, ours do not; in six of his lines with a grid 2 Nn - Ne - 2, the number of boundary nodes, is 39 or 43
-  where the others have 50. Rows 3 and 4 are adaptive meshes of unknown domains; domains and fields here are our own.
+  constants that meet the ten published Ne within 3 % by the integral), so that a difference of some percent
+  says nothing of either mesher; nor does a mesh meet the integral exactly. Lo's counts move with the grid, ours do not;
+  in six of his lines with a grid 2 Nn - Ne - 2, the number of boundary nodes, is 39 or 43 where the others have 50.
+  Rows 3 and 4 of the publication, adaptive meshes of domains that are not known, are left out.
 Reading
   alpha, delta: of the mesh as the front leaves it (raw); alpha*, delta*: after the default swapping and smoothing.
   Compared are the raw ones, the stricter choice: the published ten steps have no smoothing, and whether the published

@@ -130,11 +130,8 @@ std::optional<TableGrid> parseTableGrid(std::string_view text) {
 Result<RowFigures> runTableRow(const TableCase &row, const std::vector<TableGrid> &grids, const Progress &progress) {
     RowFigures figures;
     figures.row = row;
-    const Result<MeshingJob> job = tableJob(row, progress);
-    if (!job) {
-        return job.faults();
-    }
-    const Result<PreparedJob> prepared = prepare(*job, progress);
+    const MeshingJob job = tableJob(row);
+    const Result<PreparedJob> prepared = prepare(job, progress);
     if (!prepared) {
         return prepared.faults();
     }
@@ -142,7 +139,7 @@ Result<RowFigures> runTableRow(const TableCase &row, const std::vector<TableGrid
     std::uint64_t tested = 0;
     for (const TableGrid &grid : grids) {
         const std::string stage = std::string(row.row) + ", grid " + grid.name;
-        Result<GridRun> run = advanceWith(grid, *job, *prepared, stage, progress);
+        Result<GridRun> run = advanceWith(grid, job, *prepared, stage, progress);
         if (!run) {
             return run.faults();
         }
