@@ -311,8 +311,10 @@ void FastAdvancer<Grid, Trace>::traceFan(const Fan &fan, NodeId apexNode, Vec2 a
         AdvanceExplanation &out = trace_.out;
         out.rho = fan.rho;
         out.ideal = apex;
-        out.chain.assign(fan.at.begin(), fan.at.begin() + fan.segments + 1);
         CandidateTrace candidate;
+        if (fan.segments > 1) {
+            candidate.over.assign(fan.at.begin(), fan.at.begin() + fan.segments + (apexNode == kNoNode ? 1 : 0));
+        }
         candidate.position = apex;
         candidate.node = apexNode;
         candidate.alpha = apexNode == kNoNode ? shapeFactor(fan.at[0], fan.at[1], apex)

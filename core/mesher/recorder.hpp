@@ -39,7 +39,12 @@ struct Recorder {
         if (!out.deferred) {
             out.apex = apex;
             out.elements = delta.elements();
-            out.element = ElementId{static_cast<std::uint32_t>(state.elements.size() - delta.elements())};
+            const std::size_t first = state.elements.size() - delta.elements();
+            out.element = ElementId{static_cast<std::uint32_t>(first)};
+            for (std::size_t e = first; e < state.elements.size(); ++e) {
+                const auto at = [&](unsigned k) { return state.nodes[index(state.elements[e][k]) - state.firstNode]; };
+                out.made.push_back({at(0), at(1), at(2)});
+            }
         }
         event(Step::Update);
         if (state.front.empty()) {

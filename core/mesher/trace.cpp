@@ -10,7 +10,7 @@ const char *stepTitle(Step step) {
     case Step::BoundaryToFront:
         return "The boundary becomes the generation front";
     case Step::TakeBase:
-        return "Take the shortest segment of the front as base AB";
+        return "Take a base segment AB from the front, the shortest first";
     case Step::EvaluateSpacing:
         return "Evaluate the node spacing at AB";
     case Step::IdealPoint:
@@ -60,7 +60,11 @@ std::string format(const char *pattern, double value) {
 }
 
 std::string candidateName(const CandidateTrace &candidate) {
-    return candidate.node == kNoNode ? "the ideal point" : "node " + std::to_string(index(candidate.node));
+    if (candidate.node != kNoNode) {
+        return "node " + std::to_string(index(candidate.node));
+    }
+    return candidate.over.empty() ? "the ideal point"
+                                  : "one point for " + std::to_string(candidate.over.size() - 1) + " segments";
 }
 
 std::string plural(std::size_t count, const char *noun) {
@@ -106,6 +110,9 @@ std::string outcome(const AdvanceExplanation &explanation) {
         if (accepted != explanation.candidates.end()) {
             text += " (α " + format("%.3f", accepted->alpha) + ')';
         }
+        if (explanation.elements > 1) {
+            text += ", " + std::to_string(explanation.elements) + " elements at once";
+        }
     }
     return text + rejections(explanation);
 }
@@ -134,7 +141,8 @@ std::string caption(const AdvanceExplanation &explanation, std::size_t cursor) {
     switch (event.step) {
     case Step::BoundaryToFront:
     case Step::TakeBase:
-        return text + "the shortest segment of the front, taken as base AB";
+        return text + (explanation.walked ? "next along the front, taken as base AB"
+                                          : "the shortest segment of the front, taken as base AB");
     case Step::EvaluateSpacing:
         return text + "node spacing ρ = " + format("%.4g", explanation.rho) + " wanted here";
     case Step::IdealPoint:

@@ -3,6 +3,7 @@
 #include "core/base/ids.hpp"
 #include "core/geometry/vec2.hpp"
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -43,6 +44,8 @@ struct CandidateTrace {
     NodeId node = kNoNode; ///< kNoNode: the ideal point itself
     double alpha = 0.0, deltaAC = 0.0, deltaCB = 0.0, score = 0.0;
     Verdict verdict = Verdict::NotTried;
+    /// Fast method: the nodes of the front, in order, whose segments this candidate would serve; empty: AB alone.
+    std::vector<Vec2> over;
     bool blocked = false; ///< by the front segment blockA-blockB
     Vec2 blockA, blockB;
 };
@@ -80,8 +83,7 @@ struct AdvanceExplanation {
     Vec2 apex;                      ///< of the elements made (when not deferred)
     ElementId element = kNoElement; ///< the first of them
     unsigned elements = 0;          ///< how many
-    /// Fast method: the nodes of the front that a new node was tried over, in order; empty where AB alone was.
-    std::vector<Vec2> chain;
+    std::vector<std::array<Vec2, 3>> made; ///< those elements
     bool walked = false; ///< fast method: the base follows the one before along the front
 };
 

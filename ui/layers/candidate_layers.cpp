@@ -49,9 +49,13 @@ class CandidatesLayer final : public Layer {
         const AdvanceExplanation &e = *moment.advance;
         const Theme &theme = frame.theme;
         if (moment.updated) {
-            painter.triangle(e.a, e.b, e.apex, fade(theme.good, 0.16));
-            painter.line(e.b, e.apex, theme.good, 2.0);
-            painter.line(e.apex, e.a, theme.good, 2.0);
+            for (const auto &[p, q, r] : e.made) {
+                painter.triangle(p, q, r, fade(theme.good, 0.16));
+            }
+            for (const auto &[p, q, r] : e.made) {
+                painter.line(q, r, theme.good, 2.0);
+                painter.line(r, p, theme.good, 2.0);
+            }
         }
         if (moment.idealKnown && !moment.updated) {
             painter.dashedCircle(e.ideal, e.searchRadius, fade(theme.candidate, 0.55), 1.25);
@@ -137,8 +141,9 @@ class TestsLayer final : public Layer {
             const Colour colour = trying ? theme.candidate : verdictColour(theme, candidate.verdict, true);
             const bool accepted = tried && candidate.verdict == Verdict::Accepted;
             if (!accepted || !moment.updated) {
-                painter.dashed(e.a, candidate.position, fade(colour, 0.8), 1.5, 5.0);
-                painter.dashed(candidate.position, e.b, fade(colour, 0.8), 1.5, 5.0);
+                for (const Vec2 from : candidate.over.empty() ? std::vector<Vec2>{e.a, e.b} : candidate.over) {
+                    painter.dashed(from, candidate.position, fade(colour, 0.8), 1.5, 5.0);
+                }
             }
             if (tried && candidate.blocked) {
                 painter.line(candidate.blockA, candidate.blockB, theme.bad, 3.5);
