@@ -1,6 +1,7 @@
 #include "core/front/base_order.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace forefront {
 
@@ -19,41 +20,101 @@ bool BaseOrder::valid(const GenerationFront &front, const Entry &entry) {
     return slot.alive && slot.mark.serial == entry.mark.serial && slot.mark.failureClass == entry.mark.failureClass;
 }
 
+/// Rises with the length: positive doubles compare as their bits do.
+std::size_t BaseOrder::classOf(const Entry &entry) {
+    constexpr unsigned kDroppedBits = 52 - 5;
+    return entry.mark.failureClass > 0
+               ? kDeferred
+               : static_cast<std::size_t>(std::bit_cast<std::uint64_t>(entry.length) >> kDroppedBits);
+}
+
+std::size_t BaseOrder::lowestClass() const {
+    for (std::size_t s = 0; s < summary_.size(); ++s) {
+        if (summary_[s] != 0) {
+            const std::size_t word = s * 64 + static_cast<std::size_t>(std::countr_zero(summary_[s]));
+            return word * 64 + static_cast<std::size_t>(std::countr_zero(filled_[word]));
+        }
+    }
+    return kClasses;
+}
+
+void BaseOrder::push(const Entry &entry) {
+    const std::size_t c = classOf(entry);
+    if (heapOf_[c] == 0) {
+        heaps_.emplace_back();
+        classOf_.push_back(static_cast<std::uint32_t>(c));
+        heapOf_[c] = static_cast<std::uint32_t>(heaps_.size());
+    }
+    Heap &heap = heaps_[heapOf_[c] - 1U];
+    heap.push_back(entry);
+    std::push_heap(heap.begin(), heap.end(), comesLater);
+    filled_[c / 64] |= std::uint64_t{1} << (c % 64);
+    summary_[c / 64 / 64] |= std::uint64_t{1} << (c / 64 % 64);
+    ++entries_;
+}
+
+void BaseOrder::pop(Heap &heap) {
+    std::pop_heap(heap.begin(), heap.end(), comesLater);
+    heap.pop_back();
+    --entries_;
+    if (heap.empty()) {
+        const std::size_t c = classOf_[static_cast<std::size_t>(&heap - heaps_.data())];
+        filled_[c / 64] &= ~(std::uint64_t{1} << (c % 64));
+        if (filled_[c / 64] == 0) {
+            summary_[c / 64 / 64] &= ~(std::uint64_t{1} << (c / 64 % 64));
+        }
+    }
+}
+
 void BaseOrder::rebuild(const GenerationFront &front) {
-    heap_.clear();
+    heapOf_.assign(kClasses, 0);
+    filled_.assign(kClasses / 64, 0);
+    summary_.fill(0);
+    heaps_.clear();
+    classOf_.clear();
+    entries_ = 0;
     for (std::uint32_t i = 0; i < front.capacity(); ++i) {
         const SlotId id{i};
         if (front[id].alive && !front.isolated(id)) {
-            heap_.push_back({front[id].length, front[id].mark, id});
+            push({front[id].length, front[id].mark, id});
         }
     }
-    std::make_heap(heap_.begin(), heap_.end(), comesLater);
 }
 
 void BaseOrder::offer(const GenerationFront &front, SlotId id) {
     // Stepping back and forth leaves duplicates behind; they are swept out before they outweigh the front.
-    if (heap_.size() > 4 * front.segments() + 1024) {
+    if (entries_ > 4 * front.segments() + 1024) {
         rebuild(front);
         return;
     }
-    heap_.push_back({front[id].length, front[id].mark, id});
-    std::push_heap(heap_.begin(), heap_.end(), comesLater);
+    push({front[id].length, front[id].mark, id});
+}
+
+BaseOrder::Heap *BaseOrder::next(const GenerationFront &front) {
+    for (std::size_t c = lowestClass(); c < kClasses; c = lowestClass()) {
+        Heap &heap = heaps_[heapOf_[c] - 1U];
+        while (!heap.empty() && !valid(front, heap.front())) {
+            pop(heap);
+        }
+        if (!heap.empty()) {
+            return &heap;
+        }
+    }
+    return nullptr;
 }
 
 SlotId BaseOrder::peek(const GenerationFront &front) {
-    while (!heap_.empty() && !valid(front, heap_.front())) {
-        std::pop_heap(heap_.begin(), heap_.end(), comesLater);
-        heap_.pop_back();
-    }
-    return heap_.empty() ? kNoSlot : heap_.front().slot;
+    const Heap *heap = next(front);
+    return heap == nullptr ? kNoSlot : heap->front().slot;
 }
 
 SlotId BaseOrder::take(const GenerationFront &front) {
-    const SlotId id = peek(front);
-    if (id != kNoSlot) {
-        std::pop_heap(heap_.begin(), heap_.end(), comesLater);
-        heap_.pop_back();
+    Heap *heap = next(front);
+    if (heap == nullptr) {
+        return kNoSlot;
     }
+    const SlotId id = heap->front().slot;
+    pop(*heap);
     return id;
 }
 

@@ -2,14 +2,15 @@
 
 #include "core/front/generation_front.hpp"
 
+#include <array>
 #include <vector>
 
 namespace forefront {
 
-/// Which segment of Γ is the next base: of the lowest failure class the shortest, ties by serial. A binary heap in
-/// which entries of segments that are gone or were deferred since are skipped when they come up. What it delivers
-/// depends on Γ alone, not on the history of the heap, so stepping back only needs to offer the restored segments
-/// again.
+/// Which segment of Γ is the next base: of the lowest failure class the shortest, ties by serial. One binary heap for
+/// each narrow class of lengths, so that its depth does not grow with Γ; entries of segments that are gone or were
+/// deferred since are skipped when they come up. What it delivers depends on Γ alone, not on the history of the heaps,
+/// so stepping back only needs to offer the restored segments again.
 class BaseOrder {
   public:
     /// Offers every segment of the front.
@@ -26,10 +27,26 @@ class BaseOrder {
         SegmentMark mark;
         SlotId slot;
     };
+    using Heap = std::vector<Entry>;
+    /// Exponent and five bits of the mantissa of a length; the last class holds all that were deferred.
+    static constexpr std::size_t kDeferred = 1U << 16U;
+    static constexpr std::size_t kClasses = kDeferred + 64;
+
     static bool comesLater(const Entry &a, const Entry &b);
     static bool valid(const GenerationFront &front, const Entry &entry);
+    static std::size_t classOf(const Entry &entry);
+    std::size_t lowestClass() const;
+    void push(const Entry &entry);
+    /// The heap whose top is the next base; null when there is none.
+    Heap *next(const GenerationFront &front);
+    void pop(Heap &heap);
 
-    std::vector<Entry> heap_;
+    std::vector<std::uint32_t> heapOf_; ///< per class: its heap, from 1; 0: none yet
+    std::vector<Heap> heaps_;
+    std::vector<std::uint32_t> classOf_;                          ///< per heap
+    std::vector<std::uint64_t> filled_;                           ///< bit per class that has entries
+    std::array<std::uint64_t, kClasses / 64 / 64 + 1> summary_{}; ///< bit per word of filled_ that is not 0
+    std::size_t entries_ = 0;
 };
 
 } // namespace forefront

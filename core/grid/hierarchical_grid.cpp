@@ -6,7 +6,7 @@ namespace {
 
 // A leaf splits for a segment shorter than half of 1/kCellPerLength of its width, into cells of about that length times
 // kCellPerLength. Measured on uniform and graded cases: flat between 4 and 8.
-constexpr double kCellPerLength = 6.0;
+constexpr double kCellPerLength = 4.5;
 constexpr int kTopCells = 8;
 constexpr int kMostCells = 16;
 

@@ -80,11 +80,11 @@ struct AdvanceExplanation {
     std::vector<TestTrace> tests;
     std::vector<Box2> cells; ///< cells of the background grid visited, in order
     std::vector<TraceEvent> events;
-    Vec2 apex;                      ///< of the elements made (when not deferred)
-    ElementId element = kNoElement; ///< the first of them
-    unsigned elements = 0;          ///< how many
+    Vec2 apex;                             ///< of the elements made (when not deferred)
+    ElementId element = kNoElement;        ///< the first of them
+    unsigned elements = 0;                 ///< how many
     std::vector<std::array<Vec2, 3>> made; ///< those elements
-    bool walked = false; ///< fast method: the base follows the one before along the front
+    bool walked = false;                   ///< fast method: the base follows the one before along the front
 };
 
 /// The moment in words, for the caption: "Edge 41-42: ideal point accepted; 3 candidates rejected: 2 cross the front, 1

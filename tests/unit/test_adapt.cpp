@@ -192,12 +192,13 @@ TEST_CASE("adapt: at a re-entrant corner the energy error falls at the optimal r
         const double exact = cornerEnergyError(mesh, values);
         adapted.push_back({static_cast<double>(mesh.nodes.size()), exact});
         // The estimate tells the error.
-        CHECK(estimateError(mesh, values).total == doctest::Approx(exact).epsilon(0.15));
+        CHECK(std::abs(estimateError(mesh, values).total / exact - 1.0) < 0.15);
     }
     const auto slow = fitPowerLaw(uniform), fast = fitPowerLaw(adapted);
     REQUIRE((slow && fast));
     MESSAGE("slopes: uniform " << slow->exponent << ", adapted " << fast->exponent);
-    CHECK(slow->exponent == doctest::Approx(-1.0 / 3.0).epsilon(0.1));
-    CHECK(fast->exponent == doctest::Approx(-0.5).epsilon(0.1));
+    CHECK(std::abs(slow->exponent + 1.0 / 3.0) < 0.03);
+    CHECK(fast->exponent < -0.46);
+    CHECK(fast->exponent > -0.6);
     CHECK(adapted.back().y < 0.3 * uniform.back().y);
 }
