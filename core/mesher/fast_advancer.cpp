@@ -109,6 +109,9 @@ template <class Grid, class Trace>
 typename FastAdvancer<Grid, Trace>::Outcome FastAdvancer<Grid, Trace>::tryBase(SlotId slotA, AdvanceDelta &delta) {
     const GenerationFront &front = state_.front;
     Base base = baseAt(front, slotA);
+    if (state_.regions->tooFine(state_.region, midpoint(base.a, base.b), base.length)) {
+        return Outcome::LeftOver;
+    }
     delta = update_.begin(slotA);
     search_.startCounting();
     const std::size_t segments = front.segments();

@@ -13,8 +13,9 @@ namespace forefront {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kLeastStrips = 8.0; ///< with fewer, one thread is soon done with all
-constexpr double kMostStrips = 16.0; ///< enough for any number of threads
+constexpr double kLeastStrips = 8.0;   ///< with fewer, one thread is soon done with all
+constexpr double kMostStrips = 16.0;   ///< enough for any number of threads
+constexpr double kCoarse = 1.0 / 16.0; ///< of the width of a strip
 
 /// How the elements to come are spread along the longer side of a box: ∫ dA/ρ², by cells that are quartered where ρ
 /// differs much. Strips may be uneven where small spacing hides from the samples; that costs time, nothing else.
@@ -122,19 +123,20 @@ FrontRegions::FrontRegions(const DiscreteDomain &domain, const SpacingField &spa
         return;
     }
     const Box2 everything = boxes.front();
-    boxes.clear();
-    phases = {0};
+    const double low = profile.alongX() ? box.min.x : box.min.y, high = profile.alongX() ? box.max.x : box.max.y;
     double from = -kInfinity;
     for (const double cut : cuts) {
         boxes.push_back(strip(profile.alongX(), from, cut));
+        leastCoarse.push_back(kCoarse * (cut - std::max(from, low)));
         from = cut;
     }
     boxes.push_back(strip(profile.alongX(), from, kInfinity));
+    leastCoarse.push_back(kCoarse * (high - from));
     phases.push_back(boxes.size());
     for (std::size_t k = 0; k < cuts.size(); ++k) { // from the middle of one strip to the middle of the next
-        const double low = k == 0 ? -kInfinity : 0.5 * (cuts[k - 1] + cuts[k]);
-        const double high = k + 1 == cuts.size() ? kInfinity : 0.5 * (cuts[k] + cuts[k + 1]);
-        boxes.push_back(strip(profile.alongX(), low, high));
+        const double left = k == 0 ? -kInfinity : 0.5 * (cuts[k - 1] + cuts[k]);
+        const double right = k + 1 == cuts.size() ? kInfinity : 0.5 * (cuts[k] + cuts[k + 1]);
+        boxes.push_back(strip(profile.alongX(), left, right));
     }
     phases.push_back(boxes.size());
     boxes.push_back(everything);

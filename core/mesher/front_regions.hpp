@@ -21,12 +21,25 @@ struct FrontRegions {
 
     /// One region: everything.
     FrontRegions();
-    /// Strips across the longer side of the domain, each with about as many elements to come, where there are enough;
-    /// then strips over their seams; then everything. `perStrip`: elements that make a strip worth while.
+    /// Where there will be enough elements: everything that is coarse, since long segments fit into no strip and fronts
+    /// start at coarse boundaries; then strips across the longer side of the domain, each with about as many elements
+    /// to come; then strips over their seams; then everything. `perStrip`: elements that make a strip worth while.
     FrontRegions(const DiscreteDomain &domain, const SpacingField &spacing, double perStrip);
     static constexpr double kPerStrip = 62'500.0;
 
     bool last(std::size_t region) const { return region + 1 == boxes.size(); }
+    /// True if a base of this length at this place is left to the strips.
+    bool tooFine(std::size_t region, Vec2 middle, double length) const {
+        if (region > 0 || boxes.size() == 1) {
+            return false;
+        }
+        std::size_t strip = phases[1];
+        while (!holds(boxes[strip], middle)) {
+            ++strip;
+        }
+        return length < leastCoarse[strip - phases[1]];
+    }
+    std::vector<double> leastCoarse; ///< per strip: lengths that are coarse in it
 };
 
 } // namespace forefront

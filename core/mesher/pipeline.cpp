@@ -77,11 +77,11 @@ Result<MeshingOutcome> runJob(const MeshingJob &job, const Progress &progress) {
     const auto begin = std::chrono::steady_clock::now();
 
     std::unique_ptr<Mesher> mesher = Mesher::create(outcome.boundary, outcome.spacing, job.options);
+    mesher->reserve(static_cast<std::uint64_t>(1.15 * prepared->estimatedElements) + 1024);
     if (job.options.threads > 1 &&
         !mesher->advanceTogether(job.options.threads, progress, prepared->estimatedElements)) {
         return cancelled();
     }
-    mesher->reserve(static_cast<std::uint64_t>(1.15 * prepared->estimatedElements) + 1024);
     while (mesher->advance(kBatch) == kBatch) {
         if (progress.cancelled()) {
             return cancelled();

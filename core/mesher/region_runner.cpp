@@ -58,9 +58,10 @@ class RegionRunner {
         const Box2 &box = state_.regions->boxes[region];
         run.part.emplace(state_.front.part(box));
         FrontState &state = run.state.emplace(state_, run.part->front, static_cast<std::uint32_t>(region));
-        const auto share =
-            static_cast<std::size_t>(1.3 * estimatedElements_ / static_cast<double>(state_.regions->phases[1]));
-        if (region < state_.regions->phases[1]) { // later phases only fill seams
+        const std::vector<std::size_t> &phases = state_.regions->phases;
+        if (region >= phases[1] && region < phases[2]) { // the strips: other phases only make what these cannot
+            const auto share =
+                static_cast<std::size_t>(1.2 * estimatedElements_ / static_cast<double>(phases[2] - phases[1]));
             state.elements.reserve(share);
             state.nodes.reserve(share / 2);
         }
@@ -109,9 +110,15 @@ class RegionRunner {
                                static_cast<std::uint32_t>(nodes[k] - firstNew));
             run.part.reset();
         }
-        state_.nodes.resize(nodes.back());
-        state_.elements.resize(elements.back());
-        state_.elementRegions.resize(state_.manyRegions ? elements.back() : 0);
+        pool_.run(3, [&](std::size_t array, unsigned) { // most of their cost is memory that is touched first
+            if (array == 0) {
+                state_.elements.resize(elements.back());
+            } else if (array == 1) {
+                state_.nodes.resize(nodes.back());
+            } else {
+                state_.elementRegions.resize(state_.manyRegions ? elements.back() : 0);
+            }
+        });
         pool_.run(runs.size(), [&](std::size_t k, unsigned) {
             const FrontState &from = *runs[k].state;
             const auto shift = static_cast<std::uint32_t>(nodes[k] - firstNew);
