@@ -21,9 +21,14 @@ struct Round {
 };
 
 constexpr double kEarlyFloor = 0.4, kLateFloor = 0.7;
-constexpr Round kDefaultRounds[] = {{2, {0.7F, 0.7F}, kEarlyFloor}, {2, {0.7F, 0.7F}, kLateFloor}};
+// Measured on graded meshes of size ratios 30 to 600: the later and the more the aim is spacing, the higher δ and the
+// lower α. Where a mesh is small enough for it to take no time, more sweeps bring coarse graded meshes from δ .947 to
+// .950.
+constexpr std::size_t kSmallMesh = 100'000; ///< elements
+constexpr Round kSmallRounds[] = {{3, {0.5F, 0.9F}, kEarlyFloor}, {5, {0.3F, 1.1F}, kLateFloor}};
+constexpr Round kDefaultRounds[] = {{2, {0.7F, 0.7F}, kEarlyFloor}, {2, {0.5F, 0.9F}, kLateFloor}};
 constexpr Round kBestRounds[] = {
-    {4, {0.7F, 0.7F}, kEarlyFloor}, {6, {0.6F, 0.8F}, kEarlyFloor}, {10, {0.6F, 0.8F}, kLateFloor}};
+    {6, {0.5F, 0.9F}, kEarlyFloor}, {10, {0.45F, 0.95F}, kEarlyFloor}, {20, {0.45F, 0.95F}, kLateFloor}};
 constexpr ShapeGoal kDefaultGoal{0.8, 35.0, 6};
 constexpr ShapeGoal kBestGoal{0.85, 39.0, 12};
 
@@ -34,7 +39,9 @@ class Improvement {
 
     ImproveReport run() {
         const bool best = options_.level == ImproveLevel::Best;
-        const std::span<const Round> rounds = best ? std::span<const Round>(kBestRounds) : kDefaultRounds;
+        const std::span<const Round> rounds = best ? std::span<const Round>(kBestRounds)
+                                              : work_.mesh.elements.size() <= kSmallMesh ? kSmallRounds
+                                                                                         : kDefaultRounds;
         stages_ = 2 * static_cast<int>(rounds.size()) + 1;
         report_.alphaMinBefore = work_.measureAlpha();
         bool going = !progress_.cancelled();
