@@ -4,30 +4,50 @@
 #include "core/io/files.hpp"
 #include "core/mesh/quality.hpp"
 #include "core/mesh/verify.hpp"
+#include "core/spacing/spacing_field.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <optional>
+#include <string>
 
 namespace forefront {
 
 namespace {
 
-constexpr const char *kExamples = R"(
+constexpr const char *kExamples = R"help(
 Examples:
   forefront check plate.msh
         is the mesh conforming, oriented and free of overlaps?
   forefront check plate.msh --domain plate.poly
         and does it fill exactly that domain, with its tags, regions, constraints and area?
+  forefront check plate.msh --spacing "max(0.05, 0.2*x)"
+        and how well do its edges keep that spacing?
 
-Exit codes: 0 valid, 1 not valid or not readable (faults on stderr, one a line), 2 wrong usage.)";
+Exit codes: 0 valid, 1 not valid or not readable (faults on stderr, one a line), 2 wrong usage.)help";
 
 struct CheckArguments {
     std::filesystem::path mesh;
     std::optional<std::filesystem::path> domain;
+    std::optional<double> size;
+    std::optional<std::string> expression;
 };
+
+/// The node spacing that was asked for; null when none is given.
+Result<std::shared_ptr<const SpacingField>> readWanted(const CheckArguments &arguments, const Mesh &mesh) {
+    if (!arguments.size && !arguments.expression) {
+        return std::shared_ptr<const SpacingField>();
+    }
+    SpacingSpec spec;
+    spec.size = arguments.size;
+    spec.expression = arguments.expression;
+    Domain extent;
+    extent.nodes = mesh.nodes;
+    return SpacingField::build(spec, extent);
+}
 
 int check(const CheckArguments &arguments) {
     const Result<Mesh> mesh = readMesh(arguments.mesh);
@@ -49,12 +69,20 @@ int check(const CheckArguments &arguments) {
     if (hasErrors(faults)) {
         return kRefused;
     }
-    const MeshQuality quality = measure(*mesh, nullptr);
+    const auto spacing = readWanted(arguments, *mesh);
+    if (!spacing) {
+        printFaults(spacing.faults());
+        return kUsage;
+    }
+    const MeshQuality quality = measure(*mesh, spacing->get());
     std::printf("valid%s: %zu nodes, %zu elements, hash %s\n"
                 "shape factor: mean %.4f, geometric mean %.4f, least %.4f; angles %.1f to %.1f degrees\n",
                 arguments.domain ? " for the domain" : "", quality.nodes, quality.elements,
                 toHex(meshHash(*mesh)).c_str(), quality.alphaMean, quality.alphaGeometricMean, quality.alphaMin,
                 quality.minAngle, quality.maxAngle);
+    if (*spacing) {
+        std::printf("spacing conformity: mean %.4f\n", quality.deltaMean);
+    }
     return kDone;
 }
 
@@ -67,6 +95,13 @@ int checkCommand(int argc, const char *const *argv) {
     app.add_option("MESH", arguments.mesh, "mesh file: .msh, .vtu, .vtk, .mesh, .inp, .su2, .node, .ele, .obj")
         ->required();
     app.add_option("--domain", arguments.domain, "domain or project it was made of")->type_name("IN");
+    auto *spacing = app.add_option_group("Spacing", "to tell how well the mesh keeps it; at most one");
+    spacing->add_option("--size", arguments.size, "the same edge length everywhere")
+        ->check(CLI::PositiveNumber)
+        ->type_name("H");
+    spacing->add_option("--spacing", arguments.expression, "edge length as an expression in x and y")
+        ->type_name("EXPR");
+    spacing->require_option(0, 1);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError &error) {

@@ -216,6 +216,22 @@ class Refusing(Case):
         self.write("turned.msh", text[:t.start()] + f"{t[1]} {t[3]} {t[2]} {t[4]}" + text[t.end():])
         self.assertIn("[inverted-element]", self.call("check", "turned.msh", code=1).stderr)
 
+    def test_check_tells_how_well_a_spacing_is_kept(self):
+        def kept(*words):
+            found = re.search(r"^spacing conformity: mean ([\d.]+)$", self.call("check", *words).stdout, re.M)
+            return float(found[1]) if found else None
+
+        made = self.stats("plate.poly", "-o", "plate.msh", "--spacing", "0.1+0.1*x")["delta_mean"]
+        self.assertAlmostEqual(kept("plate.msh", "--spacing", "0.1+0.1*x"), made, delta=1e-4)
+        self.assertLess(kept("plate.msh", "--spacing", "0.2+0.2*x"), made - 0.2)  # edges half as long as wanted
+        self.assertIsNone(kept("plate.msh"))
+        # Two right triangles; of their five edges four are 1 long and the diagonal is the square root of 2.
+        self.write("square.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n")
+        self.assertAlmostEqual(kept("square.obj", "--size", "1"), (4 + 1 / math.sqrt(2)) / 5, delta=1e-4)
+        self.call("check", "plate.msh", "--size", "1", "--spacing", "x", code=2)
+        self.call("check", "plate.msh", "--size", "-1", code=2)
+        self.call("check", "plate.msh", "--spacing", "1+*x", code=2)
+
     def test_wrong_usage(self):
         mesh = ["mesh", "plate.poly", "-o", "a.msh"]
         for words in (["mesh"], ["mesh", "plate.poly"], ["mesh", "plate.poly", "-o", "a.unknown"],
