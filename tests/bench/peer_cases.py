@@ -1,0 +1,59 @@
+"""The cases that the meshers are compared on: a polygon and the node spacing, in the words of each program."""
+
+import math
+
+RECTANGLE = [(0, 0), (60, 0), (60, 40), (0, 40)]
+SLOPE = 0.232  # by which the node spacing of the graded case grows a unit of length off the circle
+
+
+class Case:
+    """Spacing max(least, SLOPE | |p - (30, 20)| - 12 |) if graded, else least everywhere."""
+
+    def __init__(self, polygon, least, graded):
+        self.polygon = polygon
+        self.least = least
+        self.graded = graded
+        self.greatest = 6 if graded else least  # node spacing in the polygon, or a bound of it
+
+    @property
+    def spacing(self):
+        """An expression of Forefront."""
+        return f"max({self.least!r}, {self.off_circle})" if self.graded else repr(self.least)
+
+    @property
+    def off_circle(self):
+        return f"{SLOPE}*abs(sqrt((x-30)^2+(y-20)^2)-12)"
+
+    def rho(self, x, y):
+        return max(self.least, SLOPE * abs(math.hypot(x - 30, y - 20) - 12)) if self.graded else self.least
+
+    def samples(self):
+        """(x, y, rho) dense enough to carry the spacing: centres of cells no wider than half the least rho within."""
+        xs, ys = [p[0] for p in self.polygon], [p[1] for p in self.polygon]
+        stack = [(min(xs), min(ys), max(max(xs) - min(xs), max(ys) - min(ys)))]
+        while stack:
+            x, y, width = stack.pop()
+            half = width / 2
+            rho = self.rho(x + half, y + half)
+            if width > 0.5 * max(rho - SLOPE * math.sqrt(2) * half, self.least):
+                stack += [(x, y, half), (x + half, y, half), (x, y + half, half), (x + half, y + half, half)]
+            elif x + half <= max(xs) and y + half <= max(ys):
+                yield x + half, y + half, rho
+
+    def poly(self):
+        """Text of a Triangle .poly file."""
+        count = len(self.polygon)
+        lines = [f"{count} 2 0 0", *(f"{i} {x!r} {y!r}" for i, (x, y) in enumerate(self.polygon, 1)), f"{count} 1",
+                 *(f"{i} {i} {i % count + 1} 1" for i in range(1, count + 1)), "0"]
+        return "\n".join(lines) + "\n"
+
+
+def disc(elements):
+    """The unit disc, so fine that about as many equilateral triangles fill it."""
+    size = math.sqrt(math.pi / (math.sqrt(3) / 4 * elements))
+    count = round(2 * math.pi / size)
+    return Case([(math.cos(2 * math.pi * i / count), math.sin(2 * math.pi * i / count)) for i in range(count)], size,
+                False)
+
+
+CASES = {**{f"graded-{r}": Case(RECTANGLE, r, True) for r in (0.1, 0.05, 0.02)}, "disc": disc(100000)}
