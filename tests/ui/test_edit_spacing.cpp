@@ -107,6 +107,21 @@ TEST_CASE("Spacing panel: a size, limits, and an expression; a wrong one says wh
     CHECK(driver.logHas("bad-number"));
 }
 
+TEST_CASE("Inspector: the fields below stay put while the pointer goes from the canvas to them") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.polygon({{3, 3}, {3.5, 3}, {3.5, 3.5}, {3, 3.5}});
+    driver.key('V');
+    driver.key(key::kEscape);
+    driver.settle();
+    driver.moveToPlace({3.25, 2.95}); // "automatic: length of boundary segment N" takes two lines
+    driver.frames(3);
+    const double over = driver.context().widgets.find("spacing/size")->rect.y;
+    driver.moveTo({1150, 100});
+    driver.frames(3);
+    CHECK(driver.context().widgets.find("spacing/size")->rect.y == over);
+}
+
 TEST_CASE("Checks: a crossing polygon is a fault with a place; Repair makes it meshable as one command") {
     Draughtsman driver;
     driver.polygon({{1, 1}, {9, 8}, {9, 1}, {1, 8}});

@@ -10,6 +10,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 
 namespace forefront {
@@ -71,15 +72,18 @@ void useRow(AppContext &context, const std::set<std::uint32_t> &ids, ShapeUse us
 
 void InspectorPanel::drawHere(AppContext &context) const {
     const std::shared_ptr<const SpacingField> &spacing = context.preview->spacing;
+    const float top = ImGui::GetCursorPosY();
     if (!context.view.pointer || !spacing) {
         ui::small(context, context.preview->spacing ? "Point at the canvas to read the spacing there."
                                                     : "Draw a domain to see its spacing here.");
-        ui::mark(context, "inspector/here");
-        return;
+    } else {
+        const SpacingSample sample = spacing->sample(*context.view.pointer);
+        ui::small(context, "\xcf\x81 here = " + ui::number(sample.rho, 3) + ": " + sample.describe, true);
     }
-    const SpacingSample sample = spacing->sample(*context.view.pointer);
-    ui::small(context, "\xcf\x81 here = " + ui::number(sample.rho, 3) + ": " + sample.describe, true);
     ui::mark(context, "inspector/here");
+    // Always room for two lines: the fields below must not move as the pointer leaves the canvas on its way to them.
+    const float room = 2.0F * context.fonts.small->FontSize + ImGui::GetStyle().ItemSpacing.y;
+    ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), top + room));
 }
 
 void InspectorPanel::drawGeometry(AppContext &context, const Shape &shape) const {
