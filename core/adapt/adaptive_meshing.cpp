@@ -3,6 +3,7 @@
 #include "core/mesher/pipeline.hpp"
 #include "core/spacing/expression.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -45,6 +46,11 @@ Result<AdaptOutcome> adapt(const Domain &domain, Mesh mesh, const NodalField &fi
         const Result<std::vector<double>> values = field(outcome.mesh);
         if (!values) {
             return values.faults();
+        }
+        if (values->size() != outcome.mesh.nodes.size() ||
+            !std::all_of(values->begin(), values->end(), [](double value) { return std::isfinite(value); })) {
+            return error("field-value", "the field has no finite value at every node of the mesh",
+                         "see that the solver converges on this mesh");
         }
         const ErrorEstimate estimate = estimateError(outcome.mesh, *values);
         outcome.rounds.push_back({outcome.mesh.nodes.size(), outcome.mesh.elements.size(), estimate.relative()});

@@ -35,7 +35,8 @@ std::uint32_t HierarchicalGrid::addTable(const Box2 &box, int columns, int rows)
 }
 
 std::uint32_t HierarchicalGrid::tableAround(const Box2 &box) const {
-    const Box2 &last = tables_[last_].box;
+    // With a margin: a table's box and the cell above it may differ by rounding.
+    const Box2 last = tables_[last_].box.grown(-slack_);
     if (!(last.min.x <= box.min.x && box.max.x < last.max.x && last.min.y <= box.min.y && box.max.y < last.max.y)) {
         last_ = 0;
     }

@@ -1,5 +1,8 @@
 #include "core/improve/patches.hpp"
 
+#include <algorithm>
+#include <numeric>
+
 namespace forefront {
 
 namespace {
@@ -30,36 +33,26 @@ class Patch {
 
 } // namespace
 
-std::vector<std::vector<std::uint32_t>> independentBatches(const ImproveWorkspace &work,
-                                                           const std::vector<std::uint32_t> &elements) {
-    std::vector<std::vector<std::uint32_t>> batches;
-    std::vector<std::uint32_t> waiting(elements.size()), later;
-    for (std::size_t i = 0; i < waiting.size(); ++i) {
-        waiting[i] = static_cast<std::uint32_t>(i);
-    }
-    std::vector<std::uint32_t> claimed(work.mesh.nodes.size(), 0);
+RepairBatches::RepairBatches(const ImproveWorkspace &work, const std::vector<std::uint32_t> &elements)
+    : work_(work), elements_(elements), waiting_(elements.size()), claimed_(work.mesh.nodes.size(), 0) {
+    std::iota(waiting_.begin(), waiting_.end(), 0U);
+}
+
+std::vector<std::uint32_t> RepairBatches::next() {
+    std::vector<std::uint32_t> batch, later;
+    ++batch_;
     Patch patch;
-    for (std::uint32_t batch = 1; !waiting.empty(); ++batch) {
-        later.clear();
-        batches.emplace_back();
-        for (const std::uint32_t i : waiting) {
-            patch.take(work, elements[i]);
-            bool free = true;
-            for (const NodeId n : patch.nodes) {
-                free = free && claimed[index(n)] != batch;
-            }
-            if (free) {
-                batches.back().push_back(i);
-                for (const NodeId n : patch.nodes) {
-                    claimed[index(n)] = batch;
-                }
-            } else {
-                later.push_back(i);
-            }
+    for (const std::uint32_t i : waiting_) {
+        patch.take(work_, elements_[i]);
+        const bool free = std::none_of(patch.nodes.begin(), patch.nodes.end(),
+                                       [&](NodeId n) { return claimed_[index(n)] == batch_; });
+        (free ? batch : later).push_back(i);
+        for (const NodeId n : patch.nodes) {
+            claimed_[index(n)] = free ? batch_ : claimed_[index(n)];
         }
-        waiting.swap(later);
     }
-    return batches;
+    waiting_.swap(later);
+    return batch;
 }
 
 } // namespace forefront

@@ -6,10 +6,23 @@
 
 namespace forefront {
 
-/// Splits a list of elements into batches whose elements may be repaired at the same time: nothing that the repair of
-/// one changes (nodes of the element and of those beside it, the elements around these nodes) is read by another's.
-/// Batches hold positions in the list; the split depends on the list and the mesh only.
-std::vector<std::vector<std::uint32_t>> independentBatches(const ImproveWorkspace &work,
-                                                           const std::vector<std::uint32_t> &elements);
+/// Sorts elements into batches whose repairs do not touch each other: each reads and changes only places, elements and
+/// neighbours among the nodes of the elements around the nodes that it may move, and these are disjoint within a batch.
+/// A repair may turn edges, so each batch is made from the mesh as it is just before.
+class RepairBatches {
+  public:
+    /// `elements`: to be repaired, by index; must outlive this.
+    RepairBatches(const ImproveWorkspace &work, const std::vector<std::uint32_t> &elements);
+
+    /// Places in `elements` that make the next batch, in rising order; empty when all have had their turn.
+    std::vector<std::uint32_t> next();
+
+  private:
+    const ImproveWorkspace &work_;
+    const std::vector<std::uint32_t> &elements_;
+    std::vector<std::uint32_t> waiting_;
+    std::vector<std::uint32_t> claimed_; ///< per node: the batch that last claimed it
+    std::uint32_t batch_ = 0;
+};
 
 } // namespace forefront

@@ -53,12 +53,14 @@ class Mender {
     /// True if something changed.
     bool mend(std::size_t e, bool alsoAround) {
         thorough_ = alsoAround;
-        bool changed = turn(e);
+        const bool turned = turn(e);
+        bool changed = turned;
         const Element nodes = work_.mesh.elements[e];
         for (const NodeId n : nodes) {
             changed = move(n) || changed;
         }
-        if (!alsoAround || !misses(e)) {
+        // After a turn, the nodes across are others than those that the batch has claimed: more in the next round.
+        if (!alsoAround || turned || !misses(e)) {
             return changed;
         }
         for (unsigned k = 0; k < 3; ++k) {
@@ -285,11 +287,12 @@ class Repair {
         std::vector<std::uint32_t> bad = findBad();
         for (int round = 0; round < rounds_ && !bad.empty() && !progress.cancelled(); ++round) {
             std::vector<std::uint8_t> changed(bad.size(), 0);
-            const std::vector<std::vector<std::uint32_t>> batches = independentBatches(work_, bad);
-            for (const std::vector<std::uint32_t> &batch : batches) {
+            RepairBatches batches(work_, bad);
+            for (auto batch = batches.next(); !batch.empty() && !progress.cancelled(); batch = batches.next()) {
                 constexpr std::size_t kAtOnce = 64;
                 work_.pool.run((batch.size() + kAtOnce - 1) / kAtOnce, [&](std::size_t task, unsigned thread) {
-                    for (std::size_t i = task * kAtOnce; i < std::min(batch.size(), (task + 1) * kAtOnce); ++i) {
+                    for (std::size_t i = task * kAtOnce;
+                         i < std::min(batch.size(), (task + 1) * kAtOnce) && !progress.cancelled(); ++i) {
                         const std::uint32_t e = bad[batch[i]];
                         changed[batch[i]] = menders_[thread].misses(e) && menders_[thread].mend(e, round > 0) ? 1 : 0;
                     }

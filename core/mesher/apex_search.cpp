@@ -68,7 +68,7 @@ Box2 ApexSearch<Grid, Trace>::reach(const Base &base, double radius) {
 
 template <class Grid, class Trace>
 void ApexSearch<Grid, Trace>::force(const Base &base, double radius, Candidate &apex) {
-    do { // ends before the search covers all of Γ: see FrontAdvancer
+    do { // ends at the latest when the search covers all of Γ: see ClassicAdvancer
         radius *= 2.0;
         FOREFRONT_ASSERT(radius < 1e6 * (base.rho + slack_ / std::numeric_limits<double>::epsilon()));
         if constexpr (Trace::kRecords) {

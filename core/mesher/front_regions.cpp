@@ -77,7 +77,8 @@ class ElementProfile {
             least = std::min(least, rhos[k]);
             greatest = std::max(greatest, rhos[k]);
         }
-        if (depth > 0 && greatest > 1.3 * least) {
+        if (depth > 0 && greatest > 1.3 * least && left_ > 0) {
+            --left_;
             for (unsigned k = 0; k < 4; ++k) {
                 add(centres[k], 0.5 * half, rhos[k], depth - 1);
             }
@@ -92,6 +93,7 @@ class ElementProfile {
     Box2 box_;
     const SpacingField &spacing_;
     int along_ = 0;
+    int left_ = 50'000; ///< cells that may still be quartered: some milliseconds in all
     std::array<double, kBins> shares_{};
 };
 

@@ -40,7 +40,7 @@ struct FrontState {
     bool manyRegions = false;
     WorkCounters work;
     /// New nodes that may still be made with a size far below the node spacing; keeps the closing guarantee, see
-    /// FrontAdvancer.
+    /// ClassicAdvancer.
     std::uint64_t smallNodesLeft = 0;
 
     std::uint64_t hash() const;

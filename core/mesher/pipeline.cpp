@@ -15,8 +15,11 @@ namespace forefront {
 
 namespace {
 
-/// Advances between looks at the clock, at the stop token and at the progress bar: a few milliseconds.
-constexpr std::uint64_t kBatch = 4096;
+/// Advances between looks at the stop token and at the progress bar: some milliseconds, also where each advance looks
+/// at all of Γ.
+std::uint64_t batchFor(const Mesher &mesher) {
+    return std::clamp<std::uint64_t>(10'000'000 / (mesher.state().front.segments() + 1), 16, 4096);
+}
 
 Diagnostics cancelled() {
     return error("cancelled", "cancelled");
@@ -82,7 +85,8 @@ Result<MeshingOutcome> runJob(const MeshingJob &job, const Progress &progress) {
         !mesher->advanceTogether(job.options.threads, progress, prepared->estimatedElements)) {
         return cancelled();
     }
-    while (mesher->advance(kBatch) == kBatch) {
+    while (!mesher->finished()) {
+        mesher->advance(batchFor(*mesher));
         if (progress.cancelled()) {
             return cancelled();
         }

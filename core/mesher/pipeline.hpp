@@ -12,8 +12,8 @@
 
 namespace forefront {
 
-/// More elements than this are refused: the ids of nodes have 32 bits.
-inline constexpr double kMostElements = 2e9;
+/// More elements than this are refused: half-edges, three an element, have ids of 31 bits while elements are joined.
+inline constexpr double kMostElements = 7e8;
 
 /// A job behind the door: validated, discretised, with its node spacing.
 struct PreparedJob {

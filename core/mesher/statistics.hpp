@@ -10,7 +10,7 @@ struct WorkCounters {
     std::uint64_t elements = 0;
     std::uint64_t frontSum = 0;  ///< Σ segments of Γ before each advance: mean Nb = frontSum / advances
     std::uint64_t delivered = 0; ///< Σ segments delivered by the grid: Nc
-    std::uint64_t tested = 0;    ///< Σ exact segment tests: Ns; the same for every grid
+    std::uint64_t tested = 0;    ///< Σ exact segment tests: Ns; with the classic method the same for every grid
     std::uint64_t cellsVisited = 0;
     std::uint64_t candidates = 0;
     std::uint64_t newNodes = 0;

@@ -309,19 +309,39 @@ TEST_CASE("repairWorst: brings elements to the least α and angle asked for wher
     }
 }
 
-TEST_CASE("independentBatches: each element is in one batch; in a batch no two may touch the same nodes") {
+TEST_CASE("RepairBatches: each element is in one batch; in a batch no two may touch the same nodes") {
     Mesh mesh = samples::square(20, 20, 0.2);
     ThreadPool pool(1);
     const ImproveWorkspace work(mesh, pool);
     std::vector<std::uint32_t> all(mesh.elements.size());
     std::iota(all.begin(), all.end(), 0U);
-    const auto batches = independentBatches(work, all);
+    // The nodes of all elements around the nodes that the repair of an element may move: its own and those across.
+    const auto touched = [&](std::uint32_t e) {
+        std::set<NodeId> nodes;
+        const auto addRing = [&](NodeId n) {
+            nodes.insert(n);
+            for (const Element &element : mesh.elements) {
+                if (work.isFree(n) && std::find(element.begin(), element.end(), n) != element.end()) {
+                    nodes.insert(element.begin(), element.end());
+                }
+            }
+        };
+        for (unsigned k = 0; k < 3; ++k) {
+            const HalfEdge h = 3 * e + k;
+            addRing(work.from(h));
+            if (work.twin[h] != kNoHalfEdge) {
+                addRing(work.apex(work.twin[h]));
+            }
+        }
+        return nodes;
+    };
+    RepairBatches batches(work, all);
     std::vector<int> seen(all.size(), 0);
-    for (const auto &batch : batches) {
+    for (auto batch = batches.next(); !batch.empty(); batch = batches.next()) {
         std::set<NodeId> nodes;
         for (const std::uint32_t i : batch) {
             ++seen[i];
-            for (const NodeId n : mesh.elements[all[i]]) {
+            for (const NodeId n : touched(all[i])) {
                 CHECK(nodes.insert(n).second);
             }
         }

@@ -60,9 +60,9 @@ class StatisticsPanel final : public Panel {
         cell(context, "\xce\xb4 mean", ui::format("%.4f", q.deltaMean),
              "Spacing conformity min(L/\xcf\x81, \xcf\x81/L), mean over the segments");
         cell(context, "Nc", ui::format("%.2f", w.neighboursMean()),
-             "Mean neighbouring segments that the background grid delivers per advance");
+             "Mean neighbouring segments that the background grid delivers per element");
         cell(context, "min \xe2\x88\xa0", ui::format("%.1f\xc2\xb0", q.minAngle), "Least angle");
-        cell(context, "Ns", ui::format("%.3f", w.testsMean()), "Mean segments tested exactly per advance");
+        cell(context, "Ns", ui::format("%.3f", w.testsMean()), "Mean segments tested exactly per element");
         cell(context, "max \xe2\x88\xa0", ui::format("%.1f\xc2\xb0", q.maxAngle), "Greatest angle");
         cell(context, "new nodes", ui::count(w.newNodes), "Advances that made a node");
         cell(context, "deferred", ui::count(w.deferrals), "Advances without an element: the base was put back");
