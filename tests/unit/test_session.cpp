@@ -161,7 +161,7 @@ TEST_CASE("MeshingSession: layers lead forward and back over the same positions"
     CHECK(settled(session)->advance == 0);
 }
 
-TEST_CASE("MeshingSession: cancelling stops within 100 ms and keeps the partial mesh") {
+TEST_CASE("MeshingSession: cancelling stops soon and keeps the partial mesh") {
     MeshingSession session;
     session.want({false, false, false, false});
     session.start(squareWithHole(0.004), true);
@@ -170,8 +170,9 @@ TEST_CASE("MeshingSession: cancelling stops within 100 ms and keeps the partial 
     session.cancel();
     const SnapshotPtr stopped = settled(session);
     const auto took = std::chrono::steady_clock::now() - asked;
-    // The promise is 100 ms; instrumented builds on a loaded machine get more before the test calls it broken.
-    CHECK(took < 2s);
+    // The promise is 100 ms, a few are usual; a loaded machine with instrumented builds gets more before the test calls
+    // it broken.
+    CHECK(took < 500ms);
     MESSAGE("cancelled after ", std::chrono::duration_cast<std::chrono::microseconds>(took).count(), " µs");
     CHECK(stopped->state == RunState::Cancelled);
     CHECK(stopped->advance > 0);
