@@ -82,7 +82,9 @@ TEST_CASE("Editor: all of the interface is inside the window at 1280x800, 1920x1
     const std::pair<PixelSize, double> sizes[] = {
         {{1280, 800}, 1.0}, {{1920, 1080}, 1.0}, {{2560, 1600}, 2.0}, {{1024, 700}, 1.0}};
     Driver driver;
-    for (const auto &[size, scale] : sizes) {
+    for (const auto &each : sizes) {
+        const PixelSize size = each.first; // not a structured binding: clang 14 lets no lambda of doctest capture one
+        const double scale = each.second;
         CAPTURE(size.width);
         driver.platform().resize(size, scale);
         REQUIRE(driver.settle());
