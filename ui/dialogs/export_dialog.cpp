@@ -53,18 +53,25 @@ std::shared_ptr<const MeshView> finishedMesh(const AppContext &context) {
     return finished ? run.mesh : nullptr;
 }
 
-/// Counts of the mesh and what may be wrong with it; false: there is nothing to write.
-bool drawMeshLine(AppContext &context) {
+/// Counts of the mesh and what may be wrong with it; false: there is nothing to write. Where there is no finished mesh
+/// and the run rests (a step that was asked for may still be under way when the dialog opens), one is made, once.
+bool drawMeshLine(AppContext &context, bool &asked) {
     const std::shared_ptr<const MeshView> mesh = finishedMesh(context);
     ImGui::AlignTextToFramePadding();
     if (!mesh) {
+        if (!asked && !context.run().busy() && !context.document().current()->shapes.empty()) {
+            asked = true;
+            context.run().mesh();
+        }
         const bool busy = context.run().busy();
         ui::muted(context, busy ? "Meshing\xe2\x80\xa6" : "There is no finished mesh to write");
         ImGui::SameLine();
         if (!busy && ui::button(context, "dialog/export/mesh", "Mesh now")) {
             context.run().mesh();
         }
-        context.animate();
+        if (busy) {
+            context.animate();
+        }
         return false;
     }
     ImGui::TextUnformatted((ui::count(mesh->mesh.elements.size()) + " triangles, " +
@@ -122,10 +129,7 @@ void exportMesh(AppContext &context) {
     request.name = (document.empty() ? std::string("mesh") : document.stem().string()) +
                    request.filters[request.filter].extensions.front();
     request.chosen = write;
-    request.extra = drawMeshLine;
-    if (!finishedMesh(context) && !context.run().busy() && !context.document().current()->shapes.empty()) {
-        context.run().mesh();
-    }
+    request.extra = [asked = false](AppContext &c) mutable { return drawMeshLine(c, asked); };
     context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));
 }
 
