@@ -11,15 +11,6 @@
 
 namespace forefront {
 
-namespace {
-
-// Clamping of ρ against the length of the base: keeps neighbouring elements within a factor of two.
-constexpr double kLeastRho = 0.55;
-constexpr double kGreatestRho = 2.0;
-constexpr double kLeastHeight = 0.5; ///< of the ideal point, in lengths of the base
-
-} // namespace
-
 Base baseAt(const GenerationFront &front, SlotId slotA) {
     const SlotId slotB = front.next(slotA);
     return {slotA,
@@ -38,17 +29,14 @@ template <class Grid, class Trace>
 void ApexSearch<Grid, Trace>::evaluateSpacing(Base &base) {
     const Vec2 middle = midpoint(base.a, base.b);
     const Vec2 normal = (1.0 / base.length) * leftNormal(base.b - base.a);
-    const auto clampRho = [&](double rho) {
-        return std::clamp(rho, kLeastRho * base.length, kGreatestRho * base.length);
-    };
     const auto idealFor = [&](double rho) {
         const double height = std::sqrt(std::max(0.0, rho * rho - 0.25 * base.length * base.length));
         return middle + std::max(height, kLeastHeight * base.length) * normal;
     };
     const double atMiddle = spacing_.at(middle);
-    const double atIdeal = spacing_.at(idealFor(clampRho(atMiddle)));
+    const double atIdeal = spacing_.at(idealFor(clampedToBase(atMiddle, base.length)));
     base.fieldRho = 0.5 * (atMiddle + atIdeal);
-    base.rho = clampRho(base.fieldRho);
+    base.rho = clampedToBase(base.fieldRho, base.length);
     base.ideal = idealFor(base.rho);
     if constexpr (Trace::kRecords) {
         trace_.out.rho = base.rho;

@@ -4,9 +4,18 @@
 #include "core/mesher/recorder.hpp"
 #include "core/spacing/spacing_field.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace forefront {
+
+/// Of the ideal point over its base, in lengths of the base.
+inline constexpr double kLeastHeight = 0.5;
+
+/// Step 3: ρ clamped against the length of the base, which keeps neighbouring elements within a factor of two.
+inline double clampedToBase(double rho, double length) {
+    return std::clamp(rho, 0.55 * length, 2.0 * length);
+}
 
 /// Below this part of the node spacing a new node counts as small, see FrontState::smallNodesLeft.
 inline constexpr double kSmallNode = 0.5;

@@ -12,17 +12,13 @@ namespace forefront {
 
 namespace {
 
-// Sizes of elements against the segments they stand on, as in the ten steps.
-constexpr double kLeastRho = 0.55;
-constexpr double kGreatestRho = 2.0;
-constexpr double kLeastHeight = 0.5;
 // Distances of the apex, in element sizes: from the nodes of the chain and, at least, from other nodes of Γ.
 constexpr double kNearest = 0.78;
 constexpr double kFarthest = 1.3;
 constexpr double kFanClearance = 0.8;
 
 Vec2 idealPoint(Vec2 a, Vec2 b, double length, double size) {
-    const double rho = std::clamp(size, kLeastRho * length, kGreatestRho * length);
+    const double rho = clampedToBase(size, length);
     const double height =
         std::sqrt(std::max(rho * rho - 0.25 * length * length, kLeastHeight * kLeastHeight * length * length));
     return midpoint(a, b) + (height / length) * leftNormal(b - a);
@@ -67,7 +63,7 @@ bool FanBuilder<Grid, Trace>::place(Fan &fan) const {
     };
     fan.size = 0.0;
     for (unsigned i = 0; i < fan.segments; ++i) {
-        fan.size += share * std::clamp(sizes[i], kLeastRho * lengths[i], kGreatestRho * lengths[i]);
+        fan.size += share * clampedToBase(sizes[i], lengths[i]);
     }
     double mean = 0.0;
     for (unsigned i = 0; i < fan.segments; ++i) {
@@ -78,7 +74,7 @@ bool FanBuilder<Grid, Trace>::place(Fan &fan) const {
     fan.rhoThere = fan.apex;
     if (fan.rho != mean) { // the sides of the elements lead from the spacing here to the spacing there
         fan.apex = meanOfIdeals(0.5 * (fan.rho - mean));
-        fan.size = std::clamp(0.5 * (fan.rho + mean), kLeastRho * fan.size, kGreatestRho * fan.size);
+        fan.size = clampedToBase(0.5 * (fan.rho + mean), fan.size);
     }
     if (fan.size < kSmallNode * fan.rho) {
         return false;
@@ -149,7 +145,7 @@ bool FanBuilder<Grid, Trace>::clear(const Fan &fan, const Box2 &reach, SearchWor
             ++work.delivered;
             const FrontSlot &n = front[id];
             const Vec2 a = n.position;
-            const double l = n.length;
+            const double l = n.length + slack_; // of the rounding of a ± l
             near[count] = id;
             count += static_cast<unsigned>((a.x - l <= reach.max.x) & (a.x + l >= reach.min.x) &
                                            (a.y - l <= reach.max.y) & (a.y + l >= reach.min.y));

@@ -32,8 +32,9 @@ struct Fan {
 template <class Grid, class Trace>
 class FanBuilder {
   public:
-    FanBuilder(const FrontState &state, const Grid &grid, const SpacingField &spacing, Trace trace)
-        : state_(state), grid_(grid), spacing_(spacing), trace_(trace) {}
+    /// `slack`: see gridSlack().
+    FanBuilder(const FrontState &state, const Grid &grid, const SpacingField &spacing, double slack, Trace trace)
+        : state_(state), grid_(grid), spacing_(spacing), slack_(slack), trace_(trace) {}
 
     /// The apex: mean of the ideal points of the segments. False where it would make elements of bad shape or, against
     /// the node spacing, small ones.
@@ -56,6 +57,7 @@ class FanBuilder {
     const FrontState &state_;
     const Grid &grid_;
     const SpacingField &spacing_;
+    double slack_;
     Trace trace_;
 };
 

@@ -163,34 +163,39 @@ bool FastAdvancer<Grid, Trace>::trySimple(const Base &base, AdvanceDelta &delta,
     if (limit != nullptr && !(holds(*limit, front.start(before)) && holds(*limit, front.start(after)))) {
         return false; // beyond the nodes of a region its part of Γ may end
     }
-    if (after == before || front.next(after) == before || state_.front[base.slotA].mark.failureClass > 0) {
-        return false; // the last three or four segments of a loop
+    const bool nearlyClosed = after == before || front.next(after) == before; // three or four segments are left
+    if (nearlyClosed || front[base.slotA].mark.failureClass > 0) {
+        return false;
     }
     const double atA = cosine(base.slotA), atB = cosine(base.slotB);
+    const SlotId first = atB >= atA ? base.slotA : before; // of the two segments at the sharper corner
     if (std::max(atA, atB) > kSharp) {
-        const SlotId first = atB >= atA ? base.slotA : before;
         return tryCorner(first, delta, apex);
     }
+    const auto tryAlone = [&] { return tryFan(base.slotA, 1, delta, apex); };
     if (std::max(atA, atB) < kWide) {
-        return tryFan(base.slotA, 1, delta, apex);
+        return tryAlone();
     }
-    if (std::min(atA, atB) > kThreeFrom && similar(before, 3) && tryFan(before, 3, delta, apex)) {
+    const bool closesRow = std::min(atA, atB) > kThreeFrom && similar(before, 3);
+    if (closesRow && tryFan(before, 3, delta, apex)) {
         return true;
     }
-    const SlotId first = atB >= atA ? base.slotA : before;
+    if (!similar(first, 2)) {
+        return tryAlone();
+    }
     Fan two(front, first, 2);
-    if (!similar(first, 2) || !fans_.place(two)) {
-        return tryFan(base.slotA, 1, delta, apex);
+    if (!fans_.place(two)) {
+        return tryAlone();
     }
     const double length = 0.5 * (front[first].length + front[two.slots[1]].length);
     if (length < kShort * two.rho && ((similar(base.slotA, 3) && tryFan(base.slotA, 3, delta, apex)) ||
-                                      (similar(before, 3) && tryFan(before, 3, delta, apex)))) {
+                                      (!closesRow && similar(before, 3) && tryFan(before, 3, delta, apex)))) {
         return true;
     }
-    if (length > kLong * two.rho && std::max(atA, atB) < kRoomy && tryFan(base.slotA, 1, delta, apex)) {
-        return true;
+    if (length > kLong * two.rho && std::max(atA, atB) < kRoomy) {
+        return tryAlone() || makeFan(two, delta, apex);
     }
-    return makeFan(two, delta, apex) || tryFan(base.slotA, 1, delta, apex);
+    return makeFan(two, delta, apex) || tryAlone();
 }
 
 template <class Grid, class Trace>
@@ -301,9 +306,7 @@ void FastAdvancer<Grid, Trace>::walkOn(const AdvanceDelta &delta) {
 template <class Grid, class Trace>
 void FastAdvancer<Grid, Trace>::retreat(const AdvanceDelta &delta) {
     update_.undo(delta);
-    if (delta.region != state_.region) {
-        state_.region = delta.region;
-    }
+    state_.region = delta.region;
     state_.walkOrder.rollBack(delta.logged);
     state_.walk = delta.walk;
 }

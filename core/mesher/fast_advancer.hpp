@@ -15,7 +15,7 @@ template <class Grid, class Trace>
 class FastAdvancer {
   public:
     FastAdvancer(FrontState &state, Grid &grid, const SpacingField &spacing, double slack, Trace trace)
-        : state_(state), fans_(state, grid, spacing, trace), search_(state, grid, spacing, slack, trace),
+        : state_(state), fans_(state, grid, spacing, slack, trace), search_(state, grid, spacing, slack, trace),
           update_(state, grid, &spacing), trace_(trace), spacing_(spacing) {}
 
     /// Makes the state of a run that begins: the node spacing at the nodes of Γ and the bases of the first region.
@@ -30,8 +30,6 @@ class FastAdvancer {
 
   private:
     enum class Outcome : std::uint8_t { Done, LeftOver };
-    /// Angle between two segments of Γ at a node, on the unmeshed side.
-    enum class Corner : std::uint8_t { Sharp, Ordinary, Wide };
 
     SlotId nextBase();
     Outcome tryBase(SlotId slotA, AdvanceDelta &delta);
