@@ -25,7 +25,7 @@ class ElementProfile {
         constexpr int kColumns = 64;
         constexpr int kDepth = 5;
         const Vec2 size = box.size();
-        along_ = size.x >= size.y ? 0 : 1;
+        alongX_ = size.x >= size.y;
         const double cell = std::max(size.x, size.y) / kColumns;
         const auto cells = [&](double extent) { return std::max(1, static_cast<int>(std::round(extent / cell))); };
         const int columns = cells(size.x), rows = cells(size.y);
@@ -59,7 +59,7 @@ class ElementProfile {
         return cuts;
     }
 
-    bool alongX() const { return along_ == 0; }
+    bool alongX() const { return alongX_; }
 
   private:
     static constexpr std::size_t kBins = 2048;
@@ -92,7 +92,7 @@ class ElementProfile {
 
     Box2 box_;
     const SpacingField &spacing_;
-    int along_ = 0;
+    bool alongX_ = true;
     int left_ = 50'000; ///< cells that may still be quartered: some milliseconds in all
     std::array<double, kBins> shares_{};
 };

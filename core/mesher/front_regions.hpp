@@ -18,6 +18,7 @@ struct FrontRegions {
     std::vector<Box2> boxes;
     /// Index of the first box of each phase; then boxes.size().
     std::vector<std::size_t> phases;
+    std::vector<double> leastCoarse; ///< per strip: the least length that is coarse in it
 
     /// One region: everything.
     FrontRegions();
@@ -39,7 +40,6 @@ struct FrontRegions {
         }
         return length < leastCoarse[strip - phases[1]];
     }
-    std::vector<double> leastCoarse; ///< per strip: lengths that are coarse in it
 };
 
 } // namespace forefront

@@ -57,7 +57,7 @@ class RegionRunner {
     void advance(RegionRun &run, std::size_t region, bool reports) {
         const Box2 &box = state_.regions->boxes[region];
         run.part.emplace(state_.front.part(box));
-        FrontState &state = run.state.emplace(state_, run.part->front, static_cast<std::uint32_t>(region));
+        FrontState &state = run.state.emplace(state_, std::move(run.part->front), static_cast<std::uint32_t>(region));
         const std::vector<std::size_t> &phases = state_.regions->phases;
         if (region >= phases[1] && region < phases[2]) { // the strips: other phases only make what these cannot
             const auto share =
@@ -110,6 +110,13 @@ class RegionRunner {
                                static_cast<std::uint32_t>(nodes[k] - firstNew));
             run.part.reset();
         }
+        copyResults(runs, nodes, elements);
+        done_ = elements.back();
+    }
+
+    /// Nodes and elements of each region to their places, which begin at `nodes[k]` and `elements[k]`.
+    void copyResults(std::vector<RegionRun> &runs, const std::vector<std::size_t> &nodes,
+                     const std::vector<std::size_t> &elements) {
         pool_.run(3, [&](std::size_t array, unsigned) { // most of their cost is memory that is touched first
             if (array == 0) {
                 state_.elements.resize(elements.back());
@@ -121,7 +128,7 @@ class RegionRunner {
         });
         pool_.run(runs.size(), [&](std::size_t k, unsigned) {
             const FrontState &from = *runs[k].state;
-            const auto shift = static_cast<std::uint32_t>(nodes[k] - firstNew);
+            const auto shift = static_cast<std::uint32_t>(nodes[k] - nodes[0]);
             std::copy(from.nodes.begin(), from.nodes.end(),
                       state_.nodes.begin() + static_cast<std::ptrdiff_t>(nodes[k]));
             std::copy(from.elementRegions.begin(), from.elementRegions.end(),
@@ -130,13 +137,12 @@ class RegionRunner {
             Element *to = state_.elements.data() + elements[k];
             for (const Element &e : from.elements) {
                 const auto shifted = [&](NodeId n) {
-                    return index(n) < firstNew ? n : NodeId{static_cast<std::uint32_t>(index(n)) + shift};
+                    return index(n) < nodes[0] ? n : NodeId{static_cast<std::uint32_t>(index(n)) + shift};
                 };
                 *to++ = {shifted(e[0]), shifted(e[1]), shifted(e[2])};
             }
             runs[k].state.reset();
         });
-        done_ = elements.back();
     }
 
     FrontState &state_;
