@@ -21,10 +21,6 @@ std::uint64_t batchFor(const Mesher &mesher) {
     return std::clamp<std::uint64_t>(10'000'000 / (mesher.state().front.segments() + 1), 16, 4096);
 }
 
-Diagnostics cancelled() {
-    return error("cancelled", "cancelled");
-}
-
 } // namespace
 
 Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress) {
@@ -85,13 +81,8 @@ Result<MeshingOutcome> runJob(const MeshingJob &job, const Progress &progress) {
         !mesher->advanceTogether(job.options.threads, progress, prepared->estimatedElements)) {
         return cancelled();
     }
-    while (!mesher->finished()) {
-        mesher->advance(batchFor(*mesher));
-        if (progress.cancelled()) {
-            return cancelled();
-        }
-        progress("advancing the front", std::min(0.99, static_cast<double>(mesher->state().elements.size()) /
-                                                           (prepared->estimatedElements + 1.0)));
+    if (!advanceToEnd(*mesher, prepared->estimatedElements, "advancing the front", progress)) {
+        return cancelled();
     }
     outcome.work = mesher->state().work;
     outcome.mesh = std::move(*mesher).takeMesh();
@@ -111,6 +102,22 @@ Result<MeshingOutcome> runJob(const MeshingJob &job, const Progress &progress) {
 }
 
 } // namespace
+
+bool advanceToEnd(Mesher &mesher, double estimatedElements, std::string_view stage, const Progress &progress) {
+    while (!mesher.finished()) {
+        mesher.advance(batchFor(mesher));
+        if (progress.cancelled()) {
+            return false;
+        }
+        progress(stage,
+                 std::min(0.99, static_cast<double>(mesher.state().elements.size()) / (estimatedElements + 1.0)));
+    }
+    return true;
+}
+
+Diagnostics cancelled() {
+    return error("cancelled", "cancelled");
+}
 
 Diagnostics outOfMemory() {
     return error("out-of-memory", "there is not enough memory for this mesh", "choose a larger size");

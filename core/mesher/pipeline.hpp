@@ -9,8 +9,11 @@
 #include "core/mesher/statistics.hpp"
 
 #include <memory>
+#include <string_view>
 
 namespace forefront {
+
+class Mesher;
 
 /// More elements than this are refused: half-edges, three an element, have ids of 31 bits while elements are joined.
 inline constexpr double kMostElements = 7e8;
@@ -40,6 +43,11 @@ struct MeshingOutcome {
 
 /// The code "out-of-memory".
 Diagnostics outOfMemory();
+/// The code "cancelled".
+Diagnostics cancelled();
+
+/// Advances until Γ = ∅, reporting as `stage` how much of the estimate is done. False when cancelled.
+bool advanceToEnd(Mesher &mesher, double estimatedElements, std::string_view stage, const Progress &progress);
 
 /// The whole chain: validate, build the spacing, discretise, advance the front to its end, improve. The error code
 /// "cancelled" says that progress.stop was requested.

@@ -12,14 +12,6 @@ namespace forefront {
 
 namespace {
 
-/// Between looks at the stop token: without a grid an advance at a front of 10⁵ segments takes a tenth of a
-/// millisecond.
-constexpr std::uint64_t kBatch = 512;
-
-Diagnostics cancelled() {
-    return error("cancelled", "cancelled");
-}
-
 struct GridRun {
     Mesh mesh;
     WorkCounters work;
@@ -36,12 +28,8 @@ Result<GridRun> advanceOnce(const TableGrid &grid, const MeshingJob &job, const 
     CpuClock clock;
     const std::unique_ptr<Mesher> mesher = Mesher::create(prepared.boundary, prepared.spacing, options);
     mesher->reserve(static_cast<std::uint64_t>(1.2 * prepared.estimatedElements) + 1024);
-    while (mesher->advance(kBatch) == kBatch) {
-        if (progress.cancelled()) {
-            return cancelled();
-        }
-        progress(stage, std::min(0.99, static_cast<double>(mesher->state().elements.size()) /
-                                           (prepared.estimatedElements + 1.0)));
+    if (!advanceToEnd(*mesher, prepared.estimatedElements, stage, progress)) {
+        return cancelled();
     }
     run.work = mesher->state().work;
     run.mesh = std::move(*mesher).takeMesh();
