@@ -23,7 +23,7 @@ struct ImproveReport {
 
 /// Edge swapping and node smoothing in place. Nodes of tagged edges and tagged points do not move, tagged edges are not
 /// swapped, no element becomes inverted or flat (exact sign), the least α never falls. Deterministic. Cancelling leaves
-/// a valid mesh.
+/// a valid mesh. Smoothing works in floats: where lengths lie beyond about 1e±38 it leaves the mesh as it is.
 ImproveReport improve(Mesh &mesh, const ImproveOptions &options = {}, const Progress &progress = {});
 
 } // namespace forefront

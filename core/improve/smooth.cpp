@@ -91,7 +91,7 @@ void NodeSmoother::moveAll(const SmoothingAims &aims, std::vector<Vec2> &to) con
                 to[n] = p;
                 continue;
             }
-            const float rho = rho_[n], scale = 1.0F / rho; // lengths in ρ: no power of them leaves the range of floats
+            const float rho = rho_[n], scale = 1.0F / rho; // lengths in ρ, whose powers stay in the range of floats
             const auto spokeTo = [&](NodeId m) {
                 const Vec2 q = nodes[index(m)];
                 return Spoke{scale * static_cast<float>(q.x - p.x), scale * static_cast<float>(q.y - p.y),
