@@ -76,7 +76,7 @@ Result<MeshingOutcome> runJob(const MeshingJob &job, const Progress &progress) {
     const auto begin = std::chrono::steady_clock::now();
 
     std::unique_ptr<Mesher> mesher = Mesher::create(outcome.boundary, outcome.spacing, job.options);
-    mesher->reserve(static_cast<std::uint64_t>(1.15 * prepared->estimatedElements) + 1024);
+    mesher->reserve(static_cast<std::uint64_t>(Mesher::kRoom * prepared->estimatedElements) + 1024);
     if (job.options.threads > 1 &&
         !mesher->advanceTogether(job.options.threads, progress, prepared->estimatedElements)) {
         return cancelled();

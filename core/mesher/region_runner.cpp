@@ -3,6 +3,7 @@
 #include "core/base/thread_pool.hpp"
 #include "core/grid/hierarchical_grid.hpp"
 #include "core/mesher/fast_advancer.hpp"
+#include "core/mesher/mesher.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -60,8 +61,8 @@ class RegionRunner {
         FrontState &state = run.state.emplace(state_, std::move(run.part->front), static_cast<std::uint32_t>(region));
         const std::vector<std::size_t> &phases = state_.regions->phases;
         if (region >= phases[1] && region < phases[2]) { // the strips: other phases only make what these cannot
-            const auto share =
-                static_cast<std::size_t>(1.2 * estimatedElements_ / static_cast<double>(phases[2] - phases[1]));
+            const auto share = static_cast<std::size_t>(Mesher::kRoom * estimatedElements_ /
+                                                        static_cast<double>(phases[2] - phases[1]));
             state.elements.reserve(share);
             state.nodes.reserve(share / 2);
         }
