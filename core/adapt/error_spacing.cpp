@@ -37,14 +37,13 @@ class SpacingLaw {
 
     double spacing(std::size_t e, double logElementError) const {
         const double h = sizeOf(areas_[e]);
-        const double factor =
-            errors_[e] > 0.0 ? std::exp(0.5 * (logElementError - std::log(errors_[e]))) : kMostCoarsened;
-        const double wanted = h * std::clamp(factor, kMostRefined, kMostCoarsened);
-        return std::min(std::max(wanted, target_.sizeMin), target_.sizeMax);
+        const double wanted = std::max({wantedSpacing(e, logElementError), kMostRefined * h, target_.sizeMin});
+        return std::min(wanted, target_.sizeMax);
     }
 
     /// Logarithm of the error per element for which the total meets the wanted one. The square of the total is the sum
-    /// of (h_new/h)²·e² over the old elements, and grows with it: bisection.
+    /// of (h_new/h)²·e² over the old elements, and grows with it: bisection. The limits from below are left out: where
+    /// they bind, refining all the rest without measure would not make up for it.
     double solve(double wantedTotal) const {
         double low = std::log(wantedTotal) - 60.0, high = std::log(wantedTotal) + 10.0;
         constexpr int kSteps = 60;
@@ -56,10 +55,17 @@ class SpacingLaw {
     }
 
   private:
+    /// Limited from above alone.
+    double wantedSpacing(std::size_t e, double logElementError) const {
+        const double factor =
+            errors_[e] > 0.0 ? std::exp(0.5 * (logElementError - std::log(errors_[e]))) : kMostCoarsened;
+        return std::min(sizeOf(areas_[e]) * std::min(factor, kMostCoarsened), target_.sizeMax);
+    }
+
     double totalSquare(double logElementError) const {
         double sum = 0.0;
         for (std::size_t e = 0; e < areas_.size(); ++e) {
-            const double ratio = spacing(e, logElementError) / sizeOf(areas_[e]);
+            const double ratio = wantedSpacing(e, logElementError) / sizeOf(areas_[e]);
             sum += ratio * ratio * errors_[e] * errors_[e];
         }
         return sum;

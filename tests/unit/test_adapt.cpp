@@ -103,6 +103,21 @@ TEST_CASE("elementSpacing: equal errors are scaled alike, and the total meets th
     }
 }
 
+TEST_CASE("elementSpacing: where a limit from below binds, the rest is not refined without measure") {
+    const Mesh mesh = samples::square(20, 20);
+    ErrorEstimate estimate;
+    estimate.elements.assign(mesh.elements.size(), 1e-4);
+    estimate.elements[400] = 1.0; // asks for far more than a factor of 6
+    estimate.total = 1.0;
+    estimate.norm = 10.0;
+    const double h = std::sqrt(4.0 / std::sqrt(3.0) * 0.5 * 0.0025);
+    for (const double least : {0.0, 0.5 * h}) {
+        const std::vector<double> spacing = elementSpacing(mesh, estimate, {0.01, least, 1e9, 0.3});
+        CHECK(spacing[400] == doctest::Approx(std::max(h / 6.0, least)));
+        CHECK(spacing[0] > 2.0 * h);
+    }
+}
+
 TEST_CASE("limitGradation: the largest spacing below the given one that grows slowly enough along every edge") {
     const Mesh mesh = samples::square(12, 9, 0.2);
     samples::Random random(5);
