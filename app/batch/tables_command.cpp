@@ -24,6 +24,8 @@ Examples:
         every row with every grid, published figures beside ours; several minutes, most of them without grid
   forefront tables --rows 1A,2A --grids none,60x40,hierarchical
         two small rows
+  forefront tables --rows 3,4 --grids none,hierarchical
+        adaptive refinement: the domains and fields are ours, those of the publication are not known
   forefront tables --csv tables.csv --svg times.svg
         the same figures as CSV, and a drawing of time against elements
 
@@ -46,7 +48,7 @@ std::string parseLists(const std::vector<std::string> &rows, const std::vector<s
     for (const std::string &name : rows) {
         const TableCase *row = tableCase(name);
         if (row == nullptr) {
-            return "--rows: '" + name + "' is none of 1A to 1E, 2A to 2E";
+            return "--rows: '" + name + "' is none of 1A to 1E, 2A to 2E, 3, 4";
         }
         arguments.rows.push_back(*row);
     }
@@ -114,7 +116,7 @@ int tablesCommand(int argc, const char *const *argv) {
     CLI::App app("Runs the published cases of S. H. Lo's advancing front tables by the classic method.",
                  "forefront tables");
     app.footer(kExamples);
-    app.add_option("--rows", rows, "rows to run, separated by commas: 1A to 1E, 2A to 2E; else all")
+    app.add_option("--rows", rows, "rows to run, separated by commas: 1A to 1E, 2A to 2E, 3, 4; else all")
         ->delimiter(',')
         ->type_name("ROWS");
     app.add_option("--grids", grids, "background grids: none, COLUMNSxROWS, hierarchical; else none and all three")

@@ -10,7 +10,7 @@ namespace forefront {
 
 namespace {
 
-constexpr std::array<TableCase, 10> kCases = {{{"1A", 0.1},
+constexpr std::array<TableCase, 12> kCases = {{{"1A", 0.1},
                                                {"1B", 0.05},
                                                {"1C", 0.02},
                                                {"1D", 0.01},
@@ -19,7 +19,9 @@ constexpr std::array<TableCase, 10> kCases = {{{"1A", 0.1},
                                                {"2B", 0.05},
                                                {"2C", 0.02},
                                                {"2D", 0.01},
-                                               {"2E", 0.005}}};
+                                               {"2E", 0.005},
+                                               {"3", 0.05, true},
+                                               {"4", 0.03, true}}};
 
 /// [0,90]x[0,60], counter-clockwise, in segments of length 6.
 Domain rectangle() {

@@ -9,8 +9,9 @@ namespace forefront {
 
 /// A row of the published tables.
 struct TableCase {
-    std::string_view row; ///< 1A ... 1E, 2A ... 2E
+    std::string_view row; ///< 1A ... 1E, 2A ... 2E, 3, 4
     double rhoMin = 0.0;
+    bool adaptive = false; ///< 3 and 4: the domain and the field are ours, see adaptive_case.hpp
 };
 
 /// These rows in the order of the tables.
@@ -18,15 +19,13 @@ std::span<const TableCase> tableCases();
 /// Null for an unknown row; letters in either case.
 const TableCase *tableCase(std::string_view row);
 
-/// The job of a row, with the boundary kept as it is given and without improvement.
+/// The job of a row that is not adaptive, with the boundary kept as it is given and without improvement.
 ///
 /// 1A to 2E: the rectangle [0,90]x[0,60] in 50 segments of length 6. The published domain had 50 boundary nodes
 /// (2·Nn − Ne − 2 in every row without grid) and no more is known of it; the node spacing
 ///   first function:  max(ρmin, 0.303·| r(45,30) − 16 |)
 ///   second function: max(ρmin, 0.298·min(| r(22.5,30) − 12 |, | r(67.5,30) − 12 |)),   r(p): distance to p,
 /// reproduces the published numbers of elements within 3 % by ∫ 4/(√3·ρ²) dA.
-/// The published rows 3 and 4 are adaptive meshes of domains and fields that are not known; they are not among the
-/// cases.
 MeshingJob tableJob(const TableCase &row);
 
 } // namespace forefront

@@ -3,6 +3,7 @@
 #include "core/mesh/quality.hpp"
 #include "core/mesher/cpu_clock.hpp"
 #include "core/mesher/mesher.hpp"
+#include "core/tables/adaptive_case.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -66,6 +67,29 @@ double integralOfDensity(const Mesh &mesh, const SpacingField &spacing) {
     return 4.0 / std::numbers::sqrt3 * sum;
 }
 
+/// The job of a row, and for an adaptive one how it was found.
+struct RowJob {
+    MeshingJob job;
+    std::optional<NodalField> field;
+    std::optional<AdaptFigures> adapted;
+};
+
+Result<RowJob> jobOf(const TableCase &row, const Progress &progress) {
+    if (!row.adaptive) {
+        return RowJob{tableJob(row), std::nullopt, std::nullopt};
+    }
+    const AdaptiveCase problem = adaptiveCase(row);
+    const Result<NodalField> field = expressionField(problem.field);
+    if (!field) {
+        return field.faults();
+    }
+    Result<AdaptedJob> adapted = adaptToTarget(problem, *field, progress);
+    if (!adapted) {
+        return adapted.faults();
+    }
+    return RowJob{std::move(adapted->job), *field, AdaptFigures{problem.target.error, 0.0, 0.0, adapted->rounds}};
+}
+
 void describeMesh(Mesh mesh, const PreparedJob &prepared, const Progress &progress, RowFigures &figures) {
     const MeshQuality raw = measure(mesh, prepared.spacing.get());
     figures.nodes = raw.nodes;
@@ -81,6 +105,21 @@ void describeMesh(Mesh mesh, const PreparedJob &prepared, const Progress &progre
     figures.alphaImproved = improved.alphaMean;
     figures.alphaMinImproved = improved.alphaMin;
     figures.deltaImproved = improved.deltaMean;
+}
+
+/// How far the raw mesh of an adaptive row meets what was wanted.
+Status describeError(const Mesh &mesh, const RowJob &found, const PreparedJob &prepared, RowFigures &figures) {
+    if (!found.adapted) {
+        return {};
+    }
+    const Result<std::vector<double>> values = (*found.field)(mesh);
+    if (!values) {
+        return values.faults();
+    }
+    figures.adapted = found.adapted;
+    figures.adapted->error = estimateError(mesh, *values).relative();
+    figures.adapted->leastSpacing = prepared.spacing->least();
+    return {};
 }
 
 void fillEfficiencies(std::vector<GridFigures> &grids) {
@@ -118,7 +157,11 @@ std::optional<TableGrid> parseTableGrid(std::string_view text) {
 Result<RowFigures> runTableRow(const TableCase &row, const std::vector<TableGrid> &grids, const Progress &progress) {
     RowFigures figures;
     figures.row = row;
-    const MeshingJob job = tableJob(row);
+    const Result<RowJob> found = jobOf(row, progress);
+    if (!found) {
+        return found.faults();
+    }
+    const MeshingJob &job = found->job;
     const Result<PreparedJob> prepared = prepare(job, progress);
     if (!prepared) {
         return prepared.faults();
@@ -137,6 +180,9 @@ Result<RowFigures> runTableRow(const TableCase &row, const std::vector<TableGrid
             tested = run->work.tested;
             figures.front = run->work.frontMean();
             figures.tests = run->work.testsMean();
+            if (Status faults = describeError(run->mesh, *found, *prepared, figures); !faults.empty()) {
+                return faults;
+            }
             describeMesh(std::move(run->mesh), *prepared, progress, figures);
         } else if (hash != figures.hash || run->work.tested != tested) {
             return error("grid-changes-mesh", "row " + std::string(row.row) + ": the mesh with the grid " + grid.name +

@@ -28,6 +28,14 @@ struct GridFigures {
     double efficiency = 0.0; ///< time without grid / time with it; 0 where the row was not run without a grid
 };
 
+/// What the adaptive refinement of a row came to.
+struct AdaptFigures {
+    double wanted = 0.0;       ///< error of the gradient, as a part of its norm
+    double error = 0.0;        ///< estimated on the raw mesh of the row
+    double leastSpacing = 0.0; ///< of the last background mesh
+    std::size_t rounds = 0;    ///< new meshes until the spacing was found
+};
+
 /// Figures of one row. "Raw" is the mesh as the front leaves it, "improved" the same after the default swapping and
 /// smoothing.
 struct RowFigures {
@@ -37,14 +45,16 @@ struct RowFigures {
     double expectedElements = 0.0; ///< ∫ 4/(√3·ρ²) dA
     double alphaRaw = 0.0, deltaRaw = 0.0, alphaMinRaw = 0.0;
     double alphaImproved = 0.0, deltaImproved = 0.0, alphaMinImproved = 0.0;
-    double secondsImprove = 0.0; ///< CPU time
-    double front = 0.0;          ///< Nb
-    double tests = 0.0;          ///< Ns
-    std::uint64_t hash = 0;      ///< of the raw mesh, the same for every grid
+    double secondsImprove = 0.0;         ///< CPU time
+    double front = 0.0;                  ///< Nb
+    double tests = 0.0;                  ///< Ns
+    std::uint64_t hash = 0;              ///< of the raw mesh, the same for every grid
+    std::optional<AdaptFigures> adapted; ///< rows 3 and 4
     std::vector<GridFigures> grids;
 };
 
-/// Meshes one row by the classic method with each grid. Faults: "grid-changes-mesh" where two grids differ in the mesh
+/// Meshes one row by the classic method with each grid; finds the node spacing by adaptive refinement first where the
+/// row wants it. Faults: "grid-changes-mesh" where two grids differ in the mesh
 /// or in the segments tested, "cancelled", and those of the mesher.
 Result<RowFigures> runTableRow(const TableCase &row, const std::vector<TableGrid> &grids,
                                const Progress &progress = {});

@@ -272,6 +272,23 @@ class Tables(Case):
             self.assertLess(float(hierarchical["Nc"]), float(uniform["Nc"]))
         self.assertIn("hierarchical", self.read("t.svg"))
 
+    def test_adaptive_rows_are_marked_as_our_own(self):
+        done = self.call("tables", "--rows", "3,4", "--grids", "60x40,hierarchical", "--csv", "t.csv")
+        self.assertEqual(done.stderr, "")
+        for words in ("132424", "311282", "\n3* ", "\n4* ", "domains and for fields of our own", "Reading"):
+            self.assertIn(words, done.stdout)
+        head, *lines = [line.split(",") for line in self.read("t.csv").splitlines()]
+        rows = [dict(zip(head, line)) for line in lines]
+        self.assertEqual([(r["row"], r["grid"], r["source"]) for r in rows],
+                         [(row, grid, source) for row in "34" for grid, source in
+                          (("60x40", "Lo"), ("60x40", "own case"), ("hierarchical", "own case"))])
+        for published, uniform, hierarchical in (rows[:3], rows[3:]):
+            self.assertEqual(uniform["hash"], hierarchical["hash"])
+            boundary = 2 * int(uniform["Nn"]) - int(uniform["Ne"]) - 2 + (2 if uniform["row"] == "4" else 0)
+            wanted = 2 * int(published["Nn"]) - int(published["Ne"]) - 2
+            self.assertLess(abs(boundary - wanted), 0.03 * wanted)
+            self.assertLess(abs(int(uniform["Ne"]) - int(published["Ne"])), 0.05 * int(published["Ne"]))
+
     def test_wrong_rows_and_grids_are_refused(self):
         for words in (["--rows", "9Z"], ["--grids", "hexagonal"], ["--grids", "none,none"], ["--rows"]):
             self.assertNotEqual(self.call("tables", *words, code=2).stderr, "", words)

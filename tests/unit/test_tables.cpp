@@ -1,3 +1,4 @@
+#include "core/tables/adaptive_case.hpp"
 #include "core/tables/log_plot.hpp"
 #include "core/tables/power_law.hpp"
 #include "core/tables/published.hpp"
@@ -41,6 +42,9 @@ TEST_CASE("publishedFigures: every row with three grids, consistent in themselve
 TEST_CASE("tableCase: rows by name, letters in either case") {
     CHECK(tableCase("1A")->rhoMin == 0.1);
     CHECK(tableCase("2e")->row == "2E");
+    CHECK(tableCase("3")->adaptive);
+    CHECK_FALSE(tableCase("1A")->adaptive);
+    CHECK(tableCases().size() == 12);
     CHECK(tableCase("1F") == nullptr);
     CHECK(tableCase("") == nullptr);
 }
@@ -86,14 +90,60 @@ TEST_CASE("runTableRow: the small rows beat the published figures, with one mesh
     }
 }
 
+TEST_CASE("runTableRow: adaptive rows come near the published counts on cases of our own") {
+    struct Wanted {
+        const char *row;
+        double boundaryNodes; // by Euler's formula from the published counts
+        std::vector<const char *> grids;
+    };
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    const std::vector<Wanted> rows{{"3", 328.0, {"60x40", "hierarchical"}}};
+#else
+    const std::vector<Wanted> rows{{"3", 328.0, {"none", "30x20", "60x40", "hierarchical"}},
+                                   {"4", 260.0, {"60x40", "hierarchical"}}};
+#endif
+    for (const Wanted &wanted : rows) {
+        CAPTURE(wanted.row);
+        std::vector<TableGrid> grids;
+        for (const char *grid : wanted.grids) {
+            grids.push_back(*parseTableGrid(grid));
+        }
+        const Result<RowFigures> row = runTableRow(*tableCase(wanted.row), grids); // refused if the meshes differ
+        REQUIRE(row);
+        const PublishedFigures *published = publishedFigures(wanted.row, "60x40");
+        REQUIRE(row->adapted);
+        CHECK(row->grids.size() == grids.size());
+        CHECK(std::abs(static_cast<double>(row->boundaryNodes) / wanted.boundaryNodes - 1.0) < 0.03);
+        CHECK(std::abs(static_cast<double>(row->elements) / published->elements - 1.0) < 0.05);
+        CHECK(row->adapted->leastSpacing == row->row.rhoMin);
+        CHECK(row->adapted->rounds >= 2);
+        CHECK(row->adapted->error < 1.03 * row->adapted->wanted); // the classic mesh is another than that adapted last
+        CHECK(row->adapted->error > 0.9 * row->adapted->wanted);
+        CHECK(row->alphaRaw >= published->alpha + 0.03);
+        CHECK(row->deltaRaw >= published->delta);
+        CHECK(row->tests < published->tests);
+        CHECK(row->grids.back().neighbours < 20.0);
+    }
+}
+
+TEST_CASE("adaptToTarget: says so where the target is out of reach") {
+    AdaptiveCase problem = adaptiveCase(*tableCase("3"));
+    problem.target.sizeMin = 2.0;
+    const Result<AdaptedJob> adapted = adaptToTarget(problem, *expressionField(problem.field));
+    REQUIRE_FALSE(adapted);
+    CHECK(adapted.faults().front().code == "not-met");
+}
+
 TEST_CASE("runTableRow: cancelled at once when asked") {
     std::stop_source stop;
     stop.request_stop();
     Progress progress;
     progress.stop = stop.get_token();
-    const Result<RowFigures> row = runTableRow(*tableCase("1A"), {*parseTableGrid("none")}, progress);
-    REQUIRE_FALSE(row);
-    CHECK(row.faults().front().code == "cancelled");
+    for (const char *name : {"1A", "3"}) {
+        const Result<RowFigures> row = runTableRow(*tableCase(name), {*parseTableGrid("none")}, progress);
+        REQUIRE_FALSE(row);
+        CHECK(row.faults().front().code == "cancelled");
+    }
 }
 
 TEST_CASE("fitPowerLaw: exact on a power law, nothing on too little") {
@@ -131,6 +181,15 @@ TEST_CASE("tables: text, CSV and plot hold published and own figures") {
     const std::string notes = tableNotes(rows);
     CHECK(notes.find("2.00") != std::string::npos); // the exponent without grid, about
     CHECK(notes.find("NO   -21.00 in 2B") != std::string::npos);
+    CHECK(notes.find("Adaptive refinement, *") == std::string::npos);
+    RowFigures adaptive = row;
+    adaptive.row = *tableCase("3");
+    adaptive.adapted = AdaptFigures{0.04, 0.039, 0.05, 4};
+    CHECK(tableLines(adaptive).starts_with("3    0.05    none         Lo"));
+    CHECK(tableLines(adaptive).find("\n3*   0.05    none         ours") != std::string::npos);
+    CHECK(tableCsv({adaptive}).find("\n3,0.05,none,own case,") != std::string::npos);
+    CHECK(tableNotes({adaptive}).find("Adaptive refinement, * on domains and for fields of our own") !=
+          std::string::npos);
     const LogPlot plot = tablePlot(rows);
     CHECK(plot.series.size() == 3);
     const std::string svg = toSvg(plot);
