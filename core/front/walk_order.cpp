@@ -1,16 +1,23 @@
 #include "core/front/walk_order.hpp"
 
 #include <bit>
-#include <cmath>
+#include <cstdint>
+#include <limits>
 
 namespace forefront {
 
 int WalkOrder::level(double length) {
     constexpr int kOffset = 2160;
-    constexpr double kHalfOctave = 0.7071067811865476;
-    int exponent = 0;
-    const double mantissa = std::frexp(length, &exponent); // in [0.5, 1)
-    return 2 * exponent + (mantissa >= kHalfOctave ? 1 : 0) + kOffset;
+    constexpr int kBias = 1022; // of doubles whose mantissa is in [0.5, 1)
+    constexpr std::uint64_t kMantissa = (std::uint64_t{1} << 52) - 1;
+    constexpr std::uint64_t kHalfOctave = 0x6A09E667F3BCD; // mantissa of the root of 1/2
+    if (length < std::numeric_limits<double>::min()) {     // denormal, or nothing at all
+        constexpr int kShift = 64;
+        return length > 0.0 ? level(length * 0x1p64) - 2 * kShift : kOffset;
+    }
+    const auto bits = std::bit_cast<std::uint64_t>(length);
+    const int exponent = static_cast<int>(bits >> 52) - kBias;
+    return 2 * exponent + ((bits & kMantissa) >= kHalfOctave ? 1 : 0) + kOffset;
 }
 
 WalkOrder::Bucket &WalkOrder::bucketAt(std::size_t bucket) {
@@ -23,17 +30,22 @@ WalkOrder::Bucket &WalkOrder::bucketAt(std::size_t bucket) {
 
 void WalkOrder::mark(std::size_t bucket) {
     const Bucket &b = bucketAt(bucket);
-    const std::uint64_t bit = std::uint64_t{1} << (bucket % 64);
-    if (b.first < b.entries.size()) {
-        filled_[bucket / 64] |= bit;
-    } else {
-        filled_[bucket / 64] &= ~bit;
-    }
+    setFilled(bucket, b.first < b.entries.size());
+}
+
+void WalkOrder::setFilled(std::size_t bucket, bool filled) {
+    const auto set = [](std::uint64_t &word, std::size_t bit, bool value) {
+        word = (word & ~(std::uint64_t{1} << (bit % 64))) | (std::uint64_t{value} << (bit % 64));
+    };
+    const std::size_t word = bucket / 64;
+    set(filled_[word], bucket, filled);
+    set(some_[word / 64], word, filled_[word] != 0);
 }
 
 std::size_t WalkOrder::lowest() const {
-    for (std::size_t word = 0; word < filled_.size(); ++word) {
-        if (filled_[word] != 0) {
+    for (std::size_t group = 0; group < some_.size(); ++group) {
+        if (some_[group] != 0) {
+            const std::size_t word = group * 64 + static_cast<std::size_t>(std::countr_zero(some_[group]));
             return word * 64 + static_cast<std::size_t>(std::countr_zero(filled_[word]));
         }
     }
@@ -46,7 +58,7 @@ void WalkOrder::offer(const GenerationFront &front, SlotId id) {
         static_cast<std::size_t>(level(slot.length)) + (slot.mark.failureClass > 0 ? kLevels : 0);
     const Entry entry{id, slot.mark.serial};
     bucketAt(bucket).entries.push_back(entry);
-    filled_[bucket / 64] |= std::uint64_t{1} << (bucket % 64);
+    setFilled(bucket, true);
     if (logging_) {
         log_.push_back({entry, static_cast<std::uint16_t>(bucket), true});
     }
@@ -86,6 +98,7 @@ void WalkOrder::clear() {
             b.entries.resize(b.first);
         }
     }
+    some_.fill(0);
 }
 
 void WalkOrder::rollBack(std::size_t size) {

@@ -52,12 +52,14 @@ class WalkOrder {
 
     std::size_t lowest() const;
     void mark(std::size_t bucket);
+    void setFilled(std::size_t bucket, bool filled);
 
     Bucket &bucketAt(std::size_t bucket);
 
     std::vector<std::uint16_t> indices_; ///< per bucket: place in buckets_, from 1; 0: not used yet
     std::vector<Bucket> buckets_;
-    std::array<std::uint64_t, kBuckets / 64> filled_{}; ///< bit per bucket that has entries left
+    std::array<std::uint64_t, kBuckets / 64> filled_{};           ///< bit per bucket that has entries left
+    std::array<std::uint64_t, (kBuckets / 64 + 63) / 64> some_{}; ///< bit per word of `filled_` that is not 0
     std::vector<Change> log_;
     bool logging_ = false;
 };
