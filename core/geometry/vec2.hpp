@@ -92,10 +92,7 @@ struct Box2 {
 };
 
 constexpr Box2 boxOf(Vec2 a, Vec2 b) {
-    Box2 box;
-    box.add(a);
-    box.add(b);
-    return box;
+    return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
 }
 constexpr Box2 boxAround(Vec2 centre, double radius) {
     return {{centre.x - radius, centre.y - radius}, {centre.x + radius, centre.y + radius}};

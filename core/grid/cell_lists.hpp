@@ -1,64 +1,124 @@
 #pragma once
 
 #include "core/base/assert.hpp"
-#include "core/base/ids.hpp"
+#include "core/grid/segment_block.hpp"
 
-#include <cstdint>
+#include <bit>
 #include <vector>
 
 namespace forefront {
 
-/// Singly linked lists of slots, one a cell, in one pool with a free list.
+/// Lists of segments, one a cell: chains of blocks in one pool with a free list. All blocks of a chain but the first
+/// are full. A list's order means nothing.
 class CellLists {
   public:
     static constexpr std::uint32_t kEnd = kNoIndex;
 
-    void push(std::uint32_t &head, SlotId slot) {
-        std::uint32_t entry = free_;
-        if (entry == kEnd) {
-            entry = static_cast<std::uint32_t>(entries_.size());
-            entries_.push_back({});
-        } else {
-            free_ = entries_[entry].next;
+    struct List {
+        std::uint32_t head = kEnd;
+        std::uint32_t size = 0;
+    };
+
+    /// `domain`: holds most segments.
+    explicit CellLists(const Box2 &domain) : scale_(domain) {}
+
+    void push(List &list, SlotId slot, const Box2 &box) {
+        const unsigned lane = list.size % SegmentBlock::kWidth;
+        if (lane == 0) {
+            list.head = allocate(list.head);
         }
-        entries_[entry] = {slot, head};
-        head = entry;
+        blocks_[list.head].set(lane, slot, scale_(box));
+        ++list.size;
     }
 
-    void erase(std::uint32_t &head, SlotId slot) {
-        std::uint32_t *link = &head;
-        while (*link != kEnd && entries_[*link].slot != slot) {
-            link = &entries_[*link].next;
-        }
-        FOREFRONT_ASSERT(*link != kEnd);
-        if (*link == kEnd) {
+    void erase(List &list, SlotId slot) {
+        const Entry found = find(list, slot);
+        FOREFRONT_ASSERT(found.block != kEnd);
+        if (found.block == kEnd) {
             return;
         }
-        const std::uint32_t entry = *link;
-        *link = entries_[entry].next;
-        entries_[entry].next = free_;
-        free_ = entry;
+        const unsigned last = --list.size % SegmentBlock::kWidth;
+        blocks_[found.block].copy(found.lane, blocks_[list.head], last);
+        if (last == 0) {
+            const std::uint32_t next = blocks_[list.head].next;
+            blocks_[list.head].next = free_;
+            free_ = list.head;
+            list.head = next;
+        }
+    }
+
+    /// Gives an entry of the list another box.
+    void move(const List &list, SlotId slot, const Box2 &box) {
+        const Entry found = find(list, slot);
+        FOREFRONT_ASSERT(found.block != kEnd);
+        if (found.block != kEnd) {
+            blocks_[found.block].set(found.lane, slot, scale_(box));
+        }
     }
 
     template <class Visit>
-    void forEach(std::uint32_t head, Visit &&visit) const {
-        for (std::uint32_t entry = head; entry != kEnd; entry = entries_[entry].next) {
-            visit(entries_[entry].slot);
+    void forEach(const List &list, Visit &&visit) const {
+        std::uint32_t entries = inFirst(list);
+        for (std::uint32_t block = list.head; block != kEnd; block = blocks_[block].next) {
+            for (std::uint32_t lane = 0; lane < entries; ++lane) {
+                visit(blocks_[block].slots[lane]);
+            }
+            entries = SegmentBlock::kWidth;
         }
     }
 
-    std::uint32_t count(std::uint32_t head) const {
-        std::uint32_t n = 0;
-        forEach(head, [&](SlotId) { ++n; });
-        return n;
+    /// What a query of the box compares with.
+    BoxScale::Box scaled(const Box2 &box) const { return scale_(box); }
+
+    /// Those whose boxes overlap; a box too close to tell counts as overlapping.
+    template <class Visit>
+    void forEachNear(const List &list, const BoxScale::Box &box, Visit &&visit) const {
+        unsigned valid = (1U << inFirst(list)) - 1U;
+        for (std::uint32_t block = list.head; block != kEnd; block = blocks_[block].next) {
+            for (unsigned lanes = blocks_[block].overlapping(box) & valid; lanes != 0; lanes &= lanes - 1) {
+                visit(blocks_[block].slots[static_cast<unsigned>(std::countr_zero(lanes))]);
+            }
+            valid = (1U << SegmentBlock::kWidth) - 1U;
+        }
     }
 
   private:
     struct Entry {
-        SlotId slot = kNoSlot;
-        std::uint32_t next = kEnd;
+        std::uint32_t block;
+        unsigned lane;
     };
-    std::vector<Entry> entries_;
+
+    /// Entries of the first block; 0 of an empty list.
+    static std::uint32_t inFirst(const List &list) {
+        return list.size == 0 ? 0 : (list.size - 1) % SegmentBlock::kWidth + 1;
+    }
+
+    Entry find(const List &list, SlotId slot) const {
+        unsigned valid = (1U << inFirst(list)) - 1U;
+        for (std::uint32_t block = list.head; block != kEnd; block = blocks_[block].next) {
+            const unsigned lanes = blocks_[block].holding(slot) & valid;
+            if (lanes != 0) {
+                return {block, static_cast<unsigned>(std::countr_zero(lanes))};
+            }
+            valid = (1U << SegmentBlock::kWidth) - 1U;
+        }
+        return {kEnd, 0};
+    }
+
+    std::uint32_t allocate(std::uint32_t next) {
+        std::uint32_t block = free_;
+        if (block == kEnd) {
+            block = static_cast<std::uint32_t>(blocks_.size());
+            blocks_.emplace_back();
+        } else {
+            free_ = blocks_[block].next;
+        }
+        blocks_[block].next = next;
+        return block;
+    }
+
+    BoxScale scale_;
+    std::vector<SegmentBlock> blocks_;
     std::uint32_t free_ = kEnd;
 };
 

@@ -4,15 +4,13 @@ namespace forefront {
 
 namespace {
 
-// A leaf splits for a segment shorter than half of 1/kCellPerLength of its width, into cells of about that length times
-// kCellPerLength. Measured on uniform and graded cases: flat between 4 and 8.
-constexpr double kCellPerLength = 4.5;
 constexpr int kTopCells = 8;
 constexpr int kMostCells = 16;
 
 } // namespace
 
-HierarchicalGrid::HierarchicalGrid(const Box2 &bounds, double slack) : slack_(slack) {
+HierarchicalGrid::HierarchicalGrid(const Box2 &bounds, double slack, double cellPerLength)
+    : slack_(slack), cellPerLength_(cellPerLength), blocks_(bounds) {
     const Vec2 size = bounds.size();
     const double cellSize = std::max(std::max(size.x, size.y) / kTopCells, 64.0 * slack_);
     const auto cellsAlong = [&](double extent) {
@@ -20,14 +18,15 @@ HierarchicalGrid::HierarchicalGrid(const Box2 &bounds, double slack) : slack_(sl
     };
     const int columns = cellsAlong(size.x);
     const int rows = cellsAlong(size.y);
-    addTable({bounds.min, {bounds.min.x + columns * cellSize, bounds.min.y + rows * cellSize}}, columns, rows);
+    addTable({bounds.min, {bounds.min.x + columns * cellSize, bounds.min.y + rows * cellSize}}, columns, rows, 0);
 }
 
-std::uint32_t HierarchicalGrid::addTable(const Box2 &box, int columns, int rows) {
+std::uint32_t HierarchicalGrid::addTable(const Box2 &box, int columns, int rows, std::uint32_t above) {
     const Vec2 size = box.size();
     Table table;
     table.lattice = {box.min, {size.x / columns, size.y / rows}, columns, rows};
-    table.box = box;
+    table.inner = box.grown(-slack_);
+    table.above = above;
     table.firstCell = cells_.size();
     cells_.resize(cells_.size() + static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
     tables_.push_back(table);
@@ -35,10 +34,8 @@ std::uint32_t HierarchicalGrid::addTable(const Box2 &box, int columns, int rows)
 }
 
 std::uint32_t HierarchicalGrid::tableAround(const Box2 &box) const {
-    // With a margin: a table's box and the cell above it may differ by rounding.
-    const Box2 last = tables_[last_].box.grown(-slack_);
-    if (!(last.min.x <= box.min.x && box.max.x < last.max.x && last.min.y <= box.min.y && box.max.y < last.max.y)) {
-        last_ = 0;
+    while (last_ != 0 && !holds(tables_[last_].inner, box)) {
+        last_ = tables_[last_].above;
     }
     for (;;) {
         const Table &table = tables_[last_];
@@ -56,7 +53,7 @@ std::uint32_t HierarchicalGrid::tableAround(const Box2 &box) const {
 }
 
 bool HierarchicalGrid::tooCoarse(const Lattice &lattice, double length) const {
-    return lattice.cellWidth > 2.0 * kCellPerLength * length && lattice.cellWidth > 1024.0 * slack_;
+    return lattice.cellWidth > 2.0 * cellPerLength_ * length && lattice.cellWidth > 1024.0 * slack_;
 }
 
 void HierarchicalGrid::insert(const GenerationFront &front, SlotId id) {
@@ -75,7 +72,7 @@ void HierarchicalGrid::remove(const GenerationFront &front, SlotId id) {
     if (place.table != Place::kNowhere) {
         CellContent &content = cells_[cell(tables_[place.table], place.i, place.j)];
         if (content.table == kLeaf) {
-            lists_.erase(content.head, id);
+            blocks_.erase(content.list, id);
             return;
         }
     }
@@ -89,9 +86,14 @@ bool HierarchicalGrid::keeps(SlotId id, Vec2 a, Vec2 b) const {
     }
     const Table &table = tables_[place.table];
     const Box2 box = table.lattice.cellBox(place.i, place.j).grown(-slack_);
-    const double least = table.lattice.cellWidth / (2.0 * kCellPerLength);
+    const double least = table.lattice.cellWidth / (2.0 * cellPerLength_);
     return box.contains(a) && box.contains(b) && distanceSquared(a, b) >= least * least &&
            cells_[cell(table, place.i, place.j)].table == kLeaf;
+}
+
+void HierarchicalGrid::moved(const GenerationFront &front, SlotId id) {
+    const Place &place = places_[index(id)];
+    blocks_.move(cells_[cell(tables_[place.table], place.i, place.j)].list, id, boxOf(front.start(id), front.end(id)));
 }
 
 void HierarchicalGrid::insertInto(std::uint32_t tableIndex, const GenerationFront &front, SlotId id) {
@@ -101,10 +103,10 @@ void HierarchicalGrid::insertInto(std::uint32_t tableIndex, const GenerationFron
     forEachCrossedCell(lattice, front.start(id), front.end(id), slack_, [&](int i, int j) {
         const std::size_t at = cell(tables_[tableIndex], i, j);
         if (cells_[at].table == kLeaf && splits) {
-            split(at, lattice.cellBox(i, j), length, front);
+            split(tableIndex, at, lattice.cellBox(i, j), length, front);
         }
         if (cells_[at].table == kLeaf) {
-            lists_.push(cells_[at].head, id);
+            blocks_.push(cells_[at].list, id, boxOf(front.start(id), front.end(id)));
             places_[index(id)] = {tableIndex, i, j};
             ++pushed_;
         } else {
@@ -113,21 +115,23 @@ void HierarchicalGrid::insertInto(std::uint32_t tableIndex, const GenerationFron
     });
 }
 
-void HierarchicalGrid::split(std::size_t cellIndex, const Box2 &box, double length, const GenerationFront &front) {
+void HierarchicalGrid::split(std::uint32_t above, std::size_t cellIndex, const Box2 &box, double length,
+                             const GenerationFront &front) {
     const double width = box.max.x - box.min.x;
     const int n = static_cast<int>(
-        std::clamp(std::ceil(width / (kCellPerLength * length)), 2.0, static_cast<double>(kMostCells)));
+        std::clamp(std::floor(width / (cellPerLength_ * length)), 2.0, static_cast<double>(kMostCells)));
     std::vector<SlotId> residents;
-    lists_.forEach(cells_[cellIndex].head, [&](SlotId id) { residents.push_back(id); });
+    blocks_.forEach(cells_[cellIndex].list, [&](SlotId id) { residents.push_back(id); });
     for (const SlotId id : residents) {
-        lists_.erase(cells_[cellIndex].head, id);
+        blocks_.erase(cells_[cellIndex].list, id);
     }
-    const std::uint32_t table = addTable(box, n, n);
+    const std::uint32_t table = addTable(box, n, n, above);
     cells_[cellIndex].table = table;
     const Lattice lattice = tables_[table].lattice;
     for (const SlotId id : residents) {
+        const Box2 ends = boxOf(front.start(id), front.end(id));
         forEachCrossedCell(lattice, front.start(id), front.end(id), slack_,
-                           [&](int i, int j) { lists_.push(cells_[cell(tables_[table], i, j)].head, id); });
+                           [&](int i, int j) { blocks_.push(cells_[cell(tables_[table], i, j)].list, id, ends); });
     }
 }
 
@@ -136,7 +140,7 @@ void HierarchicalGrid::removeFrom(std::uint32_t tableIndex, const GenerationFron
     forEachCrossedCell(table.lattice, front.start(id), front.end(id), slack_, [&](int i, int j) {
         CellContent &content = cells_[cell(table, i, j)];
         if (content.table == kLeaf) {
-            lists_.erase(content.head, id);
+            blocks_.erase(content.list, id);
         } else {
             removeFrom(content.table, front, id);
         }

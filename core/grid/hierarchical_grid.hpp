@@ -16,18 +16,39 @@ class HierarchicalGrid {
   public:
     static constexpr std::string_view kName = "hierarchical";
 
-    /// `slack`: at least gridSlack() of all that will be inserted.
-    HierarchicalGrid(const Box2 &bounds, double slack);
+    /// `slack`: at least gridSlack() of all that will be inserted. A cell splits for a segment shorter than half of
+    /// 1/`cellPerLength` of its width, into cells of at least that length times `cellPerLength`.
+    HierarchicalGrid(const Box2 &bounds, double slack, double cellPerLength);
 
     void insert(const GenerationFront &front, SlotId id);
     void remove(const GenerationFront &front, SlotId id);
     /// As NoGrid::keeps: where the segment lies in one cell and stays there, and the cell need not split.
     bool keeps(SlotId id, Vec2 a, Vec2 b) const;
+    /// As NoGrid::moved.
+    void moved(const GenerationFront &front, SlotId id);
 
     /// As UniformGrid::query.
     template <class Deliver, class Visited>
     void query(const GenerationFront &, const Box2 &box, Deliver &&deliver, Visited &&visited) const {
-        queryTable(tableAround(box.grown(slack_)), box, deliver, visited);
+        queryTable(tableAround(box.grown(slack_)), box,
+                   [&](const CellLists::List &list, const Lattice &in, int i, int j) {
+                       visited(in.cellBox(i, j));
+                       blocks_.forEach(list, deliver);
+                   });
+    }
+
+    /// As NoGrid::queryNear.
+    template <class Deliver, class Visited>
+    std::uint32_t queryNear(const GenerationFront &, const Box2 &box, Deliver &&deliver, Visited &&visited) const {
+        const BoxScale::Box scaled = blocks_.scaled(box);
+        std::uint32_t looked = 0;
+        queryTable(tableAround(box.grown(slack_)), box,
+                   [&](const CellLists::List &list, const Lattice &in, int i, int j) {
+                       visited(in.cellBox(i, j));
+                       looked += list.size;
+                       blocks_.forEachNear(list, scaled, deliver);
+                   });
+        return looked;
     }
 
     template <class Cell>
@@ -37,7 +58,7 @@ class HierarchicalGrid {
                 for (int i = 0; i < table.lattice.columns; ++i) {
                     const CellContent &content = cells_[cell(table, i, j)];
                     if (content.table == kLeaf) {
-                        visit(table.lattice.cellBox(i, j), lists_.count(content.head));
+                        visit(table.lattice.cellBox(i, j), content.list.size);
                     }
                 }
             }
@@ -48,13 +69,14 @@ class HierarchicalGrid {
     static constexpr std::uint32_t kLeaf = 0;
     /// A leaf with its list, or the table it was split into (the top table 0 is nobody's child).
     struct CellContent {
-        std::uint32_t head = CellLists::kEnd;
+        CellLists::List list;
         std::uint32_t table = kLeaf;
     };
     struct Table {
         Lattice lattice;
         std::size_t firstCell = 0;
-        Box2 box;
+        Box2 inner; ///< its box less a margin: that of the cell above may differ by rounding
+        std::uint32_t above = 0;
     };
     /// The only cell that a segment crosses; kNowhere: it crosses several.
     struct Place {
@@ -67,17 +89,18 @@ class HierarchicalGrid {
         return table.firstCell + static_cast<std::size_t>(j) * static_cast<std::size_t>(table.lattice.columns) +
                static_cast<std::size_t>(i);
     }
-    /// The table to look up a box in: the last one where it holds the box, else the top one, and down while all of the
-    /// box lies in one cell.
+    /// The table to look up a box in: from the last one up until it holds the box, and down while all of the box lies
+    /// in one cell.
     std::uint32_t tableAround(const Box2 &box) const;
-    std::uint32_t addTable(const Box2 &box, int columns, int rows);
+    std::uint32_t addTable(const Box2 &box, int columns, int rows, std::uint32_t above);
     bool tooCoarse(const Lattice &lattice, double length) const;
     void insertInto(std::uint32_t table, const GenerationFront &front, SlotId id);
     void removeFrom(std::uint32_t table, const GenerationFront &front, SlotId id);
-    void split(std::size_t cellIndex, const Box2 &box, double length, const GenerationFront &front);
+    void split(std::uint32_t above, std::size_t cellIndex, const Box2 &box, double length,
+               const GenerationFront &front);
 
-    template <class Deliver, class Visited>
-    void queryTable(std::uint32_t tableIndex, const Box2 &box, Deliver &deliver, Visited &visited) const {
+    template <class Visit>
+    void queryTable(std::uint32_t tableIndex, const Box2 &box, const Visit &visit) const {
         const Table &table = tables_[tableIndex];
         const Lattice &lattice = table.lattice;
         const int i0 = lattice.column(box.min.x - slack_);
@@ -87,19 +110,19 @@ class HierarchicalGrid {
             for (int i = i0; i <= i1; ++i) {
                 const CellContent &content = cells_[cell(table, i, j)];
                 if (content.table == kLeaf) {
-                    visited(lattice.cellBox(i, j));
-                    lists_.forEach(content.head, deliver);
+                    visit(content.list, lattice, i, j);
                 } else {
-                    queryTable(content.table, box, deliver, visited);
+                    queryTable(content.table, box, visit);
                 }
             }
         }
     }
 
     double slack_;
+    double cellPerLength_;
     std::vector<Table> tables_;
     std::vector<CellContent> cells_;
-    CellLists lists_;
+    CellLists blocks_;
     std::vector<Place> places_;      ///< per slot
     mutable std::uint32_t last_ = 0; ///< table of the last look-up: the next one is likely to be there, too
     std::uint32_t pushed_ = 0;       ///< cells that the present insertion has reached

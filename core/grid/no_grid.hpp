@@ -15,6 +15,8 @@ class NoGrid {
     void remove(const GenerationFront &, SlotId) {}
     /// True if the segment of a slot may become ab without being removed and inserted again.
     bool keeps(SlotId, Vec2, Vec2) const { return true; }
+    /// A segment that could be kept has become another.
+    void moved(const GenerationFront &, SlotId) {}
 
     /// Calls deliver(slot) for every front segment (and isolated point) near `box`, and visited(cell box) for every
     /// cell looked into.
@@ -25,6 +27,24 @@ class NoGrid {
                 deliver(SlotId{i});
             }
         }
+    }
+
+    /// Calls deliver(slot), at least once, for every front segment (and isolated point) that meets `box`, among them
+    /// some that do not, but whose own box overlaps it up to rounding; and visited(cell box) for every cell looked
+    /// into. Returns the number of segments looked at.
+    template <class Deliver, class Visited>
+    std::uint32_t queryNear(const GenerationFront &front, const Box2 &box, Deliver &&deliver, Visited &&) const {
+        std::uint32_t looked = 0;
+        for (std::uint32_t i = 0; i < front.capacity(); ++i) {
+            const SlotId id{i};
+            if (front[id].alive) {
+                ++looked;
+                if (box.overlaps(boxOf(front.start(id), front.end(id)))) {
+                    deliver(id);
+                }
+            }
+        }
+        return looked;
     }
 
     /// Calls cell(box, entries) for every cell of the grid.

@@ -15,16 +15,17 @@ Lattice latticeOver(const Box2 &bounds, int columns, int rows) {
 
 UniformGrid::UniformGrid(const Box2 &bounds, int columns, int rows)
     : lattice_(latticeOver(bounds, columns, rows)), slack_(gridSlack(bounds)),
-      heads_(static_cast<std::size_t>(lattice_.columns) * static_cast<std::size_t>(lattice_.rows), CellLists::kEnd) {}
+      lists_(static_cast<std::size_t>(lattice_.columns) * static_cast<std::size_t>(lattice_.rows)), blocks_(bounds) {}
 
 void UniformGrid::insert(const GenerationFront &front, SlotId id) {
+    const Box2 box = boxOf(front.start(id), front.end(id));
     forEachCrossedCell(lattice_, front.start(id), front.end(id), slack_,
-                       [&](int i, int j) { lists_.push(heads_[cell(i, j)], id); });
+                       [&](int i, int j) { blocks_.push(lists_[cell(i, j)], id, box); });
 }
 
 void UniformGrid::remove(const GenerationFront &front, SlotId id) {
     forEachCrossedCell(lattice_, front.start(id), front.end(id), slack_,
-                       [&](int i, int j) { lists_.erase(heads_[cell(i, j)], id); });
+                       [&](int i, int j) { blocks_.erase(lists_[cell(i, j)], id); });
 }
 
 } // namespace forefront

@@ -21,27 +21,36 @@ class UniformGrid {
     void remove(const GenerationFront &front, SlotId id);
     /// As NoGrid::keeps; does not look.
     bool keeps(SlotId, Vec2, Vec2) const { return false; }
+    void moved(const GenerationFront &, SlotId) {}
 
     /// Calls deliver(slot) at least once for every front segment (and isolated point) that comes near `box`, and
     /// visited(cell box) for every cell looked into.
     template <class Deliver, class Visited>
     void query(const GenerationFront &, const Box2 &box, Deliver &&deliver, Visited &&visited) const {
-        const int i0 = lattice_.column(box.min.x - slack_);
-        const int i1 = lattice_.column(box.max.x + slack_);
-        const int j1 = lattice_.row(box.max.y + slack_);
-        for (int j = lattice_.row(box.min.y - slack_); j <= j1; ++j) {
-            for (int i = i0; i <= i1; ++i) {
-                visited(lattice_.cellBox(i, j));
-                lists_.forEach(heads_[cell(i, j)], deliver);
-            }
-        }
+        forEachCellNear(box, [&](const CellLists::List &list, int i, int j) {
+            visited(lattice_.cellBox(i, j));
+            blocks_.forEach(list, deliver);
+        });
+    }
+
+    /// As NoGrid::queryNear.
+    template <class Deliver, class Visited>
+    std::uint32_t queryNear(const GenerationFront &, const Box2 &box, Deliver &&deliver, Visited &&visited) const {
+        const BoxScale::Box scaled = blocks_.scaled(box);
+        std::uint32_t looked = 0;
+        forEachCellNear(box, [&](const CellLists::List &list, int i, int j) {
+            visited(lattice_.cellBox(i, j));
+            looked += list.size;
+            blocks_.forEachNear(list, scaled, deliver);
+        });
+        return looked;
     }
 
     template <class Cell>
     void forEachCell(Cell &&visit) const {
         for (int j = 0; j < lattice_.rows; ++j) {
             for (int i = 0; i < lattice_.columns; ++i) {
-                visit(lattice_.cellBox(i, j), lists_.count(heads_[cell(i, j)]));
+                visit(lattice_.cellBox(i, j), lists_[cell(i, j)].size);
             }
         }
     }
@@ -51,10 +60,22 @@ class UniformGrid {
         return static_cast<std::size_t>(j) * static_cast<std::size_t>(lattice_.columns) + static_cast<std::size_t>(i);
     }
 
+    template <class Visit>
+    void forEachCellNear(const Box2 &box, Visit &&visit) const {
+        const int i0 = lattice_.column(box.min.x - slack_);
+        const int i1 = lattice_.column(box.max.x + slack_);
+        const int j1 = lattice_.row(box.max.y + slack_);
+        for (int j = lattice_.row(box.min.y - slack_); j <= j1; ++j) {
+            for (int i = i0; i <= i1; ++i) {
+                visit(lists_[cell(i, j)], i, j);
+            }
+        }
+    }
+
     Lattice lattice_;
     double slack_;
-    std::vector<std::uint32_t> heads_;
-    CellLists lists_;
+    std::vector<CellLists::List> lists_;
+    CellLists blocks_;
 };
 
 } // namespace forefront

@@ -38,8 +38,8 @@ Fan::Fan(const GenerationFront &front, SlotId first, unsigned count) : segments(
 }
 
 Box2 Fan::box() const {
-    Box2 box;
-    for (unsigned i = 0; i <= segments; ++i) {
+    Box2 box = boxOf(at[0], at[1]);
+    for (unsigned i = 2; i <= segments; ++i) {
         box.add(at[i]);
     }
     return box;
@@ -124,31 +124,25 @@ bool FanBuilder<Grid, Trace>::clear(const Fan &fan, const Box2 &reach, SearchWor
         return false;
     }
     const GenerationFront &front = state_.front;
-    // First, without a branch, those that may be near by what is in their slot alone; then the few that are left.
-    constexpr unsigned kMostNear = 64;
+    Boxes boxes{fan.box(), boxOf(fan.at[0], fan.apex), boxOf(fan.at[fan.segments], fan.apex)};
+    boxes.fan.add(fan.apex);
+    constexpr unsigned kMostNear = 32;
     std::array<SlotId, kMostNear> near;
     unsigned count = 0;
     bool free = true;
     const auto look = [&] {
         for (unsigned k = 0; k < count && free; ++k) {
-            const SlotId id = near[k];
-            if (id != fan.slots[0] && (fan.segments < 2 || id != fan.slots[1]) &&
-                (fan.segments < 3 || id != fan.slots[2]) && reach.overlaps(boxOf(front.start(id), front.end(id)))) {
-                free = !blocks(fan, front[id], work);
-            }
+            free = !blocks(fan, boxes, front[near[k]], work);
         }
         count = 0;
     };
-    grid_.query(
+    const SlotId second = fan.segments > 1 ? fan.slots[1] : fan.slots[0];
+    const SlotId third = fan.segments > 2 ? fan.slots[2] : fan.slots[0];
+    work.delivered += grid_.queryNear(
         front, reach,
-        [&](SlotId id) {
-            ++work.delivered;
-            const FrontSlot &n = front[id];
-            const Vec2 a = n.position;
-            const double l = n.length + slack_; // of the rounding of a ± l
+        [&](SlotId id) { // those of the chain are left out without a branch: it could not be foreseen
             near[count] = id;
-            count += static_cast<unsigned>((a.x - l <= reach.max.x) & (a.x + l >= reach.min.x) &
-                                           (a.y - l <= reach.max.y) & (a.y + l >= reach.min.y));
+            count += static_cast<unsigned>((id != fan.slots[0]) & (id != second) & (id != third));
             if (count == kMostNear) {
                 look();
             }
@@ -159,7 +153,7 @@ bool FanBuilder<Grid, Trace>::clear(const Fan &fan, const Box2 &reach, SearchWor
 }
 
 template <class Grid, class Trace>
-bool FanBuilder<Grid, Trace>::blocks(const Fan &fan, const FrontSlot &n, SearchWork &work) {
+bool FanBuilder<Grid, Trace>::blocks(const Fan &fan, const Boxes &boxes, const FrontSlot &n, SearchWork &work) {
     const Vec2 a = n.position;
     const Vec2 b = state_.front.start(n.next);
     const double size2 = fan.size * fan.size;
@@ -171,18 +165,18 @@ bool FanBuilder<Grid, Trace>::blocks(const Fan &fan, const FrontSlot &n, SearchW
         if (distanceSquared(fan.apex, a) < kFanClearance * kFanClearance * size2) {
             return true;
         }
-        for (unsigned i = 0; i < fan.segments; ++i) {
-            Box2 box = boxOf(fan.at[i], fan.at[i + 1]);
-            box.add(fan.apex);
-            if (box.contains(a) && insideOrOn(fan.at[i], fan.at[i + 1], fan.apex, a)) {
-                return true;
+        if (boxes.fan.contains(a)) {
+            for (unsigned i = 0; i < fan.segments; ++i) {
+                if (insideOrOn(fan.at[i], fan.at[i + 1], fan.apex, a)) {
+                    return true;
+                }
             }
         }
     }
     const Box2 box = boxOf(a, b);
-    const Vec2 first = fan.at[0], last = fan.at[fan.segments];
-    return (box.overlaps(boxOf(first, fan.apex)) && meets(first, fan.nodes[0], fan.apex, kNoNode, n, work)) ||
-           (box.overlaps(boxOf(last, fan.apex)) && meets(last, fan.nodes[fan.segments], fan.apex, kNoNode, n, work));
+    const unsigned last = fan.segments;
+    return (box.overlaps(boxes.firstSide) && meets(fan.at[0], fan.nodes[0], fan.apex, kNoNode, n, work)) ||
+           (box.overlaps(boxes.lastSide) && meets(fan.at[last], fan.nodes[last], fan.apex, kNoNode, n, work));
 }
 
 /// Segments that share an end with the new one are left out: the angle tests have dealt with them. The boxes overlap.
@@ -211,10 +205,9 @@ bool FanBuilder<Grid, Trace>::cornerClear(const Fan &corner, SearchWork &work) {
     }
     const Box2 box = corner.box();
     bool free = true;
-    grid_.query(
+    work.delivered += grid_.queryNear(
         front, box,
         [&](SlotId id) {
-            ++work.delivered;
             if (free && id != corner.slots[0] && id != corner.slots[1]) {
                 free = !blocksCorner(corner, box, front[id], work);
             }

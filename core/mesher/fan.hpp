@@ -32,9 +32,8 @@ struct Fan {
 template <class Grid, class Trace>
 class FanBuilder {
   public:
-    /// `slack`: see gridSlack().
-    FanBuilder(const FrontState &state, const Grid &grid, const SpacingField &spacing, double slack, Trace trace)
-        : state_(state), grid_(grid), spacing_(spacing), slack_(slack), trace_(trace) {}
+    FanBuilder(const FrontState &state, const Grid &grid, const SpacingField &spacing, Trace trace)
+        : state_(state), grid_(grid), spacing_(spacing), trace_(trace) {}
 
     /// The apex: mean of the ideal points of the segments. False where it would make elements of bad shape or, against
     /// the node spacing, small ones.
@@ -49,7 +48,10 @@ class FanBuilder {
 
   private:
     bool anglesAllow(const Fan &fan) const;
-    bool blocks(const Fan &fan, const FrontSlot &n, SearchWork &work);
+    struct Boxes {
+        Box2 fan, firstSide, lastSide;
+    };
+    bool blocks(const Fan &fan, const Boxes &boxes, const FrontSlot &n, SearchWork &work);
     bool blocksCorner(const Fan &corner, const Box2 &box, const FrontSlot &n, SearchWork &work);
     bool meets(Vec2 from, NodeId fromNode, Vec2 to, NodeId toNode, const FrontSlot &n, SearchWork &work);
     void visited(const Box2 &cell, SearchWork &work);
@@ -57,7 +59,6 @@ class FanBuilder {
     const FrontState &state_;
     const Grid &grid_;
     const SpacingField &spacing_;
-    double slack_;
     Trace trace_;
 };
 

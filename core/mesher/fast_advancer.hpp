@@ -14,8 +14,12 @@ namespace forefront {
 template <class Grid, class Trace>
 class FastAdvancer {
   public:
+    /// For the HierarchicalGrid: large cells, since its queries sort out what is not near at little cost, and segments
+    /// that stay in one cell cost less to change. Measured: flat from 8 to 12.
+    static constexpr double kCellPerLength = 10.0;
+
     FastAdvancer(FrontState &state, Grid &grid, const SpacingField &spacing, double slack, Trace trace)
-        : state_(state), fans_(state, grid, spacing, slack, trace), search_(state, grid, spacing, slack, trace),
+        : state_(state), fans_(state, grid, spacing, trace), search_(state, grid, spacing, slack, trace),
           update_(state, grid, &spacing), trace_(trace), spacing_(spacing) {}
 
     /// Makes the state of a run that begins: the node spacing at the nodes of Γ and the bases of the first region.

@@ -79,6 +79,9 @@ void FrontUpdate<Grid>::addElement(const Base &base, const Candidate &apex, Adva
         }
         delta.t = front.connect(base.slotA, apex.slot);
     }
+    if (kept != kNoSlot) {
+        grid_.moved(front, kept);
+    }
     forEachNew(delta, [&](SlotId id) {
         if (id != kept) {
             insert(id);
@@ -117,6 +120,12 @@ void FrontUpdate<Grid>::addFan(std::span<const SlotId> chain, Vec2 position, dou
     }
     front.replace(delta.b, position, node);
     front.setRho(delta.b, rho);
+    if (keepA) {
+        grid_.moved(front, delta.a);
+    }
+    if (keepB) {
+        grid_.moved(front, delta.b);
+    }
     if (!keepA) {
         insert(delta.a);
     }

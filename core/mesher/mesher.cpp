@@ -46,7 +46,7 @@ class GridMesher final : public Mesher {
                 if (!runRegions(state_, *spacing_, slack_, threads, progress, estimatedElements)) {
                     return false;
                 }
-                grid_ = HierarchicalGrid(boundary_->bounds(), slack_);
+                grid_ = HierarchicalGrid(boundary_->bounds(), slack_, Advancer<Grid, NoTrace>::kCellPerLength);
                 insertAll();
             }
         } else {
@@ -149,7 +149,10 @@ std::unique_ptr<Mesher> Mesher::create(std::shared_ptr<const DiscreteDomain> bou
     case GridKind::Hierarchical:
         break;
     }
-    return make(HierarchicalGrid(domain.bounds(), gridSlack(domain.bounds())));
+    const double cellPerLength = options.method == Method::Classic
+                                     ? ClassicAdvancer<HierarchicalGrid, NoTrace>::kCellPerLength
+                                     : FastAdvancer<HierarchicalGrid, NoTrace>::kCellPerLength;
+    return make(HierarchicalGrid(domain.bounds(), gridSlack(domain.bounds()), cellPerLength));
 }
 
 void Mesher::reserve(std::uint64_t elements) {

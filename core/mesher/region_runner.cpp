@@ -68,7 +68,7 @@ class RegionRunner {
         }
         HierarchicalGrid grid({{std::max(box.min.x, bounds_.min.x), std::max(box.min.y, bounds_.min.y)},
                                {std::min(box.max.x, bounds_.max.x), std::min(box.max.y, bounds_.max.y)}},
-                              slack_);
+                              slack_, FastAdvancer<HierarchicalGrid, NoTrace>::kCellPerLength);
         for (std::uint32_t i = 0; i < state.front.capacity(); ++i) {
             if (state.front.next(SlotId{i}) != kNoSlot) { // else its segment leads out of the part
                 grid.insert(state.front, SlotId{i});

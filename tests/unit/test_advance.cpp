@@ -81,7 +81,7 @@ TEST_CASE("Advance: closes by existing nodes alone when the budget of small node
             state.front.setFailureClass(SlotId{i}, state.front[SlotId{i}].length < 0.03 ? 1 : 2);
         }
         state.order.rebuild(state.front);
-        HierarchicalGrid grid(bounds, gridSlack(bounds));
+        HierarchicalGrid grid(bounds, gridSlack(bounds), 4.0);
         for (std::uint32_t i = 0; i < state.front.capacity(); ++i) {
             grid.insert(state.front, SlotId{i});
         }

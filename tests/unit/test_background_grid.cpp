@@ -1,4 +1,5 @@
 #include "core/grid/hierarchical_grid.hpp"
+#include "core/grid/no_grid.hpp"
 #include "core/grid/uniform_grid.hpp"
 #include "tests/support/discrete_samples.hpp"
 
@@ -47,6 +48,29 @@ std::set<std::uint32_t> delivered(const Grid &grid, const GenerationFront &front
     return slots;
 }
 
+/// All that meet the box must be there, and none whose own box is well away from it.
+template <class Grid>
+void checkNear(const Grid &grid, const GenerationFront &front, const Box2 &box, double tolerance) {
+    std::set<std::uint32_t> slots;
+    std::uint32_t calls = 0;
+    const std::uint32_t looked = grid.queryNear(
+        front, box,
+        [&](SlotId id) {
+            ++calls;
+            slots.insert(static_cast<std::uint32_t>(index(id)));
+        },
+        [](const Box2 &) {});
+    CHECK(looked >= calls);
+    for (std::uint32_t i = 0; i < front.capacity(); ++i) {
+        const Box2 ends = boxOf(front.start(SlotId{i}), front.end(SlotId{i}));
+        if (segmentNearBox(front.start(SlotId{i}), front.end(SlotId{i}), box, 0.0)) {
+            REQUIRE(slots.count(i) == 1);
+        } else if (!box.grown(tolerance).overlaps(ends)) {
+            REQUIRE(slots.count(i) == 0);
+        }
+    }
+}
+
 template <class Grid>
 void checkAgainstAll(Grid grid, const GenerationFront &front, const Box2 &bounds) {
     const double slack = gridSlack(bounds);
@@ -60,6 +84,7 @@ void checkAgainstAll(Grid grid, const GenerationFront &front, const Box2 &bounds
         const double radius = std::pow(10.0, -4.0 * unit());
         const Box2 box = boxAround(centre, radius);
         REQUIRE(delivered(grid, front, box, slack) == near(front, box, slack));
+        checkNear(grid, front, box, 1e-5 * bounds.diagonal());
     }
     for (std::uint32_t i = 0; i < front.capacity(); ++i) {
         grid.remove(front, SlotId{i});
@@ -76,6 +101,9 @@ TEST_CASE("Background grids: deliver every segment near a box, whatever its leng
         const auto domain = nest(offset);
         const GenerationFront front(*domain);
         const Box2 bounds = domain->bounds();
+        SUBCASE("none") {
+            checkAgainstAll(NoGrid(), front, bounds);
+        }
         SUBCASE("uniform") {
             checkAgainstAll(UniformGrid(bounds, 17, 11), front, bounds);
         }
@@ -83,7 +111,9 @@ TEST_CASE("Background grids: deliver every segment near a box, whatever its leng
             checkAgainstAll(UniformGrid(bounds, 1, 1), front, bounds);
         }
         SUBCASE("hierarchical") {
-            checkAgainstAll(HierarchicalGrid(bounds, gridSlack(bounds)), front, bounds);
+            for (const double cellPerLength : {2.0, 4.5, 10.0}) {
+                checkAgainstAll(HierarchicalGrid(bounds, gridSlack(bounds), cellPerLength), front, bounds);
+            }
         }
     }
 }
@@ -96,7 +126,7 @@ TEST_CASE("HierarchicalGrid: the number of segments delivered stays flat when si
     }
     const auto domain = builder.region(1, 1.0).build();
     const GenerationFront front(*domain);
-    HierarchicalGrid grid(domain->bounds(), gridSlack(domain->bounds()));
+    HierarchicalGrid grid(domain->bounds(), gridSlack(domain->bounds()), 4.0);
     for (std::uint32_t i = 0; i < front.capacity(); ++i) {
         grid.insert(front, SlotId{i});
     }
@@ -123,4 +153,29 @@ TEST_CASE("Lattice: cells crossed by a segment contain every point of it") {
             REQUIRE(cells.count({lattice.column(p.x), lattice.row(p.y)}) == 1);
         }
     }
+}
+
+TEST_CASE("HierarchicalGrid: a segment that moves within its cell is found where it is, and no longer where it was") {
+    DiscreteBuilder builder;
+    builder.loop({{0, 0}, {8, 0}, {8, 8}, {0, 8}});
+    const auto domain = builder.region(1, 1.0).build();
+    GenerationFront front(*domain);
+    HierarchicalGrid grid(domain->bounds(), gridSlack(domain->bounds()), 4.0);
+    const SlotId a = front.insertAfter(SlotId{0}, {0.1, 0.1}, NodeId{4});
+    const SlotId b = front.insertAfter(a, {0.8, 0.2}, NodeId{5});
+    grid.insert(front, a);
+    const Vec2 to{0.2, 0.9};
+    REQUIRE(grid.keeps(a, front.start(a), to));
+    front.replace(b, to, NodeId{6});
+    grid.moved(front, a);
+    const auto finds = [&](Vec2 p) {
+        bool found = false;
+        grid.queryNear(
+            front, boxAround(p, 0.01), [&](SlotId id) { found = found || id == a; }, [](const Box2 &) {});
+        return found;
+    };
+    CHECK(finds({0.15, 0.5}));
+    CHECK(finds({0.2, 0.9}));
+    CHECK_FALSE(finds({0.15, 0.95}));
+    CHECK_FALSE(finds({0.5, 0.15}));
 }

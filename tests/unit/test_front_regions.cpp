@@ -31,7 +31,7 @@ class StripRun {
     }
 
     Mesh finish() {
-        HierarchicalGrid grid(bounds_, slack_);
+        HierarchicalGrid grid(bounds_, slack_, 4.0);
         for (std::uint32_t i = 0; i < state_.front.capacity(); ++i) {
             if (state_.front[SlotId{i}].alive) {
                 grid.insert(state_.front, SlotId{i});
@@ -133,7 +133,7 @@ TEST_CASE("FrontRegions: advances back through the regions lead to the same stat
     const auto domain = discreteDisc(0.05);
     const auto spacing = spacingOf([](Vec2) { return 0.05; });
     FrontState state(*domain);
-    HierarchicalGrid grid(domain->bounds(), gridSlack(domain->bounds()));
+    HierarchicalGrid grid(domain->bounds(), gridSlack(domain->bounds()), 4.0);
     using Advancer = FastAdvancer<HierarchicalGrid, NoTrace>;
     Advancer::prepare(state, *domain, *spacing, 150.0);
     REQUIRE(state.regions->boxes.size() > 8);
