@@ -6,26 +6,19 @@
 namespace forefront {
 
 bool BaseOrder::comesLater(const Entry &a, const Entry &b) {
-    if (a.mark.failureClass != b.mark.failureClass) {
-        return a.mark.failureClass > b.mark.failureClass;
-    }
-    if (a.length != b.length) {
-        return a.length > b.length;
-    }
-    return a.mark.serial > b.mark.serial;
+    return a.length != b.length ? a.length > b.length : a.serial > b.serial;
 }
 
-bool BaseOrder::valid(const GenerationFront &front, const Entry &entry) {
+bool BaseOrder::valid(const GenerationFront &front, const Entry &entry, std::size_t entryClass) {
     const FrontSlot &slot = front[entry.slot];
-    return slot.alive && slot.mark.serial == entry.mark.serial && slot.mark.failureClass == entry.mark.failureClass;
+    return slot.alive && slot.mark.serial == entry.serial && classOf(slot) == entryClass;
 }
 
-/// Rises with the length: positive doubles compare as their bits do.
-std::size_t BaseOrder::classOf(const Entry &entry) {
+std::size_t BaseOrder::classOf(const FrontSlot &slot) {
     constexpr unsigned kDroppedBits = 52 - 5;
-    return entry.mark.failureClass > 0
-               ? kDeferred
-               : static_cast<std::size_t>(std::bit_cast<std::uint64_t>(entry.length) >> kDroppedBits);
+    return slot.mark.failureClass > 0
+               ? kDeferred + std::min<std::size_t>(slot.mark.failureClass, kFailureClasses) - 1
+               : static_cast<std::size_t>(std::bit_cast<std::uint64_t>(slot.length) >> kDroppedBits);
 }
 
 std::size_t BaseOrder::lowestClass() const {
@@ -38,15 +31,16 @@ std::size_t BaseOrder::lowestClass() const {
     return kClasses;
 }
 
-void BaseOrder::push(const Entry &entry) {
-    const std::size_t c = classOf(entry);
+void BaseOrder::push(const GenerationFront &front, SlotId id) {
+    const FrontSlot &slot = front[id];
+    const std::size_t c = classOf(slot);
     if (heapOf_[c] == 0) {
         heaps_.emplace_back();
         classOf_.push_back(static_cast<std::uint32_t>(c));
         heapOf_[c] = static_cast<std::uint32_t>(heaps_.size());
     }
     Heap &heap = heaps_[heapOf_[c] - 1U];
-    heap.push_back(entry);
+    heap.push_back({std::bit_cast<std::uint64_t>(slot.length), slot.mark.serial, id});
     std::push_heap(heap.begin(), heap.end(), comesLater);
     filled_[c / 64] |= std::uint64_t{1} << (c % 64);
     summary_[c / 64 / 64] |= std::uint64_t{1} << (c / 64 % 64);
@@ -76,7 +70,7 @@ void BaseOrder::rebuild(const GenerationFront &front) {
     for (std::uint32_t i = 0; i < front.capacity(); ++i) {
         const SlotId id{i};
         if (front[id].alive && !front.isolated(id)) {
-            push({front[id].length, front[id].mark, id});
+            push(front, id);
         }
     }
 }
@@ -87,13 +81,13 @@ void BaseOrder::offer(const GenerationFront &front, SlotId id) {
         rebuild(front);
         return;
     }
-    push({front[id].length, front[id].mark, id});
+    push(front, id);
 }
 
 BaseOrder::Heap *BaseOrder::next(const GenerationFront &front) {
     for (std::size_t c = lowestClass(); c < kClasses; c = lowestClass()) {
         Heap &heap = heaps_[heapOf_[c] - 1U];
-        while (!heap.empty() && !valid(front, heap.front())) {
+        while (!heap.empty() && !valid(front, heap.front(), c)) {
             pop(heap);
         }
         if (!heap.empty()) {
@@ -115,6 +109,9 @@ SlotId BaseOrder::take(const GenerationFront &front) {
     }
     const SlotId id = heap->front().slot;
     pop(*heap);
+    if (!heap->empty()) {
+        __builtin_prefetch(&front[heap->front().slot]);
+    }
     return id;
 }
 

@@ -23,20 +23,21 @@ class BaseOrder {
 
   private:
     struct Entry {
-        double length;
-        SegmentMark mark;
+        std::uint64_t length; ///< its bits: positive doubles compare as their bits do
+        std::uint32_t serial;
         SlotId slot;
     };
     using Heap = std::vector<Entry>;
-    /// Exponent and five bits of the mantissa of a length; the last class holds all that were deferred.
+    /// Exponent and five bits of the mantissa of a length; then the failure classes, from 1, the last for all greater.
     static constexpr std::size_t kDeferred = 1U << 16U;
-    static constexpr std::size_t kClasses = kDeferred + 64;
+    static constexpr std::size_t kFailureClasses = 64;
+    static constexpr std::size_t kClasses = kDeferred + kFailureClasses;
 
     static bool comesLater(const Entry &a, const Entry &b);
-    static bool valid(const GenerationFront &front, const Entry &entry);
-    static std::size_t classOf(const Entry &entry);
+    static bool valid(const GenerationFront &front, const Entry &entry, std::size_t entryClass);
+    static std::size_t classOf(const FrontSlot &slot);
     std::size_t lowestClass() const;
-    void push(const Entry &entry);
+    void push(const GenerationFront &front, SlotId id);
     /// The heap whose top is the next base; null when there is none.
     Heap *next(const GenerationFront &front);
     void pop(Heap &heap);
