@@ -58,28 +58,35 @@ class CellLists {
 
     template <class Visit>
     void forEach(const List &list, Visit &&visit) const {
-        std::uint32_t entries = inFirst(list);
-        for (std::uint32_t block = list.head; block != kEnd; block = blocks_[block].next) {
-            for (std::uint32_t lane = 0; lane < entries; ++lane) {
-                visit(blocks_[block].slots[lane]);
+        forEachBlock(list, [&](const SegmentBlock &block, unsigned entries) {
+            for (unsigned lane = 0; lane < entries; ++lane) {
+                visit(block.slots[lane]);
             }
-            entries = SegmentBlock::kWidth;
-        }
+        });
     }
 
     /// What a query of the box compares with.
     BoxScale::Box scaled(const Box2 &box) const { return scale_(box); }
 
-    /// Those whose boxes overlap; a box too close to tell counts as overlapping.
+    /// All, with whether their boxes overlap; one too close to tell counts as overlapping.
+    template <class Visit>
+    void forEach(const List &list, const BoxScale::Box &box, Visit &&visit) const {
+        forEachBlock(list, [&](const SegmentBlock &block, unsigned entries) {
+            const unsigned near = block.overlapping(box);
+            for (unsigned lane = 0; lane < entries; ++lane) {
+                visit(block.slots[lane], (near >> lane & 1U) != 0);
+            }
+        });
+    }
+
+    /// Those whose boxes overlap.
     template <class Visit>
     void forEachNear(const List &list, const BoxScale::Box &box, Visit &&visit) const {
-        unsigned valid = (1U << inFirst(list)) - 1U;
-        for (std::uint32_t block = list.head; block != kEnd; block = blocks_[block].next) {
-            for (unsigned lanes = blocks_[block].overlapping(box) & valid; lanes != 0; lanes &= lanes - 1) {
-                visit(blocks_[block].slots[static_cast<unsigned>(std::countr_zero(lanes))]);
+        forEachBlock(list, [&](const SegmentBlock &block, unsigned entries) {
+            for (unsigned near = block.overlapping(box) & firstLanes(entries); near != 0; near &= near - 1) {
+                visit(block.slots[static_cast<unsigned>(std::countr_zero(near))]);
             }
-            valid = (1U << SegmentBlock::kWidth) - 1U;
-        }
+        });
     }
 
   private:
@@ -88,19 +95,26 @@ class CellLists {
         unsigned lane;
     };
 
-    /// Entries of the first block; 0 of an empty list.
-    static std::uint32_t inFirst(const List &list) {
-        return list.size == 0 ? 0 : (list.size - 1) % SegmentBlock::kWidth + 1;
+    static unsigned firstLanes(unsigned entries) { return (1U << entries) - 1U; }
+
+    /// Calls visit(block, its entries) for all blocks of a list.
+    template <class Visit>
+    void forEachBlock(const List &list, const Visit &visit) const {
+        unsigned entries = (list.size - 1) % SegmentBlock::kWidth + 1;
+        for (std::uint32_t block = list.head; block != kEnd; block = blocks_[block].next) {
+            visit(blocks_[block], entries);
+            entries = SegmentBlock::kWidth;
+        }
     }
 
     Entry find(const List &list, SlotId slot) const {
-        unsigned valid = (1U << inFirst(list)) - 1U;
+        unsigned entries = (list.size - 1) % SegmentBlock::kWidth + 1;
         for (std::uint32_t block = list.head; block != kEnd; block = blocks_[block].next) {
-            const unsigned lanes = blocks_[block].holding(slot) & valid;
+            const unsigned lanes = blocks_[block].holding(slot) & firstLanes(entries);
             if (lanes != 0) {
                 return {block, static_cast<unsigned>(std::countr_zero(lanes))};
             }
-            valid = (1U << SegmentBlock::kWidth) - 1U;
+            entries = SegmentBlock::kWidth;
         }
         return {kEnd, 0};
     }

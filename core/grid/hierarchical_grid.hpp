@@ -27,13 +27,14 @@ class HierarchicalGrid {
     /// As NoGrid::moved.
     void moved(const GenerationFront &front, SlotId id);
 
-    /// As UniformGrid::query.
+    /// As NoGrid::query.
     template <class Deliver, class Visited>
     void query(const GenerationFront &, const Box2 &box, Deliver &&deliver, Visited &&visited) const {
+        const BoxScale::Box scaled = blocks_.scaled(box.grown(slack_));
         queryTable(tableAround(box.grown(slack_)), box,
                    [&](const CellLists::List &list, const Lattice &in, int i, int j) {
                        visited(in.cellBox(i, j));
-                       blocks_.forEach(list, deliver);
+                       blocks_.forEach(list, scaled, deliver);
                    });
     }
 

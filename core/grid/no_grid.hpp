@@ -18,13 +18,14 @@ class NoGrid {
     /// A segment that could be kept has become another.
     void moved(const GenerationFront &, SlotId) {}
 
-    /// Calls deliver(slot) for every front segment (and isolated point) near `box`, and visited(cell box) for every
-    /// cell looked into.
+    /// Calls deliver(slot, near), at least once, for every front segment (and isolated point) that comes near `box` by
+    /// the grid's slack, and for others of the cells looked into, which may have near = false; and visited(cell box)
+    /// for every such cell.
     template <class Deliver, class Visited>
     void query(const GenerationFront &front, const Box2 &, Deliver &&deliver, Visited &&) const {
         for (std::uint32_t i = 0; i < front.capacity(); ++i) {
             if (front[SlotId{i}].alive) {
-                deliver(SlotId{i});
+                deliver(SlotId{i}, true);
             }
         }
     }

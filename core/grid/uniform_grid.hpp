@@ -23,13 +23,13 @@ class UniformGrid {
     bool keeps(SlotId, Vec2, Vec2) const { return false; }
     void moved(const GenerationFront &, SlotId) {}
 
-    /// Calls deliver(slot) at least once for every front segment (and isolated point) that comes near `box`, and
-    /// visited(cell box) for every cell looked into.
+    /// As NoGrid::query.
     template <class Deliver, class Visited>
     void query(const GenerationFront &, const Box2 &box, Deliver &&deliver, Visited &&visited) const {
+        const BoxScale::Box scaled = blocks_.scaled(box.grown(slack_));
         forEachCellNear(box, [&](const CellLists::List &list, int i, int j) {
             visited(lattice_.cellBox(i, j));
-            blocks_.forEach(list, deliver);
+            blocks_.forEach(list, scaled, deliver);
         });
     }
 

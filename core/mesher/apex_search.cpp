@@ -103,12 +103,12 @@ void ApexSearch<Grid, Trace>::gather(const Box2 &box) {
     found_.clear();
     grid_.query(
         front, box,
-        [&](SlotId id) {
+        [&](SlotId id, bool near) {
             std::uint32_t &stamp = stamps_[index(id)];
             if (stamp != stamp_) {
                 stamp = stamp_;
                 ++work_.delivered;
-                if (segmentNearBox(front.start(id), front.end(id), box, slack_)) {
+                if (near && segmentNearBox(front.start(id), front.end(id), box, slack_)) {
                     found_.push_back(id);
                 }
             }

@@ -39,8 +39,8 @@ std::set<std::uint32_t> delivered(const Grid &grid, const GenerationFront &front
     std::set<std::uint32_t> slots;
     grid.query(
         front, box,
-        [&](SlotId id) {
-            if (segmentNearBox(front.start(id), front.end(id), box, slack)) {
+        [&](SlotId id, bool near) {
+            if (near && segmentNearBox(front.start(id), front.end(id), box, slack)) {
                 slots.insert(static_cast<std::uint32_t>(index(id)));
             }
         },
@@ -134,7 +134,7 @@ TEST_CASE("HierarchicalGrid: the number of segments delivered stays flat when si
         const SlotId id{i};
         std::size_t count = 0;
         grid.query(
-            front, boxAround(front.start(id), front[id].length), [&](SlotId) { ++count; }, [](const Box2 &) {});
+            front, boxAround(front.start(id), front[id].length), [&](SlotId, bool) { ++count; }, [](const Box2 &) {});
         CHECK(count < 400);
     }
 }
