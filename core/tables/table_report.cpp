@@ -243,7 +243,9 @@ constexpr const char *kExplanation =
     R"(  Percentages: ours against that figure. The domain and the functions of the publication are not printed in it:
   rows 1A to 2E are reconstructed from its counts (rectangle in 50 boundary segments, distance to one or two circles,
   constants that meet the ten published Ne within 3 % by the integral), so that a difference of some percent
-  says nothing of either mesher; nor does a mesh meet the integral exactly. Lo's counts move with the grid, ours do not;
+  from Lo's says nothing of either mesher. Ours exceed the integral, which counts equilateral triangles with sides of
+  rho: our sides keep rho in the mean square, and a triangle of quality alpha has alpha times the area of the
+  equilateral one with the same mean square of sides; so Ne is the integral / alpha. Lo's counts move with the grid;
   in six of his lines with a grid 2 Nn - Ne - 2, the number of boundary nodes, is 39 or 43 where the others have 50.
   Rows 3* and 4* are cases of our own in the place of adaptive meshes of unknown domains: an L with a re-entrant corner
   and a rectangle with a hole, refined by our own error estimate to about as many boundary nodes, the same least spacing

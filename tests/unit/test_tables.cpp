@@ -90,6 +90,12 @@ TEST_CASE("runTableRow: the small rows beat the published figures, with one mesh
     }
 }
 
+TEST_CASE("runTableRow: as many elements as the integral asks for, divided by their quality") {
+    const Result<RowFigures> row = runTableRow(*tableCase("1A"), {*parseTableGrid("hierarchical")});
+    REQUIRE(row);
+    CHECK(static_cast<double>(row->elements) * row->alphaRaw == doctest::Approx(row->expectedElements).epsilon(0.01));
+}
+
 TEST_CASE("runTableRow: adaptive rows come near the published counts on cases of our own") {
     struct Wanted {
         const char *row;
