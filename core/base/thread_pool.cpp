@@ -1,5 +1,7 @@
 #include "core/base/thread_pool.hpp"
 
+#include <ctime>
+#include <pthread.h>
 #include <system_error>
 #include <utility>
 
@@ -16,15 +18,16 @@ ThreadPool::ThreadPool(unsigned threads) {
 
 ThreadPool::~ThreadPool() = default;
 
-void ThreadPool::run(std::size_t tasks, const Task &work) {
+void ThreadPool::run(std::size_t tasks, const Task &work, const std::stop_token &stop) {
     if (workers_.empty() || tasks <= 1) {
-        for (std::size_t task = 0; task < tasks; ++task) {
+        for (std::size_t task = 0; task < tasks && !stop.stop_requested(); ++task) {
             work(task, 0);
         }
         return;
     }
     std::unique_lock lock(mutex_);
     work_ = &work;
+    stop_ = &stop;
     next_ = 0;
     tasks_ = tasks;
     begin_.notify_all();
@@ -37,6 +40,18 @@ void ThreadPool::run(std::size_t tasks, const Task &work) {
     }
 }
 
+double ThreadPool::workerSeconds() {
+    double seconds = 0.0;
+    for (std::jthread &worker : workers_) {
+        clockid_t clock{};
+        timespec time{};
+        if (pthread_getcpuclockid(worker.native_handle(), &clock) == 0 && clock_gettime(clock, &time) == 0) {
+            seconds += static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+        }
+    }
+    return seconds;
+}
+
 void ThreadPool::serve(const std::stop_token &stop, unsigned thread) {
     std::unique_lock lock(mutex_);
     while (begin_.wait(lock, stop, [this] { return next_ < tasks_; })) {
@@ -46,6 +61,10 @@ void ThreadPool::serve(const std::stop_token &stop, unsigned thread) {
 
 void ThreadPool::takeTasks(std::unique_lock<std::mutex> &lock, unsigned thread) {
     while (next_ < tasks_) {
+        if (stop_->stop_requested()) {
+            next_ = tasks_;
+            break;
+        }
         const std::size_t task = next_++;
         ++active_;
         lock.unlock();

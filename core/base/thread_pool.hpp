@@ -6,6 +6,7 @@
 #include <exception>
 #include <functional>
 #include <mutex>
+#include <stop_token>
 #include <thread>
 #include <vector>
 
@@ -26,15 +27,20 @@ class ThreadPool {
 
     using Task = std::function<void(std::size_t task, unsigned thread)>;
     /// Calls work(task, thread) for each task below `tasks`, thread below threads(), and returns when all are done.
-    /// What a task throws is thrown here, once all have ended; tasks not yet begun are then left out.
-    void run(std::size_t tasks, const Task &work);
+    /// What a task throws is thrown here, once all have ended; tasks not yet begun are then left out, and so they are
+    /// after a stop.
+    void run(std::size_t tasks, const Task &work, const std::stop_token &stop = {});
 
-    /// Calls work(begin, end, chunk) for consecutive ranges of `size` that cover [0, count).
+    /// Calls work(begin, end, chunk) for consecutive ranges of `size` that cover [0, count), but for those that a stop
+    /// leaves out.
     template <class Work>
-    void forChunks(std::size_t count, std::size_t size, const Work &work) {
+    void forChunks(std::size_t count, std::size_t size, const Work &work, const std::stop_token &stop = {}) {
         run((count + size - 1) / size,
-            [&](std::size_t chunk, unsigned) { work(chunk * size, std::min(count, (chunk + 1) * size), chunk); });
+            [&](std::size_t chunk, unsigned) { work(chunk * size, std::min(count, (chunk + 1) * size), chunk); }, stop);
     }
+
+    /// CPU time that the threads beside the caller have taken so far, in seconds.
+    double workerSeconds();
 
   private:
     void serve(const std::stop_token &stop, unsigned thread);
@@ -45,6 +51,7 @@ class ThreadPool {
     std::condition_variable done_;
     // All below is guarded by the mutex.
     const Task *work_ = nullptr;
+    const std::stop_token *stop_ = nullptr;
     std::size_t next_ = 0, tasks_ = 0;
     std::size_t active_ = 0; ///< tasks begun and not ended
     std::exception_ptr failure_;

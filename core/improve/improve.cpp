@@ -1,8 +1,9 @@
 #include "core/improve/improve.hpp"
 
+#include "core/base/cpu_clock.hpp"
 #include "core/improve/repair.hpp"
 #include "core/improve/smooth.hpp"
-#include "core/improve/swap.hpp"
+#include "core/improve/swap_pass.hpp"
 #include "core/mesh/quality.hpp"
 
 #include <algorithm>
@@ -35,7 +36,7 @@ constexpr ShapeGoal kBestGoal{0.85, 39.0, 12};
 class Improvement {
   public:
     Improvement(Mesh &mesh, const ImproveOptions &options, const Progress &progress)
-        : options_(options), progress_(progress), pool_(options.threads), work_(mesh, pool_) {}
+        : options_(options), progress_(progress), pool_(options.threads), work_(mesh, pool_, progress.stop) {}
 
     ImproveReport run() {
         const bool best = options_.level == ImproveLevel::Best;
@@ -43,8 +44,14 @@ class Improvement {
                                               : work_.mesh.elements.size() <= kSmallMesh ? kSmallRounds
                                                                                          : kDefaultRounds;
         stages_ = 2 * static_cast<int>(rounds.size()) + 1;
-        report_.alphaMinBefore = work_.measureAlpha();
+        if (progress_.cancelled()) {
+            return report();
+        }
+        const double least = work_.measureAlpha(progress_.stop);
         bool going = !progress_.cancelled();
+        if (going) {
+            report_.alphaMinBefore = report_.alphaMinAfter = least;
+        }
         std::optional<NodeSmoother> smoother;
         for (const Round &round : rounds) {
             going = going && swapAndSweep(round, smoother);
@@ -55,13 +62,20 @@ class Improvement {
                 repairWorst(work_, best ? kBestGoal : kDefaultGoal, report_.alphaMinBefore, progress_);
             report_.swaps += repaired.swaps;
             report_.moves += repaired.moves;
-            next();
+            going = next();
         }
-        report_.alphaMinAfter = work_.leastAlpha();
-        return report_;
+        if (going) {
+            report_.alphaMinAfter = work_.leastAlpha();
+        }
+        return report();
     }
 
   private:
+    const ImproveReport &report() {
+        report_.seconds = clock_.lap() + pool_.workerSeconds();
+        return report_;
+    }
+
     bool next() {
         progress_("improving", static_cast<double>(++done_) / static_cast<double>(stages_));
         return !progress_.cancelled();
@@ -75,14 +89,15 @@ class Improvement {
             return false;
         }
         if (!smoother) {
-            smoother.emplace(work_, options_.spacing);
+            smoother.emplace(work_, options_.spacing, progress_.stop);
         } else {
-            smoother->renewSpacing();
+            smoother->renewSpacing(progress_.stop);
         }
         report_.moves += smoother->sweep(round.sweeps, round.aims, floor, progress_);
         return next();
     }
 
+    CpuClock clock_;
     const ImproveOptions &options_;
     const Progress &progress_;
     ThreadPool pool_;
@@ -103,8 +118,11 @@ double leastAlpha(const Mesh &mesh) {
 } // namespace
 
 ImproveReport improve(Mesh &mesh, const ImproveOptions &options, const Progress &progress) {
+    if (progress.cancelled()) {
+        return {};
+    }
     if (mesh.elements.empty() || mesh.elements.size() > ImproveWorkspace::kMostElements ||
-        options.level == ImproveLevel::None || progress.cancelled()) {
+        options.level == ImproveLevel::None) {
         ImproveReport report;
         report.alphaMinBefore = report.alphaMinAfter = leastAlpha(mesh);
         return report;

@@ -65,47 +65,68 @@ std::size_t blockSize(std::size_t elements) {
     return std::max(kLeast, (elements + kBlocks - 1) / kBlocks);
 }
 
-void matchAll(ImproveWorkspace &work) {
+void clearNodes(ImproveWorkspace &work, const std::stop_token &stop) {
+    work.pool.forChunks(
+        work.start.size(), ImproveWorkspace::kChunk,
+        [&work](std::size_t begin, std::size_t end, std::size_t) {
+            std::fill(work.start.data() + begin, work.start.data() + end, kNoHalfEdge);
+            std::fill(work.fixed.data() + begin, work.fixed.data() + end, std::uint8_t{0});
+        },
+        stop);
+}
+
+/// Half-edges between looks at the stop token: about a millisecond.
+constexpr HalfEdge kBatch = 1U << 16U;
+
+/// Those of the block that find no partner in it.
+std::vector<HalfEdge> matchBlock(ImproveWorkspace &work, Matcher &matcher, HalfEdge begin, HalfEdge end,
+                                 const std::stop_token &stop) {
+    std::vector<HalfEdge> waiting;
+    for (HalfEdge from = begin; from < end && !stop.stop_requested(); from += std::min(kBatch, end - from)) {
+        for (HalfEdge h = from; h < from + std::min(kBatch, end - from); ++h) {
+            noteStart(work, h);
+            matcher.add(h);
+        }
+    }
+    if (!stop.stop_requested()) {
+        matcher.takeWaiting(begin, end, waiting);
+    }
+    return waiting;
+}
+
+void matchAll(ImproveWorkspace &work, const std::stop_token &stop) {
     const std::size_t count = work.mesh.elements.size();
     const std::size_t size = blockSize(count);
     std::vector<std::vector<HalfEdge>> waiting((count + size - 1) / size);
     std::vector<std::unique_ptr<Matcher>> matchers(work.pool.threads());
-    work.pool.run(waiting.size(), [&](std::size_t block, unsigned thread) {
-        if (!matchers[thread]) {
-            matchers[thread] = std::make_unique<Matcher>(work);
-        }
-        const auto begin = static_cast<HalfEdge>(3 * block * size);
-        const auto end = static_cast<HalfEdge>(3 * std::min(count, (block + 1) * size));
-        for (HalfEdge h = begin; h < end; ++h) {
-            noteStart(work, h);
-            matchers[thread]->add(h);
-        }
-        matchers[thread]->takeWaiting(begin, end, waiting[block]);
-    });
-    if (waiting.empty()) {
+    work.pool.run(
+        waiting.size(),
+        [&](std::size_t block, unsigned thread) {
+            if (!matchers[thread]) {
+                matchers[thread] = std::make_unique<Matcher>(work);
+            }
+            waiting[block] = matchBlock(work, *matchers[thread], static_cast<HalfEdge>(3 * block * size),
+                                        static_cast<HalfEdge>(3 * std::min(count, (block + 1) * size)), stop);
+        },
+        stop);
+    if (waiting.empty() || stop.stop_requested()) {
         return;
     }
-    std::vector<HalfEdge> left;
+    Matcher &matcher = **std::find_if(matchers.begin(), matchers.end(), [](const auto &m) { return m != nullptr; });
     if (waiting.size() > 1) {
-        Matcher &matcher = **std::find_if(matchers.begin(), matchers.end(), [](const auto &m) { return m != nullptr; });
         for (const std::vector<HalfEdge> &block : waiting) {
             for (const HalfEdge h : block) {
                 matcher.add(h);
             }
         }
-        for (const std::vector<HalfEdge> &block : waiting) {
-            for (const HalfEdge h : block) {
-                if ((work.twin[h] & kWaiting) != 0) {
-                    left.push_back(h);
-                }
+    }
+    for (const std::vector<HalfEdge> &block : waiting) {
+        for (const HalfEdge h : block) {
+            if ((work.twin[h] & kWaiting) != 0) {
+                work.twin[h] = kNoHalfEdge;
+                work.fixed[index(work.from(h))] = work.fixed[index(work.to(h))] = 1;
             }
         }
-    } else {
-        left.swap(waiting[0]);
-    }
-    for (const HalfEdge h : left) {
-        work.twin[h] = kNoHalfEdge;
-        work.fixed[index(work.from(h))] = work.fixed[index(work.to(h))] = 1;
     }
 }
 
@@ -115,56 +136,69 @@ void part(ImproveWorkspace &work, HalfEdge h) {
     work.fixed[index(work.from(h))] = work.fixed[index(work.to(h))] = 1;
 }
 
-void partRegions(ImproveWorkspace &work) {
-    const Mesh &mesh = work.mesh;
-    if (mesh.regions.empty()) {
-        return;
-    }
-    for (HalfEdge h = 0; h < work.twin.size(); ++h) {
-        const HalfEdge g = work.twin[h];
-        if (g != kNoHalfEdge && h < g && mesh.regions[elementOf(h)] != mesh.regions[elementOf(g)]) {
-            part(work, h);
+/// Tagged edges, by their nodes; all of these are held.
+class TaggedEdges {
+  public:
+    explicit TaggedEdges(ImproveWorkspace &work) {
+        keys_.reserve(work.mesh.edges.size());
+        for (const TaggedEdge &edge : work.mesh.edges) {
+            keys_.push_back(key(edge.a, edge.b));
+            work.fixed[index(edge.a)] = work.fixed[index(edge.b)] = 1;
         }
+        for (const TaggedNode &point : work.mesh.points) {
+            work.fixed[index(point.node)] = 1;
+        }
+        std::sort(keys_.begin(), keys_.end());
     }
-}
+    bool contain(NodeId a, NodeId b) const { return std::binary_search(keys_.begin(), keys_.end(), key(a, b)); }
 
-/// Parts the elements at tagged edges inside. Only those whose ends are both tagged are looked at closely.
-void partTagged(ImproveWorkspace &work) {
-    const Mesh &mesh = work.mesh;
-    const auto key = [](NodeId a, NodeId b) {
+  private:
+    static std::uint64_t key(NodeId a, NodeId b) {
         return (static_cast<std::uint64_t>(std::min(index(a), index(b))) << 32U) | std::max(index(a), index(b));
-    };
-    std::vector<std::uint64_t> tagged;
-    tagged.reserve(mesh.edges.size());
-    for (const TaggedEdge &edge : mesh.edges) {
-        tagged.push_back(key(edge.a, edge.b));
-        work.fixed[index(edge.a)] = work.fixed[index(edge.b)] = 1;
     }
-    for (const TaggedNode &point : mesh.points) {
-        work.fixed[index(point.node)] = 1;
-    }
-    std::sort(tagged.begin(), tagged.end());
-    for (std::size_t e = 0; e < mesh.elements.size() && !tagged.empty(); ++e) {
-        const Element &n = mesh.elements[e];
-        if (work.fixed[index(n[0])] + work.fixed[index(n[1])] + work.fixed[index(n[2])] < 2) {
-            continue;
-        }
-        for (unsigned k = 0; k < 3; ++k) {
-            const auto h = static_cast<HalfEdge>(3 * e + k);
-            if (work.twin[h] != kNoHalfEdge &&
-                std::binary_search(tagged.begin(), tagged.end(), key(n[k], n[(k + 1) % 3]))) {
-                part(work, h);
+    std::vector<std::uint64_t> keys_;
+};
+
+/// Parts the elements at tagged edges and between regions. Only edges whose ends are both held may be tagged.
+void partTagged(ImproveWorkspace &work, const std::stop_token &stop) {
+    const Mesh &mesh = work.mesh;
+    const TaggedEdges tagged(work);
+    const std::size_t count = mesh.elements.size();
+    std::vector<std::vector<HalfEdge>> found((count + ImproveWorkspace::kChunk - 1) / ImproveWorkspace::kChunk);
+    work.pool.forChunks(
+        count, ImproveWorkspace::kChunk,
+        [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+            for (std::size_t e = begin; e < end; ++e) {
+                const Element &n = mesh.elements[e];
+                const bool mayBeTagged =
+                    work.fixed[index(n[0])] + work.fixed[index(n[1])] + work.fixed[index(n[2])] >= 2;
+                for (unsigned k = 0; k < 3 && (mayBeTagged || !mesh.regions.empty()); ++k) {
+                    const auto h = static_cast<HalfEdge>(3 * e + k);
+                    const HalfEdge g = work.twin[h];
+                    if (g != kNoHalfEdge && h < g &&
+                        (mesh.region(e) != mesh.region(elementOf(g)) ||
+                         (mayBeTagged && tagged.contain(n[k], n[(k + 1) % 3])))) {
+                        found[chunk].push_back(h);
+                    }
+                }
             }
+        },
+        stop);
+    for (const std::vector<HalfEdge> &some : found) {
+        for (const HalfEdge h : some) {
+            part(work, h);
         }
     }
 }
 
 } // namespace
 
-void joinElements(ImproveWorkspace &work) {
-    matchAll(work);
-    partRegions(work);
-    partTagged(work);
+void joinElements(ImproveWorkspace &work, const std::stop_token &stop) {
+    clearNodes(work, stop);
+    matchAll(work, stop);
+    if (!stop.stop_requested()) {
+        partTagged(work, stop);
+    }
 }
 
 } // namespace forefront

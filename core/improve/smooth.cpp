@@ -39,33 +39,37 @@ struct Pull {
 
 } // namespace
 
-NodeSmoother::NodeSmoother(ImproveWorkspace &work, const SpacingField *spacing)
-    : work_(work), spacing_(spacing), rho_(work.mesh.nodes.size(), 0.0F), next_(work.mesh.nodes.size()) {
+NodeSmoother::NodeSmoother(ImproveWorkspace &work, const SpacingField *spacing, const std::stop_token &stop)
+    : work_(work), spacing_(spacing), rho_(work.mesh.nodes.size()), now_(work.mesh.nodes.size()) {
     if (spacing_ != nullptr) {
-        renewSpacing();
+        renewSpacing(stop);
     } else {
         meanLengths();
     }
 }
 
-void NodeSmoother::renewSpacing() {
+void NodeSmoother::renewSpacing(const std::stop_token &stop) {
     if (spacing_ == nullptr) {
         return;
     }
     constexpr std::size_t kBlock = 1024;
     const std::vector<Vec2> &nodes = work_.mesh.nodes;
-    work_.pool.forChunks(nodes.size(), kBlock, [&](std::size_t begin, std::size_t end, std::size_t) {
-        std::array<double, kBlock> rho;
-        spacing_->atMany({nodes.data() + begin, end - begin}, {rho.data(), end - begin});
-        for (std::size_t n = begin; n < end; ++n) {
-            rho_[n] = static_cast<float>(rho[n - begin]);
-        }
-    });
+    work_.pool.forChunks(
+        nodes.size(), kBlock,
+        [&](std::size_t begin, std::size_t end, std::size_t) {
+            std::array<double, kBlock> rho;
+            spacing_->atMany({nodes.data() + begin, end - begin}, {rho.data(), end - begin});
+            for (std::size_t n = begin; n < end; ++n) {
+                rho_[n] = static_cast<float>(rho[n - begin]);
+            }
+        },
+        stop);
 }
 
 /// An inner edge is met from both of its elements.
 void NodeSmoother::meanLengths() {
     const Mesh &mesh = work_.mesh;
+    std::fill(rho_.begin(), rho_.end(), 0.0F);
     std::vector<std::uint32_t> ends(mesh.nodes.size(), 0);
     for (const Element &e : mesh.elements) {
         for (unsigned k = 0; k < 3; ++k) {
@@ -82,43 +86,86 @@ void NodeSmoother::meanLengths() {
     }
 }
 
-void NodeSmoother::moveAll(const SmoothingAims &aims, std::vector<Vec2> &to) const {
-    const std::vector<Vec2> &nodes = work_.mesh.nodes;
-    work_.pool.forChunks(nodes.size(), ImproveWorkspace::kChunk, [&](std::size_t begin, std::size_t end, std::size_t) {
-        for (std::size_t n = begin; n < end; ++n) {
-            const Vec2 p = nodes[n];
-            if (!work_.isFree(n)) {
-                to[n] = p;
-                continue;
-            }
-            const float rho = rho_[n], scale = 1.0F / rho; // lengths in ρ, whose powers stay in the range of floats
-            const auto spokeTo = [&](NodeId m) {
-                const Vec2 q = nodes[index(m)];
-                return Spoke{scale * static_cast<float>(q.x - p.x), scale * static_cast<float>(q.y - p.y),
-                             0.5F + 0.5F * scale * rho_[index(m)]};
-            };
-            Pull pull;
-            const unsigned count = work_.valence[n];
-            if (count <= ImproveWorkspace::kRingNodes) {
-                const ImproveWorkspace::Ring &ring = work_.rings[n];
-                const Spoke first = spokeTo(ring[0]);
-                Spoke spoke = first;
-                for (unsigned k = 1; k < count; ++k) {
-                    const Spoke next = spokeTo(ring[k]);
-                    pull.add(spoke, next);
-                    spoke = next;
-                }
-                pull.add(spoke, first);
-            } else {
-                work_.aroundFree(NodeId{static_cast<std::uint32_t>(n)},
-                                 [&](HalfEdge h) { pull.add(spokeTo(work_.to(h)), spokeTo(work_.apex(h))); });
-            }
-            const float shape = rho * aims.shape / pull.weight;
-            const float spacing = rho * aims.spacing / static_cast<float>(count);
-            to[n] = {p.x + static_cast<double>(shape * pull.x + spacing * pull.springX),
-                     p.y + static_cast<double>(shape * pull.y + spacing * pull.springY)};
+/// Of a free node.
+NodeSmoother::Move NodeSmoother::moveOf(const Vec2 *places, std::size_t n, const SmoothingAims &aims) const {
+    const Vec2 p = places[n];
+    const float rho = rho_[n], scale = 1.0F / rho; // lengths in ρ, whose powers stay in the range of floats
+    const auto spokeTo = [&](std::size_t m) {
+        const Vec2 q = places[m];
+        return Spoke{scale * static_cast<float>(q.x - p.x), scale * static_cast<float>(q.y - p.y),
+                     0.5F + 0.5F * scale * rho_[m]};
+    };
+    Pull pull;
+    const unsigned count = work_.valence[n];
+    const ImproveWorkspace::Ring &ring = work_.rings[n];
+    if (ring[0] != 0) {
+        const auto place = [&](unsigned k) { return n + static_cast<std::size_t>(std::ptrdiff_t{ring[k]}); };
+        const Spoke first = spokeTo(place(0));
+        Spoke spoke = first;
+        for (unsigned k = 1; k < count; ++k) {
+            const Spoke next = spokeTo(place(k));
+            pull.add(spoke, next);
+            spoke = next;
         }
-    });
+        pull.add(spoke, first);
+    } else {
+        work_.aroundFree(NodeId{static_cast<std::uint32_t>(n)},
+                         [&](HalfEdge h) { pull.add(spokeTo(index(work_.to(h))), spokeTo(index(work_.apex(h)))); });
+    }
+    const float shape = rho * aims.shape / pull.weight;
+    const float spacing = rho * aims.spacing / static_cast<float>(count);
+    return {shape * pull.x + spacing * pull.springX, shape * pull.y + spacing * pull.springY};
+}
+
+/// From the places in the mesh.
+void NodeSmoother::moveFirst(const SmoothingAims &aims, const std::stop_token &stop) {
+    const Vec2 *from = work_.mesh.nodes.data();
+    work_.pool.forChunks(
+        now_.size(), ImproveWorkspace::kChunk,
+        [&](std::size_t begin, std::size_t end, std::size_t) {
+            for (std::size_t n = begin; n < end; ++n) {
+                const Vec2 p = from[n];
+                if (!work_.isFree(n)) {
+                    now_[n] = p;
+                    continue;
+                }
+                const Move move = moveOf(from, n, aims);
+                now_[n] = {p.x + static_cast<double>(move.x), p.y + static_cast<double>(move.y)};
+            }
+        },
+        stop);
+}
+
+/// From the places now, all at once: the moves wait in the memory of α.
+void NodeSmoother::moveAgain(const SmoothingAims &aims, const std::stop_token &stop) {
+    constexpr Move kStay{-0.0F, -0.0F}; // changes nothing when added, not even the sign of a zero
+    RawVector<float> &moves = work_.alpha;
+    moves.resize(2 * now_.size());
+    work_.pool.forChunks(
+        now_.size(), ImproveWorkspace::kChunk,
+        [&](std::size_t begin, std::size_t end, std::size_t) {
+            for (std::size_t n = begin; n < end; ++n) {
+                const Move move = work_.isFree(n) ? moveOf(now_.data(), n, aims) : kStay;
+                moves[2 * n] = move.x;
+                moves[2 * n + 1] = move.y;
+            }
+        },
+        stop);
+    work_.pool.forChunks(
+        now_.size(), ImproveWorkspace::kChunk,
+        [&](std::size_t begin, std::size_t end, std::size_t) {
+            const float *move = moves.data() + 2 * begin;
+            for (Vec2 *p = now_.data() + begin; p != now_.data() + end; ++p, move += 2) {
+                p->x += static_cast<double>(move[0]);
+                p->y += static_cast<double>(move[1]);
+            }
+        },
+        stop);
+    moves.resize(work_.mesh.elements.size());
+}
+
+double NodeSmoother::alphaNow(const Element &n) const {
+    return shapeFactor(now(n[0]), now(n[1]), now(n[2]));
 }
 
 /// An element with all nodes back is as it was, and not spoilt.
@@ -127,38 +174,45 @@ bool NodeSmoother::spoilt(std::size_t e, double alpha, double floor) const {
         return false;
     }
     const Element &n = work_.mesh.elements[e];
-    const double was = shapeFactor(before_[index(n[0])], before_[index(n[1])], before_[index(n[2])]);
-    return !(alpha >= was && surelyPositive(alpha, work_.at(n[0]), work_.at(n[1]), work_.at(n[2])));
+    return !(alpha >= work_.alphaOf(e) && surelyPositive(alpha, now(n[0]), now(n[1]), now(n[2])));
 }
 
-std::size_t NodeSmoother::putBackWhereSpoilt(double floor) {
+/// Also brings α up to date.
+std::vector<std::uint32_t> NodeSmoother::findSpoilt(double floor, const std::stop_token &stop) {
     const std::size_t count = work_.mesh.elements.size();
     std::vector<std::vector<std::uint32_t>> found((count + ImproveWorkspace::kChunk - 1) / ImproveWorkspace::kChunk);
-    work_.pool.forChunks(count, ImproveWorkspace::kChunk, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-        for (std::size_t e = begin; e < end; ++e) {
-            const double alpha = work_.alphaOf(e);
-            work_.alpha[e] = static_cast<float>(alpha);
-            if (spoilt(e, alpha, floor)) {
-                found[chunk].push_back(static_cast<std::uint32_t>(e));
+    work_.pool.forChunks(
+        count, ImproveWorkspace::kChunk,
+        [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+            for (std::size_t e = begin; e < end; ++e) {
+                const double alpha = alphaNow(work_.mesh.elements[e]);
+                work_.alpha[e] = static_cast<float>(alpha);
+                if (spoilt(e, alpha, floor)) {
+                    found[chunk].push_back(static_cast<std::uint32_t>(e));
+                }
             }
-        }
-    });
-    std::size_t back = 0;
+        },
+        stop);
     std::vector<std::uint32_t> list;
     for (const std::vector<std::uint32_t> &some : found) {
         list.insert(list.end(), some.begin(), some.end());
     }
-    while (!list.empty()) {
+    return list;
+}
+
+std::size_t NodeSmoother::putBack(std::vector<std::uint32_t> list, double floor, const std::stop_token &stop) {
+    std::size_t back = 0;
+    while (!list.empty() && !stop.stop_requested()) {
         const std::uint32_t e = list.back();
         list.pop_back();
-        const double alpha = work_.alphaOf(e);
+        const double alpha = alphaNow(work_.mesh.elements[e]);
         work_.alpha[e] = static_cast<float>(alpha);
         if (!spoilt(e, alpha, floor)) {
             continue;
         }
         for (const NodeId n : work_.mesh.elements[e]) {
-            if (work_.isFree(n) && !(work_.at(n) == before_[index(n)])) {
-                work_.mesh.nodes[index(n)] = before_[index(n)];
+            if (work_.isFree(n) && !(now(n) == work_.at(n))) {
+                now_[index(n)] = work_.at(n);
                 ++back;
                 work_.aroundFree(n, [&](HalfEdge h) { list.push_back(static_cast<std::uint32_t>(elementOf(h))); });
             }
@@ -167,22 +221,29 @@ std::size_t NodeSmoother::putBackWhereSpoilt(double floor) {
     return back;
 }
 
+void NodeSmoother::finish() {
+    work_.pool.forChunks(now_.size(), ImproveWorkspace::kChunk, [&](std::size_t begin, std::size_t end, std::size_t) {
+        std::copy(now_.data() + begin, now_.data() + end, work_.mesh.nodes.data() + begin);
+    });
+}
+
 std::size_t NodeSmoother::sweep(int count, const SmoothingAims &aims, double floor, const Progress &progress) {
-    std::vector<Vec2> &nodes = work_.mesh.nodes;
-    before_.resize(nodes.size());
-    for (int i = 0; i < count; ++i) {
-        moveAll(aims, next_);
+    for (int i = 0; i < count && !progress.cancelled(); ++i) {
         if (i == 0) {
-            before_.swap(nodes);
-        }
-        nodes.swap(next_);
-        if (progress.cancelled()) {
-            nodes = before_;
-            return 0;
+            moveFirst(aims, progress.stop);
+        } else {
+            moveAgain(aims, progress.stop);
         }
     }
-    const auto free = static_cast<std::size_t>(std::count(work_.fixed.begin(), work_.fixed.end(), std::uint8_t{0}));
-    return count > 0 ? free - putBackWhereSpoilt(floor) : 0;
+    if (count <= 0 || progress.cancelled()) {
+        return 0;
+    }
+    const std::size_t back = putBack(findSpoilt(floor, progress.stop), floor, progress.stop);
+    if (progress.cancelled()) {
+        return 0;
+    }
+    finish();
+    return static_cast<std::size_t>(std::count(work_.fixed.begin(), work_.fixed.end(), std::uint8_t{0})) - back;
 }
 
 } // namespace forefront

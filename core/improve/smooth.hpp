@@ -29,26 +29,35 @@ struct SmoothingAims {
 class NodeSmoother {
   public:
     /// Evaluates ρ at the nodes; without a field ρ is the mean length of a node's edges.
-    NodeSmoother(ImproveWorkspace &work, const SpacingField *spacing);
+    NodeSmoother(ImproveWorkspace &work, const SpacingField *spacing, const std::stop_token &stop = {});
 
     /// So many sweeps; then nodes of elements that have fallen below `floor` and have lost go back to where they were
     /// before all, until there is no such element. α is then up to date. Returns the number of nodes moved. When
-    /// cancelled, all are.
+    /// cancelled, none is, and α is lost.
     std::size_t sweep(int count, const SmoothingAims &aims, double floor, const Progress &progress);
 
     /// ρ at the places where the nodes are now.
-    void renewSpacing();
+    void renewSpacing(const std::stop_token &stop = {});
 
   private:
+    struct Move {
+        float x, y;
+    };
     void meanLengths();
-    void moveAll(const SmoothingAims &aims, std::vector<Vec2> &to) const;
+    Vec2 now(NodeId n) const { return now_[index(n)]; }
+    double alphaNow(const Element &n) const;
+    Move moveOf(const Vec2 *places, std::size_t n, const SmoothingAims &aims) const;
+    void moveFirst(const SmoothingAims &aims, const std::stop_token &stop);
+    void moveAgain(const SmoothingAims &aims, const std::stop_token &stop);
     bool spoilt(std::size_t e, double alpha, double floor) const;
-    std::size_t putBackWhereSpoilt(double floor);
+    std::vector<std::uint32_t> findSpoilt(double floor, const std::stop_token &stop);
+    std::size_t putBack(std::vector<std::uint32_t> list, double floor, const std::stop_token &stop);
+    void finish();
 
     ImproveWorkspace &work_;
     const SpacingField *spacing_;
-    std::vector<float> rho_;
-    std::vector<Vec2> before_, next_;
+    RawVector<float> rho_;
+    RawVector<Vec2> now_; ///< places of all nodes while they are swept; those in the mesh stay until the end
 };
 
 } // namespace forefront

@@ -95,34 +95,11 @@ void lookAt(const ImproveWorkspace &work, std::size_t e, const SwapRule &rule, s
     }
 }
 
-/// All edges worth turning, in the order of their half-edges; some from both sides.
-std::vector<HalfEdge> findWorthwhile(ImproveWorkspace &work, const SwapRule &rule) {
-    const std::size_t count = work.mesh.elements.size();
-    const std::size_t chunks = (count + ImproveWorkspace::kChunk - 1) / ImproveWorkspace::kChunk;
-    std::vector<std::vector<HalfEdge>> found(chunks);
-    work.pool.forChunks(count, ImproveWorkspace::kChunk, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-        for (std::size_t e = begin; e < end; ++e) {
-            lookAt(work, e, rule, found[chunk]);
-        }
-    });
-    std::vector<HalfEdge> all;
-    for (const std::vector<HalfEdge> &some : found) {
-        all.insert(all.end(), some.begin(), some.end());
-    }
-    return all;
-}
-
 void join(ImproveWorkspace &work, HalfEdge h, HalfEdge g) {
     work.twin[h] = g;
     if (g != kNoHalfEdge) {
         work.twin[g] = h;
     }
-}
-
-template <class List>
-void uniqueSorted(List &list) {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
 } // namespace
@@ -198,36 +175,15 @@ void turnBack(ImproveWorkspace &work, std::size_t e, std::size_t f, const std::a
     }
 }
 
-std::size_t swapEdges(ImproveWorkspace &work, const SwapRule &rule, const Progress &progress) {
-    constexpr int kRounds = 6;
-    std::vector<HalfEdge> open = findWorthwhile(work, rule), next;
-    std::vector<NodeId> touched;
-    std::size_t swaps = 0;
-    for (int round = 0; round < kRounds && !open.empty() && !progress.cancelled(); ++round) {
-        next.clear();
-        for (const HalfEdge h : open) {
-            if (work.twin[h] == kNoHalfEdge || !worthwhile(work, h, rule)) {
-                continue;
-            }
-            const Diamond q(work, h);
-            turnEdge(work, h);
-            ++swaps;
-            const auto e0 = static_cast<HalfEdge>(3 * elementOf(q.h)), f0 = static_cast<HalfEdge>(3 * elementOf(q.g));
-            next.insert(next.end(), {e0, e0 + 1, e0 + 2, f0, f0 + 1, f0 + 2});
-            touched.insert(touched.end(), {q.a, q.b, q.c, q.d});
-        }
-        uniqueSorted(next);
-        open.swap(next);
+bool worthTurning(const ImproveWorkspace &work, HalfEdge h, const SwapRule &rule) {
+    return work.twin[h] != kNoHalfEdge && worthwhile(work, h, rule);
+}
+
+void findWorthTurning(const ImproveWorkspace &work, std::size_t begin, std::size_t end, const SwapRule &rule,
+                      std::vector<HalfEdge> &found) {
+    for (std::size_t e = begin; e < end; ++e) {
+        lookAt(work, e, rule, found);
     }
-    uniqueSorted(touched);
-    work.pool.forChunks(touched.size(), ImproveWorkspace::kChunk, [&](std::size_t begin, std::size_t end, std::size_t) {
-        for (std::size_t i = begin; i < end; ++i) {
-            if (work.isFree(touched[i])) {
-                work.renewRing(touched[i]);
-            }
-        }
-    });
-    return swaps;
 }
 
 } // namespace forefront

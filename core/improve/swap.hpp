@@ -1,9 +1,10 @@
 #pragma once
 
-#include "core/base/progress.hpp"
 #include "core/improve/workspace.hpp"
 
+#include <array>
 #include <cstddef>
+#include <vector>
 
 namespace forefront {
 
@@ -27,8 +28,11 @@ void turnBack(ImproveWorkspace &work, std::size_t e, std::size_t f, const std::a
 /// True when the edge of h has elements on both sides that may be joined and its nodes can lose and take an element.
 bool mayTurn(const ImproveWorkspace &work, HalfEdge h);
 
-/// Turns edges wherever the rule says so, then again around the changes, a few times. α must be up to date and is
-/// kept so. Looks at the edges in parallel and turns them one by one. Returns the number of swaps.
-std::size_t swapEdges(ImproveWorkspace &work, const SwapRule &rule, const Progress &progress);
+/// True when the edge of h has elements on both sides and the rule says that it be turned. α must be up to date.
+bool worthTurning(const ImproveWorkspace &work, HalfEdge h, const SwapRule &rule);
+
+/// Adds the edges of some elements that are worth turning, in the order of their half-edges; some from both sides.
+void findWorthTurning(const ImproveWorkspace &work, std::size_t begin, std::size_t end, const SwapRule &rule,
+                      std::vector<HalfEdge> &found);
 
 } // namespace forefront

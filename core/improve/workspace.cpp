@@ -9,19 +9,39 @@
 
 namespace forefront {
 
-ImproveWorkspace::ImproveWorkspace(Mesh &improved, ThreadPool &threads)
-    : mesh(improved), pool(threads), twin(3 * mesh.elements.size()), start(mesh.nodes.size(), kNoHalfEdge),
-      fixed(mesh.nodes.size(), 0), valence(mesh.nodes.size(), 0), alpha(mesh.elements.size()),
-      rings(mesh.nodes.size()) {
-    joinElements(*this);
-    pool.forChunks(mesh.nodes.size(), kChunk, [this](std::size_t begin, std::size_t end, std::size_t) {
-        for (std::size_t n = begin; n < end; ++n) {
-            beginRing(n);
-        }
-    });
+ImproveWorkspace::ImproveWorkspace(Mesh &improved, ThreadPool &threads, const std::stop_token &stop)
+    : mesh(improved), pool(threads), twin(3 * mesh.elements.size()), start(mesh.nodes.size()), fixed(mesh.nodes.size()),
+      valence(mesh.nodes.size()) {
+    alpha.reserve(std::max(mesh.elements.size(), 2 * mesh.nodes.size())); // room for what smoothing keeps in it
+    alpha.resize(mesh.elements.size());
+    joinElements(*this, stop);
+    if (stop.stop_requested()) {
+        return;
+    }
+    rings.resize(mesh.nodes.size());
+    pool.forChunks(
+        mesh.nodes.size(), kChunk,
+        [this](std::size_t begin, std::size_t end, std::size_t) {
+            for (std::size_t n = begin; n < end; ++n) {
+                beginRing(n);
+            }
+        },
+        stop);
+}
+
+void ImproveWorkspace::setRing(std::size_t n, const std::array<NodeId, kRingNodes> &nodes, unsigned count) {
+    Ring ring{};
+    bool near = count <= kRingNodes;
+    for (unsigned k = 0; near && k < count; ++k) {
+        const std::int64_t step = static_cast<std::int64_t>(index(nodes[k])) - static_cast<std::int64_t>(n);
+        ring[k] = static_cast<std::int16_t>(step);
+        near = ring[k] == step;
+    }
+    rings[n] = near ? ring : Ring{};
 }
 
 void ImproveWorkspace::beginRing(std::size_t n) {
+    valence[n] = 0;
     const HalfEdge first = start[n];
     if (fixed[n] != 0 || first == kNoHalfEdge) {
         fixed[n] = 1;
@@ -46,20 +66,22 @@ void ImproveWorkspace::beginRing(std::size_t n) {
     }
     valence[n] = static_cast<std::uint8_t>(count);
     if (count <= kRingNodes) {
-        std::rotate_copy(nodes.begin(), nodes.begin() + leastAt, nodes.begin() + count, rings[n].begin());
+        std::rotate(nodes.begin(), nodes.begin() + leastAt, nodes.begin() + count);
     }
+    setRing(n, nodes, count);
 }
 
 void ImproveWorkspace::renewRing(NodeId n) {
-    Ring &ring = rings[index(n)];
+    std::array<NodeId, kRingNodes> nodes;
     unsigned count = 0;
     aroundFree(n, [&](HalfEdge h) {
         if (count < kRingNodes) {
-            ring[count] = to(h);
+            nodes[count] = to(h);
         }
         ++count;
     });
     valence[index(n)] = static_cast<std::uint8_t>(count);
+    setRing(index(n), nodes, count);
 }
 
 double ImproveWorkspace::alphaOf(std::size_t e) const {
@@ -67,28 +89,36 @@ double ImproveWorkspace::alphaOf(std::size_t e) const {
     return shapeFactor(at(n[0]), at(n[1]), at(n[2]));
 }
 
-double ImproveWorkspace::measureAlpha() {
-    pool.forChunks(alpha.size(), kChunk, [this](std::size_t begin, std::size_t end, std::size_t) {
-        for (std::size_t e = begin; e < end; ++e) {
-            alpha[e] = static_cast<float>(alphaOf(e));
-        }
-    });
-    return leastAlpha();
+double ImproveWorkspace::measureAlpha(const std::stop_token &stop) {
+    pool.forChunks(
+        alpha.size(), kChunk,
+        [this](std::size_t begin, std::size_t end, std::size_t) {
+            for (std::size_t e = begin; e < end; ++e) {
+                alpha[e] = static_cast<float>(alphaOf(e));
+            }
+        },
+        stop);
+    return leastAlpha(stop);
 }
 
-double ImproveWorkspace::leastAlpha() const {
+double ImproveWorkspace::leastAlpha(const std::stop_token &stop) const {
     if (alpha.empty()) {
         return 0.0;
     }
-    // Rounding to float keeps the order but for ties.
-    const float rounded = *std::min_element(alpha.begin(), alpha.end());
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t e = 0; e < alpha.size(); ++e) {
-        if (alpha[e] == rounded) {
-            least = std::min(least, alphaOf(e));
-        }
-    }
-    return least;
+    std::vector<double> least((alpha.size() + kChunk - 1) / kChunk, std::numeric_limits<double>::infinity());
+    pool.forChunks(
+        alpha.size(), kChunk,
+        [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+            // Rounding to float keeps the order but for ties.
+            const float rounded = *std::min_element(alpha.data() + begin, alpha.data() + end);
+            for (std::size_t e = begin; e < end; ++e) {
+                if (alpha[e] == rounded) {
+                    least[chunk] = std::min(least[chunk], alphaOf(e));
+                }
+            }
+        },
+        stop);
+    return *std::min_element(least.begin(), least.end());
 }
 
 bool surelyPositive(double a, Vec2 p, Vec2 q, Vec2 r) {

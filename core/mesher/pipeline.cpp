@@ -2,7 +2,7 @@
 
 #include "core/domain/estimate.hpp"
 #include "core/domain/validate.hpp"
-#include "core/mesher/cpu_clock.hpp"
+#include "core/base/cpu_clock.hpp"
 #include "core/mesher/mesher.hpp"
 #include "core/spacing/spacing_field.hpp"
 

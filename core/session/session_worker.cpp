@@ -1,7 +1,6 @@
 #include "core/session/session_worker.hpp"
 
 #include "core/improve/improve.hpp"
-#include "core/mesher/cpu_clock.hpp"
 #include "core/mesher/pipeline.hpp"
 
 #include <algorithm>
@@ -178,9 +177,8 @@ void SessionWorker::improveMesh() {
     if (job_->options.improve != ImproveLevel::None) {
         const Progress progress = progressInto(RunState::Improving, mailbox_.beginBlocking(Blocking::Improving));
         progress("improving", 0.0);
-        CpuClock clock;
-        improve(mesh, {job_->options.improve, job_->options.threads, spacing_.get()}, progress);
-        secondsImprove_ = clock.lap();
+        secondsImprove_ =
+            improve(mesh, {job_->options.improve, job_->options.threads, spacing_.get()}, progress).seconds;
         mailbox_.endBlocking();
         if (progress.cancelled()) {
             improvementStopped_ = true;

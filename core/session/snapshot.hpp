@@ -81,9 +81,9 @@ struct SessionSnapshot {
     WorkCounters work;
     MeshQuality quality; ///< of the mesh shown
     std::size_t frontSegments = 0;
-    std::uint64_t stateHash = 0; ///< of front and mesh at this position; 0 while moving
-    std::uint64_t meshHash = 0;  ///< set when complete
-    double secondsMesh = 0.0, secondsImprove = 0.0;
+    std::uint64_t stateHash = 0;                    ///< of front and mesh at this position; 0 while moving
+    std::uint64_t meshHash = 0;                     ///< set when complete
+    double secondsMesh = 0.0, secondsImprove = 0.0; ///< CPU time, of all threads that took part
     std::shared_ptr<const DiscreteDomain> boundary;
     std::shared_ptr<const SpacingField> spacing;
     std::shared_ptr<const MeshView> mesh;

@@ -1,6 +1,6 @@
 #include "core/session/timeline_travel.hpp"
 
-#include "core/mesher/cpu_clock.hpp"
+#include "core/base/cpu_clock.hpp"
 
 #include <algorithm>
 #include <cmath>

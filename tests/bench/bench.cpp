@@ -4,7 +4,7 @@
 //                   [SCENE SIZE]...
 #include "core/io/project_words.hpp"
 #include "core/mesh/quality.hpp"
-#include "core/mesher/cpu_clock.hpp"
+#include "core/base/cpu_clock.hpp"
 #include "core/mesher/mesher.hpp"
 #include "core/mesher/pipeline.hpp"
 #include "tests/bench/scenes.hpp"

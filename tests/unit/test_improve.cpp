@@ -1,10 +1,11 @@
+#include "core/base/cpu_clock.hpp"
 #include "core/domain/domain.hpp"
 #include "core/geometry/predicates.hpp"
 #include "core/improve/improve.hpp"
 #include "core/improve/patches.hpp"
 #include "core/improve/repair.hpp"
 #include "core/improve/smooth.hpp"
-#include "core/improve/swap.hpp"
+#include "core/improve/swap_pass.hpp"
 #include "core/mesh/edge_table.hpp"
 #include "core/mesh/quality.hpp"
 #include "core/mesh/topology.hpp"
@@ -16,7 +17,9 @@
 
 #include <map>
 #include <numeric>
+#include <random>
 #include <set>
+#include <thread>
 
 using namespace forefront;
 using samples::node;
@@ -46,6 +49,33 @@ std::map<std::int32_t, double> areasByRegion(const Mesh &mesh) {
         areas[mesh.region(e)] += 0.5 * cross(mesh.nodes[index(n[1])] - a, mesh.nodes[index(n[2])] - a);
     }
     return areas;
+}
+
+std::vector<NodeId> ringOf(const ImproveWorkspace &work, std::size_t n) {
+    std::vector<NodeId> ring;
+    work.ringOfFree(n, [&](NodeId m) { ring.push_back(m); });
+    return ring;
+}
+
+/// The same mesh with its nodes numbered by chance: neighbours lie anywhere in memory.
+Mesh shuffled(Mesh mesh, std::uint64_t seed) {
+    std::vector<std::uint32_t> place(mesh.nodes.size());
+    std::iota(place.begin(), place.end(), 0U);
+    std::shuffle(place.begin(), place.end(), std::mt19937_64(seed));
+    const std::vector<Vec2> nodes = mesh.nodes;
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+        mesh.nodes[place[n]] = nodes[n];
+    }
+    for (Element &e : mesh.elements) {
+        for (NodeId &n : e) {
+            n = NodeId{place[index(n)]};
+        }
+    }
+    for (TaggedEdge &edge : mesh.edges) {
+        edge.a = NodeId{place[index(edge.a)]};
+        edge.b = NodeId{place[index(edge.b)]};
+    }
+    return mesh;
 }
 
 } // namespace
@@ -145,6 +175,37 @@ TEST_CASE("improve: a cancelled improvement leaves a valid mesh") {
     }
 }
 
+TEST_CASE("improve: cancelled from outside at any moment it leaves a valid mesh whose least α has not fallen") {
+    const Mesh raw = samples::square(250, 250, 0.24, {}, 5);
+    const double least = measure(raw, nullptr).alphaMin;
+    std::size_t stopped = 0;
+    for (int delay = 0; delay < 40; ++delay) {
+        Mesh mesh = raw;
+        std::stop_source stop;
+        Progress progress;
+        progress.stop = stop.get_token();
+        const std::jthread other([&stop, delay] {
+            std::this_thread::sleep_for(std::chrono::microseconds(700 * delay));
+            stop.request_stop();
+        });
+        const ImproveReport report = improve(mesh, {ImproveLevel::Default, 1U + delay % 3U, nullptr}, progress);
+        stopped += report.moves == 0 ? 1 : 0;
+        CHECK(verify(mesh).empty());
+        CHECK(measure(mesh, nullptr).alphaMin >= least);
+        CHECK(report.alphaMinAfter >= report.alphaMinBefore);
+    }
+    CHECK(stopped > 0);
+}
+
+TEST_CASE("improve: reports the CPU time of all its threads") {
+    Mesh mesh = samples::square(200, 200, 0.24);
+    CpuClock clock(CpuClock::Of::Program);
+    const ImproveReport report = improve(mesh, {ImproveLevel::Best, 2, nullptr});
+    const double program = clock.lap();
+    CHECK(report.seconds > 0.5 * program);
+    CHECK(report.seconds <= program);
+}
+
 TEST_CASE("improve: an empty mesh and a single element are left as they are") {
     Mesh empty;
     improve(empty);
@@ -197,16 +258,18 @@ TEST_CASE(
     ThreadPool one(1), three(3);
     const ImproveWorkspace work(mesh, one), again(mesh, three);
     CHECK(work.twin == again.twin);
-    CHECK(work.rings == again.rings);
     CHECK(work.valence == again.valence);
     const NodeElements around = nodeElements(mesh);
     for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
         if (!work.isFree(n)) {
             continue;
         }
+        CHECK(work.rings[n] == again.rings[n]);
         REQUIRE(work.valence[n] == around.offsets[n + 1] - around.offsets[n]);
-        for (unsigned k = 0; k < work.valence[n] && work.valence[n] <= ImproveWorkspace::kRingNodes; ++k) {
-            const NodeId a = work.rings[n][k], b = work.rings[n][(k + 1) % work.valence[n]];
+        const std::vector<NodeId> ring = ringOf(work, n);
+        REQUIRE(ring.size() == work.valence[n]);
+        for (std::size_t k = 0; k < ring.size(); ++k) {
+            const NodeId a = ring[k], b = ring[(k + 1) % ring.size()];
             CHECK(orientation(mesh.nodes[n], work.at(a), work.at(b)) > 0);
         }
     }
@@ -226,13 +289,62 @@ TEST_CASE("turnEdge: neighbours, valences and rings stay those of the mesh") {
     for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
         if (work.isFree(n)) {
             CHECK(work.valence[n] == fresh.valence[n]);
-            const auto &ring = work.rings[n], &expected = fresh.rings[n];
-            REQUIRE(work.valence[n] <= ImproveWorkspace::kRingNodes);
-            CHECK(std::is_permutation(ring.begin(), ring.begin() + work.valence[n], expected.begin()));
+            const std::vector<NodeId> ring = ringOf(work, n), expected = ringOf(fresh, n);
+            REQUIRE(ring.size() == expected.size());
+            CHECK(std::is_permutation(ring.begin(), ring.end(), expected.begin()));
         }
     }
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
         CHECK(work.alpha[e] == static_cast<float>(work.alphaOf(e)));
+    }
+}
+
+TEST_CASE("ImproveWorkspace: rings are the same where neighbours lie too far in memory to be noted") {
+    const Mesh near = samples::square(300, 300, 0.2), far = shuffled(near, 1);
+    Mesh meshes[2] = {near, far};
+    ThreadPool pool(1);
+    const ImproveWorkspace a(meshes[0], pool), b(meshes[1], pool);
+    std::size_t walked = 0;
+    for (std::size_t e = 0; e < near.elements.size(); ++e) {
+        for (unsigned k = 0; k < 3; ++k) {
+            const std::size_t n = index(near.elements[e][k]), m = index(far.elements[e][k]);
+            if (!a.isFree(n)) {
+                continue;
+            }
+            walked += b.rings[m][0] == 0 ? 1 : 0;
+            const std::vector<NodeId> ring = ringOf(a, n), same = ringOf(b, m);
+            REQUIRE(ring.size() == same.size());
+            for (std::size_t i = 0; i < ring.size(); ++i) {
+                CHECK(a.at(ring[i]) == b.at(same[i]));
+            }
+        }
+    }
+    CHECK(walked > 0);
+}
+
+TEST_CASE("swapEdges: several threads turn the same edges in the same order as one") {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        // Blocks of elements that touch each other all over, and such that seldom do.
+        Mesh raw = samples::square(150, 150, 0.24, {}, seed);
+        if (seed % 2 == 0) {
+            std::shuffle(raw.elements.begin(), raw.elements.end(), std::mt19937_64(seed));
+        }
+        Mesh meshes[2] = {raw, raw};
+        ThreadPool one(1), three(3);
+        ImproveWorkspace a(meshes[0], one), b(meshes[1], three);
+        a.measureAlpha();
+        b.measureAlpha();
+        for (const double floor : {0.2, 0.5}) {
+            const SwapRule rule{true, floor};
+            CHECK(swapEdges(a, rule, {}) == swapEdges(b, rule, {}));
+            CHECK(meshes[0].elements == meshes[1].elements);
+            CHECK(a.twin == b.twin);
+            CHECK(a.valence == b.valence);
+            CHECK(a.alpha == b.alpha);
+            for (std::size_t n = 0; n < raw.nodes.size(); ++n) {
+                CHECK((!a.isFree(n) || a.rings[n] == b.rings[n]));
+            }
+        }
     }
 }
 

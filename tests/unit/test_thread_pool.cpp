@@ -55,6 +55,32 @@ TEST_CASE("ThreadPool: chunks are the same for any number of threads and cover t
     }
 }
 
+TEST_CASE("ThreadPool: after a stop no task is begun, and the pool goes on") {
+    for (const unsigned threads : {1U, 2U, 4U}) {
+        ThreadPool pool(threads);
+        for (const std::size_t stopAt : {0U, 5U}) {
+            std::stop_source stop;
+            std::atomic<std::size_t> begun = 0;
+            if (stopAt == 0) {
+                stop.request_stop();
+            }
+            pool.run(
+                1000,
+                [&](std::size_t, unsigned) {
+                    if (++begun == stopAt) {
+                        stop.request_stop();
+                    }
+                },
+                stop.get_token());
+            CHECK(begun >= stopAt);
+            CHECK(begun <= (stopAt == 0 ? 0 : stopAt + threads));
+            begun = 0;
+            pool.run(100, [&](std::size_t, unsigned) { ++begun; });
+            CHECK(begun == 100);
+        }
+    }
+}
+
 TEST_CASE("ThreadPool: what a task throws arrives at the caller, and the pool goes on") {
     ThreadPool pool(2);
     CHECK_THROWS_AS(pool.run(100,

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace forefront {
+
+/// Allocates as std::allocator does, but leaves elements that are given no value as the memory comes: so that the
+/// threads that write them first touch it, not the one that asks for it.
+template <class T>
+struct RawAllocator : std::allocator<T> {
+    static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
+    template <class U>
+    struct rebind { // NOLINT: the name is the standard's
+        using other = RawAllocator<U>;
+    };
+
+    RawAllocator() = default;
+    template <class U>
+    explicit RawAllocator(const RawAllocator<U> &) {}
+
+    template <class U>
+    void construct(U *) noexcept {}
+    template <class U, class... Arguments>
+    void construct(U *place, Arguments &&...arguments) {
+        std::construct_at(place, std::forward<Arguments>(arguments)...);
+    }
+};
+
+/// A vector whose resize(n) leaves new elements without a value: each must be written before it is read.
+template <class T>
+using RawVector = std::vector<T, RawAllocator<T>>;
+
+} // namespace forefront
