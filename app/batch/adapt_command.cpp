@@ -84,9 +84,16 @@ Result<MeshField> readInput(const AdaptArguments &arguments) {
 /// One round: what the solver says of the next mesh is not known here.
 Result<Mesh> adaptToField(const AdaptArguments &arguments, const Domain &domain, const MeshField &input,
                           const Progress &progress) {
-    const ErrorEstimate estimate = estimateError(input.mesh, input.values);
-    printRound(arguments, 0, input.mesh.nodes.size(), input.mesh.elements.size(), estimate.relative());
-    const MeshingJob job{domain, adaptedSpacing(input.mesh, estimate, arguments.target), {}};
+    const Result<ErrorEstimate> estimate = estimateError(input.mesh, input.values, progress);
+    if (!estimate) {
+        return estimate.faults();
+    }
+    printRound(arguments, 0, input.mesh.nodes.size(), input.mesh.elements.size(), estimate->relative());
+    Result<SpacingSpec> spacing = adaptedSpacing(input.mesh, *estimate, arguments.target, progress);
+    if (!spacing) {
+        return spacing.faults();
+    }
+    const MeshingJob job{domain, std::move(*spacing), {}};
     Result<MeshingOutcome> outcome = meshDomain(job, progress);
     if (!outcome) {
         return outcome.faults();

@@ -14,6 +14,18 @@ namespace {
 constexpr double kNear = 1.3;    ///< times the target: from here on the aim is corrected
 constexpr double kMargin = 0.98; ///< of the corrected aim
 
+/// The stages of a round under its name; valid as long as `progress`.
+Progress progressOfRound(const Progress &progress, int round) {
+    Progress named;
+    named.stop = progress.stop;
+    if (progress.report) {
+        named.report = [&progress, name = "mesh " + std::to_string(round) + ": "](std::string_view stage, double part) {
+            progress.report(name + std::string(stage), part);
+        };
+    }
+    return named;
+}
+
 } // namespace
 
 Result<NodalField> expressionField(const std::string &expression) {
@@ -52,18 +64,27 @@ Result<AdaptOutcome> adapt(const Domain &domain, Mesh mesh, const NodalField &fi
             return error("field-value", "the field has no finite value at every node of the mesh",
                          "see that the solver converges on this mesh");
         }
-        const ErrorEstimate estimate = estimateError(outcome.mesh, *values);
-        outcome.rounds.push_back({outcome.mesh.nodes.size(), outcome.mesh.elements.size(), estimate.relative()});
-        outcome.met = estimate.relative() <= target.error;
+        const Progress inRound = progressOfRound(progress, round);
+        const Result<ErrorEstimate> estimate = estimateError(outcome.mesh, *values, inRound);
+        if (!estimate) {
+            return estimate.faults();
+        }
+        const double reached = estimate->relative();
+        outcome.rounds.push_back({outcome.mesh.nodes.size(), outcome.mesh.elements.size(), reached});
+        outcome.met = reached <= target.error;
         if (round >= 1 && (outcome.met || round >= most)) {
             return outcome;
         }
         // Meshes near the target tend to end a little above what was aimed at, one like the other.
-        if (round >= 1 && estimate.relative() < kNear * target.error) {
-            aim.error *= kMargin * target.error / estimate.relative();
+        if (round >= 1 && reached < kNear * target.error) {
+            aim.error *= kMargin * target.error / reached;
         }
-        MeshingJob job{domain, adaptedSpacing(outcome.mesh, estimate, aim), options};
-        Result<MeshingOutcome> next = meshDomain(job, progress);
+        Result<SpacingSpec> spacing = adaptedSpacing(outcome.mesh, *estimate, aim, inRound);
+        if (!spacing) {
+            return spacing.faults();
+        }
+        MeshingJob job{domain, std::move(*spacing), options};
+        Result<MeshingOutcome> next = meshDomain(job, inRound);
         if (!next) {
             return next.faults();
         }

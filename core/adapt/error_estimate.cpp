@@ -1,6 +1,7 @@
 #include "core/adapt/error_estimate.hpp"
 
 #include "core/adapt/gradient_recovery.hpp"
+#include "core/base/paced_progress.hpp"
 
 #include <cmath>
 
@@ -10,20 +11,27 @@ double ErrorEstimate::relative() const {
     return total > 0.0 ? total / std::hypot(norm, total) : 0.0;
 }
 
-ErrorEstimate estimateError(const Mesh &mesh, std::span<const double> values) {
+Result<ErrorEstimate> estimateError(const Mesh &mesh, std::span<const double> values, const Progress &progress) {
     const std::vector<Vec2> gradients = elementGradients(mesh, values);
-    const CornerGradients recovered = recoverGradient(mesh, values);
+    const Result<CornerGradients> recovered = recoverGradient(mesh, values, progress);
+    if (!recovered) {
+        return recovered.faults();
+    }
     ErrorEstimate estimate;
     estimate.elements.resize(mesh.elements.size());
     double total = 0.0, norm = 0.0;
+    PacedProgress pace(progress, "estimating the error", mesh.elements.size());
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+        if (!pace.next()) {
+            return error("cancelled", "estimating the error was cancelled");
+        }
         const Element &nodes = mesh.elements[e];
         const Vec2 a = mesh.nodes[index(nodes[0])];
         const double area = 0.5 * cross(mesh.nodes[index(nodes[1])] - a, mesh.nodes[index(nodes[2])] - a);
         // The square of a function linear over a triangle: area/12·(Σ d² + (Σ d)²) of its values d at the corners.
         Vec2 sum;
         double squares = 0.0;
-        for (const Vec2 corner : recovered[e]) {
+        for (const Vec2 corner : (*recovered)[e]) {
             const Vec2 d = corner - gradients[e];
             sum += d;
             squares += lengthSquared(d);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/progress.hpp"
+#include "core/base/result.hpp"
 #include "core/mesh/mesh.hpp"
 
 #include <span>
@@ -18,6 +20,7 @@ struct ErrorEstimate {
 };
 
 /// After O. C. Zienkiewicz and J. Z. Zhu (1987, 1992): the recovered gradient G stands for the exact one.
-ErrorEstimate estimateError(const Mesh &mesh, std::span<const double> values);
+/// Fault: "cancelled".
+Result<ErrorEstimate> estimateError(const Mesh &mesh, std::span<const double> values, const Progress &progress = {});
 
 } // namespace forefront

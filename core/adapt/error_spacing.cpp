@@ -1,10 +1,12 @@
 #include "core/adapt/error_spacing.hpp"
 
+#include "core/base/paced_progress.hpp"
 #include "core/mesh/topology.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <queue>
 
 namespace forefront {
@@ -33,58 +35,68 @@ double sizeOf(double area) {
 class SpacingLaw {
   public:
     SpacingLaw(const Mesh &mesh, const ErrorEstimate &estimate, const AdaptTarget &target)
-        : areas_(areasOf(mesh)), errors_(estimate.elements), target_(target) {}
-
-    double spacing(std::size_t e, double logElementError) const {
-        const double h = sizeOf(areas_[e]);
-        const double wanted = std::max({wantedSpacing(e, logElementError), kMostRefined * h, target_.sizeMin});
-        return std::min(wanted, target_.sizeMax);
+        : sizes_(areasOf(mesh)), errors_(estimate.elements), target_(target) {
+        for (double &size : sizes_) {
+            size = sizeOf(size);
+        }
     }
 
-    /// Logarithm of the error per element for which the total meets the wanted one. The square of the total is the sum
-    /// of (h_new/h)²·e² over the old elements, and grows with it: bisection. The limits from below are left out: where
-    /// they bind, refining all the rest without measure would not make up for it.
-    double solve(double wantedTotal) const {
+    double spacing(std::size_t e, double elementError) const {
+        const double h = sizes_[e];
+        const double factor = errors_[e] > 0.0 ? std::sqrt(elementError / errors_[e]) : kMostCoarsened;
+        const double wanted = h * std::clamp(factor, kMostRefined, kMostCoarsened);
+        return std::min(std::max(wanted, target_.sizeMin), target_.sizeMax);
+    }
+
+    /// The error per element for which the total meets the wanted one; nothing when cancelled. The square of the total
+    /// is the sum of (h_new/h)²·e² over the old elements, and grows with it: bisection of the logarithm. The limits
+    /// from below are left out: where they bind, refining all the rest without measure would not make up for it.
+    std::optional<double> solve(double wantedTotal, const Progress &progress) const {
+        std::vector<double> greatest(sizes_.size()); // share of each element, where a limit from above binds
+        for (std::size_t e = 0; e < greatest.size(); ++e) {
+            const double ratio = std::min(kMostCoarsened, target_.sizeMax / sizes_[e]) * errors_[e];
+            greatest[e] = ratio * ratio;
+        }
         double low = std::log(wantedTotal) - 60.0, high = std::log(wantedTotal) + 10.0;
         constexpr int kSteps = 60;
         for (int i = 0; i < kSteps; ++i) {
-            const double middle = 0.5 * (low + high);
-            (totalSquare(middle) > wantedTotal * wantedTotal ? high : low) = middle;
+            if (progress.cancelled()) {
+                return std::nullopt;
+            }
+            progress("choosing the node spacing", static_cast<double>(i) / kSteps);
+            const double middle = 0.5 * (low + high), elementError = std::exp(middle);
+            double sum = 0.0;
+            for (std::size_t e = 0; e < greatest.size(); ++e) {
+                sum += std::min(elementError * errors_[e], greatest[e]);
+            }
+            (sum > wantedTotal * wantedTotal ? high : low) = middle;
         }
-        return low;
+        return std::exp(low);
     }
 
   private:
-    /// Limited from above alone.
-    double wantedSpacing(std::size_t e, double logElementError) const {
-        const double factor =
-            errors_[e] > 0.0 ? std::exp(0.5 * (logElementError - std::log(errors_[e]))) : kMostCoarsened;
-        return std::min(sizeOf(areas_[e]) * std::min(factor, kMostCoarsened), target_.sizeMax);
-    }
-
-    double totalSquare(double logElementError) const {
-        double sum = 0.0;
-        for (std::size_t e = 0; e < areas_.size(); ++e) {
-            const double ratio = wantedSpacing(e, logElementError) / sizeOf(areas_[e]);
-            sum += ratio * ratio * errors_[e] * errors_[e];
-        }
-        return sum;
-    }
-
-    std::vector<double> areas_;
+    std::vector<double> sizes_; ///< sides of equilateral triangles of the elements' areas
     const std::vector<double> &errors_;
     const AdaptTarget &target_;
 };
 
+Diagnostics cancelled() {
+    return error("cancelled", "choosing the node spacing was cancelled");
+}
+
 } // namespace
 
-std::vector<double> elementSpacing(const Mesh &mesh, const ErrorEstimate &estimate, const AdaptTarget &target) {
+Result<std::vector<double>> elementSpacing(const Mesh &mesh, const ErrorEstimate &estimate, const AdaptTarget &target,
+                                           const Progress &progress) {
     const SpacingLaw law(mesh, estimate, target);
     const double wanted = target.error * std::hypot(estimate.norm, estimate.total);
-    const double elementError = wanted > 0.0 ? law.solve(wanted) : 0.0;
+    const std::optional<double> elementError = wanted > 0.0 ? law.solve(wanted, progress) : 1.0;
+    if (!elementError) {
+        return cancelled();
+    }
     std::vector<double> spacing(mesh.elements.size());
     for (std::size_t e = 0; e < spacing.size(); ++e) {
-        spacing[e] = law.spacing(e, elementError);
+        spacing[e] = law.spacing(e, *elementError);
     }
     return spacing;
 }
@@ -107,7 +119,7 @@ std::vector<double> nodalSpacing(const Mesh &mesh, std::span<const double> eleme
     return spacing;
 }
 
-void limitGradation(const Mesh &mesh, double gradation, std::span<double> spacing) {
+bool limitGradation(const Mesh &mesh, double gradation, std::span<double> spacing, const Progress &progress) {
     const NodeElements around = nodeElements(mesh);
     using Entry = std::pair<double, std::uint32_t>;
     std::vector<Entry> entries;
@@ -115,7 +127,12 @@ void limitGradation(const Mesh &mesh, double gradation, std::span<double> spacin
         entries.emplace_back(spacing[n], n);
     }
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue({}, std::move(entries));
+    // Most nodes come out of the queue once, some after having been lowered again.
+    PacedProgress pace(progress, "limiting the gradation", spacing.size());
     while (!queue.empty()) {
+        if (!pace.next()) {
+            return false;
+        }
         const auto [value, node] = queue.top();
         queue.pop();
         if (value > spacing[node]) {
@@ -131,13 +148,21 @@ void limitGradation(const Mesh &mesh, double gradation, std::span<double> spacin
             }
         }
     }
+    return true;
 }
 
-SpacingSpec adaptedSpacing(const Mesh &mesh, const ErrorEstimate &estimate, const AdaptTarget &target) {
+Result<SpacingSpec> adaptedSpacing(const Mesh &mesh, const ErrorEstimate &estimate, const AdaptTarget &target,
+                                   const Progress &progress) {
+    const Result<std::vector<double>> ofElements = elementSpacing(mesh, estimate, target, progress);
+    if (!ofElements) {
+        return ofElements.faults();
+    }
     auto background = std::make_shared<BackgroundMesh>();
     background->nodes = mesh.nodes;
-    background->values = nodalSpacing(mesh, elementSpacing(mesh, estimate, target));
-    limitGradation(mesh, target.gradation, background->values);
+    background->values = nodalSpacing(mesh, *ofElements);
+    if (!limitGradation(mesh, target.gradation, background->values, progress)) {
+        return cancelled();
+    }
     background->elements.reserve(mesh.elements.size());
     for (const Element &nodes : mesh.elements) {
         background->elements.push_back({static_cast<std::uint32_t>(nodes[0]), static_cast<std::uint32_t>(nodes[1]),

@@ -19,16 +19,20 @@ struct AdaptTarget {
 
 /// Spacing of each element that meets the target with the fewest elements: the error of a linear element of size h
 /// falls as h², so that h_new = h·√(e_target/e) with the same e_target for all; e_target follows from the total. One
-/// step changes h by a factor between 1/6 and 3, since an estimate on a coarse mesh is a coarse one.
-std::vector<double> elementSpacing(const Mesh &mesh, const ErrorEstimate &estimate, const AdaptTarget &target);
+/// step changes h by a factor between 1/6 and 3, since an estimate on a coarse mesh is a coarse one. Fault:
+/// "cancelled".
+Result<std::vector<double>> elementSpacing(const Mesh &mesh, const ErrorEstimate &estimate, const AdaptTarget &target,
+                                           const Progress &progress = {});
 
 /// From elements to nodes: the mean of the density 1/h² around each node, weighted by area.
 std::vector<double> nodalSpacing(const Mesh &mesh, std::span<const double> elementSpacing);
 
 /// Lowers nodal spacings so that along no edge they grow by more than `gradation` per unit of length. O(n log n).
-void limitGradation(const Mesh &mesh, double gradation, std::span<double> spacing);
+/// False when cancelled.
+bool limitGradation(const Mesh &mesh, double gradation, std::span<double> spacing, const Progress &progress = {});
 
-/// The three steps: node spacing on `mesh` as background mesh.
-SpacingSpec adaptedSpacing(const Mesh &mesh, const ErrorEstimate &estimate, const AdaptTarget &target);
+/// The three steps: node spacing on `mesh` as background mesh. Fault: "cancelled".
+Result<SpacingSpec> adaptedSpacing(const Mesh &mesh, const ErrorEstimate &estimate, const AdaptTarget &target,
+                                   const Progress &progress = {});
 
 } // namespace forefront

@@ -1,5 +1,6 @@
 #include "core/adapt/gradient_recovery.hpp"
 
+#include "core/base/paced_progress.hpp"
 #include "core/mesh/topology.hpp"
 
 #include <algorithm>
@@ -18,9 +19,13 @@ class PatchRecovery {
         : mesh_(mesh), around_(nodeElements(mesh)), gradients_(elementGradients(mesh, values)),
           inPatch_(mesh.elements.size(), 0) {}
 
-    CornerGradients run() {
+    Result<CornerGradients> run(const Progress &progress) {
         CornerGradients corners(mesh_.elements.size());
+        PacedProgress pace(progress, "recovering the gradient", mesh_.nodes.size());
         for (std::uint32_t n = 0; n < mesh_.nodes.size(); ++n) {
+            if (!pace.next()) {
+                return error("cancelled", "recovering the gradient was cancelled");
+            }
             const auto elements = elementsAround(NodeId{n});
             std::vector<std::int32_t> done;
             for (const ElementId e : elements) {
@@ -149,8 +154,8 @@ std::vector<Vec2> elementGradients(const Mesh &mesh, std::span<const double> val
     return gradients;
 }
 
-CornerGradients recoverGradient(const Mesh &mesh, std::span<const double> values) {
-    return PatchRecovery(mesh, values).run();
+Result<CornerGradients> recoverGradient(const Mesh &mesh, std::span<const double> values, const Progress &progress) {
+    return PatchRecovery(mesh, values).run(progress);
 }
 
 } // namespace forefront

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/progress.hpp"
+#include "core/base/result.hpp"
 #include "core/mesh/mesh.hpp"
 
 #include <array>
@@ -18,7 +20,8 @@ using CornerGradients = std::vector<std::array<Vec2, 3>>;
 /// posteriori error estimates", Int. J. Numer. Meth. Engng 33 (1992): at each node a linear function is fitted by least
 /// squares to the gradients at the centroids of the elements around it, and taken at the node. Patches at the boundary,
 /// which have too few elements for a fit, take in the next ring. Where elements lie so that there is no fit, the mean
-/// weighted by area. Never across the border between regions, where a gradient may rightly jump.
-CornerGradients recoverGradient(const Mesh &mesh, std::span<const double> values);
+/// weighted by area. Never across the border between regions, where a gradient may rightly jump. Fault: "cancelled".
+Result<CornerGradients> recoverGradient(const Mesh &mesh, std::span<const double> values,
+                                        const Progress &progress = {});
 
 } // namespace forefront

@@ -1,5 +1,6 @@
 #include "core/spacing/background_part.hpp"
 
+#include "core/base/paced_progress.hpp"
 #include "core/geometry/predicates.hpp"
 
 #include <algorithm>
@@ -16,7 +17,11 @@ Diagnostics badBackground(std::string message, std::optional<Vec2> at = {}, std:
     return faults;
 }
 
-std::optional<Diagnostics> faultOf(const BackgroundMesh &mesh) {
+Diagnostics cancelled() {
+    return error("cancelled", "Preparing the background mesh was cancelled");
+}
+
+std::optional<Diagnostics> faultOf(const BackgroundMesh &mesh, const Progress &progress) {
     if (mesh.elements.empty()) {
         return badBackground("has no triangles");
     }
@@ -37,7 +42,11 @@ std::optional<Diagnostics> faultOf(const BackgroundMesh &mesh) {
                 "has a spacing that is not a finite number greater than zero, at node " + std::to_string(i), node, i);
         }
     }
+    PacedProgress pace(progress, "checking the background mesh", mesh.elements.size());
     for (std::uint32_t e = 0; e < mesh.elements.size(); ++e) {
+        if (!pace.next()) {
+            return cancelled();
+        }
         const auto &[a, b, c] = mesh.elements[e];
         if (std::max({a, b, c}) >= mesh.nodes.size()) {
             return badBackground("has an index out of range in triangle " + std::to_string(e), {}, e);
@@ -100,15 +109,18 @@ class BackgroundBuilder {
     }
 
     std::optional<BackgroundPart> run(const Progress &progress) {
-        fillTable();
+        if (!fillTable(progress)) {
+            return std::nullopt;
+        }
         while (!cells_.empty()) {
             nextCells_.clear();
             nextLists_.clear();
-            for (std::size_t i = 0; i < cells_.size(); ++i) {
-                if ((i & 255U) == 0 && progress.cancelled()) {
+            PacedProgress pace(progress, "dividing the background mesh", cells_.size());
+            for (const Cell &cell : cells_) {
+                if (!pace.next()) {
                     return std::nullopt;
                 }
-                treat(cells_[i]);
+                treat(cell);
             }
             cells_.swap(nextCells_);
             work_.swap(nextLists_);
@@ -145,11 +157,15 @@ class BackgroundBuilder {
         const Box2 wide = box.grown((box.max.x - box.min.x) * 1e-9); // rounding must not lose a triangle
         return bounds.overlaps(wide) && !separated(corners, wide);
     }
-    /// Counts, then fills, so that every table cell has its stretch of the work list.
-    void fillTable() {
+    /// Counts, then fills, so that every table cell has its stretch of the work list. False when cancelled.
+    bool fillTable(const Progress &progress) {
         std::vector<std::size_t> begins(part_.cells_.size() + 1, 0);
         const auto visit = [&](auto use) {
+            PacedProgress pace(progress, "locating the background mesh", mesh_.elements.size());
             for (std::uint32_t e = 0; e < mesh_.elements.size(); ++e) {
+                if (!pace.next()) {
+                    return false;
+                }
                 const auto corners = cornersOf(e);
                 Box2 bounds = boxOf(corners[0], corners[1]);
                 bounds.add(corners[2]);
@@ -166,18 +182,24 @@ class BackgroundBuilder {
                     }
                 }
             }
+            return true;
         };
-        visit([&](std::uint32_t cell, std::uint32_t) { ++begins[cell + 1]; });
+        if (!visit([&](std::uint32_t cell, std::uint32_t) { ++begins[cell + 1]; })) {
+            return false;
+        }
         for (std::size_t i = 1; i < begins.size(); ++i) {
             begins[i] += begins[i - 1];
         }
         work_.resize(begins.back());
         std::vector<std::size_t> next(begins.begin(), begins.end() - 1);
-        visit([&](std::uint32_t cell, std::uint32_t e) { work_[next[cell]++] = e; });
+        if (!visit([&](std::uint32_t cell, std::uint32_t e) { work_[next[cell]++] = e; })) {
+            return false;
+        }
         for (std::uint32_t cell = 0; cell < part_.cells_.size(); ++cell) {
             cells_.push_back({cell, 0, tableCell(cell % part_.columns_, cell / part_.columns_), begins[cell],
                               begins[cell + 1] - begins[cell]});
         }
+        return true;
     }
     void treat(const Cell &cell) {
         if (cell.count <= kShortList || cell.depth == kDeepest || part_.cells_.size() > kMostCells) {
@@ -232,12 +254,12 @@ class BackgroundBuilder {
 };
 
 Result<BackgroundPart> BackgroundPart::build(const BackgroundMesh &mesh, double minimum, const Progress &progress) {
-    if (auto fault = faultOf(mesh)) {
+    if (auto fault = faultOf(mesh, progress)) {
         return *std::move(fault);
     }
     auto part = BackgroundBuilder(mesh, minimum).run(progress);
     if (!part) {
-        return error("cancelled", "Preparing the background mesh was cancelled");
+        return cancelled();
     }
     return *std::move(part);
 }

@@ -18,7 +18,7 @@ namespace forefront {
 class BackgroundPart {
   public:
     /// Faults: bad-background, with the place where there is one: counts that do not match, values or coordinates not
-    /// usable, indices out of range, triangles inverted or without area (exact test). Nothing when cancelled.
+    /// usable, indices out of range, triangles inverted or without area (exact test); cancelled.
     static Result<BackgroundPart> build(const BackgroundMesh &mesh, double minimum, const Progress &progress);
 
     /// Linear in each triangle; infinity outside of the mesh. Where triangles overlap, the one that holds p most
@@ -51,8 +51,10 @@ class BackgroundPart {
     /// Index of the triangle that sets the value at p, if any.
     std::optional<std::uint32_t> triangleAt(Vec2 p) const;
 
-    /// Segments along the border of the mesh from which its spacing reaches on by `gradation`.
-    static void addBorderSites(const BackgroundMesh &mesh, double minimum, double gradation, SiteSet &sites);
+    /// Segments along the border of the mesh from which its spacing reaches on by `gradation`. Incomplete when
+    /// cancelled.
+    static void addBorderSites(const BackgroundMesh &mesh, double minimum, double gradation, SiteSet &sites,
+                               const Progress &progress);
     /// Segments along the edges of triangles steeper than `gradation`, which limit them.
     static void addSteepSites(const BackgroundMesh &mesh, double minimum, double gradation, SiteSet &sites);
 

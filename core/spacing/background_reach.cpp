@@ -1,6 +1,8 @@
+#include "core/base/paced_progress.hpp"
 #include "core/spacing/background_part.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace forefront {
@@ -49,22 +51,34 @@ Edge edgeOf(std::uint32_t a, std::uint32_t b) {
 
 } // namespace
 
-void BackgroundPart::addBorderSites(const BackgroundMesh &mesh, double minimum, double gradation, SiteSet &sites) {
-    std::vector<Edge> edges;
-    edges.reserve(3 * mesh.elements.size());
+void BackgroundPart::addBorderSites(const BackgroundMesh &mesh, double minimum, double gradation, SiteSet &sites,
+                                    const Progress &progress) {
+    // The upper nodes of the edges in rows by their lower node.
+    std::vector<std::uint32_t> ends(mesh.nodes.size() + 1, 0);
     for (const auto &[a, b, c] : mesh.elements) {
-        edges.insert(edges.end(), {edgeOf(a, b), edgeOf(b, c), edgeOf(c, a)});
+        for (const Edge edge : {edgeOf(a, b), edgeOf(b, c), edgeOf(c, a)}) {
+            ++ends[edge.low + 1];
+        }
     }
-    std::sort(edges.begin(), edges.end());
-    for (std::size_t i = 0; i < edges.size();) {
-        std::size_t next = i + 1;
-        while (next < edges.size() && edges[next] == edges[i]) {
-            ++next;
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    std::vector<std::uint32_t> upper(ends.back());
+    std::vector<std::uint32_t> next(ends.begin(), ends.end() - 1);
+    for (const auto &[a, b, c] : mesh.elements) {
+        for (const Edge edge : {edgeOf(a, b), edgeOf(b, c), edgeOf(c, a)}) {
+            upper[next[edge.low]++] = edge.high;
         }
-        if (next == i + 1) {
-            addEdge(mesh, edges[i].low, edges[i].high, minimum, gradation, sites);
+    }
+    PacedProgress pace(progress, "finding the border of the background mesh", mesh.nodes.size());
+    for (std::uint32_t low = 0; low < mesh.nodes.size() && pace.next(); ++low) {
+        const auto end = upper.begin() + ends[low + 1];
+        std::sort(upper.begin() + ends[low], end);
+        for (auto at = upper.begin() + ends[low]; at != end;) {
+            const auto other = std::find_if(at, end, [at](std::uint32_t high) { return high != *at; });
+            if (other == at + 1) {
+                addEdge(mesh, low, *at, minimum, gradation, sites);
+            }
+            at = other;
         }
-        i = next;
     }
 }
 

@@ -121,7 +121,7 @@ class FieldBuilder {
         }
         parts_.background = std::move(*background);
         if (spec_.gradation) {
-            BackgroundPart::addBorderSites(*spec_.background, parts_.minimum, *spec_.gradation, sites_);
+            BackgroundPart::addBorderSites(*spec_.background, parts_.minimum, *spec_.gradation, sites_, progress_);
             BackgroundPart::addSteepSites(*spec_.background, parts_.minimum, *spec_.gradation, sites_);
         }
         return {};
@@ -143,7 +143,7 @@ class FieldBuilder {
             return;
         }
         // Where the mesh ends its spacing reaches on, so that there is no step.
-        BackgroundPart::addBorderSites(*spec_.background, parts_.minimum, parts_.gradation, automatic.sites);
+        BackgroundPart::addBorderSites(*spec_.background, parts_.minimum, parts_.gradation, automatic.sites, progress_);
         parts_.fillerCap = std::max(automatic.greatest, parts_.minimum);
         parts_.fillerLabels = std::move(automatic.sites.labels);
         parts_.filler = SiteTree::build(std::move(automatic.sites.sites), box_, progress_);

@@ -108,7 +108,8 @@ void describeMesh(Mesh mesh, const PreparedJob &prepared, const Progress &progre
 }
 
 /// How far the raw mesh of an adaptive row meets what was wanted.
-Status describeError(const Mesh &mesh, const RowJob &found, const PreparedJob &prepared, RowFigures &figures) {
+Status describeError(const Mesh &mesh, const RowJob &found, const PreparedJob &prepared, const Progress &progress,
+                     RowFigures &figures) {
     if (!found.adapted) {
         return {};
     }
@@ -116,8 +117,12 @@ Status describeError(const Mesh &mesh, const RowJob &found, const PreparedJob &p
     if (!values) {
         return values.faults();
     }
+    const Result<ErrorEstimate> estimate = estimateError(mesh, *values, progress);
+    if (!estimate) {
+        return estimate.faults();
+    }
     figures.adapted = found.adapted;
-    figures.adapted->error = estimateError(mesh, *values).relative();
+    figures.adapted->error = estimate->relative();
     figures.adapted->leastSpacing = prepared.spacing->least();
     return {};
 }
@@ -180,7 +185,7 @@ Result<RowFigures> runTableRow(const TableCase &row, const std::vector<TableGrid
             tested = run->work.tested;
             figures.front = run->work.frontMean();
             figures.tests = run->work.testsMean();
-            if (Status faults = describeError(run->mesh, *found, *prepared, figures); !faults.empty()) {
+            if (Status faults = describeError(run->mesh, *found, *prepared, progress, figures); !faults.empty()) {
                 return faults;
             }
             describeMesh(std::move(run->mesh), *prepared, progress, figures);

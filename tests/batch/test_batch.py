@@ -317,6 +317,18 @@ class Adapting(Case):
         self.assertLessEqual(errors[-1], 0.1)
         self.call("check", "new.vtu", "--domain", "plate.poly")
 
+    def test_interrupt_cancels_within_a_round(self):
+        self.call("mesh", "plate.poly", "-o", "plate.msh", "--size", "0.01", "-q")
+        process = subprocess.Popen([PROGRAM, "adapt", "plate.msh", "--expression", self.FORMULA, "--error", "0.0005",
+                                    "-o", "new.msh"], cwd=self.path, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   text=True)
+        time.sleep(0.7)
+        self.assertIsNone(process.poll(), "finished before it could be cancelled")
+        process.send_signal(signal.SIGINT)
+        _, errors = process.communicate(timeout=60)
+        self.assertEqual((process.returncode, errors), (3, "cancelled\n"))
+        self.assertFalse((self.path / "new.msh").exists())
+
     def test_a_field_of_a_file_gives_one_finer_mesh(self):
         self.call("mesh", "plate.poly", "-o", "plate.vtk", "--size", "0.3")
         text = self.read("plate.vtk")

@@ -3,13 +3,18 @@
 #include "core/adapt/mesh_outline.hpp"
 #include "core/mesh/verify.hpp"
 #include "core/mesher/pipeline.hpp"
+#include "core/spacing/spacing_field.hpp"
 #include "core/tables/power_law.hpp"
 #include "tests/support/poisson.hpp"
 #include "tests/unit/mesh_samples.hpp"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
+#include <string>
 
 using namespace forefront;
 
@@ -37,18 +42,20 @@ Mesh uniformMesh(const Domain &domain, double size) {
 TEST_CASE("recoverGradient: the gradient of a linear field comes back exactly, also at the boundary") {
     const Mesh mesh = samples::square(7, 5, 0.2);
     const std::vector<double> values = valuesOf(mesh, [](Vec2 p) { return 3.0 * p.x - 2.0 * p.y + 1.0; });
-    for (const auto &corners : recoverGradient(mesh, values)) {
+    const Result<CornerGradients> recovered = recoverGradient(mesh, values);
+    REQUIRE(recovered);
+    for (const auto &corners : *recovered) {
         for (const Vec2 g : corners) {
             CHECK(distance(g, {3.0, -2.0}) < 1e-10);
         }
     }
-    CHECK(estimateError(mesh, values).relative() < 1e-10);
+    CHECK(estimateError(mesh, values)->relative() < 1e-10);
 }
 
 TEST_CASE("recoverGradient: a field that bends is recovered better than by its elements") {
     const Mesh mesh = samples::square(20, 20, 0.15);
     const std::vector<double> values = valuesOf(mesh, [](Vec2 p) { return std::sin(3.0 * p.x) * std::exp(p.y); });
-    const CornerGradients recovered = recoverGradient(mesh, values);
+    const CornerGradients recovered = *recoverGradient(mesh, values);
     const std::vector<Vec2> constant = elementGradients(mesh, values);
     double best = 0.0, plain = 0.0;
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
@@ -65,7 +72,7 @@ TEST_CASE("recoverGradient: a field that bends is recovered better than by its e
 TEST_CASE("estimateError: a gradient may jump where regions meet, and nowhere else") {
     Mesh mesh = samples::square(8, 8);
     const std::vector<double> values = valuesOf(mesh, [](Vec2 p) { return std::abs(p.x - 0.5); });
-    CHECK(estimateError(mesh, values).relative() > 0.1);
+    CHECK(estimateError(mesh, values)->relative() > 0.1);
     for (const Element &element : mesh.elements) {
         double x = 0.0;
         for (const NodeId node : element) {
@@ -73,14 +80,15 @@ TEST_CASE("estimateError: a gradient may jump where regions meet, and nowhere el
         }
         mesh.regions.push_back(x < 0.5 ? 1 : 2);
     }
-    CHECK(estimateError(mesh, values).relative() < 1e-10);
+    CHECK(estimateError(mesh, values)->relative() < 1e-10);
 }
 
 TEST_CASE("estimateError: a constant field has no error and asks for no refinement") {
     const Mesh mesh = samples::square(6, 6, 0.1);
-    const ErrorEstimate estimate = estimateError(mesh, std::vector<double>(mesh.nodes.size(), 4.0));
+    const ErrorEstimate estimate = *estimateError(mesh, std::vector<double>(mesh.nodes.size(), 4.0));
     CHECK(estimate.relative() == 0.0);
-    for (const double h : elementSpacing(mesh, estimate, {0.05, 0.0, 1.0, 0.3})) {
+    const std::vector<double> spacing = *elementSpacing(mesh, estimate, {0.05, 0.0, 1.0, 0.3});
+    for (const double h : spacing) {
         CHECK(h > 0.15); // of cells of 1/6
         CHECK(std::isfinite(h));
     }
@@ -93,12 +101,13 @@ TEST_CASE("elementSpacing: equal errors are scaled alike, and the total meets th
     estimate.total = 0.01 * std::sqrt(static_cast<double>(mesh.elements.size()));
     estimate.norm = std::sqrt(1.0 - estimate.total * estimate.total); // relative error = total
     const double wanted = 0.5 * estimate.total;
-    const std::vector<double> spacing = elementSpacing(mesh, estimate, {wanted, 0.0, 1e9, 0.3});
+    const std::vector<double> spacing = *elementSpacing(mesh, estimate, {wanted, 0.0, 1e9, 0.3});
     const double h = std::sqrt(4.0 / std::sqrt(3.0) * 0.5 * 0.01); // half of a cell of 0.1
     for (const double s : spacing) {
         CHECK(s == doctest::Approx(0.5 * h).epsilon(1e-6)); // the error falls in proportion to h
     }
-    for (const double s : elementSpacing(mesh, estimate, {wanted, 0.9 * h, 1e9, 0.3})) {
+    const std::vector<double> bounded = *elementSpacing(mesh, estimate, {wanted, 0.9 * h, 1e9, 0.3});
+    for (const double s : bounded) {
         CHECK(s == doctest::Approx(0.9 * h)); // but not below the least size
     }
 }
@@ -112,7 +121,7 @@ TEST_CASE("elementSpacing: where a limit from below binds, the rest is not refin
     estimate.norm = 10.0;
     const double h = std::sqrt(4.0 / std::sqrt(3.0) * 0.5 * 0.0025);
     for (const double least : {0.0, 0.5 * h}) {
-        const std::vector<double> spacing = elementSpacing(mesh, estimate, {0.01, least, 1e9, 0.3});
+        const std::vector<double> spacing = *elementSpacing(mesh, estimate, {0.01, least, 1e9, 0.3});
         CHECK(spacing[400] == doctest::Approx(std::max(h / 6.0, least)));
         CHECK(spacing[0] > 2.0 * h);
     }
@@ -126,7 +135,7 @@ TEST_CASE("limitGradation: the largest spacing below the given one that grows sl
         h = random(0.01, 2.0);
     }
     std::vector<double> limited = given;
-    limitGradation(mesh, 0.4, limited);
+    CHECK(limitGradation(mesh, 0.4, limited));
     // Relaxation until nothing changes gives the same.
     std::vector<double> relaxed = given;
     for (bool changed = true; changed;) {
@@ -188,6 +197,95 @@ TEST_CASE("adapt: an expression is met round after round, within the limits that
     CHECK(infinite.faults().front().code == "expression-value");
 }
 
+TEST_CASE("adapt: every stage of a round reports and can be cancelled at each of its reports") {
+    const Mesh mesh = samples::square(90, 90, 0.2); // 16,200 elements: several reports a stage
+    const std::vector<double> values = valuesOf(mesh, [](Vec2 p) { return std::atan(20.0 * (length(p) - 0.7)); });
+    const AdaptTarget target{0.02, 0.0, 0.2, 0.3};
+    std::vector<std::string> reports;
+    std::stop_source stop;
+    std::size_t most = 0;
+    Progress progress;
+    progress.stop = stop.get_token();
+    progress.report = [&](std::string_view stage, double part) {
+        CHECK(part >= 0.0);
+        CHECK(part <= 1.0);
+        reports.emplace_back(stage);
+        if (reports.size() == most) {
+            stop.request_stop();
+        }
+    };
+    // Estimation, node spacing, and the spacing field on the mesh as background.
+    const auto run = [&]() -> Diagnostics {
+        const Result<ErrorEstimate> estimate = estimateError(mesh, values, progress);
+        if (!estimate) {
+            return estimate.faults();
+        }
+        const Result<SpacingSpec> spacing = adaptedSpacing(mesh, *estimate, target, progress);
+        if (!spacing) {
+            return spacing.faults();
+        }
+        Domain square;
+        square.nodes = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            square.segments.push_back({i, (i + 1) % 4, 1, SegmentRole::Boundary});
+        }
+        const auto field = SpacingField::build(*spacing, square, progress);
+        return field ? Diagnostics{} : field.faults();
+    };
+    REQUIRE(run().empty());
+    const std::vector<std::string> all = reports;
+    for (const auto &[stage, least] : std::map<std::string, std::ptrdiff_t>{
+             {"recovering the gradient", 3},
+             {"estimating the error", 4},
+             {"choosing the node spacing", 60},
+             {"limiting the gradation", 3},
+             {"checking the background mesh", 4},
+             {"locating the background mesh", 8},
+             {"dividing the background mesh", 2},
+             {"finding the border of the background mesh", 3},
+         }) {
+        CAPTURE(stage);
+        CHECK(std::count(all.begin(), all.end(), stage) >= least);
+    }
+    for (most = 1; most <= all.size(); ++most) {
+        stop = std::stop_source();
+        progress.stop = stop.get_token();
+        reports.clear();
+        const Diagnostics faults = run();
+        CAPTURE(all[most - 1]);
+        REQUIRE(faults.size() == 1);
+        CHECK(faults.front().code == "cancelled");
+        CHECK(reports.size() == most); // nothing is begun after it
+    }
+}
+
+TEST_CASE("adapt: cancelled within any round, with the round in the name of the stage") {
+    const Result<NodalField> field = expressionField("atan(30*(hypot(x,y)-1))");
+    REQUIRE(field);
+    Domain square;
+    square.nodes = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        square.segments.push_back({i, (i + 1) % 4, 1, SegmentRole::Boundary});
+    }
+    for (const char *stage : {"mesh 0: recovering the gradient", "mesh 1: limiting the gradation",
+                              "mesh 1: advancing the front", "mesh 2: estimating the error"}) {
+        CAPTURE(stage);
+        std::stop_source stop;
+        Progress progress;
+        progress.stop = stop.get_token();
+        progress.report = [&](std::string_view now, double) {
+            if (now == stage) {
+                stop.request_stop();
+            }
+        };
+        const Result<AdaptOutcome> outcome =
+            adapt(square, uniformMesh(square, 0.2), *field, {0.06, 0.0, 0.5, 0.3}, 8, {}, progress);
+        REQUIRE(stop.stop_requested());
+        REQUIRE(!outcome);
+        CHECK(outcome.faults().front().code == "cancelled");
+    }
+}
+
 TEST_CASE("adapt: at a re-entrant corner the energy error falls at the optimal rate, uniform refinement is slower") {
     using namespace forefront::testing;
     const Domain domain = lShape();
@@ -207,7 +305,7 @@ TEST_CASE("adapt: at a re-entrant corner the energy error falls at the optimal r
         const double exact = cornerEnergyError(mesh, values);
         adapted.push_back({static_cast<double>(mesh.nodes.size()), exact});
         // The estimate tells the error.
-        CHECK(std::abs(estimateError(mesh, values).total / exact - 1.0) < 0.15);
+        CHECK(std::abs(estimateError(mesh, values)->total / exact - 1.0) < 0.15);
     }
     const auto slow = fitPowerLaw(uniform), fast = fitPowerLaw(adapted);
     REQUIRE((slow && fast));
