@@ -162,9 +162,45 @@ class Optimiser {
     void addUnary(const ExpressionInstruction &instruction) {
         if (isConstant(begins_.back(), code_.size())) {
             code_.back().constant = applyUnary(instruction, code_.back().constant);
-        } else {
+        } else if (!(instruction.op == Op::SquareRoot && foldDistance())) {
             code_.push_back(instruction);
         }
+    }
+
+    /// Where the code ends with the square of x or y, of x − k or of x + k: that k, and the code is cut off.
+    static std::optional<double> takeSquare(std::vector<ExpressionInstruction> &code, Op coordinate) {
+        if (code.size() < 2 || code.back().op != Op::Square) {
+            return std::nullopt;
+        }
+        std::size_t at = code.size() - 2;
+        double centre = 0.0;
+        if (code[at].op == Op::SubtractBy || code[at].op == Op::AddBy) {
+            centre = code[at].op == Op::SubtractBy ? code[at].constant : -code[at].constant;
+            if (at-- == 0) {
+                return std::nullopt;
+            }
+        }
+        if (code[at].op != coordinate) {
+            return std::nullopt;
+        }
+        code.resize(at);
+        return centre;
+    }
+
+    /// The root of (x − a)² + (y − b)² is the distance to (a, b), in the same doubles.
+    bool foldDistance() {
+        if (code_.back().op != Op::Add) {
+            return false;
+        }
+        std::vector<ExpressionInstruction> rest(code_.begin(), code_.end() - 1);
+        const auto b = takeSquare(rest, Op::PushY);
+        const auto a = b ? takeSquare(rest, Op::PushX) : std::nullopt;
+        if (!a) {
+            return false;
+        }
+        code_ = std::move(rest);
+        code_.insert(code_.end(), {{Op::Push, *a}, {Op::Push, *b}, {Op::Distance, 0.0}});
+        return true;
     }
     void addBinary(Op op) {
         const std::size_t second = begins_.back();

@@ -93,6 +93,22 @@ TEST_CASE("Expression: precedence, signs, powers and choices are those of mupars
     CHECK(at("rint(2.5)") == 3.0);
 }
 
+TEST_CASE("Expression: the root of a sum of squares gives the same doubles, distance to a point or not") {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> number(-50.0, 50.0);
+    for (int n = 0; n < 200; ++n) {
+        const Vec2 p{number(random), number(random)};
+        const auto at = [&](const char *text) { return compiled(text).evaluate(p); };
+        const auto root = [](double a, double b) { return std::sqrt(a * a + b * b); };
+        CHECK(at("sqrt((x-30.1)^2+(y-20.3)^2)") == root(p.x - 30.1, p.y - 20.3));
+        CHECK(at("1+2*sqrt((x+3.7)^2+y^2)") == 1.0 + 2.0 * root(p.x + 3.7, p.y));
+        CHECK(at("sqrt((y-3.7)^2+(x-0.3)^2)") == root(p.y - 3.7, p.x - 0.3));
+        CHECK(at("sqrt((x-3.7)^2+(x-0.3)^2)") == root(p.x - 3.7, p.x - 0.3));
+        CHECK(at("sqrt((2*x-3.7)^2+(y-0.3)^2)") == root(2.0 * p.x - 3.7, p.y - 0.3));
+        CHECK(at("x-sqrt(x^2+(y-0.3)^2)") == p.x - root(p.x, p.y - 0.3));
+    }
+}
+
 TEST_CASE("Expression: random formulas agree with muparser") {
     Formulas formulas(42);
     int compared = 0;
