@@ -5,7 +5,7 @@ namespace forefront {
 namespace {
 
 constexpr int kTopCells = 8;
-constexpr int kMostCells = 16;
+constexpr int kMostCells = 16; // no more than Place can number
 
 } // namespace
 
@@ -27,7 +27,7 @@ std::uint32_t HierarchicalGrid::addTable(const Box2 &box, int columns, int rows,
     table.lattice = {box.min, {size.x / columns, size.y / rows}, columns, rows};
     table.inner = box.grown(-slack_);
     table.above = above;
-    table.firstCell = cells_.size();
+    table.firstCell = static_cast<std::uint32_t>(cells_.size());
     cells_.resize(cells_.size() + static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
     tables_.push_back(table);
     return static_cast<std::uint32_t>(tables_.size() - 1);
@@ -70,7 +70,7 @@ void HierarchicalGrid::insert(const GenerationFront &front, SlotId id) {
 void HierarchicalGrid::remove(const GenerationFront &front, SlotId id) {
     const Place &place = places_[index(id)];
     if (place.table != Place::kNowhere) {
-        CellContent &content = cells_[cell(tables_[place.table], place.i, place.j)];
+        CellContent &content = cells_[place.cell];
         if (content.table == kLeaf) {
             blocks_.erase(content.list, id);
             return;
@@ -88,12 +88,12 @@ bool HierarchicalGrid::keeps(SlotId id, Vec2 a, Vec2 b) const {
     const Box2 box = table.lattice.cellBox(place.i, place.j).grown(-slack_);
     const double least = table.lattice.cellWidth / (2.0 * cellPerLength_);
     return box.contains(a) && box.contains(b) && distanceSquared(a, b) >= least * least &&
-           cells_[cell(table, place.i, place.j)].table == kLeaf;
+           cells_[place.cell].table == kLeaf;
 }
 
 void HierarchicalGrid::moved(const GenerationFront &front, SlotId id) {
     const Place &place = places_[index(id)];
-    blocks_.move(cells_[cell(tables_[place.table], place.i, place.j)].list, id, boxOf(front.start(id), front.end(id)));
+    blocks_.move(cells_[place.cell].list, id, boxOf(front.start(id), front.end(id)));
 }
 
 void HierarchicalGrid::insertInto(std::uint32_t tableIndex, const GenerationFront &front, SlotId id) {
@@ -101,13 +101,13 @@ void HierarchicalGrid::insertInto(std::uint32_t tableIndex, const GenerationFron
     const double length = front[id].length;
     const bool splits = tooCoarse(lattice, length) && !front.isolated(id);
     forEachCrossedCell(lattice, front.start(id), front.end(id), slack_, [&](int i, int j) {
-        const std::size_t at = cell(tables_[tableIndex], i, j);
+        const std::uint32_t at = cell(tables_[tableIndex], i, j);
         if (cells_[at].table == kLeaf && splits) {
             split(tableIndex, at, lattice.cellBox(i, j), length, front);
         }
         if (cells_[at].table == kLeaf) {
             blocks_.push(cells_[at].list, id, boxOf(front.start(id), front.end(id)));
-            places_[index(id)] = {tableIndex, i, j};
+            places_[index(id)] = {tableIndex, at, static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j)};
             ++pushed_;
         } else {
             insertInto(cells_[at].table, front, id);
@@ -115,7 +115,7 @@ void HierarchicalGrid::insertInto(std::uint32_t tableIndex, const GenerationFron
     });
 }
 
-void HierarchicalGrid::split(std::uint32_t above, std::size_t cellIndex, const Box2 &box, double length,
+void HierarchicalGrid::split(std::uint32_t above, std::uint32_t cellIndex, const Box2 &box, double length,
                              const GenerationFront &front) {
     const double width = box.max.x - box.min.x;
     const int n = static_cast<int>(

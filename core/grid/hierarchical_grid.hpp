@@ -75,7 +75,7 @@ class HierarchicalGrid {
     };
     struct Table {
         Lattice lattice;
-        std::size_t firstCell = 0;
+        std::uint32_t firstCell = 0;
         Box2 inner; ///< its box less a margin: that of the cell above may differ by rounding
         std::uint32_t above = 0;
     };
@@ -83,12 +83,12 @@ class HierarchicalGrid {
     struct Place {
         static constexpr std::uint32_t kNowhere = kNoIndex;
         std::uint32_t table = kNowhere;
-        int i = 0, j = 0;
+        std::uint32_t cell = 0;
+        std::uint8_t i = 0, j = 0;
     };
 
-    static std::size_t cell(const Table &table, int i, int j) {
-        return table.firstCell + static_cast<std::size_t>(j) * static_cast<std::size_t>(table.lattice.columns) +
-               static_cast<std::size_t>(i);
+    static std::uint32_t cell(const Table &table, int i, int j) {
+        return table.firstCell + static_cast<std::uint32_t>(j * table.lattice.columns + i);
     }
     /// The table to look up a box in: from the last one up until it holds the box, and down while all of the box lies
     /// in one cell.
@@ -97,7 +97,7 @@ class HierarchicalGrid {
     bool tooCoarse(const Lattice &lattice, double length) const;
     void insertInto(std::uint32_t table, const GenerationFront &front, SlotId id);
     void removeFrom(std::uint32_t table, const GenerationFront &front, SlotId id);
-    void split(std::uint32_t above, std::size_t cellIndex, const Box2 &box, double length,
+    void split(std::uint32_t above, std::uint32_t cellIndex, const Box2 &box, double length,
                const GenerationFront &front);
 
     template <class Visit>
