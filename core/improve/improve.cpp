@@ -1,6 +1,7 @@
 #include "core/improve/improve.hpp"
 
 #include "core/base/cpu_clock.hpp"
+#include "core/base/free_memory.hpp"
 #include "core/improve/repair.hpp"
 #include "core/improve/smooth.hpp"
 #include "core/improve/swap_pass.hpp"
@@ -89,6 +90,9 @@ class Improvement {
             return false;
         }
         if (!smoother) {
+            if (pool_.threads() > 1) {
+                giveBackFreeMemory();
+            }
             smoother.emplace(work_, options_.spacing, progress_.stop);
         } else {
             smoother->renewSpacing(progress_.stop);

@@ -87,7 +87,8 @@ void NodeSmoother::meanLengths() {
 }
 
 /// Of a free node.
-NodeSmoother::Move NodeSmoother::moveOf(const Vec2 *places, std::size_t n, const SmoothingAims &aims) const {
+[[gnu::always_inline]] inline NodeSmoother::Move NodeSmoother::moveOf(const Vec2 *places, std::size_t n,
+                                                                      const SmoothingAims &aims) const {
     const Vec2 p = places[n];
     const float rho = rho_[n], scale = 1.0F / rho; // lengths in ρ, whose powers stay in the range of floats
     const auto spokeTo = [&](std::size_t m) {
@@ -117,40 +118,37 @@ NodeSmoother::Move NodeSmoother::moveOf(const Vec2 *places, std::size_t n, const
     return {shape * pull.x + spacing * pull.springX, shape * pull.y + spacing * pull.springY};
 }
 
-/// From the places in the mesh.
-void NodeSmoother::moveFirst(const SmoothingAims &aims, const std::stop_token &stop) {
-    const Vec2 *from = work_.mesh.nodes.data();
+/// Calls put(node, its move) for all nodes, and says by a move of nothing that one is held.
+template <class Put>
+void NodeSmoother::moveAll(const Vec2 *places, const SmoothingAims &aims, const std::stop_token &stop,
+                           const Put &put) const {
+    constexpr Move kStay{-0.0F, -0.0F}; // changes nothing when added, not even the sign of a zero
     work_.pool.forChunks(
         now_.size(), ImproveWorkspace::kChunk,
         [&](std::size_t begin, std::size_t end, std::size_t) {
             for (std::size_t n = begin; n < end; ++n) {
-                const Vec2 p = from[n];
-                if (!work_.isFree(n)) {
-                    now_[n] = p;
-                    continue;
-                }
-                const Move move = moveOf(from, n, aims);
-                now_[n] = {p.x + static_cast<double>(move.x), p.y + static_cast<double>(move.y)};
+                put(n, work_.isFree(n) ? moveOf(places, n, aims) : kStay);
             }
         },
         stop);
 }
 
+/// From the places in the mesh.
+void NodeSmoother::moveFirst(const SmoothingAims &aims, const std::stop_token &stop) {
+    const Vec2 *from = work_.mesh.nodes.data();
+    moveAll(from, aims, stop, [this, from](std::size_t n, Move move) {
+        now_[n] = {from[n].x + static_cast<double>(move.x), from[n].y + static_cast<double>(move.y)};
+    });
+}
+
 /// From the places now, all at once: the moves wait in the memory of α.
 void NodeSmoother::moveAgain(const SmoothingAims &aims, const std::stop_token &stop) {
-    constexpr Move kStay{-0.0F, -0.0F}; // changes nothing when added, not even the sign of a zero
     RawVector<float> &moves = work_.alpha;
     moves.resize(2 * now_.size());
-    work_.pool.forChunks(
-        now_.size(), ImproveWorkspace::kChunk,
-        [&](std::size_t begin, std::size_t end, std::size_t) {
-            for (std::size_t n = begin; n < end; ++n) {
-                const Move move = work_.isFree(n) ? moveOf(now_.data(), n, aims) : kStay;
-                moves[2 * n] = move.x;
-                moves[2 * n + 1] = move.y;
-            }
-        },
-        stop);
+    moveAll(now_.data(), aims, stop, [to = moves.data()](std::size_t n, Move move) {
+        to[2 * n] = move.x;
+        to[2 * n + 1] = move.y;
+    });
     work_.pool.forChunks(
         now_.size(), ImproveWorkspace::kChunk,
         [&](std::size_t begin, std::size_t end, std::size_t) {

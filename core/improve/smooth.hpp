@@ -47,6 +47,8 @@ class NodeSmoother {
     Vec2 now(NodeId n) const { return now_[index(n)]; }
     double alphaNow(const Element &n) const;
     Move moveOf(const Vec2 *places, std::size_t n, const SmoothingAims &aims) const;
+    template <class Put>
+    void moveAll(const Vec2 *places, const SmoothingAims &aims, const std::stop_token &stop, const Put &put) const;
     void moveFirst(const SmoothingAims &aims, const std::stop_token &stop);
     void moveAgain(const SmoothingAims &aims, const std::stop_token &stop);
     bool spoilt(std::size_t e, double alpha, double floor) const;

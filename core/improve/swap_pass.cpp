@@ -19,20 +19,10 @@ void uniqueSorted(List &list) {
 class SwapPass {
   public:
     SwapPass(ImproveWorkspace &work, const SwapRule &rule, const Progress &progress)
-        : work_(work), rule_(rule), progress_(progress) {
-        const std::size_t count = work.mesh.elements.size();
-        const std::size_t chunks = (count + ImproveWorkspace::kChunk - 1) / ImproveWorkspace::kChunk;
-        blockSize_ = work.pool.threads() == 1
-                         ? std::max<std::size_t>(1, count)
-                         : ImproveWorkspace::kChunk * std::max<std::size_t>(1, (chunks + kBlocks - 1) / kBlocks);
-        blocks_.resize((count + blockSize_ - 1) / blockSize_);
-    }
+        : work_(work), rule_(rule), progress_(progress) {}
 
     std::size_t run() {
         find();
-        if (blocks_.size() > 1) {
-            markShared();
-        }
         std::size_t swaps = 0;
         for (int round = 0; round < kRounds && anyOpen() && !progress_.cancelled(); ++round) {
             forBlocks([this](Block &block) { turnInside(block); });
@@ -55,6 +45,8 @@ class SwapPass {
   private:
     static constexpr int kRounds = 6;
     static constexpr std::size_t kBlocks = 16;
+    /// Where the edges to be turned are fewer than this part of the elements, one thread is as fast as several.
+    static constexpr std::size_t kWorthSharing = 128;
     /// Edges between looks at the stop token.
     static constexpr std::size_t kBatch = 8192;
 
@@ -93,11 +85,22 @@ class SwapPass {
                 findWorthTurning(work_, begin, end, rule_, found[chunk]);
             },
             progress_.stop);
+        std::size_t edges = 0;
+        for (const std::vector<HalfEdge> &some : found) {
+            edges += some.size();
+        }
+        const bool shared = work_.pool.threads() > 1 && edges > count / kWorthSharing;
+        blockSize_ = shared ? ImproveWorkspace::kChunk * ((found.size() + kBlocks - 1) / kBlocks)
+                            : std::max<std::size_t>(1, count);
+        blocks_.resize((count + blockSize_ - 1) / blockSize_);
         for (const std::vector<HalfEdge> &some : found) {
             if (!some.empty()) {
                 std::vector<HalfEdge> &open = blocks_[blockOf(some.front())].open;
                 open.insert(open.end(), some.begin(), some.end());
             }
+        }
+        if (shared) {
+            markShared();
         }
     }
 
@@ -111,24 +114,31 @@ class SwapPass {
                 std::fill(touch_.data() + begin, touch_.data() + end, Touch::Inside);
             },
             progress_.stop);
+        work_.pool.run(
+            blocks_.size(),
+            [this](std::size_t block, unsigned) {
+                const std::size_t end = std::min(work_.mesh.elements.size(), (block + 1) * blockSize_);
+                markShared(static_cast<HalfEdge>(3 * block * blockSize_), static_cast<HalfEdge>(3 * end));
+            },
+            progress_.stop);
+    }
+
+    /// In the block of these half-edges.
+    void markShared(HalfEdge begin, HalfEdge end) {
         const auto share = [this](NodeId n) {
             std::atomic_ref(touch_[index(n)]).store(Touch::Shared, std::memory_order_relaxed);
         };
-        work_.pool.forChunks(
-            work_.mesh.elements.size(), ImproveWorkspace::kChunk,
-            [&](std::size_t begin, std::size_t end, std::size_t) {
-                for (auto h = static_cast<HalfEdge>(3 * begin); h < 3 * end; ++h) {
-                    if (!between(h)) {
-                        continue;
-                    }
-                    share(work_.from(h));
-                    share(work_.to(h));
-                    if (work_.twin[h] != kNoHalfEdge) {
-                        share(work_.apex(h));
-                    }
-                }
-            },
-            progress_.stop);
+        for (HalfEdge h = begin; h < end; ++h) {
+            const HalfEdge g = work_.twin[h];
+            if (g >= begin && g < end) {
+                continue;
+            }
+            share(work_.from(h));
+            share(work_.to(h));
+            if (g != kNoHalfEdge) {
+                share(work_.apex(h));
+            }
+        }
     }
 
     void turnInside(Block &block) {

@@ -22,7 +22,7 @@ constexpr HalfEdge previousSide(HalfEdge h) {
     return sideOf(h) == 0 ? h + 2 : h - 1;
 }
 
-/// What improving needs to know beside the mesh: 16 bytes per element and 22 per node.
+/// What improving needs to know beside the mesh: 16 bytes per element and 20 per node.
 struct ImproveWorkspace {
     /// After a stop it is not fit for use.
     ImproveWorkspace(Mesh &mesh, ThreadPool &pool, const std::stop_token &stop = {});
@@ -34,7 +34,7 @@ struct ImproveWorkspace {
     /// Elements and nodes of a task: fixed, so that results do not depend on the number of threads.
     static constexpr std::size_t kChunk = 8192;
     /// Rings with more nodes are walked each time.
-    static constexpr unsigned kRingNodes = 8;
+    static constexpr unsigned kRingNodes = 7;
 
     Mesh &mesh;
     ThreadPool &pool;

@@ -1,8 +1,9 @@
 #include "core/mesher/pipeline.hpp"
 
+#include "core/base/cpu_clock.hpp"
+#include "core/base/free_memory.hpp"
 #include "core/domain/estimate.hpp"
 #include "core/domain/validate.hpp"
-#include "core/base/cpu_clock.hpp"
 #include "core/mesher/mesher.hpp"
 #include "core/spacing/spacing_field.hpp"
 
@@ -87,6 +88,9 @@ Result<MeshingOutcome> runJob(const MeshingJob &job, const Progress &progress) {
     outcome.work = mesher->state().work;
     outcome.mesh = std::move(*mesher).takeMesh();
     mesher.reset();
+    if (job.options.threads > 1) {
+        giveBackFreeMemory();
+    }
     outcome.secondsMesh = clock.lap();
 
     if (job.options.improve != ImproveLevel::None) {
