@@ -33,7 +33,7 @@ std::span<const FileFormat> fileFormats();
 Result<Document> readDocument(const std::filesystem::path &path, const ImportOptions &options = {});
 /// Domain of any file that readDocument reads.
 Result<Domain> readDomain(const std::filesystem::path &path, const ImportOptions &options = {});
-/// A mesh: MSH 2.2 or 4.1 (ASCII), VTU, VTK legacy, MEDIT, Abaqus, SU2, Triangle .node/.ele, OBJ.
+/// A mesh: MSH 2.2 (ASCII) or 4.1, VTU, VTK legacy, MEDIT, Abaqus, SU2, Triangle .node/.ele, OBJ.
 Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &options = {});
 /// A mesh with one value per node.
 struct MeshField {

@@ -79,10 +79,6 @@ bool MshFile::readNodes4() {
         !scanner_.integer(number, 0, kAny, {"the greatest node number"})) {
         return false;
     }
-    struct NumberedNode {
-        std::int64_t number;
-        Vec2 place;
-    };
     std::vector<NumberedNode> nodes;
     nodes.reserve(count);
     for (std::size_t block = 0; block < blocks; ++block) {
@@ -114,8 +110,14 @@ bool MshFile::readNodes4() {
             }
         }
     }
-    std::stable_sort(nodes.begin(), nodes.end(),
-                     [](const NumberedNode &a, const NumberedNode &b) { return a.number < b.number; });
+    return takeNodes(std::move(nodes));
+}
+
+bool MshFile::takeNodes(std::vector<NumberedNode> nodes) {
+    const auto byNumber = [](const NumberedNode &a, const NumberedNode &b) { return a.number < b.number; };
+    if (!std::is_sorted(nodes.begin(), nodes.end(), byNumber)) {
+        std::stable_sort(nodes.begin(), nodes.end(), byNumber);
+    }
     builder_.reserveNodes(nodes.size());
     for (const NumberedNode &node : nodes) {
         builder_.mesh.nodes.push_back(node.place);
@@ -168,6 +170,12 @@ void MshFile::restoreOrder() {
     }
 }
 
+std::int32_t MshFile::tagOf(int dimension, std::int64_t entity) const {
+    const auto physical = physical_.find({dimension, entity});
+    return physical != physical_.end() ? physical->second
+                                       : static_cast<std::int32_t>(std::clamp<std::int64_t>(entity, 1, kGreatestTag));
+}
+
 bool MshFile::readElementBlock4(std::size_t &left) {
     std::int64_t dimension = 0, entity = 0, type = 0, number = 0;
     std::size_t size = 0;
@@ -184,13 +192,10 @@ bool MshFile::readElementBlock4(std::size_t &left) {
         return scanner_.fail(typeOffset, "bad-count", "the blocks hold more elements than the section announces");
     }
     left -= size;
-    const auto physical = physical_.find({static_cast<int>(dimension), entity});
-    const std::int64_t tag =
-        physical != physical_.end() ? physical->second : std::clamp<std::int64_t>(entity, 1, kGreatestTag);
+    const std::int32_t tag = tagOf(static_cast<int>(dimension), entity);
     for (std::size_t k = 0; k < size; ++k) {
         if (!scanner_.integer(number, 0, kAny, {"the number of an element"}) ||
-            !readConnection(type, static_cast<std::int32_t>(tag), typeOffset,
-                            {"element", static_cast<std::uint64_t>(number)})) {
+            !readConnection(type, tag, typeOffset, {"element", static_cast<std::uint64_t>(number)})) {
             return false;
         }
         if (builder_.mesh.edges.size() > edgeNumbers_.size()) {

@@ -42,16 +42,16 @@ bool MshFile::readSection(std::string_view name) {
     } else if (name == "PhysicalNames") {
         done = readNames();
     } else if (name == "Nodes" && !nodesRead_) {
-        done = version4_ ? readNodes4() : readNodes2();
+        done = binary_ ? readNodesBinary() : version4_ ? readNodes4() : readNodes2();
         nodesRead_ = true;
     } else if (name == "Elements" && !elementsRead_) {
         if (!nodesRead_) {
             return scanner_.fail(scanner_.offset(), "bad-syntax", "$Elements come before $Nodes");
         }
-        done = version4_ ? readElements4() : readElements2();
+        done = binary_ ? readElementsBinary() : version4_ ? readElements4() : readElements2();
         elementsRead_ = true;
     } else if (name == "Entities" && version4_) {
-        done = readEntities4();
+        done = binary_ ? readEntitiesBinary() : readEntities4();
     } else if (name == "NodeData" && nodesRead_) {
         done = readNodeData();
     } else {
@@ -84,11 +84,13 @@ bool MshFile::readFormat() {
         return scanner_.fail(place, "unknown-version", "MSH versions 2.2 and 4.1 can be read, this is another one",
                              "save it from gmsh with -format msh22 or msh41");
     }
-    if (binary == 1) {
-        return scanner_.fail(place, "binary", "binary MSH files cannot be read", "save it as ASCII: gmsh -save -bin 0");
+    if (binary == 1 && !version4_) {
+        return scanner_.fail(place, "binary", "binary MSH files of version 2 cannot be read",
+                             "save it from gmsh with -format msh41, or as ASCII with -bin 0");
     }
     formatRead_ = true;
-    return scanner_.integer(size, 1, 16, {"the size of a number"});
+    binary_ = binary == 1;
+    return scanner_.integer(size, 1, 16, {"the size of a number"}) && (!binary_ || readByteOrder(size));
 }
 
 bool MshFile::readNames() {
@@ -165,19 +167,22 @@ bool MshFile::readElement2(std::size_t number) {
 }
 
 bool MshFile::readConnection(std::int64_t type, std::int32_t tag, std::size_t typeOffset, Expect expect) {
-    constexpr std::int64_t kPoint = 15, kLine = 1, kTriangle = 2;
     switch (type) {
-    case kPoint:
+    case kMshPoint:
         return builder_.readPoint(scanner_, tag, expect);
-    case kLine:
+    case kMshLine:
         return builder_.readEdge(scanner_, tag, expect);
-    case kTriangle:
+    case kMshTriangle:
         return builder_.readElement(scanner_, tag, expect);
     default:
-        return scanner_.fail(typeOffset, "unknown-element",
-                             expect.words() + " is of MSH type " + std::to_string(type) +
-                                 "; only points, 2-node lines and 3-node triangles can be read");
+        return failType(expect.words(), type, typeOffset);
     }
+}
+
+bool MshFile::failType(const std::string &what, std::int64_t type, std::size_t place) {
+    return scanner_.fail(place, "unknown-element",
+                         what + " is of MSH type " + std::to_string(type) +
+                             "; only points, 2-node lines and 3-node triangles can be read");
 }
 
 bool MshFile::readNodeData() {
@@ -224,6 +229,9 @@ bool MshFile::readNodeData() {
         return true;
     }
     field.values.assign(builder_.mesh.nodes.size(), std::numeric_limits<double>::quiet_NaN());
+    if (binary_) {
+        return readValuesBinary(count, field);
+    }
     for (std::size_t k = 0; k < count; ++k) {
         NodeId node = kNoNode;
         if (!builder_.readNodeId(scanner_, node, {"nodal value", k + 1})) {
@@ -233,10 +241,7 @@ bool MshFile::readNodeData() {
         if (!scanner_.real(number, {"nodal value", k + 1})) {
             return false;
         }
-        if (!(number > 0.0)) {
-            field.notPositive = std::min(field.notPositive, valueOffset);
-        }
-        field.values[index(node)] = number;
+        field.set(node, number, valueOffset);
     }
     values_.push_back(std::move(field));
     return true;

@@ -16,18 +16,22 @@ bool PlanarMeshBuilder::readPlace(TextScanner &scanner, std::int64_t number, int
         if (!scanner.real(z, expect)) {
             return false;
         }
-        if (!anyNode_) {
-            leastZ_ = greatestZ_ = z;
-        }
-        if (z != leastZ_ && !anyOutOfPlane_) {
-            anyOutOfPlane_ = true;
-            outOfPlane_ = offset;
-        }
-        leastZ_ = std::min(leastZ_, z);
-        greatestZ_ = std::max(greatestZ_, z);
+        noteHeight(z, offset);
     }
-    anyNode_ = true;
     return true;
+}
+
+void PlanarMeshBuilder::noteHeight(double z, std::size_t offset) {
+    if (!anyNode_) {
+        leastZ_ = greatestZ_ = z;
+        anyNode_ = true;
+    }
+    if (z != leastZ_ && !anyOutOfPlane_) {
+        anyOutOfPlane_ = true;
+        outOfPlane_ = offset;
+    }
+    leastZ_ = std::min(leastZ_, z);
+    greatestZ_ = std::max(greatestZ_, z);
 }
 
 bool PlanarMeshBuilder::readNode(TextScanner &scanner, std::int64_t number, int dimension) {

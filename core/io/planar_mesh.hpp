@@ -23,6 +23,8 @@ class PlanarMeshBuilder {
     bool readNode(TextScanner &scanner, std::int64_t number, int dimension);
     /// Coordinates of a node whose number was added before (formats that list numbers and places apart).
     bool readPlace(TextScanner &scanner, std::int64_t number, int dimension, Vec2 &place);
+    /// Notes the third coordinate of a node at a place of the file.
+    void noteHeight(double z, std::size_t offset);
     /// After the last node: refuses numbers given twice and nodes out of one plane.
     bool finishNodes(TextScanner &scanner);
 

@@ -18,6 +18,7 @@ Result<MeshField> readMshField(const SourceText &source, std::string_view name);
 bool looksLikeMsh(std::string_view head);
 void writeMsh2(const Mesh &mesh, TextWriter &out);
 void writeMsh4(const Mesh &mesh, TextWriter &out);
+void writeMsh4Binary(const Mesh &mesh, TextWriter &out);
 
 Result<Mesh> readVtu(const SourceText &source);
 Result<MeshField> readVtuField(const SourceText &source, std::string_view name);

@@ -35,6 +35,7 @@ std::optional<double> parseReal(std::string_view text) {
 
 bool TextScanner::fail(std::size_t offset, std::string code, std::string message, std::string advice) {
     if (ok()) {
+        message += namesBytes_ ? ", at byte " + std::to_string(offset) : "";
         faults_.push_back(faultAt(*source_, offset, std::move(code), std::move(message), std::move(advice)));
     }
     return false;

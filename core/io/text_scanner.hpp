@@ -32,6 +32,8 @@ class TextScanner {
 
     bool ok() const { return faults_.empty(); }
     const Diagnostics &faults() const { return faults_; }
+    /// From now on failures tell the byte, too: lines mean little where numbers are not text.
+    void nameBytes() { namesBytes_ = true; }
     /// Records a failure at a byte of the source; returns false for the caller to pass on.
     bool fail(std::size_t offset, std::string code, std::string message, std::string advice = {});
     /// Takes over the failure of another scanner, such as one of a line.
@@ -87,6 +89,7 @@ class TextScanner {
     std::size_t end_;
     char comment_;
     char separator_;
+    bool namesBytes_ = false;
     Diagnostics faults_;
 };
 

@@ -141,6 +141,14 @@ class Meshing(Case):
         for name in ("b.msh", "c.vtu"):
             self.call("check", name, "--domain", "plate.poly")
 
+    def test_a_binary_mesh_is_the_same_mesh(self):
+        self.call("mesh", "plate.poly", "-o", "a.msh", "-o", "b.msh", "--format", "msh2", "--format", "msh41-binary",
+                  "--size", "0.2")
+        self.assertTrue((self.path / "b.msh").read_bytes().startswith(b"$MeshFormat\n4.1 1 8\n\x01\0\0\0\n"))
+        text, binary = (self.call("check", name, "--domain", "plate.poly").stdout for name in ("a.msh", "b.msh"))
+        self.assertIn("hash", text)
+        self.assertEqual(text, binary)
+
     def test_quiet_prints_the_figure_alone(self):
         done = self.call("mesh", "plate.poly", "-o", "plate.msh", "--quiet")
         self.assertRegex(done.stdout, r"^mesh_cpu=\d+\.\d+\n$")

@@ -69,6 +69,17 @@ const char *const kTriangle =
     "3 2 0 1\n1 0 0 1\n2 1 0 1\n3 0 1 0\n# region 2 \"r\"\n# point 1 4\n%%\n1 3 1\n1 1 2 3 2\n"
     "%%\n2 1\n1 1 2 5\n2 2 3 0\n";
 
+/// kValues as they are in a binary file.
+std::string binaryValues() {
+    std::string section = "$NodeData\n1\n\"size\"\n1\n0\n3\n0\n1\n4\n";
+    for (std::int32_t node = 1; node <= 4; ++node) {
+        const double value = 0.1 * node;
+        section.append(reinterpret_cast<const char *>(&node), sizeof node);
+        section.append(reinterpret_cast<const char *>(&value), sizeof value);
+    }
+    return section + "\n$EndNodeData\n";
+}
+
 } // namespace
 
 std::vector<std::string> seeds(std::string_view name) {
@@ -76,7 +87,7 @@ std::vector<std::string> seeds(std::string_view name) {
         return {projectText(smallDocument()), projectText({})};
     }
     if (name == "msh") {
-        return {text(writeMsh2) + kValues, text(writeMsh4) + kValues};
+        return {text(writeMsh2) + kValues, text(writeMsh4) + kValues, text(writeMsh4Binary) + binaryValues()};
     }
     if (name == "vtu") {
         return {text(writeVtu), kVtuAscii};

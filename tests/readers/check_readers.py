@@ -74,6 +74,34 @@ def check_gmsh(truth, file, named=True):
     gmsh.finalize()
 
 
+def check_own_reader(truth, file, folder):
+    """The mesh as gmsh saves it in binary, with nodal values, read by our own reader."""
+    gmsh.initialize()
+    gmsh.option.setNumber("General.Terminal", 0)
+    gmsh.open(file)
+    tags, coordinates, _ = gmsh.model.mesh.getNodes()
+    values = [[1.0 + x + 2.0 * y] for x, y, _ in coordinates.reshape(-1, 3)]
+    view = gmsh.view.add("heat")
+    gmsh.view.addModelData(view, 0, gmsh.model.getCurrent(), "NodeData", tags, values)
+    gmsh.option.setNumber("Mesh.Binary", 1)
+    gmsh.option.setNumber("Mesh.MshFileVersion", 4.1)
+    saved = str(folder / "gmsh-binary.msh")
+    gmsh.write(saved)
+    gmsh.view.write(view, saved, True)
+    gmsh.finalize()
+    assert b"4.1 1 8" in pathlib.Path(saved).read_bytes()[:40], "gmsh wrote no binary file"
+    run = subprocess.run([sys.argv[1], "--read", saved, "heat"], capture_output=True, text=True)
+    assert run.returncode == 0, run.stderr
+    found = json.loads(run.stdout)
+    for kind, measure in (("edges", "length"), ("regions", "area")):
+        same(set(found[kind]), set(truth[kind]), f"names of {kind}")
+        for name, part in truth[kind].items():
+            same((found[kind][name]["tag"], found[kind][name]["count"]), (part["tag"], part["count"]), name)
+            near(found[kind][name][measure], part[measure])
+    same((found["nodes"], found["elements"]), (truth["nodes"], truth["elements"]), "nodes and elements")
+    near(found["worst_value"], 0.0, 1e-12)
+
+
 def check_meshio(truth, file, names=False, regions=None, kind=None):
     mesh = meshio.read(file, file_format=kind)
     triangles = numpy.concatenate([block.data for block in mesh.cells if block.type == "triangle"])
@@ -257,8 +285,12 @@ def main():
         ("MEDIT by gmsh", lambda: check_gmsh(truth, files["medit"], named=False)),
         ("MSH 2.2 by gmsh", lambda: check_gmsh(truth, files["msh2"])),
         ("MSH 4.1 by gmsh", lambda: check_gmsh(truth, files["msh41"])),
+        ("binary MSH 4.1 by gmsh", lambda: check_gmsh(truth, files["msh41-binary"])),
+        ("binary MSH 4.1 of gmsh by Forefront", lambda: check_own_reader(truth, files["msh41"], folder)),
         ("MSH 2.2 by meshio", lambda: check_meshio(truth, files["msh2"], names=True, regions="gmsh:physical")),
         ("MSH 4.1 by meshio", lambda: check_meshio(truth, files["msh41"], names=True, regions="gmsh:physical")),
+        ("binary MSH 4.1 by meshio",
+         lambda: check_meshio(truth, files["msh41-binary"], names=True, regions="gmsh:physical")),
         ("VTU by meshio", lambda: check_meshio(truth, files["vtu"], regions="region")),
         ("VTK by meshio", lambda: check_meshio(truth, files["vtk"], regions="region")),
         ("MEDIT by meshio", lambda: check_meshio(truth, files["medit"], regions="medit:ref")),

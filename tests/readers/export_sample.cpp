@@ -1,13 +1,18 @@
 // Writes a small mesh of two regions with a hole and named boundaries in every format, and its true figures as JSON.
 //   export_sample FOLDER
+// Or reads a mesh with nodal values 1 + x + 2y and prints its figures.
+//   export_sample --read FILE NAME
 #include "core/io/files.hpp"
 #include "core/mesher/pipeline.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 
 using namespace forefront;
 
@@ -93,11 +98,30 @@ int exportAll(const std::filesystem::path &folder, const std::string &name, cons
     return 0;
 }
 
+int printFigures(const std::filesystem::path &path, const char *field) {
+    const Result<MeshField> read = readField(path, field);
+    if (!read) {
+        return fail(read.faults());
+    }
+    nlohmann::json found = figures(read->mesh);
+    double worst = 0.0;
+    for (std::size_t n = 0; n < read->values.size(); ++n) {
+        const Vec2 p = read->mesh.nodes[n];
+        worst = std::max(worst, std::fabs(read->values[n] - (1.0 + p.x + 2.0 * p.y)));
+    }
+    found["worst_value"] = worst;
+    std::printf("%s\n", found.dump().c_str());
+    return 0;
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
+    if (argc == 4 && std::string_view(argv[1]) == "--read") {
+        return printFigures(argv[2], argv[3]);
+    }
     if (argc != 2) {
-        std::fprintf(stderr, "usage: export_sample FOLDER\n");
+        std::fprintf(stderr, "usage: export_sample FOLDER | --read FILE NAME\n");
         return 2;
     }
     const std::filesystem::path folder = argv[1];

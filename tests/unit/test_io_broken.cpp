@@ -143,7 +143,8 @@ TEST_CASE("Broken files: a count that promises more than the file holds is refus
     const Mesh mesh = samples::square(3, 3);
     for (const Format &format : formats()) {
         if (format.readMesh == nullptr || format.writeMesh == nullptr || std::string_view(format.about.id) == "inp" ||
-            std::string_view(format.about.id) == "obj" || std::string_view(format.about.id) == "vtu") {
+            std::string_view(format.about.id) == "obj" || std::string_view(format.about.id) == "vtu" ||
+            std::string_view(format.about.id) == "msh41-binary") { // see test_io_binary.cpp
             continue;
         }
         CAPTURE(std::string(format.about.id));

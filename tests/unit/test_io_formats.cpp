@@ -75,7 +75,7 @@ TEST_CASE("Formats: a mesh of one region without names, edges or points survives
 TEST_CASE("Formats: the domain of a written mesh is the domain it covers") {
     const ScratchFolder folder;
     const Mesh mesh = twoRegionMesh();
-    for (const char *id : {"msh2", "msh41"}) {
+    for (const char *id : {"msh2", "msh41", "msh41-binary"}) {
         const auto path = folder / "mesh.msh";
         REQUIRE(writeMesh(path, mesh, id).empty());
         const auto domain = readDomain(path);
