@@ -131,7 +131,9 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     app.add_flag("--keep-boundary", arguments.keepBoundary, "use the given segments as they are, without cutting them");
     app.add_flag("--repair", arguments.repair,
                  "merge duplicate nodes and segments and split at crossings first, and say so");
-    auto *improve = app.add_option("--improve", level, "work on the shapes: none, default, best (slower, still better)")
+    auto *improve = app.add_option("--improve", level,
+                                   "work on the shapes: none, default, best (slower, adds and "
+                                   "removes inner nodes, too)")
                         ->check(CLI::IsMember({"none", "default", "best"}))
                         ->type_name("LEVEL");
     app.add_flag("--no-improve", noImprove, "the same as --improve none")->excludes(improve);

@@ -3,6 +3,7 @@
 #include "core/base/cpu_clock.hpp"
 #include "core/base/free_memory.hpp"
 #include "core/improve/repair.hpp"
+#include "core/improve/restructure.hpp"
 #include "core/improve/smooth.hpp"
 #include "core/improve/swap_pass.hpp"
 #include "core/mesh/quality.hpp"
@@ -15,11 +16,13 @@ namespace forefront {
 
 namespace {
 
-/// Swaps, then sweeps. Early rounds let elements fall far, so that the mesh can flow; the last holds a better floor.
+/// Swaps, then sweeps; then, where asked for, nodes come and go. Early rounds let elements fall far, so that the mesh
+/// can flow; the last holds a better floor.
 struct Round {
     int sweeps;
     SmoothingAims aims;
     double floor;
+    bool restructures = false;
 };
 
 constexpr double kEarlyFloor = 0.4, kLateFloor = 0.7;
@@ -30,7 +33,7 @@ constexpr std::size_t kSmallMesh = 100'000; ///< elements
 constexpr Round kSmallRounds[] = {{3, {0.5F, 0.9F}, kEarlyFloor}, {5, {0.3F, 1.1F}, kLateFloor}};
 constexpr Round kDefaultRounds[] = {{2, {0.7F, 0.7F}, kEarlyFloor}, {2, {0.5F, 0.9F}, kLateFloor}};
 constexpr Round kBestRounds[] = {
-    {6, {0.5F, 0.9F}, kEarlyFloor}, {10, {0.45F, 0.95F}, kEarlyFloor}, {20, {0.45F, 0.95F}, kLateFloor}};
+    {2, {0.5F, 0.9F}, kEarlyFloor, true}, {2, {0.45F, 0.95F}, kEarlyFloor, true}, {10, {0.45F, 0.95F}, kLateFloor}};
 constexpr ShapeGoal kDefaultGoal{0.8, 35.0, 6};
 constexpr ShapeGoal kBestGoal{0.85, 39.0, 12};
 
@@ -44,7 +47,10 @@ class Improvement {
         const std::span<const Round> rounds = best ? std::span<const Round>(kBestRounds)
                                               : work_.mesh.elements.size() <= kSmallMesh ? kSmallRounds
                                                                                          : kDefaultRounds;
-        stages_ = 2 * static_cast<int>(rounds.size()) + 1;
+        stages_ = 1;
+        for (const Round &round : rounds) {
+            stages_ += round.restructures ? 3 : 2;
+        }
         if (progress_.cancelled()) {
             return report();
         }
@@ -55,7 +61,7 @@ class Improvement {
         }
         std::optional<NodeSmoother> smoother;
         for (const Round &round : rounds) {
-            going = going && swapAndSweep(round, smoother);
+            going = going && swapAndSweep(round, smoother) && (!round.restructures || comeAndGo(round, smoother));
         }
         smoother.reset(); // its memory
         if (going) {
@@ -98,6 +104,22 @@ class Improvement {
             smoother->renewSpacing(progress_.stop);
         }
         report_.moves += smoother->sweep(round.sweeps, round.aims, floor, progress_);
+        return next();
+    }
+
+    bool comeAndGo(const Round &round, std::optional<NodeSmoother> &smoother) {
+        smoother->renewSpacing(progress_.stop);
+        RawVector<float> rho = std::move(*smoother).takeSpacing();
+        smoother.reset();
+        if (progress_.cancelled()) {
+            return false;
+        }
+        const RestructureCounts counts =
+            restructure(work_, std::move(rho), std::max(round.floor, report_.alphaMinBefore), progress_);
+        report_.swaps += counts.turned;
+        report_.merges += counts.merged;
+        report_.divisions += counts.divided;
+        work_.measureAlpha(progress_.stop);
         return next();
     }
 

@@ -4,6 +4,7 @@
 #include "core/improve/workspace.hpp"
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace forefront {
@@ -38,6 +39,8 @@ class NodeSmoother {
 
     /// ρ at the places where the nodes are now.
     void renewSpacing(const std::stop_token &stop = {});
+    /// ρ at the nodes, for other uses; the smoother is of no more use then.
+    RawVector<float> takeSpacing() && { return std::move(rho_); }
 
   private:
     struct Move {

@@ -38,7 +38,8 @@ class MeshingPanel final : public Panel {
             changed = true;
         }
         ImGui::EndGroup();
-        ui::tooltip(context, "Swapping edges and moving inner nodes once the front has closed. Best takes longer.");
+        ui::tooltip(context, "Swapping edges and moving inner nodes once the front has closed. Best takes longer "
+                             "and also adds and removes inner nodes.");
         form::label(context, "Boundary");
         changed = ui::checkbox(context, "meshing/keepboundary", "Keep its segments", options.keepBoundary) || changed;
         ui::tooltip(context, "The segments drawn become edges as they are, however long; no nodes are put between");

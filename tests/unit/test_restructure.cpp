@@ -1,0 +1,421 @@
+#include "core/improve/cutout.hpp"
+#include "core/improve/improve.hpp"
+#include "core/improve/replace.hpp"
+#include "core/improve/restructure.hpp"
+#include "core/mesh/quality.hpp"
+#include "core/mesh/verify.hpp"
+#include "tests/unit/mesh_samples.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <map>
+#include <set>
+#include <thread>
+
+using namespace forefront;
+using samples::node;
+
+namespace {
+
+using Triple = std::array<unsigned, 3>;
+
+/// The element beginning with its least node.
+Triple turned(Triple t) {
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    return t;
+}
+
+/// Elements of a cutout by local nodes.
+std::set<Triple> elementsOf(const Cutout &cutout) {
+    std::set<Triple> all;
+    cutout.forEachElement([&](unsigned a, unsigned b, unsigned c) { CHECK(all.insert(turned({a, b, c})).second); });
+    return all;
+}
+
+/// Directed sides that have no other side in the set.
+std::set<std::pair<unsigned, unsigned>> rimOf(const std::set<Triple> &elements) {
+    std::set<std::pair<unsigned, unsigned>> sides;
+    for (const Triple &t : elements) {
+        for (unsigned k = 0; k < 3; ++k) {
+            CHECK(sides.insert({t[k], t[(k + 1) % 3]}).second);
+        }
+    }
+    std::set<std::pair<unsigned, unsigned>> rim;
+    for (const auto &[a, b] : sides) {
+        if (!sides.contains({b, a})) {
+            rim.insert({a, b});
+        }
+    }
+    return rim;
+}
+
+/// Of each inner node: the ring has no node twice and is as long as the elements around it are many.
+bool ringsFit(const Cutout &cutout) {
+    const std::set<Triple> elements = elementsOf(cutout);
+    for (unsigned n = 0; n < cutout.count(); ++n) {
+        if (!cutout.inner(static_cast<Cutout::Local>(n))) {
+            continue;
+        }
+        const Cutout::Node &at = cutout[n];
+        const std::set<unsigned> ring(at.ring, at.ring + at.size);
+        const auto around = std::count_if(elements.begin(), elements.end(),
+                                          [n](const Triple &t) { return std::find(t.begin(), t.end(), n) != t.end(); });
+        if (ring.size() != at.size || around != at.size || at.valence != at.size) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// A square with an inner line, a tagged point and two regions, and lengths for its nodes.
+struct Sample {
+    Mesh mesh;
+    RawVector<float> rho;
+};
+
+Sample sample(std::size_t n, std::uint64_t seed) {
+    Sample made{samples::square(n, n, 0.2, {}, seed), {}};
+    Mesh &mesh = made.mesh;
+    for (const Element &e : mesh.elements) {
+        const std::size_t column = std::min({index(e[0]) % (n + 1), index(e[1]) % (n + 1), index(e[2]) % (n + 1)});
+        mesh.regions.push_back(column < n / 2 ? 4 : 9);
+    }
+    for (std::size_t i = 0; i < n / 3; ++i) {
+        mesh.edges.push_back({node(n / 3 * (n + 1) + i), node(n / 3 * (n + 1) + i + 1), 8});
+    }
+    mesh.points = {{node((n - 2) * (n + 1) + n - 2), 3}};
+    made.rho.assign(mesh.nodes.size(), 1.1F / static_cast<float>(n));
+    return made;
+}
+
+std::size_t irregular(const Mesh &mesh) {
+    const auto valence = measure(mesh, nullptr).valence;
+    std::size_t sum = 0;
+    for (std::size_t v = 0; v < valence.size(); ++v) {
+        sum += v == 6 ? 0 : valence[v];
+    }
+    return sum;
+}
+
+double areaOf(const Mesh &mesh, std::int32_t region) {
+    double area = 0.0;
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+        const Element &n = mesh.elements[e];
+        const Vec2 a = mesh.nodes[index(n[0])];
+        area += mesh.region(e) == region ? 0.5 * cross(mesh.nodes[index(n[1])] - a, mesh.nodes[index(n[2])] - a) : 0.0;
+    }
+    return area;
+}
+
+/// All that must be where it was after any change of the nodes.
+void checkKept(const Mesh &mesh, const Mesh &before) {
+    const Diagnostics faults = verify(mesh);
+    REQUIRE_MESSAGE(faults.empty(), samples::list(faults));
+    REQUIRE(mesh.edges.size() == before.edges.size());
+    for (std::size_t i = 0; i < mesh.edges.size(); ++i) {
+        const TaggedEdge &is = mesh.edges[i], &was = before.edges[i];
+        CHECK(is.tag == was.tag);
+        CHECK(mesh.nodes[index(is.a)] == before.nodes[index(was.a)]);
+        CHECK(mesh.nodes[index(is.b)] == before.nodes[index(was.b)]);
+    }
+    REQUIRE(mesh.points.size() == before.points.size());
+    CHECK(mesh.nodes[index(mesh.points[0].node)] == before.nodes[index(before.points[0].node)]);
+    for (const std::int32_t region : {4, 9}) {
+        CHECK(areaOf(mesh, region) == doctest::Approx(areaOf(before, region)).epsilon(1e-9));
+    }
+}
+
+/// Neighbours, valences and rings are those of the mesh.
+void checkFits(const ImproveWorkspace &work) {
+    Mesh copy = work.mesh;
+    ThreadPool pool(1);
+    const ImproveWorkspace fresh(copy, pool);
+    CHECK(work.twin == fresh.twin);
+    CHECK(work.fixed == fresh.fixed);
+    CHECK(work.valence == fresh.valence);
+    CHECK(work.alpha.size() == fresh.alpha.size());
+    REQUIRE(work.rings.size() == fresh.rings.size());
+    for (std::size_t n = 0; n < copy.nodes.size(); ++n) {
+        CHECK(work.from(work.start[n]) == node(n));
+        if (work.isFree(n)) {
+            std::vector<NodeId> ring, walked;
+            work.ringOfFree(n, [&](NodeId m) { ring.push_back(m); });
+            work.aroundFree(node(n), [&](HalfEdge h) { walked.push_back(work.to(h)); });
+            CHECK(ring == walked);
+        }
+    }
+}
+
+} // namespace
+
+TEST_CASE("Cutout: holds the elements around three rings of free nodes; held nodes lie on the rim") {
+    Sample made = sample(14, 5);
+    ThreadPool pool(1);
+    const ImproveWorkspace work(made.mesh, pool);
+    std::size_t taken = 0;
+    for (std::size_t n = 0; n < made.mesh.nodes.size(); ++n) {
+        Cutout cutout;
+        if (!cutout.take(work, made.rho, node(n))) {
+            continue;
+        }
+        ++taken;
+        CHECK(cutout[0].id == node(n));
+        CHECK(ringsFit(cutout));
+        const std::set<Triple> elements = elementsOf(cutout);
+        std::set<Element> real;
+        for (const Element &e : made.mesh.elements) {
+            real.insert({e[0], e[1], e[2]});
+        }
+        for (const Triple &t : elements) {
+            const std::array<NodeId, 3> ids = {cutout[t[0]].id, cutout[t[1]].id, cutout[t[2]].id};
+            CHECK((real.contains({ids[0], ids[1], ids[2]}) || real.contains({ids[1], ids[2], ids[0]}) ||
+                   real.contains({ids[2], ids[0], ids[1]})));
+        }
+        for (unsigned i = 0; i < cutout.count(); ++i) {
+            const auto local = static_cast<Cutout::Local>(i);
+            CHECK((!cutout.inner(local) || work.isFree(cutout[i].id)));
+            CHECK(distance(cutout.place(local), work.at(cutout[i].id)) < 1e-6);
+        }
+    }
+    CHECK(taken > 50);
+    CHECK_FALSE(Cutout().take(work, made.rho, node(0))); // a corner
+}
+
+TEST_CASE("Cutout: each change keeps the rim and the rings and changes the number of elements as it says") {
+    std::map<int, std::size_t> done;
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+        Sample made = sample(12, seed);
+        ThreadPool pool(1);
+        const ImproveWorkspace work(made.mesh, pool);
+        const auto look = [&](const Cutout &was, const Cutout &is, int more) {
+            ++done[more];
+            CHECK(ringsFit(is));
+            const std::set<Triple> before = elementsOf(was), after = elementsOf(is);
+            CHECK(rimOf(after) == rimOf(before));
+            CHECK(static_cast<int>(after.size()) - static_cast<int>(before.size()) == more);
+        };
+        for (std::size_t n = 0; n < made.mesh.nodes.size(); ++n) {
+            Cutout was;
+            if (!was.take(work, made.rho, node(n))) {
+                continue;
+            }
+            for (unsigned k = 0; k < was[0].size; ++k) {
+                const Cutout::Local b = was[0].ring[k], c = was[0].ring[(k + 1U) % was[0].size];
+                const auto attempt = [&](int more, auto &&change) {
+                    Cutout is = was;
+                    if (change(is)) {
+                        look(was, is, more);
+                        if (is.tidy()) {
+                            look(was, is, more);
+                        }
+                    }
+                };
+                attempt(0, [&](Cutout &is) { return is.turn(0, b); });
+                attempt(0, [&](Cutout &is) { return is.turn(b, c); });
+                attempt(-2, [&](Cutout &is) { return is.merge(0, b); });
+                attempt(-2, [&](Cutout &is) { return is.merge(b, c); });
+                attempt(+2, [&](Cutout &is) { return is.divide(0, k, 2); });
+            }
+        }
+    }
+    CHECK(done[0] > 500);
+    CHECK(done[-2] > 500);
+    CHECK(done[+2] > 500);
+}
+
+TEST_CASE("Cutout: a regular piece of a lattice has no loss over the usual, and stays as it is when relaxed") {
+    // Equilateral elements with side 1 in a rhombus.
+    constexpr std::size_t kSide = 9;
+    Mesh mesh;
+    for (std::size_t j = 0; j < kSide; ++j) {
+        for (std::size_t i = 0; i < kSide; ++i) {
+            mesh.nodes.push_back(
+                {static_cast<double>(i) + 0.5 * static_cast<double>(j), 0.8660254037844386 * static_cast<double>(j)});
+        }
+    }
+    for (std::size_t j = 0; j + 1 < kSide; ++j) {
+        for (std::size_t i = 0; i + 1 < kSide; ++i) {
+            const NodeId a = node(j * kSide + i), b = node(j * kSide + i + 1), c = node((j + 1) * kSide + i),
+                         d = node((j + 1) * kSide + i + 1);
+            mesh.elements.insert(mesh.elements.end(), {{a, b, c}, {b, d, c}});
+        }
+    }
+    ThreadPool pool(1);
+    const ImproveWorkspace work(mesh, pool);
+    const std::vector<float> rho(mesh.nodes.size(), 1.0F);
+    Cutout cutout;
+    REQUIRE(cutout.take(work, rho, node(kSide * kSide / 2)));
+    CHECK(cutout.count() == 37);
+    CHECK(elementsOf(cutout).size() == 54);
+    const Cutout::Loss loss = cutout.loss();
+    CHECK(loss.sum < 0.0F);
+    CHECK(loss.least == doctest::Approx(1.0));
+    CHECK(loss.stretch == doctest::Approx(0.0).epsilon(1e-5));
+    cutout.relax(3, {0.5F, 0.9F});
+    for (unsigned n = 0; n < cutout.count(); ++n) {
+        CHECK(distance(cutout.place(static_cast<Cutout::Local>(n)), work.at(cutout[n].id)) < 1e-5);
+    }
+}
+
+TEST_CASE("Replacer: many changes leave neighbours, valences and rings those of the mesh") {
+    Sample made = sample(20, 9);
+    const Mesh before = made.mesh;
+    ThreadPool pool(1);
+    ImproveWorkspace work(made.mesh, pool);
+    Replacer replacer(work, made.rho);
+    samples::Random random(4);
+    std::size_t changed = 0, refused = 0;
+    for (int i = 0; i < 1500; ++i) {
+        const NodeId site = node(random.below(work.mesh.nodes.size()));
+        Cutout was;
+        if (!work.isFree(site) || !was.take(work, made.rho, site)) {
+            continue;
+        }
+        Cutout is = was;
+        const auto k = static_cast<unsigned>(random.below(was[0].size));
+        const bool possible = i % 3 == 0   ? is.turn(0, was[0].ring[k])
+                              : i % 3 == 1 ? is.merge(0, was[0].ring[k])
+                                           : is.divide(0, k, 2);
+        if (!possible) {
+            continue;
+        }
+        is.relax(2, {0.5F, 0.9F});
+        if (i % 7 == 0) { // a fold
+            is = was;
+            is.relax(1, {9.0F, -40.0F});
+        }
+        const std::uint64_t hash = meshHash(work.mesh);
+        if (replacer.replace(was, is, 0.05)) {
+            ++changed;
+        } else {
+            ++refused;
+            CHECK(meshHash(work.mesh) == hash);
+        }
+    }
+    CHECK(changed > 400);
+    CHECK(refused > 20);
+    replacer.compact();
+    checkFits(work);
+    CHECK(made.rho.size() == made.mesh.nodes.size());
+    checkKept(made.mesh, before);
+    CHECK(measure(made.mesh, nullptr).alphaMin >= 0.05);
+}
+
+TEST_CASE("Replacer: an element below the floor refuses the change") {
+    Sample made = sample(10, 2);
+    ThreadPool pool(1);
+    ImproveWorkspace work(made.mesh, pool);
+    Replacer replacer(work, made.rho);
+    Cutout was;
+    REQUIRE(was.take(work, made.rho, node(6 * 11 + 7)));
+    Cutout is = was;
+    is.relax(1, {0.5F, 0.9F});
+    const std::uint64_t hash = meshHash(made.mesh);
+    CHECK_FALSE(replacer.replace(was, is, 0.999));
+    CHECK(meshHash(made.mesh) == hash);
+    CHECK(replacer.replace(was, is, static_cast<double>(is.loss().least) - 1e-4));
+    CHECK(meshHash(made.mesh) != hash);
+}
+
+TEST_CASE("restructure: fewer irregular nodes, shapes better, what is held stays, the least α does not fall") {
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        Sample made = sample(40, seed);
+        improve(made.mesh); // as smooth as it can be with the nodes it has
+        const Mesh before = made.mesh;
+        ThreadPool pool(2);
+        ImproveWorkspace work(made.mesh, pool);
+        const double least = work.measureAlpha();
+        const RestructureCounts counts = restructure(work, made.rho, least, {});
+        checkFits(work);
+        CHECK(counts.turned > 0);
+        CHECK(counts.merged + counts.divided > 0);
+        CHECK(made.mesh.nodes.size() == before.nodes.size() - counts.merged + counts.divided);
+        CHECK(made.mesh.elements.size() == before.elements.size() - 2 * counts.merged + 2 * counts.divided);
+        CHECK(irregular(made.mesh) < irregular(before));
+        CHECK(measure(made.mesh, nullptr).alphaMean > measure(before, nullptr).alphaMean);
+        CHECK(measure(made.mesh, nullptr).alphaMin >= least);
+        checkKept(made.mesh, before);
+    }
+}
+
+TEST_CASE("restructure: one, two, three and eight threads make the same mesh bit for bit") {
+    const Sample raw = sample(120, 3);
+    std::set<std::uint64_t> hashes;
+    for (const unsigned threads : {1U, 2U, 3U, 8U}) {
+        Mesh mesh = raw.mesh;
+        ThreadPool pool(threads);
+        ImproveWorkspace work(mesh, pool);
+        restructure(work, raw.rho, 0.01, {});
+        hashes.insert(meshHash(mesh));
+    }
+    CHECK(hashes.size() == 1);
+}
+
+TEST_CASE("restructure: lengths out of the range of floats leave the mesh as it is") {
+    for (const float rho : {0.0F, 1e-45F, std::numeric_limits<float>::infinity()}) {
+        Sample made = sample(12, 1);
+        const std::uint64_t hash = meshHash(made.mesh);
+        ThreadPool pool(1);
+        ImproveWorkspace work(made.mesh, pool);
+        restructure(work, RawVector<float>(made.rho.size(), rho), 0.0, {});
+        CHECK(meshHash(made.mesh) == hash);
+    }
+}
+
+TEST_CASE("improve: the best level, cancelled at any stage, leaves a valid mesh and what is held") {
+    const Sample raw = sample(24, 6);
+    int stages = 0;
+    for (int stopAt = 0; stopAt <= stages; ++stopAt) {
+        Mesh mesh = raw.mesh;
+        std::stop_source stop;
+        Progress progress;
+        progress.stop = stop.get_token();
+        int calls = 0;
+        double last = 0.0;
+        progress.report = [&](std::string_view, double fraction) {
+            CHECK(fraction >= last);
+            CHECK(fraction <= 1.0);
+            last = fraction;
+            if (++calls == stopAt) {
+                stop.request_stop();
+            }
+        };
+        const ImproveReport report = improve(mesh, {ImproveLevel::Best, 2, nullptr}, progress);
+        stages = std::max(stages, calls);
+        checkKept(mesh, raw.mesh);
+        CHECK(report.alphaMinAfter <= measure(mesh, nullptr).alphaMin);
+        CHECK(measure(mesh, nullptr).alphaMin >= measure(raw.mesh, nullptr).alphaMin);
+    }
+    CHECK(stages >= 9);
+}
+
+TEST_CASE("restructure: stopped in the midst of a round it leaves a valid mesh") {
+    Sample made = sample(60, 8);
+    const Mesh before = made.mesh;
+    std::stop_source stop;
+    stop.request_stop();
+    Progress progress;
+    progress.stop = stop.get_token();
+    ThreadPool pool(1);
+    ImproveWorkspace work(made.mesh, pool);
+    const RestructureCounts counts = restructure(work, made.rho, 0.01, progress);
+    CHECK(counts.turned + counts.merged + counts.divided == 0);
+    CHECK(meshHash(made.mesh) == meshHash(before));
+    // From another thread, at a moment by chance.
+    for (int i = 0; i < 10; ++i) {
+        Mesh mesh = before;
+        std::stop_source later;
+        Progress watched;
+        watched.stop = later.get_token();
+        std::jthread stopper([&] {
+            std::this_thread::sleep_for(std::chrono::microseconds(300 * i));
+            later.request_stop();
+        });
+        ImproveWorkspace again(mesh, pool);
+        restructure(again, made.rho, 0.01, watched);
+        checkKept(mesh, before);
+    }
+}
