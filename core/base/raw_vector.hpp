@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/large_pages.hpp"
+
 #include <memory>
 #include <type_traits>
 #include <utility>
@@ -8,7 +10,7 @@
 namespace forefront {
 
 /// Allocates as std::allocator does, but leaves elements that are given no value as the memory comes: so that the
-/// threads that write them first touch it, not the one that asks for it.
+/// threads that write them first touch it, not the one that asks for it. In large pages where that can be had.
 template <class T>
 struct RawAllocator : std::allocator<T> {
     static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
@@ -21,6 +23,11 @@ struct RawAllocator : std::allocator<T> {
     template <class U>
     explicit RawAllocator(const RawAllocator<U> &) {}
 
+    T *allocate(std::size_t count) {
+        T *const memory = std::allocator<T>::allocate(count);
+        preferLargePages(memory, count * sizeof(T));
+        return memory;
+    }
     template <class U>
     void construct(U *) noexcept {}
     template <class U, class... Arguments>

@@ -1,5 +1,6 @@
 #include "core/mesher/mesher.hpp"
 
+#include "core/base/large_pages.hpp"
 #include "core/domain/estimate.hpp"
 #include "core/grid/hierarchical_grid.hpp"
 #include "core/grid/no_grid.hpp"
@@ -161,6 +162,9 @@ void Mesher::reserve(std::uint64_t elements) {
     if (state_.manyRegions) {
         state_.elementRegions.reserve(elements);
     }
+    // Half of the room will be used for certain; large pages farther on might be touched in vain.
+    preferLargePages(state_.elements.data(), elements / 2 * sizeof(Element));
+    preferLargePages(state_.nodes.data(), elements / 4 * sizeof(Vec2));
 }
 
 Mesh toMesh(const FrontState &state, const DiscreteDomain &boundary) {
