@@ -74,6 +74,12 @@ std::string statisticsJson(const RunReport &report) {
     json["front_mean"] = report.work.frontMean();
     json["neighbours_mean"] = report.work.neighboursMean();
     json["tests_mean"] = report.work.testsMean();
+    const auto perElement = [&](std::uint64_t sum) {
+        return report.work.elements == 0 ? 0.0 : static_cast<double>(sum) / static_cast<double>(report.work.elements);
+    };
+    json["cells_mean"] = perElement(report.work.cellsVisited);
+    json["candidates_mean"] = perElement(report.work.candidates);
+    json["forced_mean"] = perElement(report.work.forced);
     json["improve"] = kImproveLevels[static_cast<std::size_t>(report.improve)];
     json["seconds_prepare"] = report.secondsPrepare;
     json["seconds_mesh"] = report.secondsMesh;

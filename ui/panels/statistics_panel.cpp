@@ -64,6 +64,13 @@ class StatisticsPanel final : public Panel {
         cell(context, "min \xe2\x88\xa0", ui::format("%.1f\xc2\xb0", q.minAngle), "Least angle");
         cell(context, "Ns", ui::format("%.3f", w.testsMean()), "Mean segments tested exactly per element");
         cell(context, "max \xe2\x88\xa0", ui::format("%.1f\xc2\xb0", q.maxAngle), "Greatest angle");
+        const auto perElement = [&w](std::uint64_t sum) {
+            return w.elements == 0 ? 0.0 : static_cast<double>(sum) / static_cast<double>(w.elements);
+        };
+        cell(context, "cells", ui::format("%.2f", perElement(w.cellsVisited)),
+             "Cells of the background grid visited per element");
+        cell(context, "candidates", ui::format("%.2f", perElement(w.candidates)),
+             "Candidate nodes considered per element");
         cell(context, "new nodes", ui::count(w.newNodes), "Advances that made a node");
         cell(context, "deferred", ui::count(w.deferrals), "Advances without an element: the base was put back");
         cell(context, "time", timeText(run.secondsMesh), "Advancing the front, processor time");

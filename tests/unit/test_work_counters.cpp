@@ -1,0 +1,69 @@
+#include "core/mesher/mesher.hpp"
+#include "core/mesher/pipeline.hpp"
+#include "tests/bench/scenes.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+using namespace forefront;
+
+namespace {
+
+/// Greatest work per element, some 10 % above what it was when this was written. Raise a bound only with a reason: an
+/// element that costs more work takes longer on every machine, which no test by the clock can tell.
+struct Bounds {
+    const char *scene;
+    double size;
+    Method method;
+    double tests;      ///< exact tests of segments
+    double cells;      ///< cells visited
+    double candidates; ///< apexes considered
+    double delivered;  ///< segments delivered by the grid
+    double forced;     ///< elements made by the closing stage
+};
+
+constexpr Bounds kBounds[] = {
+    {"square", 1e4, Method::Fast, 0.0016, 0.85, 0.62, 7.8, 0.0},
+    {"disc", 1e4, Method::Fast, 0.0047, 0.95, 0.67, 10.1, 0.0},
+    {"graded", 0.1, Method::Fast, 0.0103, 1.33, 0.75, 11.4, 0.0},
+    {"ramp", 2e4, Method::Fast, 0.0027, 0.92, 0.61, 10.1, 0.0},
+    {"islands", 3e4, Method::Fast, 0.0159, 1.75, 0.81, 10.1, 0.0},
+    {"square", 1e4, Method::Classic, 0.0385, 2.63, 2.79, 21.7, 0.0},
+    {"disc", 1e4, Method::Classic, 0.0107, 2.50, 2.80, 26.3, 0.0},
+    {"graded", 0.1, Method::Classic, 0.0525, 5.05, 2.46, 17.3, 0.0},
+    {"ramp", 2e4, Method::Classic, 0.0330, 2.95, 2.61, 15.9, 0.0},
+    {"islands", 3e4, Method::Classic, 0.0910, 4.91, 2.36, 12.4, 0.0},
+};
+
+} // namespace
+
+TEST_CASE("Work counters: the standard scenes cost no more work per element than they did") {
+    for (const Bounds &bounds : kBounds) {
+        const std::string scene = std::string(bounds.scene) + (bounds.method == Method::Fast ? ", fast" : ", classic");
+        CAPTURE(scene);
+        std::optional<bench::Scene> made = bench::makeScene(bounds.scene, bounds.size);
+        REQUIRE(made);
+        made->job.options.method = bounds.method;
+        const Result<PreparedJob> prepared = prepare(made->job);
+        REQUIRE(prepared);
+        const auto mesher = Mesher::create(prepared->boundary, prepared->spacing, made->job.options);
+        mesher->advance(~std::uint64_t{0});
+        REQUIRE(mesher->finished());
+        const WorkCounters &work = mesher->state().work;
+        const auto perElement = [&](std::uint64_t sum) {
+            return static_cast<double>(sum) / static_cast<double>(work.elements);
+        };
+        REQUIRE(work.elements > 5000);
+        CHECK(perElement(work.tested) <= bounds.tests);
+        CHECK(perElement(work.cellsVisited) <= bounds.cells);
+        CHECK(perElement(work.candidates) <= bounds.candidates);
+        CHECK(perElement(work.delivered) <= bounds.delivered);
+        CHECK(perElement(work.forced) <= bounds.forced);
+        // Counters that count nothing would pass any bound.
+        CHECK(work.tested > 0);
+        CHECK(perElement(work.cellsVisited) > 0.5 * bounds.cells);
+        CHECK(perElement(work.candidates) > 0.5 * bounds.candidates);
+        CHECK(perElement(work.delivered) > 0.5 * bounds.delivered);
+    }
+}
