@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/canvas/camera.hpp"
+#include "ui/field_focus.hpp"
 
 #include <map>
 #include <string>
@@ -18,8 +19,14 @@ class WidgetRegistry {
     };
     using Map = std::map<std::string, Widget, std::less<>>;
 
-    void beginFrame() { current_.clear(); }
-    void endFrame() { last_.swap(current_); }
+    void beginFrame() {
+        current_.clear();
+        fields.beginFrame();
+    }
+    void endFrame() {
+        last_.swap(current_);
+        fields.endFrame();
+    }
     void add(std::string_view name, const Widget &widget) { current_.insert_or_assign(std::string(name), widget); }
     /// Of the last whole frame; null if it was not drawn.
     const Widget *find(std::string_view name) const {
@@ -28,8 +35,7 @@ class WidgetRegistry {
     }
     const Map &all() const { return last_; }
 
-    /// Numbers being typed into fields, until the field is left.
-    std::map<std::string, double, std::less<>> typedNumbers;
+    FieldFocus fields;
 
   private:
     Map current_, last_;

@@ -253,41 +253,6 @@ bool thinSlider(AppContext &context, std::string_view name, double &t, std::stri
     return changed;
 }
 
-bool inputText(AppContext &context, std::string_view name, std::string &value, std::string_view hint, float width,
-               bool onEnter, bool focus) {
-    const Id id(name);
-    ImGui::SetNextItemWidth(widthOf(context, width));
-    if (focus) {
-        ImGui::SetKeyboardFocusHere();
-    }
-    const ImGuiInputTextFlags flags = onEnter ? ImGuiInputTextFlags_EnterReturnsTrue : ImGuiInputTextFlags_None;
-    const bool changed = ImGui::InputTextWithHint("##text", std::string(hint).c_str(), &value, flags);
-    mark(context, name);
-    return changed;
-}
-
-bool inputNumber(AppContext &context, std::string_view name, double &value, const char *unit, float width) {
-    const Id id(name);
-    ImGui::SetNextItemWidth(widthOf(context, width));
-    double entered = value;
-    const std::string pattern = std::string("%.6g") + (*unit != 0 ? " " : "") + unit;
-    ImGui::InputDouble("##number", &entered, 0.0, 0.0, pattern.c_str(), ImGuiInputTextFlags_AutoSelectAll);
-    mark(context, name);
-    // Dear ImGui parses while typing; the number counts once the field is left, so that "12" is not first a 1.
-    auto &typed = context.widgets.typedNumbers;
-    if (entered != value && std::isfinite(entered)) {
-        typed.insert_or_assign(std::string(name), entered);
-    }
-    const auto found = typed.find(name);
-    if (found == typed.end() || ImGui::IsItemActive()) {
-        return false;
-    }
-    const bool changed = ImGui::IsItemDeactivatedAfterEdit() && found->second != value;
-    value = changed ? found->second : value;
-    typed.erase(found);
-    return changed;
-}
-
 bool selectable(AppContext &context, std::string_view name, std::string_view label, bool selected,
                 std::string_view detail) {
     const Id id(name);

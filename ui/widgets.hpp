@@ -41,9 +41,19 @@ bool thinSlider(AppContext &context, std::string_view name, double &t, std::stri
 /// Text in one line. True when it changed (with `onEnter`: when Enter was pressed).
 bool inputText(AppContext &context, std::string_view name, std::string &value, std::string_view hint = {},
                float width = -1.0F, bool onEnter = false, bool focus = false);
-/// A number as text; accepts only finite numbers. True when a new number was entered and Enter or Tab pressed or the
-/// field left.
-bool inputNumber(AppContext &context, std::string_view name, double &value, const char *unit = "", float width = -1.0F);
+/// Text that counts once its field is left, by Enter, Tab or a click elsewhere; Esc leaves it as it was. True in the
+/// frame in which it is left with another text, which is then in `value`. `selectAll`: entering it selects the text.
+bool entry(AppContext &context, std::string_view name, std::string &value, std::string_view hint = {},
+           float width = -1.0F, bool selectAll = false);
+/// The same with a number. What is no finite number is told in the log and changes nothing.
+bool inputNumber(AppContext &context, std::string_view name, double &value, float width = -1.0F);
+/// The number that was typed; none: told in the log.
+std::optional<double> typedNumber(AppContext &context, const std::string &typed);
+/// What the field that has the keyboard can take back or do again; nothing while none has it.
+struct Typing {
+    bool active = false, canUndo = false, canRedo = false;
+};
+Typing typing();
 /// A whole line that can be chosen. True when clicked.
 bool selectable(AppContext &context, std::string_view name, std::string_view label, bool selected,
                 std::string_view detail = {});

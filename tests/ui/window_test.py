@@ -113,6 +113,17 @@ def run(program, folder):
         window.drag(*around(60))
         window.wait("two shapes", lambda s: s["shapes"] == 2)
 
+        print("a size, typed and taken back")
+        for panel in ("layers", "inspector"):
+            window.click(f"panel/{panel}")
+        drawn = window.state()["revision"]
+        window.click("spacing/size")
+        window.xdotool("type", "--delay", "15", "0.9")
+        window.key("Tab")
+        window.wait("the size to be taken", lambda s: s["revision"] != drawn)
+        window.key("ctrl+z")
+        window.wait("the size to be taken back", lambda s: s["revision"] == drawn and s["shapes"] == 2)
+
         print("painting")
         window.key("b")
         window.wait("the brush", lambda s: s["tool"] == "brush")

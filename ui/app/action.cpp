@@ -71,6 +71,12 @@ bool ActionRegistry::run(std::string_view id, AppContext &context) const {
     return true;
 }
 
+bool ActionRegistry::knows(Shortcut shortcut) const {
+    return std::any_of(actions_.begin(), actions_.end(), [&](const Action &a) {
+        return std::find(a.shortcuts.begin(), a.shortcuts.end(), shortcut) != a.shortcuts.end();
+    });
+}
+
 bool ActionRegistry::runShortcut(Shortcut shortcut, bool repeated, AppContext &context) const {
     for (const Action &action : actions_) {
         const bool matches =

@@ -41,6 +41,8 @@ class ActionRegistry {
     const std::vector<Action> &all() const { return actions_; }
     /// Runs the enabled action of a shortcut. False if there is none.
     bool runShortcut(Shortcut shortcut, bool repeated, AppContext &context) const;
+    /// Some action has that shortcut, enabled or not.
+    bool knows(Shortcut shortcut) const;
     bool run(std::string_view id, AppContext &context) const;
 
   private:

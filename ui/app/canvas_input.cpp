@@ -1,11 +1,13 @@
 #include "ui/app/canvas_input.hpp"
 
 #include "ui/app/app_context.hpp"
+#include "ui/widgets.hpp"
 
 #include <imgui.h>
 #include <imgui_internal.h>
 
 #include <cmath>
+#include <utility>
 
 namespace forefront {
 
@@ -41,7 +43,7 @@ void CanvasInput::dispatch(const InputEvent &event, AppContext &context) {
         key(event, context);
         break;
     case InputKind::Text:
-        if (!ImGui::GetIO().WantTextInput && !context.dialogs.any()) {
+        if (!ui::typing().active && !context.dialogs.any()) {
             offer({.kind = CanvasEvent::Kind::Text, .character = static_cast<char32_t>(event.code)}, context);
         }
         break;
@@ -100,7 +102,7 @@ void CanvasInput::button(const InputEvent &event, AppContext &context) {
     if (!canvasFree(context) || !context.view.camera.viewport.contains(pixel_) || held_ || panning_) {
         return;
     }
-    if (ImGui::GetIO().WantTextInput) {
+    if (ui::typing().active) {
         return; // the click ends the editing of a field, which takes its text before anything else is selected
     }
     if (which == MouseButton::Middle || (spaceDown_ && which == MouseButton::Left)) {
@@ -138,6 +140,35 @@ void CanvasInput::spaceKey(const InputEvent &event, AppContext &context) {
     }
 }
 
+/// A field keeps the keys that type and edit text. Shortcuts with Ctrl and function keys are the program's: the field
+/// takes what was typed, then they run. Undo and redo are the field's as long as it has something to undo or redo.
+void CanvasInput::fieldKey(const InputEvent &event, AppContext &context) {
+    const bool functionKey = event.code >= key::kF1 && event.code < key::kF1 + 12;
+    if (!event.pressed || (!modifiers_.control() && !functionKey)) {
+        return;
+    }
+    const Shortcut shortcut{event.code, modifiers_};
+    const ui::Typing typing = ui::typing();
+    const bool redo = (event.code == 'Z' && modifiers_.shift()) || event.code == 'Y';
+    const bool undo = event.code == 'Z' && !modifiers_.shift();
+    const bool clipboard =
+        (event.code == 'A' || event.code == 'C' || event.code == 'V' || event.code == 'X') && !modifiers_.shift();
+    if ((undo && typing.canUndo) || (redo && typing.canRedo) || clipboard) {
+        return;
+    }
+    if (context.actions.knows(shortcut) && !event.repeated) {
+        context.widgets.fields.leave();
+        waiting_ = shortcut;
+    }
+}
+
+void CanvasInput::runWaiting(AppContext &context) {
+    if (const std::optional<Shortcut> shortcut = std::exchange(waiting_, std::nullopt)) {
+        context.actions.runShortcut(*shortcut, false, context);
+        context.animate();
+    }
+}
+
 void CanvasInput::key(const InputEvent &event, AppContext &context) {
     const ImGuiIO &io = ImGui::GetIO();
     modifiers_.bits =
@@ -150,7 +181,11 @@ void CanvasInput::key(const InputEvent &event, AppContext &context) {
         }
         return;
     }
-    if (io.WantTextInput || context.dialogs.any()) {
+    if (context.dialogs.any()) {
+        return;
+    }
+    if (ui::typing().active) {
+        fieldKey(event, context);
         return;
     }
     if (event.code == key::kSpace && modifiers_.none()) {

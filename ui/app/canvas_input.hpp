@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/app/action.hpp"
 #include "ui/input/input_queue.hpp"
 #include "ui/tools/tool.hpp"
 
@@ -13,12 +14,15 @@ class CanvasInput {
     /// Call between Dear ImGui's NewFrame and the building of the windows.
     void dispatch(const InputEvent &event, AppContext &context);
     bool panning() const { return panning_; }
+    /// Runs the shortcut that took the keyboard from a text field, now that the field has taken what was typed.
+    void runWaiting(AppContext &context);
 
   private:
     void move(const InputEvent &event, AppContext &context);
     void button(const InputEvent &event, AppContext &context);
     void scroll(const InputEvent &event, AppContext &context);
     void key(const InputEvent &event, AppContext &context);
+    void fieldKey(const InputEvent &event, AppContext &context);
     void spaceKey(const InputEvent &event, AppContext &context);
     bool offer(CanvasEvent event, AppContext &context) const;
     int countClicks(const InputEvent &event, AppContext &context);
@@ -29,6 +33,7 @@ class CanvasInput {
     bool panning_ = false;
     std::optional<MouseButton> held_; ///< pressed on the canvas, for the tool
     bool spaceDown_ = false, spaceUsed_ = false;
+    std::optional<Shortcut> waiting_; ///< for the field to be left
     Vec2 clickPixel_;
     double clickTime_ = -1.0;
     int clicks_ = 0;

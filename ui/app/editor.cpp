@@ -154,7 +154,7 @@ bool Editor::settled() const {
 
 double Editor::sleepSeconds() const {
     const AppContext &c = parts_->context;
-    if (c.redraw > 0 || !parts_->input.empty() || parts_->input.replaying()) {
+    if (c.redraw > 0 || c.widgets.fields.travelling() || !parts_->input.empty() || parts_->input.replaying()) {
         return 0.0;
     }
     const double untilNews = c.run().hasNews() ? parts_->pace.next() - steadySeconds() : 0.5;
@@ -340,7 +340,8 @@ void Editor::frame() {
     if (size.width <= 0 || size.height <= 0) {
         return; // minimised
     }
-    const std::vector<InputEvent> events = p.input.takeFrame();
+    const std::vector<InputEvent> events =
+        c.widgets.fields.travelling() ? std::vector<InputEvent>() : p.input.takeFrame();
     p.refreshLook();
     p.takeResults();
     p.bridge.beginFrame(events, now - p.lastFrame);
@@ -349,6 +350,7 @@ void Editor::frame() {
     p.handleEvents(events);
     p.meshLive();
     p.buildInterface();
+    p.canvasInput.runWaiting(c);
     p.canvas.draw(c);
     p.applyCursor();
     p.bridge.endFrame();

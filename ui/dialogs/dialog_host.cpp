@@ -33,7 +33,7 @@ void DialogHost::drawFrom(std::size_t level, AppContext &context, std::vector<bo
     }
     if (ImGui::BeginPopupModal(title.c_str(), nullptr,
                                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
-                                   ImGuiWindowFlags_NoSavedSettings)) {
+                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav)) {
         ImGui::PushFont(context.fonts.title);
         ImGui::TextUnformatted(dialog.title().c_str());
         ImGui::PopFont();

@@ -41,7 +41,6 @@ void FileDialog::enter(const std::filesystem::path &folder) {
     fault_.clear();
     entries_ = std::move(listed).value();
     folder_ = folder;
-    pathText_ = folder.string();
     replace_.reset();
 }
 
@@ -90,8 +89,9 @@ void FileDialog::drawPath(AppContext &context) {
         enter(folder_.parent_path());
     }
     ImGui::SameLine();
-    if (ui::inputText(context, widget("path"), pathText_, "folder", request_.saves ? 400.0F : 436.0F, true)) {
-        const std::filesystem::path typed = resolved(folder_, pathText_);
+    std::string path = folder_.string();
+    if (ui::entry(context, widget("path"), path, "folder", request_.saves ? 400.0F : 436.0F)) {
+        const std::filesystem::path typed = resolved(folder_, path);
         std::error_code ignored;
         if (std::filesystem::is_directory(typed, ignored)) {
             enter(typed);

@@ -54,7 +54,6 @@ class FileDialog : public Dialog {
 
     FileRequest request_;
     std::filesystem::path folder_;
-    std::string pathText_;
     std::vector<FileEntry> entries_;
     std::string fault_;
     std::optional<std::filesystem::path> replace_; ///< asked whether to replace this file

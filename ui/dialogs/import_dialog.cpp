@@ -41,7 +41,7 @@ bool ImportDialog::draw(AppContext &context) {
     ui::muted(context, "One unit of the file is");
     ImGui::SameLine();
     double scale = scale_;
-    if (ui::inputNumber(context, "dialog/importoptions/scale", scale, "", 100.0F) && scale > 0.0) {
+    if (ui::inputNumber(context, "dialog/importoptions/scale", scale, 100.0F) && scale > 0.0) {
         scale_ = scale;
     }
     ImGui::SameLine();

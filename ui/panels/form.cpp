@@ -1,7 +1,6 @@
 #include "ui/panels/form.hpp"
 
 #include "ui/app/app_context.hpp"
-#include "ui/tools/numeric_entry.hpp"
 #include "ui/widgets.hpp"
 
 #include <imgui.h>
@@ -28,7 +27,7 @@ float halfWidth(const AppContext &context) {
 bool optionalField(AppContext &context, const std::string &name, std::optional<double> &value, const char *hint,
                    float width) {
     std::string typed = value ? ui::number(*value, 6) : std::string();
-    if (!ui::inputText(context, name, typed, hint, width, true) && !ImGui::IsItemDeactivatedAfterEdit()) {
+    if (!ui::entry(context, name, typed, hint, width, true)) {
         return false;
     }
     if (typed.find_first_not_of(' ') == std::string::npos) {
@@ -36,9 +35,8 @@ bool optionalField(AppContext &context, const std::string &name, std::optional<d
         value.reset();
         return had;
     }
-    const std::optional<double> entered = parseNumber(typed);
+    const std::optional<double> entered = ui::typedNumber(context, typed);
     if (!entered) {
-        context.log.add(error("bad-number", "\"" + typed + "\" is not a number", "enter a number such as 0.25"));
         return false;
     }
     const bool changed = value != entered;
@@ -49,26 +47,25 @@ bool optionalField(AppContext &context, const std::string &name, std::optional<d
 bool pair(AppContext &context, const std::string &name, const char *text, Vec2 &value) {
     label(context, text);
     const float half = halfWidth(context);
-    const bool x = ui::inputNumber(context, name + "/x", value.x, "", half);
+    const bool x = ui::inputNumber(context, name + "/x", value.x, half);
     ImGui::SameLine(0, context.px(6));
-    const bool y = ui::inputNumber(context, name + "/y", value.y, "", half);
+    const bool y = ui::inputNumber(context, name + "/y", value.y, half);
     return x || y;
 }
 
 bool text(AppContext &context, const std::string &name, const char *text, std::string &value, const char *hint) {
     label(context, text);
-    return ui::inputText(context, name, value, hint, -1.0F, true) || ImGui::IsItemDeactivatedAfterEdit();
+    return ui::entry(context, name, value, hint);
 }
 
 bool tag(AppContext &context, const std::string &name, const char *text, std::int32_t &value,
          const std::string &shownName, std::optional<std::string> &rename) {
     label(context, text);
     double number = value;
-    const bool changed = ui::inputNumber(context, name, number, "", 48.0F) && number >= 1.0 && number <= 1e9;
+    const bool changed = ui::inputNumber(context, name, number, 48.0F) && number >= 1.0 && number <= 1e9;
     ImGui::SameLine(0, context.px(6));
     std::string typed = shownName;
-    const bool entered = ui::inputText(context, name + "/name", typed, "name", -1.0F, true);
-    if ((entered || ImGui::IsItemDeactivatedAfterEdit()) && typed != shownName) {
+    if (ui::entry(context, name + "/name", typed, "name")) {
         rename = typed;
     }
     if (changed) {

@@ -58,8 +58,7 @@ class NamesPanel final : public Panel {
         ImGui::SameLine(context.px(36));
         std::string typed = name;
         const float width = (ImGui::GetContentRegionAvail().x - context.px(34)) / context.scale;
-        const bool entered = ui::inputText(context, prefix + std::to_string(tag), typed, "name", width, true);
-        if ((entered || ImGui::IsItemDeactivatedAfterEdit()) && typed != name) {
+        if (ui::entry(context, prefix + std::to_string(tag), typed, "name", width)) {
             rename(std::move(typed));
         }
     }

@@ -19,12 +19,9 @@ class SpacingPanel final : public Panel {
     void draw(AppContext &context) override;
 
   private:
-    void drawExpression(AppContext &context);
+    static void drawExpression(AppContext &context);
     static void drawSources(AppContext &context);
     static void drawLimits(AppContext &context);
-
-    std::string expression_;     ///< being typed
-    std::uint64_t revision_ = 0; ///< of the document that it was taken from
 };
 
 /// The fault of the expression, if the preview found one.
@@ -69,21 +66,15 @@ void drawExpressionFault(AppContext &context, const Diagnostic &fault, const std
 
 void SpacingPanel::drawExpression(AppContext &context) {
     const std::shared_ptr<const Document> document = context.document().current();
-    if (revision_ != context.document().revision()) {
-        revision_ = context.document().revision();
-        expression_ = document->spacing.expression.value_or(std::string());
-    }
+    const std::string expression = document->spacing.expression.value_or(std::string());
+    std::string typed = expression;
     form::label(context, "Expression");
-    const bool entered =
-        ui::inputText(context, "spacing/expression", expression_, "such as 0.1 + 0.2*abs(x)", -1.0F, true);
-    const bool left = ImGui::IsItemDeactivatedAfterEdit();
-    ui::tooltip(context, "\xcf\x81 as a function of x and y. The smallest of all parts wins.");
-    if ((entered || left) && expression_ != document->spacing.expression.value_or(std::string())) {
-        context.document().apply(setExpression(*document, expression_), "Change expression");
-        revision_ = context.document().revision();
+    if (ui::entry(context, "spacing/expression", typed, "such as 0.1 + 0.2*abs(x)")) {
+        context.document().apply(setExpression(*document, typed), "Change expression");
     }
+    ui::tooltip(context, "\xcf\x81 as a function of x and y. The smallest of all parts wins.");
     if (const Diagnostic *fault = expressionFault(context)) {
-        drawExpressionFault(context, *fault, document->spacing.expression.value_or(std::string()));
+        drawExpressionFault(context, *fault, expression);
     }
 }
 

@@ -67,13 +67,13 @@ void RegionTool::drawOptions(AppContext &context) {
     ui::muted(context, "Region");
     ImGui::SameLine();
     double value = tag_;
-    if (ui::inputNumber(context, "options/region/tag", value, "", 44.0F) && value >= 1.0 && value <= 1e9) {
+    if (ui::inputNumber(context, "options/region/tag", value, 44.0F) && value >= 1.0 && value <= 1e9) {
         tag_ = static_cast<std::int32_t>(std::floor(value));
     }
     ui::tooltip(context, "Tag of the region that a click fills in");
     ImGui::SameLine();
     std::string name = regionName(document->regionNames, tag_);
-    if (ui::inputText(context, "options/region/name", name, "name", 140.0F, true)) {
+    if (ui::entry(context, "options/region/name", name, "name", 140.0F)) {
         EditState::apply(context, setRegionName(*document, tag_, name), "Name region");
     }
     ImGui::SameLine();

@@ -14,7 +14,7 @@ void drawTagOption(AppContext &context, std::int32_t &tag, const char *tooltip) 
     ui::muted(context, "Tag");
     ImGui::SameLine();
     double value = tag;
-    if (ui::inputNumber(context, "options/tag", value, "", 44.0F) && value >= 1.0 && value <= 1e9) {
+    if (ui::inputNumber(context, "options/tag", value, 44.0F) && value >= 1.0 && value <= 1e9) {
         tag = static_cast<std::int32_t>(std::floor(value));
     }
     ui::tooltip(context, tooltip);
@@ -28,7 +28,7 @@ bool drawSizeOption(AppContext &context, const char *name, const char *label, do
     ui::muted(context, label);
     ImGui::SameLine();
     double entered = value;
-    const bool changed = ui::inputNumber(context, name, entered, "", 76.0F) && entered > 0.0;
+    const bool changed = ui::inputNumber(context, name, entered, 76.0F) && entered > 0.0;
     ui::tooltip(context, tooltip);
     if (changed) {
         value = entered;
