@@ -139,6 +139,41 @@ TEST_CASE("Editor: Tab hides the panels and brings them back") {
     CHECK(driver.canvas().width == before);
 }
 
+TEST_CASE("Editor: the view stays fitted while window and panels change their size, until the user moves it") {
+    Driver driver;
+    const Box2 box = toDomain(*driver.context().document().current()).bounds();
+    const Camera &camera = driver.context().view.camera;
+    const auto fits = [&] {
+        REQUIRE(driver.settle());
+        const Vec2 size = box.size();
+        const double part =
+            std::max(size.x * camera.zoom / camera.viewport.width, size.y * camera.zoom / camera.viewport.height);
+        return part > 0.8 && part < 0.9 && distance(camera.centre, box.centre()) < 1e-9 * size.x;
+    };
+    CHECK(fits());
+    const double before = camera.zoom;
+    driver.platform().resize({1920, 1080}, 1.0);
+    CHECK(fits());
+    CHECK(camera.zoom > 1.2 * before);
+    driver.key(key::kTab);
+    CHECK(fits());
+    driver.key(key::kTab);
+    CHECK(fits());
+    const PixelRect edge = driver.context().widgets.find("splitter/column")->rect;
+    driver.drag(edge.centre(), edge.centre() - Vec2{120, 0});
+    CHECK(fits());
+    driver.scroll(driver.canvas().centre(), 2);
+    const Vec2 centre = camera.centre;
+    const double zoomed = camera.zoom;
+    driver.platform().resize({1280, 800}, 1.0);
+    REQUIRE(driver.settle());
+    CHECK(camera.zoom == zoomed);
+    CHECK(camera.centre == centre);
+    driver.key('F');
+    driver.platform().resize({1500, 900}, 1.0);
+    CHECK(fits());
+}
+
 TEST_CASE("Editor: the splitter of the right column can be dragged, within bounds") {
     Driver driver;
     const PixelRect edge = driver.context().widgets.find("splitter/column")->rect;

@@ -2,7 +2,30 @@
 
 namespace forefront {
 
+void View::fit(const Box2 &box) {
+    camera.fit(box);
+    fitted = box;
+}
+
+void View::pan(Vec2 pixels) {
+    camera.pan(pixels);
+    fitted.reset();
+}
+
+void View::zoomAt(Vec2 pixel, double factor) {
+    camera.zoomAt(pixel, factor);
+    fitted.reset();
+}
+
+void View::resize(const PixelRect &viewport) {
+    camera.viewport = viewport;
+    if (fitted) {
+        camera.fit(*fitted);
+    }
+}
+
 void View::goTo(Vec2 place, double now) {
+    fitted.reset();
     camera.centre = place;
     flag = place;
     flagTime = now;

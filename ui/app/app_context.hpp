@@ -30,6 +30,7 @@ namespace forefront {
 /// What is in view.
 struct View {
     Camera camera;
+    std::optional<Box2> fitted;  ///< shown whole whatever the size of the canvas, until the user pans or zooms
     std::optional<Vec2> pointer; ///< place under the pointer while it is over the canvas
     bool panels = true;          ///< Tab hides them
     bool fitPending = true;      ///< fit the drawing as soon as the size of the canvas is known
@@ -37,6 +38,12 @@ struct View {
     double flagTime = 0.0;
     std::optional<int> isolatedBin; ///< bin of the histogram of α whose elements are shown alone
 
+    /// Shows a part of the plane whole, and goes on doing so while the canvas changes its size.
+    void fit(const Box2 &box);
+    void pan(Vec2 pixels);
+    void zoomAt(Vec2 pixel, double factor);
+    /// The canvas has another size: what was fitted fits again; else the place in the middle stays there.
+    void resize(const PixelRect &viewport);
     /// Brings a place into view, close enough to see its surroundings, and marks it.
     void goTo(Vec2 place, double now);
 };

@@ -64,7 +64,7 @@ void CanvasInput::move(const InputEvent &event, AppContext &context) {
     pixel_ = {event.x, event.y};
     const bool over = canvasFree(context) && context.view.camera.viewport.contains(pixel_);
     if (panning_) {
-        context.view.camera.pan(pixel_ - before);
+        context.view.pan(pixel_ - before);
         spaceUsed_ = true;
     } else if (held_) {
         offer({.kind = CanvasEvent::Kind::Drag, .button = *held_}, context);
@@ -122,7 +122,7 @@ void CanvasInput::scroll(const InputEvent &event, AppContext &context) {
     const bool forTool = (modifiers_.control() || modifiers_.shift()) &&
                          offer({.kind = CanvasEvent::Kind::Wheel, .wheel = steps}, context);
     if (!forTool) {
-        context.view.camera.zoomAt(pixel_, std::pow(kZoomStep, steps));
+        context.view.zoomAt(pixel_, std::pow(kZoomStep, steps));
         context.view.pointer = context.view.camera.toPlane(pixel_);
     }
 }

@@ -275,10 +275,8 @@ void Editor::Parts::handleEvents(const std::vector<InputEvent> &events) {
 
 void Editor::Parts::buildInterface() {
     const shell::Layout layout = shell::layOut(context);
-    Camera &camera = context.view.camera;
-    if (!(camera.viewport == layout.canvas)) {
-        // The place in the middle stays in the middle.
-        camera.viewport = layout.canvas;
+    if (!(context.view.camera.viewport == layout.canvas)) {
+        context.view.resize(layout.canvas);
         context.animate();
     }
     if (context.view.fitPending && frames >= 1) {

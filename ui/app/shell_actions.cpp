@@ -36,19 +36,19 @@ void chooseTheme(AppContext &context, ThemeKind kind) {
 void addViewActions(ActionRegistry &actions) {
     actions.add(
         {.id = "view.fit", .menu = "View", .title = "Show all", .shortcuts = {{'F', kNone}}, .run = [](AppContext &c) {
-             c.view.camera.fit(drawingBounds(c));
+             c.view.fit(drawingBounds(c));
          }});
     actions.add({.id = "view.zoomIn",
                  .menu = "View",
                  .title = "Zoom in",
                  .shortcuts = {{key::kEqual, kNone}, {key::kEqual, kControl}},
-                 .run = [](AppContext &c) { c.view.camera.zoomAt(c.view.camera.viewport.centre(), 1.4); },
+                 .run = [](AppContext &c) { c.view.zoomAt(c.view.camera.viewport.centre(), 1.4); },
                  .repeats = true});
     actions.add({.id = "view.zoomOut",
                  .menu = "View",
                  .title = "Zoom out",
                  .shortcuts = {{key::kMinus, kNone}, {key::kMinus, kControl}},
-                 .run = [](AppContext &c) { c.view.camera.zoomAt(c.view.camera.viewport.centre(), 1.0 / 1.4); },
+                 .run = [](AppContext &c) { c.view.zoomAt(c.view.camera.viewport.centre(), 1.0 / 1.4); },
                  .repeats = true});
     actions.add({.id = "view.panels",
                  .menu = "View",

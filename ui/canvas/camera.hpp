@@ -55,7 +55,7 @@ struct Camera {
         const Vec2 size = box.size();
         const double extent =
             std::max({size.x, size.y, 1e-9 * std::max({1.0, std::abs(box.max.x), std::abs(box.max.y)})});
-        minZoom = 0.02 * std::min(viewport.width, viewport.height) / extent;
+        minZoom = 1e-4 * std::min(viewport.width, viewport.height) / extent;
         maxZoom = 1e7 * std::max(viewport.width, viewport.height) / extent;
         const double usable = 1.0 - 2.0 * margin;
         zoom = usable * std::min(viewport.width / std::max(size.x, 1e-3 * extent),

@@ -86,8 +86,7 @@ void newDocument(AppContext &context) {
         c.selection.clear();
         c.run().clear();
         c.view.isolatedBin.reset();
-        c.view.camera.centre = {5.0, 5.0};
-        c.view.camera.zoom = std::max(1.0, 0.08 * c.view.camera.viewport.height);
+        c.view.fit({{0.0, 0.0}, {10.0, 10.0}});
         c.animate();
     });
 }
