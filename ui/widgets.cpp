@@ -156,7 +156,7 @@ bool eyeSwitch(AppContext &context, std::string_view name, std::string_view labe
 }
 
 bool segmented(AppContext &context, std::string_view name, std::span<const char *const> labels, int &choice,
-               float width) {
+               float width, std::span<const char *const> tips) {
     const Id id(name);
     const float whole = width > 0.0F ? context.px(width) : ImGui::GetContentRegionAvail().x;
     const float each = whole / static_cast<float>(labels.size());
@@ -174,6 +174,7 @@ bool segmented(AppContext &context, std::string_view name, std::span<const char 
             changed = true;
         }
         mark(context, std::string(name) + "/" + labels[i]);
+        tooltip(context, i < tips.size() ? tips[i] : "");
         const float inset = context.px(2);
         if (here) {
             list.AddRectFilled({corner.x + inset, corner.y + inset},

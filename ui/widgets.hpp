@@ -28,8 +28,9 @@ bool checkbox(AppContext &context, std::string_view name, std::string_view label
 /// A switch with an eye and a label, lit when on; for layers.
 bool eyeSwitch(AppContext &context, std::string_view name, std::string_view label, bool &value, float width);
 /// One of several exclusive choices side by side; true when it changed. `width` of the whole in design pixels; 0: all.
+/// `tips`: one for each choice, or none.
 bool segmented(AppContext &context, std::string_view name, std::span<const char *const> labels, int &choice,
-               float width = 0.0F);
+               float width = 0.0F, std::span<const char *const> tips = {});
 bool combo(AppContext &context, std::string_view name, std::span<const char *const> labels, int &choice,
            float width = -1.0F);
 /// Logarithmic or linear slider. `format` as printf for a double.

@@ -12,7 +12,7 @@ namespace forefront {
 /// How far one step goes.
 enum class Granularity : std::uint8_t {
     Event,   ///< one moment inside an advance
-    Advance, ///< one front advance: at most one element
+    Advance, ///< one front advance: an element (fast method: up to three), none where it is deferred
     Layer    ///< the front once around: as many advances as Γ had segments
 };
 

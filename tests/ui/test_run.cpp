@@ -119,6 +119,7 @@ TEST_CASE("Run: stepping by events explains an advance from the base to the upda
     driver.settle();
     driver.key(key::kPeriod, {Modifiers::kShift});
     driver.settle();
+    CHECK(driver.has("timeline/granularity/Advance")); // the fast method: up to three elements
     driver.click("timeline/granularity/Event");
     std::vector<int> steps;
     int whole = 0;

@@ -121,6 +121,28 @@ TEST_CASE("Notes: a crossing is repaired from the message that reports it") {
     CHECK(driver.run().state == RunState::Finished);
 }
 
+TEST_CASE("Timeline: a step is an advance by the fast method, an element by the classic one") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    CHECK(driver.has("timeline/granularity/Advance"));
+    driver.key(key::kPeriod);
+    REQUIRE(driver.settle());
+    Document classic = driver.document();
+    classic.options.method = Method::Classic;
+    driver.context().document().apply(std::move(classic), "Classic");
+    driver.frames(2);
+    CHECK(driver.has("timeline/granularity/Advance")); // the run on the timeline is still the fast one
+    driver.key(key::k2);
+    REQUIRE(driver.settle());
+    CHECK(driver.has("timeline/granularity/Element"));
+    driver.click("timeline/granularity/Element");
+    driver.key(key::kHome);
+    REQUIRE(driver.settle());
+    driver.key(key::kPeriod);
+    REQUIRE(driver.settle());
+    CHECK(driver.run().quality.elements == 1);
+}
+
 TEST_CASE("Meshing panel: its options belong to the document, and undo brings them back") {
     Draughtsman driver;
     driver.rectangle({0, 0}, {8, 8});

@@ -45,6 +45,7 @@ void RunControl::start(bool runToEnd) {
     job->spacing = document->spacing;
     job->options = document->options;
     session_.start(std::move(job), runToEnd);
+    method_ = document->options.method;
     started_ = true;
     startedRevision_ = document_.revision();
 }
@@ -114,6 +115,10 @@ bool RunControl::hasRun() const {
 
 bool RunControl::outOfDate() const {
     return started_ && startedRevision_ != document_.revision();
+}
+
+Method RunControl::method() const {
+    return hasRun() ? method_ : document_.current()->options.method;
 }
 
 void RunControl::setSpeed(double factor) {

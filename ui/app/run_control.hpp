@@ -48,6 +48,8 @@ class RunControl {
     bool hasRun() const;
     /// There is a run, and the document has changed since it started.
     bool outOfDate() const;
+    /// Of the run; of the document where there is none.
+    Method method() const;
     double speed() const { return speed_; }
     void setSpeed(double factor);
 
@@ -64,6 +66,7 @@ class RunControl {
     MeshingSession session_;
     std::shared_ptr<const SessionSnapshot> snapshot_;
     std::uint64_t startedRevision_ = 0;
+    Method method_ = Method::Fast; ///< of the run
     bool started_ = false;
     double speed_ = 1.0;
     std::uint64_t loggedRun_ = 0;

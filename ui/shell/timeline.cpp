@@ -57,8 +57,15 @@ void drawSpeed(AppContext &context) {
     }
     ImGui::SameLine(0, context.px(6));
     int granularity = static_cast<int>(context.run().granularity);
-    static constexpr const char *kNames[] = {"Event", "Element", "Layer"};
-    if (ui::segmented(context, "timeline/granularity", kNames, granularity, 190.0F)) {
+    // By the classic method an advance is one element, by the fast one it is up to three.
+    const bool fast = context.run().method() == Method::Fast;
+    const char *const names[] = {"Event", fast ? "Advance" : "Element", "Layer"};
+    const char *const tips[] = {
+        "A step is one moment inside an advance: a candidate, a segment tested",
+        fast ? "A step is one advance of the front: up to three elements around one node"
+             : "A step is one advance of the front: one element, or none where the segment is deferred",
+        "A step is once around the front: as many advances as it had segments"};
+    if (ui::segmented(context, "timeline/granularity", names, granularity, 190.0F, tips)) {
         context.run().granularity = static_cast<Granularity>(granularity);
     }
 }
