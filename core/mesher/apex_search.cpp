@@ -166,7 +166,6 @@ void ApexSearch<Grid, Trace>::describe(const Base &base, const Limits &limits, b
     if constexpr (Trace::kRecords) {
         trace_.out.searchRadius = limits.radius;
         firstTraced_ = static_cast<std::uint32_t>(trace_.out.candidates.size());
-        trace_.event(Step::FindCandidates);
         const auto add = [&](const Candidate &c, Verdict verdict) {
             CandidateTrace t;
             t.position = c.position;
@@ -184,6 +183,7 @@ void ApexSearch<Grid, Trace>::describe(const Base &base, const Limits &limits, b
         if (withdrawn) {
             add({score(base, base.ideal), base.ideal, kNoNode, kNoSlot}, Verdict::Withdrawn);
         }
+        trace_.event(Step::FindCandidates);
         trace_.event(Step::Score);
         trace_.event(Step::Sort, candidates_.empty() ? kNoIndex : firstTraced_);
     } else {

@@ -315,20 +315,29 @@ template <class Grid, class Trace>
 void FastAdvancer<Grid, Trace>::traceFan(const Fan &fan, NodeId apexNode, Vec2 apex) {
     if constexpr (Trace::kRecords) {
         AdvanceExplanation &out = trace_.out;
-        out.rho = fan.rho;
-        out.ideal = apex;
         CandidateTrace candidate;
         if (fan.segments > 1) {
             candidate.over.assign(fan.at.begin(), fan.at.begin() + fan.segments + (apexNode == kNoNode ? 1 : 0));
         }
         candidate.position = apex;
         candidate.node = apexNode;
-        candidate.alpha = apexNode == kNoNode ? shapeFactor(fan.at[0], fan.at[1], apex)
-                                              : shapeFactor(fan.at[0], fan.at[1], fan.at[2]);
+        // A group is as good as its worst element; A and B are the ends of its chain. A corner is one element, over the
+        // first of its two segments.
+        const unsigned bases = apexNode == kNoNode ? fan.segments : 1;
+        candidate.alpha = shapeFactor(fan.at[0], fan.at[1], apex);
+        for (unsigned i = 1; i < bases; ++i) {
+            candidate.alpha = std::min(candidate.alpha, shapeFactor(fan.at[i], fan.at[i + 1], apex));
+        }
+        const FrontSlot &first = state_.front[fan.slots[0]];
+        const double size = apexNode == kNoNode
+                                ? fan.size
+                                : clampedToBase(0.5 * (first.rho + state_.front[fan.slots[1]].rho), first.length);
+        candidate.deltaAC = spacingConformity(distance(fan.at[0], apex), size);
+        candidate.deltaCB = spacingConformity(distance(fan.at[bases], apex), size);
+        out.rho = apexNode == kNoNode ? fan.rho : size;
+        out.ideal = apex;
+        trace_.event(Step::EvaluateSpacing);
         if (apexNode == kNoNode) {
-            candidate.deltaAC = spacingConformity(distance(fan.at[0], apex), fan.size);
-            candidate.deltaCB = spacingConformity(distance(fan.at[1], apex), fan.size);
-            trace_.event(Step::EvaluateSpacing);
             trace_.event(Step::IdealPoint);
         }
         candidate.score = candidate.alpha * candidate.deltaAC * candidate.deltaCB;

@@ -21,7 +21,8 @@ struct Recorder {
     AdvanceExplanation &out;
 
     void event(Step step, std::uint32_t candidate = kNoIndex, std::uint32_t test = kNoIndex) {
-        out.events.push_back({step, candidate, test, static_cast<std::uint32_t>(out.cells.size())});
+        out.events.push_back({step, candidate, test, static_cast<std::uint32_t>(out.cells.size()),
+                              static_cast<std::uint32_t>(out.candidates.size())});
     }
     /// Step 2, before anything is searched.
     template <class Base>

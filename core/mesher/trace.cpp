@@ -107,11 +107,12 @@ std::string outcome(const AdvanceExplanation &explanation) {
             std::find_if(explanation.candidates.begin(), explanation.candidates.end(),
                          [](const CandidateTrace &candidate) { return candidate.verdict == Verdict::Accepted; });
         text = accepted == explanation.candidates.end() ? "element stored" : candidateName(*accepted) + " accepted";
-        if (accepted != explanation.candidates.end()) {
-            text += " (α " + format("%.3f", accepted->alpha) + ')';
-        }
-        if (explanation.elements > 1) {
+        const bool several = explanation.elements > 1;
+        if (several) {
             text += ", " + std::to_string(explanation.elements) + " elements at once";
+        }
+        if (accepted != explanation.candidates.end()) {
+            text += (several ? " (least α " : " (α ") + format("%.3f", accepted->alpha) + ')';
         }
     }
     return text + rejections(explanation);

@@ -41,8 +41,10 @@ const char *verdictText(Verdict verdict);
 
 struct CandidateTrace {
     Vec2 position;
-    NodeId node = kNoNode; ///< kNoNode: the ideal point itself
-    double alpha = 0.0, deltaAC = 0.0, deltaCB = 0.0, score = 0.0;
+    NodeId node = kNoNode;               ///< kNoNode: the ideal point itself
+    double alpha = 0.0;                  ///< of element ABC; of several elements at once the least
+    double deltaAC = 0.0, deltaCB = 0.0; ///< of the outer sides
+    double score = 0.0;                  ///< product of the three
     Verdict verdict = Verdict::NotTried;
     /// Fast method: the nodes of the front, in order, whose segments this candidate would serve; empty: AB alone.
     std::vector<Vec2> over;
@@ -64,6 +66,7 @@ struct TraceEvent {
     std::uint32_t candidate = kNoIndex; ///< candidate concerned
     std::uint32_t test = kNoIndex;      ///< segment test concerned
     std::uint32_t cellsSeen = 0;        ///< visited cells so far: cells[0 .. cellsSeen)
+    std::uint32_t candidatesSeen = 0;   ///< proposed so far: candidates[0 .. candidatesSeen)
 };
 
 /// Everything that happened in one front advance: re-derived by running it again with recording, exact by determinism.

@@ -210,6 +210,39 @@ TEST_CASE("Advance: explaining an advance leaves the run as it is and tells what
     }
 }
 
+TEST_CASE("Advance: the α told of an accepted candidate is the least of the elements that it makes") {
+    for (const Method method : kMethods) {
+        auto mesher = mesherOn(discretePlate(0.08), 0.08, GridKind::Hierarchical, method);
+        std::size_t groups = 0;
+        for (; !mesher->finished(); mesher->advance(1)) {
+            const AdvanceExplanation e = mesher->explainNext();
+            std::uint32_t seen = 0;
+            for (const TraceEvent &event : e.events) {
+                REQUIRE(event.candidatesSeen >= seen);
+                REQUIRE((event.candidate == kNoIndex || event.candidate < event.candidatesSeen));
+                seen = event.candidatesSeen;
+            }
+            REQUIRE(seen == e.candidates.size());
+            const auto accepted = std::find_if(e.candidates.begin(), e.candidates.end(),
+                                               [](const CandidateTrace &c) { return c.verdict == Verdict::Accepted; });
+            if (accepted == e.candidates.end()) {
+                continue;
+            }
+            double least = 1.0;
+            for (const auto &[p, q, r] : e.made) {
+                least = std::min(least, shapeFactor(p, q, r));
+            }
+            REQUIRE(accepted->alpha == doctest::Approx(least));
+            REQUIRE(accepted->score > 0.0);
+            REQUIRE(accepted->score == doctest::Approx(accepted->alpha * accepted->deltaAC * accepted->deltaCB));
+            const bool several = e.elements > 1;
+            REQUIRE((caption(e, e.events.size()).find("least α") != std::string::npos) == several);
+            groups += several ? 1 : 0;
+        }
+        CHECK((groups > 0) == (method == Method::Fast));
+    }
+}
+
 TEST_CASE("Advance: the work for an element does not grow with the mesh") {
     double tests[2];
     double neighbours[2];

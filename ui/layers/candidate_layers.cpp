@@ -27,7 +27,7 @@ Colour verdictColour(const Theme &theme, Verdict verdict, bool judged) {
 std::string candidateLabel(const CandidateTrace &candidate, std::size_t rank, const Moment &moment) {
     std::string text = std::to_string(rank + 1);
     if (moment.scoresKnown) {
-        text += ui::format("  %.2f", candidate.score);
+        text += ui::format("  score %.2f", candidate.score);
     }
     if (moment.judged[rank] && candidate.verdict != Verdict::NotTried) {
         text += std::string("  ") + verdictText(candidate.verdict);
@@ -76,13 +76,13 @@ class CandidatesLayer final : public Layer {
         const AdvanceExplanation &e = *moment.advance;
         const Theme &theme = frame.theme;
         const bool words = roomOf(frame, e) > 46.0;
-        for (std::size_t i = e.candidates.size(); i-- > 0;) {
+        for (std::size_t i = moment.candidates; i-- > 0;) {
             const CandidateTrace &candidate = e.candidates[i];
             const Colour colour = verdictColour(theme, candidate.verdict, moment.judged[i]);
             painter.dot(candidate.position, 5.0, colour);
             painter.ring(candidate.position, 5.0, fade(theme.popup, 0.9), 1.5);
         }
-        const std::size_t labelled = words ? std::min(e.candidates.size(), kMostLabels) : 0;
+        const std::size_t labelled = words ? std::min(moment.candidates, kMostLabels) : 0;
         std::vector<PixelRect> taken;
         for (std::size_t i = 0; i < labelled; ++i) {
             const CandidateTrace &candidate = e.candidates[i];
@@ -131,7 +131,7 @@ class TestsLayer final : public Layer {
             painter.line(test.frontA, test.frontB, test.meets ? theme.bad : fade(theme.visited, 0.9),
                          test.meets ? 3.5 : 2.5);
         }
-        for (std::size_t i = e.candidates.size(); i-- > 0;) {
+        for (std::size_t i = moment.candidates; i-- > 0;) {
             const CandidateTrace &candidate = e.candidates[i];
             const bool tried = moment.judged[i] && candidate.verdict != Verdict::NotTried;
             const bool trying = !moment.updated && beingTested(moment, i);

@@ -26,6 +26,7 @@ Moment momentOf(const SessionSnapshot &snapshot) {
     moment.judged.assign(advance.candidates.size(), whole);
     moment.tests = whole ? advance.tests.size() : 0;
     moment.cells = whole ? advance.cells.size() : 0;
+    moment.candidates = whole ? advance.candidates.size() : advance.events[moment.cursor].candidatesSeen;
     for (std::size_t i = 0; i < count && i <= moment.cursor && !whole; ++i) {
         const TraceEvent &event = advance.events[i];
         moment.cells = std::max<std::size_t>(moment.cells, event.cellsSeen);

@@ -12,8 +12,9 @@ struct Moment {
     const AdvanceExplanation *advance = nullptr; ///< null: nothing to explain
     std::size_t cursor = 0;                      ///< into events; events.size(): the whole advance
     Step step = Step::Finish;
-    std::size_t tests = 0; ///< seen so far: tests[0 .. tests)
-    std::size_t cells = 0; ///< seen so far
+    std::size_t tests = 0;      ///< seen so far: tests[0 .. tests)
+    std::size_t cells = 0;      ///< seen so far
+    std::size_t candidates = 0; ///< proposed so far: candidates[0 .. candidates)
     bool idealKnown = false, candidatesKnown = false, scoresKnown = false, updated = false;
     std::vector<bool> judged; ///< per candidate: its verdict is known
 

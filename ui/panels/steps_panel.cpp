@@ -23,6 +23,22 @@ constexpr std::array<const char *, kStepCount> kShort{
     "Stop when \xce\x93 = \xe2\x88\x85",
 };
 
+/// The candidate that the score on show is of: the one accepted, once that is known, else the best one proposed last.
+const CandidateTrace *scored(const Moment &moment) {
+    const AdvanceExplanation &e = *moment.advance;
+    for (std::size_t i = 0; i < moment.candidates; ++i) {
+        if (moment.judged[i] && e.candidates[i].verdict == Verdict::Accepted) {
+            return &e.candidates[i];
+        }
+    }
+    const CandidateTrace *found = nullptr;
+    for (std::size_t i = 0; i < e.events.size() && i <= moment.cursor + 1; ++i) { // sorted right after it is scored
+        const TraceEvent &event = e.events[i];
+        found = event.step == Step::Sort && event.candidate != kNoIndex ? &e.candidates[event.candidate] : found;
+    }
+    return found;
+}
+
 /// What the step found, at the right of its line; empty while it is not known.
 std::string finding(const Moment &moment, int step) {
     if (!moment || static_cast<int>(moment.step) < step) {
@@ -36,9 +52,13 @@ std::string finding(const Moment &moment, int step) {
     case Step::EvaluateSpacing:
         return ui::number(e.rho, 3);
     case Step::FindCandidates:
-        return std::to_string(e.candidates.size());
-    case Step::Score:
-        return e.candidates.empty() ? std::string() : ui::format("%.2f", e.candidates.front().score);
+        return std::to_string(moment.candidates);
+    case Step::Score: {
+        const CandidateTrace *best = scored(moment);
+        return best == nullptr
+                   ? std::string()
+                   : ui::format("%.3f \xc2\xb7 %.2f \xc2\xb7 %.2f", best->alpha, best->deltaAC, best->deltaCB);
+    }
     case Step::Test:
         return std::to_string(moment.tests);
     case Step::Update:
@@ -46,6 +66,15 @@ std::string finding(const Moment &moment, int step) {
     default:
         return {};
     }
+}
+
+std::string tip(Step step) {
+    std::string text = stepTitle(step);
+    if (step == Step::Score) {
+        text +=
+            ". A point for several segments has the least \xce\xb1 of its elements; AC and CB are their outer sides.";
+    }
+    return text;
 }
 
 class StepsPanel final : public Panel {
@@ -84,7 +113,7 @@ class StepsPanel final : public Panel {
                 list.AddText({at.x + width - foundWidth - context.px(6), y}, context.theme.text, found.c_str());
             }
             if (ImGui::IsItemHovered()) {
-                ui::tooltip(context, stepTitle(static_cast<Step>(step)));
+                ui::tooltip(context, tip(static_cast<Step>(step)));
             }
         }
         ImGui::PopStyleVar();
