@@ -295,7 +295,9 @@ void actionItem(AppContext &context, const Action &action) {
     const std::string shortcut = action.shortcuts.empty() ? std::string() : toString(action.shortcuts.front());
     const std::string name = "menu/" + action.id;
     const Id id(name);
+    ImGui::PushStyleColor(ImGuiCol_TextDisabled, context.theme.muted); // the colour of the shortcut, not of the item
     const bool chosen = ImGui::MenuItem(title.c_str(), shortcut.c_str(), checked, enabled);
+    ImGui::PopStyleColor();
     mark(context, name, enabled);
     if (chosen) {
         action.run(context);

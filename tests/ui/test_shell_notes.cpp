@@ -121,6 +121,21 @@ TEST_CASE("Notes: a crossing is repaired from the message that reports it") {
     CHECK(driver.run().state == RunState::Finished);
 }
 
+TEST_CASE("Notes: of several faults the message shows the first and says how many follow") {
+    Draughtsman driver;
+    driver.polygon({{0, 0}, {8, 6}, {8, 0}, {0, 6}});
+    driver.polygon({{1, 8}, {9, 8}, {9, 9}, {4, 7}});
+    REQUIRE(driver.settle());
+    driver.key(key::k2);
+    REQUIRE(driver.settle());
+    REQUIRE(driver.run().state == RunState::Failed);
+    REQUIRE(driver.run().diagnostics.size() > 1);
+    CHECK(driver.has("canvas/error/more"));
+    driver.click("canvas/error/goto");
+    REQUIRE(driver.run().diagnostics.front().at.has_value());
+    CHECK(distance(driver.context().view.camera.centre, *driver.run().diagnostics.front().at) < 1e-9);
+}
+
 TEST_CASE("Timeline: a step is an advance by the fast method, an element by the classic one") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});

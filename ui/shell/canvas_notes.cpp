@@ -155,14 +155,26 @@ bool repairable(const Diagnostic &diagnostic) {
     return std::find(kCodes.begin(), kCodes.end(), diagnostic.code) != kCodes.end();
 }
 
-/// The newest error for some seconds, with a way to its place.
+/// The first of the faults that were told last, all at once; how many followed it goes to `more`.
+const MessageLog::Entry &firstOfNewest(const std::deque<MessageLog::Entry> &entries, std::size_t &more) {
+    std::size_t first = entries.size() - 1;
+    while (first > 0 && entries[first - 1].time == entries.back().time &&
+           entries[first - 1].diagnostic.severity != Severity::Note) {
+        --first;
+    }
+    more = entries.size() - 1 - first;
+    return entries[first];
+}
+
+/// The newest error for some seconds, with a way to its place; of several, the first.
 void drawNewestError(AppContext &context, const PixelRect &canvas) {
     constexpr double kShown = 9.0;
     const auto &entries = context.log.entries();
     if (entries.empty() || entries.back().diagnostic.severity == Severity::Note) {
         return;
     }
-    const MessageLog::Entry &entry = entries.back();
+    std::size_t more = 0;
+    const MessageLog::Entry &entry = firstOfNewest(entries, more);
     const double age = context.platform.now() - entry.time;
     if (age > kShown) {
         return;
@@ -170,7 +182,8 @@ void drawNewestError(AppContext &context, const PixelRect &canvas) {
     context.wakeAt(entry.time + kShown);
     const double scale = static_cast<double>(context.scale);
     const double y = canvas.y + canvas.height - (context.settings.hints ? 62.0 : 14.0) * scale;
-    const Plate plate(context, "##error", canvas.centre().x, y, 0.5F, 1.0F);
+    const double legend = canvas.width > 700.0 * scale ? 230.0 * scale : 0.0; // stands at the right
+    const Plate plate(context, "##error", canvas.centre().x - 0.5 * legend, y, 0.5F, 1.0F);
     const bool fault = entry.diagnostic.severity == Severity::Error;
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, fault ? context.theme.bad : context.theme.warn);
@@ -182,6 +195,10 @@ void drawNewestError(AppContext &context, const PixelRect &canvas) {
     ImGui::TextUnformatted(withPlace(entry.diagnostic).c_str());
     if (!entry.diagnostic.advice.empty()) {
         ui::muted(context, entry.diagnostic.advice);
+    }
+    if (more > 0) {
+        ui::muted(context, "and " + ui::count(more) + " more: see Log");
+        ui::mark(context, "canvas/error/more");
     }
     ImGui::EndGroup();
     ImGui::PopTextWrapPos();

@@ -42,8 +42,9 @@ class ShortcutSheet final : public Dialog {
         ImGui::BeginGroup();
         group(context, "FILES AND EDITING", column, [&] { actionRows(context, column, {"File", "Edit"}); });
         group(context, "VIEW", column, [&] {
-            row(context, column, "Wheel", "zoom at the pointer");
-            row(context, column, "Space + drag", "move the view");
+            row(context, column, "Wheel", "Zoom at the pointer");
+            row(context, column, "Space + drag", "Move the view");
+            row(context, column, "Middle drag", "Move the view");
             actionRows(context, column, {"View", "Help"});
         });
         ImGui::EndGroup();
@@ -53,15 +54,15 @@ class ShortcutSheet final : public Dialog {
 
   private:
     static constexpr std::array<std::pair<const char *, const char *>, 7> kDrawing{{
-        {"Enter", "close or end the path"},
-        {"Backspace", "remove the last node"},
-        {"X Y D Q", "lock x, y, distance, angle"},
+        {"Enter", "Close or end the path"},
+        {"Backspace", "Remove the last node"},
+        {"X Y D Q", "Lock x, y, distance, angle"},
         {"0\xe2\x80\xa6"
          "9",
-         "numeric entry"},
-        {"Shift / Ctrl", "angle snap / no snap"},
-        {"[ ]", "brush radius"},
-        {"Shift + [ ]", "brush spacing"},
+         "Numeric entry"},
+        {"Shift / Ctrl", "Angle snap / no snap"},
+        {"[ ]", "Brush radius"},
+        {"Shift + [ ]", "Brush spacing"},
     }};
 
     template <class Rows>
