@@ -36,6 +36,8 @@ struct DiscreteDomain {
     std::vector<DiscreteRegion> regions; ///< every connected face inside the domain
     std::map<std::int32_t, std::string> boundaryNames;
     std::map<std::int32_t, std::string> regionNames;
+    /// What estimateElements() says with the spacing that it was discretised for; 0: not asked yet.
+    double estimatedElements = 0.0;
 
     double area() const; ///< sum over regions
     Box2 bounds() const;

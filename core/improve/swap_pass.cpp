@@ -128,15 +128,23 @@ class SwapPass {
         const auto share = [this](NodeId n) {
             std::atomic_ref(touch_[index(n)]).store(Touch::Shared, std::memory_order_relaxed);
         };
-        for (HalfEdge h = begin; h < end; ++h) {
-            const HalfEdge g = work_.twin[h];
-            if (g >= begin && g < end) {
-                continue;
+        constexpr HalfEdge kAtOnce = 32; // few lead out of a block: without branches
+        for (HalfEdge first = begin; first < end; first += std::min(kAtOnce, end - first)) {
+            const HalfEdge last = first + std::min(kAtOnce, end - first);
+            unsigned leadOut = 0;
+            for (HalfEdge h = first; h < last; ++h) {
+                leadOut |= work_.twin[h] - begin >= end - begin ? 1U : 0U;
             }
-            share(work_.from(h));
-            share(work_.to(h));
-            if (g != kNoHalfEdge) {
-                share(work_.apex(h));
+            for (HalfEdge h = first; leadOut != 0 && h < last; ++h) {
+                const HalfEdge g = work_.twin[h];
+                if (g >= begin && g < end) {
+                    continue;
+                }
+                share(work_.from(h));
+                share(work_.to(h));
+                if (g != kNoHalfEdge) {
+                    share(work_.apex(h));
+                }
             }
         }
     }

@@ -115,7 +115,8 @@ FrontRegions::FrontRegions(const DiscreteDomain &domain, const SpacingField &spa
     if (!(most > kLeastStrips * perStrip)) {
         return;
     }
-    const double elements = estimateElements(domain, spacing);
+    const double elements =
+        domain.estimatedElements > 0.0 ? domain.estimatedElements : estimateElements(domain, spacing);
     if (!(elements > kLeastStrips * perStrip)) {
         return;
     }

@@ -49,8 +49,8 @@ Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress) {
     }
     PreparedJob prepared;
     prepared.spacing = *spacing;
+    prepared.estimatedElements = boundary->estimatedElements = estimateElements(*boundary, *prepared.spacing);
     prepared.boundary = std::make_shared<const DiscreteDomain>(std::move(*boundary));
-    prepared.estimatedElements = estimateElements(*prepared.boundary, *prepared.spacing);
     if (!(prepared.estimatedElements < kMostElements)) {
         char wanted[32];
         std::snprintf(wanted, sizeof wanted, "%.2g", prepared.estimatedElements);

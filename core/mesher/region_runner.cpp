@@ -4,6 +4,7 @@
 #include "core/grid/hierarchical_grid.hpp"
 #include "core/mesher/fast_advancer.hpp"
 #include "core/mesher/mesher.hpp"
+#include "core/mesher/region_results.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -33,11 +34,21 @@ class RegionRunner {
         for (std::size_t phase = 0; phase + 2 < regions.phases.size(); ++phase) {
             const std::size_t first = regions.phases[phase], last = regions.phases[phase + 1];
             std::vector<RegionRun> runs(last - first);
-            pool_.run(runs.size(), [&](std::size_t k, unsigned thread) { advance(runs[k], first + k, thread == 0); });
+            RegionResults results(state_, runs.size());
+            pool_.run(runs.size() + results.earlyTasks(), [&](std::size_t task, unsigned thread) {
+                if (task >= runs.size()) {
+                    results.early(task - runs.size());
+                    return;
+                }
+                prepare(runs[task], first + task);
+                results.begun();
+                advance(runs[task], first + task, thread == 0);
+                results.finished(task, *runs[task].state);
+            });
             if (progress_.cancelled()) {
                 return false;
             }
-            putTogether(runs, first);
+            putTogether(runs, first, results);
         }
         state_.region = static_cast<std::uint32_t>(regions.boxes.size() - 1);
         state_.walk = {};
@@ -55,10 +66,15 @@ class RegionRunner {
         return box;
     }
 
+    /// Takes what the region needs of the whole.
+    void prepare(RegionRun &run, std::size_t region) const {
+        run.part.emplace(state_.front.part(state_.regions->boxes[region]));
+        run.state.emplace(state_, std::move(run.part->front), static_cast<std::uint32_t>(region));
+    }
+
     void advance(RegionRun &run, std::size_t region, bool reports) {
         const Box2 &box = state_.regions->boxes[region];
-        run.part.emplace(state_.front.part(box));
-        FrontState &state = run.state.emplace(state_, std::move(run.part->front), static_cast<std::uint32_t>(region));
+        FrontState &state = *run.state;
         const std::vector<std::size_t> &phases = state_.regions->phases;
         if (region >= phases[1] && region < phases[2]) { // the strips: other phases only make what these cannot
             const auto share = static_cast<std::size_t>(Mesher::kRoom * estimatedElements_ /
@@ -94,56 +110,19 @@ class RegionRunner {
         }
     }
 
-    void putTogether(std::vector<RegionRun> &runs, std::size_t firstRegion) {
-        const auto firstNew = static_cast<std::uint32_t>(state_.nodes.size());
-        std::vector<std::size_t> nodes(runs.size() + 1, state_.nodes.size());
-        std::vector<std::size_t> elements(runs.size() + 1, state_.elements.size());
+    void putTogether(std::vector<RegionRun> &runs, std::size_t firstRegion, RegionResults &results) {
         for (std::size_t k = 0; k < runs.size(); ++k) {
             RegionRun &run = runs[k];
-            nodes[k + 1] = nodes[k] + run.state->nodes.size();
-            elements[k + 1] = elements[k] + run.state->elements.size();
             // Nb: of all Γ, as it is when one region follows the other.
             const std::uint64_t others = state_.front.segments() - run.part->segments;
             run.state->work.frontSum += run.state->work.advances * others;
             state_.work.add(run.state->work);
             run.part->front = std::move(run.state->front);
-            state_.front.adopt(*run.part, state_.regions->boxes[firstRegion + k], firstNew,
-                               static_cast<std::uint32_t>(nodes[k] - firstNew));
+            state_.front.adopt(*run.part, state_.regions->boxes[firstRegion + k], results.firstNew(), results.shift(k));
             run.part.reset();
         }
-        copyResults(runs, nodes, elements);
-        done_ = elements.back();
-    }
-
-    /// Nodes and elements of each region to their places, which begin at `nodes[k]` and `elements[k]`.
-    void copyResults(std::vector<RegionRun> &runs, const std::vector<std::size_t> &nodes,
-                     const std::vector<std::size_t> &elements) {
-        pool_.run(3, [&](std::size_t array, unsigned) { // most of their cost is memory that is touched first
-            if (array == 0) {
-                state_.elements.resize(elements.back());
-            } else if (array == 1) {
-                state_.nodes.resize(nodes.back());
-            } else {
-                state_.elementRegions.resize(state_.manyRegions ? elements.back() : 0);
-            }
-        });
-        pool_.run(runs.size(), [&](std::size_t k, unsigned) {
-            const FrontState &from = *runs[k].state;
-            const auto shift = static_cast<std::uint32_t>(nodes[k] - nodes[0]);
-            std::copy(from.nodes.begin(), from.nodes.end(),
-                      state_.nodes.begin() + static_cast<std::ptrdiff_t>(nodes[k]));
-            std::copy(from.elementRegions.begin(), from.elementRegions.end(),
-                      state_.elementRegions.begin() +
-                          (state_.manyRegions ? static_cast<std::ptrdiff_t>(elements[k]) : 0));
-            Element *to = state_.elements.data() + elements[k];
-            for (const Element &e : from.elements) {
-                const auto shifted = [&](NodeId n) {
-                    return index(n) < nodes[0] ? n : NodeId{static_cast<std::uint32_t>(index(n)) + shift};
-                };
-                *to++ = {shifted(e[0]), shifted(e[1]), shifted(e[2])};
-            }
-            runs[k].state.reset();
-        });
+        results.gather(pool_);
+        done_ = state_.elements.size();
     }
 
     FrontState &state_;
