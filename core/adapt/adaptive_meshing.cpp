@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <span>
 
 namespace forefront {
 
@@ -34,9 +35,17 @@ Result<NodalField> expressionField(const std::string &expression) {
         return program.faults();
     }
     const auto shared = std::make_shared<const ExpressionProgram>(std::move(*program));
-    return NodalField([shared](const Mesh &mesh) -> Result<std::vector<double>> {
+    return NodalField([shared](const Mesh &mesh, const Progress &progress) -> Result<std::vector<double>> {
+        constexpr std::size_t kBatch = 4096;
         std::vector<double> values(mesh.nodes.size());
-        shared->evaluateMany(mesh.nodes, values);
+        for (std::size_t first = 0; first < values.size(); first += kBatch) {
+            if (progress.cancelled()) {
+                return error("cancelled", "evaluating the field was cancelled");
+            }
+            progress("evaluating the field", static_cast<double>(first) / static_cast<double>(values.size()));
+            const std::size_t count = std::min(kBatch, values.size() - first);
+            shared->evaluateMany(std::span(mesh.nodes).subspan(first, count), std::span(values).subspan(first, count));
+        }
         for (std::size_t n = 0; n < values.size(); ++n) {
             if (!std::isfinite(values[n])) {
                 Diagnostics faults = error("expression-value", "the field has no finite value at a node",
@@ -55,7 +64,8 @@ Result<AdaptOutcome> adapt(const Domain &domain, Mesh mesh, const NodalField &fi
     outcome.mesh = std::move(mesh);
     AdaptTarget aim = target;
     for (int round = 0;; ++round) {
-        const Result<std::vector<double>> values = field(outcome.mesh);
+        const Progress inRound = progressOfRound(progress, round);
+        const Result<std::vector<double>> values = field(outcome.mesh, inRound);
         if (!values) {
             return values.faults();
         }
@@ -64,7 +74,6 @@ Result<AdaptOutcome> adapt(const Domain &domain, Mesh mesh, const NodalField &fi
             return error("field-value", "the field has no finite value at every node of the mesh",
                          "see that the solver converges on this mesh");
         }
-        const Progress inRound = progressOfRound(progress, round);
         const Result<ErrorEstimate> estimate = estimateError(outcome.mesh, *values, inRound);
         if (!estimate) {
             return estimate.faults();

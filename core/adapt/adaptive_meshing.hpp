@@ -12,11 +12,11 @@
 
 namespace forefront {
 
-/// Values at the nodes of a mesh: a formula, or the result of a solver that is run on it.
-using NodalField = std::function<Result<std::vector<double>>(const Mesh &)>;
+/// Values at the nodes of a mesh: a formula, or the result of a solver that is run on it. May report and be cancelled.
+using NodalField = std::function<Result<std::vector<double>>(const Mesh &, const Progress &)>;
 
 /// A field from an expression in x and y. Faults: "expression-syntax"; when evaluated: "expression-value" with the
-/// place.
+/// place, "cancelled".
 Result<NodalField> expressionField(const std::string &expression);
 
 /// A mesh on the way and the error of the field on it.

@@ -12,8 +12,11 @@ double ErrorEstimate::relative() const {
 }
 
 Result<ErrorEstimate> estimateError(const Mesh &mesh, std::span<const double> values, const Progress &progress) {
-    const std::vector<Vec2> gradients = elementGradients(mesh, values);
-    const Result<CornerGradients> recovered = recoverGradient(mesh, values, progress);
+    const Result<std::vector<Vec2>> gradients = elementGradients(mesh, values, progress);
+    if (!gradients) {
+        return gradients.faults();
+    }
+    const Result<CornerGradients> recovered = recoverGradient(mesh, *gradients, progress);
     if (!recovered) {
         return recovered.faults();
     }
@@ -32,14 +35,14 @@ Result<ErrorEstimate> estimateError(const Mesh &mesh, std::span<const double> va
         Vec2 sum;
         double squares = 0.0;
         for (const Vec2 corner : (*recovered)[e]) {
-            const Vec2 d = corner - gradients[e];
+            const Vec2 d = corner - (*gradients)[e];
             sum += d;
             squares += lengthSquared(d);
         }
         const double square = area / 12.0 * (squares + lengthSquared(sum));
         estimate.elements[e] = std::sqrt(square);
         total += square;
-        norm += area * lengthSquared(gradients[e]);
+        norm += area * lengthSquared((*gradients)[e]);
     }
     estimate.total = std::sqrt(total);
     estimate.norm = std::sqrt(norm);

@@ -120,9 +120,13 @@ std::vector<double> nodalSpacing(const Mesh &mesh, std::span<const double> eleme
 }
 
 bool limitGradation(const Mesh &mesh, double gradation, std::span<double> spacing, const Progress &progress) {
-    const NodeElements around = nodeElements(mesh);
+    const std::optional<NodeElements> around = nodeElements(mesh, progress);
+    if (!around) {
+        return false;
+    }
     using Entry = std::pair<double, std::uint32_t>;
     std::vector<Entry> entries;
+    entries.reserve(spacing.size());
     for (std::uint32_t n = 0; n < spacing.size(); ++n) {
         entries.emplace_back(spacing[n], n);
     }
@@ -138,8 +142,8 @@ bool limitGradation(const Mesh &mesh, double gradation, std::span<double> spacin
         if (value > spacing[node]) {
             continue; // lowered since
         }
-        for (std::uint32_t i = around.offsets[node]; i < around.offsets[node + 1]; ++i) {
-            for (const NodeId next : mesh.elements[index(around.elements[i])]) {
+        for (std::uint32_t i = around->offsets[node]; i < around->offsets[node + 1]; ++i) {
+            for (const NodeId next : mesh.elements[index(around->elements[i])]) {
                 const double limit = value + gradation * distance(mesh.nodes[node], mesh.nodes[index(next)]);
                 if (limit < spacing[index(next)]) {
                     spacing[index(next)] = limit;

@@ -10,21 +10,24 @@ namespace forefront {
 
 namespace {
 
+Diagnostics cancelled() {
+    return error("cancelled", "recovering the gradient was cancelled");
+}
+
 /// A fit of three unknowns wants some more elements than that.
 constexpr std::size_t kEnough = 5;
 
 class PatchRecovery {
   public:
-    PatchRecovery(const Mesh &mesh, std::span<const double> values)
-        : mesh_(mesh), around_(nodeElements(mesh)), gradients_(elementGradients(mesh, values)),
-          inPatch_(mesh.elements.size(), 0) {}
+    PatchRecovery(const Mesh &mesh, NodeElements around, std::span<const Vec2> gradients)
+        : mesh_(mesh), around_(std::move(around)), gradients_(gradients), inPatch_(mesh.elements.size(), 0) {}
 
     Result<CornerGradients> run(const Progress &progress) {
         CornerGradients corners(mesh_.elements.size());
         PacedProgress pace(progress, "recovering the gradient", mesh_.nodes.size());
         for (std::uint32_t n = 0; n < mesh_.nodes.size(); ++n) {
             if (!pace.next()) {
-                return error("cancelled", "recovering the gradient was cancelled");
+                return cancelled();
             }
             const auto elements = elementsAround(NodeId{n});
             std::vector<std::int32_t> done;
@@ -131,7 +134,7 @@ class PatchRecovery {
 
     const Mesh &mesh_;
     NodeElements around_;
-    std::vector<Vec2> gradients_;
+    std::span<const Vec2> gradients_;
     std::vector<std::uint64_t> inPatch_; ///< stamp of the last patch an element was in
     std::uint64_t stamp_ = 0;
     std::vector<ElementId> patch_;
@@ -139,9 +142,13 @@ class PatchRecovery {
 
 } // namespace
 
-std::vector<Vec2> elementGradients(const Mesh &mesh, std::span<const double> values) {
+Result<std::vector<Vec2>> elementGradients(const Mesh &mesh, std::span<const double> values, const Progress &progress) {
     std::vector<Vec2> gradients(mesh.elements.size());
+    PacedProgress pace(progress, "taking the gradient", mesh.elements.size());
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+        if (!pace.next()) {
+            return cancelled();
+        }
         const Element &nodes = mesh.elements[e];
         const Vec2 ab = mesh.nodes[index(nodes[1])] - mesh.nodes[index(nodes[0])];
         const Vec2 ac = mesh.nodes[index(nodes[2])] - mesh.nodes[index(nodes[0])];
@@ -154,8 +161,12 @@ std::vector<Vec2> elementGradients(const Mesh &mesh, std::span<const double> val
     return gradients;
 }
 
-Result<CornerGradients> recoverGradient(const Mesh &mesh, std::span<const double> values, const Progress &progress) {
-    return PatchRecovery(mesh, values).run(progress);
+Result<CornerGradients> recoverGradient(const Mesh &mesh, std::span<const Vec2> gradients, const Progress &progress) {
+    std::optional<NodeElements> around = nodeElements(mesh, progress);
+    if (!around) {
+        return cancelled();
+    }
+    return PatchRecovery(mesh, std::move(*around), gradients).run(progress);
 }
 
 } // namespace forefront

@@ -1,5 +1,6 @@
 #include "core/mesh/topology.hpp"
 
+#include "core/base/paced_progress.hpp"
 #include "core/mesh/edge_table.hpp"
 
 namespace forefront {
@@ -17,10 +18,18 @@ std::vector<std::array<ElementId, 3>> elementNeighbours(const Mesh &mesh) {
 }
 
 NodeElements nodeElements(const Mesh &mesh) {
+    return *nodeElements(mesh, Progress{});
+}
+
+std::optional<NodeElements> nodeElements(const Mesh &mesh, const Progress &progress) {
     NodeElements rows;
+    PacedProgress pace(progress, "finding the elements around nodes", 2 * mesh.elements.size());
     rows.offsets.assign(mesh.nodes.size() + 1, 0);
     rows.elements.resize(3 * mesh.elements.size());
     for (const Element &element : mesh.elements) {
+        if (!pace.next()) {
+            return std::nullopt;
+        }
         for (const NodeId node : element) {
             ++rows.offsets[index(node)];
         }
@@ -31,6 +40,9 @@ NodeElements nodeElements(const Mesh &mesh) {
         offset = sum;
     }
     for (std::size_t e = mesh.elements.size(); e-- > 0;) {
+        if (!pace.next()) {
+            return std::nullopt;
+        }
         for (const NodeId node : mesh.elements[e]) {
             rows.elements[--rows.offsets[index(node)]] = ElementId{static_cast<std::uint32_t>(e)};
         }

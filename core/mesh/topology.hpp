@@ -1,8 +1,10 @@
 #pragma once
 
+#include "core/base/progress.hpp"
 #include "core/mesh/mesh.hpp"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace forefront {
@@ -17,5 +19,7 @@ struct NodeElements {
     std::vector<ElementId> elements;
 };
 NodeElements nodeElements(const Mesh &mesh);
+/// The same; nothing when cancelled.
+std::optional<NodeElements> nodeElements(const Mesh &mesh, const Progress &progress);
 
 } // namespace forefront

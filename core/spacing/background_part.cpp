@@ -78,37 +78,13 @@ bool separated(const std::array<Vec2, 3> &triangle, const Box2 &box) {
 /// Builds the cells level by level.
 class BackgroundBuilder {
   public:
-    BackgroundBuilder(const BackgroundMesh &mesh, double minimum) : mesh_(mesh) {
-        part_.least_ = std::numeric_limits<double>::infinity();
-        const auto value = [&](std::uint32_t node) { return std::max(mesh.values[node], minimum); };
-        part_.triangles_.reserve(mesh.elements.size());
-        for (const auto &[a, b, c] : mesh.elements) {
-            const Vec2 ab = mesh.nodes[b] - mesh.nodes[a];
-            const Vec2 ac = mesh.nodes[c] - mesh.nodes[a];
-            const double inverse = 1.0 / cross(ab, ac);
-            part_.triangles_.push_back({mesh.nodes[a],
-                                        {ac.y * inverse, -ac.x * inverse},
-                                        {-ab.y * inverse, ab.x * inverse},
-                                        value(a),
-                                        value(b) - value(a),
-                                        value(c) - value(a)});
-            for (const std::uint32_t node : {a, b, c}) {
-                box_.add(mesh.nodes[node]);
-                part_.least_ = std::min(part_.least_, value(node));
-                part_.greatest_ = std::max(part_.greatest_, value(node));
-            }
-        }
-        const double cells = std::clamp(std::sqrt(static_cast<double>(mesh.elements.size())), 1.0, 512.0);
-        const double extent = std::max(box_.size().x, box_.size().y);
-        part_.corner_ = box_.min;
-        part_.toCells_ = cells / extent * (1.0 - 1e-12);
-        const auto across = [&](double size) { return static_cast<std::uint32_t>(size * part_.toCells_) + 1U; };
-        part_.columns_ = across(box_.size().x);
-        part_.rows_ = across(box_.size().y);
-        part_.cells_.assign(static_cast<std::size_t>(part_.columns_) * part_.rows_, 0);
-    }
+    BackgroundBuilder(const BackgroundMesh &mesh, double minimum) : mesh_(mesh), minimum_(minimum) {}
 
     std::optional<BackgroundPart> run(const Progress &progress) {
+        if (!addTriangles(progress)) {
+            return std::nullopt;
+        }
+        layOutTable();
         if (!fillTable(progress)) {
             return std::nullopt;
         }
@@ -132,6 +108,45 @@ class BackgroundBuilder {
     static constexpr std::size_t kShortList = 6;
     static constexpr int kDeepest = 20;
     static constexpr std::size_t kMostCells = 6'000'000;
+
+    /// False when cancelled.
+    bool addTriangles(const Progress &progress) {
+        part_.least_ = std::numeric_limits<double>::infinity();
+        const auto value = [&](std::uint32_t node) { return std::max(mesh_.values[node], minimum_); };
+        part_.triangles_.reserve(mesh_.elements.size());
+        PacedProgress pace(progress, "preparing the background mesh", mesh_.elements.size());
+        for (const auto &[a, b, c] : mesh_.elements) {
+            if (!pace.next()) {
+                return false;
+            }
+            const Vec2 ab = mesh_.nodes[b] - mesh_.nodes[a];
+            const Vec2 ac = mesh_.nodes[c] - mesh_.nodes[a];
+            const double inverse = 1.0 / cross(ab, ac);
+            part_.triangles_.push_back({mesh_.nodes[a],
+                                        {ac.y * inverse, -ac.x * inverse},
+                                        {-ab.y * inverse, ab.x * inverse},
+                                        value(a),
+                                        value(b) - value(a),
+                                        value(c) - value(a)});
+            for (const std::uint32_t node : {a, b, c}) {
+                box_.add(mesh_.nodes[node]);
+                part_.least_ = std::min(part_.least_, value(node));
+                part_.greatest_ = std::max(part_.greatest_, value(node));
+            }
+        }
+        return true;
+    }
+
+    void layOutTable() {
+        const double cells = std::clamp(std::sqrt(static_cast<double>(mesh_.elements.size())), 1.0, 512.0);
+        const double extent = std::max(box_.size().x, box_.size().y);
+        part_.corner_ = box_.min;
+        part_.toCells_ = cells / extent * (1.0 - 1e-12);
+        const auto across = [&](double size) { return static_cast<std::uint32_t>(size * part_.toCells_) + 1U; };
+        part_.columns_ = across(box_.size().x);
+        part_.rows_ = across(box_.size().y);
+        part_.cells_.assign(static_cast<std::size_t>(part_.columns_) * part_.rows_, 0);
+    }
 
     struct Cell {
         std::uint32_t slot = 0;
@@ -245,6 +260,7 @@ class BackgroundBuilder {
     }
 
     const BackgroundMesh &mesh_;
+    double minimum_;
     BackgroundPart part_;
     Box2 box_;
     std::vector<Cell> cells_;

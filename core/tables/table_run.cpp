@@ -113,7 +113,7 @@ Status describeError(const Mesh &mesh, const RowJob &found, const PreparedJob &p
     if (!found.adapted) {
         return {};
     }
-    const Result<std::vector<double>> values = (*found.field)(mesh);
+    const Result<std::vector<double>> values = (*found.field)(mesh, progress);
     if (!values) {
         return values.faults();
     }

@@ -112,7 +112,7 @@ std::vector<double> solveCornerProblem(const Mesh &mesh) {
 }
 
 double cornerEnergyError(const Mesh &mesh, const std::vector<double> &values) {
-    const std::vector<Vec2> gradients = elementGradients(mesh, values);
+    const std::vector<Vec2> gradients = *elementGradients(mesh, values);
     double square = 0.0;
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
         const Element &n = mesh.elements[e];
