@@ -34,13 +34,15 @@ constexpr Round kSmallRounds[] = {{3, {0.5F, 0.9F}, kEarlyFloor}, {5, {0.3F, 1.1
 constexpr Round kDefaultRounds[] = {{2, {0.7F, 0.7F}, kEarlyFloor}, {2, {0.5F, 0.9F}, kLateFloor}};
 constexpr Round kBestRounds[] = {
     {2, {0.5F, 0.9F}, kEarlyFloor, true}, {2, {0.45F, 0.95F}, kEarlyFloor, true}, {10, {0.45F, 0.95F}, kLateFloor}};
+constexpr std::size_t kRoom = 32; ///< nodes that may become one more before memory must be asked for anew
 constexpr ShapeGoal kDefaultGoal{0.8, 35.0, 6};
 constexpr ShapeGoal kBestGoal{0.85, 39.0, 12};
 
 class Improvement {
   public:
     Improvement(Mesh &mesh, const ImproveOptions &options, const Progress &progress)
-        : options_(options), progress_(progress), pool_(options.threads), work_(mesh, pool_, progress.stop) {}
+        : options_(options), progress_(progress), pool_(options.threads),
+          work_(mesh, pool_, progress.stop, options.level == ImproveLevel::Best ? mesh.nodes.size() / kRoom : 0) {}
 
     ImproveReport run() {
         const bool best = options_.level == ImproveLevel::Best;

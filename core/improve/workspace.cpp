@@ -9,11 +9,20 @@
 
 namespace forefront {
 
-ImproveWorkspace::ImproveWorkspace(Mesh &improved, ThreadPool &threads, const std::stop_token &stop)
-    : mesh(improved), pool(threads), twin(3 * mesh.elements.size()), start(mesh.nodes.size()), fixed(mesh.nodes.size()),
-      valence(mesh.nodes.size()) {
-    alpha.reserve(std::max(mesh.elements.size(), 2 * mesh.nodes.size())); // room for what smoothing keeps in it
-    alpha.resize(mesh.elements.size());
+ImproveWorkspace::ImproveWorkspace(Mesh &improved, ThreadPool &threads, const std::stop_token &stop, std::size_t room)
+    : mesh(improved), pool(threads) {
+    const auto make = [](auto &list, std::size_t size, std::size_t more) {
+        list.reserve(size + more);
+        list.resize(size);
+    };
+    const std::size_t elements = mesh.elements.size(), nodes = mesh.nodes.size();
+    make(twin, 3 * elements, 6 * room);
+    make(start, nodes, room);
+    make(fixed, nodes, room);
+    make(valence, nodes, room);
+    alpha.reserve(std::max(elements + 2 * room, 2 * (nodes + room))); // room for what smoothing keeps in it
+    alpha.resize(elements);
+    rings.reserve(nodes + room);
     joinElements(*this, stop);
     if (stop.stop_requested()) {
         return;

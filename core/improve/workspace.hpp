@@ -24,8 +24,8 @@ constexpr HalfEdge previousSide(HalfEdge h) {
 
 /// What improving needs to know beside the mesh: 16 bytes per element and 20 per node.
 struct ImproveWorkspace {
-    /// After a stop it is not fit for use.
-    ImproveWorkspace(Mesh &mesh, ThreadPool &pool, const std::stop_token &stop = {});
+    /// After a stop it is not fit for use. `room`: for how many more nodes memory is asked for, unused until then.
+    ImproveWorkspace(Mesh &mesh, ThreadPool &pool, const std::stop_token &stop = {}, std::size_t room = 0);
 
     /// More elements cannot be held: a bit of each half-edge is needed while elements are joined.
     static constexpr std::size_t kMostElements = 0x7fffffffU / 3U;
