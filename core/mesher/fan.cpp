@@ -124,7 +124,7 @@ bool FanBuilder<Grid, Trace>::clear(const Fan &fan, const Box2 &reach, SearchWor
         return false;
     }
     const GenerationFront &front = state_.front;
-    Boxes boxes{fan.box(), boxOf(fan.at[0], fan.apex), boxOf(fan.at[fan.segments], fan.apex)};
+    Boxes boxes{reach, fan.box(), boxOf(fan.at[0], fan.apex), boxOf(fan.at[fan.segments], fan.apex)};
     boxes.fan.add(fan.apex);
     constexpr unsigned kMostNear = 32;
     std::array<SlotId, kMostNear> near;
@@ -156,6 +156,10 @@ template <class Grid, class Trace>
 bool FanBuilder<Grid, Trace>::blocks(const Fan &fan, const Boxes &boxes, const FrontSlot &n, SearchWork &work) {
     const Vec2 a = n.position;
     const Vec2 b = state_.front.start(n.next);
+    const Box2 box = boxOf(a, b);
+    if (!boxes.reach.overlaps(box)) { // exactly the same for every grid
+        return false;
+    }
     const double size2 = fan.size * fan.size;
     if (nearSegment(fan.apex, a, b, kSegmentClearance * kSegmentClearance * size2)) {
         return true;
@@ -173,7 +177,6 @@ bool FanBuilder<Grid, Trace>::blocks(const Fan &fan, const Boxes &boxes, const F
             }
         }
     }
-    const Box2 box = boxOf(a, b);
     const unsigned last = fan.segments;
     return (box.overlaps(boxes.firstSide) && meets(fan.at[0], fan.nodes[0], fan.apex, kNoNode, n, work)) ||
            (box.overlaps(boxes.lastSide) && meets(fan.at[last], fan.nodes[last], fan.apex, kNoNode, n, work));

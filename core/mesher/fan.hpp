@@ -49,7 +49,7 @@ class FanBuilder {
   private:
     bool anglesAllow(const Fan &fan) const;
     struct Boxes {
-        Box2 fan, firstSide, lastSide;
+        Box2 reach, fan, firstSide, lastSide;
     };
     bool blocks(const Fan &fan, const Boxes &boxes, const FrontSlot &n, SearchWork &work);
     bool blocksCorner(const Fan &corner, const Box2 &box, const FrontSlot &n, SearchWork &work);
