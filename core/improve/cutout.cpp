@@ -1,5 +1,7 @@
 #include "core/improve/cutout.hpp"
 
+#include "core/improve/pull.hpp"
+
 #include <cmath>
 
 namespace forefront {
@@ -198,8 +200,9 @@ bool Cutout::merge(Local a, Local b) {
         if (!mergeRings(a, b, {others.data(), count})) {
             return false;
         }
-    } else if (!std::all_of(others.begin() + 1, others.begin() + count - 1, [this](Local n) { return inner(n); })) {
-        return false;
+    } else if (count < 3 ||
+               !std::all_of(others.begin() + 1, others.begin() + count - 1, [this](Local n) { return inner(n); })) {
+        return false; // an element would be left without an inner node
     }
     for (unsigned k = 1; k + 1 < count; ++k) {
         exchange(others[k], a, b);
@@ -286,33 +289,21 @@ bool Cutout::tidy() {
     return true;
 }
 
-/// As NodeSmoother does, but that ρ is in floats already.
 void Cutout::balance(Node &n, const SmoothingAims &aims) const {
-    constexpr float kHeight = 0.8660254F; // of the equilateral triangle
-    float x = 0.0F, y = 0.0F, weight = 0.0F, springX = 0.0F, springY = 0.0F;
-    const Node *b = &nodes_[n.ring[n.size - 1U]];
-    float bx = b->x - n.x, by = b->y - n.y, rho = b->rho;
+    const auto spokeTo = [&](Local m) {
+        const Node &to = nodes_[m];
+        return Spoke{to.x - n.x, to.y - n.y, 0.5F * (n.rho + to.rho)};
+    };
+    Pull pull;
+    Spoke spoke = spokeTo(n.ring[n.size - 1U]);
     for (unsigned k = 0; k < n.size; ++k) {
-        const Node &c = nodes_[n.ring[k]];
-        const float cx = c.x - n.x, cy = c.y - n.y;
-        const float ax = cx - bx, ay = cy - by;
-        const float side = ax * ax + ay * ay; // squared
-        const float length = std::sqrt(bx * bx + by * by);
-        const float inverse = 1.0F / (side * length);
-        const float w = inverse * length;
-        x += w * (0.5F * (bx + cx) - kHeight * ay);
-        y += w * (0.5F * (by + cy) + kHeight * ax);
-        weight += w;
-        const float spring = 1.0F - 0.5F * (n.rho + rho) * (inverse * side);
-        springX += spring * bx;
-        springY += spring * by;
-        bx = cx;
-        by = cy;
-        rho = c.rho;
+        const Spoke next = spokeTo(n.ring[k]);
+        pull.add(spoke, next);
+        spoke = next;
     }
-    const float shape = aims.shape / weight, spacing = aims.spacing / static_cast<float>(n.size);
-    n.x += shape * x + spacing * springX;
-    n.y += shape * y + spacing * springY;
+    const float shape = aims.shape / pull.weight, spacing = aims.spacing / static_cast<float>(n.size);
+    n.x += shape * pull.x + spacing * pull.springX;
+    n.y += shape * pull.y + spacing * pull.springY;
 }
 
 void Cutout::relax(int sweeps, const SmoothingAims &aims) {

@@ -11,7 +11,7 @@ class SpacingField;
 struct ImproveOptions {
     ImproveLevel level = ImproveLevel::Default;
     unsigned threads = 1;                  ///< the result does not depend on it
-    const SpacingField *spacing = nullptr; ///< the node spacing wanted; null: that of the mesh as it comes
+    const SpacingField *spacing = nullptr; ///< the node spacing wanted; null: that of the mesh as each round finds it
 };
 
 struct ImproveReport {

@@ -191,11 +191,27 @@ void Replacer::putIn() {
     }
 }
 
+/// By Euler's formula, the rim being the same: a change that leaves a gap or an overlap is none.
+bool Replacer::countsFit(const Cutout &was, const Cutout &is) const {
+    const auto innerOf = [](const Cutout &cutout) {
+        std::ptrdiff_t sum = 0;
+        for (unsigned n = 0; n < cutout.count(); ++n) {
+            sum += cutout.inner(static_cast<Cutout::Local>(n)) ? 1 : 0;
+        }
+        return sum;
+    };
+    return static_cast<std::ptrdiff_t>(after_.size()) - static_cast<std::ptrdiff_t>(before_.size()) ==
+           2 * (innerOf(is) - innerOf(was));
+}
+
 bool Replacer::replace(const Cutout &was, const Cutout &is, double floor) {
     if (work_.mesh.elements.size() + 2 > ImproveWorkspace::kMostElements || !mayHold(is, floor)) {
         return false;
     }
     compare(was, is);
+    if (!countsFit(was, is)) {
+        return false;
+    }
     takeOut(was);
     writeNodes(was, is);
     putIn();

@@ -32,6 +32,7 @@ class Replacer {
 
     bool mayHold(const Cutout &is, double floor) const;
     void compare(const Cutout &was, const Cutout &is);
+    bool countsFit(const Cutout &was, const Cutout &is) const;
     void takeOut(const Cutout &was);
     NodeId newNode();
     void writeNodes(const Cutout &was, const Cutout &is);

@@ -4,6 +4,7 @@
 #include "core/improve/replace.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <span>
 #include <utility>
@@ -132,7 +133,7 @@ class Restructuring {
     }
 
   private:
-    /// Of a node: nothing has changed since it was looked at in vain; it was changed in this block.
+    /// Of a node: it was looked at in vain and has not been changed since; it was changed in this block.
     static constexpr std::uint8_t kQuiet = 1, kTouched = 2;
 
     /// Sites at once: so few that they seldom get in each other's way.
@@ -171,7 +172,7 @@ class Restructuring {
         for (std::size_t i = 0; i < sites.size(); ++i) {
             if (gains[i].cutouts) {
                 order.push_back(i);
-            } else {
+            } else if (isSite(index(sites[i]))) {
                 marks_[index(sites[i])] |= kQuiet;
             }
         }
@@ -193,6 +194,9 @@ class Restructuring {
             return found;
         }
         const Cutout::Loss before = base.loss();
+        if (!std::isfinite(before.sum) || !std::isfinite(before.stretch)) { // lengths out of the range of floats
+            return found;
+        }
         const Trials trials(base, before.stretch);
         float best = kLeastGain;
         for (const Trial &trial : trials.best()) {

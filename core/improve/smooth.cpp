@@ -1,5 +1,6 @@
 #include "core/improve/smooth.hpp"
 
+#include "core/improve/pull.hpp"
 #include "core/mesh/quality.hpp"
 #include "core/spacing/spacing_field.hpp"
 
@@ -7,37 +8,6 @@
 #include <cmath>
 
 namespace forefront {
-
-namespace {
-
-/// A node beside one that may move, relative to it.
-struct Spoke {
-    float x, y;
-    float rest; ///< wanted length of the edge to it
-};
-
-/// Σ w·(p* − p), Σ w and the pull of the springs.
-struct Pull {
-    float x = 0.0F, y = 0.0F, weight = 0.0F, springX = 0.0F, springY = 0.0F;
-
-    /// The element between a spoke and the next, and the spoke's spring.
-    void add(const Spoke &spoke, const Spoke &next) {
-        constexpr float kHeight = 0.8660254F; // of the equilateral triangle
-        const float ax = next.x - spoke.x, ay = next.y - spoke.y;
-        const float side = ax * ax + ay * ay; // squared
-        const float length = std::sqrt(spoke.x * spoke.x + spoke.y * spoke.y);
-        const float inverse = 1.0F / (side * length); // one division for two
-        const float w = inverse * length;
-        x += w * (0.5F * (spoke.x + next.x) - kHeight * ay);
-        y += w * (0.5F * (spoke.y + next.y) + kHeight * ax);
-        weight += w;
-        const float spring = 1.0F - spoke.rest * (inverse * side);
-        springX += spring * spoke.x;
-        springY += spring * spoke.y;
-    }
-};
-
-} // namespace
 
 NodeSmoother::NodeSmoother(ImproveWorkspace &work, const SpacingField *spacing, const std::stop_token &stop)
     : work_(work), spacing_(spacing), rho_(work.mesh.nodes.size()), now_(work.mesh.nodes.size()) {

@@ -10,8 +10,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <set>
 #include <thread>
 
@@ -404,18 +406,80 @@ TEST_CASE("restructure: stopped in the midst of a round it leaves a valid mesh")
     const RestructureCounts counts = restructure(work, made.rho, 0.01, progress);
     CHECK(counts.turned + counts.merged + counts.divided == 0);
     CHECK(meshHash(made.mesh) == meshHash(before));
-    // From another thread, at a moment by chance.
-    for (int i = 0; i < 10; ++i) {
-        Mesh mesh = before;
-        std::stop_source later;
-        Progress watched;
-        watched.stop = later.get_token();
-        std::jthread stopper([&] {
-            std::this_thread::sleep_for(std::chrono::microseconds(300 * i));
-            later.request_stop();
+}
+
+TEST_CASE("restructure: stopped by another thread between two changes it leaves a valid mesh") {
+    const Sample made = sample(150, 8);
+    ThreadPool pool(1);
+    const auto changesUntil = [&](std::chrono::steady_clock::duration delay) {
+        Mesh mesh = made.mesh;
+        ImproveWorkspace work(mesh, pool);
+        std::stop_source stop;
+        Progress progress;
+        progress.stop = stop.get_token();
+        const std::jthread stopper([&stop, delay](const std::stop_token &done) {
+            const auto end = std::chrono::steady_clock::now() + delay;
+            while (std::chrono::steady_clock::now() < end && !done.stop_requested()) {
+                std::this_thread::sleep_for(std::chrono::microseconds(200));
+            }
+            stop.request_stop();
         });
-        ImproveWorkspace again(mesh, pool);
-        restructure(again, made.rho, 0.01, watched);
-        checkKept(mesh, before);
+        const RestructureCounts counts = restructure(work, made.rho, 0.01, progress);
+        checkKept(mesh, made.mesh);
+        return counts.turned + counts.merged + counts.divided;
+    };
+    const auto begin = std::chrono::steady_clock::now();
+    const std::size_t all = changesUntil(std::chrono::hours(1));
+    const auto whole = std::chrono::steady_clock::now() - begin;
+    std::size_t cutOff = 0;
+    for (int i = 1; i <= 10; ++i) {
+        const std::size_t changes = changesUntil(whole * i / 12);
+        cutOff += changes > 0 && changes < all ? 1U : 0U;
+    }
+    CHECK(cutOff > 0);
+}
+
+TEST_CASE("improve: the best level of tiny meshes, with one free node or few, covers what it covered") {
+    for (int corners = 3; corners <= 12; ++corners) {
+        for (const double shift : {0.0, 0.2, 0.45}) {
+            Mesh mesh; // a fan of held nodes around a free one
+            for (int k = 0; k < corners; ++k) {
+                const double angle = 2.0 * std::numbers::pi * k / corners;
+                mesh.nodes.push_back({std::cos(angle), 0.7 * std::sin(angle)});
+            }
+            mesh.nodes.push_back({shift * 0.8, shift * 0.3});
+            for (int k = 0; k < corners; ++k) {
+                mesh.elements.push_back({node(static_cast<std::size_t>(k)),
+                                         node(static_cast<std::size_t>((k + 1) % corners)),
+                                         node(static_cast<std::size_t>(corners))});
+                mesh.edges.push_back(
+                    {node(static_cast<std::size_t>(k)), node(static_cast<std::size_t>((k + 1) % corners)), 1});
+            }
+            if (!verify(mesh).empty()) {
+                continue; // the node lies outside of the triangle
+            }
+            const Mesh before = mesh;
+            improve(mesh, {ImproveLevel::Best, 1, nullptr});
+            CAPTURE(corners);
+            CHECK(samples::list(verify(mesh)) == "");
+            CHECK(areaOf(mesh, 1) == doctest::Approx(areaOf(before, 1)).epsilon(1e-12));
+            CHECK(measure(mesh, nullptr).alphaMin >= measure(before, nullptr).alphaMin);
+            CHECK(mesh.edges.size() == before.edges.size());
+        }
+    }
+}
+
+TEST_CASE("Cutout: the last free node of a triangle stays") {
+    Mesh mesh;
+    mesh.nodes = {{0, 0}, {1, 0}, {0.4, 0.9}, {0.45, 0.3}};
+    mesh.elements = {{node(0), node(1), node(3)}, {node(1), node(2), node(3)}, {node(2), node(0), node(3)}};
+    ThreadPool pool(1);
+    const ImproveWorkspace work(mesh, pool);
+    const std::vector<float> rho(4, 1.0F);
+    Cutout cutout;
+    REQUIRE(cutout.take(work, rho, node(3)));
+    for (const Cutout::Local other : {cutout[0].ring[0], cutout[0].ring[1], cutout[0].ring[2]}) {
+        Cutout changed = cutout;
+        CHECK_FALSE(changed.merge(0, other));
     }
 }
