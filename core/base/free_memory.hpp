@@ -7,8 +7,8 @@
 
 namespace forefront {
 
-/// Gives memory that is free but kept for later back to the system, where the library's allocator can: after work of
-/// several threads, each of which keeps some megabytes that the others do not use. Takes less than a millisecond.
+/// Gives memory that is free but kept for later back to the system, where the library's allocator can: each thread
+/// keeps some megabytes that large arrays and other threads do not use. Takes less than a millisecond.
 inline void giveBackFreeMemory() {
 #ifdef __GLIBC__
     malloc_trim(0);

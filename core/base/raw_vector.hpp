@@ -25,7 +25,7 @@ struct RawAllocator : std::allocator<T> {
 
     T *allocate(std::size_t count) {
         T *const memory = std::allocator<T>::allocate(count);
-        preferLargePages(memory, count * sizeof(T));
+        preferLargePages(memory, count * sizeof(T) / 16 * 15); // the rest may be room that is never used
         return memory;
     }
     template <class U>

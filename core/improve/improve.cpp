@@ -98,9 +98,7 @@ class Improvement {
             return false;
         }
         if (!smoother) {
-            if (pool_.threads() > 1) {
-                giveBackFreeMemory();
-            }
+            giveBackFreeMemory(); // of what has been, since now the most is needed
             smoother.emplace(work_, options_.spacing, progress_.stop);
         } else {
             smoother->renewSpacing(progress_.stop);
