@@ -40,6 +40,7 @@ struct Editor::Parts {
     std::shared_ptr<const SpacingRaster> raster;
     SnapshotPace pace;
     bool drewNews = false; ///< this frame draws a new snapshot
+    bool toldBusy = false; ///< the state file says that something is still going on
 
     bool newsDue() const;
     void refreshLook();
@@ -165,7 +166,7 @@ bool Editor::needsFrame() const {
     const AppContext &c = parts_->context;
     return sleepSeconds() <= 0.0 || c.platform.now() >= c.nextFrameAt || (c.run().hasNews() && parts_->newsDue()) ||
            c.previews->latest() != c.preview || c.previews->raster() != parts_->raster ||
-           !(c.platform.framebufferSize() == parts_->size);
+           !(c.platform.framebufferSize() == parts_->size) || (parts_->toldBusy && settled());
 }
 
 bool Editor::open(const std::filesystem::path &file) {
@@ -364,6 +365,7 @@ void Editor::frame() {
     }
     ++p.frames;
     if (!p.options.stateFile.empty()) {
+        p.toldBusy = !settled();
         writeStateFile(p.options.stateFile, *this);
     }
 }
