@@ -341,8 +341,23 @@ void small(AppContext &context, std::string_view text, bool wrap) {
 }
 
 void tooltip(AppContext &context, std::string_view text) {
+    constexpr float kDelay = 0.4F; // seconds: who passes over a control on the way elsewhere wants no explanation
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
         return;
+    }
+    const ImGuiContext &imgui = *ImGui::GetCurrentContext();
+    if (imgui.HoveredId != 0 && imgui.HoveredIdTimer < kDelay) {
+        context.wakeAt(context.platform.now() + static_cast<double>(kDelay - imgui.HoveredIdTimer));
+        return;
+    }
+    if (imgui.HoveredId != 0 && imgui.HoveredIdTimer - imgui.IO.DeltaTime < kDelay) {
+        context.animate(); // it appears now: Dear ImGui measures it in a frame that does not show it
+    }
+    const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+    if (max.y > 0.8F * imgui.IO.DisplaySize.y) { // else it would cover the neighbours, pushed up from the lower edge
+        const float x = std::clamp(imgui.IO.MousePos.x, min.x, std::max(min.x, max.x));
+        const bool narrow = x + context.px(340) > imgui.IO.DisplaySize.x;
+        ImGui::SetNextWindowPos({x, min.y - context.px(6)}, ImGuiCond_Always, {narrow ? 1.0F : 0.0F, 1.0F});
     }
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(9), context.px(6)));
     ImGui::BeginTooltip();

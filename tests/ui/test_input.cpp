@@ -152,6 +152,7 @@ TEST_CASE("Editor: a recorded session replays to the same picture") {
     first.click("layer/size");
     first.click("menu/theme");
     REQUIRE(first.settle());
+    first.frames(40); // the tooltip of the hovered button has its delay
     const auto wanted = first.picture();
     const std::string recording = first.editor().input().recording();
 
@@ -161,8 +162,7 @@ TEST_CASE("Editor: a recorded session replays to the same picture") {
         second.frames(1);
     }
     REQUIRE(second.settle());
-    second.frames(30); // tooltips of the hovered button have their delay
-    first.frames(30);
+    second.frames(40);
     CHECK(second.picture().differences(wanted) < 400);
     CHECK(second.context().theme.kind == first.context().theme.kind);
     CHECK(second.context().view.camera == first.context().view.camera);

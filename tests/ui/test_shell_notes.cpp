@@ -158,6 +158,28 @@ TEST_CASE("Timeline: a step is an advance by the fast method, an element by the 
     CHECK(driver.run().quality.elements == 1);
 }
 
+TEST_CASE("Tooltips: they wait until the pointer rests, and at the lower edge stand above what they explain") {
+    Driver driver;
+    driver.hover("timeline/granularity/Event");
+    driver.frames(8);
+    const auto early = driver.picture();
+    bool asked =
+        false; // for the frames in which it appears: in a window where nothing else happens there are no others
+    for (int i = 0; i < 40; ++i) {
+        CHECK((asked || driver.context().nextFrameAt < driver.platform().now() + 0.5));
+        driver.frames(1);
+        asked = asked || driver.context().redraw > 0;
+    }
+    CHECK(asked);
+    const auto late = driver.picture();
+    const PixelRect button = driver.context().widgets.find("timeline/granularity/Event")->rect;
+    const PixelRect neighbour = driver.context().widgets.find("timeline/granularity/Layer")->rect;
+    const PixelRect above{button.x, button.y - 40, 200, 30};
+    CHECK(late.differences(early, above) > 1000);
+    CHECK(late.differences(early, button) == 0);
+    CHECK(late.differences(early, neighbour) == 0);
+}
+
 TEST_CASE("Meshing panel: its options belong to the document, and undo brings them back") {
     Draughtsman driver;
     driver.rectangle({0, 0}, {8, 8});

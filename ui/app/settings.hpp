@@ -14,7 +14,7 @@ struct Settings {
     ThemeKind theme = ThemeKind::Dark;
     double scale = 1.0;        ///< the user's slider, 0.75 to 3, on top of the monitor's scale
     double panelWidth = 304.0; ///< of the right column, design pixels
-    double tabsHeight = 206.0; ///< of the tabs at its bottom: room for the ten steps
+    double tabsHeight = 196.0; ///< of the tabs at its bottom
     bool hints = true;         ///< the strip for the first run
     std::vector<std::string> recentFiles;
 };

@@ -87,7 +87,7 @@ class StepsPanel final : public Panel {
         const SessionSnapshot &run = context.run().now();
         const Moment moment = momentOf(run);
         const int live = liveStep(run, moment);
-        const float width = ImGui::GetContentRegionAvail().x, height = context.px(16);
+        const float width = ImGui::GetContentRegionAvail().x, height = context.px(15);
         ImDrawList &list = *ImGui::GetWindowDrawList();
         ImGui::PushFont(context.fonts.small);
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));

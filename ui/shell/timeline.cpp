@@ -144,6 +144,15 @@ std::string cancelledText(const SessionSnapshot &run) {
            " advances: step through what is there, End goes on, 2 starts again.";
 }
 
+/// "segments 3 and 9 cross at (2, 0.5); move a node"
+std::string faultText(const Diagnostic &fault) {
+    std::string text = fault.message;
+    if (fault.at) {
+        text += " at (" + ui::number(fault.at->x, 5) + ", " + ui::number(fault.at->y, 5) + ")";
+    }
+    return fault.advice.empty() ? text : text + "; " + fault.advice;
+}
+
 std::string captionText(const AppContext &context, const SessionSnapshot &run) {
     switch (run.state) {
     case RunState::Empty:
@@ -154,7 +163,7 @@ std::string captionText(const AppContext &context, const SessionSnapshot &run) {
     case RunState::Cancelled:
         return cancelledText(run);
     case RunState::Failed:
-        return run.diagnostics.empty() ? "The domain cannot be meshed." : toString(run.diagnostics.front());
+        return run.diagnostics.empty() ? "The domain cannot be meshed." : faultText(run.diagnostics.front());
     case RunState::Preparing:
     case RunState::Improving:
         return run.stage + "\xe2\x80\xa6";
