@@ -37,6 +37,9 @@ void RegionResults::growEarly(bool nodes) {
     if (begun_.load(std::memory_order_acquire) < finished_.size()) {
         return; // one may still be reading the whole
     }
+    if (nodes ? whole_.nodes.size() > first_.nodes : whole_.elements.size() > first_.elements) {
+        return; // done
+    }
     Count sum;
     std::size_t count = 0;
     for (std::size_t k = 0; k < finished_.size(); ++k) {
@@ -68,6 +71,9 @@ void RegionResults::grow(const Count &to, bool nodes) {
 }
 
 void RegionResults::copyEarly(std::size_t k) {
+    if (copied_[k] != 0) {
+        return;
+    }
     for (std::size_t i = 0; i <= k; ++i) {
         if (finished_[i].load(std::memory_order_acquire) == nullptr) {
             return;

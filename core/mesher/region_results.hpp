@@ -21,7 +21,8 @@ class RegionResults {
     /// Region k has been advanced to its end.
     void finished(std::size_t k, FrontState &state);
 
-    /// Work for threads that have no region left: each of so many tasks does what can be done already, and returns.
+    /// Work for threads that have no region left: each of so many tasks does what can be done already, and returns. No
+    /// task may be done by two threads at once.
     std::size_t earlyTasks() const { return 2 + finished_.size(); }
     void early(std::size_t task);
     /// Does the rest once all regions have finished; their arrays are then empty.
