@@ -144,6 +144,9 @@ class FieldBuilder {
         }
         // Where the mesh ends its spacing reaches on, so that there is no step.
         BackgroundPart::addBorderSites(*spec_.background, parts_.minimum, parts_.gradation, automatic.sites, progress_);
+        if (progress_.cancelled()) {
+            return; // there may be no site yet; finish() says so
+        }
         parts_.fillerCap = std::max(automatic.greatest, parts_.minimum);
         parts_.fillerLabels = std::move(automatic.sites.labels);
         parts_.filler = SiteTree::build(std::move(automatic.sites.sites), box_, progress_);
