@@ -11,8 +11,8 @@ namespace {
 // What elements and edges lose on average in a smoothed mesh: only what is above counts, so that a change in their
 // number is no gain in itself.
 constexpr float kUsualElementLoss = 0.013F, kUsualEdgeLoss = 0.047F;
-/// What 1 − δ of an edge counts against 1 − α of an element. Measured on graded meshes: 0.1 to 0.5 change α by 0.0003
-/// and δ by 0.001, the more the more.
+/// What 1 − δ of an edge counts against 1 − α of an element. Measured with many trials on a graded mesh (r = 0.1): 0.05
+/// gives α .9899, δ .9588 and 1 % more elements than 0.3, which gives .9898, .9611; the more, the dearer is a new node.
 constexpr float kEdgeWeight = 0.3F;
 
 } // namespace
