@@ -162,6 +162,19 @@ TEST_CASE("Fields: what was typed counts also when a button above takes the focu
     CHECK(form.spacing().maximum == 3.0);
 }
 
+TEST_CASE("Fields: a stroke of the brush straight from a field paints with the number just typed") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('B');
+    driver.click("options/brush/spacing");
+    driver.key('A', kControl);
+    driver.type("0.05");
+    driver.dragPlaces({4, 4}, {6, 4});
+    driver.settle();
+    CHECK(driver.context().preview->spacing->at({5, 4}) == doctest::Approx(0.05).epsilon(0.02));
+    CHECK(driver.undoLabel() == "Paint spacing");
+}
+
 TEST_CASE("Fields: Tab walks the fields of a dialog") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});

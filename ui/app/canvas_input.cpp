@@ -102,11 +102,13 @@ void CanvasInput::button(const InputEvent &event, AppContext &context) {
     if (!canvasFree(context) || !context.view.camera.viewport.contains(pixel_) || held_ || panning_) {
         return;
     }
-    if (ui::typing().active) {
-        return; // the click ends the editing of a field, which takes its text before anything else is selected
-    }
     if (which == MouseButton::Middle || (spaceDown_ && which == MouseButton::Left)) {
         panning_ = true;
+        return;
+    }
+    if (ui::typing().active) {
+        context.widgets.fields.leave(); // it takes its text before anything else is selected
+        waitingPress_ = event;
         return;
     }
     held_ = which;
@@ -166,6 +168,10 @@ void CanvasInput::runWaiting(AppContext &context) {
     if (const std::optional<Shortcut> shortcut = std::exchange(waiting_, std::nullopt)) {
         context.actions.runShortcut(*shortcut, false, context);
         context.animate();
+    }
+    if (const std::optional<InputEvent> press = std::exchange(waitingPress_, std::nullopt);
+        press && !ui::typing().active) {
+        button(*press, context);
     }
 }
 

@@ -14,7 +14,8 @@ class CanvasInput {
     /// Call between Dear ImGui's NewFrame and the building of the windows.
     void dispatch(const InputEvent &event, AppContext &context);
     bool panning() const { return panning_; }
-    /// Runs the shortcut that took the keyboard from a text field, now that the field has taken what was typed.
+    /// Runs the shortcut or click that took the keyboard from a text field, now that the field has taken what was
+    /// typed.
     void runWaiting(AppContext &context);
 
   private:
@@ -33,7 +34,8 @@ class CanvasInput {
     bool panning_ = false;
     std::optional<MouseButton> held_; ///< pressed on the canvas, for the tool
     bool spaceDown_ = false, spaceUsed_ = false;
-    std::optional<Shortcut> waiting_; ///< for the field to be left
+    std::optional<Shortcut> waiting_;        ///< for the field to be left
+    std::optional<InputEvent> waitingPress_; ///< of a button on the canvas, likewise
     Vec2 clickPixel_;
     double clickTime_ = -1.0;
     int clicks_ = 0;
