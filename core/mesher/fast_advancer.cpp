@@ -170,7 +170,7 @@ bool FastAdvancer<Grid, Trace>::trySimple(const Base &base, AdvanceDelta &delta,
     const double atA = cosine(base.slotA), atB = cosine(base.slotB);
     const SlotId first = atB >= atA ? base.slotA : before; // of the two segments at the sharper corner
     if (std::max(atA, atB) > kSharp) {
-        return tryCorner(first, delta, apex);
+        return tryCorner(base, first, delta, apex);
     }
     const auto tryAlone = [&] { return tryFan(base.slotA, 1, delta, apex); };
     if (std::max(atA, atB) < kWide) {
@@ -199,21 +199,23 @@ bool FastAdvancer<Grid, Trace>::trySimple(const Base &base, AdvanceDelta &delta,
 }
 
 template <class Grid, class Trace>
-bool FastAdvancer<Grid, Trace>::tryCorner(SlotId first, AdvanceDelta &delta, Vec2 &apex) {
+bool FastAdvancer<Grid, Trace>::tryCorner(const Base &base, SlotId first, AdvanceDelta &delta, Vec2 &apex) {
     const Fan corner(state_.front, first, 2);
     const Box2 *limit = limits();
     if (limit != nullptr && !holds(*limit, corner.box())) {
         return false;
     }
-    traceFan(corner, corner.nodes[2], corner.at[2]);
+    const unsigned from = first == base.slotA ? 0 : 1; // the base is the first or the second of the two segments
+    const unsigned opposite = 2 - 2 * from;
+    traceFan(corner, corner.nodes[opposite], corner.at[opposite], from);
     if (!fans_.cornerClear(corner, search_.work())) {
         traceVerdict(Verdict::CrossesFront);
         return false;
     }
     traceVerdict(Verdict::Accepted);
-    apex = corner.at[2];
-    const Base base = baseAt(state_.front, first);
-    update_.addElement(base, {0.0, apex, corner.nodes[2], corner.last()}, delta = update_.begin(first));
+    apex = corner.at[opposite];
+    update_.addElement(baseAt(state_.front, first), {0.0, corner.at[2], corner.nodes[2], corner.last()},
+                       delta = update_.begin(first));
     return true;
 }
 
@@ -312,28 +314,30 @@ void FastAdvancer<Grid, Trace>::retreat(const AdvanceDelta &delta) {
 }
 
 template <class Grid, class Trace>
-void FastAdvancer<Grid, Trace>::traceFan(const Fan &fan, NodeId apexNode, Vec2 apex) {
+void FastAdvancer<Grid, Trace>::traceFan(const Fan &fan, NodeId apexNode, Vec2 apex, unsigned from) {
     if constexpr (Trace::kRecords) {
         AdvanceExplanation &out = trace_.out;
         CandidateTrace candidate;
         if (fan.segments > 1) {
-            candidate.over.assign(fan.at.begin(), fan.at.begin() + fan.segments + (apexNode == kNoNode ? 1 : 0));
+            candidate.over.assign(fan.at.begin() + from,
+                                  fan.at.begin() + from + fan.segments + (apexNode == kNoNode ? 1 : 0));
         }
         candidate.position = apex;
         candidate.node = apexNode;
-        // A group is as good as its worst element; A and B are the ends of its chain. A corner is one element, over the
-        // first of its two segments.
+        // A group is as good as its worst element; A and B are the ends of its chain. A corner is one element, over
+        // that of its two segments that is the base.
         const unsigned bases = apexNode == kNoNode ? fan.segments : 1;
-        candidate.alpha = shapeFactor(fan.at[0], fan.at[1], apex);
+        candidate.alpha = shapeFactor(fan.at[from], fan.at[from + 1], apex);
         for (unsigned i = 1; i < bases; ++i) {
             candidate.alpha = std::min(candidate.alpha, shapeFactor(fan.at[i], fan.at[i + 1], apex));
         }
-        const FrontSlot &first = state_.front[fan.slots[0]];
-        const double size = apexNode == kNoNode
-                                ? fan.size
-                                : clampedToBase(0.5 * (first.rho + state_.front[fan.slots[1]].rho), first.length);
-        candidate.deltaAC = spacingConformity(distance(fan.at[0], apex), size);
-        candidate.deltaCB = spacingConformity(distance(fan.at[bases], apex), size);
+        const FrontSlot &first = state_.front[fan.slots[from]];
+        const double size =
+            apexNode == kNoNode
+                ? fan.size
+                : clampedToBase(0.5 * (first.rho + state_.front[fan.slots[from + 1]].rho), first.length);
+        candidate.deltaAC = spacingConformity(distance(fan.at[from], apex), size);
+        candidate.deltaCB = spacingConformity(distance(fan.at[from + bases], apex), size);
         out.rho = apexNode == kNoNode ? fan.rho : size;
         out.ideal = apex;
         trace_.event(Step::EvaluateSpacing);
@@ -349,6 +353,7 @@ void FastAdvancer<Grid, Trace>::traceFan(const Fan &fan, NodeId apexNode, Vec2 a
         static_cast<void>(fan);
         static_cast<void>(apexNode);
         static_cast<void>(apex);
+        static_cast<void>(from);
     }
 }
 

@@ -40,14 +40,15 @@ class FastAdvancer {
     bool trySimple(const Base &base, AdvanceDelta &delta, Vec2 &apex);
     bool tryFan(SlotId first, unsigned segments, AdvanceDelta &delta, Vec2 &apex);
     bool makeFan(const Fan &fan, AdvanceDelta &delta, Vec2 &apex);
-    bool tryCorner(SlotId first, AdvanceDelta &delta, Vec2 &apex);
+    bool tryCorner(const Base &base, SlotId first, AdvanceDelta &delta, Vec2 &apex);
     Outcome searchApex(Base &base, AdvanceDelta &delta, Vec2 &apex);
     bool mayConnect(const Candidate &apex) const;
     double cosine(SlotId corner) const;
     bool similar(SlotId first, unsigned segments) const;
     void walkOn(const AdvanceDelta &delta);
     const Box2 *limits() const;
-    void traceFan(const Fan &fan, NodeId apexNode, Vec2 apex);
+    /// `from`: place in the chain of the base of a corner.
+    void traceFan(const Fan &fan, NodeId apexNode, Vec2 apex, unsigned from = 0);
     void traceVerdict(Verdict verdict);
 
     FrontState &state_;

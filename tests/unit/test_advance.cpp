@@ -234,6 +234,7 @@ TEST_CASE("Advance: the α told of an accepted candidate is the least of the ele
             }
             REQUIRE(accepted->alpha == doctest::Approx(least));
             REQUIRE(accepted->score > 0.0);
+            REQUIRE((accepted->node == kNoNode || (accepted->node != e.nodeA && accepted->node != e.nodeB)));
             REQUIRE(accepted->score == doctest::Approx(accepted->alpha * accepted->deltaAC * accepted->deltaCB));
             const bool several = e.elements > 1;
             REQUIRE((caption(e, e.events.size()).find("least α") != std::string::npos) == several);
