@@ -56,4 +56,4 @@ def disc(elements):
                 False)
 
 
-CASES = {**{f"graded-{r}": Case(RECTANGLE, r, True) for r in (0.1, 0.05, 0.02)}, "disc": disc(100000)}
+CASES = {**{f"graded-{r}": Case(RECTANGLE, r, True) for r in (0.1, 0.05, 0.02, 0.005)}, "disc": disc(100000)}

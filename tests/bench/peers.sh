@@ -4,7 +4,7 @@
 #
 #   sh tests/bench/peers.sh [PROGRAM]      PROGRAM: build/release/app/forefront
 #
-# Takes a few minutes. What is timed, and how the meshes are judged: see peer_table.py.
+# Takes some five minutes. What is timed, and how the meshes are judged: see peer_table.py.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 program=${1:-$here/../../build/release/app/forefront}
