@@ -163,12 +163,13 @@ class Margin {
         }
     }
     bool any() const { return !row_.empty(); }
-    std::string text(const char *what, double wanted, const char *pattern) const {
+    /// `sign`: -1 where the margin is a negative of what is shown.
+    std::string text(const char *what, double wanted, const char *pattern, double sign = 1.0) const {
         if (!any()) {
             return {};
         }
-        return format("  %-58s %-4s ", what, least_ >= wanted ? "yes" : "NO") + format(pattern, least_) + " in " +
-               std::string(row_) + '\n';
+        return format("  %-58s %-4s ", what, least_ >= wanted ? "yes" : "NO") + format(pattern, sign * least_) +
+               " in " + std::string(row_) + '\n';
     }
 
   private:
@@ -198,7 +199,7 @@ std::string comparisons(const std::vector<RowFigures> &rows) {
     return "Against the published figures, raw meshes, the least favourable row\n" +
            alpha.text("alpha higher by 0.03 or more", 0.03, "%+.4f") + delta.text("delta not lower", 0.0, "%+.4f") +
            tests.text("fewer segments tested per element (Ns)", 0.0, "%.3f fewer") +
-           neighbours.text("hierarchical grid: at most 20 segments delivered (Nc)", -20.0, "%.2f") +
+           neighbours.text("hierarchical grid: at most 20 segments delivered (Nc)", -20.0, "%.2f", -1.0) +
            efficiency.text("hierarchical grid: efficiency of 100 or more", 100.0, "%.0f");
 }
 

@@ -186,7 +186,7 @@ TEST_CASE("tables: text, CSV and plot hold published and own figures") {
     CHECK(std::count(csv.begin(), csv.end(), '\n') == 7); // head, twice two of ours and one published
     const std::string notes = tableNotes(rows);
     CHECK(notes.find("2.00") != std::string::npos); // the exponent without grid, about
-    CHECK(notes.find("NO   -21.00 in 2B") != std::string::npos);
+    CHECK(notes.find("NO   21.00 in 2B") != std::string::npos);
     CHECK(notes.find("Adaptive refinement, *") == std::string::npos);
     RowFigures adaptive = row;
     adaptive.row = *tableCase("3");

@@ -22,7 +22,9 @@ class SpacingLayer final : public Layer {
     const char *name() const override { return "Spacing \xcf\x81"; }
 
     std::uint64_t stillVersion(const LayerFrame &frame) const override {
-        return reinterpret_cast<std::uintptr_t>(frame.raster.get()) ^ (frame.revision << 1);
+        // The preview, whose spacing sets the scale, may come a frame later than its raster.
+        return reinterpret_cast<std::uintptr_t>(frame.raster.get()) ^ (frame.revision << 1) ^
+               (frame.preview.revision << 32);
     }
 
     void drawStill(const LayerFrame &frame) override {
