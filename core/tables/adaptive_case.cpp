@@ -1,10 +1,12 @@
 #include "core/tables/adaptive_case.hpp"
 
+#include "core/domain/add_loop.hpp"
 #include "core/mesher/pipeline.hpp"
 
 #include <cmath>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 namespace forefront {
 
@@ -12,20 +14,11 @@ namespace {
 
 constexpr int kMostRounds = 12;
 
-void addLoop(Domain &domain, const std::vector<Vec2> &nodes, std::int32_t tag) {
-    const auto first = static_cast<std::uint32_t>(domain.nodes.size());
-    const auto count = static_cast<std::uint32_t>(nodes.size());
-    domain.nodes.insert(domain.nodes.end(), nodes.begin(), nodes.end());
-    for (std::uint32_t i = 0; i < count; ++i) {
-        domain.segments.push_back({first + i, first + (i + 1) % count, tag, SegmentRole::Boundary});
-    }
-}
-
 /// Row 3. The corner's field r^(2/3)·sin(2θ/3), θ counter-clockwise from the wall above it, is zero on both walls; the
 /// cut of the angle lies outside of the domain.
 AdaptiveCase corner() {
     AdaptiveCase problem;
-    addLoop(problem.domain, {{0, 0}, {90, 0}, {90, 30}, {45, 30}, {45, 60}, {0, 60}}, 1);
+    addLoop(problem.domain, std::vector<Vec2>{{0, 0}, {90, 0}, {90, 30}, {45, 30}, {45, 60}, {0, 60}});
     problem.field = "hypot(x-45,y-30)^(2/3)*sin(2/3*(atan2(x-y-15,75-x-y)+3*pi/4))"
                     "+atan(3*(dist(22.5,30)-12))+atan(3*(dist(68,15)-7))"
                     "+atan(3*(dist(0,60)-9))+atan(3*(dist(0,0)-9))";
@@ -36,7 +29,7 @@ AdaptiveCase corner() {
 /// Row 4.
 AdaptiveCase hole() {
     AdaptiveCase problem;
-    addLoop(problem.domain, {{0, 0}, {90, 0}, {90, 60}, {0, 60}}, 1);
+    addLoop(problem.domain, std::vector<Vec2>{{0, 0}, {90, 0}, {90, 60}, {0, 60}});
     constexpr int kSides = 24;
     std::vector<Vec2> circle;
     for (int i = 0; i < kSides; ++i) {

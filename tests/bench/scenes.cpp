@@ -1,5 +1,7 @@
 #include "tests/bench/scenes.hpp"
 
+#include "core/domain/add_loop.hpp"
+
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -9,15 +11,6 @@ namespace forefront::bench {
 namespace {
 
 constexpr double kTriangle = 0.4330127018922193; ///< area of an equilateral triangle of side 1: √3/4
-
-void addLoop(Domain &domain, const std::vector<Vec2> &nodes, std::int32_t tag) {
-    const auto first = static_cast<std::uint32_t>(domain.nodes.size());
-    const auto count = static_cast<std::uint32_t>(nodes.size());
-    domain.nodes.insert(domain.nodes.end(), nodes.begin(), nodes.end());
-    for (std::uint32_t i = 0; i < count; ++i) {
-        domain.segments.push_back({first + i, first + (i + 1) % count, tag, SegmentRole::Boundary});
-    }
-}
 
 std::vector<Vec2> rectangle(double width, double height) {
     return {{0, 0}, {width, 0}, {width, height}, {0, height}};

@@ -1,6 +1,7 @@
 #include "core/adapt/adaptive_meshing.hpp"
 #include "core/adapt/gradient_recovery.hpp"
 #include "core/adapt/mesh_outline.hpp"
+#include "core/domain/add_loop.hpp"
 #include "core/mesh/verify.hpp"
 #include "core/mesher/pipeline.hpp"
 #include "core/spacing/spacing_field.hpp"
@@ -26,6 +27,12 @@ std::vector<double> valuesOf(const Mesh &mesh, double (*f)(Vec2)) {
         values.push_back(f(p));
     }
     return values;
+}
+
+Domain squareOf(double side) {
+    Domain domain;
+    addLoop(domain, std::vector<Vec2>{{0, 0}, {side, 0}, {side, side}, {0, side}});
+    return domain;
 }
 
 Mesh uniformMesh(const Domain &domain, double size) {
@@ -176,11 +183,7 @@ TEST_CASE("outlineOf: nodes that only divide a straight side are dropped, tags a
 TEST_CASE("adapt: an expression is met round after round, within the limits that are set") {
     const Result<NodalField> field = expressionField("atan(30*(hypot(x,y)-1))");
     REQUIRE(field);
-    Domain square;
-    square.nodes = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
-    for (std::uint32_t i = 0; i < 4; ++i) {
-        square.segments.push_back({i, (i + 1) % 4, 1, SegmentRole::Boundary});
-    }
+    const Domain square = squareOf(2.0);
     const AdaptTarget target{0.06, 0.0, 0.5, 0.3};
     const Result<AdaptOutcome> outcome = adapt(square, uniformMesh(square, 0.2), *field, target, 8, {});
     REQUIRE(outcome);
@@ -224,11 +227,7 @@ TEST_CASE("adapt: every stage of a round reports and can be cancelled at each of
         if (!spacing) {
             return spacing.faults();
         }
-        Domain square;
-        square.nodes = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-        for (std::uint32_t i = 0; i < 4; ++i) {
-            square.segments.push_back({i, (i + 1) % 4, 1, SegmentRole::Boundary});
-        }
+        const Domain square = squareOf(1.0);
         const auto field = SpacingField::build(*spacing, square, progress);
         return field ? Diagnostics{} : field.faults();
     };
@@ -265,11 +264,7 @@ TEST_CASE("adapt: every stage of a round reports and can be cancelled at each of
 TEST_CASE("adapt: cancelled within any round, with the round in the name of the stage") {
     const Result<NodalField> field = expressionField("atan(30*(hypot(x,y)-1))");
     REQUIRE(field);
-    Domain square;
-    square.nodes = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
-    for (std::uint32_t i = 0; i < 4; ++i) {
-        square.segments.push_back({i, (i + 1) % 4, 1, SegmentRole::Boundary});
-    }
+    const Domain square = squareOf(2.0);
     for (const char *stage :
          {"mesh 0: evaluating the field", "mesh 0: recovering the gradient", "mesh 1: limiting the gradation",
           "mesh 1: advancing the front", "mesh 2: estimating the error"}) {

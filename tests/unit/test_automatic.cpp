@@ -1,3 +1,4 @@
+#include "core/domain/add_loop.hpp"
 #include "core/domain/domain.hpp"
 #include "core/spacing/automatic.hpp"
 #include "core/spacing/boundary_spacing.hpp"
@@ -12,15 +13,6 @@
 using namespace forefront;
 
 namespace {
-
-void addLoop(Domain &domain, const std::vector<Vec2> &loop) {
-    const auto first = static_cast<std::uint32_t>(domain.nodes.size());
-    const auto n = static_cast<std::uint32_t>(loop.size());
-    domain.nodes.insert(domain.nodes.end(), loop.begin(), loop.end());
-    for (std::uint32_t i = 0; i < n; ++i) {
-        domain.segments.push_back({first + i, first + (i + 1) % n, 1, SegmentRole::Boundary});
-    }
-}
 
 Domain loopOf(const std::vector<Vec2> &loop) {
     Domain domain;
@@ -85,7 +77,7 @@ TEST_CASE("Automatic spacing: two elements fit across a channel, and open water 
 TEST_CASE("Automatic spacing: what is narrow only outside the domain does not count") {
     // Two squares 0.02 apart: the strait between them is no part of the domain.
     Domain domain = loopOf({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
-    addLoop(domain, {{1.02, 0}, {2.02, 0}, {2.02, 1}, {1.02, 1}});
+    addLoop(domain, std::vector<Vec2>{{1.02, 0}, {2.02, 0}, {2.02, 1}, {1.02, 1}});
     const auto field = automatic(domain);
     CHECK(field->at({0.99, 0.5}) == doctest::Approx(field->greatest()));
     CHECK(field->least() == field->greatest());

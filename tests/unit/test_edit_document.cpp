@@ -1,3 +1,4 @@
+#include "core/domain/add_loop.hpp"
 #include "core/edit/document.hpp"
 #include "core/edit/equality.hpp"
 #include "core/edit/hole_markers.hpp"
@@ -18,15 +19,6 @@ Document documentOf(std::vector<Shape> shapes) {
     Result<Document> document = addShapes({}, std::move(shapes));
     REQUIRE(document.ok());
     return *std::move(document);
-}
-
-void addLoop(Domain &domain, const std::vector<Vec2> &loop, std::int32_t tag = 1) {
-    const auto first = static_cast<std::uint32_t>(domain.nodes.size());
-    const auto n = static_cast<std::uint32_t>(loop.size());
-    for (std::uint32_t k = 0; k < n; ++k) {
-        domain.nodes.push_back(loop[k]);
-        domain.segments.push_back({first + k, first + (k + 1) % n, tag, SegmentRole::Boundary});
-    }
 }
 
 std::vector<Vec2> box(double x0, double y0, double x1, double y1) {

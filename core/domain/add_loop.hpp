@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/domain/domain.hpp"
+
+#include <span>
+
+namespace forefront {
+
+/// Adds nodes and the boundary segments that join them to a closed polygon.
+inline void addLoop(Domain &domain, std::span<const Vec2> nodes, std::int32_t tag = 1) {
+    const auto first = static_cast<std::uint32_t>(domain.nodes.size());
+    const auto count = static_cast<std::uint32_t>(nodes.size());
+    domain.nodes.insert(domain.nodes.end(), nodes.begin(), nodes.end());
+    for (std::uint32_t i = 0; i < count; ++i) {
+        domain.segments.push_back({first + i, first + (i + 1) % count, tag, SegmentRole::Boundary});
+    }
+}
+
+} // namespace forefront
