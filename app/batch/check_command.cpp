@@ -1,5 +1,6 @@
 #include "app/batch/commands.hpp"
 #include "app/batch/exit_code.hpp"
+#include "app/batch/mesh_arguments.hpp"
 #include "core/base/hash.hpp"
 #include "core/io/files.hpp"
 #include "core/mesh/quality.hpp"
@@ -96,11 +97,7 @@ int checkCommand(int argc, const char *const *argv) {
         ->required();
     app.add_option("--domain", arguments.domain, "domain or project it was made of")->type_name("IN");
     auto *spacing = app.add_option_group("Spacing", "to tell how well the mesh keeps it; at most one");
-    spacing->add_option("--size", arguments.size, "the same edge length everywhere")
-        ->check(CLI::PositiveNumber)
-        ->type_name("H");
-    spacing->add_option("--spacing", arguments.expression, "edge length as an expression in x and y")
-        ->type_name("EXPR");
+    addSpacingOptions(*spacing, arguments.size, arguments.expression);
     spacing->require_option(0, 1);
     try {
         app.parse(argc, argv);

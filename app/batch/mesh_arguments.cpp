@@ -95,6 +95,11 @@ std::string checkFormats(const MeshArguments &arguments) {
 
 } // namespace
 
+void addSpacingOptions(CLI::App &group, std::optional<double> &size, std::optional<std::string> &expression) {
+    group.add_option("--size", size, "the same edge length everywhere")->check(CLI::PositiveNumber)->type_name("H");
+    group.add_option("--spacing", expression, "edge length as an expression in x and y")->type_name("EXPR");
+}
+
 std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const *argv) {
     MeshArguments arguments;
     std::string grid;
@@ -112,11 +117,7 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
         ->allow_extra_args(false)
         ->type_name("ID");
     auto *spacing = app.add_option_group("Spacing", "at most one; else that of the project, or automatic");
-    spacing->add_option("--size", arguments.size, "the same edge length everywhere")
-        ->check(CLI::PositiveNumber)
-        ->type_name("H");
-    spacing->add_option("--spacing", arguments.expression, "edge length as an expression in x and y")
-        ->type_name("EXPR");
+    addSpacingOptions(*spacing, arguments.size, arguments.expression);
     spacing->add_option("--spacing-file", arguments.spacingFile, "spacing of a project, or a background mesh (.msh)")
         ->type_name("FILE");
     spacing->require_option(0, 1);

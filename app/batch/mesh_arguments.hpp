@@ -8,6 +8,10 @@
 #include <variant>
 #include <vector>
 
+namespace CLI {
+class App;
+}
+
 namespace forefront {
 
 /// What the command line of `forefront mesh` asks for.
@@ -34,5 +38,8 @@ struct MeshArguments {
 
 /// The arguments, or the exit code with which to leave (help was shown: 0; wrong usage, said on stderr: 2).
 std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const *argv);
+
+/// The options --size and --spacing, which several commands have.
+void addSpacingOptions(CLI::App &group, std::optional<double> &size, std::optional<std::string> &expression);
 
 } // namespace forefront
