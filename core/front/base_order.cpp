@@ -109,7 +109,7 @@ SlotId BaseOrder::take(const GenerationFront &front) {
     }
     const SlotId id = heap->front().slot;
     pop(*heap);
-    if (!heap->empty()) {
+    if (!heap->empty()) { // most likely the base after this one: its slot is far from this one's in memory
         __builtin_prefetch(&front[heap->front().slot]);
     }
     return id;

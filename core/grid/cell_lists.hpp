@@ -95,12 +95,15 @@ class CellLists {
         unsigned lane;
     };
 
+    /// Entries of the first block of a list that is not empty.
+    static unsigned inFirst(const List &list) { return (list.size - 1) % SegmentBlock::kWidth + 1; }
+
     static unsigned firstLanes(unsigned entries) { return (1U << entries) - 1U; }
 
     /// Calls visit(block, its entries) for all blocks of a list.
     template <class Visit>
     void forEachBlock(const List &list, const Visit &visit) const {
-        unsigned entries = (list.size - 1) % SegmentBlock::kWidth + 1;
+        unsigned entries = inFirst(list);
         for (std::uint32_t block = list.head; block != kEnd; block = blocks_[block].next) {
             visit(blocks_[block], entries);
             entries = SegmentBlock::kWidth;
@@ -108,7 +111,7 @@ class CellLists {
     }
 
     Entry find(const List &list, SlotId slot) const {
-        unsigned entries = (list.size - 1) % SegmentBlock::kWidth + 1;
+        unsigned entries = inFirst(list);
         for (std::uint32_t block = list.head; block != kEnd; block = blocks_[block].next) {
             const unsigned lanes = blocks_[block].holding(slot) & firstLanes(entries);
             if (lanes != 0) {

@@ -120,7 +120,7 @@ void FrontUpdate<Grid>::addFan(std::span<const SlotId> chain, Vec2 position, dou
     }
     front.replace(delta.b, position, node);
     front.setRho(delta.b, rho);
-    if (keepA) {
+    if (keepA) { // before any is inserted, which may split their cell
         grid_.moved(front, delta.a);
     }
     if (keepB) {

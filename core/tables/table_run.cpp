@@ -1,7 +1,7 @@
 #include "core/tables/table_run.hpp"
 
-#include "core/mesh/quality.hpp"
 #include "core/base/cpu_clock.hpp"
+#include "core/mesh/quality.hpp"
 #include "core/mesher/mesher.hpp"
 #include "core/tables/adaptive_case.hpp"
 

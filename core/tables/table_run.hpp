@@ -54,8 +54,8 @@ struct RowFigures {
 };
 
 /// Meshes one row by the classic method with each grid; finds the node spacing by adaptive refinement first where the
-/// row wants it. Faults: "grid-changes-mesh" where two grids differ in the mesh
-/// or in the segments tested, "cancelled", and those of the mesher.
+/// row wants it. Faults: "grid-changes-mesh" where two grids differ in the mesh or in the segments tested, "cancelled",
+/// and those of the mesher.
 Result<RowFigures> runTableRow(const TableCase &row, const std::vector<TableGrid> &grids,
                                const Progress &progress = {});
 
