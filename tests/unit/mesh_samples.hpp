@@ -102,4 +102,19 @@ inline std::string list(const Diagnostics &diagnostics) {
     return text;
 }
 
+/// Square whose right half is another region, with a tagged inner line and a tagged inner point.
+inline Mesh constrainedSquare(std::size_t n, double jitter, Vec2 offset, std::uint64_t seed) {
+    Mesh mesh = samples::square(n, n, jitter, offset, seed);
+    for (const Element &e : mesh.elements) {
+        const std::size_t column = std::min({index(e[0]) % (n + 1), index(e[1]) % (n + 1), index(e[2]) % (n + 1)});
+        mesh.regions.push_back(column < n / 2 ? 1 : 2);
+    }
+    for (std::size_t i = 0; i < n / 3; ++i) {
+        const std::size_t row = n / 3;
+        mesh.edges.push_back({node(row * (n + 1) + i), node(row * (n + 1) + i + 1), 8});
+    }
+    mesh.points = {{node((n - 2) * (n + 1) + n - 2), 3}};
+    return mesh;
+}
+
 } // namespace forefront::samples
