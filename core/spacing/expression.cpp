@@ -5,13 +5,17 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <regex>
 
 namespace forefront {
 namespace {
 
 constexpr std::size_t kLongest = 4000; ///< characters; keeps parsing short whatever is pasted
 
+/// `message`: muparser's, which tells the place in its own count, from 0, or a sentence without a place.
 Diagnostics syntaxError(std::string message, std::size_t column) {
+    static const std::regex place("( found)? at position -?[0-9]+");
+    message = std::regex_replace(message, place, "");
     while (!message.empty() && (message.back() == '.' || message.back() == ' ')) {
         message.pop_back();
     }

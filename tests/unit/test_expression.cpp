@@ -181,6 +181,19 @@ TEST_CASE("Expression: interval bounds hold all values in the box") {
     CHECK(bounded > 700);
 }
 
+TEST_CASE("Expression: faults tell their place once") {
+    for (const char *text : {"1 + z", "1 + foo(x)", "1 + ", "max(1", "x ** 2", "1, 2", "x $ y", "2 3"}) {
+        CAPTURE(text);
+        const auto program = compileExpression(text);
+        REQUIRE_FALSE(program.ok());
+        const Diagnostic &fault = program.faults().front();
+        CAPTURE(fault.message);
+        const std::string place = "column " + std::to_string(fault.column) + ": ";
+        CHECK(fault.message.find(place) != std::string::npos);
+        CHECK(fault.message.find("position") == std::string::npos);
+    }
+}
+
 TEST_CASE("Expression: faults carry their column") {
     const auto columnOf = [](const char *text) {
         const auto program = compileExpression(text);

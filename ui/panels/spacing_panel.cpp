@@ -51,9 +51,6 @@ void drawExpressionFault(AppContext &context, const Diagnostic &fault, const std
     ImGui::PushStyleColor(ImGuiCol_Text, context.theme.bad);
     ImGui::PushTextWrapPos(0.0F);
     std::string text = fault.message;
-    if (fault.column > 0) {
-        text += ", at character " + std::to_string(fault.column);
-    }
     if (!fault.advice.empty()) {
         text += "; " + fault.advice;
     }
