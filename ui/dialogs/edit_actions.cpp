@@ -153,7 +153,7 @@ void addSelectionActions(ActionRegistry &actions) {
         {.id = "edit.repair", .menu = "Edit", .title = "Repair drawing", .run = repairDrawing, .enabled = hasShapes});
     actions.add({.id = "edit.clearPaint",
                  .menu = "Edit",
-                 .title = "Clear painted spacing",
+                 .title = "Clear paint",
                  .run = [](AppContext &c) { c.document().apply(setPaint(*c.document().current(), {}), "Clear paint"); },
                  .enabled = [](const AppContext &c) { return !c.document().current()->spacing.paint.tiles.empty(); }});
 }

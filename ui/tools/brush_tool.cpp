@@ -167,8 +167,8 @@ void BrushTool::drawOptions(AppContext &context) {
                        "Element size that the brush paints. Also Shift with [ and ], or Shift and wheel.");
     }
     const bool painted = !context.document().current()->spacing.paint.tiles.empty();
-    if (ui::button(context, "options/brush/clear", "Clear all paint", ui::ButtonKind::Plain, painted)) {
-        context.document().apply(setPaint(*context.document().current(), {}), "Clear paint");
+    if (ui::button(context, "options/brush/clear", "Clear paint", ui::ButtonKind::Plain, painted)) {
+        context.actions.run("edit.clearPaint", context);
     }
 }
 
