@@ -4,6 +4,8 @@
 #include "core/io/format.hpp"
 #include "core/io/readers.hpp"
 
+#include <algorithm>
+#include <fstream>
 #include <new>
 
 namespace forefront {
@@ -47,14 +49,19 @@ Result<T> readFile(const std::filesystem::path &path, const ImportOptions &optio
         const Format *format = formatOf(path, *bytes);
         if (format == nullptr || !wanted(*format)) {
             return named(error("unknown-format",
-                               format == nullptr ? "the format of the file is not known"
-                                                 : std::string("a ") + format->about.name + " file cannot serve here",
+                               format == nullptr
+                                   ? "the format of the file is not known"
+                                   : std::string("the format is ") + format->about.name + ", which cannot serve here",
                                "files that can be read: " + extensions(wanted)),
                          path);
         }
         Result<T> result = read(*format, SourceText{*bytes, path.string(), path, options});
         if (!result) {
-            return named(result.faults(), path);
+            Diagnostics faults = named(result.faults(), path);
+            if (!faults.empty() && faults.front().advice.empty()) {
+                faults.front().advice = std::string("the file was read as ") + format->about.name;
+            }
+            return faults;
         }
         return result;
     } catch (const std::bad_alloc &) {
@@ -81,6 +88,15 @@ Result<Domain> domainFrom(const Format &format, const SourceText &source) {
 }
 
 } // namespace
+
+const FileFormat *fileFormatOf(const std::filesystem::path &path) {
+    std::string head(kHeadBytes, '\0');
+    std::ifstream stream(path, std::ios::binary);
+    stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream.gcount())));
+    const Format *const format = formatOf(path, head);
+    return format == nullptr ? nullptr : &format->about;
+}
 
 Result<Document> readDocument(const std::filesystem::path &path, const ImportOptions &options) {
     return readFile<Document>(path, options, canReadDomain,

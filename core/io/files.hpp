@@ -27,6 +27,8 @@ struct FileFormat {
     bool readsDomain, readsMesh, writesMesh;
 };
 std::span<const FileFormat> fileFormats();
+/// The format of a file by its first bytes, else by its extension; null where neither tells.
+const FileFormat *fileFormatOf(const std::filesystem::path &path);
 
 /// Own project file or any domain format, by extension and content: .json/.forefront project, GeoJSON, .poly/.node,
 /// .svg, .msh (its boundary). Faults carry file and line (or byte) and never depend on trusting a count in the file.

@@ -2,6 +2,8 @@
 #include "core/io/files.hpp"
 #include "core/mesh/verify.hpp"
 #include "tests/ui/edit_driver.hpp"
+#include "ui/dialogs/file_list.hpp"
+#include "ui/widgets.hpp"
 
 #include <doctest/doctest.h>
 
@@ -111,6 +113,71 @@ TEST_CASE("Export: a drawing is meshed and written as MSH, which is a valid mesh
     REQUIRE(mesh.ok());
     CHECK(mesh->elements.size() == driver.run().quality.elements);
     CHECK_FALSE(hasErrors(verifyAgainst(*mesh, toDomain(driver.document()))));
+}
+
+TEST_CASE("Export: what was written is told on the canvas with its size, and so is what could not be") {
+    const Workplace place;
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.settle();
+    driver.key('E', {Modifiers::kControl});
+    driver.settle();
+    typeName(driver, "export", place.path / "bay.msh");
+    REQUIRE(driver.has("canvas/note"));
+    const std::string told = driver.context().log.entries().back().diagnostic.message;
+    CHECK(told.find((place.path / "bay.msh").string()) != std::string::npos);
+    CHECK(told.find(ui::count(driver.run().quality.elements) + " triangles") != std::string::npos);
+    CHECK(told.find(fileSizeText(std::filesystem::file_size(place.path / "bay.msh"))) != std::string::npos);
+    driver.frames(600);
+    CHECK_FALSE(driver.has("canvas/note"));
+
+    driver.key('E', {Modifiers::kControl});
+    driver.settle();
+    typeName(driver, "export", place.path / "no-such-folder" / "bay.msh");
+    CHECK(driver.has("canvas/error"));
+    CHECK_FALSE(driver.has("canvas/note"));
+}
+
+TEST_CASE("Open: what cannot be read is said in the dialog, until another file is chosen; the drawing stays") {
+    const Workplace place;
+    std::ofstream(place.path / "points.geojson") << R"({"type": "Point", "coordinates": [1, 2]})";
+    std::ofstream(place.path / "square.geojson")
+        << R"({"type": "Polygon", "coordinates": [[[0, 0], [4, 0], [4, 3], [0, 3], [0, 0]]]})";
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('O', {Modifiers::kControl});
+    driver.frames(5);
+    typeName(driver, "open", place.path / "points.geojson");
+    REQUIRE(driver.has("dialog/open/warning")); // the dialog is still there, and asks about nothing
+    CHECK_FALSE(driver.has("dialog/unsaved/discard"));
+    const auto warning = [&] { return driver.context().widgets.find("dialog/open/warning")->rect; };
+    CHECK(warning().width > 100.0);
+    CHECK(warning().x + warning().width < driver.context().widgets.find("dialog/open/cancel")->rect.x);
+    CHECK(driver.document().shapes.size() == 1);
+    driver.click("dialog/open/name");
+    driver.key('A', {Modifiers::kControl});
+    driver.type("s");
+    driver.frames(2);
+    CHECK(warning().width < 1.0);
+    typeName(driver, "open", place.path / "square.geojson");
+    REQUIRE(driver.has("dialog/unsaved/discard"));
+    driver.click("dialog/unsaved/discard");
+    driver.settle();
+    CHECK(boundsOf(driver.document()).size() == Vec2{4, 3});
+    CHECK(driver.has("canvas/note"));
+    CHECK(driver.context().log.entries().back().diagnostic.message.find("GeoJSON") != std::string::npos);
+}
+
+TEST_CASE("Open: a GeoJSON that goes by .json is not saved over") {
+    const Workplace place;
+    std::ofstream(place.path / "square.json")
+        << R"({"type": "Polygon", "coordinates": [[[0, 0], [4, 0], [4, 3], [0, 3], [0, 0]]]})";
+    Draughtsman driver;
+    REQUIRE(driver.editor().open(place.path / "square.json"));
+    CHECK(driver.context().document().path().empty());
+    driver.key('S', {Modifiers::kControl});
+    driver.frames(5);
+    CHECK(driver.has("dialog/save/ok"));
 }
 
 TEST_CASE("Import: a drawing joins this one, scaled by the unit that is chosen") {

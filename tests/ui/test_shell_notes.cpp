@@ -121,6 +121,52 @@ TEST_CASE("Notes: a crossing is repaired from the message that reports it") {
     CHECK(driver.run().state == RunState::Finished);
 }
 
+TEST_CASE("Notes: a fault is told no longer once an undo has mended it, and told again where it is drawn again") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.rectangle({4, 4}, {12, 6});
+    REQUIRE(driver.settle());
+    driver.key(key::k2);
+    REQUIRE(driver.settle());
+    REQUIRE(driver.run().state == RunState::Failed);
+    REQUIRE(driver.has("canvas/error"));
+    driver.click("canvas/error/goto");
+    CHECK(driver.context().view.flag.has_value());
+    const PixelRect caption = driver.context().widgets.find("timeline/caption")->rect;
+    const auto failed = driver.picture();
+    driver.key('Z', {Modifiers::kControl});
+    REQUIRE(driver.settle());
+    CHECK_FALSE(driver.has("canvas/error"));
+    CHECK_FALSE(driver.has("canvas/outofdate")); // there never was a mesh
+    CHECK_FALSE(driver.context().view.flag.has_value());
+    CHECK(driver.picture().differences(failed, caption) > 200);
+    driver.key(key::k2);
+    REQUIRE(driver.settle());
+    CHECK(driver.run().state == RunState::Finished);
+    driver.key('Z', {Modifiers::kControl | Modifiers::kShift});
+    driver.key(key::k2);
+    REQUIRE(driver.settle());
+    CHECK(driver.has("canvas/error"));
+}
+
+TEST_CASE("MessageLog: what was told is told of a revision of the document") {
+    MessageLog log;
+    std::uint64_t revision = 7;
+    log.follow([&revision] { return revision; });
+    log.add(error("a", "now"));
+    revision = 8;
+    log.add(error("b", "late"), 7);
+    log.note("seen anyway");
+    log.tell("done");
+    const auto &entries = log.entries();
+    CHECK(entries[0].revision == 7);
+    CHECK(entries[1].revision == 7);
+    CHECK(entries[0].told);
+    CHECK_FALSE(entries[2].told);
+    CHECK(entries[3].told);
+    CHECK(entries[3].revision == 8);
+}
+
 TEST_CASE("Notes: of several faults the message shows the first and says how many follow") {
     Draughtsman driver;
     driver.polygon({{0, 0}, {8, 6}, {8, 0}, {0, 6}});

@@ -93,9 +93,9 @@ struct AppContext {
     void wakeAt(double time) { nextFrameAt = nextFrameAt < time ? nextFrameAt : time; }
     double nextFrameAt = 1e300; ///< reset at the start of each frame
     LayerSlot *layer(std::string_view id);
-    /// Opens a project or any domain format as the document, whatever becomes of the one before; see openDocument() in
-    /// ui/dialogs. Faults go to the log. True if opened.
-    std::function<bool(const std::filesystem::path &)> openFile;
+    /// Makes what was read from a file the document, whatever becomes of the one before; see openDocument() in
+    /// ui/dialogs.
+    std::function<void(const Document &, const std::filesystem::path &)> showDocument;
 };
 
 } // namespace forefront

@@ -36,6 +36,7 @@ struct Editor::Parts {
     double lastFrame = 0.0;
     std::uint64_t frames = 0;
     std::uint64_t liveRevision = 0;
+    std::uint64_t flagRevision = 0; ///< of the document that the flag of the view speaks of
     PixelSize size;
     std::shared_ptr<const SpacingRaster> raster;
     SnapshotPace pace;
@@ -45,6 +46,7 @@ struct Editor::Parts {
     bool newsDue() const;
     void refreshLook();
     void takeResults();
+    void dropFlag();
     void meshLive();
     void handleEvents(const std::vector<InputEvent> &events);
     void buildInterface();
@@ -90,6 +92,7 @@ Editor::Editor(Platform &platform, EditorSetup options)
     : parts_(std::make_unique<Parts>(platform, std::move(options))) {
     AppContext &c = parts_->context;
     const auto wake = [&platform] { platform.wake(); };
+    c.log.follow([&c] { return c.document().revision(); });
     if (!parts_->options.settingsFolder.empty()) {
         Diagnostics faults;
         c.settings = loadSettings(parts_->options.settingsFolder / "settings.json", &faults);
@@ -99,7 +102,7 @@ Editor::Editor(Platform &platform, EditorSetup options)
     c.runs = std::make_unique<RunControl>(c.store, c.log, wake);
     c.previews = std::make_unique<Preview>(wake);
     c.preview = c.previews->latest();
-    c.openFile = [this](const std::filesystem::path &file) { return open(file); };
+    c.showDocument = [this](const Document &document, const std::filesystem::path &file) { show(document, file); };
     c.tools.tools = makeTools();
     for (auto &layer : makeLayers()) {
         const bool visible = layer->visibleAtStart();
@@ -170,25 +173,35 @@ bool Editor::needsFrame() const {
 }
 
 bool Editor::open(const std::filesystem::path &file) {
-    AppContext &c = parts_->context;
-    Result<Document> document = readDocument(file);
+    const Result<Document> document = readDocument(file);
     if (!document) {
-        c.log.add(document.faults());
+        parts_->context.log.add(document.faults());
         return false;
     }
-    const bool project = file.extension() == ".json" || file.extension() == ".forefront";
+    show(*document, file);
+    return true;
+}
+
+void Editor::show(const Document &document, const std::filesystem::path &file) {
+    AppContext &c = parts_->context;
+    const FileFormat *const format = fileFormatOf(file);
+    const bool project = format != nullptr && std::string_view(format->id) == "project";
     const std::vector<Sample> gallery = samples();
     const auto sample = std::find_if(gallery.begin(), gallery.end(), [&](const Sample &s) { return s.path == file; });
     // A sample or an imported drawing is not saved over.
     const bool own = project && sample == gallery.end();
-    c.document().load(std::move(document).value(), own ? file : std::filesystem::path(), false,
+    c.document().load(document, own ? file : std::filesystem::path(), false,
                       sample != gallery.end() ? sample->title : file.stem().string());
     c.run().clear();
     c.selection.clear();
     c.view.isolatedBin.reset();
     c.view.fitPending = true;
     c.animate();
-    return true;
+    if (!project && format != nullptr) {
+        const std::size_t count = document.shapes.size();
+        c.log.tell(file.filename().string() + " (" + format->name + ") opened as a new drawing of " + ui::count(count) +
+                   (count == 1 ? " shape" : " shapes") + "; Save keeps it as a project");
+    }
 }
 
 void Editor::Parts::refreshLook() {
@@ -237,6 +250,14 @@ void Editor::Parts::takeResults() {
     raster = context.previews->raster();
     if (before != context.run().snapshot() || known != context.preview || knownRaster != raster) {
         context.animate();
+    }
+}
+
+/// The place of a fault is not marked any longer once the document is another.
+void Editor::Parts::dropFlag() {
+    if (flagRevision != context.document().revision()) {
+        flagRevision = context.document().revision();
+        context.view.flag.reset();
     }
 }
 
@@ -347,6 +368,7 @@ void Editor::frame() {
     p.lastFrame = now;
     c.widgets.beginFrame();
     p.handleEvents(events);
+    p.dropFlag();
     p.meshLive();
     p.buildInterface();
     p.canvasInput.runWaiting(c);

@@ -18,6 +18,8 @@ struct EditorSetup {
     std::filesystem::path stateFile;      ///< where each frame's state is written for tests of the real window
 };
 
+struct Document;
+
 /// The whole editor, on any platform. One object, one thread.
 class Editor {
   public:
@@ -43,6 +45,8 @@ class Editor {
     bool open(const std::filesystem::path &file);
 
   private:
+    void show(const Document &document, const std::filesystem::path &file);
+
     struct Parts;
     std::unique_ptr<Parts> parts_;
 };

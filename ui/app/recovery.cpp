@@ -44,7 +44,7 @@ bool Recovery::recover(OrphanedJournal &orphan, AppContext &context) {
     follow(context);
     journal_.flush();
     orphan.discard();
-    context.log.note("Recovered what was not saved; save it to keep it");
+    context.log.tell("Recovered what was not saved; save it to keep it");
     return true;
 }
 

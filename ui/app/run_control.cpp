@@ -20,7 +20,7 @@ void RunControl::refresh() {
     const bool news = s.run != loggedRun_ || s.state == RunState::Failed || s.state == RunState::Finished ||
                       s.state == RunState::Cancelled;
     if (news && s.state == RunState::Failed) {
-        log_.add(s.diagnostics);
+        log_.add(s.diagnostics, startedRevision_);
     } else if (news && s.state == RunState::Cancelled && loggedState_ != RunState::Cancelled) {
         log_.note(ui::format("Cancelled after %llu advances; the partial mesh can be stepped through",
                              static_cast<unsigned long long>(s.known)));

@@ -91,10 +91,26 @@ bool drawMeshLine(AppContext &context, bool &asked) {
     return true;
 }
 
-bool write(AppContext &context, const std::filesystem::path &file, const FileFilter &filter) {
+/// Bytes of what was written; the Triangle format writes three files.
+std::uintmax_t bytesOf(const std::filesystem::path &file, const std::string &format) {
+    std::uintmax_t sum = 0;
+    for (const char *extension : {".node", ".ele", ".edge"}) {
+        std::error_code failed;
+        const bool triangle = format == "triangle";
+        const auto bytes = std::filesystem::file_size(
+            triangle ? std::filesystem::path(file).replace_extension(extension) : file, failed);
+        sum += failed ? 0 : bytes;
+        if (!triangle) {
+            break;
+        }
+    }
+    return sum;
+}
+
+Diagnostics write(AppContext &context, const std::filesystem::path &file, const FileFilter &filter) {
     const std::shared_ptr<const MeshView> mesh = finishedMesh(context);
     if (!mesh) {
-        return false;
+        return error("no-mesh", "there is no finished mesh to write", "mesh the drawing first");
     }
     const auto job = [mesh, file, format = filter.id](std::atomic<double> &fraction, std::stop_token stop) {
         Progress progress;
@@ -102,9 +118,12 @@ bool write(AppContext &context, const std::filesystem::path &file, const FileFil
         progress.stop = std::move(stop);
         return writeMesh(file, mesh->mesh, format, progress);
     };
-    context.dialogs.open(std::make_unique<WriteDialog>(
-        file.string(), job, [file](AppContext &c) { c.log.note("Mesh written to " + file.string()); }));
-    return true;
+    const auto done = [file, format = filter.id, triangles = mesh->mesh.elements.size()](AppContext &c) {
+        c.log.tell("Mesh written to " + file.string() + ": " + ui::count(triangles) + " triangles, " +
+                   fileSizeText(bytesOf(file, format)));
+    };
+    context.dialogs.open(std::make_unique<WriteDialog>(file.string(), job, done));
+    return {};
 }
 
 } // namespace

@@ -43,15 +43,27 @@ std::filesystem::path startFolder(const AppContext &context) {
                : std::filesystem::path(context.settings.recentFiles.front()).parent_path();
 }
 
-bool save(AppContext &context, const std::filesystem::path &file) {
+Status save(AppContext &context, const std::filesystem::path &file) {
     if (Status status = writeProject(file, *context.document().current()); !status.empty()) {
-        context.log.add(status);
-        return false;
+        return status;
     }
     context.document().markSaved(file);
     rememberFile(context, file);
-    context.log.note("Saved " + file.string());
-    return true;
+    context.log.tell("Saved " + file.string());
+    return {};
+}
+
+/// Opens what can be read, once the user has said what becomes of the document before; the faults of what cannot.
+Diagnostics openChosen(AppContext &context, const std::filesystem::path &file) {
+    Result<Document> document = readDocument(file);
+    if (!document) {
+        return document.faults();
+    }
+    afterUnsaved(context, [file, read = std::make_shared<Document>(std::move(document).value())](AppContext &c) {
+        c.showDocument(*read, file);
+        rememberFile(c, file);
+    });
+    return {};
 }
 
 } // namespace
@@ -99,24 +111,21 @@ void openDocument(AppContext &context) {
     request.filters = drawings();
     request.folder = startFolder(context);
     request.chosen = [](AppContext &c, const std::filesystem::path &file, const FileFilter &) {
-        openDocument(c, file);
-        return true;
+        return openChosen(c, file);
     };
     context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));
 }
 
 void openDocument(AppContext &context, const std::filesystem::path &file) {
-    afterUnsaved(context, [file](AppContext &c) {
-        if (c.openFile(file)) {
-            rememberFile(c, file);
-        }
-    });
+    context.log.add(openChosen(context, file));
 }
 
 void saveDocument(AppContext &context, std::function<void(AppContext &)> then) {
     if (context.document().path().empty()) {
         saveDocumentAs(context, std::move(then));
-    } else if (save(context, context.document().path()) && then) {
+    } else if (const Status faults = save(context, context.document().path()); !faults.empty()) {
+        context.log.add(faults);
+    } else if (then) {
         then(context);
     }
 }
@@ -132,13 +141,11 @@ void saveDocumentAs(AppContext &context, std::function<void(AppContext &)> then)
     request.name =
         context.document().path().empty() ? "drawing.forefront" : context.document().path().filename().string();
     request.chosen = [then](AppContext &c, const std::filesystem::path &file, const FileFilter &) {
-        if (!save(c, file)) {
-            return false;
-        }
-        if (then) {
+        const Status faults = save(c, file);
+        if (faults.empty() && then) {
             then(c);
         }
-        return true;
+        return faults;
     };
     context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));
 }
@@ -150,14 +157,13 @@ void importDrawing(AppContext &context) {
     request.action = "Import";
     request.filters = drawings();
     request.folder = startFolder(context);
-    request.chosen = [](AppContext &c, const std::filesystem::path &file, const FileFilter &) {
+    request.chosen = [](AppContext &c, const std::filesystem::path &file, const FileFilter &) -> Diagnostics {
         Result<Document> drawing = readDocument(file);
         if (!drawing) {
-            c.log.add(drawing.faults());
-            return false;
+            return drawing.faults();
         }
         c.dialogs.open(std::make_unique<ImportDialog>(file, std::move(drawing).value()));
-        return true;
+        return {};
     };
     context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));
 }
@@ -169,15 +175,14 @@ void importSpacing(AppContext &context) {
     request.action = "Import";
     request.filters = {{"Projects and meshes", {".forefront", ".json", ".msh"}, "spacing"}, {"All files", {}, "any"}};
     request.folder = startFolder(context);
-    request.chosen = [](AppContext &c, const std::filesystem::path &file, const FileFilter &) {
+    request.chosen = [](AppContext &c, const std::filesystem::path &file, const FileFilter &) -> Diagnostics {
         Result<SpacingSpec> spacing = readSpacing(file);
         if (!spacing) {
-            c.log.add(spacing.faults());
-            return false;
+            return spacing.faults();
         }
         c.document().apply(setSpacing(*c.document().current(), std::move(spacing).value()), "Import spacing");
-        c.log.note("Spacing taken from " + file.filename().string());
-        return true;
+        c.log.tell("Spacing taken from " + file.filename().string());
+        return {};
     };
     context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));
 }

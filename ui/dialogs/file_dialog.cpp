@@ -21,6 +21,17 @@ std::string dateText(std::int64_t modified) {
     return std::strftime(buffer, sizeof buffer, "%Y-%m-%d %H:%M", &parts) > 0 ? buffer : std::string();
 }
 
+/// One sentence: the place in the file, the message, the advice.
+std::string told(const Diagnostic &fault) {
+    std::string text;
+    if (!fault.file.empty()) {
+        text = std::filesystem::path(fault.file).filename().string();
+        text += fault.line > 0 ? ", line " + std::to_string(fault.line) + ": " : ": ";
+    }
+    text += fault.message;
+    return fault.advice.empty() ? text : text + "; " + fault.advice;
+}
+
 } // namespace
 
 FileDialog::FileDialog(FileRequest request) : request_(std::move(request)) {
@@ -42,6 +53,12 @@ void FileDialog::enter(const std::filesystem::path &folder) {
     entries_ = std::move(listed).value();
     folder_ = folder;
     replace_.reset();
+}
+
+void FileDialog::suggest(std::string name) {
+    request_.name = std::move(name);
+    replace_.reset();
+    fault_.clear();
 }
 
 void FileDialog::drawPlaces(AppContext &context) {
@@ -77,7 +94,7 @@ void FileDialog::drawPlaces(AppContext &context) {
         if (ui::button(context, widget("recent/") + std::to_string(k), file.filename().string(), ui::ButtonKind::Quiet,
                        true, 126.0F)) {
             enter(file.parent_path());
-            request_.name = file.filename().string();
+            suggest(file.filename().string());
         }
         ImGui::PopStyleVar();
         ui::tooltip(context, file.string());
@@ -96,7 +113,7 @@ void FileDialog::drawPath(AppContext &context) {
         if (std::filesystem::is_directory(typed, ignored)) {
             enter(typed);
         } else {
-            request_.name = typed.filename().string();
+            suggest(typed.filename().string());
             enter(typed.parent_path());
         }
     }
@@ -130,8 +147,7 @@ bool FileDialog::drawRow(AppContext &context, const FileEntry &entry) {
     const bool pressed = ui::selectable(context, name, label, !entry.folder && entry.name == request_.name, detail);
     const bool twice = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     if (pressed && !entry.folder) {
-        request_.name = entry.name;
-        replace_.reset();
+        suggest(entry.name);
     }
     return twice || (pressed && entry.folder);
 }
@@ -194,23 +210,38 @@ bool FileDialog::choose(AppContext &context) {
         return false;
     }
     replace_.reset();
-    return request_.chosen(context, file, filter());
+    const Diagnostics faults = request_.chosen(context, file, filter());
+    context.log.keep(faults);
+    fault_ = faults.empty() ? std::string() : told(faults.front());
+    return faults.empty();
 }
 
-bool FileDialog::drawBottom(AppContext &context) {
-    bool wanted = false;
+std::string FileDialog::warning() const {
+    return !fault_.empty() ? fault_ : replace_ ? replace_->filename().string() + " is already there" : std::string();
+}
+
+/// Widths of the two buttons and the gap between them, design pixels; what is told stands to their left.
+constexpr float kButton = 108.0F, kGap = 10.0F;
+
+float FileDialog::bottomHeight(const AppContext &context) const {
+    const float room = context.px(static_cast<double>(width()) - 44.0 - 2.0 * kButton - 2.0 * kGap);
+    const float lines = ImGui::CalcTextSize(warning().c_str(), nullptr, false, room).y;
+    const float more = std::max(0.0F, lines - ImGui::GetTextLineHeight());
+    return context.px(request_.extra ? 118 : 84) + more;
+}
+
+void FileDialog::drawName(AppContext &context, bool &wanted) {
     ImGui::AlignTextToFramePadding();
     ui::muted(context, "Name");
     ImGui::SameLine(context.px(72));
-    const std::string before = request_.name;
-    if (ui::inputText(context, widget("name"), request_.name, request_.saves ? "name of the file" : "name or path",
-                      340.0F, true, focusName_)) {
+    std::string name = request_.name;
+    if (ui::inputText(context, widget("name"), name, request_.saves ? "name of the file" : "name or path", 340.0F, true,
+                      focusName_)) {
         wanted = true;
     }
     focusName_ = false;
-    if (before != request_.name) {
-        replace_.reset();
-        fault_.clear();
+    if (name != request_.name) {
+        suggest(name);
     }
     ImGui::SameLine();
     std::vector<const char *> labels;
@@ -225,22 +256,28 @@ bool FileDialog::drawBottom(AppContext &context) {
         }
         enter(folder_);
     }
+}
+
+bool FileDialog::drawBottom(AppContext &context) {
+    bool wanted = false;
+    drawName(context, wanted);
     const bool allowed = !request_.extra || request_.extra(context);
     ImGui::Dummy({0, context.px(4)});
-    const std::string warning = !fault_.empty() ? fault_
-                                : replace_      ? replace_->filename().string() + " is already there"
-                                                : std::string();
+    const float buttons = ImGui::GetWindowContentRegionMax().x - context.px(2.0 * kButton + kGap);
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, fault_.empty() ? context.theme.warn : context.theme.bad);
-    ImGui::TextUnformatted(warning.c_str());
+    ImGui::PushTextWrapPos(buttons - context.px(kGap));
+    const float top = ImGui::GetCursorPosY();
+    ImGui::TextUnformatted(warning().c_str());
+    ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
     ui::mark(context, widget("warning"));
-    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - context.px(226));
-    const bool cancelled = ui::button(context, widget("cancel"), "Cancel", ui::ButtonKind::Plain, true, 108.0F);
-    ImGui::SameLine(0, context.px(10));
+    ImGui::SetCursorPos({buttons, top});
+    const bool cancelled = ui::button(context, widget("cancel"), "Cancel", ui::ButtonKind::Plain, true, kButton);
+    ImGui::SameLine(0, context.px(kGap));
     const std::string label = replace_ ? "Replace" : request_.action;
     wanted =
-        ui::button(context, widget("ok"), label, ui::ButtonKind::Primary, allowed && !request_.name.empty(), 108.0F) ||
+        ui::button(context, widget("ok"), label, ui::ButtonKind::Primary, allowed && !request_.name.empty(), kButton) ||
         wanted;
     if (cancelled) {
         return false;
@@ -249,8 +286,7 @@ bool FileDialog::drawBottom(AppContext &context) {
 }
 
 bool FileDialog::draw(AppContext &context) {
-    const float bottom = context.px(request_.extra ? 118 : 84);
-    const float height = ImGui::GetContentRegionAvail().y - bottom;
+    const float height = ImGui::GetContentRegionAvail().y - bottomHeight(context);
     ImGui::BeginChild("places", {context.px(134), height}, false, ImGuiWindowFlags_NoNav);
     drawPlaces(context);
     ImGui::EndChild();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/diagnostic.hpp"
 #include "ui/dialogs/dialog.hpp"
 #include "ui/dialogs/file_list.hpp"
 
@@ -21,8 +22,8 @@ struct FileRequest {
     std::size_t filter = 0;
     std::filesystem::path folder; ///< where to begin; empty: the working folder
     std::string name;             ///< suggested
-    /// Called with the file chosen. True: done, the dialog closes; false: it stays (the reason is in the log).
-    std::function<bool(AppContext &, const std::filesystem::path &, const FileFilter &)> chosen;
+    /// Called with the file chosen. No faults: done, the dialog closes; else it stays and shows the first.
+    std::function<Diagnostics(AppContext &, const std::filesystem::path &, const FileFilter &)> chosen;
     /// Lines between the list and the buttons; returns false to disable the button. May be empty.
     std::function<bool(AppContext &)> extra;
 };
@@ -46,6 +47,13 @@ class FileDialog : public Dialog {
     bool drawList(AppContext &context);
     bool drawRow(AppContext &context, const FileEntry &entry);
     bool drawBottom(AppContext &context);
+    void drawName(AppContext &context, bool &wanted);
+    /// What is wrong with the choice, or what choosing once more will do; empty: nothing.
+    std::string warning() const;
+    /// Height of what stands below the list, in pixels.
+    float bottomHeight(const AppContext &context) const;
+    /// What the list and the field of the name say counts from now on; earlier faults do not.
+    void suggest(std::string name);
     bool choose(AppContext &context);
     /// A typed ending of another kind of file chooses that kind.
     void followExtension(const std::string &name);

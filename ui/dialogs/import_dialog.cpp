@@ -19,7 +19,9 @@ void ImportDialog::insert(AppContext &context) const {
     if (empty) {
         context.actions.run("view.fit", context);
     }
-    context.log.note(ui::format("%zu shapes imported from ", drawing_.shapes.size()) + file_.filename().string());
+    const std::size_t count = drawing_.shapes.size();
+    context.log.tell(ui::count(count) + (count == 1 ? " shape" : " shapes") + " imported from " +
+                     file_.filename().string());
 }
 
 bool ImportDialog::draw(AppContext &context) {

@@ -13,7 +13,7 @@ void repairDrawing(AppContext &context) {
         return;
     }
     if (repaired->changes.empty()) {
-        context.log.note("Nothing that can be repaired safely was found");
+        context.log.tell("Nothing that can be repaired safely was found");
         return;
     }
     const Document drawing = fromDomain(repaired->domain);
@@ -32,8 +32,10 @@ void repairDrawing(AppContext &context) {
     context.selection.clear();
     context.log.add(repaired->changes);
     const Diagnostics left = validate(repaired->domain);
-    context.log.note(std::to_string(repaired->changes.size()) + " repairs, " + std::to_string(left.size()) +
-                     " faults left");
+    const auto counted = [](std::size_t count, const char *what) {
+        return std::to_string(count) + what + (count == 1 ? "" : "s");
+    };
+    context.log.tell(counted(repaired->changes.size(), " repair") + ", " + counted(left.size(), " fault") + " left");
 }
 
 } // namespace forefront

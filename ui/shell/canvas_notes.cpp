@@ -89,8 +89,9 @@ void drawOutOfDate(AppContext &context, const PixelRect &canvas) {
     if (working(context.run().now())) {
         return; // the progress stands there
     }
-    if (!context.run().outOfDate() || context.run().now().state == RunState::Empty) {
-        return;
+    const RunState state = context.run().now().state;
+    if (!context.run().outOfDate() || state == RunState::Empty || state == RunState::Failed) {
+        return; // there is no mesh
     }
     const double scale = static_cast<double>(context.scale);
     const Plate plate(context, "##outofdate", canvas.x + canvas.width - 12.0 * scale, topOfNotes(context, canvas), 1.0F,
@@ -155,46 +156,70 @@ bool repairable(const Diagnostic &diagnostic) {
     return std::find(kCodes.begin(), kCodes.end(), diagnostic.code) != kCodes.end();
 }
 
-/// The first of the faults that were told last, all at once; how many followed it goes to `more`.
-const MessageLog::Entry &firstOfNewest(const std::deque<MessageLog::Entry> &entries, std::size_t &more) {
-    std::size_t first = entries.size() - 1;
-    while (first > 0 && entries[first - 1].time == entries.back().time &&
-           entries[first - 1].diagnostic.severity != Severity::Note) {
-        --first;
+/// What was told last, as long as it is new and, a fault, of the document as it is; of several faults told at once the
+/// first, and how many followed it goes to `more`. Null: nothing.
+const MessageLog::Entry *newsOf(AppContext &context, std::size_t &more) {
+    constexpr double kShown = 9.0; // seconds
+    const auto &entries = context.log.entries();
+    const auto last = std::find_if(entries.rbegin(), entries.rend(), [](const auto &entry) { return entry.told; });
+    if (last == entries.rend() || context.platform.now() - last->time > kShown) {
+        return nullptr;
     }
-    more = entries.size() - 1 - first;
-    return entries[first];
+    const bool fault = last->diagnostic.severity != Severity::Note;
+    if (fault && last->revision != context.document().revision()) {
+        return nullptr;
+    }
+    context.wakeAt(last->time + kShown);
+    auto first = last;
+    const auto together = [&](const MessageLog::Entry &entry) {
+        return entry.told && entry.time == last->time && entry.diagnostic.severity != Severity::Note;
+    };
+    while (fault && std::next(first) != entries.rend() && together(*std::next(first))) {
+        ++first;
+    }
+    more = static_cast<std::size_t>(first - last);
+    return &*first;
 }
 
-/// The newest error for some seconds, with a way to its place; of several, the first.
-void drawNewestError(AppContext &context, const PixelRect &canvas) {
-    constexpr double kShown = 9.0;
-    const auto &entries = context.log.entries();
-    if (entries.empty() || entries.back().diagnostic.severity == Severity::Note) {
-        return;
+void drawNewsButtons(AppContext &context, const Diagnostic &diagnostic) {
+    if (diagnostic.at) {
+        ImGui::SameLine(0, context.px(12));
+        if (ui::button(context, "canvas/error/goto", "Show place")) {
+            context.view.goTo(*diagnostic.at, context.platform.now());
+        }
     }
+    if (repairable(diagnostic) && hasErrors(context.preview->faults)) {
+        ImGui::SameLine(0, context.px(8));
+        if (ui::button(context, "canvas/error/repair", "Repair")) {
+            context.actions.run("edit.repair", context);
+        }
+    }
+}
+
+/// The news for some seconds; those of a fault with a way to its place.
+void drawNews(AppContext &context, const PixelRect &canvas) {
     std::size_t more = 0;
-    const MessageLog::Entry &entry = firstOfNewest(entries, more);
-    const double age = context.platform.now() - entry.time;
-    if (age > kShown) {
+    const MessageLog::Entry *const entry = newsOf(context, more);
+    if (entry == nullptr) {
         return;
     }
-    context.wakeAt(entry.time + kShown);
+    const Diagnostic diagnostic = entry->diagnostic; // a button may add to the log
     const double scale = static_cast<double>(context.scale);
     const double y = canvas.y + canvas.height - (context.settings.hints ? 62.0 : 14.0) * scale;
     const double legend = canvas.width > 700.0 * scale ? 230.0 * scale : 0.0; // stands at the right
-    const Plate plate(context, "##error", canvas.centre().x - 0.5 * legend, y, 0.5F, 1.0F);
-    const bool fault = entry.diagnostic.severity == Severity::Error;
+    const Plate plate(context, "##news", canvas.centre().x - 0.5 * legend, y, 0.5F, 1.0F);
+    const bool fault = diagnostic.severity == Severity::Error, note = diagnostic.severity == Severity::Note;
+    const Theme &theme = context.theme;
     ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, fault ? context.theme.bad : context.theme.warn);
-    ImGui::TextUnformatted(fault ? icon::kError : icon::kWarning);
+    ImGui::PushStyleColor(ImGuiCol_Text, fault ? theme.bad : note ? theme.good : theme.warn);
+    ImGui::TextUnformatted(fault ? icon::kError : note ? icon::kCheck : icon::kWarning);
     ImGui::PopStyleColor();
     ImGui::SameLine(0, context.px(8));
     ImGui::PushTextWrapPos(context.px(520));
     ImGui::BeginGroup();
-    ImGui::TextUnformatted(withPlace(entry.diagnostic).c_str());
-    if (!entry.diagnostic.advice.empty()) {
-        ui::muted(context, entry.diagnostic.advice);
+    ImGui::TextUnformatted(withPlace(diagnostic).c_str());
+    if (!diagnostic.advice.empty()) {
+        ui::muted(context, diagnostic.advice);
     }
     if (more > 0) {
         ui::muted(context, "and " + ui::count(more) + " more: see Log");
@@ -202,19 +227,8 @@ void drawNewestError(AppContext &context, const PixelRect &canvas) {
     }
     ImGui::EndGroup();
     ImGui::PopTextWrapPos();
-    ui::mark(context, "canvas/error");
-    if (entry.diagnostic.at) {
-        ImGui::SameLine(0, context.px(12));
-        if (ui::button(context, "canvas/error/goto", "Show place")) {
-            context.view.goTo(*entry.diagnostic.at, context.platform.now());
-        }
-    }
-    if (repairable(entry.diagnostic) && hasErrors(context.preview->faults)) {
-        ImGui::SameLine(0, context.px(8));
-        if (ui::button(context, "canvas/error/repair", "Repair")) {
-            context.actions.run("edit.repair", context);
-        }
-    }
+    ui::mark(context, note ? "canvas/note" : "canvas/error");
+    drawNewsButtons(context, diagnostic);
 }
 
 } // namespace
@@ -223,7 +237,7 @@ void drawCanvasNotes(AppContext &context, const PixelRect &canvas) {
     drawHints(context, canvas);
     drawOutOfDate(context, canvas);
     drawProgress(context, canvas);
-    drawNewestError(context, canvas);
+    drawNews(context, canvas);
 }
 
 } // namespace forefront::shell

@@ -16,7 +16,7 @@ void drawToolOptions(AppContext &context, const PixelRect &canvas);
 void drawColumn(AppContext &context, const PixelRect &rect);
 void drawTimeline(AppContext &context, const PixelRect &rect);
 void drawStatusBar(AppContext &context, const PixelRect &rect);
-/// Over the canvas: hint strip, out-of-date badge, progress, newest error.
+/// Over the canvas: hint strip, out-of-date badge, progress, newest message.
 void drawCanvasNotes(AppContext &context, const PixelRect &canvas);
 
 /// Opens a borderless window that fills `rect`; pair with ImGui::End().

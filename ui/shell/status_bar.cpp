@@ -95,7 +95,7 @@ void drawStatusBar(AppContext &context, const PixelRect &rect) {
         cells.add("hash", "hash " + toHex(run.meshHash).substr(0, 8), theme.muted);
         if (cells.clicked("hash")) {
             context.platform.setClipboard(toHex(run.meshHash));
-            context.log.note("Mesh hash copied: " + toHex(run.meshHash));
+            context.log.tell("Mesh hash copied: " + toHex(run.meshHash));
         }
         ui::tooltip(context, "Equal exactly when the mesh is equal bit for bit. Click to copy.");
     }

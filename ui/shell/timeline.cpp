@@ -153,16 +153,24 @@ std::string faultText(const Diagnostic &fault) {
     return fault.advice.empty() ? text : text + "; " + fault.advice;
 }
 
+/// What to do while there is no mesh.
+std::string invitation(const AppContext &context) {
+    return context.document().current()->shapes.empty()
+               ? "Draw a domain: R rectangle, P polygon, C circle; a shape inside another is a hole. Or open one: "
+                 "Ctrl+O, samples in Learn."
+               : "Press 2 to mesh, or Space to watch the front advance.";
+}
+
 std::string captionText(const AppContext &context, const SessionSnapshot &run) {
     switch (run.state) {
     case RunState::Empty:
-        return context.document().current()->shapes.empty()
-                   ? "Draw a domain: R rectangle, P polygon, C circle; a shape inside another is a hole. Or open one: "
-                     "Ctrl+O, samples in Learn."
-                   : "Press 2 to mesh, or Space to watch the front advance.";
+        return invitation(context);
     case RunState::Cancelled:
         return cancelledText(run);
     case RunState::Failed:
+        if (context.run().outOfDate()) {
+            return invitation(context); // what it failed of may be mended
+        }
         return run.diagnostics.empty() ? "The domain cannot be meshed." : faultText(run.diagnostics.front());
     case RunState::Preparing:
     case RunState::Improving:
@@ -217,7 +225,8 @@ void drawTimeline(AppContext &context, const PixelRect &rect) {
     ui::mark(context, "timeline/position");
     const std::string words = captionText(context, run);
     ImGui::SetCursorPos({context.px(14), context.px(50)});
-    ImGui::PushStyleColor(ImGuiCol_Text, run.state == RunState::Failed ? context.theme.bad : context.theme.text);
+    const bool fault = run.state == RunState::Failed && !context.run().outOfDate();
+    ImGui::PushStyleColor(ImGuiCol_Text, fault ? context.theme.bad : context.theme.text);
     ImGui::PushClipRect({0, y}, {static_cast<float>(rect.width) - context.px(14), y + static_cast<float>(rect.height)},
                         true);
     ImGui::TextUnformatted(words.c_str());

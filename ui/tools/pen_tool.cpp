@@ -37,7 +37,7 @@ void PenTool::finish(AppContext &context) {
     if (path_.size() >= (kind_ == ShapeKind::Polygon ? 3U : 2U)) {
         commit(context, kind_ == ShapeKind::Polygon);
     } else if (!path_.empty()) {
-        context.log.note(kind_ == ShapeKind::Polygon ? "A polygon needs three nodes" : "A polyline needs two nodes");
+        context.log.tell(kind_ == ShapeKind::Polygon ? "A polygon needs three nodes" : "A polyline needs two nodes");
     }
 }
 
