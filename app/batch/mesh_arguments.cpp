@@ -133,8 +133,8 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     app.add_flag("--repair", arguments.repair,
                  "merge duplicate nodes and segments and split at crossings first, and say so");
     auto *improve = app.add_option("--improve", level,
-                                   "work on the shapes: none, default, best (slower, adds and "
-                                   "removes inner nodes, too)")
+                                   "work on the shapes: none (and the quickest front), default, best "
+                                   "(slower, adds and removes inner nodes, too)")
                         ->check(CLI::IsMember({"none", "default", "best"}))
                         ->type_name("LEVEL");
     app.add_flag("--no-improve", noImprove, "the same as --improve none")->excludes(improve);

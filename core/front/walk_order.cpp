@@ -6,47 +6,50 @@
 
 namespace forefront {
 
-int WalkOrder::level(double length) {
-    constexpr int kOffset = 2160;
-    constexpr int kBias = 1022; // of doubles whose mantissa is in [0.5, 1)
-    constexpr std::uint64_t kMantissa = (std::uint64_t{1} << 52) - 1;
-    constexpr std::uint64_t kHalfOctave = 0x6A09E667F3BCD; // mantissa of the root of 1/2
-    if (length < std::numeric_limits<double>::min()) {     // denormal, or nothing at all
-        constexpr int kShift = 64;
-        return length > 0.0 ? level(length * 0x1p64) - 2 * kShift : kOffset;
+std::uint32_t WalkOrder::level(double length) const {
+    if (length < std::numeric_limits<double>::min()) { // denormal, or nothing at all
+        return length > 0.0 ? level(length * 0x1p64) - 64 * kClasses : 0;
     }
+    constexpr int kMantissaBits = 52;
+    constexpr int kClassBits = std::countr_zero(kClasses);
     const auto bits = std::bit_cast<std::uint64_t>(length);
-    const int exponent = static_cast<int>(bits >> 52) - kBias;
-    return 2 * exponent + ((bits & kMantissa) >= kHalfOctave ? 1 : 0) + kOffset;
-}
-
-WalkOrder::Bucket &WalkOrder::bucketAt(std::size_t bucket) {
-    if (indices_[bucket] == 0) {
-        buckets_.emplace_back();
-        indices_[bucket] = static_cast<std::uint16_t>(buckets_.size());
+    const auto octave = static_cast<std::uint32_t>(bits >> kMantissaBits) + 64;
+    if (fine_) { // the first bits of the mantissa
+        return octave * kClasses + (static_cast<std::uint32_t>(bits >> (kMantissaBits - kClassBits)) % kClasses);
     }
-    return buckets_[indices_[bucket] - 1U];
+    constexpr std::uint64_t kMantissa = (std::uint64_t{1} << kMantissaBits) - 1;
+    constexpr std::uint64_t kRootOfTwo = 0x6A09E667F3BCD; // its mantissa
+    return octave * kClasses + ((bits & kMantissa) >= kRootOfTwo ? kClasses / 2 : 0);
 }
 
-void WalkOrder::mark(std::size_t bucket) {
+WalkOrder::Bucket &WalkOrder::bucketAt(std::uint32_t bucket) {
+    std::uint16_t &place = indices_[bucket / kClasses];
+    if (place == 0) {
+        octaves_.emplace_back();
+        place = static_cast<std::uint16_t>(octaves_.size());
+    }
+    return octaves_[place - 1U].buckets[bucket % kClasses];
+}
+
+void WalkOrder::mark(std::uint32_t bucket) {
     const Bucket &b = bucketAt(bucket);
     setFilled(bucket, b.first < b.entries.size());
 }
 
-void WalkOrder::setFilled(std::size_t bucket, bool filled) {
-    const auto set = [](std::uint64_t &word, std::size_t bit, bool value) {
+void WalkOrder::setFilled(std::uint32_t bucket, bool filled) {
+    const auto set = [](std::uint64_t &word, std::uint32_t bit, bool value) {
         word = (word & ~(std::uint64_t{1} << (bit % 64))) | (std::uint64_t{value} << (bit % 64));
     };
-    const std::size_t word = bucket / 64;
-    set(filled_[word], bucket, filled);
-    set(some_[word / 64], word, filled_[word] != 0);
+    const std::uint32_t octave = bucket / kClasses;
+    set(filled_[octave], bucket, filled);
+    set(some_[octave / 64], octave, filled_[octave] != 0);
 }
 
-std::size_t WalkOrder::lowest() const {
-    for (std::size_t group = 0; group < some_.size(); ++group) {
+std::uint32_t WalkOrder::lowest() const {
+    for (std::uint32_t group = 0; group < some_.size(); ++group) {
         if (some_[group] != 0) {
-            const std::size_t word = group * 64 + static_cast<std::size_t>(std::countr_zero(some_[group]));
-            return word * 64 + static_cast<std::size_t>(std::countr_zero(filled_[word]));
+            const std::uint32_t octave = group * 64 + static_cast<std::uint32_t>(std::countr_zero(some_[group]));
+            return octave * kClasses + static_cast<std::uint32_t>(std::countr_zero(filled_[octave]));
         }
     }
     return kBuckets;
@@ -54,28 +57,27 @@ std::size_t WalkOrder::lowest() const {
 
 void WalkOrder::offer(const GenerationFront &front, SlotId id) {
     const FrontSlot &slot = front[id];
-    const std::size_t bucket =
-        static_cast<std::size_t>(level(slot.length)) + (slot.mark.failureClass > 0 ? kLevels : 0);
+    const std::uint32_t bucket = level(slot.length) + (slot.mark.failureClass > 0 ? kOctaves * kClasses : 0);
     const Entry entry{id, slot.mark.serial};
     bucketAt(bucket).entries.push_back(entry);
     setFilled(bucket, true);
     if (logging_) {
-        log_.push_back({entry, static_cast<std::uint16_t>(bucket), true});
+        log_.push_back({entry, bucket, true});
     }
 }
 
 SlotId WalkOrder::take(const GenerationFront &front) {
     constexpr std::size_t kCompactFrom = 1024;
-    for (std::size_t bucket = lowest(); bucket < kBuckets; bucket = lowest()) {
+    for (std::uint32_t bucket = lowest(); bucket < kBuckets; bucket = lowest()) {
         Bucket &b = bucketAt(bucket);
         SlotId found = kNoSlot;
         while (b.first < b.entries.size() && found == kNoSlot) {
             const Entry entry = b.entries[b.first++];
             const FrontSlot &slot = front[entry.slot];
-            const bool classOk = (slot.mark.failureClass > 0) == (bucket >= kLevels);
+            const bool classOk = (slot.mark.failureClass > 0) == (bucket >= kOctaves * kClasses);
             found = slot.alive && slot.mark.serial == entry.serial && classOk ? entry.slot : kNoSlot;
             if (logging_) {
-                log_.push_back({entry, static_cast<std::uint16_t>(bucket), false});
+                log_.push_back({entry, bucket, false});
             }
         }
         if (!logging_ && (b.first == b.entries.size() || (b.first > kCompactFrom && 2 * b.first > b.entries.size()))) {
@@ -90,15 +92,14 @@ SlotId WalkOrder::take(const GenerationFront &front) {
     return kNoSlot;
 }
 
-void WalkOrder::clear() {
-    indices_.resize(kBuckets, 0);
-    for (std::size_t word = 0; word < filled_.size(); ++word) {
-        for (; filled_[word] != 0; filled_[word] &= filled_[word] - 1) {
-            Bucket &b = bucketAt(word * 64 + static_cast<std::size_t>(std::countr_zero(filled_[word])));
-            b.entries.resize(b.first);
-        }
+void WalkOrder::clear(bool fineClasses) {
+    fine_ = fineClasses;
+    indices_.resize(2 * kOctaves, 0);
+    for (std::uint32_t bucket = lowest(); bucket < kBuckets; bucket = lowest()) {
+        Bucket &b = bucketAt(bucket);
+        b.entries.resize(b.first);
+        setFilled(bucket, false);
     }
-    some_.fill(0);
 }
 
 void WalkOrder::rollBack(std::size_t size) {
@@ -117,10 +118,10 @@ void WalkOrder::rollBack(std::size_t size) {
 }
 
 void WalkOrder::addTo(Hash64 &hash) const {
-    for (std::size_t word = 0; word < filled_.size(); ++word) {
-        for (std::uint64_t bits = filled_[word]; bits != 0; bits &= bits - 1) {
-            const std::size_t bucket = word * 64 + static_cast<std::size_t>(std::countr_zero(bits));
-            const Bucket &b = buckets_[indices_[bucket] - 1U];
+    for (std::uint32_t octave = 0; octave < filled_.size(); ++octave) {
+        for (std::uint64_t bits = filled_[octave]; bits != 0; bits &= bits - 1) {
+            const auto place = static_cast<std::size_t>(std::countr_zero(bits));
+            const Bucket &b = octaves_[indices_[octave] - 1U].buckets[place];
             for (std::size_t i = b.first; i < b.entries.size(); ++i) {
                 hash.add((static_cast<std::uint64_t>(index(b.entries[i].slot)) << 32) | b.entries[i].serial);
             }

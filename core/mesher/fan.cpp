@@ -12,8 +12,7 @@ namespace forefront {
 
 namespace {
 
-// Distances of the apex, in element sizes: from the nodes of the chain and, at least, from other nodes of Γ.
-constexpr double kNearest = 0.78;
+// Distances of the apex, in element sizes: at most from the nodes of the chain and, at least, from other nodes of Γ.
 constexpr double kFarthest = 1.3;
 constexpr double kFanClearance = 0.8;
 
@@ -79,7 +78,7 @@ bool FanBuilder<Grid, Trace>::place(Fan &fan) const {
     if (fan.size < kSmallNode * fan.rho) {
         return false;
     }
-    const double nearest = kNearest * kNearest * fan.size * fan.size;
+    const double nearest = state_.care.nearest * state_.care.nearest * fan.size * fan.size;
     const double farthest = kFarthest * kFarthest * fan.size * fan.size;
     for (unsigned i = 0; i <= fan.segments; ++i) {
         const double d = distanceSquared(fan.apex, fan.at[i]);

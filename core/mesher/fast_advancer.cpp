@@ -53,7 +53,7 @@ void FastAdvancer<Grid, Trace>::prepare(FrontState &state, const DiscreteDomain 
         front.setRho(SlotId{i}, spacing.at(front.start(SlotId{i})));
     }
     state.regionEnd = static_cast<std::uint32_t>(state.regions->boxes.size());
-    state.walkOrder.clear();
+    state.walkOrder.clear(state.care.fineClasses);
     offerAll(state.walkOrder, front, state.regions->boxes.front());
 }
 
@@ -84,7 +84,7 @@ SlotId FastAdvancer<Grid, Trace>::nextBase() {
         base = state_.walkOrder.take(state_.front);
     }
     if (base != kNoSlot) {
-        state_.walk.level = WalkOrder::level(state_.front[base].length);
+        state_.walk.level = state_.walkOrder.level(state_.front[base].length);
     }
     return base;
 }
@@ -283,8 +283,8 @@ bool FastAdvancer<Grid, Trace>::mayConnect(const Candidate &apex) const {
     return apex.slot == kNoSlot || holds(*limits(), state_.front.start(state_.front.prev(apex.slot)));
 }
 
-/// The walk goes on with the new segment that follows along the loop, unless it is of a greater class of length; all
-/// other new ones are put into the order.
+/// The walk, if there is to be one, goes on with the new segment that follows along the loop, unless it is of a greater
+/// class of length; all other new ones are put into the order.
 template <class Grid, class Trace>
 void FastAdvancer<Grid, Trace>::walkOn(const AdvanceDelta &delta) {
     const GenerationFront &front = state_.front;
@@ -298,7 +298,8 @@ void FastAdvancer<Grid, Trace>::walkOn(const AdvanceDelta &delta) {
     if (last == kNoSlot) {
         return;
     }
-    if (delta.kind == AdvanceDelta::Kind::Deferral || WalkOrder::level(front[last].length) > state_.walk.level) {
+    if (!state_.care.walks || delta.kind == AdvanceDelta::Kind::Deferral ||
+        state_.walkOrder.level(front[last].length) > state_.walk.level) {
         state_.walkOrder.offer(front, last);
     } else {
         state_.walk.base = last;

@@ -4,13 +4,13 @@
 
 namespace forefront {
 
-FrontState::FrontState(const DiscreteDomain &boundary)
-    : front(boundary), regions(std::make_shared<const FrontRegions>()), nodes(boundary.nodes),
+FrontState::FrontState(const DiscreteDomain &boundary, const FrontCare &howCareful)
+    : front(boundary), care(howCareful), regions(std::make_shared<const FrontRegions>()), nodes(boundary.nodes),
       manyRegions(boundary.regions.size() > 1),
       smallNodesLeft(16 * static_cast<std::uint64_t>(boundary.nodes.size()) + 1000) {}
 
 FrontState::FrontState(const FrontState &whole, GenerationFront part, std::uint32_t onlyRegion)
-    : front(std::move(part)), regions(whole.regions), region(onlyRegion), regionEnd(onlyRegion + 1),
+    : front(std::move(part)), care(whole.care), regions(whole.regions), region(onlyRegion), regionEnd(onlyRegion + 1),
       firstNode(static_cast<std::uint32_t>(whole.nodes.size())), manyRegions(whole.manyRegions),
       smallNodesLeft(whole.smallNodesLeft) {}
 
@@ -29,7 +29,7 @@ std::uint64_t FrontState::hash() const {
         }
     }
     walkOrder.addTo(hash);
-    hash.add((static_cast<std::uint64_t>(index(walk.base)) << 32) | static_cast<std::uint64_t>(walk.level));
+    hash.add((static_cast<std::uint64_t>(index(walk.base)) << 32) | walk.level);
     hash.add(static_cast<std::uint64_t>(region));
     for (const std::uint64_t value : {work.advances, work.elements, work.frontSum, work.candidates, work.newNodes,
                                       work.deferrals, work.forced, smallNodesLeft}) {

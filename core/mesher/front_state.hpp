@@ -5,6 +5,7 @@
 #include "core/front/generation_front.hpp"
 #include "core/front/walk_order.hpp"
 #include "core/mesh/mesh.hpp"
+#include "core/mesher/front_care.hpp"
 #include "core/mesher/front_regions.hpp"
 #include "core/mesher/statistics.hpp"
 
@@ -16,21 +17,22 @@ namespace forefront {
 
 /// Where the fast method stands in its walk along the loops of Γ.
 struct Walk {
-    SlotId base = kNoSlot; ///< the segment to go on with: in no queue; kNoSlot: take one from the order
-    int level = 0;         ///< class of length of the segment that the walk began with: it ends at longer ones
+    SlotId base = kNoSlot;   ///< the segment to go on with: in no queue; kNoSlot: take one from the order
+    std::uint32_t level = 0; ///< class of length of the segment that the walk began with: it ends at longer ones
 };
 
 /// Everything a run consists of besides the background grid: Γ, the order of bases, nodes and elements so far.
 struct FrontState {
-    explicit FrontState(const DiscreteDomain &boundary);
+    explicit FrontState(const DiscreteDomain &boundary, const FrontCare &howCareful = {});
     /// For a part of Γ that is advanced alone, in one region: new nodes get the ids after those of `whole`.
     FrontState(const FrontState &whole, GenerationFront part, std::uint32_t onlyRegion);
 
     GenerationFront front;
-    BaseOrder order;     ///< of the classic method
-    WalkOrder walkOrder; ///< of the fast method
+    BaseOrder order; ///< of the classic method
+    FrontCare care;  ///< of the fast method, as what follows
+    WalkOrder walkOrder;
     Walk walk;
-    std::shared_ptr<const FrontRegions> regions; ///< of the fast method; never null
+    std::shared_ptr<const FrontRegions> regions; ///< never null
     std::uint32_t region = 0;                    ///< the present one
     std::uint32_t regionEnd = 1;                 ///< after the last to be worked on
     std::uint32_t firstNode = 0;                 ///< id of nodes[0]

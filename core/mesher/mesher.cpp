@@ -21,8 +21,9 @@ namespace {
 template <template <class, class> class Advancer, class Grid>
 class GridMesher final : public Mesher {
   public:
-    GridMesher(std::shared_ptr<const DiscreteDomain> boundary, std::shared_ptr<const SpacingField> spacing, Grid grid)
-        : Mesher(std::move(boundary), std::move(spacing)), grid_(std::move(grid)),
+    GridMesher(std::shared_ptr<const DiscreteDomain> boundary, std::shared_ptr<const SpacingField> spacing,
+               const FrontCare &care, Grid grid)
+        : Mesher(std::move(boundary), std::move(spacing), care), grid_(std::move(grid)),
           slack_(gridSlack(boundary_->bounds())), advancer_(state_, grid_, *spacing_, slack_, NoTrace{}) {
         Advancer<Grid, NoTrace>::prepare(state_, *boundary_, *spacing_);
         insertAll();
@@ -128,18 +129,20 @@ void addTags(Mesh &mesh, const DiscreteDomain &boundary, const std::vector<std::
 
 } // namespace
 
-Mesher::Mesher(std::shared_ptr<const DiscreteDomain> boundary, std::shared_ptr<const SpacingField> spacing)
-    : boundary_(std::move(boundary)), spacing_(std::move(spacing)), state_(*boundary_) {}
+Mesher::Mesher(std::shared_ptr<const DiscreteDomain> boundary, std::shared_ptr<const SpacingField> spacing,
+               const FrontCare &care)
+    : boundary_(std::move(boundary)), spacing_(std::move(spacing)), state_(*boundary_, care) {}
 
 std::unique_ptr<Mesher> Mesher::create(std::shared_ptr<const DiscreteDomain> boundary,
                                        std::shared_ptr<const SpacingField> spacing, const MeshingOptions &options) {
     const DiscreteDomain &domain = *boundary;
+    const FrontCare care = careFor(options.improve);
     const auto make = [&]<class Grid>(Grid grid) -> std::unique_ptr<Mesher> {
         if (options.method == Method::Classic) {
-            return std::make_unique<GridMesher<ClassicAdvancer, Grid>>(std::move(boundary), std::move(spacing),
+            return std::make_unique<GridMesher<ClassicAdvancer, Grid>>(std::move(boundary), std::move(spacing), care,
                                                                        std::move(grid));
         }
-        return std::make_unique<GridMesher<FastAdvancer, Grid>>(std::move(boundary), std::move(spacing),
+        return std::make_unique<GridMesher<FastAdvancer, Grid>>(std::move(boundary), std::move(spacing), care,
                                                                 std::move(grid));
     };
     switch (options.grid) {

@@ -47,7 +47,8 @@ class Mesher {
     static constexpr double kRoom = 1.5;
 
   protected:
-    Mesher(std::shared_ptr<const DiscreteDomain> boundary, std::shared_ptr<const SpacingField> spacing);
+    Mesher(std::shared_ptr<const DiscreteDomain> boundary, std::shared_ptr<const SpacingField> spacing,
+           const FrontCare &care);
 
     std::shared_ptr<const DiscreteDomain> boundary_;
     std::shared_ptr<const SpacingField> spacing_;

@@ -52,7 +52,7 @@ class RegionRunner {
         }
         state_.region = static_cast<std::uint32_t>(regions.boxes.size() - 1);
         state_.walk = {};
-        state_.walkOrder.clear();
+        state_.walkOrder.clear(state_.care.fineClasses);
         offerAll(state_.walkOrder, state_.front, regions.boxes.back());
         return true;
     }
@@ -90,7 +90,7 @@ class RegionRunner {
                 grid.insert(state.front, SlotId{i});
             }
         }
-        state.walkOrder.clear();
+        state.walkOrder.clear(state.care.fineClasses);
         offerAll(state.walkOrder, state.front, box);
         FastAdvancer<HierarchicalGrid, NoTrace> advancer(state, grid, spacing_, slack_, NoTrace{});
         AdvanceDelta delta;

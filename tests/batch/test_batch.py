@@ -119,7 +119,8 @@ class Meshing(Case):
         self.assertEqual((raw["improve"], improved["improve"]), ("none", "default"))
         self.assertEqual(raw["hash"], self.stats("plate.poly", "--size", "0.1", "--improve", "none")["hash"])
         self.assertEqual(improved["hash"], self.stats("plate.poly", "--size", "0.1", "--improve", "default")["hash"])
-        self.assertEqual(raw["elements"], improved["elements"])
+        # The front takes more care where nodes are to move: it is not the same mesh before.
+        self.assertLess(abs(raw["elements"] / improved["elements"] - 1), 0.05)
         self.assertGreaterEqual(improved["alpha_min"], raw["alpha_min"])
         self.assertNotEqual(raw["hash"], improved["hash"])
 

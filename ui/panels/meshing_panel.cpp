@@ -39,7 +39,7 @@ class MeshingPanel final : public Panel {
         }
         ImGui::EndGroup();
         ui::tooltip(context, "Swapping edges and moving inner nodes once the front has closed. Best takes longer "
-                             "and also adds and removes inner nodes.");
+                             "and also adds and removes inner nodes; None goes with the quickest front.");
         form::label(context, "Boundary");
         changed = ui::checkbox(context, "meshing/keepboundary", "Keep its segments", options.keepBoundary) || changed;
         ui::tooltip(context, "The segments drawn become edges as they are, however long; no nodes are put between");
