@@ -71,6 +71,16 @@ void mark(AppContext &context, std::string_view name, bool enabled) {
     context.widgets.add(name, {{min.x, min.y, max.x - min.x, max.y - min.y}, enabled, ImGui::IsItemVisible()});
 }
 
+void markWindow(AppContext &context, std::string_view name) {
+    const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    const PixelRect rect{at.x, at.y, size.x, size.y};
+    const WidgetRegistry::Widget *const before = context.widgets.find(name);
+    if (before == nullptr || !(before->rect == rect)) {
+        context.animate(); // what stands beside it may move
+    }
+    markRect(context, name, rect);
+}
+
 bool button(AppContext &context, std::string_view name, std::string_view label, ButtonKind kind, bool enabled,
             float width) {
     const Id id(name);
@@ -338,34 +348,6 @@ void small(AppContext &context, std::string_view text, bool wrap) {
     }
     ImGui::PopStyleColor();
     ImGui::PopFont();
-}
-
-void tooltip(AppContext &context, std::string_view text) {
-    constexpr float kDelay = 0.4F; // seconds: who passes over a control on the way elsewhere wants no explanation
-    if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
-        return;
-    }
-    const ImGuiContext &imgui = *ImGui::GetCurrentContext();
-    if (imgui.HoveredId != 0 && imgui.HoveredIdTimer < kDelay) {
-        context.wakeAt(context.platform.now() + static_cast<double>(kDelay - imgui.HoveredIdTimer));
-        return;
-    }
-    if (imgui.HoveredId != 0 && imgui.HoveredIdTimer - imgui.IO.DeltaTime < kDelay) {
-        context.animate(); // it appears now: Dear ImGui measures it in a frame that does not show it
-    }
-    const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
-    if (max.y > 0.8F * imgui.IO.DisplaySize.y) { // else it would cover the neighbours, pushed up from the lower edge
-        const float x = std::clamp(imgui.IO.MousePos.x, min.x, std::max(min.x, max.x));
-        const bool narrow = x + context.px(340) > imgui.IO.DisplaySize.x;
-        ImGui::SetNextWindowPos({x, min.y - context.px(6)}, ImGuiCond_Always, {narrow ? 1.0F : 0.0F, 1.0F});
-    }
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(9), context.px(6)));
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(context.px(320));
-    ImGui::TextUnformatted(text.data(), text.data() + text.size());
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
-    ImGui::PopStyleVar();
 }
 
 bool badge(AppContext &context, std::string_view name, std::string_view text, Colour colour) {

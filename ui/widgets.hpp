@@ -17,6 +17,9 @@ void mark(AppContext &context, std::string_view name, bool enabled = true);
 /// Registers any rectangle.
 void markRect(AppContext &context, std::string_view name, const PixelRect &rect, bool enabled = true);
 
+/// Registers the window of Dear ImGui that is being drawn.
+void markWindow(AppContext &context, std::string_view name);
+
 enum class ButtonKind : std::uint8_t { Plain, Primary, Quiet };
 /// Width in design pixels; 0: as wide as the label, negative: all that is left.
 bool button(AppContext &context, std::string_view name, std::string_view label, ButtonKind kind = ButtonKind::Plain,

@@ -118,7 +118,7 @@ TEST_CASE("Camera: fit shows the whole box, however thin") {
     Camera camera;
     camera.viewport = {0, 0, 900, 500};
     for (const Box2 &box : {Box2{{0, 0}, {10, 7}}, Box2{{1e5, 1e5}, {1e5 + 1, 1e5}}, Box2{{-3, -1e-9}, {-3, 1e-9}}}) {
-        camera.fit(box);
+        camera.fit(box, camera.viewport);
         const Vec2 low = camera.toPixel(box.min), high = camera.toPixel(box.max);
         CHECK(low.x >= 0.0);
         CHECK(low.y <= 500.0);

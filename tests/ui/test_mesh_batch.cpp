@@ -78,7 +78,7 @@ std::size_t painted(const std::vector<std::uint8_t> &picture) {
 
 TEST_CASE("MeshBatch: growing and shrinking in place draws what building anew draws") {
     Stage stage;
-    stage.camera.fit({{0, 0}, {20, 20}});
+    stage.camera.fit({{0, 0}, {20, 20}}, stage.camera.viewport);
     MeshBatch grown;
     for (const std::size_t count : {10U, 300U, 301U, 800U, 250U, 251U, 640U}) {
         grown.update(lattice(20, count, 1000 + count), false);
@@ -93,7 +93,7 @@ TEST_CASE("MeshBatch: growing and shrinking in place draws what building anew dr
 
 TEST_CASE("MeshBatch: a mesh whose nodes have moved is uploaded anew") {
     Stage stage;
-    stage.camera.fit({{0, 0}, {20, 20}});
+    stage.camera.fit({{0, 0}, {20, 20}}, stage.camera.viewport);
     MeshBatch batch;
     batch.update(lattice(20, 800, 1), false);
     auto moved = lattice(20, 800, 2);
@@ -122,7 +122,7 @@ TEST_CASE("MeshBatch: what the GPU has is not sent again") {
 
 TEST_CASE("MeshBatch: elements too small for edges wear an even veil instead, and so differ from what is unmeshed") {
     Stage stage;
-    stage.camera.fit({{0, 0}, {800, 800}});
+    stage.camera.fit({{0, 0}, {800, 800}}, stage.camera.viewport);
     MeshBatch batch;
     batch.update(lattice(800, 640000, 1), false); // half of it
     const std::vector<std::uint8_t> picture = draw(stage, batch);
@@ -137,7 +137,7 @@ TEST_CASE("MeshBatch: elements too small for edges wear an even veil instead, an
 
 TEST_CASE("MeshBatch: sorted by place it draws the same, and far less when zoomed in") {
     Stage stage;
-    stage.camera.fit({{0, 0}, {200, 200}});
+    stage.camera.fit({{0, 0}, {200, 200}}, stage.camera.viewport);
     const auto view = lattice(200, 80000, 1);
     MeshBatch ordered, sorted;
     ordered.update(view, false);
@@ -159,7 +159,7 @@ TEST_CASE("MeshBatch: far from the origin the picture is the same") {
     const Vec2 offset{131072.0, -262144.0};
     here.update(lattice(6, 72, 1), false);
     there.update(lattice(6, 72, 1, offset), false);
-    stage.camera.fit({{0, 0}, {6, 6}});
+    stage.camera.fit({{0, 0}, {6, 6}}, stage.camera.viewport);
     stage.camera.zoomAt({100, 90}, 40.0);
     const auto near = draw(stage, here);
     stage.camera.centre += offset;

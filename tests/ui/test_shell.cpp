@@ -5,9 +5,11 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 
 namespace forefront::test {
 
@@ -16,6 +18,10 @@ namespace {
 bool within(const PixelRect &inner, PixelSize size) {
     return inner.x >= -0.5 && inner.y >= -0.5 && inner.x + inner.width <= size.width + 0.5 &&
            inner.y + inner.height <= size.height + 0.5;
+}
+
+bool overlap(const PixelRect &a, const PixelRect &b) {
+    return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 }
 
 } // namespace
@@ -130,12 +136,22 @@ TEST_CASE("Editor: the theme changes nearly every pixel and back again none") {
 TEST_CASE("Editor: Tab hides the panels and brings them back") {
     Driver driver;
     const double before = driver.canvas().width;
+    driver.key('R');
     driver.key(key::kTab);
     REQUIRE(driver.settle());
     CHECK(driver.canvas().width > before + 200.0);
     CHECK_FALSE(driver.has("layer/mesh"));
-    driver.key(key::kTab);
+    // The tools, their options and the status stay where they were.
+    CHECK(driver.has("status/pointer"));
+    const PixelRect options = driver.context().widgets.find("options")->rect;
+    for (const auto &tool : driver.context().tools.tools) {
+        const PixelRect button = driver.context().widgets.find(std::string("tool/") + tool->id())->rect;
+        CHECK(button.x + button.width <= driver.canvas().x);
+        CHECK(button.x + button.width <= options.x);
+    }
+    driver.click("menu/panels"); // the way back that can be seen
     REQUIRE(driver.settle());
+    CHECK(driver.has("layer/mesh"));
     CHECK(driver.canvas().width == before);
 }
 
@@ -145,10 +161,10 @@ TEST_CASE("Editor: the view stays fitted while window and panels change their si
     const Camera &camera = driver.context().view.camera;
     const auto fits = [&] {
         REQUIRE(driver.settle());
-        const Vec2 size = box.size();
-        const double part =
-            std::max(size.x * camera.zoom / camera.viewport.width, size.y * camera.zoom / camera.viewport.height);
-        return part > 0.8 && part < 0.9 && distance(camera.centre, box.centre()) < 1e-9 * size.x;
+        const Vec2 size = camera.zoom * box.size(), middle = camera.toPixel(box.centre());
+        const PixelRect &room = driver.context().view.room;
+        const double part = std::max(size.x / room.width, size.y / room.height);
+        return std::abs(part - 0.9) < 1e-9 && distance(middle, room.centre()) < 1e-6;
     };
     CHECK(fits());
     const double before = camera.zoom;
@@ -172,6 +188,95 @@ TEST_CASE("Editor: the view stays fitted while window and panels change their si
     driver.key('F');
     driver.platform().resize({1500, 900}, 1.0);
     CHECK(fits());
+}
+
+TEST_CASE("Editor: what is shown whole stands clear of legends, hints and the options of the tool") {
+    const std::pair<PixelSize, double> sizes[] = {
+        {{1280, 800}, 1.0}, {{1920, 1080}, 1.0}, {{2560, 1600}, 2.0}, {{1024, 700}, 1.0}};
+    Driver driver;
+    for (const auto &each : sizes) {
+        driver.platform().resize(each.first, each.second);
+        REQUIRE(driver.settle());
+        std::map<bool, double> zooms;
+        for (const bool quality : {false, true}) {
+            for (const bool panels : {true, false}) {
+                driver.context().layer("quality")->visible = quality;
+                driver.context().view.panels = panels;
+                driver.context().animate();
+                REQUIRE(driver.settle());
+                const Camera &camera = driver.context().view.camera;
+                CHECK(zooms.try_emplace(panels, camera.zoom).first->second == camera.zoom); // no jump for a layer
+                const Box2 box = toDomain(*driver.context().document().current()).bounds();
+                const Vec2 corner = camera.toPixel({box.min.x, box.max.y}), extent = camera.zoom * box.size();
+                const PixelRect drawing{corner.x, corner.y, extent.x, extent.y};
+                CHECK(within(drawing, each.first));
+                std::size_t legends = 0;
+                for (const auto &[name, widget] : driver.context().widgets.all()) {
+                    const bool legend = name.starts_with("canvas/legend/");
+                    legends += legend ? 1 : 0;
+                    if (legend || name == "hints" || name == "options") {
+                        const std::string message = name;
+                        CHECK_MESSAGE(!overlap(widget.rect, drawing), message);
+                    }
+                }
+                CHECK(legends == (quality ? 2 : 1));
+            }
+        }
+    }
+}
+
+TEST_CASE("Editor: in a small window nothing lies over anything else") {
+    const std::pair<PixelSize, double> sizes[] = {{{800, 500}, 1.0}, {{1280, 800}, 2.0}, {{1100, 700}, 1.5}};
+    Driver driver;
+    driver.key(key::k2);
+    REQUIRE(driver.settle());
+    Document changed = *driver.context().document().current();
+    changed.spacing.size = 14.0;
+    driver.context().document().apply(std::move(changed), "Size"); // "mesh out of date"
+    for (const auto &each : sizes) {
+        driver.platform().resize(each.first, each.second);
+        for (const auto &tool : driver.context().tools.tools) {
+            CAPTURE(tool->id());
+            driver.context().tools.choose(tool->id(), driver.context());
+            driver.context().log.tell(std::string(120, 'x') + " and " + std::string(60, 'y'));
+            REQUIRE(driver.settle());
+            const WidgetRegistry::Map &all = driver.context().widgets.all();
+            const PixelRect canvas = driver.canvas();
+            std::vector<std::pair<std::string, PixelRect>> plates;
+            for (const char *name : {"options", "canvas/plate", "hints", "canvas/news", "canvas/legend/size"}) {
+                if (const auto found = all.find(name); found != all.end()) {
+                    plates.emplace_back(name, found->second.rect);
+                }
+            }
+            CHECK(plates.size() >= 3);
+            for (std::size_t i = 0; i < plates.size(); ++i) {
+                const PixelRect &rect = plates[i].second;
+                const std::string name = plates[i].first;
+                CHECK_MESSAGE(rect.x >= canvas.x, name);
+                CHECK_MESSAGE(rect.x + rect.width <= canvas.x + canvas.width + 0.5, name);
+                for (std::size_t j = 0; j < i; ++j) {
+                    const std::string other = plates[j].first;
+                    const bool transient = name == "canvas/news"; // over what there is, for some seconds
+                    CHECK_MESSAGE((transient || !overlap(rect, plates[j].second)), name << " over " << other);
+                }
+            }
+            for (const auto &each_tool : driver.context().tools.tools) {
+                const PixelRect button = all.find(std::string("tool/") + each_tool->id())->second.rect;
+                CHECK(button.x + button.width <= canvas.x);
+                CHECK(button.y + button.height <= canvas.y + canvas.height);
+            }
+        }
+        const WidgetRegistry::Map &all = driver.context().widgets.all();
+        const auto rectOf = [&](const char *name) { return all.find(name)->second.rect; };
+        CHECK_FALSE(overlap(rectOf("timeline/scrubber"), rectOf("timeline/position")));
+        CHECK_FALSE(overlap(rectOf("timeline/scrubber"), rectOf("timeline/granularity/Layer")));
+        CHECK_FALSE(overlap(rectOf("menu/Help"), rectOf("menu/title")));
+        CHECK_FALSE(overlap(rectOf("menu/panels"), rectOf("menu/title")));
+        for (const char *tab :
+             {"panel/steps", "panel/histogram", "panel/statistics", "panel/checks", "panel/log", "panel/names"}) {
+            CHECK(within(rectOf(tab), each.first));
+        }
+    }
 }
 
 TEST_CASE("Editor: the splitter of the right column can be dragged, within bounds") {

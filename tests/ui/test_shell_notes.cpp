@@ -1,5 +1,6 @@
 #include "tests/ui/edit_driver.hpp"
 #include "ui/app/snapshot_pace.hpp"
+#include "ui/tooltip.hpp"
 
 #include <doctest/doctest.h>
 
@@ -224,6 +225,76 @@ TEST_CASE("Tooltips: they wait until the pointer rests, and at the lower edge st
     CHECK(late.differences(early, above) > 1000);
     CHECK(late.differences(early, button) == 0);
     CHECK(late.differences(early, neighbour) == 0);
+}
+
+TEST_CASE("Tooltips: of a field in a panel they hide no field") {
+    Draughtsman driver;
+    driver.rectangle({0, 0}, {8, 8});
+    driver.key(key::kEscape);
+    driver.unfold("spacing");
+    for (const char *field : {"spacing/size", "spacing/expression", "spacing/minimum", "spacing/gradation",
+                              "spacing/fromboundary", "meshing/method/Fast", "meshing/keepboundary", "meshing/grid"}) {
+        CAPTURE(field);
+        REQUIRE(driver.hover(field));
+        driver.frames(40);
+        REQUIRE(driver.has("tooltip"));
+        const PixelRect tip = driver.context().widgets.find("tooltip")->rect;
+        CHECK(tip.width > 40.0);
+        CHECK(tip.x >= 0.0);
+        for (const auto &[name, widget] : driver.context().widgets.all()) {
+            if (name.starts_with("spacing/") || name.starts_with("meshing/") || name.starts_with("panel/")) {
+                const std::string message = name;
+                CHECK_MESSAGE(!overlap(tip, widget.rect), message);
+            }
+        }
+    }
+    driver.key('R');
+    driver.hover("options/tag");
+    driver.frames(40);
+    REQUIRE(driver.has("tooltip"));
+    CHECK_FALSE(
+        overlap(driver.context().widgets.find("tooltip")->rect, driver.context().widgets.find("options")->rect));
+}
+
+TEST_CASE("Tooltips: they stand outside of the window of their widget and inside of the display") {
+    const PixelSize display{1280, 800};
+    const Vec2 size{250, 44};
+    const auto check = [&](const PixelRect &window, const PixelRect &widget) {
+        const PixelRect tip = ui::placeTooltip(widget, window, size, display, widget.centre().x, 6.0);
+        CHECK(tip.x >= 0.0);
+        CHECK(tip.y >= 0.0);
+        CHECK(tip.x + tip.width <= 1280.0);
+        CHECK(tip.y + tip.height <= 800.0);
+        CHECK_FALSE(overlap(tip, window));
+        CHECK_FALSE(overlap(tip, widget));
+    };
+    check({975, 34, 305, 660}, {1070, 660, 200, 26}); // a field low in the column
+    check({0, 34, 46, 660}, {6, 42, 34, 34});         // a tool
+    check({0, 695, 1280, 78}, {1200, 703, 60, 26});   // the timeline
+    check({0, 0, 1280, 34}, {1240, 4, 26, 26});       // the menu bar
+    check({58, 46, 500, 40}, {300, 53, 76, 26});      // options of a tool
+    // Where there is room nowhere else, above the widget.
+    const PixelRect wide{100, 50, 1080, 700}, button{700, 400, 80, 26};
+    CHECK_FALSE(overlap(ui::placeTooltip(button, wide, size, display, 740, 6.0), button));
+}
+
+TEST_CASE("Notes: that a run is being cancelled is shown in the next frame, before the mesh of that moment") {
+    LongRun driver;
+    REQUIRE(framesUntil(driver, [&] { return driver.run().advance > 20000; }));
+    const std::uint64_t before = driver.run().sequence;
+    driver.editor().input().push({.kind = InputKind::Key, .code = key::kEscape, .pressed = true});
+    driver.frames(1);
+    CHECK(driver.has("canvas/cancelling"));
+    CHECK_FALSE(driver.has("canvas/cancel"));
+    CHECK(driver.run().sequence == before);
+    driver.editor().input().push({.kind = InputKind::Key, .code = key::kEscape, .pressed = false});
+    REQUIRE(driver.settle());
+    CHECK(driver.run().state == RunState::Cancelled);
+    CHECK_FALSE(driver.has("canvas/cancelling"));
+    driver.key(key::k2);
+    REQUIRE(framesUntil(driver, [&] { return driver.has("canvas/cancel") && driver.run().advance > 20000; }));
+    driver.click("canvas/cancel");
+    REQUIRE(framesUntil(driver, [&] { return driver.run().state == RunState::Cancelled; }));
 }
 
 TEST_CASE("Meshing panel: its options belong to the document, and undo brings them back") {

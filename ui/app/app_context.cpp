@@ -3,7 +3,7 @@
 namespace forefront {
 
 void View::fit(const Box2 &box) {
-    camera.fit(box);
+    camera.fit(box, room);
     fitted = box;
 }
 
@@ -17,11 +17,16 @@ void View::zoomAt(Vec2 pixel, double factor) {
     fitted.reset();
 }
 
-void View::resize(const PixelRect &viewport) {
-    camera.viewport = viewport;
-    if (fitted) {
-        camera.fit(*fitted);
+bool View::resize(const PixelRect &viewport, const PixelRect &roomInIt) {
+    if (camera.viewport == viewport && room == roomInIt) {
+        return false;
     }
+    camera.viewport = viewport;
+    room = roomInIt;
+    if (fitted) {
+        fit(*fitted);
+    }
+    return true;
 }
 
 void View::goTo(Vec2 place, double now) {

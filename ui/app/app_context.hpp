@@ -30,6 +30,7 @@ namespace forefront {
 /// What is in view.
 struct View {
     Camera camera;
+    PixelRect room;              ///< part of the canvas that plates and legends leave free: what is fitted goes there
     std::optional<Box2> fitted;  ///< shown whole whatever the size of the canvas, until the user pans or zooms
     std::optional<Vec2> pointer; ///< place under the pointer while it is over the canvas
     bool panels = true;          ///< Tab hides them
@@ -42,8 +43,9 @@ struct View {
     void fit(const Box2 &box);
     void pan(Vec2 pixels);
     void zoomAt(Vec2 pixel, double factor);
-    /// The canvas has another size: what was fitted fits again; else the place in the middle stays there.
-    void resize(const PixelRect &viewport);
+    /// The canvas has another size, or another room in it: what was fitted fits again; else the place in the middle
+    /// stays there. False if nothing changed.
+    bool resize(const PixelRect &viewport, const PixelRect &roomInIt);
     /// Brings a place into view, close enough to see its surroundings, and marks it.
     void goTo(Vec2 place, double now);
 };

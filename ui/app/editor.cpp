@@ -40,12 +40,13 @@ struct Editor::Parts {
     PixelSize size;
     std::shared_ptr<const SpacingRaster> raster;
     SnapshotPace pace;
-    bool drewNews = false; ///< this frame draws a new snapshot
-    bool toldBusy = false; ///< the state file says that something is still going on
+    bool drewNews = false;       ///< this frame draws a new snapshot
+    bool saidCancelling = false; ///< a frame was presented that says that the run is being cancelled
+    bool toldBusy = false;       ///< the state file says that something is still going on
 
     bool newsDue() const;
     void refreshLook();
-    void takeResults();
+    void takeResults(bool cancels);
     void dropFlag();
     void meshLive();
     void handleEvents(const std::vector<InputEvent> &events);
@@ -84,6 +85,9 @@ bool sameSettings(const Settings &a, const Settings &b) {
 } // namespace
 
 bool Editor::Parts::newsDue() const {
+    if (context.run().cancelling() && !saidCancelling) {
+        return false; // first a frame that says so: drawing the news may take long
+    }
     const RunState state = context.run().now().state;
     return pace.due(steadySeconds(), state == RunState::Running || state == RunState::Improving);
 }
@@ -225,7 +229,8 @@ void Editor::Parts::refreshLook() {
     }
 }
 
-void Editor::Parts::takeResults() {
+/// `cancels`: the user cancels in this frame, which is to show that before anything else.
+void Editor::Parts::takeResults(bool cancels) {
     context.log.setTime(context.platform.now());
     SnapshotLayers wanted{.mesh = false, .front = false};
     for (const LayerSlot &slot : context.layers) {
@@ -236,7 +241,7 @@ void Editor::Parts::takeResults() {
     wanted.mesh = true; // the panels speak of it
     context.run().want(wanted);
     const auto before = context.run().snapshot();
-    if (newsDue()) {
+    if (newsDue() && !cancels) {
         context.run().refresh();
     }
     drewNews = before != context.run().snapshot();
@@ -297,8 +302,7 @@ void Editor::Parts::handleEvents(const std::vector<InputEvent> &events) {
 
 void Editor::Parts::buildInterface() {
     const shell::Layout layout = shell::layOut(context);
-    if (!(context.view.camera.viewport == layout.canvas)) {
-        context.view.resize(layout.canvas);
+    if (context.view.resize(layout.canvas, shell::freeRoom(context, layout.canvas))) {
         context.animate();
     }
     if (context.view.fitPending && frames >= 1) {
@@ -363,13 +367,17 @@ void Editor::frame() {
     const std::vector<InputEvent> events =
         c.widgets.fields.travelling() ? std::vector<InputEvent>() : p.input.takeFrame();
     p.refreshLook();
-    p.takeResults();
+    const bool escape = std::any_of(events.begin(), events.end(), [](const InputEvent &event) {
+        return event.kind == InputKind::Key && event.code == key::kEscape && event.pressed;
+    });
+    p.takeResults(escape && c.run().busy());
     p.bridge.beginFrame(events, now - p.lastFrame);
     p.lastFrame = now;
     c.widgets.beginFrame();
     p.handleEvents(events);
     p.dropFlag();
     p.meshLive();
+    const bool cancelling = c.run().cancelling();
     p.buildInterface();
     p.canvasInput.runWaiting(c);
     p.canvas.draw(c);
@@ -377,6 +385,10 @@ void Editor::frame() {
     p.bridge.endFrame();
     c.widgets.endFrame();
     c.platform.present();
+    p.saidCancelling = cancelling;
+    if (c.run().cancelling()) {
+        c.animate();
+    }
     if (p.drewNews) {
         const double end = steadySeconds();
         p.pace.drew(end, end - begin);

@@ -12,7 +12,9 @@ RunControl::RunControl(DocumentStore &document, MessageLog &log, std::function<v
     : document_(document), log_(log), session_(std::move(wake)), snapshot_(session_.latest()) {}
 
 void RunControl::refresh() {
+    const bool busy = session_.busy(); // asked first: what it does not promise any more has been delivered
     snapshot_ = session_.latest();
+    cancelling_ = cancelling_ && busy;
     const SessionSnapshot &s = *snapshot_;
     if (s.run == loggedRun_ && s.state == loggedState_) {
         return;
@@ -39,6 +41,7 @@ void RunControl::want(SnapshotLayers layers) {
 }
 
 void RunControl::start(bool runToEnd) {
+    cancelling_ = false;
     const std::shared_ptr<const Document> document = document_.current();
     auto job = std::make_shared<MeshingJob>();
     job->domain = toDomain(*document);
@@ -97,12 +100,13 @@ void RunControl::seekEnd() {
 }
 
 void RunControl::cancel() {
+    cancelling_ = session_.busy();
     session_.cancel();
 }
 
 void RunControl::clear() {
     session_.clear();
-    started_ = false;
+    started_ = cancelling_ = false;
 }
 
 bool RunControl::playing() const {

@@ -41,6 +41,9 @@ class RunControl {
     void seekEnd();
     void cancel();
     void clear();
+    /// Cancelled by the user, and what comes of it is not known yet: the worker stops at once, but the partial mesh of
+    /// millions of elements takes its time to be copied and drawn.
+    bool cancelling() const { return cancelling_; }
 
     /// A command is pending or the worker is busy.
     bool busy() const { return session_.busy(); }
@@ -68,6 +71,7 @@ class RunControl {
     std::uint64_t startedRevision_ = 0;
     Method method_ = Method::Fast; ///< of the run
     bool started_ = false;
+    bool cancelling_ = false;
     double speed_ = 1.0;
     std::uint64_t loggedRun_ = 0;
     RunState loggedState_ = RunState::Empty;

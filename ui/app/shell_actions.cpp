@@ -52,7 +52,7 @@ void addViewActions(ActionRegistry &actions) {
                  .repeats = true});
     actions.add({.id = "view.panels",
                  .menu = "View",
-                 .title = "Panels",
+                 .title = "Panels at the right",
                  .shortcuts = {{key::kTab, kNone}},
                  .run =
                      [](AppContext &c) {

@@ -3,6 +3,7 @@
 #include "core/geometry/vec2.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace forefront {
 
@@ -47,9 +48,9 @@ struct Camera {
         const Vec2 moved = toPlane(pixel);
         centre += fixed - moved;
     }
-    /// Shows `box` whole, with a margin as a part of the viewport.
-    void fit(const Box2 &box, double margin = 0.08) {
-        if (box.empty() || viewport.width <= 0.0 || viewport.height <= 0.0) {
+    /// Shows `box` whole in the middle of `room`, a part of the viewport, with a margin as a part of the room.
+    void fit(const Box2 &box, const PixelRect &room, double margin = 0.05) {
+        if (box.empty() || room.width <= 0.0 || room.height <= 0.0) {
             return;
         }
         const Vec2 size = box.size();
@@ -58,9 +59,10 @@ struct Camera {
         minZoom = 1e-4 * std::min(viewport.width, viewport.height) / extent;
         maxZoom = 1e7 * std::max(viewport.width, viewport.height) / extent;
         const double usable = 1.0 - 2.0 * margin;
-        zoom = usable * std::min(viewport.width / std::max(size.x, 1e-3 * extent),
-                                 viewport.height / std::max(size.y, 1e-3 * extent));
-        centre = box.centre();
+        zoom = usable *
+               std::min(room.width / std::max(size.x, 1e-3 * extent), room.height / std::max(size.y, 1e-3 * extent));
+        const Vec2 aside = room.centre() - viewport.centre();
+        centre = box.centre() + Vec2{-aside.x / zoom, aside.y / zoom};
     }
 
     friend bool operator==(const Camera &, const Camera &) = default;

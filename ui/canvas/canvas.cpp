@@ -3,7 +3,9 @@
 #include "core/base/hash.hpp"
 #include "ui/app/app_context.hpp"
 #include "ui/canvas/canvas_painter.hpp"
+#include "ui/canvas/legend.hpp"
 #include "ui/gl/gl_kit.hpp"
+#include "ui/widgets.hpp"
 
 #include <glad/gl.h>
 #include <imgui.h>
@@ -86,6 +88,7 @@ struct Canvas::Parts {
     void requestRaster(AppContext &context);
     void drawStill(AppContext &context, const LayerFrame &frame);
     void drawLive(AppContext &context, const LayerFrame &frame);
+    static void drawLegends(AppContext &context, CanvasPainter &painter, const LayerFrame &frame);
     void drawOverlays(AppContext &context, const LayerFrame &frame);
 };
 
@@ -170,6 +173,25 @@ void Canvas::Parts::drawLive(AppContext &context, const LayerFrame &frame) {
     glDisable(GL_SCISSOR_TEST);
 }
 
+/// From the lower right corner to the left, then in a row above.
+void Canvas::Parts::drawLegends(AppContext &context, CanvasPainter &painter, const LayerFrame &frame) {
+    const PixelRect &rect = frame.camera.viewport;
+    const double s = frame.scale;
+    const int abreast = legendsAbreast(rect.width / s);
+    int drawnSoFar = 0;
+    for (LayerSlot &slot : context.layers) {
+        const int column = drawnSoFar % abreast, row = drawnSoFar / abreast;
+        const Vec2 corner{rect.x + rect.width - (kLegendMargin + column * (kLegendWidth + kLegendGap)) * s,
+                          rect.y + rect.height - (kLegendMargin + row * (kLegendHeight + kLegendGap)) * s};
+        if (slot.visible && slot.layer->drawLegend(painter, frame, corner)) {
+            ++drawnSoFar;
+            ui::markRect(
+                context, std::string("canvas/legend/") + slot.layer->id(),
+                {corner.x - kLegendWidth * s, corner.y - kLegendHeight * s, kLegendWidth * s, kLegendHeight * s});
+        }
+    }
+}
+
 void Canvas::Parts::drawOverlays(AppContext &context, const LayerFrame &frame) {
     const PixelRect &rect = frame.camera.viewport;
     ImDrawList &list = *ImGui::GetBackgroundDrawList();
@@ -190,13 +212,7 @@ void Canvas::Parts::drawOverlays(AppContext &context, const LayerFrame &frame) {
                      fade(context.theme.accent, 1.0 - t * t), 2.5);
         context.animate();
     }
-    Vec2 corner{rect.x + rect.width - 14.0 * frame.scale, rect.y + rect.height - 14.0 * frame.scale};
-    for (LayerSlot &slot : context.layers) {
-        if (slot.visible) {
-            const double height = slot.layer->drawLegend(painter, frame, corner);
-            corner.y -= height > 0.0 ? height + 10.0 * frame.scale : 0.0;
-        }
-    }
+    drawLegends(context, painter, frame);
     list.PopClipRect();
 }
 

@@ -20,11 +20,11 @@ ImVec2 extent(ImFont *font, const std::string &text) {
 
 } // namespace
 
-double drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &fonts, Vec2 corner,
-                     const std::string &title, Colour (*map)(double), const std::vector<LegendTick> &ticks,
-                     double hatchedTo) {
+void drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &fonts, Vec2 corner,
+                   const std::string &title, Colour (*map)(double), const std::vector<LegendTick> &ticks,
+                   double hatchedTo) {
     const double s = painter.scale();
-    const double width = 216.0 * s, height = 58.0 * s, bar = 192.0 * s, barHeight = 9.0 * s;
+    const double width = kLegendWidth * s, height = kLegendHeight * s, bar = width - 24.0 * s, barHeight = 9.0 * s;
     const double left = std::round(corner.x - width), top = std::round(corner.y - height);
     ImDrawList &list = painter.list();
     list.AddRectFilled(im(left, top), im(left + width, top + height), fade(theme.popup, 0.92),
@@ -52,7 +52,6 @@ double drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &fo
         list.AddText(fonts.small, fonts.small->FontSize, im(std::round(textX), y + barHeight + 3.0 * s), theme.text,
                      tick.text.c_str());
     }
-    return height;
 }
 
 std::vector<LegendTick> logarithmicTicks(double least, double greatest, std::size_t most) {

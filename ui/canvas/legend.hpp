@@ -4,10 +4,20 @@
 #include "ui/style/fonts.hpp"
 #include "ui/style/theme.hpp"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
 namespace forefront {
+
+/// Size of a legend, its distance from the edges of the canvas and from the next one; design pixels.
+inline constexpr double kLegendWidth = 216.0, kLegendHeight = 58.0, kLegendMargin = 14.0, kLegendGap = 10.0;
+
+/// How many legends stand side by side on a canvas of that width in design pixels; the others go above them.
+inline int legendsAbreast(double canvasWidth) {
+    return std::max(1,
+                    static_cast<int>((canvasWidth - 2.0 * kLegendMargin + kLegendGap) / (kLegendWidth + kLegendGap)));
+}
 
 struct LegendTick {
     double at = 0.0; ///< in [0, 1] along the bar
@@ -15,10 +25,10 @@ struct LegendTick {
 };
 
 /// A colour bar with a title and ticks, its lower right corner at `corner` (pixels). `hatchedTo`: the beginning of the
-/// bar up to there is hatched. Returns its height in pixels.
-double drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &fonts, Vec2 corner,
-                     const std::string &title, Colour (*map)(double), const std::vector<LegendTick> &ticks,
-                     double hatchedTo = 0.0);
+/// bar up to there is hatched.
+void drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &fonts, Vec2 corner,
+                   const std::string &title, Colour (*map)(double), const std::vector<LegendTick> &ticks,
+                   double hatchedTo = 0.0);
 
 /// Ticks of a logarithmic scale: the ends, and at most `most` round numbers (1, 2, 5 · 10ⁿ) between them.
 std::vector<LegendTick> logarithmicTicks(double least, double greatest, std::size_t most);

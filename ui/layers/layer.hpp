@@ -61,10 +61,12 @@ class Layer {
     virtual void drawLive(const LayerFrame &) {}
     /// Few lines and text, over everything drawn with OpenGL.
     virtual void drawOverlay(CanvasPainter &, const LayerFrame &) {}
-    /// Draws a legend with its lower right corner at `corner` (pixels) and returns its height in pixels; 0: none.
-    virtual double drawLegend(CanvasPainter &, const LayerFrame &, Vec2 corner) {
+    /// While it is visible, a legend may stand in the lower right corner of the canvas.
+    virtual bool hasLegend() const { return false; }
+    /// Draws a legend with its lower right corner at `corner` (pixels); false: there is nothing to explain.
+    virtual bool drawLegend(CanvasPainter &, const LayerFrame &, Vec2 corner) {
         static_cast<void>(corner);
-        return 0.0;
+        return false;
     }
 };
 

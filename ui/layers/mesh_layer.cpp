@@ -112,16 +112,17 @@ class QualityLayer final : public Layer {
         }
     }
 
-    double drawLegend(CanvasPainter &painter, const LayerFrame &frame, Vec2 corner) override {
+    bool hasLegend() const override { return true; }
+    bool drawLegend(CanvasPainter &painter, const LayerFrame &frame, Vec2 corner) override {
         const auto at = [](double alpha) { return (alpha - kMapFrom) / (1.0 - kMapFrom); };
-        return drawColourBar(painter, frame.theme, frame.fonts, corner, "shape factor \xce\xb1  (hatched: below 0.5)",
-                             cividis,
-                             {{at(0.4), "\xe2\x89\xa4"
-                                        "0.4"},
-                              {at(0.6), "0.6"},
-                              {at(0.8), "0.8"},
-                              {at(1.0), "1"}},
-                             at(kBad));
+        drawColourBar(painter, frame.theme, frame.fonts, corner, "shape factor \xce\xb1  (hatched: below 0.5)", cividis,
+                      {{at(0.4), "\xe2\x89\xa4"
+                                 "0.4"},
+                       {at(0.6), "0.6"},
+                       {at(0.8), "0.8"},
+                       {at(1.0), "1"}},
+                      at(kBad));
+        return true;
     }
 
   private:

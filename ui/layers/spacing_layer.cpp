@@ -43,14 +43,16 @@ class SpacingLayer final : public Layer {
         frame.gl.drawField(frame.domain, frame.revision, frame.camera, frame.theme.domain, &tint);
     }
 
-    double drawLegend(CanvasPainter &painter, const LayerFrame &frame, Vec2 corner) override {
+    bool hasLegend() const override { return true; }
+    bool drawLegend(CanvasPainter &painter, const LayerFrame &frame, Vec2 corner) override {
         if (!shown_ || shown_->rho.empty()) {
-            return 0.0;
+            return false;
         }
-        return drawColourBar(painter, frame.theme, frame.fonts, corner, "node spacing \xcf\x81",
-                             frame.theme.kind == ThemeKind::Dark ? fineIsBright : viridis,
-                             uniform_ ? std::vector<LegendTick>{{0.5, ui::number(0.5 * greatest_, 3)}}
-                                      : logarithmicTicks(least_, greatest_, 5));
+        drawColourBar(painter, frame.theme, frame.fonts, corner, "node spacing \xcf\x81",
+                      frame.theme.kind == ThemeKind::Dark ? fineIsBright : viridis,
+                      uniform_ ? std::vector<LegendTick>{{0.5, ui::number(0.5 * greatest_, 3)}}
+                               : logarithmicTicks(least_, greatest_, 5));
+        return true;
     }
 
   private:

@@ -1,3 +1,4 @@
+#include "ui/flow.hpp"
 #include "ui/shell/shell.hpp"
 #include "ui/widgets.hpp"
 
@@ -48,22 +49,39 @@ void key(AppContext &context, const char *text) {
     ImGui::SameLine(0, context.px(6));
 }
 
+struct Hint {
+    const char *key, *text;
+};
+
+/// Pixels that the hint takes in the strip, the gap behind it included.
+float widthOf(const AppContext &context, const Hint &hint) {
+    return ImGui::CalcTextSize(hint.key).x + ImGui::CalcTextSize(hint.text).x + context.px(12 + 6 + 16);
+}
+
+/// As many hints as there is room for beside the legends; one alone is not worth its plate.
 void drawHints(AppContext &context, const PixelRect &canvas) {
     if (!context.settings.hints) {
         return;
     }
-    const Plate plate(context, "##hints", canvas.x + 14.0 * static_cast<double>(context.scale),
-                      canvas.y + canvas.height - 14.0 * static_cast<double>(context.scale), 0.0F, 1.0F);
-    struct Hint {
-        const char *key, *text;
-    };
     static constexpr std::array<Hint, 5> kMeshing{
         {{"2", "mesh"}, {"Space", "replay the front"}, {".", "step"}, {"B", "paint finer"}, {"?", "all shortcuts"}}};
     static constexpr std::array<Hint, 5> kDrawing{
         {{"R", "rectangle"}, {"P", "polygon"}, {"C", "circle"}, {"Ctrl+O", "open"}, {"?", "all shortcuts"}}};
-    for (const Hint &hint : context.document().current()->shapes.empty() ? kDrawing : kMeshing) {
-        key(context, hint.key);
-        ui::muted(context, hint.text);
+    const auto &hints = context.document().current()->shapes.empty() ? kDrawing : kMeshing;
+    const double scale = static_cast<double>(context.scale);
+    float room = static_cast<float>(canvas.width - (2.0 * 14.0 + bandsOf(context, canvas).legends) * scale) -
+                 context.px(2 * 12 + 24); // the padding and the cross that closes it
+    std::size_t shown = 0;
+    while (shown < hints.size() && room >= widthOf(context, hints[shown])) {
+        room -= widthOf(context, hints[shown++]);
+    }
+    if (shown < 2) {
+        return;
+    }
+    const Plate plate(context, "##hints", canvas.x + 14.0 * scale, canvas.y + canvas.height - 14.0 * scale, 0.0F, 1.0F);
+    for (std::size_t i = 0; i < shown; ++i) {
+        key(context, hints[i].key);
+        ui::muted(context, hints[i].text);
         ImGui::SameLine(0, context.px(16));
     }
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(context.px(4), 0));
@@ -71,12 +89,24 @@ void drawHints(AppContext &context, const PixelRect &canvas) {
         context.settings.hints = false;
     }
     ImGui::PopStyleVar();
+    ui::markWindow(context, "hints");
 }
 
-/// Top of the plates at the right end: beside the options of the tool, below them on a narrow canvas.
+/// What the plates may take of the width of the canvas, their padding left out.
+float roomOfPlates(const AppContext &context, const PixelRect &canvas) {
+    return static_cast<float>(canvas.width) - context.px(2 * 12 + 2 * 12);
+}
+
+/// Top of the plate at the right end: beside the options of the tool where it fits there, below them where not. Judged
+/// by what the last frame drew.
 double topOfNotes(const AppContext &context, const PixelRect &canvas) {
-    const bool narrow = canvas.width < static_cast<double>(context.px(900));
-    return canvas.y + static_cast<double>(context.px(narrow ? 60 : 12));
+    const double gap = 12.0 * static_cast<double>(context.scale);
+    const WidgetRegistry::Widget *const options = context.widgets.find("options");
+    const WidgetRegistry::Widget *const plate = context.widgets.find("canvas/plate");
+    const double width = plate != nullptr ? plate->rect.width : 0.4 * canvas.width;
+    const bool beside =
+        options == nullptr || options->rect.x + options->rect.width + 2.0 * gap + width <= canvas.x + canvas.width;
+    return beside ? canvas.y + gap : options->rect.y + options->rect.height + 0.5 * gap;
 }
 
 bool working(const SessionSnapshot &run) {
@@ -86,7 +116,7 @@ bool working(const SessionSnapshot &run) {
 }
 
 void drawOutOfDate(AppContext &context, const PixelRect &canvas) {
-    if (working(context.run().now())) {
+    if (working(context.run().now()) || context.run().cancelling()) {
         return; // the progress stands there
     }
     const RunState state = context.run().now().state;
@@ -105,34 +135,49 @@ void drawOutOfDate(AppContext &context, const PixelRect &canvas) {
     if (ui::button(context, "canvas/remesh", "Mesh  2", ui::ButtonKind::Primary)) {
         context.actions.run("run.mesh", context);
     }
+    ui::markWindow(context, "canvas/plate");
 }
 
-void drawProgress(AppContext &context, const PixelRect &canvas) {
-    const SessionSnapshot &run = context.run().now();
-    if (!working(run)) {
-        return;
-    }
-    const double scale = static_cast<double>(context.scale);
-    const Plate plate(context, "##progress", canvas.x + canvas.width - 12.0 * scale, topOfNotes(context, canvas), 1.0F,
-                      0.0F);
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(run.stage.empty() ? "working" : run.stage.c_str());
-    ui::mark(context, "canvas/progress");
-    ImGui::SameLine(0, context.px(12));
+void drawBar(AppContext &context, double progress) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 size{context.px(180), context.px(6)};
     const float y = at.y + (ImGui::GetFrameHeight() - size.y) / 2;
     ImDrawList &list = *ImGui::GetWindowDrawList();
     list.AddRectFilled({at.x, y}, {at.x + size.x, y + size.y}, context.theme.raised, size.y / 2);
-    const float done = size.x * static_cast<float>(std::clamp(run.progress, 0.03, 1.0));
+    const float done = size.x * static_cast<float>(std::clamp(progress, 0.03, 1.0));
     list.AddRectFilled({at.x, y}, {at.x + done, y + size.y}, context.theme.accent, size.y / 2);
     ImGui::Dummy({size.x, ImGui::GetFrameHeight()});
     ImGui::SameLine(0, context.px(10));
-    ui::muted(context, ui::format("%2.0f %%", 100.0 * std::clamp(run.progress, 0.0, 1.0)));
-    ImGui::SameLine(0, context.px(12));
-    if (ui::button(context, "canvas/cancel", "Cancel  Esc")) {
-        context.actions.run("run.cancel", context);
+    ui::muted(context, ui::format("%2.0f %%", 100.0 * std::clamp(progress, 0.0, 1.0)));
+}
+
+void drawProgress(AppContext &context, const PixelRect &canvas) {
+    const SessionSnapshot &run = context.run().now();
+    const bool cancelling = context.run().cancelling();
+    if (!working(run) && !cancelling) {
+        return;
     }
+    const double scale = static_cast<double>(context.scale);
+    const Plate plate(context, "##progress", canvas.x + canvas.width - 12.0 * scale, topOfNotes(context, canvas), 1.0F,
+                      0.0F);
+    {
+        ui::Flow flow(context, roomOfPlates(context, canvas), context.px(12));
+        flow.item("stage");
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(cancelling          ? "cancelling\xe2\x80\xa6"
+                               : run.stage.empty() ? "working"
+                                                   : run.stage.c_str());
+        ui::mark(context, cancelling ? "canvas/cancelling" : "canvas/progress");
+        if (!cancelling) {
+            flow.item("bar");
+            drawBar(context, run.progress);
+            flow.item("cancel");
+            if (ui::button(context, "canvas/cancel", "Cancel  Esc")) {
+                context.actions.run("run.cancel", context);
+            }
+        }
+    }
+    ui::markWindow(context, "canvas/plate");
 }
 
 /// "FILE, line N: MESSAGE", the parts that are known.
@@ -181,41 +226,32 @@ const MessageLog::Entry *newsOf(AppContext &context, std::size_t &more) {
     return &*first;
 }
 
-void drawNewsButtons(AppContext &context, const Diagnostic &diagnostic) {
+void drawNewsButtons(AppContext &context, ui::Flow &flow, const Diagnostic &diagnostic) {
     if (diagnostic.at) {
-        ImGui::SameLine(0, context.px(12));
+        flow.item("goto");
         if (ui::button(context, "canvas/error/goto", "Show place")) {
             context.view.goTo(*diagnostic.at, context.platform.now());
         }
     }
     if (repairable(diagnostic) && hasErrors(context.preview->faults)) {
-        ImGui::SameLine(0, context.px(8));
+        flow.item("repair");
         if (ui::button(context, "canvas/error/repair", "Repair")) {
             context.actions.run("edit.repair", context);
         }
     }
 }
 
-/// The news for some seconds; those of a fault with a way to its place.
-void drawNews(AppContext &context, const PixelRect &canvas) {
-    std::size_t more = 0;
-    const MessageLog::Entry *const entry = newsOf(context, more);
-    if (entry == nullptr) {
-        return;
-    }
-    const Diagnostic diagnostic = entry->diagnostic; // a button may add to the log
-    const double scale = static_cast<double>(context.scale);
-    const double y = canvas.y + canvas.height - (context.settings.hints ? 62.0 : 14.0) * scale;
-    const double legend = canvas.width > 700.0 * scale ? 230.0 * scale : 0.0; // stands at the right
-    const Plate plate(context, "##news", canvas.centre().x - 0.5 * legend, y, 0.5F, 1.0F);
+/// `room`: greatest width in pixels. `more`: how many faults followed.
+void drawMessage(AppContext &context, const Diagnostic &diagnostic, float room, std::size_t more) {
     const bool fault = diagnostic.severity == Severity::Error, note = diagnostic.severity == Severity::Note;
     const Theme &theme = context.theme;
     ImGui::AlignTextToFramePadding();
+    const float left = ImGui::GetCursorPosX();
     ImGui::PushStyleColor(ImGuiCol_Text, fault ? theme.bad : note ? theme.good : theme.warn);
     ImGui::TextUnformatted(fault ? icon::kError : note ? icon::kCheck : icon::kWarning);
     ImGui::PopStyleColor();
     ImGui::SameLine(0, context.px(8));
-    ImGui::PushTextWrapPos(context.px(520));
+    ImGui::PushTextWrapPos(left + room);
     ImGui::BeginGroup();
     ImGui::TextUnformatted(withPlace(diagnostic).c_str());
     if (!diagnostic.advice.empty()) {
@@ -228,7 +264,26 @@ void drawNews(AppContext &context, const PixelRect &canvas) {
     ImGui::EndGroup();
     ImGui::PopTextWrapPos();
     ui::mark(context, note ? "canvas/note" : "canvas/error");
-    drawNewsButtons(context, diagnostic);
+}
+
+/// The news for some seconds; those of a fault with a way to its place.
+void drawNews(AppContext &context, const PixelRect &canvas) {
+    std::size_t more = 0;
+    const MessageLog::Entry *const entry = newsOf(context, more);
+    if (entry == nullptr) {
+        return;
+    }
+    const Diagnostic diagnostic = entry->diagnostic; // a button may add to the log
+    const double scale = static_cast<double>(context.scale);
+    const double below = bandsOf(context, canvas).bottom;
+    const Plate plate(context, "##news", canvas.centre().x, canvas.y + canvas.height - below * scale, 0.5F, 1.0F);
+    {
+        ui::Flow flow(context, roomOfPlates(context, canvas), context.px(12));
+        flow.item("message");
+        drawMessage(context, diagnostic, std::min(context.px(520), flow.room()), more);
+        drawNewsButtons(context, flow, diagnostic);
+    }
+    ui::markWindow(context, "canvas/news");
 }
 
 } // namespace

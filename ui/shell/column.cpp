@@ -121,6 +121,12 @@ void drawTabs(AppContext &context) {
     for (std::size_t i = 0; i < tabs.size(); ++i) {
         const std::string title = capitals(tabs[i]->title());
         const ImVec2 size = ImGui::CalcTextSize(title.c_str());
+        if (i > 0) { // in a narrow column they go on in a second row
+            ImGui::SameLine(0, gap);
+            if (ImGui::GetContentRegionAvail().x < size.x) {
+                ImGui::NewLine();
+            }
+        }
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const std::string name = std::string("panel/") + tabs[i]->id();
         if (ImGui::InvisibleButton(name.c_str(), {size.x + context.px(2), height})) {
@@ -134,10 +140,8 @@ void drawTabs(AppContext &context) {
             list.AddRectFilled({at.x, at.y + height - context.px(2)}, {at.x + size.x, at.y + height},
                                context.theme.accent, context.px(1));
         }
-        ImGui::SameLine(0, gap);
     }
     ImGui::PopFont();
-    ImGui::NewLine();
     ImGui::BeginChild("tabcontent", {0, 0}, false, ImGuiWindowFlags_NoNav);
     tabs[static_cast<std::size_t>(*chosen)]->draw(context);
     ImGui::EndChild();
@@ -154,8 +158,9 @@ void drawColumn(AppContext &context, const PixelRect &rect) {
     ImGui::GetWindowDrawList()->AddLine({edge, static_cast<float>(rect.y)},
                                         {edge, static_cast<float>(rect.y + rect.height)}, context.theme.line);
     const double scale = static_cast<double>(context.scale);
-    const double tabs =
-        std::clamp(context.settings.tabsHeight * scale, 60.0, std::max(60.0, rect.height - 80.0 * scale));
+    // In a low window half of the column is left to what stands above the tabs.
+    const double most = std::min(rect.height - 80.0 * scale, std::max(0.5 * rect.height, rect.height - 240.0 * scale));
+    const double tabs = std::clamp(context.settings.tabsHeight * scale, 60.0, std::max(60.0, most));
     const float stacked = static_cast<float>(rect.height - tabs) - context.px(10);
     drawStacked(context, stacked);
     const double splitY = rect.y + rect.height - tabs - 5.0 * scale;

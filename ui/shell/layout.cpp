@@ -1,3 +1,4 @@
+#include "ui/canvas/legend.hpp"
 #include "ui/shell/shell.hpp"
 
 #include <imgui.h>
@@ -9,7 +10,8 @@ namespace forefront::shell {
 
 namespace {
 
-constexpr double kMenuHeight = 34, kToolWidth = 46, kTimelineHeight = 78, kStatusHeight = 27;
+constexpr double kMenuHeight = 34, kTimelineHeight = 78, kStatusHeight = 27;
+constexpr double kLeastColumn = 250; ///< narrower, its fields cannot be read
 
 } // namespace
 
@@ -19,19 +21,41 @@ Layout layOut(const AppContext &context) {
     const auto px = [&](double design) { return std::round(static_cast<double>(context.px(design))); };
     Layout layout;
     layout.menu = {0, 0, width, px(kMenuHeight)};
-    const bool panels = context.view.panels;
-    const double status = panels ? px(kStatusHeight) : 0.0;
-    const double timeline = px(kTimelineHeight);
+    const double status = px(kStatusHeight), timeline = px(kTimelineHeight);
     layout.status = {0, height - status, width, status};
     layout.timeline = {0, height - status - timeline, width, timeline};
     const double top = layout.menu.height, middle = std::max(0.0, layout.timeline.y - top);
-    const double tools = panels ? px(kToolWidth) : 0.0;
+    const double tools = px(stripOf(context, middle).width());
+    // In a narrow window the canvas keeps more than half of what is left.
+    const double widest = std::max(px(kLeastColumn), 0.45 * (width - tools));
     const double column =
-        panels ? std::min(px(context.settings.panelWidth), std::max(0.0, 0.6 * (width - tools))) : 0.0;
+        context.view.panels ? std::min({px(context.settings.panelWidth), widest, std::max(0.0, 0.6 * (width - tools))})
+                            : 0.0;
     layout.tools = {0, top, tools, middle};
     layout.column = {width - column, top, column, middle};
     layout.canvas = {tools, top, std::max(1.0, width - tools - column), std::max(1.0, middle)};
     return layout;
+}
+
+CanvasBands bandsOf(const AppContext &context, const PixelRect &canvas) {
+    const auto legends =
+        static_cast<int>(std::count_if(context.layers.begin(), context.layers.end(),
+                                       [](const LayerSlot &slot) { return slot.visible && slot.layer->hasLegend(); }));
+    const int abreast = legendsAbreast(canvas.width / static_cast<double>(context.scale));
+    const int rows = std::max(1, (legends + abreast - 1) / abreast); // room for one even while none is shown
+    const int lowest = std::min(legends, abreast);
+    return {.top = 56.0,
+            .legends = kLegendMargin + lowest * (kLegendWidth + kLegendGap),
+            .bottom = kLegendMargin + rows * (kLegendHeight + kLegendGap)};
+}
+
+PixelRect freeRoom(const AppContext &context, const PixelRect &canvas) {
+    const CanvasBands bands = bandsOf(context, canvas);
+    const double scale = static_cast<double>(context.scale);
+    // On a small canvas the drawing keeps half of the height, be it beneath what stands there.
+    const double top = std::min(bands.top * scale, 0.2 * canvas.height);
+    const double bottom = std::min(bands.bottom * scale, 0.3 * canvas.height);
+    return {canvas.x, canvas.y + top, canvas.width, canvas.height - top - bottom};
 }
 
 void beginRegion(const char *name, const PixelRect &rect, Colour background, float padX, float padY) {

@@ -3,7 +3,9 @@
 #include "ui/widgets.hpp"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
+#include <algorithm>
 #include <array>
 
 namespace forefront::shell {
@@ -34,16 +36,35 @@ std::string titleText(const AppContext &context) {
     return title;
 }
 
-void drawRightEnd(AppContext &context, const PixelRect &rect) {
+/// In the middle of the bar, or of what the menus and the icons leave of it; its end is left out where that is too
+/// short.
+void drawTitle(AppContext &context, const PixelRect &rect, float from, float to) {
     const std::string title = titleText(context);
-    const float width = static_cast<float>(rect.width);
-    const float titleWidth = ImGui::CalcTextSize(title.c_str()).x;
-    ImGui::SameLine((width - titleWidth) / 2);
-    ui::muted(context, title);
-    const float icon = context.px(26);
-    ImGui::SameLine(width - context.px(10) - 3 * icon - 2 * context.px(4));
+    const ImVec2 size = ImGui::CalcTextSize(title.c_str());
+    if (to - from < std::min(size.x, context.px(48))) {
+        return;
+    }
+    const float x = std::clamp((static_cast<float>(rect.width) - size.x) / 2, from, std::max(from, to - size.x));
+    const float y = (static_cast<float>(rect.height) - size.y) / 2;
+    ImGui::PushStyleColor(ImGuiCol_Text, context.theme.muted);
+    ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), {x, y}, {to, y + size.y}, to, to, title.c_str(), nullptr,
+                              &size);
+    ImGui::PopStyleColor();
+    ui::markRect(context, "menu/title", {x, y, std::min(size.x, to - x), size.y});
+}
+
+void drawRightEnd(AppContext &context, const PixelRect &rect) {
+    const float width = static_cast<float>(rect.width), menus = ImGui::GetCursorPosX() + context.px(12);
+    const float icon = context.px(26), icons = width - context.px(10) - 4 * icon - 3 * context.px(4);
+    drawTitle(context, rect, menus, icons - context.px(12));
+    ImGui::SetCursorPos({icons, (static_cast<float>(rect.height) - icon) / 2});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(4), 0));
-    ImGui::SetCursorPosY((static_cast<float>(rect.height) - icon) / 2);
+    const bool shown = context.view.panels;
+    if (ui::iconButton(context, "menu/panels", icon::kColumns,
+                       shown ? "Hide the panels (Tab)" : "Show the panels (Tab)", !shown, true, 26.0F)) {
+        context.actions.run("view.panels", context);
+    }
+    ImGui::SameLine();
     if (ui::iconButton(context, "menu/palette", icon::kSearch, "Command palette (Ctrl+P)", false, true, 26.0F)) {
         context.actions.run("view.palette", context);
     }

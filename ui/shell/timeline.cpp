@@ -47,12 +47,13 @@ void drawTransport(AppContext &context) {
     ImGui::PopStyleVar();
 }
 
-void drawSpeed(AppContext &context) {
+/// `narrow`: short of room.
+void drawSpeed(AppContext &context, bool narrow) {
     const double speed = context.run().speed();
     const double slowest = std::log10(RunControl::kSlowest), span = std::log10(RunControl::kFastest) - slowest;
     double t = (std::log10(speed) - slowest) / span;
     const std::string shown = ui::format(speed < 9.95 ? "%.1f\xc3\x97" : "%.0f\xc3\x97", speed);
-    if (ui::thinSlider(context, "timeline/speed", t, shown, 84.0F, 44.0F)) {
+    if (ui::thinSlider(context, "timeline/speed", t, shown, narrow ? 48.0F : 84.0F, 44.0F)) {
         context.run().setSpeed(std::pow(10.0, slowest + t * span));
     }
     ImGui::SameLine(0, context.px(6));
@@ -65,7 +66,7 @@ void drawSpeed(AppContext &context) {
         fast ? "A step is one advance of the front: up to three elements around one node"
              : "A step is one advance of the front: one element, or none where the segment is deferred",
         "A step is once around the front: as many advances as it had segments"};
-    if (ui::segmented(context, "timeline/granularity", names, granularity, 190.0F, tips)) {
+    if (ui::segmented(context, "timeline/granularity", names, granularity, narrow ? 176.0F : 190.0F, tips)) {
         context.run().granularity = static_cast<Granularity>(granularity);
     }
 }
@@ -162,6 +163,9 @@ std::string invitation(const AppContext &context) {
 }
 
 std::string captionText(const AppContext &context, const SessionSnapshot &run) {
+    if (context.run().cancelling()) {
+        return "Cancelling\xe2\x80\xa6";
+    }
     switch (run.state) {
     case RunState::Empty:
         return invitation(context);
@@ -212,12 +216,13 @@ void drawTimeline(AppContext &context, const PixelRect &rect) {
     drawTransport(context);
     ImGui::SameLine(0, context.px(10));
     ImGui::SetCursorPosY(context.px(10));
-    drawSpeed(context);
+    const bool narrow = rect.width < static_cast<double>(context.px(760));
+    drawSpeed(context, narrow);
+    ImGui::SameLine(0, 0);
     const std::string position = positionText(run);
     const float right = static_cast<float>(rect.width) - context.px(14);
-    const float positionWidth = std::max(ImGui::CalcTextSize(position.c_str()).x, context.px(96));
-    const float left = context.px(10) + 5 * context.px(30) + 4 * context.px(2) + context.px(10) + context.px(134) +
-                       context.px(190) + context.px(14);
+    const float positionWidth = std::max(ImGui::CalcTextSize(position.c_str()).x, narrow ? 0.0F : context.px(96));
+    const float left = ImGui::GetCursorPosX() + context.px(narrow ? 4 : 14);
     ImGui::SetCursorPos({left, context.px(10)});
     drawScrubber(context, std::max(context.px(40), right - positionWidth - context.px(10) - left), context.px(26));
     ImGui::SetCursorPos({right - ImGui::CalcTextSize(position.c_str()).x, context.px(14)});

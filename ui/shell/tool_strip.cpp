@@ -1,21 +1,53 @@
+#include "ui/flow.hpp"
 #include "ui/shell/shell.hpp"
 #include "ui/widgets.hpp"
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace forefront::shell {
 
+namespace {
+
+constexpr double kGap = 3.0, kPadX = 6.0, kPadY = 8.0, kButton = 34.0, kLeastButton = 30.0; // design pixels
+
+} // namespace
+
+double Strip::width() const {
+    return 2.0 * kPadX + columns * (button + kGap) - kGap;
+}
+
+Strip stripOf(const AppContext &context, double height) {
+    const int count = static_cast<int>(context.tools.tools.size());
+    const double room = height / static_cast<double>(context.scale) - 2.0 * kPadY + kGap;
+    Strip strip{.columns = 1, .rows = count, .button = kButton};
+    for (;; ++strip.columns) {
+        strip.rows = (count + strip.columns - 1) / strip.columns;
+        strip.button = std::min(kButton, std::floor(room / strip.rows - kGap));
+        if (strip.button >= kLeastButton || strip.rows == 1) {
+            strip.button = std::max(strip.button, kLeastButton);
+            return strip;
+        }
+    }
+}
+
 void drawToolStrip(AppContext &context, const PixelRect &rect) {
-    beginRegion("##tools", rect, context.theme.panel, context.px(6), context.px(8));
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, context.px(3)));
+    const Strip strip = stripOf(context, rect.height);
+    beginRegion("##tools", rect, context.theme.panel, context.px(kPadX), context.px(kPadY));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(kGap), context.px(kGap)));
     for (std::size_t i = 0; i < context.tools.tools.size(); ++i) {
         const Tool &tool = *context.tools.tools[i];
         std::string tip = tool.name();
         if (tool.key() != 0) {
             tip += std::string("  (") + toString({tool.key(), {}}) + ")";
         }
+        if (i % static_cast<std::size_t>(strip.columns) != 0) {
+            ImGui::SameLine();
+        }
         if (ui::iconButton(context, std::string("tool/") + tool.id(), tool.icon(), tip, i == context.tools.active, true,
-                           34.0F)) {
+                           static_cast<float>(strip.button))) {
             context.tools.choose(tool.id(), context);
         }
     }
@@ -31,16 +63,21 @@ void drawToolOptions(AppContext &context, const PixelRect &canvas) {
     if (!tool.hasOptions(context)) {
         return;
     }
+    const ImVec2 pad(context.px(10), context.px(7));
     ImGui::SetNextWindowPos(
         {static_cast<float>(canvas.x) + context.px(12), static_cast<float>(canvas.y) + context.px(12)});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(10), context.px(7)));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, pad);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.px(8));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
     ImGui::PushStyleColor(ImGuiCol_WindowBg, fade(context.theme.popup, 0.96));
     ImGui::Begin("##tooloptions", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
-    tool.drawOptions(context);
+    {
+        ui::Flow flow(context, static_cast<float>(canvas.width) - context.px(24) - 2 * pad.x, context.px(14));
+        tool.drawOptions(context, flow);
+    }
+    ui::markWindow(context, "options");
     ImGui::End();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(3);

@@ -68,9 +68,9 @@ void BoxTool::drawSketch(CanvasPainter &painter, AppContext &context) {
     }
 }
 
-void BoxTool::drawOptions(AppContext &context) {
-    drawTagOption(context, state_->boundaryTag, "Tag of the next boundary");
-    state_->drawSnapOptions(context);
+void BoxTool::drawOptions(AppContext &context, ui::Flow &flow) {
+    drawTagOption(context, flow, state_->boundaryTag, "Tag of the next boundary");
+    state_->drawSnapOptions(context, flow);
 }
 
 std::string BoxTool::statusText(const AppContext &) const {

@@ -13,7 +13,7 @@ class BoxTool final : public DrawingTool {
     const char *name() const override { return isRectangle() ? "Rectangle" : "Circle"; }
     const char *icon() const override;
     int key() const override { return isRectangle() ? 'R' : 'C'; }
-    void drawOptions(AppContext &context) override;
+    void drawOptions(AppContext &context, ui::Flow &flow) override;
     bool hasOptions(const AppContext &) const override { return true; }
     std::string statusText(const AppContext &context) const override;
     bool undo(AppContext &context) override;

@@ -5,6 +5,7 @@
 #include "core/spacing/paint.hpp"
 #include "ui/app/app_context.hpp"
 #include "ui/canvas/canvas_painter.hpp"
+#include "ui/flow.hpp"
 #include "ui/tools/tool_options.hpp"
 #include "ui/widgets.hpp"
 
@@ -158,14 +159,15 @@ void BrushTool::drawOverlay(CanvasPainter &painter, AppContext &context) {
     painter.label(*pointer_, {beside, beside}, text, theme.text, fade(theme.popup, 0.9), context.fonts.small);
 }
 
-void BrushTool::drawOptions(AppContext &context) {
+void BrushTool::drawOptions(AppContext &context, ui::Flow &flow) {
     settle(context);
-    drawSizeOption(context, "options/brush/radius", "Radius", state_->brushRadius,
+    drawSizeOption(context, flow, "options/brush/radius", "Radius", state_->brushRadius,
                    "Radius of the brush. Also [ and ], or Ctrl and wheel.");
     if (!erases_) {
-        drawSizeOption(context, "options/brush/spacing", "Spacing \xcf\x81", state_->brushSpacing,
+        drawSizeOption(context, flow, "options/brush/spacing", "Spacing \xcf\x81", state_->brushSpacing,
                        "Element size that the brush paints. Also Shift with [ and ], or Shift and wheel.");
     }
+    flow.item("clear");
     const bool painted = !context.document().current()->spacing.paint.tiles.empty();
     if (ui::button(context, "options/brush/clear", "Clear paint", ui::ButtonKind::Plain, painted)) {
         context.actions.run("edit.clearPaint", context);

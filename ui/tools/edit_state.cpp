@@ -2,6 +2,7 @@
 
 #include "ui/app/app_context.hpp"
 #include "ui/canvas/canvas_painter.hpp"
+#include "ui/flow.hpp"
 #include "ui/widgets.hpp"
 
 #include <imgui.h>
@@ -49,7 +50,8 @@ SnapQuery EditState::query(const AppContext &context, Vec2 place, bool angle, bo
     return query;
 }
 
-void EditState::drawSnapOptions(AppContext &context) {
+void EditState::drawSnapOptions(AppContext &context, ui::Flow &flow) {
+    flow.item("snap");
     ui::checkbox(context, "options/snap/drawing", "Snap to drawing", snapToDrawing);
     ui::tooltip(context, "Nodes and segments attract the pointer. Ctrl: not now. Shift: steps of 15\xc2\xb0.");
     ImGui::SameLine(0, context.px(12));

@@ -13,6 +13,10 @@ namespace forefront {
 struct AppContext;
 class CanvasPainter;
 
+namespace ui {
+class Flow;
+}
+
 /// What the editing tools share: the index for picking, snapping, and what the user has set in their strips.
 struct EditState {
     bool snapToGrid = true;
@@ -39,7 +43,7 @@ struct EditState {
     /// The same with two digits, for numbers that nobody asked for.
     static double twoDigits(double value);
     /// Two switches for the strip of a tool.
-    void drawSnapOptions(AppContext &context);
+    void drawSnapOptions(AppContext &context, ui::Flow &flow);
 
   private:
     std::shared_ptr<const PickIndex> index_;

@@ -106,13 +106,13 @@ void PenTool::drawSketch(CanvasPainter &painter, AppContext &context) {
     drawMeasure(painter, context, over_ ? measure : std::string());
 }
 
-void PenTool::drawOptions(AppContext &context) {
+void PenTool::drawOptions(AppContext &context, ui::Flow &flow) {
     if (kind_ == ShapeKind::Polygon) {
-        drawTagOption(context, state_->boundaryTag, "Tag of the next boundary");
+        drawTagOption(context, flow, state_->boundaryTag, "Tag of the next boundary");
     } else {
-        drawTagOption(context, state_->constraintTag, "Tag of the next constraint");
+        drawTagOption(context, flow, state_->constraintTag, "Tag of the next constraint");
     }
-    state_->drawSnapOptions(context);
+    state_->drawSnapOptions(context, flow);
 }
 
 std::string PenTool::statusText(const AppContext &) const {

@@ -13,7 +13,7 @@ class PenTool final : public DrawingTool {
     const char *name() const override { return kind_ == ShapeKind::Polygon ? "Polygon" : "Constraint polyline"; }
     const char *icon() const override;
     int key() const override { return kind_ == ShapeKind::Polygon ? 'P' : 'L'; }
-    void drawOptions(AppContext &context) override;
+    void drawOptions(AppContext &context, ui::Flow &flow) override;
     bool hasOptions(const AppContext &) const override { return true; }
     std::string statusText(const AppContext &context) const override;
     bool undo(AppContext &context) override;

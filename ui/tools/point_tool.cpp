@@ -4,6 +4,7 @@
 #include "core/edit/region_fill.hpp"
 #include "ui/app/app_context.hpp"
 #include "ui/canvas/canvas_painter.hpp"
+#include "ui/flow.hpp"
 #include "ui/tools/tool_options.hpp"
 #include "ui/widgets.hpp"
 
@@ -29,9 +30,9 @@ void PointTool::drawSketch(CanvasPainter &painter, AppContext &context) {
     drawMeasure(painter, context, {});
 }
 
-void PointTool::drawOptions(AppContext &context) {
-    drawTagOption(context, state_->constraintTag, "Tag of the next point");
-    state_->drawSnapOptions(context);
+void PointTool::drawOptions(AppContext &context, ui::Flow &flow) {
+    drawTagOption(context, flow, state_->constraintTag, "Tag of the next point");
+    state_->drawSnapOptions(context, flow);
 }
 
 const char *RegionTool::icon() const {
@@ -61,8 +62,9 @@ void RegionTool::drawSketch(CanvasPainter &painter, AppContext &context) {
     }
 }
 
-void RegionTool::drawOptions(AppContext &context) {
+void RegionTool::drawOptions(AppContext &context, ui::Flow &flow) {
     const std::shared_ptr<const Document> document = context.document().current();
+    flow.item("tag");
     ImGui::AlignTextToFramePadding();
     ui::muted(context, "Region");
     ImGui::SameLine();
@@ -71,12 +73,12 @@ void RegionTool::drawOptions(AppContext &context) {
         tag_ = static_cast<std::int32_t>(std::floor(value));
     }
     ui::tooltip(context, "Tag of the region that a click fills in");
-    ImGui::SameLine();
+    flow.item("name");
     std::string name = regionName(document->regionNames, tag_);
     if (ui::entry(context, "options/region/name", name, "name", 140.0F)) {
         EditState::apply(context, setRegionName(*document, tag_, name), "Name region");
     }
-    ImGui::SameLine();
+    flow.item("new");
     if (ui::button(context, "options/region/new", "New region")) {
         tag_ = freeRegionTag(*document);
         if (tag_ < 2) {

@@ -13,7 +13,7 @@ class PointTool final : public DrawingTool {
     const char *name() const override { return "Constraint point"; }
     const char *icon() const override;
     int key() const override { return 'O'; }
-    void drawOptions(AppContext &context) override;
+    void drawOptions(AppContext &context, ui::Flow &flow) override;
     bool hasOptions(const AppContext &) const override { return true; }
     std::string statusText(const AppContext &) const override {
         return "Click where the mesh must have a node; X Y then a number: exact coordinates";
@@ -34,7 +34,7 @@ class RegionTool final : public DrawingTool {
     const char *icon() const override;
     int key() const override { return 'G'; }
     void activate(AppContext &context) override;
-    void drawOptions(AppContext &context) override;
+    void drawOptions(AppContext &context, ui::Flow &flow) override;
     bool hasOptions(const AppContext &) const override { return true; }
     std::string statusText(const AppContext &) const override {
         return "Click into a face to make it this region; every face without one is region 1";

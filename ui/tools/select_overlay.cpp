@@ -1,6 +1,7 @@
 #include "core/edit/shape_geometry.hpp"
 #include "ui/app/app_context.hpp"
 #include "ui/canvas/canvas_painter.hpp"
+#include "ui/flow.hpp"
 #include "ui/tools/select_tool.hpp"
 #include "ui/widgets.hpp"
 
@@ -108,8 +109,9 @@ void SelectTool::drawOverlay(CanvasPainter &painter, AppContext &context) {
     }
 }
 
-void SelectTool::drawOptions(AppContext &context) {
+void SelectTool::drawOptions(AppContext &context, ui::Flow &flow) {
     const Selection &selection = context.selection;
+    flow.item("selected");
     ImGui::AlignTextToFramePadding();
     const std::size_t count = selection.size();
     ui::muted(context, count == 0 ? "Nothing selected" : std::to_string(count) + " selected");
@@ -117,8 +119,7 @@ void SelectTool::drawOptions(AppContext &context) {
     if (ui::button(context, "options/delete", "Delete", ui::ButtonKind::Plain, count > 0)) {
         context.actions.run("edit.delete", context);
     }
-    ImGui::SameLine(0, context.px(16));
-    state_->drawSnapOptions(context);
+    state_->drawSnapOptions(context, flow);
 }
 
 std::string SelectTool::statusText(const AppContext &context) const {

@@ -23,7 +23,7 @@ class SelectTool final : public Tool {
     bool handle(const CanvasEvent &event, AppContext &context) override;
     void drawOverlay(CanvasPainter &painter, AppContext &context) override;
     bool hasOptions(const AppContext &) const override { return true; }
-    void drawOptions(AppContext &context) override;
+    void drawOptions(AppContext &context, ui::Flow &flow) override;
     std::string statusText(const AppContext &context) const override;
 
   private:

@@ -3,6 +3,7 @@
 #include "core/edit/spacing_commands.hpp"
 #include "ui/app/app_context.hpp"
 #include "ui/canvas/canvas_painter.hpp"
+#include "ui/flow.hpp"
 #include "ui/tools/tool_options.hpp"
 #include "ui/widgets.hpp"
 
@@ -84,22 +85,19 @@ void SourceTool::drawSketch(CanvasPainter &painter, AppContext &context) {
     drawMeasure(painter, context, text);
 }
 
-void SourceTool::drawOptions(AppContext &context) {
+void SourceTool::drawOptions(AppContext &context, ui::Flow &flow) {
     static constexpr std::array<const char *, 3> kShapes{"Point", "Line", "Circle"};
-    ImGui::BeginGroup();
-    const bool changed = ui::segmented(context, "options/source/shape", kShapes, state_->sourceShape, 190.0F);
-    ImGui::EndGroup();
-    if (changed) {
+    flow.item("shape");
+    if (ui::segmented(context, "options/source/shape", kShapes, state_->sourceShape, 190.0F)) {
         cancel();
     }
-    ImGui::SameLine(0, context.px(16));
     double shown = size(context, context.view.camera.centre);
-    if (drawSizeOption(context, "options/source/size", "Size", shown, "Spacing on the source itself")) {
+    if (drawSizeOption(context, flow, "options/source/size", "Size", shown, "Spacing on the source itself")) {
         state_->sourceSize = shown;
     }
-    drawSizeOption(context, "options/source/growth", "Growth", state_->sourceGrowth,
+    drawSizeOption(context, flow, "options/source/growth", "Growth", state_->sourceGrowth,
                    "How much the spacing grows per unit of distance: 0.1 is gentle, 0.3 steep");
-    state_->drawSnapOptions(context);
+    state_->drawSnapOptions(context, flow);
 }
 
 std::string SourceTool::statusText(const AppContext &) const {

@@ -15,7 +15,7 @@ class SourceTool final : public DrawingTool {
     const char *icon() const override;
     int key() const override { return 'S'; }
     bool hasOptions(const AppContext &) const override { return true; }
-    void drawOptions(AppContext &context) override;
+    void drawOptions(AppContext &context, ui::Flow &flow) override;
     std::string statusText(const AppContext &context) const override;
     bool undo(AppContext &context) override;
 

@@ -14,6 +14,10 @@ namespace forefront {
 struct AppContext;
 class CanvasPainter;
 
+namespace ui {
+class Flow;
+}
+
 /// What happened on the canvas, handed to the active tool in order, none lost.
 struct CanvasEvent {
     enum class Kind : std::uint8_t {
@@ -60,8 +64,8 @@ class Tool {
     virtual void drawOverlay(CanvasPainter &, AppContext &) {}
     /// Whether a strip with options stands over the canvas now.
     virtual bool hasOptions(const AppContext &) const { return false; }
-    /// Its widgets, in one row (ImGui::SameLine between them): brush radius, numeric entry ...
-    virtual void drawOptions(AppContext &) {}
+    /// Its widgets, each an item of `flow`: brush radius, snapping ...
+    virtual void drawOptions(AppContext &, ui::Flow &) {}
     virtual CursorShape cursor() const { return CursorShape::Arrow; }
     /// One short line for the status bar: what a click does now.
     virtual std::string statusText(const AppContext &) const { return {}; }

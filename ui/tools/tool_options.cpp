@@ -1,6 +1,7 @@
 #include "ui/tools/tool_options.hpp"
 
 #include "ui/app/app_context.hpp"
+#include "ui/flow.hpp"
 #include "ui/widgets.hpp"
 
 #include <imgui.h>
@@ -9,7 +10,8 @@
 
 namespace forefront {
 
-void drawTagOption(AppContext &context, std::int32_t &tag, const char *tooltip) {
+void drawTagOption(AppContext &context, ui::Flow &flow, std::int32_t &tag, const char *tooltip) {
+    flow.item("tag");
     ImGui::AlignTextToFramePadding();
     ui::muted(context, "Tag");
     ImGui::SameLine();
@@ -20,10 +22,11 @@ void drawTagOption(AppContext &context, std::int32_t &tag, const char *tooltip) 
     ui::tooltip(context, tooltip);
     ImGui::SameLine();
     ui::muted(context, boundaryName(context.document().current()->boundaryNames, tag));
-    ImGui::SameLine(0, context.px(16));
 }
 
-bool drawSizeOption(AppContext &context, const char *name, const char *label, double &value, const char *tooltip) {
+bool drawSizeOption(AppContext &context, ui::Flow &flow, const char *name, const char *label, double &value,
+                    const char *tooltip) {
+    flow.item(name);
     ImGui::AlignTextToFramePadding();
     ui::muted(context, label);
     ImGui::SameLine();
@@ -33,7 +36,6 @@ bool drawSizeOption(AppContext &context, const char *name, const char *label, do
     if (changed) {
         value = entered;
     }
-    ImGui::SameLine(0, context.px(16));
     return changed;
 }
 

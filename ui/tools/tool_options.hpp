@@ -6,9 +6,14 @@ namespace forefront {
 
 struct AppContext;
 
-/// "Tag [ 1 ]  name" in the strip of a tool, followed by another item in the same line.
-void drawTagOption(AppContext &context, std::int32_t &tag, const char *tooltip);
+namespace ui {
+class Flow;
+}
+
+/// "Tag [ 1 ]  name", an item of the options of a tool.
+void drawTagOption(AppContext &context, ui::Flow &flow, std::int32_t &tag, const char *tooltip);
 /// "LABEL [ 0.5 ]" for a positive number; true when it changed.
-bool drawSizeOption(AppContext &context, const char *name, const char *label, double &value, const char *tooltip);
+bool drawSizeOption(AppContext &context, ui::Flow &flow, const char *name, const char *label, double &value,
+                    const char *tooltip);
 
 } // namespace forefront
