@@ -38,7 +38,7 @@ class GeoJsonReader {
             return check_.faults();
         }
         if (polygons_.empty() && lines_.empty()) {
-            check_.fault(root, "empty-domain", "the GeoJSON holds no polygon and no line that could bound a domain");
+            check_.fault(root, "empty-domain", "the file holds no polygon and no line that could bound a domain");
             return check_.faults();
         }
         placePolygons();

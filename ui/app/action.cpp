@@ -10,6 +10,9 @@ std::string toString(Shortcut shortcut) {
     if (shortcut.key == 0) {
         return {};
     }
+    if (shortcut == Shortcut{key::kSlash, {Modifiers::kShift}}) {
+        return "?"; // as everyone writes it
+    }
     std::string text;
     if (shortcut.modifiers.control()) {
         text += "Ctrl+";

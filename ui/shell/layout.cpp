@@ -52,9 +52,9 @@ CanvasBands bandsOf(const AppContext &context, const PixelRect &canvas) {
 PixelRect freeRoom(const AppContext &context, const PixelRect &canvas) {
     const CanvasBands bands = bandsOf(context, canvas);
     const double scale = static_cast<double>(context.scale);
-    // On a small canvas the drawing keeps half of the height, be it beneath what stands there.
+    // On a small canvas the drawing keeps a third of the height, be it beneath what stands there.
     const double top = std::min(bands.top * scale, 0.2 * canvas.height);
-    const double bottom = std::min(bands.bottom * scale, 0.3 * canvas.height);
+    const double bottom = std::min(bands.bottom * scale, 0.45 * canvas.height);
     return {canvas.x, canvas.y + top, canvas.width, canvas.height - top - bottom};
 }
 
