@@ -1,5 +1,6 @@
 #include "ui/tooltip.hpp"
 
+#include "ui/text_wrap.hpp"
 #include "ui/widgets.hpp"
 
 #include <imgui.h>
@@ -47,7 +48,8 @@ void tooltip(AppContext &context, std::string_view text) {
     }
     const float wrap = context.px(320);
     const ImVec2 pad(context.px(9), context.px(6));
-    const ImVec2 words = ImGui::CalcTextSize(text.data(), text.data() + text.size(), false, wrap);
+    const std::string lines = wrapped(text, wrap);
+    const ImVec2 words = ImGui::CalcTextSize(lines.c_str(), nullptr, false, wrap + 1.0F);
     const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
     const ImGuiWindow &window = *imgui.CurrentWindow->RootWindow;
     const PixelRect place = placeTooltip({min.x, min.y, max.x - min.x, max.y - min.y},
@@ -57,9 +59,7 @@ void tooltip(AppContext &context, std::string_view text) {
     ImGui::SetNextWindowPos({static_cast<float>(place.x), static_cast<float>(place.y)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, pad);
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(pad.x + wrap);
-    ImGui::TextUnformatted(text.data(), text.data() + text.size());
-    ImGui::PopTextWrapPos();
+    wrappedText(text, wrap);
     ImGui::EndTooltip();
     ImGui::PopStyleVar();
     markRect(context, "tooltip", place);

@@ -1,5 +1,7 @@
 #include "ui/widgets.hpp"
 
+#include "ui/text_wrap.hpp"
+
 #include <imgui.h>
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
@@ -340,11 +342,9 @@ void small(AppContext &context, std::string_view text, bool wrap) {
     ImGui::PushFont(context.fonts.small);
     ImGui::PushStyleColor(ImGuiCol_Text, context.theme.muted);
     if (wrap) {
-        ImGui::PushTextWrapPos(0.0F);
-    }
-    ImGui::TextUnformatted(text.data(), text.data() + text.size());
-    if (wrap) {
-        ImGui::PopTextWrapPos();
+        wrappedText(text);
+    } else {
+        ImGui::TextUnformatted(text.data(), text.data() + text.size());
     }
     ImGui::PopStyleColor();
     ImGui::PopFont();

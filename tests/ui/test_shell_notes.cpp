@@ -1,11 +1,15 @@
 #include "tests/ui/edit_driver.hpp"
 #include "ui/app/snapshot_pace.hpp"
+#include "ui/text_wrap.hpp"
 #include "ui/tooltip.hpp"
 
 #include <doctest/doctest.h>
+#include <imgui.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <sstream>
 
 namespace forefront::test {
 
@@ -295,6 +299,27 @@ TEST_CASE("Notes: that a run is being cancelled is shown in the next frame, befo
     REQUIRE(framesUntil(driver, [&] { return driver.has("canvas/cancel") && driver.run().advance > 20000; }));
     driver.click("canvas/cancel");
     REQUIRE(framesUntil(driver, [&] { return driver.run().state == RunState::Cancelled; }));
+}
+
+TEST_CASE("Text: lines end between words, never within a number, and none is too wide") {
+    Driver driver;
+    const std::string text =
+        "6326 triangles, 3272 nodes in 0.00843 s; least \xce\xb1 0.799, mean 0.981\nand then max(0.1, "
+        "0.2*dist(3, 2)) and supercalifragilisticexpialidocious";
+    for (const float width : {60.0F, 90.0F, 133.0F, 200.0F, 1000.0F}) {
+        CAPTURE(width);
+        const std::string lines = ui::wrapped(text, width); // in the font of the last frame
+        std::istringstream each(lines);
+        for (std::string line; std::getline(each, line);) {
+            const bool oneWord = line.find(' ') == std::string::npos;
+            CHECK((oneWord || ImGui::CalcTextSize(line.c_str()).x <= width));
+        }
+        std::string back = lines;
+        std::replace(back.begin(), back.end(), '\n', ' ');
+        std::string whole = text;
+        std::replace(whole.begin(), whole.end(), '\n', ' ');
+        CHECK(back == whole);
+    }
 }
 
 TEST_CASE("Meshing panel: its options belong to the document, and undo brings them back") {

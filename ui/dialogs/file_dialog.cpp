@@ -1,6 +1,7 @@
 #include "ui/dialogs/file_dialog.hpp"
 
 #include "ui/app/app_context.hpp"
+#include "ui/text_wrap.hpp"
 #include "ui/widgets.hpp"
 
 #include <imgui.h>
@@ -225,7 +226,7 @@ constexpr float kButton = 108.0F, kGap = 10.0F;
 
 float FileDialog::bottomHeight(const AppContext &context) const {
     const float room = context.px(static_cast<double>(width()) - 44.0 - 2.0 * kButton - 2.0 * kGap);
-    const float lines = ImGui::CalcTextSize(warning().c_str(), nullptr, false, room).y;
+    const float lines = ImGui::CalcTextSize(ui::wrapped(warning(), room).c_str(), nullptr, false, room).y;
     const float more = std::max(0.0F, lines - ImGui::GetTextLineHeight());
     return context.px(request_.extra ? 118 : 84) + more;
 }
@@ -266,10 +267,8 @@ bool FileDialog::drawBottom(AppContext &context) {
     const float buttons = ImGui::GetWindowContentRegionMax().x - context.px(2.0 * kButton + kGap);
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, fault_.empty() ? context.theme.warn : context.theme.bad);
-    ImGui::PushTextWrapPos(buttons - context.px(kGap));
     const float top = ImGui::GetCursorPosY();
-    ImGui::TextUnformatted(warning().c_str());
-    ImGui::PopTextWrapPos();
+    ui::wrappedText(warning(), buttons - context.px(kGap) - ImGui::GetCursorPosX());
     ImGui::PopStyleColor();
     ui::mark(context, widget("warning"));
     ImGui::SetCursorPos({buttons, top});

@@ -1,5 +1,6 @@
 #include "ui/app/app_context.hpp"
 #include "ui/panels/edit_panels.hpp"
+#include "ui/text_wrap.hpp"
 #include "ui/widgets.hpp"
 
 #include <imgui.h>
@@ -54,9 +55,7 @@ class ChecksPanel final : public Panel {
             ImGui::TextUnformatted(error ? icon::kError : icon::kWarning);
             ImGui::PopStyleColor();
             ImGui::SameLine(context.px(20));
-            ImGui::PushTextWrapPos(0.0F);
-            ImGui::TextUnformatted(fault.message.c_str());
-            ImGui::PopTextWrapPos();
+            ui::wrappedText(fault.message);
             if (!fault.advice.empty()) {
                 ImGui::SetCursorPosX(context.px(20));
                 ui::small(context, fault.advice, true);

@@ -1,4 +1,5 @@
 #include "ui/panels/panels.hpp"
+#include "ui/text_wrap.hpp"
 #include "ui/widgets.hpp"
 
 #include <imgui.h>
@@ -39,7 +40,6 @@ class LogPanel final : public Panel {
         ImGui::TextUnformatted(error ? icon::kError : warning ? icon::kWarning : icon::kInfo);
         ImGui::PopStyleColor();
         ImGui::SameLine(context.px(20));
-        ImGui::PushTextWrapPos(0.0F);
         std::string text = d.message;
         if (!d.file.empty()) {
             text = d.file + (d.line > 0 ? ":" + std::to_string(d.line) : "") + ": " + text;
@@ -47,8 +47,7 @@ class LogPanel final : public Panel {
         if (!d.advice.empty()) {
             text += "; " + d.advice;
         }
-        ImGui::TextUnformatted(text.c_str());
-        ImGui::PopTextWrapPos();
+        ui::wrappedText(text);
         if (d.at) {
             ImGui::SetCursorPosX(context.px(20));
             const std::string name = "log/goto/" + std::to_string(entry.number);

@@ -2,6 +2,7 @@
 #include "ui/app/app_context.hpp"
 #include "ui/panels/edit_panels.hpp"
 #include "ui/panels/form.hpp"
+#include "ui/text_wrap.hpp"
 #include "ui/tools/edit_state.hpp"
 #include "ui/widgets.hpp"
 
@@ -49,13 +50,11 @@ void drawExpressionFault(AppContext &context, const Diagnostic &fault, const std
         ImGui::PopFont();
     }
     ImGui::PushStyleColor(ImGuiCol_Text, context.theme.bad);
-    ImGui::PushTextWrapPos(0.0F);
     std::string text = fault.message;
     if (!fault.advice.empty()) {
         text += "; " + fault.advice;
     }
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
+    ui::wrappedText(text);
     ImGui::PopStyleColor();
     ui::mark(context, "spacing/expression/fault");
     ImGui::PopFont();

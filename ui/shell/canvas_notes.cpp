@@ -1,5 +1,6 @@
 #include "ui/flow.hpp"
 #include "ui/shell/shell.hpp"
+#include "ui/text_wrap.hpp"
 #include "ui/widgets.hpp"
 
 #include <imgui.h>
@@ -251,18 +252,19 @@ void drawMessage(AppContext &context, const Diagnostic &diagnostic, float room, 
     ImGui::TextUnformatted(fault ? icon::kError : note ? icon::kCheck : icon::kWarning);
     ImGui::PopStyleColor();
     ImGui::SameLine(0, context.px(8));
-    ImGui::PushTextWrapPos(left + room);
+    const float words = room - (ImGui::GetCursorPosX() - left);
     ImGui::BeginGroup();
-    ImGui::TextUnformatted(withPlace(diagnostic).c_str());
+    ui::wrappedText(withPlace(diagnostic), words);
     if (!diagnostic.advice.empty()) {
-        ui::muted(context, diagnostic.advice);
+        ImGui::PushStyleColor(ImGuiCol_Text, theme.muted);
+        ui::wrappedText(diagnostic.advice, words);
+        ImGui::PopStyleColor();
     }
     if (more > 0) {
         ui::muted(context, "and " + ui::count(more) + " more: see Log");
         ui::mark(context, "canvas/error/more");
     }
     ImGui::EndGroup();
-    ImGui::PopTextWrapPos();
     ui::mark(context, note ? "canvas/note" : "canvas/error");
 }
 
