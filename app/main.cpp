@@ -1,9 +1,8 @@
 #include "app/batch/commands.hpp"
 #include "app/batch/exit_code.hpp"
+#include "app/batch/options.hpp"
 #include "app/editor_entry.hpp"
 #include "core/base/version.hpp"
-
-#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <exception>
@@ -37,13 +36,10 @@ int editorCommand(int argc, const char *const *argv) {
     CLI::App app("Forefront", "forefront");
     app.set_help_flag();
     app.add_option("FILE", arguments.file)->check(CLI::ExistingFile);
-    app.add_option("--frames", arguments.frames)->check(CLI::PositiveNumber);
+    app.add_option("--frames", arguments.frames)->check(wholeNumberWithin(1, 1'000'000'000));
     app.add_option("--state-file", arguments.stateFile);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError &error) {
-        std::fprintf(stderr, "forefront: %s\nRun with --help for more information.\n", error.what());
-        return kUsage;
+    if (const auto code = parseOptions(app, argc, argv)) {
+        return *code;
     }
     return runEditor(arguments);
 }

@@ -1,14 +1,13 @@
 #include "app/batch/commands.hpp"
 #include "app/batch/exit_code.hpp"
 #include "app/batch/interrupt.hpp"
+#include "app/batch/options.hpp"
 #include "app/batch/progress_bar.hpp"
 #include "core/adapt/adaptive_meshing.hpp"
 #include "core/adapt/mesh_outline.hpp"
 #include "core/io/files.hpp"
 #include "core/mesh/verify.hpp"
 #include "core/mesher/pipeline.hpp"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -195,37 +194,34 @@ int adaptCommand(int argc, const char *const *argv) {
     field->require_option(1);
     app.add_option("--error", arguments.target.error, "wanted error of the gradient, as a part of its norm: 0 to 1")
         ->required()
-        ->check(CLI::Range(1e-9, 1.0))
+        ->check(numberWithin(1e-9, 1.0))
         ->type_name("E");
     app.add_option("-o,--output", arguments.outputs, "mesh to write; the extension tells the format; repeatable")
         ->required()
         ->allow_extra_args(false)
         ->type_name("OUT");
     app.add_option("--rounds", arguments.rounds, "with --expression: at most so many new meshes (default 8)")
-        ->check(CLI::Range(1, 100))
+        ->check(wholeNumberWithin(1, 100))
         ->type_name("N");
     app.add_option("--size-min", arguments.target.sizeMin, "no edges much shorter than this")
-        ->check(CLI::PositiveNumber)
+        ->check(positiveNumber())
         ->type_name("H");
     app.add_option("--size-max", arguments.target.sizeMax, "nor longer than this")
-        ->check(CLI::PositiveNumber)
+        ->check(positiveNumber())
         ->type_name("H");
     app.add_option("--gradation", arguments.target.gradation,
                    "greatest change of edge length per unit of distance (default 0.3)")
-        ->check(CLI::PositiveNumber)
+        ->check(positiveNumber())
         ->type_name("G");
     app.add_option("--domain", arguments.domain, "domain to mesh; else what the mesh covers, with its tags")
         ->type_name("IN");
-    app.add_flag("-q,--quiet", arguments.quiet, "no progress and no summary");
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError &error) {
-        return app.exit(error) == 0 ? kDone : kUsage;
+    app.add_flag("-q,--quiet", arguments.quiet, "print nothing but warnings and errors");
+    if (const auto code = parseOptions(app, argc, argv)) {
+        return *code;
     }
     for (const std::filesystem::path &path : arguments.outputs) {
         if (!writable(path)) {
-            std::fprintf(stderr, "forefront adapt: -o %s: no format has this extension\n", path.string().c_str());
-            return kUsage;
+            return wrongUsage(app.get_name(), "-o " + path.string() + ": no format has this extension");
         }
     }
     return runAdapt(arguments);

@@ -1,13 +1,11 @@
 #include "app/batch/commands.hpp"
 #include "app/batch/exit_code.hpp"
-#include "app/batch/mesh_arguments.hpp"
+#include "app/batch/options.hpp"
 #include "core/base/hash.hpp"
 #include "core/io/files.hpp"
 #include "core/mesh/quality.hpp"
 #include "core/mesh/verify.hpp"
 #include "core/spacing/spacing_field.hpp"
-
-#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <filesystem>
@@ -99,10 +97,8 @@ int checkCommand(int argc, const char *const *argv) {
     auto *spacing = app.add_option_group("Spacing", "to tell how well the mesh keeps it; at most one");
     addSpacingOptions(*spacing, arguments.size, arguments.expression);
     spacing->require_option(0, 1);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError &error) {
-        return app.exit(error) == 0 ? kDone : kUsage;
+    if (const auto code = parseOptions(app, argc, argv)) {
+        return *code;
     }
     return check(arguments);
 }

@@ -1,14 +1,11 @@
 #include "app/batch/mesh_arguments.hpp"
 
-#include "app/batch/exit_code.hpp"
+#include "app/batch/options.hpp"
 #include "core/io/files.hpp"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <cstdio>
 #include <optional>
 
 namespace forefront {
@@ -69,36 +66,51 @@ std::string parseGrid(const std::string &text, MeshArguments &arguments) {
     return "--grid: '" + text + "' is none of none, uniform, uniform:COLSxROWS, hierarchical";
 }
 
+/// `id`: from --format; empty: by the extension. A name that says one format for the content of another would mislead
+/// whoever reads the file; extensions that no format has may hold any.
+std::string checkFormat(const std::filesystem::path &output, const std::string &id) {
+    std::string extension = output.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const auto formats = fileFormats();
+    const auto find = [&](auto wanted) {
+        const auto found = std::find_if(formats.begin(), formats.end(), wanted);
+        return found == formats.end() ? nullptr : &*found;
+    };
+    const auto extensionIs = [&](const FileFormat &format) { return extension == format.extension; };
+    if (id.empty()) {
+        const FileFormat *meant = find([&](const FileFormat &f) { return f.writesMesh && extensionIs(f); });
+        return meant != nullptr ? ""
+                                : "-o " + output.string() + ": no format has the extension '" + extension +
+                                      "'; name one by --format: " + listFormats();
+    }
+    const FileFormat *wanted = find([&](const FileFormat &f) { return f.writesMesh && id == f.id; });
+    if (wanted == nullptr) {
+        return "--format: unknown format '" + id + "'; formats: " + listFormats();
+    }
+    const FileFormat *named = find(extensionIs);
+    if (named != nullptr && !extensionIs(*wanted)) {
+        return "-o " + output.string() + " is named as " + named->name + ", but --format " + id + " is " +
+               wanted->name + " (" + wanted->extension + "); formats go to the outputs in their order";
+    }
+    return {};
+}
+
 /// Formats are known before anything is computed.
 std::string checkFormats(const MeshArguments &arguments) {
     if (arguments.formats.size() > arguments.outputs.size()) {
-        return "--format is given more often than -o";
+        return "--format is given more often than -o; formats go to the outputs in their order";
     }
     for (std::size_t i = 0; i < arguments.outputs.size(); ++i) {
-        const std::string id = arguments.format(i);
-        std::string extension = arguments.outputs[i].extension().string();
-        std::transform(extension.begin(), extension.end(), extension.begin(),
-                       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-        const auto formats = fileFormats();
-        const bool known = std::any_of(formats.begin(), formats.end(), [&](const FileFormat &format) {
-            return format.writesMesh && (id.empty() ? extension == format.extension : id == format.id);
-        });
-        if (!known) {
-            return (id.empty()
-                        ? "-o " + arguments.outputs[i].string() + ": no format has the extension '" + extension + "'"
-                        : "--format: unknown format '" + id + "'") +
-                   "; formats: " + listFormats();
+        const std::string wrong = checkFormat(arguments.outputs[i], arguments.format(i));
+        if (!wrong.empty()) {
+            return wrong;
         }
     }
     return {};
 }
 
 } // namespace
-
-void addSpacingOptions(CLI::App &group, std::optional<double> &size, std::optional<std::string> &expression) {
-    group.add_option("--size", size, "the same edge length everywhere")->check(CLI::PositiveNumber)->type_name("H");
-    group.add_option("--spacing", expression, "edge length as an expression in x and y")->type_name("EXPR");
-}
 
 std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const *argv) {
     MeshArguments arguments;
@@ -122,10 +134,10 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
         ->type_name("FILE");
     spacing->require_option(0, 1);
     app.add_option("--gradation", arguments.gradation, "greatest change of edge length per unit of distance")
-        ->check(CLI::PositiveNumber)
+        ->check(positiveNumber())
         ->type_name("G");
     app.add_option("--method", method, "fast (default), or classic: the ten steps after Lo, shortest segment first")
-        ->check(CLI::IsMember({"fast", "classic"}))
+        ->check(oneOf({"fast", "classic"}))
         ->type_name("METHOD");
     app.add_option("--grid", grid, "background grid: none, uniform[:COLSxROWS], hierarchical (default)")
         ->type_name("KIND");
@@ -135,18 +147,17 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     auto *improve = app.add_option("--improve", level,
                                    "work on the shapes: none (and the quickest front), default, best "
                                    "(slower, adds and removes inner nodes, too)")
-                        ->check(CLI::IsMember({"none", "default", "best"}))
+                        ->check(oneOf({"none", "default", "best"}))
                         ->type_name("LEVEL");
     app.add_flag("--no-improve", noImprove, "the same as --improve none")->excludes(improve);
-    app.add_option("--threads", arguments.threads, "threads; the mesh does not depend on it")
-        ->check(CLI::Range(1U, 256U))
+    app.add_option("--threads", arguments.threads, "threads, 1 to 256; the mesh does not depend on it")
+        ->check(wholeNumberWithin(1, 256))
         ->type_name("N");
-    app.add_option("--stats", arguments.statistics, "write statistics as JSON")->type_name("FILE.json");
-    app.add_flag("-q,--quiet", arguments.quiet, "no progress and no summary");
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError &error) {
-        return app.exit(error) == 0 ? kDone : kUsage;
+    app.add_option("--stats", arguments.statistics, "write statistics as JSON; -: print them instead of the summary")
+        ->type_name("FILE.json");
+    app.add_flag("-q,--quiet", arguments.quiet, "print nothing but warnings and errors");
+    if (const auto code = parseOptions(app, argc, argv)) {
+        return *code;
     }
     if (!method.empty()) {
         arguments.method = method == "classic" ? Method::Classic : Method::Fast;
@@ -167,8 +178,7 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
         wrong = "nothing to write: give -o OUT or --stats FILE.json";
     }
     if (!wrong.empty()) {
-        std::fprintf(stderr, "forefront mesh: %s\nRun with --help for more information.\n", wrong.c_str());
-        return static_cast<int>(kUsage);
+        return wrongUsage(app.get_name(), wrong);
     }
     return arguments;
 }

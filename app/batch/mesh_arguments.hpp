@@ -8,10 +8,6 @@
 #include <variant>
 #include <vector>
 
-namespace CLI {
-class App;
-}
-
 namespace forefront {
 
 /// What the command line of `forefront mesh` asks for.

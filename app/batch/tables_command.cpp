@@ -1,11 +1,10 @@
 #include "app/batch/commands.hpp"
 #include "app/batch/exit_code.hpp"
 #include "app/batch/interrupt.hpp"
+#include "app/batch/options.hpp"
 #include "app/batch/progress_bar.hpp"
 #include "core/io/files.hpp"
 #include "core/tables/table_report.hpp"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -36,11 +35,6 @@ struct TablesArguments {
     std::vector<TableGrid> grids;
     std::optional<std::filesystem::path> csv, svg;
 };
-
-int wrongUsage(const std::string &message) {
-    std::fprintf(stderr, "forefront tables: %s\nRun with --help for more information.\n", message.c_str());
-    return kUsage;
-}
 
 /// What is wrong with the lists; empty if nothing.
 std::string parseLists(const std::vector<std::string> &rows, const std::vector<std::string> &grids,
@@ -124,13 +118,11 @@ int tablesCommand(int argc, const char *const *argv) {
         ->type_name("GRIDS");
     app.add_option("--csv", arguments.csv, "write the figures as CSV")->type_name("FILE");
     app.add_option("--svg", arguments.svg, "draw time against elements")->type_name("FILE");
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError &error) {
-        return app.exit(error) == 0 ? kDone : kUsage;
+    if (const auto code = parseOptions(app, argc, argv)) {
+        return *code;
     }
     const std::string wrong = parseLists(rows, grids, arguments);
-    return wrong.empty() ? runTables(arguments) : wrongUsage(wrong);
+    return wrong.empty() ? runTables(arguments) : wrongUsage(app.get_name(), wrong);
 }
 
 } // namespace forefront

@@ -1,0 +1,98 @@
+#include "app/batch/options.hpp"
+
+#include "app/batch/exit_code.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace forefront {
+
+namespace {
+
+/// The whole text as a number of that type, with or without a sign.
+template <class Number>
+std::optional<Number> parse(std::string_view text) {
+    if (text.starts_with('+') && !text.starts_with("+-")) {
+        text.remove_prefix(1);
+    }
+    Number value{};
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return fault == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
+}
+
+std::string shown(double value) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%g", value);
+    return text;
+}
+
+/// Refuses what `accepts` does not take; `wanted` is said of it.
+template <class Accepts>
+CLI::Validator check(std::string wanted, Accepts accepts) {
+    return {[wanted = std::move(wanted), accepts](const std::string &text) {
+                return accepts(text) ? std::string() : wanted + " is wanted, not '" + text + '\'';
+            },
+            ""};
+}
+
+} // namespace
+
+CLI::Validator positiveNumber() {
+    return check("a positive number", [](const std::string &text) {
+        const auto value = parse<double>(text);
+        return value && std::isfinite(*value) && *value > 0.0;
+    });
+}
+
+CLI::Validator numberWithin(double least, double greatest) {
+    return check("a number from " + shown(least) + " to " + shown(greatest),
+                 [least, greatest](const std::string &text) {
+                     const auto value = parse<double>(text);
+                     return value && *value >= least && *value <= greatest;
+                 });
+}
+
+CLI::Validator wholeNumberWithin(int least, int greatest) {
+    return check("a whole number from " + std::to_string(least) + " to " + std::to_string(greatest),
+                 [least, greatest](const std::string &text) {
+                     const auto value = parse<int>(text);
+                     return value && *value >= least && *value <= greatest;
+                 });
+}
+
+CLI::Validator oneOf(std::vector<std::string> words) {
+    std::string wanted = "one of ";
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        wanted += (i == 0 ? "" : ", ") + words[i];
+    }
+    return check(std::move(wanted), [words = std::move(words)](const std::string &text) {
+        return std::find(words.begin(), words.end(), text) != words.end();
+    });
+}
+
+void addSpacingOptions(CLI::App &group, std::optional<double> &size, std::optional<std::string> &expression) {
+    group.add_option("--size", size, "the same edge length everywhere")->check(positiveNumber())->type_name("H");
+    group.add_option("--spacing", expression, "edge length as an expression in x and y")->type_name("EXPR");
+}
+
+std::optional<int> parseOptions(CLI::App &app, int argc, const char *const *argv) {
+    try {
+        app.parse(argc, argv);
+        return std::nullopt;
+    } catch (const CLI::CallForHelp &help) {
+        return app.exit(help);
+    } catch (const CLI::ParseError &error) {
+        return wrongUsage(app.get_name(), error.what());
+    }
+}
+
+int wrongUsage(const std::string &command, std::string_view message) {
+    std::fprintf(stderr, "%s: %.*s\nRun with --help for more information.\n", command.c_str(),
+                 static_cast<int>(message.size()), message.data());
+    return kUsage;
+}
+
+} // namespace forefront
