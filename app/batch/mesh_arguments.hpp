@@ -29,13 +29,12 @@ struct MeshArguments {
     std::optional<std::filesystem::path> statistics;
     bool quiet = false;
 
+    /// The statistics go to the standard output, which then holds nothing else.
+    bool printsStatistics() const { return statistics && *statistics == "-"; }
     std::string format(std::size_t output) const { return output < formats.size() ? formats[output] : std::string(); }
 };
 
 /// The arguments, or the exit code with which to leave (help was shown: 0; wrong usage, said on stderr: 2).
 std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const *argv);
-
-/// The options --size and --spacing, which several commands have.
-void addSpacingOptions(CLI::App &group, std::optional<double> &size, std::optional<std::string> &expression);
 
 } // namespace forefront

@@ -67,12 +67,14 @@ void applyOptions(const MeshArguments &arguments, MeshingOptions &options) {
     options.threads = arguments.threads.value_or(options.threads);
 }
 
-Diagnostics repairDomain(Domain &domain) {
+Diagnostics repairDomain(Domain &domain, bool quiet) {
     Result<Repaired> repaired = repair(domain);
     if (!repaired) {
         return repaired.faults();
     }
-    printFaults(repaired->changes);
+    if (!quiet) {
+        printFaults(repaired->changes);
+    }
     domain = std::move(repaired->domain);
     return {};
 }
@@ -98,17 +100,20 @@ Diagnostics writeOutputs(const MeshArguments &arguments, const Mesh &mesh, const
             return faults;
         }
     }
-    return arguments.statistics ? writeFileAtomically(*arguments.statistics, statisticsJson(report)) : Diagnostics{};
+    return arguments.statistics && !arguments.printsStatistics()
+               ? writeFileAtomically(*arguments.statistics, statisticsJson(report))
+               : Diagnostics{};
 }
 
 void printResult(const MeshArguments &arguments, const RunReport &report) {
-    if (!arguments.quiet) {
+    if (arguments.printsStatistics()) {
+        std::fputs(statisticsJson(report).c_str(), stdout);
+    } else if (!arguments.quiet) {
         for (const auto &path : arguments.outputs) {
             std::printf("wrote %s\n", path.string().c_str());
         }
         std::fputs(summary(report).c_str(), stdout);
     }
-    std::printf("mesh_cpu=%.6f\n", report.meshCpu());
 }
 
 } // namespace
@@ -130,7 +135,7 @@ int meshCommand(int argc, const char *const *argv) {
     Diagnostics faults = job ? applySpacing(arguments, job->spacing) : job.faults();
     bar.clear();
     if (faults.empty() && arguments.repair) {
-        faults = repairDomain(job->domain);
+        faults = repairDomain(job->domain, arguments.quiet);
     }
     if (!faults.empty()) {
         return refuse(faults, interrupt);

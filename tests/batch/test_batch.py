@@ -151,10 +151,30 @@ class Meshing(Case):
         self.assertIn("hash", text)
         self.assertEqual(text, binary)
 
-    def test_quiet_prints_the_figure_alone(self):
+    def test_quiet_prints_nothing(self):
         done = self.call("mesh", "plate.poly", "-o", "plate.msh", "--quiet")
-        self.assertRegex(done.stdout, r"^mesh_cpu=\d+\.\d+\n$")
-        self.assertEqual(done.stderr, "")
+        self.assertEqual((done.stdout, done.stderr), ("", ""))
+        adapt = self.call("adapt", "plate.msh", "--expression", "x*x", "--error", "0.3", "-o", "new.msh", "-q")
+        self.assertEqual((adapt.stdout, adapt.stderr), ("", ""))
+        self.write("bow.poly", poly([BOW]))
+        repaired = self.call("mesh", "bow.poly", "-o", "bow.msh", "--repair", "-q")
+        self.assertEqual((repaired.stdout, repaired.stderr), ("", ""))
+
+    def test_statistics_can_be_printed_for_a_script_to_read(self):
+        for more in ([], ["-q"]):
+            printed = json.loads(self.call("mesh", "plate.poly", "-o", "plate.msh", "--stats", "-", *more).stdout)
+            self.assertGreater(printed["seconds_mesh"], 0)
+        self.assertIn(f"hash {printed['hash']}", self.call("check", "plate.msh").stdout)
+        self.assertFalse((self.path / "-").exists())
+
+    def test_an_extension_that_contradicts_the_format_is_refused(self):
+        for words in (["-o", "a.vtu", "--format", "msh41"], ["-o", "a.geojson", "--format", "msh2"],
+                      ["-o", "a.vtu", "-o", "a.msh", "--format", "msh41"]):
+            errors = self.call("mesh", "plate.poly", *words, code=2).stderr
+            for part in (words[1], words[-1], "(.msh)"):
+                self.assertIn(part, errors)
+        self.assertEqual([p.name for p in self.path.iterdir()], ["plate.poly"])
+        self.call("mesh", "plate.poly", "-o", "a.MSH", "--format", "msh41")
 
     def test_progress_bar_shows_on_a_terminal(self):
         try:
@@ -254,6 +274,21 @@ class Refusing(Case):
                       [*mesh, "--improve", "better"], [*mesh, "--improve", "best", "--no-improve"]):
             self.assertNotEqual(self.call(*words, code=2).stderr, "", words)
         self.assertEqual([p.name for p in self.path.iterdir()], ["plate.poly"])
+
+    def test_numbers_that_are_none_are_told_in_one_short_line(self):
+        mesh, check = ["mesh", "plate.poly", "-o", "a.msh"], ["check", "plate.poly"]
+        adapt = ["adapt", "plate.msh", "--expression", "x", "-o", "a.msh"]
+        options = [(mesh, "--size", "a positive number"), (mesh, "--gradation", "a positive number"),
+                   (mesh, "--threads", "a whole number from 1 to 256"), (check, "--size", "a positive number"),
+                   (adapt, "--error", "a number from 1e-09 to 1"), (adapt, "--rounds", "a whole number from 1 to 100"),
+                   (adapt, "--size-min", "a positive number"), (adapt, "--size-max", "a positive number"),
+                   (adapt, "--gradation", "a positive number")]
+        for command, option, wanted in options:
+            for value in ("abc", "0", "inf", "nan", "-1", "1e400", "", "1x", "0x10", "1,5", "+-1"):
+                line, hint = self.call(*command, option, value, code=2).stderr.splitlines()
+                self.assertEqual(line, f"forefront {command[0]}: {option}: {wanted} is wanted, not '{value}'")
+                self.assertIn("--help", hint)
+        self.call(*mesh, "--size", "+.5e0")
 
     def test_help_and_version(self):
         self.assertRegex(self.call("--version").stdout, r"^forefront \d+\.\d+\.\d+\n$")
