@@ -62,9 +62,10 @@ std::span<const TableCase> tableCases() {
 }
 
 const TableCase *tableCase(std::string_view row) {
-    const auto found = std::find_if(kCases.begin(), kCases.end(), [row](const TableCase &c) {
-        return std::equal(row.begin(), row.end(), c.row.begin(), c.row.end(),
-                          [](char a, char b) { return std::toupper(static_cast<unsigned char>(a)) == b; });
+    const auto same = [](char a, char b) { return std::toupper(static_cast<unsigned char>(a)) == b; };
+    const auto found = std::find_if(kCases.begin(), kCases.end(), [&](const TableCase &c) {
+        const std::string_view name = c.adaptive && row.ends_with('*') ? row.substr(0, row.size() - 1) : row;
+        return std::equal(name.begin(), name.end(), c.row.begin(), c.row.end(), same);
     });
     return found == kCases.end() ? nullptr : &*found;
 }

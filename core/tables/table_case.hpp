@@ -16,7 +16,7 @@ struct TableCase {
 
 /// These rows in the order of the tables.
 std::span<const TableCase> tableCases();
-/// Null for an unknown row; letters in either case.
+/// Null for an unknown row; letters in either case, and a star behind 3 and 4, whose cases are ours, or none.
 const TableCase *tableCase(std::string_view row);
 
 /// The job of a row that is not adaptive, with the boundary kept as it is given and without improvement.

@@ -9,6 +9,7 @@
 #include <cstdarg>
 #include <cstdio>
 #include <limits>
+#include <set>
 
 namespace forefront {
 
@@ -26,12 +27,6 @@ namespace {
 /// A number of a column, or blanks where there is none.
 std::string cell(int width, int digits, double value, bool given = true) {
     return given ? format(" %*.*f", width, digits, value) : std::string(static_cast<std::size_t>(width) + 1, ' ');
-}
-
-/// The published line of exactly this grid.
-const PublishedFigures *publishedOf(const RowFigures &row, const std::string &grid) {
-    const PublishedFigures *line = publishedFigures(row.row.row, grid);
-    return line != nullptr && line->grid == grid ? line : nullptr;
 }
 
 /// A row's name, starred where the case is ours.
@@ -88,10 +83,16 @@ Line lineOf(const RowFigures &r, const GridFigures &grid) {
     return line;
 }
 
+/// Ours, each after Lo's with the same grid; before the first grid that he did not have stands his best, once.
 std::vector<Line> linesOf(const RowFigures &row) {
     std::vector<Line> lines;
+    std::set<std::string_view> shown;
     for (const GridFigures &grid : row.grids) {
-        if (const PublishedFigures *published = publishedOf(row, grid.grid)) {
+        const PublishedFigures *published = publishedFigures(row.row.row, grid.grid);
+        const bool waits = published->grid != grid.grid &&
+                           std::any_of(row.grids.begin(), row.grids.end(),
+                                       [&](const GridFigures &other) { return other.grid == published->grid; });
+        if (!waits && shown.insert(published->grid).second) {
             lines.push_back(lineOf(*published));
         }
         lines.push_back(lineOf(row, grid));
@@ -111,12 +112,9 @@ std::vector<Vec2> costs(const std::vector<RowFigures> &rows, const std::string &
         if (!std::any_of(functions.begin(), functions.end(), [&](char f) { return belongs(row, f); })) {
             continue;
         }
-        for (const GridFigures &figures : row.grids) {
-            const PublishedFigures *line = publishedOf(row, grid);
-            if (figures.grid == grid && !published) {
-                points.push_back({static_cast<double>(row.elements), figures.seconds});
-            } else if (figures.grid == grid && line != nullptr) {
-                points.push_back({static_cast<double>(line->elements), line->seconds});
+        for (const Line &line : linesOf(row)) {
+            if (line.grid == grid && (line.who == "Lo") == published) {
+                points.push_back({line.elements, line.seconds});
             }
         }
     }
@@ -126,9 +124,9 @@ std::vector<Vec2> costs(const std::vector<RowFigures> &rows, const std::string &
 std::vector<std::string> gridsOf(const std::vector<RowFigures> &rows) {
     std::vector<std::string> names;
     for (const RowFigures &row : rows) {
-        for (const GridFigures &grid : row.grids) {
-            if (std::find(names.begin(), names.end(), grid.grid) == names.end()) {
-                names.push_back(grid.grid);
+        for (const Line &line : linesOf(row)) {
+            if (std::find(names.begin(), names.end(), line.grid) == names.end()) {
+                names.push_back(line.grid);
             }
         }
     }
@@ -156,10 +154,10 @@ std::string exponents(const std::vector<RowFigures> &rows) {
 /// The row where a margin is least.
 class Margin {
   public:
-    void add(double value, std::string_view row) {
+    void add(double value, const TableCase &row) {
         if (value < least_) {
             least_ = value;
-            row_ = row;
+            row_ = label(row);
         }
     }
     bool any() const { return !row_.empty(); }
@@ -169,12 +167,12 @@ class Margin {
             return {};
         }
         return format("  %-58s %-4s ", what, least_ >= wanted ? "yes" : "NO") + format(pattern, sign * least_) +
-               " in " + std::string(row_) + '\n';
+               " in " + row_ + '\n';
     }
 
   private:
     double least_ = std::numeric_limits<double>::infinity();
-    std::string_view row_;
+    std::string row_;
 };
 
 std::string comparisons(const std::vector<RowFigures> &rows) {
@@ -182,16 +180,16 @@ std::string comparisons(const std::vector<RowFigures> &rows) {
     for (const RowFigures &row : rows) {
         for (const PublishedFigures &line : publishedFigures()) {
             if (line.row == row.row.row) {
-                alpha.add(row.alphaRaw - line.alpha, row.row.row);
-                delta.add(row.deltaRaw - line.delta, row.row.row);
-                tests.add(line.tests - row.tests, row.row.row);
+                alpha.add(row.alphaRaw - line.alpha, row.row);
+                delta.add(row.deltaRaw - line.delta, row.row);
+                tests.add(line.tests - row.tests, row.row);
             }
         }
         for (const GridFigures &grid : row.grids) {
             if (grid.grid == "hierarchical") {
-                neighbours.add(-grid.neighbours, row.row.row);
+                neighbours.add(-grid.neighbours, row.row);
                 if (grid.efficiency > 0.0 && row.row.row == "2E") {
-                    efficiency.add(grid.efficiency, row.row.row);
+                    efficiency.add(grid.efficiency, row.row);
                 }
             }
         }
@@ -257,6 +255,7 @@ Reading
   alpha and delta are of smoothed meshes is not said.
   Seconds: ours CPU time of the front alone on this machine, Lo's with graphics display on a machine not stated; only
   growth and efficiency compare. Efficiency: time without grid / time with it.
+  Lo had no grid, 30x20 and 60x40; beside any other grid stand his figures with 60x40, his best.
   Nc of Lo is not reliable in the larger rows (Nc*Ne is 2^24 there: a sum that stopped growing).
   Every grid gives the same mesh, bit for bit; the hash is that of the raw mesh.
 )";

@@ -9,6 +9,9 @@
 
 #include <cmath>
 #include <set>
+#include <sstream>
+#include <string>
+#include <vector>
 
 using namespace forefront;
 
@@ -43,6 +46,8 @@ TEST_CASE("tableCase: rows by name, letters in either case") {
     CHECK(tableCase("1A")->rhoMin == 0.1);
     CHECK(tableCase("2e")->row == "2E");
     CHECK(tableCase("3")->adaptive);
+    CHECK(tableCase("3*") == tableCase("3"));
+    CHECK(tableCase("1A*") == nullptr);
     CHECK_FALSE(tableCase("1A")->adaptive);
     CHECK(tableCases().size() == 12);
     CHECK(tableCase("1F") == nullptr);
@@ -163,6 +168,30 @@ TEST_CASE("fitPowerLaw: exact on a power law, nothing on too little") {
     CHECK_FALSE(fitPowerLaw(std::vector<Vec2>{{10, 1}, {20, 0}}));
 }
 
+TEST_CASE("tables: grids that Lo did not have stand beside his best, once") {
+    const auto grids = [](std::vector<const char *> names) {
+        RowFigures row;
+        row.row = *tableCase("1A");
+        for (const char *name : names) {
+            row.grids.push_back({name, 1.0, 15.0, 1.0});
+        }
+        std::string order;
+        std::istringstream lines(tableCsv({row}));
+        std::string line;
+        std::getline(lines, line);
+        while (std::getline(lines, line)) {
+            std::istringstream cells(line);
+            std::string name, rho, grid, who;
+            std::getline(std::getline(std::getline(std::getline(cells, name, ','), rho, ','), grid, ','), who, ',');
+            order += (order.empty() ? "" : " ") + who + '/' + grid;
+        }
+        return order;
+    };
+    CHECK(grids({"hierarchical"}) == "Lo/60x40 ours/hierarchical");
+    CHECK(grids({"hierarchical", "60x40"}) == "ours/hierarchical Lo/60x40 ours/60x40");
+    CHECK(grids({"none", "7x5", "hierarchical"}) == "Lo/none ours/none Lo/60x40 ours/7x5 ours/hierarchical");
+}
+
 TEST_CASE("tables: text, CSV and plot hold published and own figures") {
     RowFigures row;
     row.row = *tableCase("2A");
@@ -183,7 +212,7 @@ TEST_CASE("tables: text, CSV and plot hold published and own figures") {
     CHECK(tableLines(row).find("45132") != std::string::npos); // Lo's without grid
     CHECK(tableLines(row).find("0000000000001234") != std::string::npos);
     const std::string csv = tableCsv(rows);
-    CHECK(std::count(csv.begin(), csv.end(), '\n') == 7); // head, twice two of ours and one published
+    CHECK(std::count(csv.begin(), csv.end(), '\n') == 9); // head, twice two of ours and two published
     const std::string notes = tableNotes(rows);
     CHECK(notes.find("2.00") != std::string::npos); // the exponent without grid, about
     CHECK(notes.find("NO   21.00 in 2B") != std::string::npos);
@@ -196,8 +225,9 @@ TEST_CASE("tables: text, CSV and plot hold published and own figures") {
     CHECK(tableCsv({adaptive}).find("\n3,0.05,none,own case,") != std::string::npos);
     CHECK(tableNotes({adaptive}).find("Adaptive refinement, * on domains and for fields of our own") !=
           std::string::npos);
+    CHECK(tableNotes({adaptive}).find(" in 3*\n") != std::string::npos); // the least favourable row
     const LogPlot plot = tablePlot(rows);
-    CHECK(plot.series.size() == 3);
+    CHECK(plot.series.size() == 4);
     const std::string svg = toSvg(plot);
     CHECK(svg.starts_with("<svg"));
     CHECK(svg.find("ours, hierarchical") != std::string::npos);
