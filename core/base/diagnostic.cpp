@@ -5,6 +5,43 @@
 
 namespace forefront {
 
+namespace {
+
+const char *word(DomainPartKind kind) {
+    switch (kind) {
+    case DomainPartKind::Node:
+        return "node";
+    case DomainPartKind::Segment:
+        return "segment";
+    case DomainPartKind::ConstraintPoint:
+        return "constraint point";
+    case DomainPartKind::HoleMarker:
+        return "hole marker";
+    case DomainPartKind::RegionMarker:
+        return "region marker";
+    }
+    return "";
+}
+
+/// ": segment 3 (line 7) and segment 5 (line 9)"; empty where nothing is known beside the indices.
+std::string partsText(const std::vector<DomainPart> &parts) {
+    std::string text;
+    for (const DomainPart &part : parts) {
+        if (!part.number && part.line == 0) {
+            continue;
+        }
+        text += (text.empty() ? ": " : " and ") + std::string(word(part.kind));
+        text += part.number ? ' ' + std::to_string(*part.number) : std::string();
+        if (part.line > 0) {
+            text += " (line " + std::to_string(part.line);
+            text += (part.column > 0 ? ", column " + std::to_string(part.column) : std::string()) + ')';
+        }
+    }
+    return text;
+}
+
+} // namespace
+
 std::string toString(const Diagnostic &diagnostic) {
     std::string text;
     if (!diagnostic.file.empty()) {
@@ -34,6 +71,7 @@ std::string toString(const Diagnostic &diagnostic) {
         std::snprintf(place, sizeof place, " at (%.9g, %.9g)", diagnostic.at->x, diagnostic.at->y);
         text += place;
     }
+    text += partsText(diagnostic.parts);
     if (!diagnostic.code.empty()) {
         text += " [" + diagnostic.code + ']';
     }

@@ -70,14 +70,14 @@ class Repairer {
     }
 
   private:
-    void note(const char *code, std::string message, std::optional<Vec2> at, std::vector<std::uint32_t> ids) {
+    void note(const char *code, std::string message, std::optional<Vec2> at, std::initializer_list<DomainPart> parts) {
         if (++noteCount_ <= kMostNotes) {
             Diagnostic change;
             change.severity = Severity::Note;
             change.code = code;
             change.message = std::move(message);
             change.at = at && isFinite(*at) ? at : std::nullopt;
-            change.ids = std::move(ids);
+            change.parts = parts;
             result_.changes.push_back(std::move(change));
         }
     }
@@ -132,8 +132,7 @@ class Repairer {
         }
         for (std::uint32_t n = 0; n < nodes_.size() && report; ++n) {
             if (kept[n] != n) {
-                note("duplicate-node", "merged node " + number(n) + " into node " + number(kept[n]), nodes_[n],
-                     {kept[n], n});
+                note("duplicate-node", "merged two nodes in the same place", nodes_[n], {aNode(kept[n]), aNode(n)});
             }
         }
         for (Part &part : parts_) {
@@ -156,8 +155,7 @@ class Repairer {
             const bool empty = part.a == part.b;
             const DomainSegment &source = given_.segments[part.source];
             if (empty && (source.a == source.b || given_.nodes[source.a] == given_.nodes[source.b])) {
-                note("zero-length", "dropped segment " + number(part.source) + ", which has no length", nodes_[part.a],
-                     {part.source});
+                note("zero-length", "dropped a segment that has no length", nodes_[part.a], {aSegment(part.source)});
             }
             return empty;
         });
@@ -186,9 +184,8 @@ class Repairer {
             }
             kept.boundaries += other.boundaries;
             gone[order[i]] = 1;
-            note("duplicate-segment",
-                 "kept what segments " + number(kept.source) + " and " + number(other.source) + " have in common once",
-                 midpoint(nodes_[kept.a], nodes_[kept.b]), {kept.source, other.source});
+            note("duplicate-segment", "kept what two segments have in common once",
+                 midpoint(nodes_[kept.a], nodes_[kept.b]), {aSegment(kept.source), aSegment(other.source)});
         }
         std::size_t i = 0;
         std::erase_if(parts_, [&](const Part &) { return gone[i++] != 0; });
@@ -198,8 +195,8 @@ class Repairer {
         Cuts cuts;
         const auto node = [&](std::uint32_t point) { return graph.node[point]; };
         for (const DomainMeetings::Touch &touch : meetings.touches) {
-            note("touching-segments", "split segment " + number(parts_[touch.edge].source) + " at a node on it",
-                 graph.points[touch.point], {parts_[touch.edge].source});
+            note("touching-segments", "split a segment at a node on it", graph.points[touch.point],
+                 {aSegment(parts_[touch.edge].source)});
             cuts.emplace_back(touch.edge, node(touch.point));
         }
         for (const EdgeMeeting &overlap : meetings.overlaps) {
@@ -217,17 +214,15 @@ class Repairer {
             }
             const Part &e = parts_[crossing.first], &f = parts_[crossing.second];
             const Vec2 at = crossingPoint(nodes_[e.a], nodes_[e.b], nodes_[f.a], nodes_[f.b]);
-            note("crossing-segments",
-                 "split segments " + number(e.source) + " and " + number(f.source) + " where they cross", at,
-                 {e.source, f.source});
+            note("crossing-segments", "split two segments where they cross", at,
+                 {aSegment(e.source), aSegment(f.source)});
             const std::uint32_t place = welder.nodeAt(at, {e.a, e.b, f.a, f.b});
             cuts.emplace_back(crossing.first, place);
             cuts.emplace_back(crossing.second, place);
         }
         for (const auto &[from, into] : welder.welds()) {
-            note("duplicate-node",
-                 "merged node " + number(from) + " into node " + number(into) + ", no farther than rounding errors",
-                 nodes_[into], {into, from});
+            note("duplicate-node", "merged two nodes no farther apart than rounding errors", nodes_[into],
+                 {aNode(into), aNode(from)});
         }
         welder.move();
         cutParts(cuts);
@@ -246,8 +241,8 @@ class Repairer {
                 }
                 near = true;
                 if (!welder.weld(end, other.a) && !welder.weld(end, other.b)) {
-                    note("touching-segments", "split segment " + number(other.source) + " at a node all but on it",
-                         nodes_[end], {other.source});
+                    note("touching-segments", "split a segment at a node all but on it", nodes_[end],
+                         {aSegment(other.source)});
                     cuts.emplace_back(q, end);
                 }
             }
@@ -322,9 +317,8 @@ class Repairer {
             if (repeated(part) && brokenOnce[run] != 0 && brokenCounted[run] == 0) {
                 part.boundaries = 0;
                 folded_.push_back({part.a, part.b});
-                note("overlapping-segments",
-                     "made a constraint of the boundary that neighbours share, from segment " + number(part.source),
-                     midpoint(nodes_[part.a], nodes_[part.b]), {part.source});
+                note("overlapping-segments", "made a constraint of the boundary that neighbours share",
+                     midpoint(nodes_[part.a], nodes_[part.b]), {aSegment(part.source)});
             }
         }
     }
@@ -354,8 +348,8 @@ class Repairer {
             const bool outside = std::binary_search(folded_.begin(), folded_.end(), std::pair{part.a, part.b}) &&
                                  labels.inside[faces.left[e]] == 0 && labels.inside[faces.right[e]] == 0;
             if (outside) {
-                note("segment-outside", "dropped a fold outside of the domain, from segment " + number(part.source),
-                     midpoint(nodes_[part.a], nodes_[part.b]), {part.source});
+                note("segment-outside", "dropped a fold of a segment outside of the domain",
+                     midpoint(nodes_[part.a], nodes_[part.b]), {aSegment(part.source)});
             }
             return outside;
         });
@@ -388,7 +382,7 @@ class Repairer {
                 renumbered[n] = static_cast<std::uint32_t>(domain.nodes.size());
                 domain.nodes.push_back(nodes_[n]);
             } else if (n < given_.nodes.size() && merged_[n] == n) {
-                note("unreferenced-node", "dropped node " + number(n) + ", which nothing refers to", nodes_[n], {n});
+                note("unreferenced-node", "dropped a node that nothing refers to", nodes_[n], {aNode(n)});
             }
         }
         const auto renumber = [&](std::uint32_t node) { return node < nodes_.size() ? renumbered[node] : kNoIndex; };

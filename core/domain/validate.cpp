@@ -45,7 +45,7 @@ class Validator {
 
   private:
     void add(const char *code, std::string message, std::string advice, std::optional<Vec2> at = {},
-             std::initializer_list<std::uint32_t> ids = {}) {
+             std::initializer_list<DomainPart> parts = {}) {
         ++count_;
         if (faults_.size() < limit_) {
             Diagnostic fault;
@@ -53,7 +53,7 @@ class Validator {
             fault.message = std::move(message);
             fault.advice = std::move(advice);
             fault.at = at && isFinite(*at) ? at : std::nullopt;
-            fault.ids = ids;
+            fault.parts = parts;
             faults_.push_back(std::move(fault));
         }
     }
@@ -74,8 +74,8 @@ class Validator {
         for (std::uint32_t n = 0; n < domain_.nodes.size(); ++n) {
             if (!isFinite(domain_.nodes[n])) {
                 incomplete_ = true;
-                add("non-finite", "node " + number(n) + " has a coordinate that is not finite",
-                    "give it finite coordinates", finitePart(domain_.nodes[n]), {n});
+                add("non-finite", "a node has a coordinate that is not finite", "give it finite coordinates",
+                    finitePart(domain_.nodes[n]), {aNode(n)});
             }
         }
     }
@@ -86,8 +86,7 @@ class Validator {
             const Vec2 p = domain_.nodes[n];
             if (isFinite(p) && tooLarge(p)) {
                 incomplete_ = true;
-                add("out-of-range", "node " + number(n) + " has a coordinate beyond 1e60", "scale the domain down", p,
-                    {n});
+                add("out-of-range", "a node has a coordinate beyond 1e60", "scale the domain down", p, {aNode(n)});
             }
         }
         if (tooSmall(box)) {
@@ -109,49 +108,52 @@ class Validator {
                 incomplete_ = true;
                 const std::uint32_t bad = segment.a >= nodeCount ? segment.a : segment.b;
                 const std::uint32_t good = segment.a >= nodeCount ? segment.b : segment.a;
-                add("bad-index", "segment " + number(s) + " refers to node " + number(bad) + " of " + number(nodeCount),
-                    "correct the node's index", good < nodeCount ? domain_.nodes[good] : domain_.bounds().min, {s});
+                add("bad-index",
+                    "a segment refers to the node of index " + number(bad) + ", but there are " + number(nodeCount),
+                    "correct the node's index", good < nodeCount ? domain_.nodes[good] : domain_.bounds().min,
+                    {aSegment(s)});
                 continue;
             }
             const Vec2 a = domain_.nodes[segment.a], b = domain_.nodes[segment.b];
-            checkTag("segment", s, segment.tag, midpoint(a, b));
+            checkTag("a segment", aSegment(s), segment.tag, midpoint(a, b));
             if (a == b) {
-                add("zero-length", "segment " + number(s) + " has no length", "remove it, or use repair", a, {s});
+                add("zero-length", "a segment has no length", "remove it, or use repair", a, {aSegment(s)});
             }
         }
     }
 
-    void checkTag(const char *what, std::uint32_t i, std::int32_t tag, Vec2 at) {
+    void checkTag(const char *what, const DomainPart &part, std::int32_t tag, Vec2 at) {
         if (tag < 1) {
-            add("bad-tag", std::string(what) + ' ' + number(i) + " has the tag " + std::to_string(tag),
-                "tags start at 1", at, {i});
+            add("bad-tag", std::string(what) + " has the tag " + std::to_string(tag), "tags start at 1", at, {part});
         }
     }
 
     void checkPointsAndMarkers() {
         for (std::uint32_t i = 0; i < domain_.points.size(); ++i) {
             const ConstraintPoint &point = domain_.points[i];
+            const DomainPart part{DomainPartKind::ConstraintPoint, i};
             if (point.node >= domain_.nodes.size()) {
                 add("bad-index",
-                    "constraint point " + number(i) + " refers to node " + number(point.node) + " of " +
+                    "a constraint point refers to the node of index " + number(point.node) + ", but there are " +
                         number(domain_.nodes.size()),
-                    "correct the node's index", domain_.bounds().min, {i});
+                    "correct the node's index", domain_.bounds().min, {part});
             } else {
-                checkTag("constraint point", i, point.tag, domain_.nodes[point.node]);
+                checkTag("a constraint point", part, point.tag, domain_.nodes[point.node]);
             }
         }
         for (std::uint32_t i = 0; i < domain_.holeMarkers.size(); ++i) {
-            checkMarker("hole marker", i, domain_.holeMarkers[i]);
+            checkMarker("a hole marker", {DomainPartKind::HoleMarker, i}, domain_.holeMarkers[i]);
         }
         for (std::uint32_t i = 0; i < domain_.regionMarkers.size(); ++i) {
-            checkMarker("region marker", i, domain_.regionMarkers[i].at);
-            checkTag("region marker", i, domain_.regionMarkers[i].tag, domain_.regionMarkers[i].at);
+            const DomainPart part{DomainPartKind::RegionMarker, i};
+            checkMarker("a region marker", part, domain_.regionMarkers[i].at);
+            checkTag("a region marker", part, domain_.regionMarkers[i].tag, domain_.regionMarkers[i].at);
         }
     }
-    void checkMarker(const char *what, std::uint32_t i, Vec2 at) {
+    void checkMarker(const char *what, const DomainPart &part, Vec2 at) {
         if (!isFinite(at)) {
-            add("non-finite", std::string(what) + ' ' + number(i) + " has a coordinate that is not finite",
-                "give it finite coordinates", finitePart(at), {i});
+            add("non-finite", std::string(what) + " has a coordinate that is not finite", "give it finite coordinates",
+                finitePart(at), {part});
         }
     }
 
@@ -171,8 +173,8 @@ class Validator {
         }
         for (std::uint32_t n = 0; n < used.size(); ++n) {
             if (used[n] == 0 && isFinite(domain_.nodes[n])) {
-                add("unreferenced-node", "node " + number(n) + " belongs to no segment and is no constraint point",
-                    "remove it, make it a constraint point, or use repair", domain_.nodes[n], {n});
+                add("unreferenced-node", "a node belongs to no segment and is no constraint point",
+                    "remove it, make it a constraint point, or use repair", domain_.nodes[n], {aNode(n)});
             }
         }
     }
@@ -181,10 +183,8 @@ class Validator {
         for (std::uint32_t point = 0; point < graph.node.size(); ++point) {
             const std::uint32_t first = sweep.canonical[point];
             if (first != point) {
-                add("duplicate-node",
-                    "nodes " + number(graph.node[first]) + " and " + number(graph.node[point]) +
-                        " lie in the same place",
-                    "merge them, or use repair", graph.points[point], {graph.node[first], graph.node[point]});
+                add("duplicate-node", "two nodes lie in the same place", "merge them, or use repair",
+                    graph.points[point], {aNode(graph.node[first]), aNode(graph.node[point])});
             }
         }
     }
@@ -194,31 +194,26 @@ class Validator {
         allMeetings_ = meetings.complete;
         const auto a = [&](std::uint32_t edge) { return graph.points[graph.edges[edge].a]; };
         const auto b = [&](std::uint32_t edge) { return graph.points[graph.edges[edge].b]; };
-        const auto pair = [&](std::uint32_t e, std::uint32_t f) {
-            return "segments " + number(graph.segment[e]) + " and " + number(graph.segment[f]);
-        };
+        const auto part = [&](std::uint32_t edge) { return aSegment(graph.segment[edge]); };
         for (const auto &[first, second] : meetings.duplicates) {
-            add("duplicate-segment", pair(first, second) + " join the same nodes", "remove one of them, or use repair",
-                midpoint(a(first), b(first)), {graph.segment[first], graph.segment[second]});
+            add("duplicate-segment", "two segments join the same nodes", "remove one of them, or use repair",
+                midpoint(a(first), b(first)), {part(first), part(second)});
         }
         for (const EdgeMeeting &m : meetings.crossings) {
-            add("crossing-segments", pair(m.first, m.second) + " cross",
+            add("crossing-segments", "two segments cross",
                 "move a node, or split both where they cross (repair does that)",
-                crossingPoint(a(m.first), b(m.first), a(m.second), b(m.second)),
-                {graph.segment[m.first], graph.segment[m.second]});
+                crossingPoint(a(m.first), b(m.first), a(m.second), b(m.second)), {part(m.first), part(m.second)});
         }
         for (const DomainMeetings::Touch &touch : meetings.touches) {
-            add("touching-segments",
-                "node " + number(graph.node[touch.point]) + " lies on segment " + number(graph.segment[touch.edge]),
+            add("touching-segments", "a node lies on a segment",
                 "move the node, or split the segment there (repair does that)", graph.points[touch.point],
-                {graph.node[touch.point], graph.segment[touch.edge]});
+                {aNode(graph.node[touch.point]), part(touch.edge)});
         }
         for (const EdgeMeeting &m : meetings.overlaps) {
             std::array<Vec2, 4> p{a(m.first), b(m.first), a(m.second), b(m.second)};
             std::sort(p.begin(), p.end(), [](Vec2 s, Vec2 t) { return s.x != t.x ? s.x < t.x : s.y < t.y; });
-            add("overlapping-segments", pair(m.first, m.second) + " overlap",
-                "keep the common part only once (repair does that)", midpoint(p[1], p[2]),
-                {graph.segment[m.first], graph.segment[m.second]});
+            add("overlapping-segments", "two segments overlap", "keep the common part only once (repair does that)",
+                midpoint(p[1], p[2]), {part(m.first), part(m.second)});
         }
     }
 
@@ -255,10 +250,10 @@ class Validator {
             if (degree[n] % 2 != 0) {
                 open_ = true;
                 add("open-chain",
-                    degree[n] == 1
-                        ? "the boundary ends at node " + number(n)
-                        : "an odd number of boundary segments (" + number(degree[n]) + ") meets in node " + number(n),
-                    "close the chain, or make the segments that are not boundary constraints", domain_.nodes[n], {n});
+                    degree[n] == 1 ? "the boundary ends at a node"
+                                   : "an odd number of boundary segments (" + number(degree[n]) + ") meets in a node",
+                    "close the chain, or make the segments that are not boundary constraints", domain_.nodes[n],
+                    {aNode(n)});
             }
         }
     }
@@ -276,9 +271,10 @@ class Validator {
         const bool anyOpen = checkOpenEnds(graph, sweep, faces, labels);
         for (std::uint32_t e = 0; e < graph.edges.size() && !anyOpen; ++e) {
             if (labels.inside[faces.left[e]] == 0 && labels.inside[faces.right[e]] == 0) {
-                add("segment-outside", "segment " + number(graph.segment[e]) + " lies outside the domain",
+                add("segment-outside", "a segment lies outside the domain",
                     "remove it, or extend the boundary around it",
-                    midpoint(graph.points[graph.edges[e].a], graph.points[graph.edges[e].b]), {graph.segment[e]});
+                    midpoint(graph.points[graph.edges[e].a], graph.points[graph.edges[e].b]),
+                    {aSegment(graph.segment[e])});
             }
         }
         checkPointPlaces(graph, sweep, faces, labels);
@@ -304,8 +300,8 @@ class Validator {
             if (degree[point] == 1 && domain_.segments[graph.segment[e]].role == SegmentRole::Boundary &&
                 labels.inside[faces.left[e]] == 0 && labels.inside[faces.right[e]] == 0) {
                 any = true;
-                add("open-chain", "the boundary ends at node " + number(graph.node[point]), "close the chain",
-                    graph.points[point], {graph.node[point]});
+                add("open-chain", "the boundary ends at a node", "close the chain", graph.points[point],
+                    {aNode(graph.node[point])});
             }
         }
         return any;
@@ -321,9 +317,8 @@ class Validator {
             }
             const std::uint32_t face = faces.ofPoint[point];
             if (face != kNoIndex && labels.inside[face] == 0) {
-                add("point-outside",
-                    "constraint point " + number(i) + " (node " + number(node) + ") lies outside the domain",
-                    "move or remove it", graph.points[point], {node});
+                add("point-outside", "a constraint point lies outside the domain", "move or remove it",
+                    graph.points[point], {aNode(node)});
             }
         }
     }
@@ -334,8 +329,8 @@ class Validator {
             const std::uint32_t face = point != kNoIndex ? faces.ofPoint[point] : kNoIndex;
             if (point != kNoIndex && (face == kNoIndex || face == 0)) {
                 add("hole-outside",
-                    "hole marker " + number(i) + (face == 0 ? " lies in no bounded part" : " lies on a segment"),
-                    "move it into the hole, or remove it", domain_.holeMarkers[i], {i});
+                    face == 0 ? "a hole marker lies in no bounded part" : "a hole marker lies on a segment",
+                    "move it into the hole, or remove it", domain_.holeMarkers[i], {{DomainPartKind::HoleMarker, i}});
             }
         }
         for (std::uint32_t i = 0; i < graph.regionMarker.size(); ++i) {
@@ -346,15 +341,14 @@ class Validator {
             const std::uint32_t face = faces.ofPoint[point];
             if (face == kNoIndex || labels.inside[face] == 0) {
                 add("region-marker-outside",
-                    "region marker " + number(i) +
-                        (face == kNoIndex ? " lies on a segment" : " lies outside the domain"),
-                    "move it into the region it names, or remove it", domain_.regionMarkers[i].at, {i});
+                    face == kNoIndex ? "a region marker lies on a segment" : "a region marker lies outside the domain",
+                    "move it into the region it names, or remove it", domain_.regionMarkers[i].at,
+                    {{DomainPartKind::RegionMarker, i}});
             } else if (const std::uint32_t first = labels.marker[face];
                        domain_.regionMarkers[first].tag != domain_.regionMarkers[i].tag) {
-                add("region-marker-conflict",
-                    "region markers " + number(first) + " and " + number(i) + " give the same region different tags",
+                add("region-marker-conflict", "two region markers give the same region different tags",
                     "remove one of them, or divide the region by a constraint", domain_.regionMarkers[i].at,
-                    {first, i});
+                    {{DomainPartKind::RegionMarker, first}, {DomainPartKind::RegionMarker, i}});
             }
         }
     }

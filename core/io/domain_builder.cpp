@@ -13,41 +13,51 @@ std::size_t DomainBuilder::PlaceHash::operator()(Vec2 p) const {
     return hash.value();
 }
 
-std::uint32_t DomainBuilder::node(Vec2 place) {
+void DomainBuilder::note(DomainPartKind kind, std::size_t k) {
+    if (origin_ != nullptr) {
+        origin_->of(kind).push_back(
+            {offsets_.empty() ? PartOrigin::kNowhere : offsets_[std::min(k, offsets_.size() - 1)], {}});
+    }
+}
+
+std::uint32_t DomainBuilder::node(Vec2 place, std::size_t k) {
     const auto [entry, added] = nodes_.emplace(place, static_cast<std::uint32_t>(domain_.nodes.size()));
     if (added) {
         domain_.nodes.push_back(place);
+        note(DomainPartKind::Node, k);
     }
     return entry->second;
 }
 
 std::pair<DomainSegment &, DomainBuilder::Use &> DomainBuilder::segment(std::uint32_t a, std::uint32_t b,
-                                                                        std::int32_t tag) {
+                                                                        std::int32_t tag, std::size_t k) {
     const std::uint64_t key = (std::uint64_t{std::min(a, b)} << 32) | std::max(a, b);
     const auto [entry, added] = segments_.emplace(key, static_cast<std::uint32_t>(domain_.segments.size()));
     if (added) {
         domain_.segments.push_back({a, b, tag, SegmentRole::Constraint});
         uses_.emplace_back();
+        note(DomainPartKind::Segment, k);
     }
     return {domain_.segments[entry->second], uses_[entry->second]};
 }
 
 void DomainBuilder::addLoop(std::span<const Vec2> nodes, std::int32_t tag, SegmentRole role) {
     for (std::size_t k = 0; k < nodes.size(); ++k) {
-        const std::uint32_t a = node(nodes[k]);
-        const std::uint32_t b = node(nodes[(k + 1) % nodes.size()]);
+        const std::size_t next = (k + 1) % nodes.size();
+        const std::uint32_t a = node(nodes[k], k);
+        const std::uint32_t b = node(nodes[next], next);
         if (a != b) {
-            segment(a, b, tag).second.loops += role == SegmentRole::Boundary ? 1U : 0U;
+            segment(a, b, tag, k).second.loops += role == SegmentRole::Boundary ? 1U : 0U;
         }
     }
 }
 
 void DomainBuilder::addChain(std::span<const Vec2> nodes, std::int32_t tag) {
     for (std::size_t k = 1; k < nodes.size(); ++k) {
-        const std::uint32_t a = node(nodes[k - 1]);
-        const std::uint32_t b = node(nodes[k]);
+        const std::uint32_t a = node(nodes[k - 1], k - 1);
+        const std::uint32_t b = node(nodes[k], k);
         if (a != b) {
-            auto [given, use] = segment(a, b, tag);
+            auto [given, use] = segment(a, b, tag, k - 1);
             given.tag = tag;
             use.tagged = true;
         }
@@ -55,8 +65,14 @@ void DomainBuilder::addChain(std::span<const Vec2> nodes, std::int32_t tag) {
 }
 
 void DomainBuilder::addPoint(Vec2 place, std::int32_t tag) {
-    const std::uint32_t at = node(place);
+    const std::uint32_t at = node(place, 0);
     domain_.points.push_back({at, tag});
+    note(DomainPartKind::ConstraintPoint, 0);
+}
+
+void DomainBuilder::addRegion(Vec2 at, std::int32_t tag) {
+    domain_.regionMarkers.push_back({at, tag});
+    note(DomainPartKind::RegionMarker, 0);
 }
 
 Domain DomainBuilder::finish() {

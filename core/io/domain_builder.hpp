@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/domain/domain.hpp"
+#include "core/io/domain_origin.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -17,12 +18,17 @@ namespace forefront {
 /// (role Constraint), because crossing it does not leave the domain.
 class DomainBuilder {
   public:
+    /// `origin`: where to note the places of the parts; null: nowhere.
+    explicit DomainBuilder(DomainOrigin *origin) : origin_(origin) {}
+
+    /// Bytes of the text where the nodes of what is added next stand; the last one serves for all that follow.
+    void from(std::vector<std::size_t> offsets) { offsets_ = std::move(offsets); }
     /// A closed loop, its first node not repeated.
     void addLoop(std::span<const Vec2> nodes, std::int32_t tag, SegmentRole role);
     /// An open chain; where it lies on a segment of a loop, it gives that its tag.
     void addChain(std::span<const Vec2> nodes, std::int32_t tag);
     void addPoint(Vec2 place, std::int32_t tag);
-    void addRegion(Vec2 at, std::int32_t tag) { domain_.regionMarkers.push_back({at, tag}); }
+    void addRegion(Vec2 at, std::int32_t tag);
 
     Domain finish();
 
@@ -32,9 +38,14 @@ class DomainBuilder {
         bool tagged = false;     ///< by a chain
     };
 
-    std::uint32_t node(Vec2 place);
-    std::pair<DomainSegment &, Use &> segment(std::uint32_t a, std::uint32_t b, std::int32_t tag);
+    /// `k`: which one of the loop or chain.
+    std::uint32_t node(Vec2 place, std::size_t k);
+    /// `k`: which node it begins at.
+    std::pair<DomainSegment &, Use &> segment(std::uint32_t a, std::uint32_t b, std::int32_t tag, std::size_t k);
+    void note(DomainPartKind kind, std::size_t k);
 
+    DomainOrigin *origin_;
+    std::vector<std::size_t> offsets_;
     Domain domain_;
     std::vector<Use> uses_;                                     ///< per segment
     std::unordered_map<std::uint64_t, std::uint32_t> segments_; ///< by the pair of nodes; only looked up

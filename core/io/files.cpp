@@ -116,6 +116,25 @@ Result<Domain> readDomain(const std::filesystem::path &path, const ImportOptions
     return readFile<Domain>(path, options, canReadDomain, domainFrom);
 }
 
+Diagnostics locateFaults(const std::filesystem::path &path, Diagnostics faults, const ImportOptions &options) {
+    std::error_code none;
+    const bool anew = std::filesystem::is_regular_file(path, none) && // a pipe has been emptied
+                      std::any_of(faults.begin(), faults.end(), [](const Diagnostic &f) { return !f.parts.empty(); });
+    if (anew) {
+        const auto read = readFile<Domain>(path, options, canReadDomain, [&](const Format &format, SourceText source) {
+            DomainOrigin origin;
+            source.origin = &origin;
+            Result<Domain> domain = domainFrom(format, source);
+            if (domain) {
+                addPlaces(faults, origin, source.text);
+            }
+            return domain;
+        });
+        static_cast<void>(read); // it was readable before; if it no longer is, the faults go without places
+    }
+    return named(std::move(faults), path);
+}
+
 Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &options) {
     return readFile<Mesh>(
         path, options, [](const Format &format) { return format.readMesh != nullptr; },

@@ -35,6 +35,9 @@ const FileFormat *fileFormatOf(const std::filesystem::path &path);
 Result<Document> readDocument(const std::filesystem::path &path, const ImportOptions &options = {});
 /// Domain of any file that readDocument reads.
 Result<Domain> readDomain(const std::filesystem::path &path, const ImportOptions &options = {});
+/// Faults of the domain that readDomain gave of this file, as its author wants them: with the file's name and, where
+/// the format has such places (.poly, GeoJSON, SVG), with line and number of the parts. Reads the file once more.
+Diagnostics locateFaults(const std::filesystem::path &path, Diagnostics faults, const ImportOptions &options = {});
 /// A mesh: MSH 2.2 (ASCII) or 4.1, VTU, VTK legacy, MEDIT, Abaqus, SU2, Triangle .node/.ele, OBJ.
 Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &options = {});
 /// A mesh with one value per node.

@@ -12,10 +12,23 @@ namespace forefront {
 namespace {
 
 struct GeoPolygon {
+    JsonValue from;                       ///< its coordinates in the text
     std::vector<std::vector<Vec2>> rings; ///< outline and holes, first nodes not repeated
     std::int32_t boundaryTag = 1;
     std::int32_t regionTag = 1;
-    Vec2 inside;
+    Vec2 inside = {};
+};
+
+struct GeoLine {
+    JsonValue from;
+    std::vector<Vec2> nodes;
+    std::int32_t tag = 1;
+};
+
+struct GeoPoint {
+    JsonValue from;
+    Vec2 place;
+    std::int32_t tag = 1;
 };
 
 /// What the properties of a feature say.
@@ -29,7 +42,12 @@ struct GeoLabel {
 /// constraint points. properties.name names boundary and region, properties.tag sets their tag.
 class GeoJsonReader {
   public:
-    explicit GeoJsonReader(const SourceText &source) : check_(source) {}
+    explicit GeoJsonReader(const SourceText &source)
+        : check_(source), noted_(source.origin != nullptr), builder_(source.origin) {
+        if (noted_) {
+            source.origin->showsColumns = true;
+        }
+    }
 
     Result<Domain> read(const JsonValue &root) {
         reserveTags(root);
@@ -42,11 +60,13 @@ class GeoJsonReader {
             return check_.faults();
         }
         placePolygons();
-        for (const auto &[nodes, tag] : lines_) {
-            builder_.addChain(nodes, tag);
+        for (const GeoLine &line : lines_) {
+            buildFromItems(line.from);
+            builder_.addChain(line.nodes, line.tag);
         }
-        for (const auto &[place, tag] : points_) {
-            builder_.addPoint(place, tag);
+        for (const GeoPoint &point : points_) {
+            buildFrom(point.from);
+            builder_.addPoint(point.place, point.tag);
         }
         Domain domain = builder_.finish();
         domain.boundaryNames = boundaries_.names();
@@ -55,6 +75,18 @@ class GeoJsonReader {
     }
 
   private:
+    /// What is built next stands at this value, or at the items of this list.
+    void buildFrom(const JsonValue &value) { builder_.from({value.offset()}); }
+    void buildFromItems(const JsonValue &list) {
+        if (noted_) {
+            std::vector<std::size_t> offsets;
+            for (const JsonValue item : list) {
+                offsets.push_back(item.offset());
+            }
+            builder_.from(std::move(offsets));
+        }
+    }
+
     void reserveTags(const JsonValue &root) {
         const auto features = root.find("features");
         if (!features) {
@@ -141,7 +173,7 @@ class GeoJsonReader {
         } else if (word == "LineString") {
             line(*coordinates, label);
         } else if (word == "Point") {
-            points_.emplace_back(position(*coordinates), tagOf(boundaries_, label));
+            points_.push_back({*coordinates, position(*coordinates), tagOf(boundaries_, label)});
         } else if (word == "MultiPolygon" || word == "MultiLineString" || word == "MultiPoint") {
             for (const JsonValue part : *coordinates) {
                 if (check_.full()) {
@@ -152,7 +184,7 @@ class GeoJsonReader {
                 } else if (word == "MultiLineString") {
                     line(part, label);
                 } else {
-                    points_.emplace_back(position(part), tagOf(boundaries_, label));
+                    points_.push_back({part, position(part), tagOf(boundaries_, label)});
                 }
             }
         } else {
@@ -193,11 +225,11 @@ class GeoJsonReader {
         if (nodes.size() < 2) {
             check_.fault(value, "bad-count", "a line needs at least 2 positions");
         }
-        lines_.emplace_back(std::move(nodes), tagOf(boundaries_, label));
+        lines_.push_back({value, std::move(nodes), tagOf(boundaries_, label)});
     }
 
     void polygon(const JsonValue &value, const GeoLabel &label) {
-        GeoPolygon polygon;
+        GeoPolygon polygon{value, {}};
         if (!check_.expect(value, JsonKind::Array, "the rings of a polygon")) {
             return;
         }
@@ -238,10 +270,14 @@ class GeoJsonReader {
             bool nested = false;
             tree.query(boxOf(polygons_[p].inside, polygons_[p].inside),
                        [&](std::uint32_t other) { nested = nested || (other != p && contains(other, p, boxes)); });
+            auto from = polygons_[p].from.begin();
             for (const std::vector<Vec2> &ring : polygons_[p].rings) {
+                buildFromItems(*from);
+                ++from;
                 builder_.addLoop(ring, polygons_[p].boundaryTag,
                                  nested ? SegmentRole::Constraint : SegmentRole::Boundary);
             }
+            buildFrom(polygons_[p].from);
             if (polygons_.size() > 1 || !regions_.names().empty() || polygons_[p].regionTag != 1) {
                 builder_.addRegion(polygons_[p].inside, polygons_[p].regionTag);
             }
@@ -265,8 +301,9 @@ class GeoJsonReader {
     JsonCheck check_;
     TagAllocator boundaries_, regions_;
     std::vector<GeoPolygon> polygons_;
-    std::vector<std::pair<std::vector<Vec2>, std::int32_t>> lines_;
-    std::vector<std::pair<Vec2, std::int32_t>> points_;
+    std::vector<GeoLine> lines_;
+    std::vector<GeoPoint> points_;
+    bool noted_; ///< places of the parts are asked for
     DomainBuilder builder_;
 };
 

@@ -14,6 +14,7 @@ class NodeTable {
     void reserve(std::size_t count) { numbers_.reserve(count); }
     void add(std::int64_t number) { numbers_.push_back(number); }
     std::size_t size() const { return numbers_.size(); }
+    std::int64_t number(std::size_t index) const { return numbers_[index]; }
     /// To be called when all are known. Index of a node whose number was there before, or kNoIndex if all differ.
     std::uint32_t finish();
     /// Index of a node, or kNoIndex.

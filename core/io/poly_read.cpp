@@ -55,6 +55,10 @@ class PolyReader {
         domain_.nodes = std::move(nodes.places);
         nodeMarkers_ = std::move(nodes.markers);
         table_ = std::move(nodes.table);
+        for (std::size_t k = 0; k < table_.size() && source_.origin != nullptr; ++k) {
+            note(DomainPartKind::Node, k < nodes.offsets.size() ? nodes.offsets[k] : PartOrigin::kNowhere,
+                 table_.number(k));
+        }
         return true;
     }
 
@@ -73,10 +77,15 @@ class PolyReader {
             DomainSegment segment;
             std::int64_t number = 0, tag = 0;
             const Expect expect{"segment", k + 1};
-            if (!nextLine(line, expect) || !line.integer(number, 0, kGreatestTag, expect) ||
-                !nodeIndex(line, segment.a, expect) || !nodeIndex(line, segment.b, expect)) {
+            if (!nextLine(line, expect)) {
                 return scanner_.fail(line);
             }
+            const std::size_t begin = line.offset();
+            if (!line.integer(number, 0, kGreatestTag, expect) || !nodeIndex(line, segment.a, expect) ||
+                !nodeIndex(line, segment.b, expect)) {
+                return scanner_.fail(line);
+            }
+            note(DomainPartKind::Segment, begin, number);
             if (markers == 1 && !line.atEnd() &&
                 !line.integer(tag, -kGreatestTag, kGreatestTag, {"the marker of segment", k + 1})) {
                 return scanner_.fail(line);
@@ -95,7 +104,7 @@ class PolyReader {
         }
         for (std::size_t k = 0; k < count; ++k) {
             Vec2 at;
-            if (!numberedPlace(line, at, {"hole", k + 1})) {
+            if (!numberedPlace(line, at, DomainPartKind::HoleMarker, {"hole", k + 1})) {
                 return scanner_.fail(line);
             }
             domain_.holeMarkers.push_back(at);
@@ -118,7 +127,7 @@ class PolyReader {
         for (std::size_t k = 0; k < count; ++k) {
             RegionMarker marker;
             double attribute = 0.0;
-            if (!numberedPlace(line, marker.at, {"region", k + 1}) ||
+            if (!numberedPlace(line, marker.at, DomainPartKind::RegionMarker, {"region", k + 1}) ||
                 !line.real(attribute, {"the attribute of region", k + 1})) {
                 return scanner_.fail(line);
             }
@@ -169,10 +178,23 @@ class PolyReader {
                line.fail(scanner_.offset(), "bad-syntax", "expected " + expect.words() + ", the file ends here");
     }
 
-    bool numberedPlace(TextScanner &line, Vec2 &at, Expect expect) {
+    bool numberedPlace(TextScanner &line, Vec2 &at, DomainPartKind kind, Expect expect) {
         std::int64_t number = 0;
-        return nextLine(line, expect) && line.integer(number, 0, kGreatestTag, expect) && line.real(at.x, expect) &&
-               line.real(at.y, expect);
+        if (!nextLine(line, expect)) {
+            return false;
+        }
+        const std::size_t begin = line.offset();
+        if (!line.integer(number, 0, kGreatestTag, expect)) {
+            return false;
+        }
+        note(kind, begin, number);
+        return line.real(at.x, expect) && line.real(at.y, expect);
+    }
+
+    void note(DomainPartKind kind, std::size_t offset, std::int64_t number) {
+        if (source_.origin != nullptr) {
+            source_.origin->of(kind).push_back({offset, number});
+        }
     }
 
     bool nodeIndex(TextScanner &line, std::uint32_t &index, Expect expect) {
@@ -196,6 +218,10 @@ class PolyReader {
         for (std::uint32_t n = 0; n < degrees_.size(); ++n) {
             if (degrees_[n] == 0) {
                 domain_.points.push_back({n, nodeMarkers_[n]});
+                if (source_.origin != nullptr) {
+                    source_.origin->of(DomainPartKind::ConstraintPoint)
+                        .push_back(source_.origin->of(DomainPartKind::Node)[n]);
+                }
             }
         }
     }

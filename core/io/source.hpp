@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/result.hpp"
+#include "core/io/domain_origin.hpp"
 #include "core/io/files.hpp"
 
 #include <cstdint>
@@ -17,6 +18,7 @@ struct SourceText {
     std::string name;           ///< as shown in messages
     std::filesystem::path path; ///< of the file itself, for finding its companions; may be empty
     ImportOptions options;
+    DomainOrigin *origin = nullptr; ///< where a reader of domains shall note the places of the parts; null: nowhere
 };
 
 /// 1-based line and column (in bytes) of a byte of a text.

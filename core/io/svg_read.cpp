@@ -19,6 +19,7 @@ struct DrawnPath {
     std::vector<Vec2> nodes;
     bool closed = false;
     std::string name;
+    std::size_t offset = 0; ///< of its element in the text
 };
 
 /// Elements of SVG that only define something or carry text.
@@ -77,13 +78,17 @@ class SvgReader {
         return colon == std::string_view::npos ? name : name.substr(colon + 1);
     }
 
+    static std::size_t offsetOf(const pugi::xml_node &node) {
+        return static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug(), 0));
+    }
+
     /// Records a fault at byte `within` of an attribute's value, as far as that can be found in the text.
     void fail(const pugi::xml_node &node, const char *attribute, std::size_t within, std::string code,
               std::string message, std::string advice = {}) {
         if (!faults_.empty()) {
             return;
         }
-        std::size_t offset = static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug(), 0));
+        std::size_t offset = offsetOf(node);
         const std::string_view text = source_.text;
         const std::string_view tag = text.substr(std::min(offset, text.size()));
         const std::string start = std::string(attribute) + '=';
@@ -253,12 +258,16 @@ class SvgReader {
         }
         const char *label = node.attribute("inkscape:label").value();
         path.name = cleanName(*label != '\0' ? label : node.attribute("id").value());
+        path.offset = offsetOf(node);
         paths_.push_back(std::move(path));
     }
 
     Domain build() {
         TagAllocator tags;
-        DomainBuilder builder;
+        DomainBuilder builder(source_.origin);
+        if (source_.origin != nullptr) {
+            source_.origin->showsColumns = true;
+        }
         constexpr double kSameNode = 1e-6; // of the drawing's size: what relative path data loses by rounding
         for (DrawnPath &path : paths_) {
             std::vector<Vec2> &nodes = path.nodes;
@@ -270,6 +279,7 @@ class SvgReader {
                 continue;
             }
             const std::int32_t tag = tags.of(path.name);
+            builder.from({path.offset});
             if (path.closed && nodes.size() > 2) {
                 builder.addLoop(nodes, tag, SegmentRole::Boundary);
             } else {

@@ -35,6 +35,9 @@ bool TriangleNodes::read(TextScanner &scanner, bool mayBeEmpty) {
                                 "expected node " + std::to_string(k + 1) + " of " + std::to_string(count) +
                                     ", the file ends here");
         }
+        if (scanner.source().origin != nullptr) {
+            offsets.push_back(line.offset());
+        }
         std::int64_t number = 0;
         Vec2 place;
         double unused = 0.0;

@@ -14,6 +14,7 @@ struct TriangleNodes {
     std::vector<Vec2> places;
     std::vector<std::int32_t> markers; ///< >= 1
     NodeTable table;
+    std::vector<std::size_t> offsets; ///< of their lines; filled where the source asks for origins
 
     /// Failures are recorded in the scanner. An empty list is allowed where the nodes may be in another file.
     bool read(TextScanner &scanner, bool mayBeEmpty);

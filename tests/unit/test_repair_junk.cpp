@@ -115,7 +115,7 @@ TEST_CASE("repair: each change is a note with a place and the ids of what it con
         for (const Diagnostic &change : result->changes) {
             REQUIRE(change.severity == Severity::Note);
             REQUIRE_FALSE(change.message.empty());
-            REQUIRE((change.code == "more-changes" || (change.at && isFinite(*change.at) && !change.ids.empty())));
+            REQUIRE((change.code == "more-changes" || (change.at && isFinite(*change.at) && !change.parts.empty())));
         }
     }
 }
