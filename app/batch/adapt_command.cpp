@@ -126,38 +126,31 @@ Result<Mesh> adaptToExpression(const AdaptArguments &arguments, const Domain &do
     return std::move(outcome->mesh);
 }
 
-bool isSyntax(const Diagnostics &faults) {
-    return std::any_of(faults.begin(), faults.end(), [](const Diagnostic &d) { return d.code == "expression-syntax"; });
-}
-
-int refuse(const Diagnostics &faults, const InterruptWatch &interrupt) {
-    if (interrupt.interrupted()) {
-        std::fputs("cancelled\n", stderr);
-        return kCancelled;
-    }
-    printFaults(faults);
-    return isSyntax(faults) ? kUsage : kRefused;
-}
-
 int runAdapt(const AdaptArguments &arguments) {
-    const InterruptWatch interrupt;
+    InterruptWatch interrupt;
     ProgressBar bar(!arguments.quiet);
     Progress progress;
     progress.stop = interrupt.token();
     progress.report = [&bar](std::string_view stage, double fraction) { bar.show(stage, fraction); };
+    bar.show("reading", 0.0);
     Result<MeshField> input = readInput(arguments);
     if (!input) {
+        bar.clear();
         return refuse(input.faults(), interrupt);
     }
     const Result<Domain> domain = arguments.domain ? readDomain(*arguments.domain) : outlineOf(input->mesh);
+    bar.clear();
     if (!domain) {
         return refuse(domain.faults(), interrupt);
     }
+    interrupt.askFromNowOn();
     const Result<Mesh> mesh = arguments.field ? adaptToField(arguments, *domain, *input, progress)
                                               : adaptToExpression(arguments, *domain, std::move(input->mesh), progress);
     bar.clear();
     if (!mesh) {
-        return refuse(mesh.faults(), interrupt);
+        const std::filesystem::path &file = arguments.domain.value_or(arguments.mesh);
+        const int code = refuse(meshingFaults(mesh.faults(), *domain, file, true), interrupt);
+        return code == kRefused && hasCode(mesh.faults(), "expression-syntax") ? static_cast<int>(kUsage) : code;
     }
     for (const std::filesystem::path &path : arguments.outputs) {
         const Status written = writeMesh(path, *mesh, {}, progress);

@@ -1,6 +1,10 @@
 #pragma once
 
 #include "core/base/diagnostic.hpp"
+#include "core/domain/domain.hpp"
+
+#include <filesystem>
+#include <string_view>
 
 namespace forefront {
 
@@ -14,5 +18,12 @@ enum ExitCode : int {
 
 /// Prints each fault on a line of stderr.
 void printFaults(const Diagnostics &faults);
+
+bool hasCode(const Diagnostics &faults, std::string_view code);
+
+/// Why a domain was not meshed: its own faults if it has any, with the name of its file and, where the domain is as it
+/// was read, their places in it; else `faults`.
+Diagnostics meshingFaults(const Diagnostics &faults, const Domain &domain, const std::filesystem::path &file,
+                          bool asRead);
 
 } // namespace forefront

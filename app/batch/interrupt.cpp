@@ -1,6 +1,11 @@
 #include "app/batch/interrupt.hpp"
 
+#include "app/batch/exit_code.hpp"
+
+#include <cstdio>
+#include <cstdlib>
 #include <ctime>
+#include <unistd.h>
 
 namespace forefront {
 
@@ -13,9 +18,14 @@ InterruptWatch::InterruptWatch() {
     watcher_ = std::jthread([this, signals](const std::stop_token &leave) {
         while (!leave.stop_requested()) {
             const timespec patience{0, 20'000'000};
-            if (sigtimedwait(&signals, nullptr, &patience) > 0) {
-                cancel_.request_stop();
+            if (sigtimedwait(&signals, nullptr, &patience) <= 0) {
+                continue;
             }
+            if (!asks_) {
+                std::fputs(isatty(STDERR_FILENO) == 1 ? "\r\x1b[Kcancelled\n" : "cancelled\n", stderr);
+                std::_Exit(kCancelled);
+            }
+            cancel_.request_stop();
         }
     });
 }
@@ -24,6 +34,15 @@ InterruptWatch::~InterruptWatch() {
     watcher_.request_stop();
     watcher_.join();
     pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+}
+
+int refuse(const Diagnostics &faults, const InterruptWatch &interrupt) {
+    if (interrupt.interrupted()) {
+        std::fputs("cancelled\n", stderr);
+        return kCancelled;
+    }
+    printFaults(faults);
+    return kRefused;
 }
 
 } // namespace forefront

@@ -67,29 +67,16 @@ void applyOptions(const MeshArguments &arguments, MeshingOptions &options) {
     options.threads = arguments.threads.value_or(options.threads);
 }
 
-Diagnostics repairDomain(Domain &domain, bool quiet) {
+Diagnostics repairDomain(const MeshArguments &arguments, Domain &domain) {
     Result<Repaired> repaired = repair(domain);
     if (!repaired) {
-        return repaired.faults();
+        return locateFaults(arguments.input, repaired.faults());
     }
-    if (!quiet) {
-        printFaults(repaired->changes);
+    if (!arguments.quiet) {
+        printFaults(locateFaults(arguments.input, std::move(repaired->changes)));
     }
     domain = std::move(repaired->domain);
     return {};
-}
-
-bool hasCode(const Diagnostics &faults, std::string_view code) {
-    return std::any_of(faults.begin(), faults.end(), [code](const Diagnostic &d) { return d.code == code; });
-}
-
-int refuse(const Diagnostics &faults, const InterruptWatch &interrupt) {
-    if (interrupt.interrupted() || hasCode(faults, "cancelled")) {
-        std::fputs("cancelled\n", stderr);
-        return kCancelled;
-    }
-    printFaults(faults);
-    return kRefused;
 }
 
 Diagnostics writeOutputs(const MeshArguments &arguments, const Mesh &mesh, const RunReport &report,
@@ -124,7 +111,7 @@ int meshCommand(int argc, const char *const *argv) {
         return *code;
     }
     const MeshArguments &arguments = std::get<MeshArguments>(parsed);
-    const InterruptWatch interrupt;
+    InterruptWatch interrupt;
     ProgressBar bar(!arguments.quiet);
     Progress progress;
     progress.stop = interrupt.token();
@@ -134,8 +121,9 @@ int meshCommand(int argc, const char *const *argv) {
     Result<MeshingJob> job = readJob(arguments);
     Diagnostics faults = job ? applySpacing(arguments, job->spacing) : job.faults();
     bar.clear();
+    interrupt.askFromNowOn();
     if (faults.empty() && arguments.repair) {
-        faults = repairDomain(job->domain, arguments.quiet);
+        faults = repairDomain(arguments, job->domain);
     }
     if (!faults.empty()) {
         return refuse(faults, interrupt);
@@ -145,9 +133,10 @@ int meshCommand(int argc, const char *const *argv) {
     const Result<MeshingOutcome> outcome = meshDomain(*job, progress);
     bar.clear();
     if (!outcome) {
-        const int code = refuse(outcome.faults(), interrupt);
+        const int code =
+            refuse(meshingFaults(outcome.faults(), job->domain, arguments.input, !arguments.repair), interrupt);
         const bool mistyped = arguments.expression && hasCode(outcome.faults(), "expression-syntax");
-        return code == kRefused && mistyped ? kUsage : code;
+        return code == kRefused && mistyped ? static_cast<int>(kUsage) : code;
     }
     const RunReport report = reportOf(*outcome, job->options);
     faults = writeOutputs(arguments, outcome->mesh, report, progress);

@@ -42,7 +42,7 @@ std::string parseLists(const std::vector<std::string> &rows, const std::vector<s
     for (const std::string &name : rows) {
         const TableCase *row = tableCase(name);
         if (row == nullptr) {
-            return "--rows: '" + name + "' is none of 1A to 1E, 2A to 2E, 3, 4";
+            return "--rows: '" + name + "' is none of 1A to 1E, 2A to 2E, 3*, 4*";
         }
         arguments.rows.push_back(*row);
     }
@@ -63,17 +63,9 @@ std::string parseLists(const std::vector<std::string> &rows, const std::vector<s
     return {};
 }
 
-int refuse(const Diagnostics &faults, const InterruptWatch &interrupt) {
-    if (interrupt.interrupted()) {
-        std::fputs("cancelled\n", stderr);
-        return kCancelled;
-    }
-    printFaults(faults);
-    return kRefused;
-}
-
 int runTables(const TablesArguments &arguments) {
-    const InterruptWatch interrupt;
+    InterruptWatch interrupt;
+    interrupt.askFromNowOn();
     ProgressBar bar(true);
     Progress progress;
     progress.stop = interrupt.token();
@@ -110,10 +102,12 @@ int tablesCommand(int argc, const char *const *argv) {
     CLI::App app("Runs the published cases of S. H. Lo's advancing front tables by the classic method.",
                  "forefront tables");
     app.footer(kExamples);
-    app.add_option("--rows", rows, "rows to run, separated by commas: 1A to 1E, 2A to 2E, 3, 4; else all")
+    app.add_option("--rows", rows,
+                   "rows to run, separated by commas: 1A to 1E, 2A to 2E, 3*, 4* (* cases of our own); else all")
         ->delimiter(',')
         ->type_name("ROWS");
-    app.add_option("--grids", grids, "background grids: none, COLUMNSxROWS, hierarchical; else none and all three")
+    app.add_option("--grids", grids,
+                   "background grids: none, COLUMNSxROWS, hierarchical; else none,30x20,60x40,hierarchical")
         ->delimiter(',')
         ->type_name("GRIDS");
     app.add_option("--csv", arguments.csv, "write the figures as CSV")->type_name("FILE");

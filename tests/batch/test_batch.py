@@ -220,6 +220,63 @@ class Refusing(Case):
         self.assertEqual(len(crossing), 1, done.stderr)
         self.assertIn("at (2, 1.5)", crossing[0])
 
+    def faults(self, name, text, code):
+        """Lines of stderr with that code, for a domain file that is refused."""
+        self.write(name, text)
+        errors = self.call("mesh", name, "-o", "a.msh", code=1).stderr
+        found = [line for line in errors.splitlines() if f"[{code}]" in line]
+        self.assertTrue(found, errors)
+        self.assertTrue(all(line.startswith(name + ":") for line in errors.splitlines()), errors)
+        return found
+
+    def test_faults_of_a_domain_name_file_line_and_number_there(self):
+        # Numbered from 10 and with comments: neither index nor number is the line.
+        nodes = "# four corners\n4 2\n10 0 0\n11 4 3\n\n12 4 0\n13 0 3\n"
+        [line] = self.faults("bow.poly", nodes + "4\n7 10 11\n8 11 12\n9 12 13 # crosses\n20 13 10\n0\n",
+                             "crossing-segments")
+        self.assertTrue(line.startswith("bow.poly:9: error: two segments cross at (2, 1.5): "
+                                        "segment 7 (line 9) and segment 9 (line 11) [crossing-segments]; "), line)
+        ends = self.faults("open.poly", nodes + "3\n7 10 12\n8 12 11\n9 11 13\n0\n", "open-chain")
+        self.assertIn("node 10 (line 3)", ends[0])
+        self.assertIn("node 13 (line 7)", ends[1])
+        square = "4 2\n1 0 0\n2 4 0\n3 4 3\n4 0 3\n4\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n1\n5 9 9\n"
+        [line] = self.faults("hole.poly", square, "hole-outside")
+        self.assertIn("hole marker 5 (line 12)", line)
+        self.write("apart.node", "4 2\n10 0 0\n11 4 3\n12 4 0\n13 0 3\n")
+        [line] = self.faults("apart.poly", "0 2\n4\n7 10 11\n8 11 12\n9 12 13\n20 13 10\n0\n",
+                             "crossing-segments")
+        self.assertIn("segment 7 (line 3) and segment 9 (line 5)", line)
+        [line] = self.faults("bow.geojson", '{"type": "Polygon", "coordinates": [\n'
+                             '[[0, 0], [4, 3],\n  [4, 0], [0, 3], [0, 0]]]}', "crossing-segments")
+        self.assertTrue(line.startswith("bow.geojson:2:2: error: "), line)
+        self.assertIn("segment (line 2, column 2) and segment (line 3, column 3)", line)
+        [line] = self.faults("bow.svg", '<svg viewBox="0 0 9 9">\n<line x1="3.5" y1="1.5" x2="3.8" y2="1.5"/>\n'
+                             '<path d="M0 0 4 3 4 0 0 3z"/></svg>', "crossing-segments")
+        self.assertTrue(line.startswith("bow.svg:3:2: error: "), line)
+
+    def test_faults_left_by_a_repair_name_the_file_and_no_segments_that_it_does_not_have(self):
+        self.write("bow.geojson", '{"type": "Polygon", "coordinates": [[[0, 0], [4, 3], [4, 0], [0, 3], [0, 0]]]}')
+        self.assertIn("bow.geojson:1:38: note: ", self.call("mesh", "bow.geojson", "-o", "a.msh", "--repair").stderr)
+        self.write("open.poly", poly([BOW]).replace("4 4 1 1", "4 4 4 1"))
+        told = self.call("mesh", "open.poly", "-o", "a.msh", "--repair", code=1).stderr.splitlines()
+        notes = [line for line in told if "note: " in line]
+        self.assertTrue(any("(line 9)" in line for line in notes), told)
+        left = [line for line in told if line not in notes]
+        self.assertTrue(left)
+        for line in left:
+            self.assertTrue(line.startswith("open.poly: error: ") and "(line" not in line, told)
+
+    def test_a_pipe_that_says_nothing_can_be_interrupted(self):
+        os.mkfifo(self.path / "pipe.poly")
+        for command in (["mesh", "pipe.poly"], ["mesh", "plate.poly", "--spacing-file", "pipe.poly"],
+                        ["adapt", "pipe.poly", "--expression", "x", "--error", "0.1"]):
+            process = subprocess.Popen([PROGRAM, *command, "-o", "a.msh"], cwd=self.path, stderr=subprocess.PIPE,
+                                       text=True)
+            with open(self.path / "pipe.poly", "w"):  # returns once the program reads
+                process.send_signal(signal.SIGINT)
+                _, errors = process.communicate(timeout=60)
+            self.assertEqual((process.returncode, errors), (3, "cancelled\n"))
+
     def test_repair_splits_crossings_and_says_so(self):
         self.write("bow.poly", poly([BOW]))
         done = self.call("mesh", "bow.poly", "-o", "bow.msh", "--repair")
@@ -318,7 +375,7 @@ class Tables(Case):
         self.assertIn("hierarchical", self.read("t.svg"))
 
     def test_adaptive_rows_are_marked_as_our_own(self):
-        done = self.call("tables", "--rows", "3,4", "--grids", "60x40,hierarchical", "--csv", "t.csv")
+        done = self.call("tables", "--rows", "3*,4", "--grids", "60x40,hierarchical", "--csv", "t.csv")
         self.assertEqual(done.stderr, "")
         for words in ("132424", "311282", "\n3* ", "\n4* ", "domains and for fields of our own", "Reading"):
             self.assertIn(words, done.stdout)
@@ -335,6 +392,7 @@ class Tables(Case):
             self.assertLess(abs(int(uniform["Ne"]) - int(published["Ne"])), 0.05 * int(published["Ne"]))
 
     def test_wrong_rows_and_grids_are_refused(self):
+        self.assertIn("3*, 4*", self.call("tables", "--rows", "9Z", code=2).stderr)
         for words in (["--rows", "9Z"], ["--grids", "hexagonal"], ["--grids", "none,none"], ["--rows"]):
             self.assertNotEqual(self.call("tables", *words, code=2).stderr, "", words)
         self.assertIn("Examples:", self.call("tables", "--help").stdout)
