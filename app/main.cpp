@@ -6,6 +6,8 @@
 
 #include <cstdio>
 #include <exception>
+#include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace forefront {
@@ -71,6 +73,11 @@ int dispatch(int argc, const char *const *argv) {
     if (command == "--help" || command == "-h" || command == "help") {
         std::fputs(kUsageText, stdout);
         return kDone;
+    }
+    std::error_code none;
+    if (!command.empty() && !command.starts_with('-') && !std::filesystem::exists(command, none)) {
+        return wrongUsage("forefront", "'" + std::string(command) +
+                                           "' is neither a command (mesh, check, adapt, tables) nor a file");
     }
     return editorCommand(argc, argv);
 }

@@ -2,6 +2,7 @@
 #include "app/batch/exit_code.hpp"
 #include "app/batch/interrupt.hpp"
 #include "app/batch/options.hpp"
+#include "app/batch/outputs.hpp"
 #include "app/batch/progress_bar.hpp"
 #include "core/adapt/adaptive_meshing.hpp"
 #include "core/adapt/mesh_outline.hpp"
@@ -9,7 +10,6 @@
 #include "core/mesh/verify.hpp"
 #include "core/mesher/pipeline.hpp"
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -71,11 +71,11 @@ Result<MeshField> readInput(const AdaptArguments &arguments) {
         input.mesh = std::move(*read);
     }
     if (input.mesh.elements.empty()) {
-        return error("empty-mesh", arguments.mesh.string() + " holds no triangles");
+        return locateFaults(arguments.mesh, error("empty-mesh", "the file holds no triangles"));
     }
     Diagnostics faults = verify(input.mesh);
     if (hasErrors(faults)) {
-        return faults;
+        return locateFaults(arguments.mesh, std::move(faults));
     }
     return input;
 }
@@ -165,13 +165,6 @@ int runAdapt(const AdaptArguments &arguments) {
     return kDone;
 }
 
-bool writable(const std::filesystem::path &path) {
-    const auto formats = fileFormats();
-    return std::any_of(formats.begin(), formats.end(), [&](const FileFormat &format) {
-        return format.writesMesh && path.extension() == format.extension;
-    });
-}
-
 } // namespace
 
 int adaptCommand(int argc, const char *const *argv) {
@@ -213,11 +206,14 @@ int adaptCommand(int argc, const char *const *argv) {
         return *code;
     }
     for (const std::filesystem::path &path : arguments.outputs) {
-        if (!writable(path)) {
-            return wrongUsage(app.get_name(), "-o " + path.string() + ": no format has this extension");
+        const std::string wrong = checkFormat(path, {});
+        if (!wrong.empty()) {
+            return wrongUsage(app.get_name(), wrong);
         }
     }
-    return runAdapt(arguments);
+    const Diagnostics faults = checkOutputs(arguments.outputs);
+    printFaults(faults);
+    return faults.empty() ? runAdapt(arguments) : static_cast<int>(kRefused);
 }
 
 } // namespace forefront

@@ -64,7 +64,7 @@ int check(const CheckArguments &arguments) {
     if (mesh->elements.empty()) {
         faults = error("empty-mesh", "the mesh has no elements");
     }
-    printFaults(faults);
+    printFaults(locateFaults(arguments.mesh, faults));
     if (hasErrors(faults)) {
         return kRefused;
     }

@@ -1,10 +1,9 @@
 #include "app/batch/mesh_arguments.hpp"
 
 #include "app/batch/options.hpp"
-#include "core/io/files.hpp"
+#include "app/batch/outputs.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <optional>
 
@@ -24,16 +23,6 @@ Examples:
         splits crossing lines first; statistics as JSON
 
 Exit codes: 0 done, 1 the input is refused (faults on stderr, one a line), 2 wrong usage, 3 cancelled.)help";
-
-std::string listFormats() {
-    std::string list;
-    for (const FileFormat &format : fileFormats()) {
-        if (format.writesMesh) {
-            list += (list.empty() ? "" : ", ") + std::string(format.id);
-        }
-    }
-    return list;
-}
 
 /// "none", "uniform", "uniform:COLSxROWS" or "hierarchical"; an error message when it is none of these.
 std::string parseGrid(const std::string &text, MeshArguments &arguments) {
@@ -66,36 +55,6 @@ std::string parseGrid(const std::string &text, MeshArguments &arguments) {
     return "--grid: '" + text + "' is none of none, uniform, uniform:COLSxROWS, hierarchical";
 }
 
-/// `id`: from --format; empty: by the extension. A name that says one format for the content of another would mislead
-/// whoever reads the file; extensions that no format has may hold any.
-std::string checkFormat(const std::filesystem::path &output, const std::string &id) {
-    std::string extension = output.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    const auto formats = fileFormats();
-    const auto find = [&](auto wanted) {
-        const auto found = std::find_if(formats.begin(), formats.end(), wanted);
-        return found == formats.end() ? nullptr : &*found;
-    };
-    const auto extensionIs = [&](const FileFormat &format) { return extension == format.extension; };
-    if (id.empty()) {
-        const FileFormat *meant = find([&](const FileFormat &f) { return f.writesMesh && extensionIs(f); });
-        return meant != nullptr ? ""
-                                : "-o " + output.string() + ": no format has the extension '" + extension +
-                                      "'; name one by --format: " + listFormats();
-    }
-    const FileFormat *wanted = find([&](const FileFormat &f) { return f.writesMesh && id == f.id; });
-    if (wanted == nullptr) {
-        return "--format: unknown format '" + id + "'; formats: " + listFormats();
-    }
-    const FileFormat *named = find(extensionIs);
-    if (named != nullptr && !extensionIs(*wanted)) {
-        return "-o " + output.string() + " is named as " + named->name + ", but --format " + id + " is " +
-               wanted->name + " (" + wanted->extension + "); formats go to the outputs in their order";
-    }
-    return {};
-}
-
 /// Formats are known before anything is computed.
 std::string checkFormats(const MeshArguments &arguments) {
     if (arguments.formats.size() > arguments.outputs.size()) {
@@ -125,7 +84,7 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     app.add_option("-o,--output", arguments.outputs, "mesh to write; the extension tells the format; repeatable")
         ->allow_extra_args(false)
         ->type_name("OUT");
-    app.add_option("--format", arguments.formats, "format of the outputs in their order: " + listFormats())
+    app.add_option("--format", arguments.formats, "format of the outputs in their order: " + formatIds())
         ->allow_extra_args(false)
         ->type_name("ID");
     auto *spacing = app.add_option_group("Spacing", "at most one; else that of the project, or automatic");

@@ -2,6 +2,7 @@
 #include "app/batch/exit_code.hpp"
 #include "app/batch/interrupt.hpp"
 #include "app/batch/mesh_arguments.hpp"
+#include "app/batch/outputs.hpp"
 #include "app/batch/progress_bar.hpp"
 #include "app/batch/report.hpp"
 #include "core/domain/validate.hpp"
@@ -111,6 +112,15 @@ int meshCommand(int argc, const char *const *argv) {
         return *code;
     }
     const MeshArguments &arguments = std::get<MeshArguments>(parsed);
+    std::vector<std::filesystem::path> files = arguments.outputs;
+    if (arguments.statistics && !arguments.printsStatistics()) {
+        files.push_back(*arguments.statistics);
+    }
+    Diagnostics faults = checkOutputs(files);
+    if (!faults.empty()) {
+        printFaults(faults);
+        return kRefused;
+    }
     InterruptWatch interrupt;
     ProgressBar bar(!arguments.quiet);
     Progress progress;
@@ -119,7 +129,7 @@ int meshCommand(int argc, const char *const *argv) {
 
     bar.show("reading", 0.0);
     Result<MeshingJob> job = readJob(arguments);
-    Diagnostics faults = job ? applySpacing(arguments, job->spacing) : job.faults();
+    faults = job ? applySpacing(arguments, job->spacing) : job.faults();
     bar.clear();
     interrupt.askFromNowOn();
     if (faults.empty() && arguments.repair) {

@@ -292,7 +292,13 @@ class Refusing(Case):
         self.call("check", "missing.msh", code=1)
 
     def test_outputs_that_cannot_be_written_are_told(self):
-        self.assertIn("error: ", self.call("mesh", "plate.poly", "-o", "no/such/folder/a.msh", code=1).stderr)
+        self.call("mesh", "plate.poly", "-o", "plate.msh")
+        (self.path / "folder.msh").mkdir()
+        for command in (["mesh", "missing.poly"], ["adapt", "missing.msh", "--expression", "x", "--error", "0.1"]):
+            for path, why in (("no/such/folder/a.msh", "no folder no/such/folder"), ("folder.msh", "it is a folder")):
+                [line] = self.call(*command, "-o", path, code=1).stderr.splitlines()  # before the input is read
+                self.assertTrue(line.startswith(f"{path}: error: ") and why in line, line)
+        self.assertIn("no folder gone", self.call("mesh", "plate.poly", "--stats", "gone/s.json", code=1).stderr)
 
     def test_check_finds_what_is_wrong(self):
         self.call("mesh", "plate.poly", "-o", "plate.msh", "--size", "0.5")
@@ -305,6 +311,10 @@ class Refusing(Case):
         t = triangles[len(triangles) // 2]
         self.write("turned.msh", text[:t.start()] + f"{t[1]} {t[3]} {t[2]} {t[4]}" + text[t.end():])
         self.assertIn("[inverted-element]", self.call("check", "turned.msh", code=1).stderr)
+        for command in (["check", "turned.msh"], ["adapt", "turned.msh", "--expression", "x", "--error", "0.1",
+                                                  "-o", "new.msh"]):
+            for line in self.call(*command, code=1).stderr.splitlines():
+                self.assertTrue(line.startswith("turned.msh: error: "), line)
 
     def test_check_tells_how_well_a_spacing_is_kept(self):
         def kept(*words):
@@ -346,6 +356,9 @@ class Refusing(Case):
                 self.assertEqual(line, f"forefront {command[0]}: {option}: {wanted} is wanted, not '{value}'")
                 self.assertIn("--help", hint)
         self.call(*mesh, "--size", "+.5e0")
+
+    def test_a_word_that_is_neither_command_nor_file_is_named(self):
+        self.assertIn("'mash' is neither a command", self.call("mash", "plate.poly", code=2).stderr)
 
     def test_help_and_version(self):
         self.assertRegex(self.call("--version").stdout, r"^forefront \d+\.\d+\.\d+\n$")
