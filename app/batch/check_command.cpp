@@ -58,6 +58,9 @@ int check(const CheckArguments &arguments) {
     if (arguments.domain) {
         const Result<Domain> domain = readDomain(*arguments.domain);
         faults = domain ? verifyAgainst(*mesh, *domain) : domain.faults();
+        if (domain && hasErrors(faults)) {
+            faults = meshingFaults(faults, *domain, *arguments.domain, true);
+        }
     } else {
         faults = verify(*mesh);
     }

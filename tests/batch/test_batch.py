@@ -218,6 +218,9 @@ class Refusing(Case):
         self.assertTrue(all("error: " in line or "note: " in line for line in lines), done.stderr)
         crossing = [line for line in lines if "crossing-segments" in line]
         self.assertEqual(len(crossing), 1, done.stderr)
+        self.call("mesh", "plate.poly", "-o", "plate.msh")
+        checked = self.call("check", "plate.msh", "--domain", "bow.poly", code=1).stderr
+        self.assertEqual(checked, done.stderr)
         self.assertIn("at (2, 1.5)", crossing[0])
 
     def faults(self, name, text, code):
