@@ -115,6 +115,29 @@ TEST_CASE("Export: a drawing is meshed and written as MSH, which is a valid mesh
     CHECK_FALSE(hasErrors(verifyAgainst(*mesh, toDomain(driver.document()))));
 }
 
+TEST_CASE("Files: in a small window the dialog holds its fields, and the sheet of shortcuts its columns") {
+    Draughtsman driver;
+    driver.platform().resize({1280, 800}, 2.0);
+    driver.key('O', {Modifiers::kControl});
+    driver.settle();
+    const PixelRect dialog = driver.context().widgets.find("dialog/open")->rect;
+    for (const char *part : {"dialog/open/path", "dialog/open/name", "dialog/open/filter", "dialog/open/ok"}) {
+        CAPTURE(part);
+        const PixelRect rect = driver.context().widgets.find(part)->rect;
+        CHECK(rect.x + rect.width <= dialog.x + dialog.width - 20.0);
+    }
+    driver.key(key::kEscape);
+    driver.key(key::kF1);
+    driver.settle();
+    const PixelRect sheet = driver.context().widgets.find("dialog/shortcuts")->rect;
+    for (const char *part : {"shortcuts/tools", "shortcuts/mesh", "shortcuts/files"}) {
+        CAPTURE(part);
+        const PixelRect rect = driver.context().widgets.find(part)->rect;
+        CHECK(rect.width >= 500.0);
+        CHECK(rect.x + rect.width <= sheet.x + sheet.width - 20.0);
+    }
+}
+
 TEST_CASE("Export: what was written is told on the canvas with its size, and so is what could not be") {
     const Workplace place;
     Draughtsman driver;

@@ -108,7 +108,8 @@ void FileDialog::drawPath(AppContext &context) {
     }
     ImGui::SameLine();
     std::string path = folder_.string();
-    if (ui::entry(context, widget("path"), path, "folder", request_.saves ? 400.0F : 436.0F)) {
+    const float room = ImGui::GetContentRegionAvail().x / context.scale;
+    if (ui::entry(context, widget("path"), path, "folder", room - (request_.saves ? 36.0F : 0.0F))) {
         const std::filesystem::path typed = resolved(folder_, path);
         std::error_code ignored;
         if (std::filesystem::is_directory(typed, ignored)) {

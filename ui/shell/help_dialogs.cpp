@@ -1,6 +1,7 @@
 #include "ui/shell/help_dialogs.hpp"
 
 #include "core/base/version.hpp"
+#include "ui/flow.hpp"
 #include "ui/widgets.hpp"
 
 #include <imgui.h>
@@ -20,39 +21,43 @@ class ShortcutSheet final : public Dialog {
     float width() const override { return 860.0F; }
 
     bool draw(AppContext &context) override {
-        const float column = (ImGui::GetContentRegionAvail().x - context.px(36)) / 3.0F;
+        const float room = ImGui::GetContentRegionAvail().x;
+        const float column =
+            std::max((room - context.px(36)) / 3.0F, context.px(250)); // in a narrow window fewer columns
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(8), context.px(5)));
-        ImGui::BeginGroup();
-        group(context, "TOOLS", column, [&] {
-            for (const auto &tool : context.tools.tools) {
-                row(context, column, toString({tool->key(), {}}), tool->name());
-            }
-        });
-        ImGui::EndGroup();
-        ImGui::SameLine(0, context.px(18));
-        ImGui::BeginGroup();
-        group(context, "MESH AND TIMELINE", column, [&] { actionRows(context, column, {"Mesh"}); });
-        group(context, "DRAWING", column, [&] {
-            for (const auto &[keys, text] : kDrawing) {
-                row(context, column, keys, text);
-            }
-        });
-        ImGui::EndGroup();
-        ImGui::SameLine(0, context.px(18));
-        ImGui::BeginGroup();
-        group(context, "FILES AND EDITING", column, [&] { actionRows(context, column, {"File", "Edit"}); });
-        group(context, "VIEW", column, [&] {
-            row(context, column, "Wheel", "Zoom at the pointer");
-            row(context, column, "Space + drag", "Move the view");
-            row(context, column, "Middle drag", "Move the view");
-            actionRows(context, column, {"View", "Help"});
-        });
-        ImGui::EndGroup();
+        drawColumns(context, column, room);
         ImGui::PopStyleVar();
         return true;
     }
 
   private:
+    static void drawColumns(AppContext &context, float column, float room) {
+        ui::Flow flow(context, room, context.px(18));
+        flow.item("tools");
+        group(context, "shortcuts/tools", "TOOLS", column, [&] {
+            for (const auto &tool : context.tools.tools) {
+                row(context, column, toString({tool->key(), {}}), tool->name());
+            }
+        });
+        flow.item("mesh");
+        group(context, "shortcuts/mesh", "MESH AND TIMELINE", column, [&] { actionRows(context, column, {"Mesh"}); });
+        group(context, "shortcuts/drawing", "DRAWING", column, [&] {
+            for (const auto &[keys, text] : kDrawing) {
+                row(context, column, keys, text);
+            }
+        });
+        flow.item("files");
+        group(context, "shortcuts/files", "FILES AND EDITING", column, [&] {
+            actionRows(context, column, {"File", "Edit"});
+        });
+        group(context, "shortcuts/view", "VIEW", column, [&] {
+            row(context, column, "Wheel", "Zoom at the pointer");
+            row(context, column, "Space + drag", "Move the view");
+            row(context, column, "Middle drag", "Move the view");
+            actionRows(context, column, {"View", "Help"});
+        });
+    }
+
     static constexpr std::array<std::pair<const char *, const char *>, 7> kDrawing{{
         {"Enter", "Close or end the path"},
         {"Backspace", "Remove the last node"},
@@ -66,10 +71,11 @@ class ShortcutSheet final : public Dialog {
     }};
 
     template <class Rows>
-    static void group(AppContext &context, const char *title, float width, Rows rows) {
+    static void group(AppContext &context, const char *name, const char *title, float width, Rows rows) {
         ui::heading(context, title);
         rows();
         ImGui::Dummy({width, context.px(8)});
+        ui::mark(context, name);
     }
 
     static void row(AppContext &context, float width, const std::string &keys, const std::string &text) {
