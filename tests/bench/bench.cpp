@@ -1,7 +1,6 @@
 // Benchmark of the standard cases. One process a case, so that each has a memory peak of its own; CSV on stdout.
 //   forefront_bench [--classic] [--grid none|uniform|hierarchical] [--improve none|default|best] [--threads N]
-//   [--repeat N]
-//                   [SCENE SIZE]...
+//                   [--repeat N] [SCENE SIZE]...
 #include "core/base/cpu_clock.hpp"
 #include "core/io/project_words.hpp"
 #include "core/mesh/quality.hpp"
