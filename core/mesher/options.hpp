@@ -22,9 +22,10 @@ struct MeshingOptions {
     GridKind grid = GridKind::Hierarchical;
     int gridColumns = 0; ///< uniform grid only; 0: chosen from the domain and the spacing
     int gridRows = 0;
-    bool keepBoundary = false;                    ///< domain segments are edges of the mesh exactly as given
-    ImproveLevel improve = ImproveLevel::Default; ///< after the front has closed
-    unsigned threads = 1;                         ///< the mesh does not depend on it
+    bool keepBoundary = false; ///< domain segments are edges of the mesh exactly as given
+    /// After the front has closed. The fast method advances with more care where there is more of it: see FrontCare.
+    ImproveLevel improve = ImproveLevel::Default;
+    unsigned threads = 1; ///< the mesh does not depend on it
 
     friend bool operator==(const MeshingOptions &, const MeshingOptions &) = default;
 };
