@@ -8,8 +8,8 @@ namespace forefront::ui {
 
 void Flow::item(const char *name) {
     end();
-    width_ = ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID(name), 0.0F);
-    if (used_ > 0.0F && used_ + gap_ + *width_ <= room_) {
+    begun_ = ImGui::GetID(name);
+    if (used_ > 0.0F && used_ + gap_ + ImGui::GetStateStorage()->GetFloat(begun_) <= room_) {
         ImGui::SameLine(0, gap_);
         used_ += gap_;
     } else {
@@ -19,17 +19,18 @@ void Flow::item(const char *name) {
 }
 
 void Flow::end() {
-    if (width_ == nullptr) {
+    if (begun_ == 0) {
         return;
     }
     ImGui::EndGroup();
     const float width = ImGui::GetItemRectSize().x;
-    if (std::abs(width - *width_) > 0.5F) {
-        *width_ = width;
+    ImGuiStorage &widths = *ImGui::GetStateStorage();
+    if (std::abs(width - widths.GetFloat(begun_)) > 0.5F) {
+        widths.SetFloat(begun_, width);
         context_.animate(); // the rows may be others now
     }
     used_ += width;
-    width_ = nullptr;
+    begun_ = 0;
 }
 
 } // namespace forefront::ui

@@ -24,7 +24,7 @@ class Flow {
     AppContext &context_;
     float room_, gap_;
     float used_ = 0.0F;      ///< of the row so far
-    float *width_ = nullptr; ///< of the item begun, remembered by Dear ImGui; null: none is
+    unsigned int begun_ = 0; ///< by which Dear ImGui remembers the width of the item begun; 0: none is
 };
 
 } // namespace forefront::ui
