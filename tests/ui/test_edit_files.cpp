@@ -57,6 +57,25 @@ TEST_CASE("Files: what is drawn and painted is saved, and opened again it is the
     CHECK(driver.context().settings.recentFiles.front() == (place.path / "bay.forefront").string());
 }
 
+TEST_CASE("Files: opened again after its changes were saved, a file is shown with them") {
+    const Workplace place;
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('S', {Modifiers::kControl});
+    driver.frames(5);
+    typeName(driver, "save", place.path / "bay");
+    driver.rectangle({2, 2}, {3, 3});
+    driver.key('O', {Modifiers::kControl});
+    driver.frames(5);
+    typeName(driver, "open", place.path / "bay.forefront");
+    REQUIRE(driver.has("dialog/unsaved/save"));
+    driver.click("dialog/unsaved/save");
+    driver.settle();
+    CHECK(driver.document().shapes.size() == 2);
+    CHECK_FALSE(driver.context().document().dirty());
+    CHECK(readDocument(place.path / "bay.forefront")->shapes.size() == 2);
+}
+
 TEST_CASE("Files: an existing file is replaced only when asked twice, and what cannot be written is reported") {
     const Workplace place;
     std::ofstream(place.path / "old.forefront") << "keep me";
@@ -126,6 +145,17 @@ TEST_CASE("Files: in a small window the dialog holds its fields, and the sheet o
         const PixelRect rect = driver.context().widgets.find(part)->rect;
         CHECK(rect.x + rect.width <= dialog.x + dialog.width - 20.0);
     }
+    const Workplace place;
+    const std::filesystem::path file = place.path / (std::string(60, 'm') + ".geojson");
+    std::ofstream(file) << R"({"type": "Point", "coordinates": [1, 2]})";
+    typeName(driver, "open", file);
+    REQUIRE(driver.has("dialog/open/warning"));
+    driver.platform().resize({1040, 800}, 2.0);
+    driver.settle();
+    const PixelRect warning = driver.context().widgets.find("dialog/open/warning")->rect;
+    CHECK(warning.height > 60.0); // in several lines
+    CHECK(warning.y + warning.height <= dialog.y + dialog.height - 20.0);
+    driver.platform().resize({1280, 800}, 2.0);
     driver.key(key::kEscape);
     driver.key(key::kF1);
     driver.settle();

@@ -55,12 +55,19 @@ Status save(AppContext &context, const std::filesystem::path &file) {
 
 /// Opens what can be read, once the user has said what becomes of the document before; the faults of what cannot.
 Diagnostics openChosen(AppContext &context, const std::filesystem::path &file) {
-    Result<Document> document = readDocument(file);
-    if (!document) {
-        return document.faults();
+    const auto read = std::make_shared<Result<Document>>(readDocument(file));
+    if (!*read) {
+        return read->faults();
     }
-    afterUnsaved(context, [file, read = std::make_shared<Document>(std::move(document).value())](AppContext &c) {
-        c.showDocument(*read, file);
+    afterUnsaved(context, [file, read, asked = context.document().dirty()](AppContext &c) {
+        if (asked && !c.document().dirty()) {
+            *read = readDocument(file); // it may be what has just been saved
+        }
+        if (!*read) {
+            c.log.add(read->faults());
+            return;
+        }
+        c.showDocument(**read, file);
         rememberFile(c, file);
     });
     return {};

@@ -226,7 +226,7 @@ std::string FileDialog::warning() const {
 constexpr float kButton = 108.0F, kGap = 10.0F;
 
 float FileDialog::bottomHeight(const AppContext &context) const {
-    const float room = context.px(static_cast<double>(width()) - 44.0 - 2.0 * kButton - 2.0 * kGap);
+    const float room = ImGui::GetContentRegionAvail().x - context.px(2.0 * kButton + 2.0 * kGap);
     const float lines = ImGui::CalcTextSize(ui::wrapped(warning(), room).c_str(), nullptr, false, room).y;
     const float more = std::max(0.0F, lines - ImGui::GetTextLineHeight());
     return context.px(request_.extra ? 118 : 84) + more;
