@@ -20,6 +20,9 @@ std::vector<std::size_t> lineStarts(std::string_view text) {
 void addPlaces(Diagnostics &faults, const DomainOrigin &origin, std::string_view text) {
     const std::vector<std::size_t> starts = lineStarts(text);
     for (Diagnostic &fault : faults) {
+        if (!fault.file.empty()) {
+            continue; // its places are those of that file
+        }
         for (DomainPart &part : fault.parts) {
             const std::vector<PartOrigin> &known = origin.of(part.kind);
             if (part.index >= known.size()) {

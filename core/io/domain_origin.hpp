@@ -28,7 +28,8 @@ struct DomainOrigin {
     const std::vector<PartOrigin> &of(DomainPartKind kind) const { return parts[static_cast<std::size_t>(kind)]; }
 };
 
-/// Fills in number, line and column of the parts, and of each fault the first line and column that are known.
+/// Fills in number, line and column of the parts, and of each fault the first line and column that are known. Faults
+/// that name a file are left alone.
 void addPlaces(Diagnostics &faults, const DomainOrigin &origin, std::string_view text);
 
 } // namespace forefront

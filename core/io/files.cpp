@@ -118,8 +118,9 @@ Result<Domain> readDomain(const std::filesystem::path &path, const ImportOptions
 
 Diagnostics locateFaults(const std::filesystem::path &path, Diagnostics faults, const ImportOptions &options) {
     std::error_code none;
+    const auto wanting = [](const Diagnostic &f) { return f.file.empty() && !f.parts.empty(); };
     const bool anew = std::filesystem::is_regular_file(path, none) && // a pipe has been emptied
-                      std::any_of(faults.begin(), faults.end(), [](const Diagnostic &f) { return !f.parts.empty(); });
+                      std::any_of(faults.begin(), faults.end(), wanting);
     if (anew) {
         const auto read = readFile<Domain>(path, options, canReadDomain, [&](const Format &format, SourceText source) {
             DomainOrigin origin;

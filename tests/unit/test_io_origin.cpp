@@ -1,11 +1,10 @@
 #include "core/io/readers.hpp"
+#include "tests/unit/io_samples.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cstdio>
 #include <string>
-
-#include "tests/unit/io_samples.hpp"
 
 using namespace forefront;
 using namespace forefront::testing;
@@ -94,4 +93,9 @@ TEST_CASE("addPlaces: faults tell numbers and lines of their parts, as far as th
     origin.showsColumns = true;
     addPlaces(faults, origin, "first\n second\n");
     CHECK(faults[0].parts[1].column == 1);
+    Diagnostics others = error("code", "two segments cross");
+    others[0].parts = {aSegment(0)};
+    others[0].file = "other.poly";
+    addPlaces(others, origin, "first\n second\n");
+    CHECK(toString(others[0]) == "other.poly: error: two segments cross [code]");
 }
