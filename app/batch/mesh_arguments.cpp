@@ -69,14 +69,48 @@ std::string checkFormats(const MeshArguments &arguments) {
     return {};
 }
 
+/// Options as they are written.
+struct Words {
+    std::string grid, method, level;
+    bool noImprove = false;
+};
+
+void addFrontOptions(CLI::App &app, MeshArguments &arguments, Words &words) {
+    app.add_option("--method", words.method,
+                   "fast (default), or classic: the ten steps after Lo, shortest segment first")
+        ->check(oneOf({"fast", "classic"}))
+        ->type_name("METHOD");
+    app.add_option("--grid", words.grid, "background grid: none, uniform[:COLSxROWS], hierarchical (default)")
+        ->type_name("KIND");
+    app.add_flag("--keep-boundary", arguments.keepBoundary, "use the given segments as they are, without cutting them");
+    app.add_flag("--repair", arguments.repair,
+                 "merge duplicate nodes and segments and split at crossings first, and say so");
+    auto *improve = app.add_option("--improve", words.level,
+                                   "work on the shapes: none (and the quickest front), default, best "
+                                   "(slower, adds and removes inner nodes, too)")
+                        ->check(oneOf({"none", "default", "best"}))
+                        ->type_name("LEVEL");
+    app.add_flag("--no-improve", words.noImprove, "the same as --improve none")->excludes(improve);
+}
+
+/// What is wrong with the words; empty: nothing.
+std::string takeWords(const Words &words, MeshArguments &arguments) {
+    if (!words.method.empty()) {
+        arguments.method = words.method == "classic" ? Method::Classic : Method::Fast;
+    }
+    if (words.noImprove || words.level == "none") {
+        arguments.improve = ImproveLevel::None;
+    } else if (!words.level.empty()) {
+        arguments.improve = words.level == "best" ? ImproveLevel::Best : ImproveLevel::Default;
+    }
+    return words.grid.empty() ? std::string() : parseGrid(words.grid, arguments);
+}
+
 } // namespace
 
 std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const *argv) {
     MeshArguments arguments;
-    std::string grid;
-    std::string method;
-    std::string level;
-    bool noImprove = false;
+    Words words;
     CLI::App app("Meshes a planar domain with triangles by the advancing front technique.", "forefront mesh");
     app.footer(kExamples);
     app.add_option("IN", arguments.input, "project (.json, .forefront) or domain: .poly, .node, .geojson, .svg, .msh")
@@ -95,20 +129,7 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     app.add_option("--gradation", arguments.gradation, "greatest change of edge length per unit of distance")
         ->check(positiveNumber())
         ->type_name("G");
-    app.add_option("--method", method, "fast (default), or classic: the ten steps after Lo, shortest segment first")
-        ->check(oneOf({"fast", "classic"}))
-        ->type_name("METHOD");
-    app.add_option("--grid", grid, "background grid: none, uniform[:COLSxROWS], hierarchical (default)")
-        ->type_name("KIND");
-    app.add_flag("--keep-boundary", arguments.keepBoundary, "use the given segments as they are, without cutting them");
-    app.add_flag("--repair", arguments.repair,
-                 "merge duplicate nodes and segments and split at crossings first, and say so");
-    auto *improve = app.add_option("--improve", level,
-                                   "work on the shapes: none (and the quickest front), default, best "
-                                   "(slower, adds and removes inner nodes, too)")
-                        ->check(oneOf({"none", "default", "best"}))
-                        ->type_name("LEVEL");
-    app.add_flag("--no-improve", noImprove, "the same as --improve none")->excludes(improve);
+    addFrontOptions(app, arguments, words);
     app.add_option("--threads", arguments.threads, "threads, 1 to 256; the mesh does not depend on it")
         ->check(wholeNumberWithin(1, 256))
         ->type_name("N");
@@ -118,18 +139,7 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     if (const auto code = parseOptions(app, argc, argv)) {
         return *code;
     }
-    if (!method.empty()) {
-        arguments.method = method == "classic" ? Method::Classic : Method::Fast;
-    }
-    std::string wrong;
-    if (!grid.empty()) {
-        wrong = parseGrid(grid, arguments);
-    }
-    if (noImprove || level == "none") {
-        arguments.improve = ImproveLevel::None;
-    } else if (!level.empty()) {
-        arguments.improve = level == "best" ? ImproveLevel::Best : ImproveLevel::Default;
-    }
+    std::string wrong = takeWords(words, arguments);
     if (wrong.empty()) {
         wrong = checkFormats(arguments);
     }

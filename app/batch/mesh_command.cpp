@@ -17,24 +17,32 @@ namespace forefront {
 
 namespace {
 
+/// By content; of what can be read only once, such as a pipe, by name.
+bool isProject(const std::filesystem::path &file) {
+    constexpr std::string_view kProject = "project";
+    std::error_code none;
+    if (std::filesystem::is_regular_file(file, none)) {
+        const FileFormat *const format = fileFormatOf(file);
+        return format != nullptr && format->id == kProject;
+    }
+    const std::vector<const FileFormat *> named = fileFormatsNamed(file);
+    return !named.empty() && named.front()->id == kProject;
+}
+
 /// Domain of any file; spacing and options too where it is a project.
 Result<MeshingJob> readJob(const MeshArguments &arguments) {
-    MeshingJob job;
-    const std::string extension = arguments.input.extension().string();
-    if (extension == ".json" || extension == ".forefront") {
+    if (isProject(arguments.input)) {
         const Result<Document> document = readDocument(arguments.input);
         if (!document) {
             return document.faults();
         }
-        job.spacing = document->spacing;
-        job.options = document->options;
+        return MeshingJob{toDomain(*document), document->spacing, document->options};
     }
     Result<Domain> domain = readDomain(arguments.input);
     if (!domain) {
         return domain.faults();
     }
-    job.domain = std::move(*domain);
-    return job;
+    return MeshingJob{std::move(*domain), {}, {}};
 }
 
 /// The command line wins over the project.

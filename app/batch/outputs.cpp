@@ -3,7 +3,7 @@
 #include "core/io/files.hpp"
 
 #include <algorithm>
-#include <cctype>
+#include <set>
 
 namespace forefront {
 
@@ -27,28 +27,21 @@ std::string formatIds() {
 }
 
 std::string checkFormat(const std::filesystem::path &output, const std::string &id) {
-    std::string extension = output.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    const auto formats = fileFormats();
-    const auto find = [&](auto wanted) {
-        const auto found = std::find_if(formats.begin(), formats.end(), wanted);
-        return found == formats.end() ? nullptr : &*found;
-    };
-    const auto extensionIs = [&](const FileFormat &format) { return extension == format.extension; };
+    const std::vector<const FileFormat *> named = fileFormatsNamed(output);
     if (id.empty()) {
-        const FileFormat *meant = find([&](const FileFormat &f) { return f.writesMesh && extensionIs(f); });
-        return meant != nullptr ? ""
-                                : "-o " + output.string() + ": no format has the extension '" + extension +
-                                      "'; extensions: " + listOf(&FileFormat::extension);
+        const bool known = std::any_of(named.begin(), named.end(), [](const FileFormat *f) { return f->writesMesh; });
+        return known ? ""
+                     : "-o " + output.string() + ": no format has the extension '" + output.extension().string() +
+                           "'; extensions: " + listOf(&FileFormat::extension);
     }
-    const FileFormat *wanted = find([&](const FileFormat &f) { return f.writesMesh && id == f.id; });
-    if (wanted == nullptr) {
+    const auto formats = fileFormats();
+    const auto wanted =
+        std::find_if(formats.begin(), formats.end(), [&](const FileFormat &f) { return f.writesMesh && id == f.id; });
+    if (wanted == formats.end()) {
         return "--format: unknown format '" + id + "'; formats: " + formatIds();
     }
-    const FileFormat *named = find(extensionIs);
-    if (named != nullptr && !extensionIs(*wanted)) {
-        return "-o " + output.string() + " is named as " + named->name + ", but --format " + id + " is " +
+    if (!named.empty() && std::find(named.begin(), named.end(), &*wanted) == named.end()) {
+        return "-o " + output.string() + " is named as " + named.front()->name + ", but --format " + id + " is " +
                wanted->name + " (" + wanted->extension + "); formats go to the outputs in their order";
     }
     return {};
@@ -57,16 +50,30 @@ std::string checkFormat(const std::filesystem::path &output, const std::string &
 Diagnostics checkOutputs(const std::vector<std::filesystem::path> &paths) {
     Diagnostics faults;
     std::error_code none;
+    std::set<std::filesystem::path> files;
+    const auto isTaken = [&](const std::filesystem::path &path) {
+        const std::filesystem::file_status kind = std::filesystem::status(path, none);
+        if (std::filesystem::exists(kind) && !std::filesystem::is_regular_file(kind)) {
+            return false; // a device takes all that comes
+        }
+        const std::filesystem::path file =
+            std::filesystem::weakly_canonical(std::filesystem::absolute(path, none), none);
+        return !file.empty() && !files.insert(file).second;
+    };
     const auto refuse = [&](const std::filesystem::path &path, std::string message, std::string advice) {
         faults.push_back(error("cannot-write", std::move(message), std::move(advice)).front());
         faults.back().file = path.string();
     };
     for (const std::filesystem::path &path : paths) {
         const std::filesystem::path folder = path.parent_path();
-        if (std::filesystem::is_directory(path, none)) {
+        if (path.empty()) {
+            refuse(path, "cannot write a file without a name", "name one");
+        } else if (std::filesystem::is_directory(path, none)) {
             refuse(path, "cannot write the file: it is a folder", "name a file in it");
         } else if (!folder.empty() && !std::filesystem::is_directory(folder, none)) {
             refuse(path, "cannot write the file: there is no folder " + folder.string(), "make it, or choose another");
+        } else if (isTaken(path)) {
+            refuse(path, "cannot write two outputs to one file", "give each a name of its own");
         }
     }
     return faults;

@@ -2,6 +2,7 @@
 #include "app/batch/exit_code.hpp"
 #include "app/batch/interrupt.hpp"
 #include "app/batch/options.hpp"
+#include "app/batch/outputs.hpp"
 #include "app/batch/progress_bar.hpp"
 #include "core/io/files.hpp"
 #include "core/tables/table_report.hpp"
@@ -116,7 +117,18 @@ int tablesCommand(int argc, const char *const *argv) {
         return *code;
     }
     const std::string wrong = parseLists(rows, grids, arguments);
-    return wrong.empty() ? runTables(arguments) : wrongUsage(app.get_name(), wrong);
+    if (!wrong.empty()) {
+        return wrongUsage(app.get_name(), wrong);
+    }
+    std::vector<std::filesystem::path> files;
+    for (const auto &file : {arguments.csv, arguments.svg}) {
+        if (file) {
+            files.push_back(*file);
+        }
+    }
+    const Diagnostics faults = checkOutputs(files);
+    printFaults(faults);
+    return faults.empty() ? runTables(arguments) : static_cast<int>(kRefused);
 }
 
 } // namespace forefront

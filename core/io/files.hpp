@@ -27,6 +27,8 @@ struct FileFormat {
     bool readsDomain, readsMesh, writesMesh;
 };
 std::span<const FileFormat> fileFormats();
+/// The formats that go by the extension of a path, in the order of preference.
+std::vector<const FileFormat *> fileFormatsNamed(const std::filesystem::path &path);
 /// The format of a file by its first bytes, else by its extension; null where neither tells.
 const FileFormat *fileFormatOf(const std::filesystem::path &path);
 
@@ -37,6 +39,7 @@ Result<Document> readDocument(const std::filesystem::path &path, const ImportOpt
 Result<Domain> readDomain(const std::filesystem::path &path, const ImportOptions &options = {});
 /// Faults of the domain that readDomain gave of this file, as its author wants them: with the file's name and, where
 /// the format has such places (.poly, GeoJSON, SVG), with line and number of the parts. Reads the file once more.
+/// Faults that name a file already stay as they are.
 Diagnostics locateFaults(const std::filesystem::path &path, Diagnostics faults, const ImportOptions &options = {});
 /// A mesh: MSH 2.2 (ASCII) or 4.1, VTU, VTK legacy, MEDIT, Abaqus, SU2, Triangle .node/.ele, OBJ.
 Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &options = {});

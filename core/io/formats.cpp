@@ -102,6 +102,17 @@ std::span<const FileFormat> fileFormats() {
     return kAbout;
 }
 
+std::vector<const FileFormat *> fileFormatsNamed(const std::filesystem::path &path) {
+    const std::string extension = lowerExtension(path);
+    std::vector<const FileFormat *> named;
+    for (std::size_t i = 0; i < kFormats.size(); ++i) {
+        if (hasExtension(kFormats[i], extension)) {
+            named.push_back(&fileFormats()[i]);
+        }
+    }
+    return named;
+}
+
 const Format *formatOf(const std::filesystem::path &path, std::string_view content) {
     const std::string extension = lowerExtension(path);
     const std::string_view head = content.substr(0, kHeadBytes);
