@@ -149,8 +149,10 @@ int runAdapt(const AdaptArguments &arguments) {
     bar.clear();
     if (!mesh) {
         const std::filesystem::path &file = arguments.domain.value_or(arguments.mesh);
-        const int code = refuse(meshingFaults(mesh.faults(), *domain, file, true), interrupt);
-        return code == kRefused && hasCode(mesh.faults(), "expression-syntax") ? static_cast<int>(kUsage) : code;
+        const bool mistyped = hasCode(mesh.faults(), "expression-syntax");
+        const int code =
+            refuse(mistyped ? mesh.faults() : meshingFaults(mesh.faults(), *domain, file, true), interrupt);
+        return code == kRefused && mistyped ? static_cast<int>(kUsage) : code;
     }
     for (const std::filesystem::path &path : arguments.outputs) {
         const Status written = writeMesh(path, *mesh, {}, progress);

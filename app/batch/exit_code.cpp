@@ -20,6 +20,9 @@ bool hasCode(const Diagnostics &faults, std::string_view code) {
 
 Diagnostics meshingFaults(const Diagnostics &faults, const Domain &domain, const std::filesystem::path &file,
                           bool asRead) {
+    if (hasCode(faults, "cancelled")) {
+        return faults; // nobody waits for more
+    }
     Diagnostics own = validate(domain);
     for (Diagnostic &fault : own) {
         if (!asRead) {

@@ -21,8 +21,8 @@ void printFaults(const Diagnostics &faults);
 
 bool hasCode(const Diagnostics &faults, std::string_view code);
 
-/// Why a domain was not meshed, or a mesh does not fit it: its own faults if it has any, with the name of its file and, where the domain is as it
-/// was read, their places in it; else `faults`.
+/// Why a domain was not meshed, or a mesh does not fit it: its own faults if it has any, with the name of its file and,
+/// where the domain is as it was read, their places in it; else `faults`.
 Diagnostics meshingFaults(const Diagnostics &faults, const Domain &domain, const std::filesystem::path &file,
                           bool asRead);
 

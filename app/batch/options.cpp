@@ -59,7 +59,8 @@ CLI::Validator wholeNumberWithin(int least, int greatest) {
     return check("a whole number from " + std::to_string(least) + " to " + std::to_string(greatest),
                  [least, greatest](const std::string &text) {
                      const auto value = parse<int>(text);
-                     return value && *value >= least && *value <= greatest;
+                     const bool octal = value && text.ends_with('0' + std::to_string(*value)); // as CLI11 would read it
+                     return value && !octal && *value >= least && *value <= greatest;
                  });
 }
 

@@ -27,6 +27,8 @@ STATS = ["nodes", "elements", "alpha_mean", "alpha_geometric_mean", "alpha_min",
 
 SQUARE = [(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)]
 HOLE = [(1.0, 1.0), (1.0, 2.0), (2.0, 2.0), (2.0, 1.0)]
+PROJECT = """{"format": "forefront", "version": 1, "spacing": {"size": 0.3}, "shapes": [{"id": 1, "kind": "polygon",
+    "use": "boundary", "tag": 1, "nodes": [[0, 0], [4, 0], [4, 3], [0, 3]]}]}"""
 BOW = [(0.0, 0.0), (4.0, 3.0), (4.0, 0.0), (0.0, 3.0)]
 
 
@@ -173,8 +175,24 @@ class Meshing(Case):
             errors = self.call("mesh", "plate.poly", *words, code=2).stderr
             for part in (words[1], words[-1], "(.msh)"):
                 self.assertIn(part, errors)
+        self.assertIn("project", self.call("mesh", "plate.poly", "-o", "a.forefront", "--format", "msh2", code=2).stderr)
         self.assertEqual([p.name for p in self.path.iterdir()], ["plate.poly"])
         self.call("mesh", "plate.poly", "-o", "a.MSH", "--format", "msh41")
+        self.call("mesh", "plate.poly", "-o", "b.ele", "-o", "c.ele", "--format", "triangle")
+        self.assertEqual(self.read("b.ele"), self.read("c.ele"))
+
+    def test_a_project_keeps_its_spacing_whatever_it_is_called(self):
+        self.write("plate.json", PROJECT)
+        wanted = self.stats("plate.json")["hash"]
+        self.assertNotEqual(wanted, self.stats("plate.json", "--size", "1")["hash"])
+        for name in ("PLATE.JSON", "plate", "plate.txt"):
+            self.write(name, PROJECT)
+            self.assertEqual(self.stats(name)["hash"], wanted, name)
+        os.mkfifo(self.path / "pipe.json")
+        process = subprocess.Popen([PROGRAM, "mesh", "pipe.json", "--stats", "-"], cwd=self.path,
+                                   stdout=subprocess.PIPE, text=True)
+        (self.path / "pipe.json").write_text(PROJECT)
+        self.assertEqual(json.loads(process.communicate(timeout=60)[0])["hash"], wanted)
 
     def test_progress_bar_shows_on_a_terminal(self):
         try:
@@ -302,6 +320,15 @@ class Refusing(Case):
                 [line] = self.call(*command, "-o", path, code=1).stderr.splitlines()  # before the input is read
                 self.assertTrue(line.startswith(f"{path}: error: ") and why in line, line)
         self.assertIn("no folder gone", self.call("mesh", "plate.poly", "--stats", "gone/s.json", code=1).stderr)
+        tables = self.call("tables", "--rows", "1A", "--svg", "gone/t.svg", code=1)
+        self.assertIn("no folder gone", tables.stderr)
+        self.assertEqual(tables.stdout, "")
+
+    def test_two_outputs_do_not_go_to_one_file(self):
+        for words in (["-o", "a.msh", "-o", "./a.msh"], ["-o", "a.msh", "--stats", "a.msh"]):
+            self.assertIn("two outputs", self.call("mesh", "plate.poly", *words, code=1).stderr)
+        self.assertIn("without a name", self.call("mesh", "plate.poly", "--stats", "", code=1).stderr)
+        self.call("mesh", "plate.poly", "-o", "/dev/null", "-o", "/dev/null", "--format", "msh2", "--format", "msh2")
 
     def test_check_finds_what_is_wrong(self):
         self.call("mesh", "plate.poly", "-o", "plate.msh", "--size", "0.5")
@@ -318,6 +345,9 @@ class Refusing(Case):
                                                   "-o", "new.msh"]):
             for line in self.call(*command, code=1).stderr.splitlines():
                 self.assertTrue(line.startswith("turned.msh: error: "), line)
+        self.write("bow.poly", poly([BOW]))
+        self.assertIn("expression", self.call("adapt", "plate.msh", "--domain", "bow.poly", "--expression", "1+*x",
+                                              "--error", "0.1", "-o", "new.msh", code=2).stderr)
 
     def test_check_tells_how_well_a_spacing_is_kept(self):
         def kept(*words):
@@ -359,6 +389,9 @@ class Refusing(Case):
                 self.assertEqual(line, f"forefront {command[0]}: {option}: {wanted} is wanted, not '{value}'")
                 self.assertIn("--help", hint)
         self.call(*mesh, "--size", "+.5e0")
+        self.call(*mesh, "--threads", "+2")
+        for octal in ("010", "08", "+002"):
+            self.assertIn(f"not '{octal}'", self.call(*mesh, "--threads", octal, code=2).stderr)
 
     def test_a_word_that_is_neither_command_nor_file_is_named(self):
         self.assertIn("'mash' is neither a command", self.call("mash", "plate.poly", code=2).stderr)
