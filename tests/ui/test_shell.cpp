@@ -279,6 +279,18 @@ TEST_CASE("Editor: in a small window nothing lies over anything else") {
     }
 }
 
+TEST_CASE("Editor: windows of any size are drawn and come to rest") {
+    Driver driver;
+    const PixelSize sizes[] = {{1, 1}, {640, 60}, {640, 130}, {640, 140}, {90, 600}, {3000, 100}, {1280, 800}};
+    for (const PixelSize &size : sizes) {
+        CAPTURE(size.width);
+        CAPTURE(size.height);
+        driver.platform().resize(size, 1.0);
+        CHECK(driver.settle());
+        CHECK(driver.has("splitter/column") == (size.height > 139)); // between the bars is room for it
+    }
+}
+
 TEST_CASE("Editor: the splitter of the right column can be dragged, within bounds") {
     Driver driver;
     const PixelRect edge = driver.context().widgets.find("splitter/column")->rect;

@@ -150,8 +150,8 @@ void drawTabs(AppContext &context) {
 } // namespace
 
 void drawColumn(AppContext &context, const PixelRect &rect) {
-    if (rect.width < 1.0) {
-        return;
+    if (rect.width < 1.0 || rect.height < 1.0) {
+        return; // hidden, or the window is too low for anything between the bars
     }
     beginRegion("##column", rect, context.theme.panel, context.px(12), context.px(6));
     const float edge = static_cast<float>(rect.x);
