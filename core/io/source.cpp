@@ -104,6 +104,10 @@ Result<std::string> readFileBytes(const std::filesystem::path &path, std::size_t
         }
     }
     bytes.resize(size);
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF"; // of UTF-8; no binary format begins so
+    if (bytes.starts_with(kByteOrderMark)) {
+        bytes.erase(0, kByteOrderMark.size());
+    }
     return bytes;
 }
 

@@ -35,7 +35,8 @@ Diagnostic faultAt(const SourceText &source, std::size_t offset, std::string cod
 /// A token as quoted in a message: printable, shortened.
 std::string inQuotes(std::string_view token);
 
-/// The whole content of a file; faults: cannot-read with the text of errno, too-large.
+/// The whole content of a file, without the byte order mark that some editors put before UTF-8; faults: cannot-read
+/// with the text of errno, too-large.
 Result<std::string> readFileBytes(const std::filesystem::path &path, std::size_t maxBytes);
 
 } // namespace forefront
