@@ -213,7 +213,11 @@ int adaptCommand(int argc, const char *const *argv) {
             return wrongUsage(app.get_name(), wrong);
         }
     }
-    const Diagnostics faults = checkOutputs(arguments.outputs);
+    std::vector<std::filesystem::path> inputs{arguments.mesh};
+    if (arguments.domain) {
+        inputs.push_back(*arguments.domain);
+    }
+    const Diagnostics faults = checkOutputs(arguments.outputs, inputs);
     printFaults(faults);
     return faults.empty() ? runAdapt(arguments) : static_cast<int>(kRefused);
 }

@@ -124,7 +124,11 @@ int meshCommand(int argc, const char *const *argv) {
     if (arguments.statistics && !arguments.printsStatistics()) {
         files.push_back(*arguments.statistics);
     }
-    Diagnostics faults = checkOutputs(files);
+    std::vector<std::filesystem::path> inputs{arguments.input};
+    if (arguments.spacingFile) {
+        inputs.emplace_back(*arguments.spacingFile);
+    }
+    Diagnostics faults = checkOutputs(files, inputs);
     if (!faults.empty()) {
         printFaults(faults);
         return kRefused;

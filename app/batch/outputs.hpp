@@ -17,7 +17,8 @@ std::string formatIds();
 std::string checkFormat(const std::filesystem::path &output, const std::string &id);
 
 /// What can be said of the places of outputs before hours of work are spent: folders that do not exist, paths that are
-/// folders, files that are given twice.
-Diagnostics checkOutputs(const std::vector<std::filesystem::path> &paths);
+/// folders, files that are given twice or are inputs.
+Diagnostics checkOutputs(const std::vector<std::filesystem::path> &outputs,
+                         const std::vector<std::filesystem::path> &inputs = {});
 
 } // namespace forefront

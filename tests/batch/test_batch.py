@@ -330,6 +330,20 @@ class Refusing(Case):
         self.assertIn("without a name", self.call("mesh", "plate.poly", "--stats", "", code=1).stderr)
         self.call("mesh", "plate.poly", "-o", "/dev/null", "-o", "/dev/null", "--format", "msh2", "--format", "msh2")
 
+    def test_inputs_are_not_overwritten(self):
+        self.call("mesh", "plate.poly", "-o", "plate.msh")
+        self.call("mesh", "plate.poly", "-o", "plate.node")
+        before = {name: self.read(name) for name in ("plate.poly", "plate.msh", "plate.node", "plate.ele")}
+        for words in (["mesh", "plate.msh", "-o", "./plate.msh"], ["mesh", "plate.node", "-o", "plate.ele"],
+                      ["mesh", "plate.poly", "-o", "a.msh", "--spacing-file", "plate.msh", "--stats", "plate.msh"],
+                      ["adapt", "plate.msh", "--expression", "x", "--error", "0.1", "-o", "plate.msh"]):
+            self.assertIn("it is an input", self.call(*words, code=1).stderr)
+        self.assertEqual(before, {name: self.read(name) for name in before})
+
+    def test_files_may_begin_with_a_byte_order_mark(self):
+        (self.path / "marked.poly").write_bytes(b"\xef\xbb\xbf" + self.read("plate.poly").encode())
+        self.assertEqual(self.stats("marked.poly")["hash"], self.stats("plate.poly")["hash"])
+
     def test_check_finds_what_is_wrong(self):
         self.call("mesh", "plate.poly", "-o", "plate.msh", "--size", "0.5")
         self.write("other.poly", poly([SQUARE]))
