@@ -51,6 +51,7 @@ void printRound(const AdaptArguments &arguments, std::size_t round, std::size_t 
             std::printf(", estimated error %.4f", *error);
         }
         std::printf("\n");
+        std::fflush(stdout); // minutes may pass until the next
     }
 }
 
@@ -105,21 +106,26 @@ Result<Mesh> adaptToField(const AdaptArguments &arguments, const Domain &domain,
 }
 
 Result<Mesh> adaptToExpression(const AdaptArguments &arguments, const Domain &domain, Mesh mesh,
-                               const Progress &progress) {
+                               const Progress &progress, ProgressBar &bar) {
     const Result<NodalField> field = expressionField(*arguments.expression);
     if (!field) {
         return field.faults();
     }
+    const auto tell = [&](std::size_t i, const AdaptRound &round) {
+        bar.clear();
+        printRound(arguments, i, round.nodes, round.elements, round.error);
+    };
     Result<AdaptOutcome> outcome =
-        adapt(domain, std::move(mesh), *field, arguments.target, arguments.rounds, {}, progress);
+        adapt(domain, std::move(mesh), *field, arguments.target, arguments.rounds, {}, progress, tell);
+    bar.clear();
     if (!outcome) {
         return outcome.faults();
     }
-    for (std::size_t i = 0; i < outcome->rounds.size(); ++i) {
-        const AdaptRound &round = outcome->rounds[i];
-        printRound(arguments, i, round.nodes, round.elements, round.error);
-    }
-    if (!outcome->met) {
+    if (outcome->stalled) {
+        std::fputs("warning: the wanted error is not met, and finer meshes do not lower it: does the field jump, or do "
+                   "its values depend on the mesh?\n",
+                   stderr);
+    } else if (!outcome->met) {
         std::fprintf(stderr, "warning: the wanted error is not met; allow more rounds%s\n",
                      arguments.target.sizeMin > 0.0 ? " or a smaller --size-min" : "");
     }
@@ -144,8 +150,9 @@ int runAdapt(const AdaptArguments &arguments) {
         return refuse(domain.faults(), interrupt);
     }
     interrupt.askFromNowOn();
-    const Result<Mesh> mesh = arguments.field ? adaptToField(arguments, *domain, *input, progress)
-                                              : adaptToExpression(arguments, *domain, std::move(input->mesh), progress);
+    const Result<Mesh> mesh = arguments.field
+                                  ? adaptToField(arguments, *domain, *input, progress)
+                                  : adaptToExpression(arguments, *domain, std::move(input->mesh), progress, bar);
     bar.clear();
     if (!mesh) {
         const std::filesystem::path &file = arguments.domain.value_or(arguments.mesh);

@@ -27,6 +27,22 @@ Progress progressOfRound(const Progress &progress, int round) {
     return named;
 }
 
+/// True if the last two meshes are each far finer than the one before and yet no better. One alone may be: the first
+/// meshes may have missed what a finer one sees.
+bool stalls(const std::vector<AdaptRound> &rounds) {
+    constexpr double kFiner = 1.5, kBetter = 0.97;
+    if (rounds.size() < 3) {
+        return false;
+    }
+    for (std::size_t i = rounds.size() - 2; i < rounds.size(); ++i) {
+        if (static_cast<double>(rounds[i].elements) < kFiner * static_cast<double>(rounds[i - 1].elements) ||
+            rounds[i].error < kBetter * rounds[i - 1].error) {
+            return false;
+        }
+    }
+    return true;
+}
+
 } // namespace
 
 Result<NodalField> expressionField(const std::string &expression) {
@@ -59,7 +75,8 @@ Result<NodalField> expressionField(const std::string &expression) {
 }
 
 Result<AdaptOutcome> adapt(const Domain &domain, Mesh mesh, const NodalField &field, const AdaptTarget &target,
-                           int most, const MeshingOptions &options, const Progress &progress) {
+                           int most, const MeshingOptions &options, const Progress &progress,
+                           const AdaptReport &report) {
     AdaptOutcome outcome;
     outcome.mesh = std::move(mesh);
     AdaptTarget aim = target;
@@ -80,8 +97,12 @@ Result<AdaptOutcome> adapt(const Domain &domain, Mesh mesh, const NodalField &fi
         }
         const double reached = estimate->relative();
         outcome.rounds.push_back({outcome.mesh.nodes.size(), outcome.mesh.elements.size(), reached});
+        if (report) {
+            report(outcome.rounds.size() - 1, outcome.rounds.back());
+        }
         outcome.met = reached <= target.error;
-        if (round >= 1 && (outcome.met || round >= most)) {
+        outcome.stalled = !outcome.met && stalls(outcome.rounds);
+        if (round >= 1 && (outcome.met || outcome.stalled || round >= most)) {
             return outcome;
         }
         // Meshes near the target tend to end a little above what was aimed at, one like the other.

@@ -25,17 +25,22 @@ struct AdaptRound {
     double error = 0.0; ///< ErrorEstimate::relative()
 };
 
+/// Told of each round as it ends.
+using AdaptReport = std::function<void(std::size_t round, const AdaptRound &)>;
+
 struct AdaptOutcome {
     Mesh mesh;
     SpacingSpec spacing;            ///< of the last round: on the mesh before the last
     std::vector<AdaptRound> rounds; ///< the given mesh and each that was made
     bool met = false;               ///< the last estimate is within the target
+    bool stalled = false;           ///< given up: finer meshes did not lower the estimate, as where the field jumps
 };
 
 /// Estimates, remeshes the domain with the spacing that follows, evaluates the field on the new mesh, and so on until
-/// the estimate meets the target; at least one and at most `most` new meshes. Faults: those of the field and of the
-/// mesher, "cancelled".
+/// the estimate meets the target or no longer falls; at least one and at most `most` new meshes. Faults: those of the
+/// field and of the mesher, "cancelled".
 Result<AdaptOutcome> adapt(const Domain &domain, Mesh mesh, const NodalField &field, const AdaptTarget &target,
-                           int most, const MeshingOptions &options, const Progress &progress = {});
+                           int most, const MeshingOptions &options, const Progress &progress = {},
+                           const AdaptReport &report = {});
 
 } // namespace forefront

@@ -200,6 +200,27 @@ TEST_CASE("adapt: an expression is met round after round, within the limits that
     CHECK(infinite.faults().front().code == "expression-value");
 }
 
+TEST_CASE("adapt: tells of each round, and gives up where finer meshes do not lower the error") {
+    const auto field = expressionField("atan(1e9*(x-0.5-0.1*y))"); // as good as a jump
+    REQUIRE(field);
+    const Domain square = squareOf(1.0);
+    std::vector<double> told;
+    const auto tell = [&](std::size_t round, const AdaptRound &of) {
+        CHECK(round == told.size());
+        told.push_back(of.error);
+    };
+    const Result<AdaptOutcome> outcome =
+        adapt(square, uniformMesh(square, 0.2), *field, {0.02, 0.0, 0.5, 0.3}, 8, {}, {}, tell);
+    REQUIRE(outcome);
+    CHECK(outcome->stalled);
+    CHECK_FALSE(outcome->met);
+    CHECK(outcome->rounds.size() < 8);
+    REQUIRE(told.size() == outcome->rounds.size());
+    for (std::size_t i = 0; i < told.size(); ++i) {
+        CHECK(told[i] == outcome->rounds[i].error);
+    }
+}
+
 TEST_CASE("adapt: every stage of a round reports and can be cancelled at each of its reports") {
     const Mesh mesh = samples::square(90, 90, 0.2); // 16,200 elements: several reports a stage
     const std::vector<double> values = valuesOf(mesh, [](Vec2 p) { return std::atan(20.0 * (length(p) - 0.7)); });
