@@ -262,10 +262,9 @@ class Validator {
         const Faces faces = findFaces(graph.points, graph.edges, sweep);
         const FaceLabels labels = labelFaces(domain_, graph, faces);
         if (std::none_of(labels.inside.begin(), labels.inside.end(), [](std::uint8_t inside) { return inside != 0; })) {
-            add("empty-domain", "no part of the plane is inside the boundary",
-                "draw a closed boundary, and keep hole markers out of the part to mesh",
-                graph.points[graph.edges[0].a]);
-            checkOpenEnds(graph, sweep, faces, labels);
+            if (!checkOpenEnds(graph, sweep, faces, labels)) { // else they say why
+                addEmpty(graph, sweep);
+            }
             return;
         }
         const bool anyOpen = checkOpenEnds(graph, sweep, faces, labels);
@@ -279,6 +278,30 @@ class Validator {
         }
         checkPointPlaces(graph, sweep, faces, labels);
         checkMarkerPlaces(graph, faces, labels);
+    }
+
+    void addEmpty(const DomainGraph &graph, const PlaneSweepResult &sweep) {
+        if (std::any_of(domain_.segments.begin(), domain_.segments.end(),
+                        [](const DomainSegment &segment) { return segment.role == SegmentRole::Boundary; })) {
+            add("empty-domain", "no part of the plane is inside the boundary",
+                "draw a closed boundary, and keep hole markers out of the part to mesh",
+                graph.points[graph.edges[0].a]);
+            return;
+        }
+        std::vector<std::uint32_t> degree(graph.points.size(), 0);
+        for (const auto &edge : graph.edges) {
+            ++degree[sweep.canonical[edge.a]];
+            ++degree[sweep.canonical[edge.b]];
+        }
+        std::size_t e = 0; // one with a free end, if there is any
+        const auto isFree = [&](std::uint32_t end) { return degree[sweep.canonical[end]] == 1; };
+        while (e + 1 < graph.edges.size() && !isFree(graph.edges[e].a) && !isFree(graph.edges[e].b)) {
+            ++e;
+        }
+        add("empty-domain", "there are only lines that bound nothing, and none that is a boundary",
+            "close the outline: it must end where it begins",
+            graph.points[isFree(graph.edges[e].b) ? graph.edges[e].b : graph.edges[e].a],
+            {aSegment(graph.segment[e])});
     }
 
     /// Free ends of boundary segments that bound nothing, where the rule allows free ends inside.
