@@ -300,8 +300,7 @@ class Validator {
         }
         add("empty-domain", "there are only lines that bound nothing, and none that is a boundary",
             "close the outline: it must end where it begins",
-            graph.points[isFree(graph.edges[e].b) ? graph.edges[e].b : graph.edges[e].a],
-            {aSegment(graph.segment[e])});
+            graph.points[isFree(graph.edges[e].b) ? graph.edges[e].b : graph.edges[e].a], {aSegment(graph.segment[e])});
     }
 
     /// Free ends of boundary segments that bound nothing, where the rule allows free ends inside.

@@ -216,7 +216,7 @@ TEST_CASE("validate: an empty domain is refused") {
     Domain line;
     line.nodes = {{0, 0}, {1, 1}};
     line.segments = {{0, 1, 1, SegmentRole::Constraint}};
-    checkOne(line, "empty-domain", {0, 0}, {0});
+    checkOne(line, "empty-domain", {1, 1}, {0});
     CHECK(validate(line).front().advice.find("close the outline") == 0);
 }
 
