@@ -76,7 +76,11 @@ CLI::Validator oneOf(std::vector<std::string> words) {
 
 void addSpacingOptions(CLI::App &group, std::optional<double> &size, std::optional<std::string> &expression) {
     group.add_option("--size", size, "the same edge length everywhere")->check(positiveNumber())->type_name("H");
-    group.add_option("--spacing", expression, "edge length as an expression in x and y")->type_name("EXPR");
+    group
+        .add_option("--spacing", expression,
+                    "edge length as an expression in x and y, with min, max, sqrt, exp, sin, ... "
+                    "and dist(a,b), the distance to (a, b)")
+        ->type_name("EXPR");
 }
 
 std::optional<int> parseOptions(CLI::App &app, int argc, const char *const *argv) {

@@ -36,8 +36,8 @@ Diagnostics notValid() {
 Diagnostics tooMany(double estimate, Vec2 at) {
     char text[160];
     std::snprintf(text, sizeof text,
-                  "the spacing asks for about %.3g boundary segments, more than the %.3g that can be held", estimate,
-                  kMostPieces);
+                  "at most %.3g boundary segments can be held, and the spacing asks for about %.3g: it is too fine",
+                  kMostPieces, estimate);
     return located("too-many-nodes", text, "make the spacing larger, or keep the boundary segments as they are given",
                    at);
 }

@@ -19,9 +19,10 @@ Diagnostics syntaxError(std::string message, std::size_t column) {
     while (!message.empty() && (message.back() == '.' || message.back() == ' ')) {
         message.pop_back();
     }
-    Diagnostics faults =
-        error("expression-syntax", "In the spacing expression, column " + std::to_string(column) + ": " + message,
-              "write a formula in x and y such as max(0.1, 0.2*dist(3, 2))");
+    Diagnostics faults = error(
+        "expression-syntax", "In the spacing expression, column " + std::to_string(column) + ": " + message,
+        "write a formula in x and y such as max(0.1, 0.2*dist(3, 2)), with + - * / ^, min, max, sqrt, abs, exp, ln, "
+        "sin, atan2 and the like; dist(a, b) is the distance to (a, b)");
     faults.front().column = static_cast<int>(column);
     return faults;
 }

@@ -98,6 +98,7 @@ TEST_CASE("SpacingField: a faulty expression is refused with its column") {
     const auto field = SpacingField::build(spec, rectangle(1, 1, 1, 1));
     REQUIRE(!field.ok());
     CHECK(field.faults().front().code == "expression-syntax");
+    CHECK(field.faults().front().advice.find("dist(a, b)") != std::string::npos);
     CHECK(field.faults().front().column == 7);
 }
 
