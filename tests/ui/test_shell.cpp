@@ -395,4 +395,29 @@ TEST_CASE("Legend: ticks of a logarithmic scale lie in order between the ends") 
     }
 }
 
+TEST_CASE("Legend: no label lies over another, and the ends are always told") {
+    Driver driver;
+    ImFont *font = driver.context().fonts.small;
+    constexpr double kBar = 192.0;
+    std::size_t between = 0;
+    for (double ratio = 1.03; ratio < 1e6; ratio *= 1.07) {
+        for (const double least : {0.034, 0.05, 0.00123, 17.0}) {
+            CAPTURE(least);
+            CAPTURE(ratio);
+            const auto ticks = logarithmicTicks(least, ratio * least, 5);
+            auto labels = legendLabels(font, ticks, kBar, 6.0);
+            REQUIRE(labels.size() >= 2);
+            CHECK(labels[0].text == ticks.front().text);
+            CHECK(labels[1].text == ticks.back().text);
+            between += labels.size() - 2;
+            std::sort(labels.begin(), labels.end(), [](const auto &a, const auto &b) { return a.left < b.left; });
+            for (std::size_t i = 1; i < labels.size(); ++i) {
+                CHECK(labels[i].left >= labels[i - 1].left + labels[i - 1].width + 6.0);
+            }
+            CHECK(labels.back().left + labels.back().width <= kBar + 0.5);
+        }
+    }
+    CHECK(between > 500); // where there is room, round numbers stand between the ends
+}
+
 } // namespace forefront::test

@@ -4,6 +4,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace forefront {
@@ -19,6 +20,28 @@ ImVec2 extent(ImFont *font, const std::string &text) {
 }
 
 } // namespace
+
+std::vector<LegendLabel> legendLabels(ImFont *font, const std::vector<LegendTick> &ticks, double bar, double gap) {
+    std::vector<LegendLabel> labels;
+    const auto place = [&](const LegendTick &tick) {
+        const double width = static_cast<double>(extent(font, tick.text).x);
+        const double left = std::round(std::clamp(tick.at * bar - 0.5 * width, 0.0, std::max(0.0, bar - width)));
+        const bool free = std::all_of(labels.begin(), labels.end(), [&](const LegendLabel &other) {
+            return left >= other.left + other.width + gap || other.left >= left + width + gap;
+        });
+        if (free) {
+            labels.push_back({left, width, tick.text});
+        }
+    };
+    if (!ticks.empty()) {
+        place(ticks.front());
+        place(ticks.back());
+    }
+    for (std::size_t i = 1; i + 1 < ticks.size(); ++i) {
+        place(ticks[i]);
+    }
+    return labels;
+}
 
 void drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &fonts, Vec2 corner,
                    const std::string &title, Colour (*map)(double), const std::vector<LegendTick> &ticks,
@@ -45,12 +68,11 @@ void drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &font
     list.PopClipRect();
     for (const LegendTick &tick : ticks) {
         const double at = x + tick.at * bar;
-        const ImVec2 size = extent(fonts.small, tick.text);
-        const double textX =
-            std::clamp(at - 0.5 * static_cast<double>(size.x), x, x + bar - static_cast<double>(size.x));
         list.AddLine(im(at, y + barHeight), im(at, y + barHeight + 3.0 * s), theme.muted);
-        list.AddText(fonts.small, fonts.small->FontSize, im(std::round(textX), y + barHeight + 3.0 * s), theme.text,
-                     tick.text.c_str());
+    }
+    for (const LegendLabel &label : legendLabels(fonts.small, ticks, bar, 6.0 * s)) {
+        list.AddText(fonts.small, fonts.small->FontSize, im(x + label.left, y + barHeight + 3.0 * s), theme.text,
+                     label.text.c_str());
     }
 }
 
@@ -80,7 +102,7 @@ std::vector<LegendTick> logarithmicTicks(double least, double greatest, std::siz
             ticks.erase(ticks.begin() + static_cast<std::ptrdiff_t>(i));
         }
     }
-    // The ends are always told; round numbers that would touch them are not.
+    // The ends are always told; round numbers beside them are not.
     std::erase_if(ticks, [](const LegendTick &tick) { return tick.at < 0.16 || tick.at > 0.84; });
     ticks.insert(ticks.begin(), {0.0, ui::number(least, 2)});
     ticks.push_back({1.0, ui::number(greatest, 2)});

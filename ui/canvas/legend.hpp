@@ -24,6 +24,16 @@ struct LegendTick {
     std::string text;
 };
 
+/// The text of a tick and where it begins, pixels from the left end of the bar.
+struct LegendLabel {
+    double left = 0.0, width = 0.0;
+    std::string text;
+};
+
+/// Texts of the ticks along a bar `bar` pixels long, each under its tick but within the bar, at least `gap` pixels
+/// apart: the ends (first and last) first, then from the left those for which there is room.
+std::vector<LegendLabel> legendLabels(ImFont *font, const std::vector<LegendTick> &ticks, double bar, double gap);
+
 /// A colour bar with a title and ticks, its lower right corner at `corner` (pixels). `hatchedTo`: the beginning of the
 /// bar up to there is hatched.
 void drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &fonts, Vec2 corner,
