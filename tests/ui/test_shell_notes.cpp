@@ -348,6 +348,26 @@ TEST_CASE("Meshing panel: its options belong to the document, and undo brings th
     CHECK(driver.context().run().outOfDate());
 }
 
+TEST_CASE("Panels: what the empty ones say is not cut off at the edge of the column, however narrow") {
+    Draughtsman driver;
+    for (const double width : {304.0, 240.0}) {
+        CAPTURE(width);
+        driver.context().settings.panelWidth = width;
+        REQUIRE(driver.settle());
+        const double right = driver.canvas().x + driver.canvas().width + width;
+        for (const std::string panel : {"statistics", "histogram", "checks"}) {
+            CAPTURE(panel);
+            driver.click("panel/" + panel);
+            driver.frames(2);
+            REQUIRE(driver.has(panel + "/empty"));
+            const PixelRect text = driver.context().widgets.find(panel + "/empty")->rect;
+            CHECK(text.x + text.width <= right - 8.0);
+        }
+        const PixelRect here = driver.context().widgets.find("inspector/here")->rect;
+        CHECK(here.x + here.width <= right - 8.0);
+    }
+}
+
 TEST_CASE("Spacing panel: no field is cut off at the edge of the column") {
     Draughtsman driver;
     driver.rectangle({0, 0}, {8, 8});

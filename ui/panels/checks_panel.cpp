@@ -21,6 +21,7 @@ class ChecksPanel final : public Panel {
         const Diagnostics &faults = context.preview->faults;
         if (context.document().current()->shapes.empty()) {
             ui::small(context, "Nothing is drawn yet. Press P and click the corners of a polygon.", true);
+            ui::mark(context, "checks/empty");
             return;
         }
         const auto errors = std::count_if(faults.begin(), faults.end(),

@@ -21,6 +21,7 @@ class HistogramPanel final : public Panel {
         const MeshQuality &quality = context.run().now().quality;
         if (quality.elements == 0) {
             ui::small(context, "The shape factor \xce\xb1 of the elements appears here once there is a mesh.", true);
+            ui::mark(context, "histogram/empty");
             return;
         }
         drawSummary(context, quality);

@@ -75,7 +75,8 @@ void InspectorPanel::drawHere(AppContext &context) const {
     const float top = ImGui::GetCursorPosY();
     if (!context.view.pointer || !spacing) {
         ui::small(context, context.preview->spacing ? "Point at the canvas to read the spacing there."
-                                                    : "Draw a domain to see its spacing here.");
+                                                    : "Draw a domain to see its spacing here.",
+                  true);
     } else {
         const SpacingSample sample = spacing->sample(*context.view.pointer);
         ui::small(context, "\xcf\x81 here = " + ui::number(sample.rho, 3) + ": " + sample.describe, true);

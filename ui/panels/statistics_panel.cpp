@@ -20,7 +20,8 @@ class StatisticsPanel final : public Panel {
     void draw(AppContext &context) override {
         const SessionSnapshot &run = context.run().now();
         if (run.state == RunState::Empty || run.state == RunState::Failed) {
-            ui::small(context, "Numbers of the mesh and of the work behind it appear here.");
+            ui::small(context, "Numbers of the mesh and of the work behind it appear here.", true);
+            ui::mark(context, "statistics/empty");
             return;
         }
         ImGui::PushFont(context.fonts.small);
