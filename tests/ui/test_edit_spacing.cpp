@@ -122,6 +122,24 @@ TEST_CASE("Inspector: the fields below stay put while the pointer goes from the 
     CHECK(driver.context().widgets.find("spacing/size")->rect.y == over);
 }
 
+TEST_CASE("Inspector: of a spacing with a fault it says so, of an empty drawing it does not") {
+    Draughtsman driver;
+    REQUIRE(driver.has("inspector/here"));
+    CHECK_FALSE(driver.has("inspector/fault"));
+    driver.rectangle({1, 1}, {9, 8});
+    driver.settle();
+    CHECK_FALSE(driver.has("inspector/fault"));
+    Document faulty = driver.document();
+    faulty.spacing.expression = "0.1+*x";
+    driver.context().document().apply(std::move(faulty), "Change spacing");
+    driver.settle();
+    CHECK(driver.context().preview->spacing == nullptr);
+    CHECK(driver.has("inspector/fault"));
+    driver.key('Z', {Modifiers::kControl});
+    driver.settle();
+    CHECK_FALSE(driver.has("inspector/fault"));
+}
+
 TEST_CASE("Checks: a crossing polygon is a fault with a place; Repair makes it meshable as one command") {
     Draughtsman driver;
     driver.polygon({{1, 1}, {9, 8}, {9, 1}, {1, 8}});

@@ -72,11 +72,15 @@ void useRow(AppContext &context, const std::set<std::uint32_t> &ids, ShapeUse us
 
 void InspectorPanel::drawHere(AppContext &context) const {
     const std::shared_ptr<const SpacingField> &spacing = context.preview->spacing;
+    const std::shared_ptr<const Domain> &domain = context.preview->domain;
     const float top = ImGui::GetCursorPosY();
-    if (!context.view.pointer || !spacing) {
-        ui::small(context, context.preview->spacing ? "Point at the canvas to read the spacing there."
-                                                    : "Draw a domain to see its spacing here.",
-                  true);
+    if (!spacing && domain && !domain->nodes.empty()) {
+        ui::small(context, "The spacing has a fault: see Checks.", true);
+        ui::mark(context, "inspector/fault");
+    } else if (!spacing) {
+        ui::small(context, "Draw a domain to see its spacing here.", true);
+    } else if (!context.view.pointer) {
+        ui::small(context, "Point at the canvas to read the spacing there.", true);
     } else {
         const SpacingSample sample = spacing->sample(*context.view.pointer);
         ui::small(context, "\xcf\x81 here = " + ui::number(sample.rho, 3) + ": " + sample.describe, true);
