@@ -186,9 +186,29 @@ TEST_CASE("Export: what was written is told on the canvas with its size, and so 
 
     driver.key('E', {Modifiers::kControl});
     driver.settle();
-    typeName(driver, "export", place.path / "no-such-folder" / "bay.msh");
+    typeName(driver, "export", place.path / (std::string(300, 'm') + ".msh")); // longer than a name can be
     CHECK(driver.has("canvas/error"));
     CHECK_FALSE(driver.has("canvas/note"));
+}
+
+TEST_CASE("Export: that there is no such folder is said in the dialog, which stays until another is named") {
+    const Workplace place;
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.settle();
+    driver.key('E', {Modifiers::kControl});
+    driver.settle();
+    typeName(driver, "export", place.path / "no-such-folder" / "bay.msh");
+    REQUIRE(driver.has("dialog/export/ok"));
+    CHECK(driver.context().widgets.find("dialog/export/warning")->rect.width > 100.0);
+    CHECK_FALSE(driver.has("canvas/error"));
+    const Diagnostic &fault = driver.context().log.entries().back().diagnostic;
+    CHECK(fault.message.find("there is no folder " + (place.path / "no-such-folder").string()) != std::string::npos);
+    CHECK(fault.advice == "make it, or choose another");
+    CHECK_FALSE(std::filesystem::exists(place.path / "no-such-folder"));
+    typeName(driver, "export", place.path / "bay.msh");
+    CHECK_FALSE(driver.has("dialog/export/ok"));
+    CHECK(readMesh(place.path / "bay.msh").ok());
 }
 
 TEST_CASE("Open: what cannot be read is said in the dialog, until another file is chosen; the drawing stays") {

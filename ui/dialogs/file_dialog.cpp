@@ -22,6 +22,17 @@ std::string dateText(std::int64_t modified) {
     return std::strftime(buffer, sizeof buffer, "%Y-%m-%d %H:%M", &parts) > 0 ? buffer : std::string();
 }
 
+/// Why nothing can be written to a file before it is tried; in the words of the batch program.
+Diagnostics missingFolder(const std::filesystem::path &file) {
+    std::error_code none;
+    const std::filesystem::path folder = file.parent_path();
+    if (folder.empty() || std::filesystem::is_directory(folder, none)) {
+        return {};
+    }
+    return error("cannot-write", "cannot write the file: there is no folder " + folder.string(),
+                 "make it, or choose another");
+}
+
 /// One sentence: the place in the file, the message, the advice.
 std::string told(const Diagnostic &fault) {
     std::string text;
@@ -212,7 +223,10 @@ bool FileDialog::choose(AppContext &context) {
         return false;
     }
     replace_.reset();
-    const Diagnostics faults = request_.chosen(context, file, filter());
+    Diagnostics faults = request_.saves ? missingFolder(file) : Diagnostics{};
+    if (faults.empty()) {
+        faults = request_.chosen(context, file, filter());
+    }
     context.log.keep(faults);
     fault_ = faults.empty() ? std::string() : told(faults.front());
     return faults.empty();
