@@ -27,7 +27,7 @@ class MeshingSession {
     MeshingSession &operator=(const MeshingSession &) = delete;
 
     /// Starts a new run; an earlier one is cancelled. `runToEnd`: mesh at full speed to the end; else pause before the
-    /// first advance.
+    /// first advance. The earlier run stays on show until the new one is prepared, and after that where it is refused.
     void start(std::shared_ptr<const MeshingJob> job, bool runToEnd);
     /// Runs on to the end at full speed, then improves.
     void finish();

@@ -50,19 +50,27 @@ void SessionWorker::runOutOfMemory() {
 }
 
 void SessionWorker::execute(const StartCommand &command) {
-    execute(ClearCommand{});
-    job_ = command.job;
+    if (!travel_) {
+        execute(ClearCommand{});
+    }
+    const RunState before = state_;
     ++run_;
+    diagnostics_.clear();
     const Progress progress = progressInto(RunState::Preparing, mailbox_.beginBlocking(Blocking::Preparing));
     progress("validating", 0.0);
-    Result<PreparedJob> prepared = prepare(*job_, progress);
+    Result<PreparedJob> prepared = prepare(*command.job, progress);
     mailbox_.endBlocking();
     if (!prepared) {
         const bool cancelled = progress.cancelled();
         diagnostics_ = cancelled ? Diagnostics{} : prepared.faults();
-        rest(cancelled ? RunState::Cancelled : RunState::Failed);
+        // The run before, if there is one, stays as it was; it only plays on no longer.
+        rest(travel_ ? (before == RunState::Running ? RunState::Paused : before)
+                     : (cancelled ? RunState::Cancelled : RunState::Failed));
         return;
     }
+    forget();
+    job_ = command.job;
+    shownRun_ = run_;
     spacing_ = prepared->spacing;
     boundary_ = prepared->boundary;
     estimatedElements_ = prepared->estimatedElements;
@@ -76,6 +84,11 @@ void SessionWorker::execute(const StartCommand &command) {
 }
 
 void SessionWorker::execute(const ClearCommand &) {
+    forget();
+    rest(RunState::Empty);
+}
+
+void SessionWorker::forget() {
     travel_.reset();
     job_.reset();
     spacing_.reset();
@@ -88,7 +101,7 @@ void SessionWorker::execute(const ClearCommand &) {
     diagnostics_.clear();
     secondsImprove_ = 0.0;
     stage_.clear();
-    rest(RunState::Empty);
+    shownRun_ = 0;
 }
 
 void SessionWorker::execute(const CancelCommand &) {
@@ -235,6 +248,7 @@ void SessionWorker::publish(bool resting) {
     auto snapshot = std::make_shared<SessionSnapshot>();
     snapshot->sequence = ++sequence_;
     snapshot->run = run_;
+    snapshot->shownRun = shownRun_;
     snapshot->state = state_;
     snapshot->diagnostics = diagnostics_;
     snapshot->stage = stage_;
@@ -269,7 +283,7 @@ void SessionWorker::fillFromRun(SessionSnapshot &snapshot, bool resting) {
         snapshot.quality = finalQuality_;
         snapshot.improved = job_->options.improve != ImproveLevel::None;
     }
-    if (state_ != RunState::Improving) {
+    if (state_ != RunState::Improving && state_ != RunState::Preparing) {
         snapshot.progress = travel_->timeline().complete() ? 1.0 : frontProgress();
     }
     snapshot.rate = travel_->rate();

@@ -38,6 +38,8 @@ class SessionWorker {
     void execute(const ClearCommand &command);
     void execute(const WantCommand &command);
 
+    /// Gives the run back: its mesh and its timeline.
+    void forget();
     void setOut();
     void follow(Way way);
     void rest(RunState state);
@@ -72,6 +74,7 @@ class SessionWorker {
     std::string stage_;
     double stageProgress_ = 0.0;
     std::uint64_t run_ = 0;
+    std::uint64_t shownRun_ = 0; ///< the one that travel_ is of; 0: none
     std::uint64_t sequence_ = 0;
     SnapshotLayers layers_;
     Clock::time_point lastPublish_;

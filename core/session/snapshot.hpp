@@ -24,7 +24,7 @@ enum class RunState : std::uint8_t {
     Improving, ///< Γ = ∅; swapping and smoothing
     Finished,  ///< at the end, mesh complete
     Cancelled, ///< stopped by the user; the partial mesh stays and can be stepped
-    Failed     ///< refused: see diagnostics
+    Failed     ///< refused, and there was no run before: see diagnostics
 };
 
 /// What a snapshot shall carry besides the numbers; copied on demand only.
@@ -66,8 +66,9 @@ struct MeshView {
 struct SessionSnapshot {
     std::uint64_t sequence = 0; ///< grows with each snapshot
     std::uint64_t run = 0;      ///< number of the run (start() calls)
+    std::uint64_t shownRun = 0; ///< of the mesh and the timeline: an earlier one while `run` is prepared or if refused
     RunState state = RunState::Empty;
-    Diagnostics diagnostics;
+    Diagnostics diagnostics;   ///< why `run` was refused
     std::string stage;         ///< "discretising", "advancing the front", "improving", ...
     double progress = 0.0;     ///< of the stage, in [0, 1]; an estimate while the front advances
     std::uint64_t advance = 0; ///< position on the timeline: advances done

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -290,6 +291,49 @@ TEST_CASE("Run: a refused domain is told with its place, and the log goes there"
     driver.click(link);
     CHECK(distance(driver.context().view.camera.centre, {5, 5}) < 1e-6);
     CHECK(driver.context().view.flag.has_value());
+}
+
+TEST_CASE("Run: a mesh that is refused leaves the one before, out of date, and undo makes it current") {
+    Driver driver;
+    load(driver, square(8, 0.8));
+    driver.key(key::k2);
+    REQUIRE(driver.settle());
+    REQUIRE(driver.run().state == RunState::Finished);
+    const std::uint64_t hash = driver.run().meshHash, known = driver.run().known;
+    Document tooFine = *driver.context().document().current();
+    tooFine.spacing.size = 1e-6;
+    driver.context().document().apply(std::move(tooFine), "Change size");
+    driver.key(key::k2);
+    REQUIRE(driver.settle());
+    CHECK(driver.run().state == RunState::Finished);
+    CHECK(driver.run().meshHash == hash);
+    CHECK(driver.run().known == known);
+    REQUIRE(driver.run().mesh != nullptr);
+    CHECK(driver.run().mesh->mesh.elements.size() > 100);
+    CHECK(driver.has("canvas/outofdate"));
+    CHECK(driver.has("canvas/error"));
+    const auto faults = [&] {
+        const auto &entries = driver.context().log.entries();
+        return std::count_if(entries.begin(), entries.end(),
+                             [](const auto &entry) { return entry.diagnostic.severity == Severity::Error; });
+    };
+    CHECK(faults() == 1);
+    // Its timeline is still there, and the refusal is told once.
+    driver.key(key::kHome);
+    REQUIRE(driver.settle());
+    CHECK(driver.run().advance == 0);
+    driver.key(key::kEnd);
+    REQUIRE(driver.settle());
+    CHECK(driver.run().meshHash == hash);
+    CHECK(faults() == 1);
+    driver.key('Z', {Modifiers::kControl});
+    REQUIRE(driver.settle());
+    CHECK_FALSE(driver.context().run().outOfDate());
+    CHECK_FALSE(driver.has("canvas/outofdate"));
+    driver.key(key::k2);
+    REQUIRE(driver.settle());
+    CHECK(driver.run().meshHash == hash);
+    CHECK(driver.run().diagnostics.empty());
 }
 
 TEST_CASE("Canvas: the picture of a drawing does not depend on where in the plane it lies") {

@@ -196,6 +196,30 @@ TEST_CASE("MeshingSession: a refused domain says why and a new start works") {
     waitFor(session, [](const SessionSnapshot &s) { return s.state == RunState::Finished && s.run == 2; });
 }
 
+TEST_CASE("MeshingSession: what is refused leaves the run before as it stood") {
+    auto crossing = std::make_shared<MeshingJob>(*squareWithHole(0.1));
+    std::swap(crossing->domain.nodes[1], crossing->domain.nodes[2]);
+    MeshingSession session;
+    session.start(squareWithHole(0.1), false);
+    session.step(Granularity::Advance, 20);
+    const SnapshotPtr before = settled(session);
+    REQUIRE(before->advance == 20);
+    CHECK(before->shownRun == 1);
+    session.start(crossing, true);
+    const SnapshotPtr after = settled(session);
+    CHECK_FALSE(after->diagnostics.empty());
+    CHECK(after->run == 2);
+    CHECK(after->shownRun == 1);
+    CHECK(after->stateHash != 0);
+    session.seek(20);
+    CHECK(settled(session)->stateHash == before->stateHash);
+    session.start(squareWithHole(0.3), true);
+    const SnapshotPtr next = settled(session);
+    CHECK(next->state == RunState::Finished);
+    CHECK(next->shownRun == 3);
+    CHECK(next->diagnostics.empty());
+}
+
 TEST_CASE("MeshingSession: any order of commands leaves a session that still works") {
     MeshingSession session;
     std::uint64_t random = 12345;

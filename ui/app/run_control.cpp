@@ -16,13 +16,21 @@ void RunControl::refresh() {
     snapshot_ = session_.latest();
     cancelling_ = cancelling_ && busy;
     const SessionSnapshot &s = *snapshot_;
+    if (s.run == lastStart_ && s.state != RunState::Preparing && s.shownRun > 0) {
+        starts_.erase(starts_.begin(), starts_.lower_bound(s.shownRun));
+        shown_ = starts_[s.shownRun]; // of an earlier run where the last was refused
+    }
     if (s.run == loggedRun_ && s.state == loggedState_) {
         return;
     }
     const bool news = s.run != loggedRun_ || s.state == RunState::Failed || s.state == RunState::Finished ||
                       s.state == RunState::Cancelled;
-    if (news && s.state == RunState::Failed) {
-        log_.add(s.diagnostics, startedRevision_);
+    const bool refused = !s.diagnostics.empty() && (s.state == RunState::Failed || s.run != refusalTold_);
+    if (refused) {
+        log_.add(s.diagnostics, starts_[s.run].revision);
+        refusalTold_ = s.run;
+    } else if (s.shownRun != s.run) {
+        // The mesh before was told of in its time.
     } else if (news && s.state == RunState::Cancelled && loggedState_ != RunState::Cancelled) {
         log_.note(ui::format("Cancelled after %llu advances; the partial mesh can be stepped through",
                              static_cast<unsigned long long>(s.known)));
@@ -48,9 +56,8 @@ void RunControl::start(bool runToEnd) {
     job->spacing = document->spacing;
     job->options = document->options;
     session_.start(std::move(job), runToEnd);
-    method_ = document->options.method;
     started_ = true;
-    startedRevision_ = document_.revision();
+    shown_ = starts_[++lastStart_] = {document_.revision(), document->options.method};
 }
 
 bool RunControl::startIfNeeded() {
@@ -118,11 +125,11 @@ bool RunControl::hasRun() const {
 }
 
 bool RunControl::outOfDate() const {
-    return started_ && startedRevision_ != document_.revision();
+    return started_ && shown_.revision != document_.revision();
 }
 
 Method RunControl::method() const {
-    return hasRun() ? method_ : document_.current()->options.method;
+    return hasRun() ? shown_.method : document_.current()->options.method;
 }
 
 void RunControl::setSpeed(double factor) {

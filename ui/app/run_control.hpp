@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 
 namespace forefront {
@@ -68,8 +69,15 @@ class RunControl {
     MessageLog &log_;
     MeshingSession session_;
     std::shared_ptr<const SessionSnapshot> snapshot_;
-    std::uint64_t startedRevision_ = 0;
-    Method method_ = Method::Fast; ///< of the run
+    /// What was meshed.
+    struct Start {
+        std::uint64_t revision = 0;
+        Method method = Method::Fast;
+    };
+    std::map<std::uint64_t, Start> starts_; ///< by number of the run, from the one on show to the last
+    std::uint64_t lastStart_ = 0;
+    Start shown_;
+    std::uint64_t refusalTold_ = 0; ///< number of the run
     bool started_ = false;
     bool cancelling_ = false;
     double speed_ = 1.0;
