@@ -366,6 +366,12 @@ TEST_CASE("Panels: what the empty ones say is not cut off at the edge of the col
         const PixelRect here = driver.context().widgets.find("inspector/here")->rect;
         CHECK(here.x + here.width <= right - 8.0);
     }
+    driver.rectangle({1, 1}, {9, 8}); // now the inspector asks to point at the canvas
+    driver.moveTo({driver.canvas().x + driver.canvas().width + 120.0, 100.0});
+    REQUIRE(driver.settle());
+    REQUIRE_FALSE(driver.context().view.pointer);
+    const PixelRect here = driver.context().widgets.find("inspector/here")->rect;
+    CHECK(here.x + here.width <= driver.canvas().x + driver.canvas().width + 240.0 - 8.0);
 }
 
 TEST_CASE("Spacing panel: no field is cut off at the edge of the column") {
