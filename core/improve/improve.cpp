@@ -32,9 +32,6 @@ constexpr double kEarlyFloor = 0.4, kLateFloor = 0.7;
 constexpr std::size_t kSmallMesh = 100'000; ///< elements
 constexpr Round kSmallRounds[] = {{3, {0.5F, 0.9F}, kEarlyFloor}, {5, {0.3F, 1.1F}, kLateFloor}};
 constexpr Round kDefaultRounds[] = {{2, {0.7F, 0.7F}, kEarlyFloor}, {2, {0.5F, 0.9F}, kLateFloor}};
-// From {0.45, 0.95} to {0.9, 0.5} graded meshes rise from α .9897 to .9905 and fall from δ .964 to .961, discs of
-// 10,000 elements from .9958 to .9963 and from .974 to .973.
-constexpr SmoothingAims kBestAims{0.8F, 0.6F};
 constexpr Round kBestRounds[] = {
     {1, kBestAims, kEarlyFloor, true}, {1, kBestAims, kEarlyFloor, true}, {10, kBestAims, kLateFloor}};
 constexpr std::size_t kRoom = 32; ///< nodes that may become one more before memory must be asked for anew

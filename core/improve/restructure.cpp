@@ -29,7 +29,6 @@ constexpr std::size_t kTrials = 4;
 constexpr int kSweeps = 2;
 constexpr int kRounds = 4;
 constexpr float kLeastGain = 0.04F;
-constexpr SmoothingAims kAims{0.8F, 0.6F}; ///< those of the sweeps before and after
 /// Places in the ring that a new node takes.
 constexpr unsigned kTaken = 2;
 
@@ -210,7 +209,7 @@ class Restructuring {
             if (!apply(changed, trial)) {
                 continue;
             }
-            changed.relax(kSweeps, kAims);
+            changed.relax(kSweeps, kBestAims);
             const Cutout::Loss after = changed.loss();
             const float gain = before.sum - after.sum;
             if (gain > best && static_cast<double>(after.least) >= floor_) {

@@ -1,11 +1,17 @@
 #pragma once
 
 #include "core/base/progress.hpp"
+#include "core/improve/smooth.hpp"
 #include "core/improve/workspace.hpp"
 
 #include <cstddef>
 
 namespace forefront {
+
+/// Of the sweeps on the best level, those over the mesh and those over the surroundings of a change. From {0.45, 0.95}
+/// to {0.9, 0.5} graded meshes rise from α .9897 to .9905 and fall from δ .964 to .961, discs of 10,000 elements from
+/// .9958 to .9963 and from .974 to .973.
+inline constexpr SmoothingAims kBestAims{0.8F, 0.6F};
 
 struct RestructureCounts {
     std::size_t turned = 0;  ///< edges
