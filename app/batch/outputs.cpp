@@ -3,7 +3,6 @@
 #include "core/io/files.hpp"
 
 #include <algorithm>
-#include <array>
 #include <set>
 
 namespace forefront {
@@ -24,20 +23,6 @@ std::string listOf(const char *FileFormat::*word) {
 std::filesystem::path resolved(const std::filesystem::path &file) {
     std::error_code none;
     return std::filesystem::weakly_canonical(std::filesystem::absolute(file, none), none);
-}
-
-/// The files that go with a name: those of a mesh of Triangle stand side by side.
-std::vector<std::filesystem::path> withCompanions(const std::filesystem::path &path) {
-    static constexpr std::array<std::string_view, 3> kTriangle{".node", ".ele", ".edge"};
-    if (std::find(kTriangle.begin(), kTriangle.end(), path.extension().string()) == kTriangle.end()) {
-        return {path};
-    }
-    std::vector<std::filesystem::path> files;
-    for (const std::string_view extension : kTriangle) {
-        files.push_back(path);
-        files.back().replace_extension(extension);
-    }
-    return files;
 }
 
 } // namespace
@@ -74,7 +59,7 @@ Diagnostics checkOutputs(const std::vector<std::filesystem::path> &outputs,
     std::set<std::filesystem::path> read, written;
     const auto addTo = [&](std::set<std::filesystem::path> &files, const std::filesystem::path &path) {
         bool added = true;
-        for (const std::filesystem::path &file : withCompanions(path)) {
+        for (const std::filesystem::path &file : filesOfMesh(path)) {
             const std::filesystem::file_status kind = std::filesystem::status(file, none);
             if (!std::filesystem::exists(kind) || std::filesystem::is_regular_file(kind)) { // a device takes all
                 added = files.insert(resolved(file)).second && added;
@@ -83,29 +68,23 @@ Diagnostics checkOutputs(const std::vector<std::filesystem::path> &outputs,
         return added;
     };
     const auto isInput = [&](const std::filesystem::path &path) {
-        const std::vector<std::filesystem::path> files = withCompanions(path);
+        const std::vector<std::filesystem::path> files = filesOfMesh(path);
         return std::any_of(files.begin(), files.end(),
                            [&](const std::filesystem::path &file) { return read.count(resolved(file)) > 0; });
     };
     for (const std::filesystem::path &path : inputs) {
         addTo(read, path);
     }
-    const auto refuse = [&](const std::filesystem::path &path, std::string message, std::string advice) {
-        faults.push_back(error("cannot-write", std::move(message), std::move(advice)).front());
-        faults.back().file = path.string();
-    };
     for (const std::filesystem::path &path : outputs) {
-        const std::filesystem::path folder = path.parent_path();
-        if (path.empty()) {
-            refuse(path, "cannot write a file without a name", "name one");
-        } else if (std::filesystem::is_directory(path, none)) {
-            refuse(path, "cannot write the file: it is a folder", "name a file in it");
-        } else if (!folder.empty() && !std::filesystem::is_directory(folder, none)) {
-            refuse(path, "cannot write the file: there is no folder " + folder.string(), "make it, or choose another");
-        } else if (isInput(path)) {
-            refuse(path, "cannot write the file: it is an input", "choose another name");
-        } else if (!addTo(written, path)) {
-            refuse(path, "cannot write two outputs to one file", "give each a name of its own");
+        Diagnostics wrong = checkPlace(path);
+        if (wrong.empty() && isInput(path)) {
+            wrong = error("cannot-write", "cannot write the file: it is an input", "choose another name");
+        } else if (wrong.empty() && !addTo(written, path)) {
+            wrong = error("cannot-write", "cannot write two outputs to one file", "give each a name of its own");
+        }
+        for (Diagnostic &fault : wrong) {
+            fault.file = path.string();
+            faults.push_back(std::move(fault));
         }
     }
     return faults;

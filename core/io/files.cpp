@@ -181,6 +181,37 @@ Status writeMesh(const std::filesystem::path &path, const Mesh &mesh, std::strin
     }
 }
 
+std::vector<std::filesystem::path> filesOfMesh(const std::filesystem::path &path, std::string_view formatId) {
+    const auto &parts = kTriangleExtensions;
+    const bool triangle = formatId.empty() ? std::find(parts.begin(), parts.end(), path.extension()) != parts.end()
+                                           : formatId == "triangle";
+    if (!triangle) {
+        return {path};
+    }
+    std::vector<std::filesystem::path> files;
+    for (const char *extension : parts) {
+        files.push_back(path);
+        files.back().replace_extension(extension);
+    }
+    return files;
+}
+
+Status checkPlace(const std::filesystem::path &path) {
+    std::error_code none;
+    const std::filesystem::path folder = path.parent_path();
+    if (path.empty()) {
+        return error("cannot-write", "cannot write a file without a name", "name one");
+    }
+    if (std::filesystem::is_directory(path, none)) {
+        return error("cannot-write", "cannot write the file: it is a folder", "name a file in it");
+    }
+    if (!folder.empty() && !std::filesystem::is_directory(folder, none)) {
+        return error("cannot-write", "cannot write the file: there is no folder " + folder.string(),
+                     "make it, or choose another");
+    }
+    return {};
+}
+
 Result<std::unique_ptr<Companion>> readCompanion(const SourceText &source, const char *extension) {
     std::filesystem::path path = source.path;
     if (path.empty()) {

@@ -59,6 +59,12 @@ Result<SpacingSpec> readSpacing(const std::filesystem::path &path, const ImportO
 Status writeMesh(const std::filesystem::path &path, const Mesh &mesh, std::string_view formatId = {},
                  const Progress &progress = {});
 
+/// The files that writeMesh writes under a name: that one, or those of Triangle side by side. `formatId` as there.
+std::vector<std::filesystem::path> filesOfMesh(const std::filesystem::path &path, std::string_view formatId = {});
+/// Why no file can be written in this place, as far as it shows without trying: it has no name, is a folder, or lies in
+/// one that does not exist. The fault does not name the file.
+Status checkPlace(const std::filesystem::path &path);
+
 /// Own project file, versioned JSON. Atomic.
 Status writeProject(const std::filesystem::path &path, const Document &document);
 /// The JSON text of a project and back; for the recovery journal and tests.

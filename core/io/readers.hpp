@@ -3,6 +3,8 @@
 #include "core/io/source.hpp"
 #include "core/io/text_writer.hpp"
 
+#include <array>
+
 namespace forefront {
 
 // The readers and writers proper, from and to memory; each format lives in a file of its own. Every fault carries its
@@ -49,6 +51,8 @@ void writeObj(const Mesh &mesh, TextWriter &out);
 Result<Mesh> readTriangle(const SourceText &source);
 /// `edges` may be null.
 Result<Mesh> readTriangleParts(const SourceText &nodes, const SourceText &elements, const SourceText *edges);
+/// Extensions of the files that writeTriangle writes side by side: nodes, elements, tagged edges.
+inline constexpr std::array<const char *, 3> kTriangleExtensions{".node", ".ele", ".edge"};
 Status writeTriangle(const std::filesystem::path &path, const Mesh &mesh, const Progress &progress);
 
 void writeSvg(const Mesh &mesh, TextWriter &out);

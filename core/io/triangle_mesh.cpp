@@ -48,15 +48,13 @@ void writeEdges(const Mesh &mesh, TextWriter &out) {
 
 /// J. R. Shewchuk's Triangle: nodes with markers, triangles with the region as attribute, the tagged edges.
 Status writeTriangle(const std::filesystem::path &path, const Mesh &mesh, const Progress &progress) {
-    struct Part {
-        const char *extension;
-        void (*write)(const Mesh &, TextWriter &);
-    };
-    for (const Part part : {Part{".node", writeNodes}, Part{".ele", writeElements}, Part{".edge", writeEdges}}) {
+    using Write = void (*)(const Mesh &, TextWriter &);
+    static constexpr std::array<Write, kTriangleExtensions.size()> kWrites{writeNodes, writeElements, writeEdges};
+    for (std::size_t i = 0; i < kWrites.size(); ++i) {
         std::filesystem::path file = path;
-        file.replace_extension(part.extension);
+        file.replace_extension(kTriangleExtensions[i]);
         const Status status = writeTextFile(
-            file, [&](TextWriter &out) { part.write(mesh, out); }, progress, 1 + mesh.elements.size() * 32);
+            file, [&](TextWriter &out) { kWrites[i](mesh, out); }, progress, 1 + mesh.elements.size() * 32);
         if (!status.empty()) {
             return status;
         }

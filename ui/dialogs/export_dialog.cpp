@@ -91,18 +91,13 @@ bool drawMeshLine(AppContext &context, bool &asked) {
     return true;
 }
 
-/// Bytes of what was written; the Triangle format writes three files.
-std::uintmax_t bytesOf(const std::filesystem::path &file, const std::string &format) {
+/// Bytes of what was written.
+std::uintmax_t bytesOf(const std::filesystem::path &path, const std::string &format) {
     std::uintmax_t sum = 0;
-    for (const char *extension : {".node", ".ele", ".edge"}) {
+    for (const std::filesystem::path &file : filesOfMesh(path, format)) {
         std::error_code failed;
-        const bool triangle = format == "triangle";
-        const auto bytes = std::filesystem::file_size(
-            triangle ? std::filesystem::path(file).replace_extension(extension) : file, failed);
+        const std::uintmax_t bytes = std::filesystem::file_size(file, failed);
         sum += failed ? 0 : bytes;
-        if (!triangle) {
-            break;
-        }
     }
     return sum;
 }

@@ -1,5 +1,6 @@
 #include "ui/dialogs/file_dialog.hpp"
 
+#include "core/io/files.hpp"
 #include "ui/app/app_context.hpp"
 #include "ui/text_wrap.hpp"
 #include "ui/widgets.hpp"
@@ -20,17 +21,6 @@ std::string dateText(std::int64_t modified) {
     }
     char buffer[32];
     return std::strftime(buffer, sizeof buffer, "%Y-%m-%d %H:%M", &parts) > 0 ? buffer : std::string();
-}
-
-/// Why nothing can be written to a file before it is tried; in the words of the batch program.
-Diagnostics missingFolder(const std::filesystem::path &file) {
-    std::error_code none;
-    const std::filesystem::path folder = file.parent_path();
-    if (folder.empty() || std::filesystem::is_directory(folder, none)) {
-        return {};
-    }
-    return error("cannot-write", "cannot write the file: there is no folder " + folder.string(),
-                 "make it, or choose another");
 }
 
 /// One sentence: the place in the file, the message, the advice.
@@ -223,7 +213,7 @@ bool FileDialog::choose(AppContext &context) {
         return false;
     }
     replace_.reset();
-    Diagnostics faults = request_.saves ? missingFolder(file) : Diagnostics{};
+    Diagnostics faults = request_.saves ? checkPlace(file) : Status{};
     if (faults.empty()) {
         faults = request_.chosen(context, file, filter());
     }
