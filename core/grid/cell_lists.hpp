@@ -9,7 +9,7 @@
 namespace forefront {
 
 /// Lists of segments, one a cell: chains of blocks in one pool with a free list. All blocks of a chain but the first
-/// are full. A list's order means nothing.
+/// are full. A list's order means nothing. All boxes that a list is given are of its cell.
 class CellLists {
   public:
     static constexpr std::uint32_t kEnd = kNoIndex;
@@ -19,15 +19,12 @@ class CellLists {
         std::uint32_t size = 0;
     };
 
-    /// `domain`: holds most segments.
-    explicit CellLists(const Box2 &domain) : scale_(domain) {}
-
-    void push(List &list, SlotId slot, const Box2 &box) {
+    void push(List &list, SlotId slot, const CellBox &box) {
         const unsigned lane = list.size % SegmentBlock::kWidth;
         if (lane == 0) {
             list.head = allocate(list.head);
         }
-        blocks_[list.head].set(lane, slot, scale_(box));
+        blocks_[list.head].set(lane, slot, box);
         ++list.size;
     }
 
@@ -40,19 +37,19 @@ class CellLists {
         const unsigned last = --list.size % SegmentBlock::kWidth;
         blocks_[found.block].copy(found.lane, blocks_[list.head], last);
         if (last == 0) {
-            const std::uint32_t next = blocks_[list.head].next;
-            blocks_[list.head].next = free_;
+            const std::uint32_t next = next_[list.head];
+            next_[list.head] = free_;
             free_ = list.head;
             list.head = next;
         }
     }
 
     /// Gives an entry of the list another box.
-    void move(const List &list, SlotId slot, const Box2 &box) {
+    void move(const List &list, SlotId slot, const CellBox &box) {
         const Entry found = find(list, slot);
         FOREFRONT_ASSERT(found.block != kEnd);
         if (found.block != kEnd) {
-            blocks_[found.block].set(found.lane, slot, scale_(box));
+            blocks_[found.block].set(found.lane, slot, box);
         }
     }
 
@@ -65,12 +62,9 @@ class CellLists {
         });
     }
 
-    /// What a query of the box compares with.
-    BoxScale::Box scaled(const Box2 &box) const { return scale_(box); }
-
-    /// All, with whether their boxes overlap; one too close to tell counts as overlapping.
+    /// All, with whether their boxes overlap.
     template <class Visit>
-    void forEach(const List &list, const BoxScale::Box &box, Visit &&visit) const {
+    void forEach(const List &list, const CellBox &box, Visit &&visit) const {
         forEachBlock(list, [&](const SegmentBlock &block, unsigned entries) {
             const unsigned near = block.overlapping(box);
             for (unsigned lane = 0; lane < entries; ++lane) {
@@ -81,7 +75,7 @@ class CellLists {
 
     /// Those whose boxes overlap.
     template <class Visit>
-    void forEachNear(const List &list, const BoxScale::Box &box, Visit &&visit) const {
+    void forEachNear(const List &list, const CellBox &box, Visit &&visit) const {
         forEachBlock(list, [&](const SegmentBlock &block, unsigned entries) {
             for (unsigned near = block.overlapping(box) & firstLanes(entries); near != 0; near &= near - 1) {
                 visit(block.slots[static_cast<unsigned>(std::countr_zero(near))]);
@@ -104,7 +98,7 @@ class CellLists {
     template <class Visit>
     void forEachBlock(const List &list, const Visit &visit) const {
         unsigned entries = inFirst(list);
-        for (std::uint32_t block = list.head; block != kEnd; block = blocks_[block].next) {
+        for (std::uint32_t block = list.head; block != kEnd; block = next_[block]) {
             visit(blocks_[block], entries);
             entries = SegmentBlock::kWidth;
         }
@@ -112,7 +106,7 @@ class CellLists {
 
     Entry find(const List &list, SlotId slot) const {
         unsigned entries = inFirst(list);
-        for (std::uint32_t block = list.head; block != kEnd; block = blocks_[block].next) {
+        for (std::uint32_t block = list.head; block != kEnd; block = next_[block]) {
             const unsigned lanes = blocks_[block].holding(slot) & firstLanes(entries);
             if (lanes != 0) {
                 return {block, static_cast<unsigned>(std::countr_zero(lanes))};
@@ -127,15 +121,16 @@ class CellLists {
         if (block == kEnd) {
             block = static_cast<std::uint32_t>(blocks_.size());
             blocks_.emplace_back();
+            next_.push_back(next);
         } else {
-            free_ = blocks_[block].next;
+            free_ = next_[block];
+            next_[block] = next;
         }
-        blocks_[block].next = next;
         return block;
     }
 
-    BoxScale scale_;
     std::vector<SegmentBlock> blocks_;
+    std::vector<std::uint32_t> next_; ///< per block
     std::uint32_t free_ = kEnd;
 };
 

@@ -10,7 +10,7 @@ constexpr int kMostCells = 16; // no more than Place can number
 } // namespace
 
 HierarchicalGrid::HierarchicalGrid(const Box2 &bounds, double slack, double cellPerLength)
-    : slack_(slack), cellPerLength_(cellPerLength), blocks_(bounds) {
+    : slack_(slack), cellPerLength_(cellPerLength) {
     const Vec2 size = bounds.size();
     const double cellSize = std::max(std::max(size.x, size.y) / kTopCells, 64.0 * slack_);
     const auto cellsAlong = [&](double extent) {
@@ -93,7 +93,8 @@ bool HierarchicalGrid::keeps(SlotId id, Vec2 a, Vec2 b) const {
 
 void HierarchicalGrid::moved(const GenerationFront &front, SlotId id) {
     const Place &place = places_[index(id)];
-    blocks_.move(cells_[place.cell].list, id, boxOf(front.start(id), front.end(id)));
+    blocks_.move(cells_[place.cell].list, id,
+                 CellScale(tables_[place.table].lattice, place.i, place.j)(boxOf(front.start(id), front.end(id))));
 }
 
 void HierarchicalGrid::insertInto(std::uint32_t tableIndex, const GenerationFront &front, SlotId id) {
@@ -106,7 +107,7 @@ void HierarchicalGrid::insertInto(std::uint32_t tableIndex, const GenerationFron
             split(tableIndex, at, lattice.cellBox(i, j), length, front);
         }
         if (cells_[at].table == kLeaf) {
-            blocks_.push(cells_[at].list, id, boxOf(front.start(id), front.end(id)));
+            blocks_.push(cells_[at].list, id, CellScale(lattice, i, j)(boxOf(front.start(id), front.end(id))));
             places_[index(id)] = {tableIndex, at, static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j)};
             ++pushed_;
         } else {
@@ -130,8 +131,9 @@ void HierarchicalGrid::split(std::uint32_t above, std::uint32_t cellIndex, const
     const Lattice lattice = tables_[table].lattice;
     for (const SlotId id : residents) {
         const Box2 ends = boxOf(front.start(id), front.end(id));
-        forEachCrossedCell(lattice, front.start(id), front.end(id), slack_,
-                           [&](int i, int j) { blocks_.push(cells_[cell(tables_[table], i, j)].list, id, ends); });
+        forEachCrossedCell(lattice, front.start(id), front.end(id), slack_, [&](int i, int j) {
+            blocks_.push(cells_[cell(tables_[table], i, j)].list, id, CellScale(lattice, i, j)(ends));
+        });
     }
 }
 

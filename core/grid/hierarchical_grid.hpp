@@ -30,24 +30,22 @@ class HierarchicalGrid {
     /// As NoGrid::query.
     template <class Deliver, class Visited>
     void query(const GenerationFront &, const Box2 &box, Deliver &&deliver, Visited &&visited) const {
-        const BoxScale::Box scaled = blocks_.scaled(box.grown(slack_));
-        queryTable(tableAround(box.grown(slack_)), box,
-                   [&](const CellLists::List &list, const Lattice &in, int i, int j) {
-                       visited(in.cellBox(i, j));
-                       blocks_.forEach(list, scaled, deliver);
-                   });
+        const Box2 grown = box.grown(slack_);
+        queryTable(tableAround(grown), box, [&](const CellLists::List &list, const Lattice &in, int i, int j) {
+            visited(in.cellBox(i, j));
+            blocks_.forEach(list, CellScale(in, i, j)(grown), deliver);
+        });
     }
 
     /// As NoGrid::queryNear.
     template <class Deliver, class Visited>
     std::uint32_t queryNear(const GenerationFront &, const Box2 &box, Deliver &&deliver, Visited &&visited) const {
-        const BoxScale::Box scaled = blocks_.scaled(box);
         std::uint32_t looked = 0;
         queryTable(tableAround(box.grown(slack_)), box,
                    [&](const CellLists::List &list, const Lattice &in, int i, int j) {
                        visited(in.cellBox(i, j));
                        looked += list.size;
-                       blocks_.forEachNear(list, scaled, deliver);
+                       blocks_.forEachNear(list, CellScale(in, i, j)(box), deliver);
                    });
         return looked;
     }

@@ -1,88 +1,83 @@
 #pragma once
 
 #include "core/base/ids.hpp"
-#include "core/geometry/vec2.hpp"
+#include "core/grid/lattice.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
 #ifdef __SSE2__
 #include <emmintrin.h>
 #endif
 
 namespace forefront {
 
-/// Boxes in floats: coordinates relative to a domain's box, in units of its greater side, cut off well outside it.
-class BoxScale {
-  public:
-    explicit BoxScale(const Box2 &domain)
-        : origin_(domain.min),
-          perSide_(std::min(1.0 / std::max(domain.size().x, domain.size().y), std::numeric_limits<double>::max())) {}
+/// A box in whole 256ths of a cell, from its lower corner, cut off at its edges; all of them belong to it.
+struct CellBox {
+    std::uint8_t minX, minY, maxX, maxY;
+};
 
-    struct Box {
-        float minX, maxX, minY, maxY;
-    };
-    Box operator()(const Box2 &box) const {
-        return {scaled(box.min.x - origin_.x), scaled(box.max.x - origin_.x), scaled(box.min.y - origin_.y),
-                scaled(box.max.y - origin_.y)};
+/// Makes the boxes of one cell. Where two boxes overlap, so do theirs in any cell: every step is monotone, so neither
+/// rounding nor the edges can part them.
+class CellScale {
+  public:
+    CellScale(const Lattice &lattice, int i, int j)
+        : origin_(lattice.cellBox(i, j).min), perX_(kSteps * lattice.perWidth), perY_(kSteps * lattice.perHeight) {}
+
+    CellBox operator()(const Box2 &box) const {
+        return {step((box.min.x - origin_.x) * perX_), step((box.min.y - origin_.y) * perY_),
+                step((box.max.x - origin_.x) * perX_), step((box.max.y - origin_.y) * perY_)};
     }
 
-    /// More than what the rounding of two coordinates may amount to, eight times over.
-    static constexpr float kMargin = 1e-6F;
+    static constexpr double kSteps = 256.0;
 
   private:
-    float scaled(double fromOrigin) const {
-        return std::min(std::max(static_cast<float>(fromOrigin * perSide_), -1.0F), 2.0F);
+    static std::uint8_t step(double t) {
+        return static_cast<std::uint8_t>(static_cast<int>(std::min(std::max(t, 0.0), kSteps - 1.0)));
     }
 
     Vec2 origin_;
-    double perSide_;
+    double perX_, perY_;
 };
 
-/// Up to eight segments with their boxes side by side, so that a few vector instructions compare them all. The boxes
-/// are grown by more than what conversion to floats may have moved them and a box they are compared with.
+/// Up to eight segments of a cell with their boxes side by side, so that a few vector instructions compare them all. It
+/// fills a line of the cache: a large front does not fit in there, and what a search has to fetch is what it costs.
 struct alignas(64) SegmentBlock {
     static constexpr unsigned kWidth = 8;
 
-    std::array<float, kWidth> minX, maxX, minY, maxY;
+    std::array<std::uint8_t, kWidth> minX, minY, maxX, maxY;
     std::array<SlotId, kWidth> slots;
-    std::uint32_t next;
 
-    void set(unsigned lane, SlotId slot, const BoxScale::Box &box) {
-        minX[lane] = box.minX - BoxScale::kMargin;
-        maxX[lane] = box.maxX + BoxScale::kMargin;
-        minY[lane] = box.minY - BoxScale::kMargin;
-        maxY[lane] = box.maxY + BoxScale::kMargin;
+    void set(unsigned lane, SlotId slot, const CellBox &box) {
+        minX[lane] = box.minX;
+        minY[lane] = box.minY;
+        maxX[lane] = box.maxX;
+        maxY[lane] = box.maxY;
         slots[lane] = slot;
     }
     void copy(unsigned lane, const SegmentBlock &from, unsigned fromLane) {
-        minX[lane] = from.minX[fromLane];
-        maxX[lane] = from.maxX[fromLane];
-        minY[lane] = from.minY[fromLane];
-        maxY[lane] = from.maxY[fromLane];
-        slots[lane] = from.slots[fromLane];
+        set(lane, from.slots[fromLane],
+            {from.minX[fromLane], from.minY[fromLane], from.maxX[fromLane], from.maxY[fromLane]});
     }
 
-    /// A bit per lane whose box overlaps the given one or cannot be compared; lanes that were never set count, too.
-    unsigned overlapping(const BoxScale::Box &box) const;
-    /// A bit per lane that holds the slot; lanes that were never set count, too.
+    /// A bit per lane whose box overlaps the given one; lanes that were never set may count, too.
+    unsigned overlapping(const CellBox &box) const;
+    /// A bit per lane that holds the slot; lanes that were never set may count, too.
     unsigned holding(SlotId slot) const;
 };
+static_assert(sizeof(SegmentBlock) == 64);
 
 #ifdef __SSE2__
 
-inline unsigned SegmentBlock::overlapping(const BoxScale::Box &box) const {
-    const __m128 minOfBoxX = _mm_set1_ps(box.minX), maxOfBoxX = _mm_set1_ps(box.maxX);
-    const __m128 minOfBoxY = _mm_set1_ps(box.minY), maxOfBoxY = _mm_set1_ps(box.maxY);
-    const auto four = [&](unsigned lane) {
-        const __m128 x = _mm_and_ps(_mm_cmpngt_ps(_mm_load_ps(&minX[lane]), maxOfBoxX),
-                                    _mm_cmpnlt_ps(_mm_load_ps(&maxX[lane]), minOfBoxX));
-        const __m128 y = _mm_and_ps(_mm_cmpngt_ps(_mm_load_ps(&minY[lane]), maxOfBoxY),
-                                    _mm_cmpnlt_ps(_mm_load_ps(&maxY[lane]), minOfBoxY));
-        return static_cast<unsigned>(_mm_movemask_ps(_mm_and_ps(x, y)));
+inline unsigned SegmentBlock::overlapping(const CellBox &box) const {
+    const auto pair = [](std::uint8_t x, std::uint8_t y) {
+        return _mm_unpacklo_epi64(_mm_set1_epi8(static_cast<char>(x)), _mm_set1_epi8(static_cast<char>(y)));
     };
-    return four(0) | four(4) << 4U;
+    const __m128i low = _mm_load_si128(reinterpret_cast<const __m128i *>(minX.data()));
+    const __m128i high = _mm_load_si128(reinterpret_cast<const __m128i *>(maxX.data()));
+    const __m128i apart =
+        _mm_or_si128(_mm_subs_epu8(low, pair(box.maxX, box.maxY)), _mm_subs_epu8(pair(box.minX, box.minY), high));
+    const auto both = static_cast<unsigned>(_mm_movemask_epi8(_mm_cmpeq_epi8(apart, _mm_setzero_si128())));
+    return both & both >> kWidth;
 }
 
 inline unsigned SegmentBlock::holding(SlotId slot) const {
@@ -96,11 +91,11 @@ inline unsigned SegmentBlock::holding(SlotId slot) const {
 
 #else
 
-inline unsigned SegmentBlock::overlapping(const BoxScale::Box &box) const {
+inline unsigned SegmentBlock::overlapping(const CellBox &box) const {
     unsigned lanes = 0;
     for (unsigned k = 0; k < kWidth; ++k) {
-        lanes |= static_cast<unsigned>(!(minX[k] > box.maxX) & !(maxX[k] < box.minX) & !(minY[k] > box.maxY) &
-                                       !(maxY[k] < box.minY))
+        lanes |= static_cast<unsigned>((minX[k] <= box.maxX) & (maxX[k] >= box.minX) & (minY[k] <= box.maxY) &
+                                       (maxY[k] >= box.minY))
                  << k;
     }
     return lanes;

@@ -15,12 +15,12 @@ Lattice latticeOver(const Box2 &bounds, int columns, int rows) {
 
 UniformGrid::UniformGrid(const Box2 &bounds, int columns, int rows)
     : lattice_(latticeOver(bounds, columns, rows)), slack_(gridSlack(bounds)),
-      lists_(static_cast<std::size_t>(lattice_.columns) * static_cast<std::size_t>(lattice_.rows)), blocks_(bounds) {}
+      lists_(static_cast<std::size_t>(lattice_.columns) * static_cast<std::size_t>(lattice_.rows)) {}
 
 void UniformGrid::insert(const GenerationFront &front, SlotId id) {
     const Box2 box = boxOf(front.start(id), front.end(id));
     forEachCrossedCell(lattice_, front.start(id), front.end(id), slack_,
-                       [&](int i, int j) { blocks_.push(lists_[cell(i, j)], id, box); });
+                       [&](int i, int j) { blocks_.push(lists_[cell(i, j)], id, CellScale(lattice_, i, j)(box)); });
 }
 
 void UniformGrid::remove(const GenerationFront &front, SlotId id) {

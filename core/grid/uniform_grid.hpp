@@ -26,22 +26,21 @@ class UniformGrid {
     /// As NoGrid::query.
     template <class Deliver, class Visited>
     void query(const GenerationFront &, const Box2 &box, Deliver &&deliver, Visited &&visited) const {
-        const BoxScale::Box scaled = blocks_.scaled(box.grown(slack_));
+        const Box2 grown = box.grown(slack_);
         forEachCellNear(box, [&](const CellLists::List &list, int i, int j) {
             visited(lattice_.cellBox(i, j));
-            blocks_.forEach(list, scaled, deliver);
+            blocks_.forEach(list, CellScale(lattice_, i, j)(grown), deliver);
         });
     }
 
     /// As NoGrid::queryNear.
     template <class Deliver, class Visited>
     std::uint32_t queryNear(const GenerationFront &, const Box2 &box, Deliver &&deliver, Visited &&visited) const {
-        const BoxScale::Box scaled = blocks_.scaled(box);
         std::uint32_t looked = 0;
         forEachCellNear(box, [&](const CellLists::List &list, int i, int j) {
             visited(lattice_.cellBox(i, j));
             looked += list.size;
-            blocks_.forEachNear(list, scaled, deliver);
+            blocks_.forEachNear(list, CellScale(lattice_, i, j)(box), deliver);
         });
         return looked;
     }

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <map>
 #include <random>
 #include <set>
@@ -16,16 +17,17 @@ std::set<std::uint32_t> slotsOf(const CellLists &lists, const CellLists::List &l
     return slots;
 }
 
-std::set<std::uint32_t> nearOf(const CellLists &lists, const CellLists::List &list, const Box2 &box) {
+std::set<std::uint32_t> nearOf(const CellLists &lists, const CellLists::List &list, const CellBox &box) {
     std::set<std::uint32_t> slots;
-    lists.forEachNear(list, lists.scaled(box), [&](SlotId id) { slots.insert(static_cast<std::uint32_t>(index(id))); });
+    lists.forEachNear(list, box, [&](SlotId id) { slots.insert(static_cast<std::uint32_t>(index(id))); });
     return slots;
 }
 
 } // namespace
 
 TEST_CASE("CellLists: pushing, erasing and moving in two lists agrees with a map") {
-    CellLists lists({{0, 0}, {1, 1}});
+    CellLists lists;
+    const CellScale scale(Lattice({0, 0}, {1, 1}, 1, 1), 0, 0);
     std::array<CellLists::List, 2> list;
     std::array<std::map<std::uint32_t, Box2>, 2> expected;
     std::mt19937_64 random(11);
@@ -37,10 +39,10 @@ TEST_CASE("CellLists: pushing, erasing and moving in two lists agrees with a map
         const auto found = expected[k].find(slot);
         const Box2 to = box();
         if (found == expected[k].end()) {
-            lists.push(list[k], SlotId{slot}, to);
+            lists.push(list[k], SlotId{slot}, scale(to));
             expected[k][slot] = to;
         } else if (random() % 3 == 0) {
-            lists.move(list[k], SlotId{slot}, to);
+            lists.move(list[k], SlotId{slot}, scale(to));
             found->second = to;
         } else {
             lists.erase(list[k], SlotId{slot});
@@ -53,29 +55,42 @@ TEST_CASE("CellLists: pushing, erasing and moving in two lists agrees with a map
         }
         REQUIRE(slotsOf(lists, list[k]) == all);
         const Box2 query = boxAround({unit(), unit()}, 0.1);
-        const std::set<std::uint32_t> near = nearOf(lists, list[k], query);
+        const std::set<std::uint32_t> near = nearOf(lists, list[k], scale(query));
         for (const auto &[id, at] : expected[k]) {
             REQUIRE((near.count(id) == 1) >= query.overlaps(at));
-            REQUIRE((near.count(id) == 0) >= !query.grown(1e-5).overlaps(at));
+            REQUIRE((near.count(id) == 0) >= !query.grown(1.0 / CellScale::kSteps).overlaps(at));
         }
     }
 }
 
-TEST_CASE("CellLists: boxes that touch are near, whatever the size of the domain and however far they leave it") {
-    for (const double size : {1e-310, 1e-30, 1.0, 1e30, 1e300}) {
+TEST_CASE("CellScale: boxes that overlap do so in every cell, however far they leave it") {
+    for (const double size : {1e-60, 1e-30, 1.0, 1e30, 1e60}) {
         for (const Vec2 corner : {Vec2{0, 0}, Vec2{-3, 7}}) {
-            const Vec2 low = size * corner;
-            const auto at = [&](double x, double y) { return low + Vec2{x * size, y * size}; };
-            CellLists lists({low, at(1, 0.5)});
-            CellLists::List list;
+            const Lattice lattice(size * corner, {size / 3.0, size / 7.0}, 3, 7);
             std::mt19937_64 random(5);
-            const auto far = [&] { return (static_cast<double>(random() >> 11) * 0x1p-53 - 0.5) * 200.0; };
-            for (std::uint32_t i = 0; i < 300; ++i) {
-                lists.push(list, SlotId{i}, boxOf(at(far(), far()), at(far(), far())));
-                const Vec2 p = at(far(), far());
-                lists.push(list, SlotId{1000 + i}, boxOf(p, at(far(), far())));
-                REQUIRE(nearOf(lists, list, boxOf(p, p)).count(1000 + i) == 1);
+            const auto unit = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+            const auto box = [&] {
+                const double extent = size * std::pow(10.0, -3.0 * unit());
+                const Vec2 a = lattice.origin + Vec2{size * (3.0 * unit() - 1.0), size * (3.0 * unit() - 1.0)};
+                return boxOf(a, a + Vec2{extent * (unit() - 0.5), extent * (unit() - 0.5)});
+            };
+            int overlapping = 0;
+            for (int round = 0; round < 1000; ++round) {
+                const Box2 p = box();
+                const Box2 q = round % 3 == 0 ? boxAround(p.max, 0.0) : box(); // the first only touches
+                if (!p.overlaps(q)) {
+                    continue;
+                }
+                ++overlapping;
+                for (int cell = 0; cell < lattice.columns * lattice.rows; ++cell) {
+                    const CellScale scale(lattice, cell % lattice.columns, cell / lattice.columns);
+                    CellLists lists;
+                    CellLists::List list;
+                    lists.push(list, SlotId{7}, scale(p));
+                    REQUIRE(nearOf(lists, list, scale(q)).count(7) == 1);
+                }
             }
+            CHECK(overlapping > 300);
         }
     }
 }
