@@ -6,6 +6,10 @@
 namespace forefront {
 
 bool BaseOrder::comesLater(const Entry &a, const Entry &b) {
+    const std::uint32_t portionA = a.serial >> kPortionBits, portionB = b.serial >> kPortionBits;
+    if (portionA != portionB) {
+        return portionA > portionB;
+    }
     return a.length != b.length ? a.length > b.length : a.serial > b.serial;
 }
 
@@ -15,7 +19,7 @@ bool BaseOrder::valid(const GenerationFront &front, const Entry &entry, std::siz
 }
 
 std::size_t BaseOrder::classOf(const FrontSlot &slot) {
-    constexpr unsigned kDroppedBits = 52 - 5;
+    constexpr unsigned kDroppedBits = 52 - 4;
     return slot.mark.failureClass > 0
                ? kDeferred + std::min<std::size_t>(slot.mark.failureClass, kFailureClasses) - 1
                : static_cast<std::size_t>(std::bit_cast<std::uint64_t>(slot.length) >> kDroppedBits);

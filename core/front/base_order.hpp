@@ -7,10 +7,16 @@
 
 namespace forefront {
 
-/// Which segment of Γ is the next base: of the lowest failure class the shortest, ties by serial. One binary heap for
-/// each narrow class of lengths, so that its depth does not grow with Γ; entries of segments that are gone or were
-/// deferred since are skipped when they come up. What it delivers depends on Γ alone, not on the history of the heaps,
-/// so stepping back only needs to offer the restored segments again.
+/// Which segment of Γ is the next base: of the lowest failure class the shortest, ties by serial. In a large front that
+/// alone would jump to and fro, and what a step needs would have left the caches. So lengths count as equal if their
+/// first five binary digits are the same, hence within 1/16, and of equal ones those of the oldest portion come first,
+/// the shortest before the others; a portion is so many segments made one after the other that it fits in a cache. Up
+/// to some 10,000 elements there is only one. On Lo's rows this lowers the exponent of the cost in Ne from 1.06 to
+/// 1.03 and leaves the quality as it is; portions a quarter as large, 1.02 for δ .986 in place of .990 on discs.
+///
+/// One binary heap for each class of lengths, so that its depth does not grow with Γ; entries of segments that are gone
+/// or were deferred since are skipped when they come up. What it delivers depends on Γ alone, not on the history of the
+/// heaps, so stepping back only needs to offer the restored segments again.
 class BaseOrder {
   public:
     /// Offers every segment of the front.
@@ -28,8 +34,9 @@ class BaseOrder {
         SlotId slot;
     };
     using Heap = std::vector<Entry>;
-    /// Exponent and five bits of the mantissa of a length; then the failure classes, from 1, the last for all greater.
-    static constexpr std::size_t kDeferred = 1U << 16U;
+    static constexpr unsigned kPortionBits = 14; ///< low bits of a serial, those of its place in the portion
+    /// Exponent and four bits of the mantissa of a length; then the failure classes, from 1, the last for all greater.
+    static constexpr std::size_t kDeferred = 1U << 15U;
     static constexpr std::size_t kFailureClasses = 64;
     static constexpr std::size_t kClasses = kDeferred + kFailureClasses;
 

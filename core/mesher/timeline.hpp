@@ -24,7 +24,7 @@ class Timeline {
     std::uint64_t back(std::uint64_t count);
 
     /// Positions at which a layer of the front was completed, rising. A layer is as many advances as Γ had segments
-    /// when it began: the front once around, since strictly shortest-first leaves no rings to count.
+    /// when it began: the front once around, since shortest-first leaves no rings to count.
     const std::vector<std::uint64_t> &layerEnds() const { return layerEnds_; }
     /// What the advance from position p to p + 1 did; p < known().
     const AdvanceDelta &delta(std::uint64_t p) const { return deltas_[p]; }

@@ -143,7 +143,7 @@ std::string caption(const AdvanceExplanation &explanation, std::size_t cursor) {
     case Step::BoundaryToFront:
     case Step::TakeBase:
         return text + (explanation.walked ? "next along the front, taken as base AB"
-                                          : "the shortest segment of the front, taken as base AB");
+                                          : "one of the shortest segments of the front, taken as base AB");
     case Step::EvaluateSpacing:
         return text + "node spacing ρ = " + format("%.4g", explanation.rho) + " wanted here";
     case Step::IdealPoint:

@@ -41,7 +41,7 @@ Result<GridRun> advanceOnce(const TableGrid &grid, const MeshingJob &job, const 
 /// Short runs are repeated and the least time taken, which other work on the machine disturbs least.
 Result<GridRun> advanceWith(const TableGrid &grid, const MeshingJob &job, const PreparedJob &prepared,
                             const std::string &stage, const Progress &progress) {
-    constexpr double kLong = 2.0; // seconds in all
+    constexpr double kLong = 8.0; // seconds in all
     constexpr int kMost = 5;
     Result<GridRun> best = advanceOnce(grid, job, prepared, stage, progress);
     double spent = best ? best->seconds : kLong;

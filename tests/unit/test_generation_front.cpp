@@ -4,6 +4,11 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
 using namespace forefront;
 using namespace forefront::testing;
 
@@ -182,5 +187,41 @@ TEST_CASE("BaseOrder: shortest first, ties by serial, deferred segments last") {
     CHECK(front[third].length == 3.0);
     CHECK(front[third].mark.serial < front[fourth].mark.serial);
     CHECK(order.take(front) == first);
+    CHECK(order.take(front) == kNoSlot);
+}
+
+TEST_CASE("BaseOrder: about equal lengths come in portions of age, the shortest of a portion first") {
+    // Segments of some portions in a row, their lengths within 1 % of 1, 2 and 4.
+    constexpr std::uint32_t kSegments = 40'000;
+    GenerationFront front(*DiscreteBuilder().loop({{0, 0}, {3e5, 0}, {3e5, 1}}).region(1, 1.5e5).build());
+    std::mt19937_64 random(4);
+    SlotId last{0};
+    double x = 0.0;
+    for (std::uint32_t i = 0; i < kSegments; ++i) {
+        const double power = static_cast<double>(1U << random() % 3);
+        x += power * (1.0 + 0.01 * static_cast<double>(random() >> 11) * 0x1p-53);
+        last = front.insertAfter(last, {x, 0}, NodeId{3 + i});
+    }
+    struct Expected {
+        int power;
+        std::uint32_t portion;
+        double length;
+        std::uint32_t serial;
+        SlotId slot;
+        auto operator<=>(const Expected &) const = default;
+    };
+    std::vector<Expected> expected;
+    for (std::uint32_t i = 0; i < front.capacity(); ++i) {
+        const FrontSlot &slot = front[SlotId{i}];
+        expected.push_back(
+            {std::ilogb(slot.length), slot.mark.serial / 16384, slot.length, slot.mark.serial, SlotId{i}});
+    }
+    std::sort(expected.begin(), expected.end());
+    REQUIRE(std::any_of(expected.begin(), expected.end(), [](const Expected &e) { return e.portion > 1; }));
+    BaseOrder order;
+    order.rebuild(front);
+    for (const Expected &next : expected) {
+        REQUIRE(order.take(front) == next.slot);
+    }
     CHECK(order.take(front) == kNoSlot);
 }

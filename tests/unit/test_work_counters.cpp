@@ -44,7 +44,7 @@ constexpr Bounds kBounds[] = {
     {"square", 1e4, Method::Classic, ImproveLevel::None, 0.0385, 2.63, 2.79, 21.7, 0.0},
     {"disc", 1e4, Method::Classic, ImproveLevel::None, 0.0107, 2.50, 2.80, 26.3, 0.0},
     {"graded", 0.1, Method::Classic, ImproveLevel::None, 0.0525, 5.05, 2.46, 17.3, 0.0},
-    {"ramp", 2e4, Method::Classic, ImproveLevel::None, 0.0330, 2.95, 2.61, 15.9, 0.0},
+    {"ramp", 2e4, Method::Classic, ImproveLevel::None, 0.0391, 2.95, 2.61, 15.9, 0.0},
     {"islands", 3e4, Method::Classic, ImproveLevel::None, 0.0910, 4.91, 2.36, 12.4, 0.0},
 };
 
