@@ -15,6 +15,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLeastStrips = 8.0;   ///< with fewer, one thread is soon done with all
 constexpr double kMostStrips = 16.0;   ///< enough for any number of threads
+constexpr double kTogether = 2.0;      ///< a multiple of it: else one of two threads ends without work
 constexpr double kCoarse = 1.0 / 16.0; ///< of the width of a strip
 
 /// How the elements to come are spread along the longer side of a box: ∫ dA/ρ², by cells that are quartered where ρ
@@ -121,7 +122,8 @@ FrontRegions::FrontRegions(const DiscreteDomain &domain, const SpacingField &spa
         return;
     }
     const ElementProfile profile(box, spacing);
-    const std::vector<double> cuts = profile.cuts(static_cast<int>(std::min(kMostStrips, elements / perStrip)));
+    const double strips = kTogether * std::ceil(std::min(kMostStrips, elements / perStrip) / kTogether);
+    const std::vector<double> cuts = profile.cuts(static_cast<int>(strips));
     if (cuts.empty()) {
         return;
     }
