@@ -9,10 +9,9 @@ FrontState::FrontState(const DiscreteDomain &boundary, const FrontCare &howCaref
       manyRegions(boundary.regions.size() > 1),
       smallNodesLeft(16 * static_cast<std::uint64_t>(boundary.nodes.size()) + 1000) {}
 
-FrontState::FrontState(const FrontState &whole, GenerationFront part, std::uint32_t onlyRegion)
+FrontState::FrontState(const FrontState &whole, GenerationFront part, std::uint32_t onlyRegion, std::uint32_t firstNew)
     : front(std::move(part)), care(whole.care), regions(whole.regions), region(onlyRegion), regionEnd(onlyRegion + 1),
-      firstNode(static_cast<std::uint32_t>(whole.nodes.size())), manyRegions(whole.manyRegions),
-      smallNodesLeft(whole.smallNodesLeft) {}
+      firstNode(firstNew), manyRegions(whole.manyRegions), smallNodesLeft(whole.smallNodesLeft) {}
 
 std::uint64_t FrontState::hash() const {
     Hash64 hash;

@@ -24,8 +24,9 @@ struct Walk {
 /// Everything a run consists of besides the background grid: Γ, the order of bases, nodes and elements so far.
 struct FrontState {
     explicit FrontState(const DiscreteDomain &boundary, const FrontCare &howCareful = {});
-    /// For a part of Γ that is advanced alone, in one region: new nodes get the ids after those of `whole`.
-    FrontState(const FrontState &whole, GenerationFront part, std::uint32_t onlyRegion);
+    /// For a part of Γ that is advanced alone, in one region: new nodes get the ids from `firstNew` on. Reads neither
+    /// nodes nor elements of `whole`.
+    FrontState(const FrontState &whole, GenerationFront part, std::uint32_t onlyRegion, std::uint32_t firstNew);
 
     GenerationFront front;
     BaseOrder order; ///< of the classic method

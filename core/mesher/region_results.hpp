@@ -1,54 +1,39 @@
 #pragma once
 
-#include "core/base/thread_pool.hpp"
 #include "core/mesher/front_state.hpp"
 
-#include <atomic>
 #include <cstddef>
+#include <mutex>
 #include <vector>
 
 namespace forefront {
 
-/// Nodes and elements of the regions of a phase on their way into the whole, in the order of the regions. Most of the
-/// cost is memory that is touched first. It can be paid while the last regions are still being advanced, by threads
-/// that have none left.
+/// Nodes and elements of the regions of a phase on their way into the whole, in the order of the regions. Each is taken
+/// over as soon as all before it have been, while others are still being advanced, and its memory serves the next.
 class RegionResults {
   public:
+    /// From now on nodes and elements of the whole belong to this.
     RegionResults(FrontState &whole, std::size_t regions);
 
-    /// A region has its part of the whole and reads it no more.
-    void begun() { begun_.fetch_add(1, std::memory_order_release); }
-    /// Region k has been advanced to its end.
+    /// Region k has been advanced to its end. By this call or one that another thread is in, its arrays are emptied
+    /// once those of all regions before it have been. Any thread, once for each region.
     void finished(std::size_t k, FrontState &state);
 
-    /// Work for threads that have no region left: each of so many tasks does what can be done already, and returns. No
-    /// task may be done by two threads at once.
-    std::size_t earlyTasks() const { return 2 + finished_.size(); }
-    void early(std::size_t task);
-    /// Does the rest once all regions have finished; their arrays are then empty.
-    void gather(ThreadPool &pool);
-
-    /// What the ids of new nodes of region k grow by.
-    std::uint32_t shift(std::size_t k) const { return static_cast<std::uint32_t>(offsetOf(k).nodes - first_.nodes); }
-    std::uint32_t firstNew() const { return static_cast<std::uint32_t>(first_.nodes); }
+    /// Number of nodes before the phase: ids from here on are of new ones.
+    std::uint32_t firstNew() const { return firstNew_; }
+    /// What the ids of new nodes of region k grow by. It and all before it must have finished.
+    std::uint32_t shift(std::size_t k) const { return shifts_[k]; }
 
   private:
-    struct Count {
-        std::size_t nodes = 0, elements = 0;
-    };
-    Count offsetOf(std::size_t k) const;
-    void growEarly(bool nodes);
-    void grow(const Count &to, bool nodes);
-    void copyEarly(std::size_t k);
-    void copy(std::size_t k, FrontState &from);
+    void take(std::size_t k);
 
     FrontState &whole_;
-    Count first_;               ///< in the whole before
-    std::vector<Count> counts_; ///< of the regions that have finished
-    std::vector<std::atomic<FrontState *>> finished_;
-    std::vector<std::uint8_t> copied_; ///< each written by one task
-    std::atomic<std::size_t> begun_ = 0;
-    std::atomic<std::size_t> nodes_, elements_; ///< that the arrays of the whole have room for
+    std::uint32_t firstNew_;
+    std::vector<std::uint32_t> shifts_; ///< of the regions taken over
+    std::mutex mutex_;
+    std::vector<FrontState *> finished_; ///< null until then; guarded
+    std::size_t next_ = 0;               ///< to be taken over; guarded
+    bool taking_ = false;                ///< a thread is at it; guarded
 };
 
 } // namespace forefront

@@ -35,13 +35,8 @@ class RegionRunner {
             const std::size_t first = regions.phases[phase], last = regions.phases[phase + 1];
             std::vector<RegionRun> runs(last - first);
             RegionResults results(state_, runs.size());
-            pool_.run(runs.size() + results.earlyTasks(), [&](std::size_t task, unsigned thread) {
-                if (task >= runs.size()) {
-                    results.early(task - runs.size());
-                    return;
-                }
-                prepare(runs[task], first + task);
-                results.begun();
+            pool_.run(runs.size(), [&](std::size_t task, unsigned thread) {
+                prepare(runs[task], first + task, results.firstNew());
                 advance(runs[task], first + task, thread == 0);
                 results.finished(task, *runs[task].state);
             });
@@ -67,9 +62,9 @@ class RegionRunner {
     }
 
     /// Takes what the region needs of the whole.
-    void prepare(RegionRun &run, std::size_t region) const {
+    void prepare(RegionRun &run, std::size_t region, std::uint32_t firstNew) const {
         run.part.emplace(state_.front.part(state_.regions->boxes[region]));
-        run.state.emplace(state_, std::move(run.part->front), static_cast<std::uint32_t>(region));
+        run.state.emplace(state_, std::move(run.part->front), static_cast<std::uint32_t>(region), firstNew);
     }
 
     void advance(RegionRun &run, std::size_t region, bool reports) {
@@ -110,7 +105,7 @@ class RegionRunner {
         }
     }
 
-    void putTogether(std::vector<RegionRun> &runs, std::size_t firstRegion, RegionResults &results) {
+    void putTogether(std::vector<RegionRun> &runs, std::size_t firstRegion, const RegionResults &results) {
         for (std::size_t k = 0; k < runs.size(); ++k) {
             RegionRun &run = runs[k];
             // Nb: of all Γ, as it is when one region follows the other.
@@ -121,7 +116,6 @@ class RegionRunner {
             state_.front.adopt(*run.part, state_.regions->boxes[firstRegion + k], results.firstNew(), results.shift(k));
             run.part.reset();
         }
-        results.gather(pool_);
         done_ = state_.elements.size();
     }
 

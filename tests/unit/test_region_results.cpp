@@ -1,8 +1,10 @@
+#include "core/base/thread_pool.hpp"
 #include "core/mesher/region_results.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <random>
 
@@ -18,7 +20,7 @@ struct Sample {
         std::mt19937_64 random(seed);
         states.reserve(kRegions);
         for (std::size_t k = 0; k < kRegions; ++k) {
-            FrontState &state = states.emplace_back(whole, GenerationFront{}, 1);
+            FrontState &state = states.emplace_back(whole, GenerationFront{}, 1, 4);
             const std::size_t nodes = random() % 40;
             for (std::size_t n = 0; n < nodes; ++n) {
                 state.nodes.push_back({static_cast<double>(k), static_cast<double>(n)});
@@ -66,63 +68,54 @@ FrontState expected(const Sample &sample) {
     return whole;
 }
 
+void check(const Sample &sample, const FrontState &wanted, const RegionResults &results) {
+    CHECK(sample.whole.nodes == wanted.nodes);
+    CHECK(sample.whole.elements == wanted.elements);
+    CHECK(sample.whole.elementRegions == wanted.elementRegions);
+    CHECK(results.firstNew() == 4);
+    for (std::size_t k = 0, nodes = 0; k < kRegions; ++k) {
+        CHECK(results.shift(k) == nodes);
+        CHECK(sample.states[k].nodes.capacity() == 0);
+        CHECK(sample.states[k].elements.capacity() == 0);
+        const double place = static_cast<double>(k);
+        nodes += static_cast<std::size_t>(
+            std::count_if(wanted.nodes.begin() + 4, wanted.nodes.end(), [place](Vec2 p) { return p.x == place; }));
+    }
+}
+
 } // namespace
 
-TEST_CASE("RegionResults: the whole is the same whatever has been gathered early, and in which order regions finish") {
-    std::size_t early = 0;
+TEST_CASE("RegionResults: the whole is the same in whichever order regions finish, and grows as soon as it can") {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         CAPTURE(seed);
         Sample sample(seed, seed % 2 == 0);
         const FrontState wanted = expected(sample);
-        if (seed % 3 != 0) { // else there is no room, and nothing can be done early
-            sample.whole.nodes.reserve(1000);
-            sample.whole.elements.reserve(1000);
+        std::vector<std::size_t> order(kRegions), ends(kRegions + 1, 0);
+        for (std::size_t k = 0; k < kRegions; ++k) {
+            ends[k + 1] = ends[k] + sample.states[k].elements.size();
         }
-        std::mt19937_64 random(seed);
-        std::vector<std::size_t> order(kRegions);
         std::iota(order.begin(), order.end(), std::size_t{0});
-        std::shuffle(order.begin(), order.end(), random);
+        std::shuffle(order.begin(), order.end(), std::mt19937_64(seed));
         RegionResults results(sample.whole, kRegions);
-        const auto someEarly = [&] {
-            for (std::size_t task = 0; task < results.earlyTasks(); ++task) {
-                if (random() % 2 == 0) {
-                    results.early(task);
-                }
-            }
-        };
+        std::array<bool, kRegions> done{};
         for (const std::size_t k : order) {
-            results.begun();
             results.finished(k, sample.states[k]);
-            someEarly();
+            done[k] = true;
+            const auto firstOpen = static_cast<std::size_t>(std::find(done.begin(), done.end(), false) - done.begin());
+            CHECK(sample.whole.elements.size() == ends[firstOpen]);
         }
-        early += sample.whole.elements.empty() ? 0 : 1;
-        for (std::size_t k = 0, nodes = 0; k < kRegions; ++k) {
-            CHECK(results.shift(k) == nodes);
-            const double place = static_cast<double>(k);
-            nodes += static_cast<std::size_t>(
-                std::count_if(wanted.nodes.begin() + 4, wanted.nodes.end(), [place](Vec2 p) { return p.x == place; }));
-        }
-        ThreadPool pool(static_cast<unsigned>(1 + seed % 3));
-        results.gather(pool);
-        CHECK(sample.whole.nodes == wanted.nodes);
-        CHECK(sample.whole.elements == wanted.elements);
-        CHECK(sample.whole.elementRegions == wanted.elementRegions);
+        check(sample, wanted, results);
     }
-    CHECK(early > 50);
 }
 
-TEST_CASE("RegionResults: nothing is moved while a region may still read the whole") {
-    Sample sample(1, false);
-    sample.whole.nodes.reserve(1000);
-    sample.whole.elements.reserve(1000);
-    RegionResults results(sample.whole, kRegions);
-    for (std::size_t k = 0; k + 1 < kRegions; ++k) {
-        results.begun();
-        results.finished(k, sample.states[k]);
+TEST_CASE("RegionResults: the whole is the same when threads finish regions at the same time") {
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        CAPTURE(seed);
+        Sample sample(seed, seed % 2 == 0);
+        const FrontState wanted = expected(sample);
+        RegionResults results(sample.whole, kRegions);
+        ThreadPool pool(3);
+        pool.run(kRegions, [&](std::size_t k, unsigned) { results.finished(k, sample.states[k]); });
+        check(sample, wanted, results);
     }
-    for (std::size_t task = 0; task < results.earlyTasks(); ++task) {
-        results.early(task);
-    }
-    CHECK(sample.whole.nodes.size() == 4);
-    CHECK(sample.whole.elements.empty());
 }
