@@ -15,8 +15,8 @@ template <class Grid, class Trace>
 class FastAdvancer {
   public:
     /// For the HierarchicalGrid: large cells, since its queries sort out what is not near at little cost, and segments
-    /// that stay in one cell cost less to change. Measured: flat from 8 to 12.
-    static constexpr double kCellPerLength = 10.0;
+    /// that stay in one cell cost less to change. Measured: graded meshes are 3 % faster than with 10, and flat beyond.
+    static constexpr double kCellPerLength = 12.0;
 
     FastAdvancer(FrontState &state, Grid &grid, const SpacingField &spacing, double slack, Trace trace)
         : state_(state), fans_(state, grid, spacing, trace), search_(state, grid, spacing, slack, trace),
