@@ -33,7 +33,7 @@ void chooseTheme(AppContext &context, ThemeKind kind) {
     context.animate();
 }
 
-void addViewActions(ActionRegistry &actions) {
+void addCameraActions(ActionRegistry &actions) {
     actions.add(
         {.id = "view.fit", .menu = "View", .title = "Show all", .shortcuts = {{'F', kNone}}, .run = [](AppContext &c) {
              c.view.fit(drawingBounds(c));
@@ -50,6 +50,9 @@ void addViewActions(ActionRegistry &actions) {
                  .shortcuts = {{key::kMinus, kNone}, {key::kMinus, kControl}},
                  .run = [](AppContext &c) { c.view.zoomAt(c.view.camera.viewport.centre(), 1.0 / 1.4); },
                  .repeats = true});
+}
+
+void addInterfaceActions(ActionRegistry &actions) {
     actions.add({.id = "view.panels",
                  .menu = "View",
                  .title = "Panels at the right",
@@ -84,20 +87,6 @@ void addViewActions(ActionRegistry &actions) {
                  .title = "Hint strip",
                  .run = [](AppContext &c) { c.settings.hints = !c.settings.hints; },
                  .checked = [](const AppContext &c) { return c.settings.hints; }});
-    actions.add({.id = "view.firstFault",
-                 .menu = "",
-                 .title = "Go to the first fault",
-                 .run =
-                     [](AppContext &c) {
-                         const auto &faults = c.preview->faults;
-                         const auto placed = std::find_if(faults.begin(), faults.end(),
-                                                          [](const Diagnostic &d) { return d.at.has_value(); });
-                         if (placed != faults.end()) {
-                             c.view.goTo(*placed->at, c.platform.now());
-                         }
-                         c.log.add(faults);
-                     },
-                 .enabled = [](const AppContext &c) { return !c.preview->faults.empty(); }});
 }
 
 bool canMesh(const AppContext &context) {
@@ -126,6 +115,9 @@ void addRunActions(ActionRegistry &actions) {
                  .title = "Mesh after every edit",
                  .run = [](AppContext &c) { c.run().live = !c.run().live; },
                  .checked = [](const AppContext &c) { return c.run().live; }});
+}
+
+void addTimelineActions(ActionRegistry &actions) {
     actions.add({.id = "run.play",
                  .menu = "Mesh",
                  .title = "Play or pause",
@@ -170,6 +162,9 @@ void addRunActions(ActionRegistry &actions) {
                  .shortcuts = {{key::kEnd, kNone}},
                  .run = [](AppContext &c) { c.run().seekEnd(); },
                  .enabled = canMesh});
+}
+
+void addPlaceActions(ActionRegistry &actions) {
     actions.add({.id = "run.worst",
                  .menu = "Mesh",
                  .title = "Go to the worst element",
@@ -188,6 +183,20 @@ void addRunActions(ActionRegistry &actions) {
                                 index(s.quality.worst) < s.mesh->mesh.elements.size();
                      },
                  .separatorBefore = true});
+    actions.add({.id = "view.firstFault",
+                 .menu = "",
+                 .title = "Go to the first fault",
+                 .run =
+                     [](AppContext &c) {
+                         const auto &faults = c.preview->faults;
+                         const auto placed = std::find_if(faults.begin(), faults.end(),
+                                                          [](const Diagnostic &d) { return d.at.has_value(); });
+                         if (placed != faults.end()) {
+                             c.view.goTo(*placed->at, c.platform.now());
+                         }
+                         c.log.add(faults);
+                     },
+                 .enabled = [](const AppContext &c) { return !c.preview->faults.empty(); }});
 }
 
 void addHelpActions(ActionRegistry &actions) {
@@ -212,8 +221,11 @@ void addHelpActions(ActionRegistry &actions) {
 } // namespace
 
 void addShellActions(ActionRegistry &actions) {
-    addViewActions(actions);
+    addCameraActions(actions);
+    addInterfaceActions(actions);
     addRunActions(actions);
+    addTimelineActions(actions);
+    addPlaceActions(actions);
     addHelpActions(actions);
 }
 

@@ -56,21 +56,10 @@ std::string pointerText(const View &view) {
     return ui::format("x %.*f   y %.*f", decimals, view.pointer->x, decimals, view.pointer->y);
 }
 
-} // namespace
-
-void drawStatusBar(AppContext &context, const PixelRect &rect) {
-    if (rect.height < 1.0) {
-        return;
-    }
-    beginRegion("##status", rect, context.theme.panel, 0, 0);
-    ImGui::GetWindowDrawList()->AddLine({0, static_cast<float>(rect.y)},
-                                        {static_cast<float>(rect.width), static_cast<float>(rect.y)},
-                                        context.theme.line);
-    ImGui::PushFont(context.fonts.small);
+/// Of the mesh there is, else of the one to be expected.
+void addMesh(Cells &cells, AppContext &context) {
     const Theme &theme = context.theme;
     const SessionSnapshot &run = context.run().now();
-    Cells cells(context, rect);
-    cells.add("pointer", pointerText(context.view), theme.muted, 150);
     if (run.quality.elements > 0) {
         cells.add("counts",
                   ui::count(run.quality.elements) + " \xe2\x96\xb3   " + ui::count(run.quality.nodes) + " \xe2\x97\x8f",
@@ -99,14 +88,21 @@ void drawStatusBar(AppContext &context, const PixelRect &rect) {
         }
         ui::tooltip(context, "Equal exactly when the mesh is equal bit for bit. Click to copy.");
     }
+}
+
+void addFaults(Cells &cells, AppContext &context) {
     const std::size_t faults = context.preview->faults.size();
     if (faults > 0) {
-        cells.add("faults", std::string(icon::kWarning) + "  " + std::to_string(faults), theme.warn);
+        cells.add("faults", std::string(icon::kWarning) + "  " + std::to_string(faults), context.theme.warn);
         if (cells.clicked("faults")) {
             context.actions.run("view.firstFault", context);
         }
         ui::tooltip(context, toString(context.preview->faults.front()) + "\nClick to go there.");
     }
+}
+
+/// At the right, where there is room.
+void drawHint(const Cells &cells, const AppContext &context, const PixelRect &rect) {
     const std::string hint = context.tools.current().statusText(context);
     if (!hint.empty()) {
         const ImVec2 size = ImGui::CalcTextSize(hint.c_str());
@@ -114,9 +110,27 @@ void drawStatusBar(AppContext &context, const PixelRect &rect) {
         if (x > cells.at() + 8.0) {
             ImGui::GetWindowDrawList()->AddText(
                 {static_cast<float>(x), static_cast<float>(rect.y + (rect.height - static_cast<double>(size.y)) / 2.0)},
-                theme.muted, hint.c_str());
+                context.theme.muted, hint.c_str());
         }
     }
+}
+
+} // namespace
+
+void drawStatusBar(AppContext &context, const PixelRect &rect) {
+    if (rect.height < 1.0) {
+        return;
+    }
+    beginRegion("##status", rect, context.theme.panel, 0, 0);
+    ImGui::GetWindowDrawList()->AddLine({0, static_cast<float>(rect.y)},
+                                        {static_cast<float>(rect.width), static_cast<float>(rect.y)},
+                                        context.theme.line);
+    ImGui::PushFont(context.fonts.small);
+    Cells cells(context, rect);
+    cells.add("pointer", pointerText(context.view), context.theme.muted, 150);
+    addMesh(cells, context);
+    addFaults(cells, context);
+    drawHint(cells, context, rect);
     ImGui::PopFont();
     ImGui::End();
 }
