@@ -224,7 +224,11 @@ int adaptCommand(int argc, const char *const *argv) {
     if (arguments.domain) {
         inputs.push_back(*arguments.domain);
     }
-    const Diagnostics faults = checkOutputs(arguments.outputs, inputs);
+    std::vector<Output> files;
+    for (const std::filesystem::path &path : arguments.outputs) {
+        files.push_back({path, {}});
+    }
+    const Diagnostics faults = checkOutputs(files, inputs);
     printFaults(faults);
     return faults.empty() ? runAdapt(arguments) : static_cast<int>(kRefused);
 }

@@ -120,9 +120,12 @@ int meshCommand(int argc, const char *const *argv) {
         return *code;
     }
     const MeshArguments &arguments = std::get<MeshArguments>(parsed);
-    std::vector<std::filesystem::path> files = arguments.outputs;
+    std::vector<Output> files;
+    for (std::size_t k = 0; k < arguments.outputs.size(); ++k) {
+        files.push_back({arguments.outputs[k], arguments.format(k)});
+    }
     if (arguments.statistics && !arguments.printsStatistics()) {
-        files.push_back(*arguments.statistics);
+        files.push_back({*arguments.statistics, {}});
     }
     std::vector<std::filesystem::path> inputs{arguments.input};
     if (arguments.spacingFile) {

@@ -52,14 +52,13 @@ std::string checkFormat(const std::filesystem::path &output, const std::string &
     return {};
 }
 
-Diagnostics checkOutputs(const std::vector<std::filesystem::path> &outputs,
-                         const std::vector<std::filesystem::path> &inputs) {
+Diagnostics checkOutputs(const std::vector<Output> &outputs, const std::vector<std::filesystem::path> &inputs) {
     Diagnostics faults;
-    std::error_code none;
     std::set<std::filesystem::path> read, written;
-    const auto addTo = [&](std::set<std::filesystem::path> &files, const std::filesystem::path &path) {
+    const auto addTo = [](std::set<std::filesystem::path> &files, const std::vector<std::filesystem::path> &more) {
         bool added = true;
-        for (const std::filesystem::path &file : filesOfMesh(path)) {
+        for (const std::filesystem::path &file : more) {
+            std::error_code none;
             const std::filesystem::file_status kind = std::filesystem::status(file, none);
             if (!std::filesystem::exists(kind) || std::filesystem::is_regular_file(kind)) { // a device takes all
                 added = files.insert(resolved(file)).second && added;
@@ -67,23 +66,21 @@ Diagnostics checkOutputs(const std::vector<std::filesystem::path> &outputs,
         }
         return added;
     };
-    const auto isInput = [&](const std::filesystem::path &path) {
-        const std::vector<std::filesystem::path> files = filesOfMesh(path);
-        return std::any_of(files.begin(), files.end(),
-                           [&](const std::filesystem::path &file) { return read.count(resolved(file)) > 0; });
-    };
     for (const std::filesystem::path &path : inputs) {
-        addTo(read, path);
+        addTo(read, filesRead(path));
     }
-    for (const std::filesystem::path &path : outputs) {
-        Diagnostics wrong = checkPlace(path);
-        if (wrong.empty() && isInput(path)) {
+    for (const Output &output : outputs) {
+        const std::vector<std::filesystem::path> files = filesOfMesh(output.path, output.format);
+        Diagnostics wrong = checkPlace(output.path);
+        if (wrong.empty() && std::any_of(files.begin(), files.end(), [&](const std::filesystem::path &file) {
+                return read.count(resolved(file)) > 0;
+            })) {
             wrong = error("cannot-write", "cannot write the file: it is an input", "choose another name");
-        } else if (wrong.empty() && !addTo(written, path)) {
+        } else if (wrong.empty() && !addTo(written, files)) {
             wrong = error("cannot-write", "cannot write two outputs to one file", "give each a name of its own");
         }
         for (Diagnostic &fault : wrong) {
-            fault.file = path.string();
+            fault.file = output.path.string();
             faults.push_back(std::move(fault));
         }
     }

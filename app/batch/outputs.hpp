@@ -16,9 +16,14 @@ std::string formatIds();
 /// hold any.
 std::string checkFormat(const std::filesystem::path &output, const std::string &id);
 
+/// A file to be written.
+struct Output {
+    std::filesystem::path path;
+    std::string format; ///< of a mesh, an id; empty: by the extension
+};
+
 /// What can be said of the places of outputs before hours of work are spent: folders that do not exist, paths that are
 /// folders, files that are given twice or are inputs.
-Diagnostics checkOutputs(const std::vector<std::filesystem::path> &outputs,
-                         const std::vector<std::filesystem::path> &inputs = {});
+Diagnostics checkOutputs(const std::vector<Output> &outputs, const std::vector<std::filesystem::path> &inputs = {});
 
 } // namespace forefront

@@ -120,10 +120,10 @@ int tablesCommand(int argc, const char *const *argv) {
     if (!wrong.empty()) {
         return wrongUsage(app.get_name(), wrong);
     }
-    std::vector<std::filesystem::path> files;
+    std::vector<Output> files;
     for (const auto &file : {arguments.csv, arguments.svg}) {
         if (file) {
-            files.push_back(*file);
+            files.push_back({*file, {}});
         }
     }
     const Diagnostics faults = checkOutputs(files);

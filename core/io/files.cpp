@@ -26,6 +26,16 @@ bool canReadDomain(const Format &format) {
     return format.readDocument != nullptr || format.readDomain != nullptr || format.readMesh != nullptr;
 }
 
+bool canWriteMesh(const Format &format) {
+    return format.writeMesh != nullptr || format.writeFiles != nullptr;
+}
+
+/// The format that a mesh is written in; null if there is none.
+const Format *meshFormat(const std::filesystem::path &path, std::string_view id) {
+    const Format *format = id.empty() ? formatOfExtension(path, canWriteMesh) : formatOfId(id);
+    return format != nullptr && canWriteMesh(*format) ? format : nullptr;
+}
+
 /// Extensions that have the wanted ability, for an advice.
 std::string extensions(bool (*wanted)(const Format &)) {
     std::string list;
@@ -156,16 +166,13 @@ Result<SpacingSpec> readSpacing(const std::filesystem::path &path, const ImportO
 
 Status writeMesh(const std::filesystem::path &path, const Mesh &mesh, std::string_view formatId,
                  const Progress &progress) {
-    const auto writes = [](const Format &format) {
-        return format.writeMesh != nullptr || format.writeFiles != nullptr;
-    };
-    const Format *format = formatId.empty() ? formatOfExtension(path, writes) : formatOfId(formatId);
-    if (format == nullptr || !writes(*format)) {
+    const Format *format = meshFormat(path, formatId);
+    if (format == nullptr) {
         return named(error("unknown-format",
                            formatId.empty()
                                ? "no mesh format goes by the extension '" + path.extension().string() + "'"
                                : "'" + std::string(formatId) + "' is not a mesh format that can be written",
-                           "extensions that can be written: " + extensions(writes)),
+                           "extensions that can be written: " + extensions(canWriteMesh)),
                      path);
     }
     try {
@@ -182,16 +189,30 @@ Status writeMesh(const std::filesystem::path &path, const Mesh &mesh, std::strin
 }
 
 std::vector<std::filesystem::path> filesOfMesh(const std::filesystem::path &path, std::string_view formatId) {
-    const auto &parts = kTriangleExtensions;
-    const bool triangle = formatId.empty() ? std::find(parts.begin(), parts.end(), path.extension()) != parts.end()
-                                           : formatId == "triangle";
-    if (!triangle) {
+    const Format *format = meshFormat(path, formatId);
+    if (format == nullptr || format->writeFiles == nullptr) {
         return {path};
     }
     std::vector<std::filesystem::path> files;
-    for (const char *extension : parts) {
+    for (const char *extension : kTriangleExtensions) {
         files.push_back(path);
         files.back().replace_extension(extension);
+    }
+    return files;
+}
+
+std::vector<std::filesystem::path> filesRead(const std::filesystem::path &path) {
+    std::vector<std::filesystem::path> files = filesOfMesh(path);
+    std::filesystem::path nodes = path;
+    nodes.replace_extension(".node");
+    std::error_code none;
+    if (std::filesystem::is_regular_file(path, none) && std::filesystem::is_regular_file(nodes, none)) {
+        const auto bytes = readFileBytes(path, ImportOptions().maxBytes);
+        const Format *format = bytes ? formatOf(path, *bytes) : nullptr;
+        if (format != nullptr && format->about.id == std::string_view("poly") &&
+            takesNodesFromBeside({*bytes, path.string(), path, {}})) {
+            files.push_back(nodes);
+        }
     }
     return files;
 }

@@ -61,6 +61,9 @@ Status writeMesh(const std::filesystem::path &path, const Mesh &mesh, std::strin
 
 /// The files that writeMesh writes under a name: that one, or those of Triangle side by side. `formatId` as there.
 std::vector<std::filesystem::path> filesOfMesh(const std::filesystem::path &path, std::string_view formatId = {});
+/// The files that reading one may look into: that one, those of Triangle side by side, and the .node file that a .poly
+/// file without nodes takes them from.
+std::vector<std::filesystem::path> filesRead(const std::filesystem::path &path);
 /// Why no file can be written in this place, as far as it shows without trying: it has no name, is a folder, or lies in
 /// one that does not exist. The fault does not name the file.
 Status checkPlace(const std::filesystem::path &path);

@@ -272,6 +272,12 @@ class PolyReader {
 
 } // namespace
 
+bool takesNodesFromBeside(const SourceText &poly) {
+    TextScanner scanner(poly, '#');
+    std::int64_t nodes = -1;
+    return scanner.integer(nodes, 0, 0, {"the number of nodes"});
+}
+
 Result<Domain> readPoly(const SourceText &source) {
     return PolyReader(source).read();
 }

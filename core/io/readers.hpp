@@ -58,6 +58,8 @@ Status writeTriangle(const std::filesystem::path &path, const Mesh &mesh, const 
 void writeSvg(const Mesh &mesh, TextWriter &out);
 
 Result<Domain> readPoly(const SourceText &source);
+/// True if the .node file beside it has the nodes.
+bool takesNodesFromBeside(const SourceText &poly);
 Result<Domain> readGeoJson(const SourceText &source);
 bool looksLikeGeoJson(std::string_view head);
 Result<Domain> readSvg(const SourceText &source);

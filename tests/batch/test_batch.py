@@ -338,7 +338,19 @@ class Refusing(Case):
                       ["mesh", "plate.poly", "-o", "a.msh", "--spacing-file", "plate.msh", "--stats", "plate.msh"],
                       ["adapt", "plate.msh", "--expression", "x", "--error", "0.1", "-o", "plate.msh"]):
             self.assertIn("it is an input", self.call(*words, code=1).stderr)
+        # Triangle's files stand side by side however they are named, and a .poly without nodes takes them from one.
+        for words in (["plate.node", "-o", "plate.ELE"], ["plate.node", "-o", "plate", "--format", "triangle"]):
+            self.assertIn("it is an input", self.call("mesh", *words, code=1).stderr)
+        lines = self.read("plate.poly").splitlines()
+        count = int(lines[0].split()[0])
+        self.write("apart.node", "\n".join(lines[:count + 1]) + "\n")
+        self.write("apart.poly", "0 2 0 0\n" + "\n".join(lines[count + 1:]) + "\n")
+        self.call("mesh", "apart.poly", "-o", "apart.msh")
+        self.assertIn("it is an input", self.call("mesh", "apart.poly", "-o", "apart.node", code=1).stderr)
+        self.assertIn("two outputs to one file", self.call("mesh", "plate.poly", "-o", "z", "-o", "z.ele", "--format",
+                                                           "triangle", "--format", "triangle", code=1).stderr)
         self.assertEqual(before, {name: self.read(name) for name in before})
+        self.call("mesh", "plate.poly", "-o", "plate.node")
 
     def test_files_may_begin_with_a_byte_order_mark(self):
         (self.path / "marked.poly").write_bytes(b"\xef\xbb\xbf" + self.read("plate.poly").encode())

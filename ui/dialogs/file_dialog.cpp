@@ -201,10 +201,12 @@ bool FileDialog::choose(AppContext &context) {
         request_.name.clear();
         return false;
     }
+    Diagnostics faults;
     if (request_.saves) {
         followExtension(file.filename().string());
         file.replace_filename(withExtension(file.filename().string(), filter(), request_.filters));
-        if (std::filesystem::exists(file, ignored) && replace_ != file) {
+        faults = checkPlace(file);
+        if (faults.empty() && std::filesystem::exists(file, ignored) && replace_ != file) {
             replace_ = file;
             return false;
         }
@@ -213,7 +215,6 @@ bool FileDialog::choose(AppContext &context) {
         return false;
     }
     replace_.reset();
-    Diagnostics faults = request_.saves ? checkPlace(file) : Status{};
     if (faults.empty()) {
         faults = request_.chosen(context, file, filter());
     }
