@@ -5,12 +5,13 @@
 
 namespace forefront {
 
+bool BaseOrder::isLonger(const Entry &a, const Entry &b) {
+    return a.length != b.length ? a.length > b.length : a.serial > b.serial;
+}
+
 bool BaseOrder::comesLater(const Entry &a, const Entry &b) {
     const std::uint32_t portionA = a.serial >> kPortionBits, portionB = b.serial >> kPortionBits;
-    if (portionA != portionB) {
-        return portionA > portionB;
-    }
-    return a.length != b.length ? a.length > b.length : a.serial > b.serial;
+    return portionA != portionB ? portionA > portionB : isLonger(a, b);
 }
 
 bool BaseOrder::valid(const GenerationFront &front, const Entry &entry, std::size_t entryClass) {
@@ -19,7 +20,7 @@ bool BaseOrder::valid(const GenerationFront &front, const Entry &entry, std::siz
 }
 
 std::size_t BaseOrder::classOf(const FrontSlot &slot) {
-    constexpr unsigned kDroppedBits = 52 - 4;
+    constexpr unsigned kDroppedBits = 52 - kDigits;
     return slot.mark.failureClass > 0
                ? kDeferred + std::min<std::size_t>(slot.mark.failureClass, kFailureClasses) - 1
                : static_cast<std::size_t>(std::bit_cast<std::uint64_t>(slot.length) >> kDroppedBits);
@@ -45,18 +46,26 @@ void BaseOrder::push(const GenerationFront &front, SlotId id) {
     }
     Heap &heap = heaps_[heapOf_[c] - 1U];
     heap.push_back({std::bit_cast<std::uint64_t>(slot.length), slot.mark.serial, id});
-    std::push_heap(heap.begin(), heap.end(), comesLater);
+    if (c < kDeferred) {
+        std::push_heap(heap.begin(), heap.end(), comesLater);
+    } else {
+        std::push_heap(heap.begin(), heap.end(), isLonger);
+    }
     filled_[c / 64] |= std::uint64_t{1} << (c % 64);
     summary_[c / 64 / 64] |= std::uint64_t{1} << (c / 64 % 64);
     ++entries_;
 }
 
 void BaseOrder::pop(Heap &heap) {
-    std::pop_heap(heap.begin(), heap.end(), comesLater);
+    const std::size_t c = classOf_[static_cast<std::size_t>(&heap - heaps_.data())];
+    if (c < kDeferred) {
+        std::pop_heap(heap.begin(), heap.end(), comesLater);
+    } else {
+        std::pop_heap(heap.begin(), heap.end(), isLonger);
+    }
     heap.pop_back();
     --entries_;
     if (heap.empty()) {
-        const std::size_t c = classOf_[static_cast<std::size_t>(&heap - heaps_.data())];
         filled_[c / 64] &= ~(std::uint64_t{1} << (c % 64));
         if (filled_[c / 64] == 0) {
             summary_[c / 64 / 64] &= ~(std::uint64_t{1} << (c / 64 % 64));

@@ -8,8 +8,8 @@ namespace forefront {
 inline constexpr double kFirstRadius = 1.2;
 inline constexpr double kSecondRadius = 1.75;
 
-/// The classic method: the ten steps after Lo, shortest base first, one base segment an advance and at most
-/// one element.
+/// The classic method: the ten steps after Lo, shortest base first (see BaseOrder), one base segment an advance and at
+/// most one element.
 ///
 /// Closing guarantee. A base first looks for the best of the nearby front nodes and a new node. If none passes it is
 /// deferred once; the second time, after a wider search, only existing nodes are taken and the search grows until it

@@ -165,6 +165,26 @@ TEST_CASE("Advance: the grid changes the work, never the mesh") {
     CHECK(delivered[2] * 4 < delivered[0]);
 }
 
+TEST_CASE(
+    "Advance: a classic run over several portions of the order is the same with every grid, and after going back") {
+    std::vector<std::uint64_t> states;
+    for (const GridKind grid : {GridKind::Uniform, GridKind::Hierarchical}) {
+        Timeline timeline(mesherOn(discretePlate(0.009), 0.009, grid, Method::Classic));
+        const std::uint64_t advances = timeline.forward(~std::uint64_t{0});
+        REQUIRE(timeline.mesher().state().work.elements > 20'000);
+        states.push_back(timeline.mesher().state().hash());
+        timeline.back(advances / 2);
+        states.push_back(timeline.mesher().state().hash());
+        timeline.back(advances / 4);
+        timeline.forward(advances / 4);
+        CHECK(timeline.mesher().state().hash() == states.back());
+        timeline.forward(~std::uint64_t{0});
+        CHECK(timeline.mesher().state().hash() == states[states.size() - 2]);
+    }
+    CHECK(states[0] == states[2]);
+    CHECK(states[1] == states[3]);
+}
+
 TEST_CASE("Advance: N advances forward and N back lead to the same state") {
     for (const GridKind grid : kGrids)
         for (const Method method : kMethods) {

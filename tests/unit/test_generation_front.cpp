@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 #include <vector>
 
 using namespace forefront;
@@ -191,19 +192,18 @@ TEST_CASE("BaseOrder: shortest first, ties by serial, deferred segments last") {
 }
 
 TEST_CASE("BaseOrder: about equal lengths come in portions of age, the shortest of a portion first") {
-    // Segments of some portions in a row, their lengths within 1 % of 1, 2 and 4.
+    // Segments of some portions in a row, their lengths spread over two octaves.
     constexpr std::uint32_t kSegments = 40'000;
     GenerationFront front(*DiscreteBuilder().loop({{0, 0}, {3e5, 0}, {3e5, 1}}).region(1, 1.5e5).build());
     std::mt19937_64 random(4);
     SlotId last{0};
     double x = 0.0;
     for (std::uint32_t i = 0; i < kSegments; ++i) {
-        const double power = static_cast<double>(1U << random() % 3);
-        x += power * (1.0 + 0.01 * static_cast<double>(random() >> 11) * 0x1p-53);
+        x += std::exp2(2.0 * static_cast<double>(random() >> 11) * 0x1p-53);
         last = front.insertAfter(last, {x, 0}, NodeId{3 + i});
     }
     struct Expected {
-        int power;
+        double about; ///< the length cut off after five binary digits
         std::uint32_t portion;
         double length;
         std::uint32_t serial;
@@ -211,17 +211,33 @@ TEST_CASE("BaseOrder: about equal lengths come in portions of age, the shortest 
         auto operator<=>(const Expected &) const = default;
     };
     std::vector<Expected> expected;
+    std::size_t older = 0;
     for (std::uint32_t i = 0; i < front.capacity(); ++i) {
         const FrontSlot &slot = front[SlotId{i}];
-        expected.push_back(
-            {std::ilogb(slot.length), slot.mark.serial / 16384, slot.length, slot.mark.serial, SlotId{i}});
+        const double step = std::exp2(std::ilogb(slot.length) - 4);
+        const std::uint32_t portion = slot.mark.serial / 16384;
+        expected.push_back({std::floor(slot.length / step) * step, portion, slot.length, slot.mark.serial, SlotId{i}});
+        older += portion > 1 ? 1 : 0;
     }
+    REQUIRE(older > 1000);
     std::sort(expected.begin(), expected.end());
-    REQUIRE(std::any_of(expected.begin(), expected.end(), [](const Expected &e) { return e.portion > 1; }));
     BaseOrder order;
     order.rebuild(front);
     for (const Expected &next : expected) {
         REQUIRE(order.take(front) == next.slot);
     }
     CHECK(order.take(front) == kNoSlot);
+
+    // Deferred ones go by length alone, whatever their portion.
+    std::vector<std::pair<double, SlotId>> deferred;
+    for (const std::size_t k : {expected.size() / 2, expected.size() / 3, std::size_t{5}, expected.size() - 9}) {
+        const SlotId id = expected[k].slot;
+        front.setFailureClass(id, 1);
+        order.offer(front, id);
+        deferred.emplace_back(front[id].length, id);
+    }
+    std::sort(deferred.begin(), deferred.end());
+    for (const auto &[length, id] : deferred) {
+        CHECK(order.take(front) == id);
+    }
 }
