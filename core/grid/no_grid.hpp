@@ -31,8 +31,8 @@ class NoGrid {
     }
 
     /// Calls deliver(slot), at least once, for every front segment (and isolated point) that meets `box`, among them
-    /// some that do not, but whose own box comes near the part of it inside the grid, by 1/256 of a cell; and
-    /// visited(cell box) for every cell looked into. Returns the number of segments looked at.
+    /// some that do not, but whose own box comes within 1/256 of a cell of it, or of where it is moved to from outside
+    /// the grid; and visited(cell box) for every cell looked into. Returns the number of segments looked at.
     template <class Deliver, class Visited>
     std::uint32_t queryNear(const GenerationFront &front, const Box2 &box, Deliver &&deliver, Visited &&) const {
         std::uint32_t looked = 0;

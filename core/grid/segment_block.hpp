@@ -3,7 +3,9 @@
 #include "core/base/ids.hpp"
 #include "core/grid/lattice.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #ifdef __SSE2__
 #include <emmintrin.h>
@@ -44,7 +46,7 @@ class CellScale {
 struct alignas(64) SegmentBlock {
     static constexpr unsigned kWidth = 8;
 
-    std::array<std::uint8_t, kWidth> minX, minY, maxX, maxY;
+    std::array<std::uint8_t, kWidth> minX, minY, maxX, maxY; // in this order: they are loaded in pairs
     std::array<SlotId, kWidth> slots;
 
     void set(unsigned lane, SlotId slot, const CellBox &box) {
@@ -64,7 +66,8 @@ struct alignas(64) SegmentBlock {
     /// A bit per lane that holds the slot; lanes that were never set may count, too.
     unsigned holding(SlotId slot) const;
 };
-static_assert(sizeof(SegmentBlock) == 64);
+static_assert(sizeof(SegmentBlock) == 64 && offsetof(SegmentBlock, minY) == 8 && offsetof(SegmentBlock, maxX) == 16 &&
+              offsetof(SegmentBlock, maxY) == 24);
 
 #ifdef __SSE2__
 

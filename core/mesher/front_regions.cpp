@@ -13,9 +13,9 @@ namespace forefront {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kLeastStrips = 8.0;   ///< with fewer, one thread is soon done with all
+constexpr double kLeastStrips = 8.0;   ///< up to so many, one thread is soon done with all
 constexpr double kMostStrips = 16.0;   ///< enough for any number of threads
-constexpr double kTogether = 2.0;      ///< a multiple of it: else one of two threads ends without work
+constexpr double kTogether = 2.0;      ///< rounded up to a multiple: else one of two threads ends without work
 constexpr double kCoarse = 1.0 / 16.0; ///< of the width of a strip
 
 /// How the elements to come are spread along the longer side of a box: ∫ dA/ρ², by cells that are quartered where ρ

@@ -25,7 +25,8 @@ class Mesher {
     virtual std::uint64_t advance(std::uint64_t count, std::vector<AdvanceDelta> *deltas = nullptr) = 0;
     /// Performs, before the first advance, as many of them as can be shared by threads: the mesh is the same, but they
     /// cannot be taken back. None with the classic method, with another grid than the hierarchical one, or where the
-    /// mesh will be small. False when cancelled.
+    /// mesh will be small. False when cancelled; the run is then of no use any
+    /// more.
     virtual bool advanceTogether(unsigned threads, const Progress &progress, double estimatedElements) = 0;
     /// Takes back the advance done last.
     virtual void retreat(const AdvanceDelta &delta) = 0;

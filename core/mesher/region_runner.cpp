@@ -38,7 +38,9 @@ class RegionRunner {
             pool_.run(runs.size(), [&](std::size_t task, unsigned thread) {
                 prepare(runs[task], first + task, results.firstNew());
                 advance(runs[task], first + task, thread == 0);
-                results.finished(task, *runs[task].state);
+                if (!progress_.cancelled()) {
+                    results.finished(task, *runs[task].state);
+                }
             });
             if (progress_.cancelled()) {
                 return false;

@@ -24,7 +24,7 @@ enum class Step : std::uint8_t {
     Finish               ///< 10 stop when Γ = ∅
 };
 inline constexpr int kStepCount = 10;
-/// "Take the shortest segment of the front as base AB", one line for each of the ten.
+/// "Evaluate the node spacing at AB": one line for each of the ten.
 const char *stepTitle(Step step);
 
 /// What became of a candidate node.

@@ -119,7 +119,7 @@ TEST_CASE("Background grids: deliver every segment near a box, whatever its leng
             checkAgainstAll(UniformGrid(bounds, 1, 1), front, bounds);
         }
         SUBCASE("hierarchical") {
-            for (const double cellPerLength : {2.0, 4.5, 10.0}) {
+            for (const double cellPerLength : {2.0, 3.5, 12.0}) {
                 checkAgainstAll(HierarchicalGrid(bounds, gridSlack(bounds), cellPerLength), front, bounds);
             }
         }

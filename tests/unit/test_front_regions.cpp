@@ -67,6 +67,10 @@ TEST_CASE("FrontRegions: few elements make one region, many make strips that cov
     CHECK(regions.phases[1] == 1);
     const std::size_t strips = regions.phases[2] - regions.phases[1];
     CHECK(strips >= 8);
+    for (const double perStrip : {150.0, 200.0, 230.0, 260.0, 300.0, 350.0}) {
+        const FrontRegions some(*domain, *spacing, perStrip);
+        CHECK((some.phases.size() < 5 || (some.phases[2] - some.phases[1]) % 2 == 0));
+    }
     CHECK(regions.phases[3] - regions.phases[2] == strips - 1);
     for (double x = -1.0; x < 1.0; x += 0.01) {
         for (std::size_t phase = 0; phase < 4; ++phase) {

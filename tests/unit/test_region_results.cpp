@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <numeric>
 #include <random>
+#include <thread>
 
 using namespace forefront;
 
@@ -115,7 +117,14 @@ TEST_CASE("RegionResults: the whole is the same when threads finish regions at t
         const FrontState wanted = expected(sample);
         RegionResults results(sample.whole, kRegions);
         ThreadPool pool(3);
-        pool.run(kRegions, [&](std::size_t k, unsigned) { results.finished(k, sample.states[k]); });
+        std::atomic<unsigned> waiting = 0;
+        pool.run(kRegions, [&](std::size_t k, unsigned) {
+            const unsigned round = static_cast<unsigned>(k) / pool.threads(); // all threads go at once
+            for (++waiting; waiting < (round + 1) * pool.threads();) {
+                std::this_thread::yield();
+            }
+            results.finished(k, sample.states[k]);
+        });
         check(sample, wanted, results);
     }
 }
