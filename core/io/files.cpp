@@ -206,11 +206,10 @@ std::vector<std::filesystem::path> filesRead(const std::filesystem::path &path) 
     std::filesystem::path nodes = path;
     nodes.replace_extension(".node");
     std::error_code none;
-    if (std::filesystem::is_regular_file(path, none) && std::filesystem::is_regular_file(nodes, none)) {
+    const bool poly = formatOfExtension(path, [](const Format &format) { return format.readDomain == readPoly; });
+    if (poly && std::filesystem::is_regular_file(path, none) && std::filesystem::is_regular_file(nodes, none)) {
         const auto bytes = readFileBytes(path, ImportOptions().maxBytes);
-        const Format *format = bytes ? formatOf(path, *bytes) : nullptr;
-        if (format != nullptr && format->about.id == std::string_view("poly") &&
-            takesNodesFromBeside({*bytes, path.string(), path, {}})) {
+        if (bytes && takesNodesFromBeside({*bytes, path.string(), path, {}})) {
             files.push_back(nodes);
         }
     }
