@@ -5,13 +5,12 @@
 
 namespace forefront {
 
-bool BaseOrder::isLonger(const Entry &a, const Entry &b) {
-    return a.length != b.length ? a.length > b.length : a.serial > b.serial;
-}
-
-bool BaseOrder::comesLater(const Entry &a, const Entry &b) {
+bool BaseOrder::ComesLater::operator()(const Entry &a, const Entry &b) const {
     const std::uint32_t portionA = a.serial >> kPortionBits, portionB = b.serial >> kPortionBits;
-    return portionA != portionB ? portionA > portionB : isLonger(a, b);
+    if (byPortions && portionA != portionB) {
+        return portionA > portionB;
+    }
+    return a.length != b.length ? a.length > b.length : a.serial > b.serial;
 }
 
 bool BaseOrder::valid(const GenerationFront &front, const Entry &entry, std::size_t entryClass) {
@@ -46,11 +45,7 @@ void BaseOrder::push(const GenerationFront &front, SlotId id) {
     }
     Heap &heap = heaps_[heapOf_[c] - 1U];
     heap.push_back({std::bit_cast<std::uint64_t>(slot.length), slot.mark.serial, id});
-    if (c < kDeferred) {
-        std::push_heap(heap.begin(), heap.end(), comesLater);
-    } else {
-        std::push_heap(heap.begin(), heap.end(), isLonger);
-    }
+    std::push_heap(heap.begin(), heap.end(), orderOf(c));
     filled_[c / 64] |= std::uint64_t{1} << (c % 64);
     summary_[c / 64 / 64] |= std::uint64_t{1} << (c / 64 % 64);
     ++entries_;
@@ -58,11 +53,7 @@ void BaseOrder::push(const GenerationFront &front, SlotId id) {
 
 void BaseOrder::pop(Heap &heap) {
     const std::size_t c = classOf_[static_cast<std::size_t>(&heap - heaps_.data())];
-    if (c < kDeferred) {
-        std::pop_heap(heap.begin(), heap.end(), comesLater);
-    } else {
-        std::pop_heap(heap.begin(), heap.end(), isLonger);
-    }
+    std::pop_heap(heap.begin(), heap.end(), orderOf(c));
     heap.pop_back();
     --entries_;
     if (heap.empty()) {
