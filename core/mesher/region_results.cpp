@@ -14,15 +14,15 @@ void RegionResults::finished(std::size_t k, FrontState &state) {
     taking_ = true;
     for (; next_ < finished_.size() && finished_[next_] != nullptr; ++next_) {
         const std::size_t present = next_;
+        FrontState &from = *finished_[present];
         lock.unlock();
-        take(present);
+        take(present, from);
         lock.lock();
     }
     taking_ = false;
 }
 
-void RegionResults::take(std::size_t k) {
-    FrontState &from = *finished_[k];
+void RegionResults::take(std::size_t k, FrontState &from) {
     const std::uint32_t first = firstNew_, shift = static_cast<std::uint32_t>(whole_.nodes.size()) - first;
     shifts_[k] = shift;
     for (Element &element : from.elements) {

@@ -25,7 +25,7 @@ class RegionResults {
     std::uint32_t shift(std::size_t k) const { return shifts_[k]; }
 
   private:
-    void take(std::size_t k);
+    void take(std::size_t k, FrontState &from);
 
     FrontState &whole_;
     std::uint32_t firstNew_;
