@@ -25,6 +25,11 @@ void typeName(Draughtsman &driver, const std::string &dialog, const std::filesys
     driver.settle();
 }
 
+void askForExport(Draughtsman &driver) {
+    driver.key('E', {Modifiers::kControl});
+    driver.settle();
+}
+
 } // namespace
 
 TEST_CASE("Files: what is drawn and painted is saved, and opened again it is the same") {
@@ -121,9 +126,7 @@ TEST_CASE("Export: a drawing is meshed and written as MSH, which is a valid mesh
     Draughtsman driver;
     driver.polygon({{1, 1}, {9, 1}, {9, 8}, {1, 8}});
     driver.polygon({{3, 3}, {5, 3}, {4, 5}});
-    driver.settle();
-    driver.key('E', {Modifiers::kControl});
-    driver.settle();
+    askForExport(driver);
     REQUIRE(driver.has("dialog/export/ok"));
     typeName(driver, "export", place.path / "bay");
     driver.settle();
@@ -172,9 +175,7 @@ TEST_CASE("Export: what was written is told on the canvas with its size, and so 
     const Workplace place;
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
-    driver.settle();
-    driver.key('E', {Modifiers::kControl});
-    driver.settle();
+    askForExport(driver);
     typeName(driver, "export", place.path / "bay.msh");
     REQUIRE(driver.has("canvas/note"));
     const std::string told = driver.context().log.entries().back().diagnostic.message;
@@ -184,8 +185,7 @@ TEST_CASE("Export: what was written is told on the canvas with its size, and so 
     driver.frames(600);
     CHECK_FALSE(driver.has("canvas/note"));
 
-    driver.key('E', {Modifiers::kControl});
-    driver.settle();
+    askForExport(driver);
     typeName(driver, "export", place.path / (std::string(300, 'm') + ".msh")); // longer than a name can be
     CHECK(driver.has("canvas/error"));
     CHECK_FALSE(driver.has("canvas/note"));
@@ -195,9 +195,7 @@ TEST_CASE("Export: that there is no such folder is said in the dialog, which sta
     const Workplace place;
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
-    driver.settle();
-    driver.key('E', {Modifiers::kControl});
-    driver.settle();
+    askForExport(driver);
     typeName(driver, "export", place.path / "no-such-folder" / "bay.msh");
     REQUIRE(driver.has("dialog/export/ok"));
     CHECK(driver.context().widgets.find("dialog/export/warning")->rect.width > 100.0);
