@@ -1,4 +1,4 @@
-#include "ui/app/editor.hpp"
+#include "ui/editor/editor.hpp"
 
 #include "app/editor_entry.hpp"
 #include "app/icon.hpp"

@@ -1,7 +1,7 @@
 #include "app/batch/report.hpp"
 
 #include "core/base/hash.hpp"
-#include "core/io/project_words.hpp"
+#include "core/io/project/project_words.hpp"
 
 #include <nlohmann/json.hpp>
 

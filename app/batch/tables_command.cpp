@@ -4,8 +4,8 @@
 #include "app/batch/options.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/progress_bar.hpp"
+#include "app/tables/table_report.hpp"
 #include "core/io/files.hpp"
-#include "core/tables/table_report.hpp"
 
 #include <algorithm>
 #include <cstdio>

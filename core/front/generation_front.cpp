@@ -1,6 +1,6 @@
 #include "core/front/generation_front.hpp"
 
-#include "core/domain/discretise.hpp"
+#include "core/boundary/discretise.hpp"
 #include "core/geometry/predicates.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "core/base/assert.hpp"
 #include "core/base/hash.hpp"
 #include "core/base/ids.hpp"
-#include "core/geometry/vec2.hpp"
+#include "core/base/vec2.hpp"
 
 #include <cstdint>
 #include <vector>

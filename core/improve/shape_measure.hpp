@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/vec2.hpp"
+#include "core/base/vec2.hpp"
 #include "core/improve/repair.hpp"
 
 #include <algorithm>

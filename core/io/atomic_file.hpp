@@ -2,7 +2,7 @@
 
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
-#include "core/io/text_writer.hpp"
+#include "core/io/text/text_writer.hpp"
 
 #include <filesystem>
 #include <functional>

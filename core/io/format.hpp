@@ -3,7 +3,7 @@
 #include "core/base/progress.hpp"
 #include "core/io/files.hpp"
 #include "core/io/source.hpp"
-#include "core/io/text_writer.hpp"
+#include "core/io/text/text_writer.hpp"
 
 #include <filesystem>
 #include <span>

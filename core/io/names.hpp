@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/text_writer.hpp"
+#include "core/io/text/text_writer.hpp"
 #include "core/mesh/mesh.hpp"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/io/node_table.hpp"
-#include "core/io/text_scanner.hpp"
+#include "core/io/text/text_scanner.hpp"
 #include "core/mesh/mesh.hpp"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/io/source.hpp"
-#include "core/io/text_writer.hpp"
+#include "core/io/text/text_writer.hpp"
 
 #include <array>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/ids.hpp"
-#include "core/geometry/vec2.hpp"
+#include "core/base/vec2.hpp"
 
 #include <array>
 #include <cstdint>

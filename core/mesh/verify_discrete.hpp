@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/domain/discretise.hpp"
+#include "core/boundary/discretise.hpp"
 #include "core/mesh/fault_list.hpp"
 #include "core/mesh/mesh.hpp"
 

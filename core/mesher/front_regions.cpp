@@ -1,6 +1,6 @@
 #include "core/mesher/front_regions.hpp"
 
-#include "core/domain/estimate.hpp"
+#include "core/boundary/estimate.hpp"
 
 #include <algorithm>
 #include <array>

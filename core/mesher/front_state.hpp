@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/domain/discretise.hpp"
+#include "core/boundary/discretise.hpp"
 #include "core/front/base_order.hpp"
 #include "core/front/generation_front.hpp"
 #include "core/front/walk_order.hpp"

@@ -1,7 +1,7 @@
 #include "core/mesher/mesher.hpp"
 
 #include "core/base/large_pages.hpp"
-#include "core/domain/estimate.hpp"
+#include "core/boundary/estimate.hpp"
 #include "core/grid/hierarchical_grid.hpp"
 #include "core/grid/no_grid.hpp"
 #include "core/grid/uniform_grid.hpp"

@@ -2,7 +2,7 @@
 
 #include "core/base/cpu_clock.hpp"
 #include "core/base/free_memory.hpp"
-#include "core/domain/estimate.hpp"
+#include "core/boundary/estimate.hpp"
 #include "core/domain/validate.hpp"
 #include "core/mesher/mesher.hpp"
 #include "core/spacing/spacing_field.hpp"

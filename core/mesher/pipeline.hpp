@@ -2,7 +2,7 @@
 
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
-#include "core/domain/discretise.hpp"
+#include "core/boundary/discretise.hpp"
 #include "core/improve/improve.hpp"
 #include "core/mesh/mesh.hpp"
 #include "core/mesher/options.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/progress.hpp"
-#include "core/geometry/vec2.hpp"
+#include "core/base/vec2.hpp"
 #include "core/spacing/size_site.hpp"
 
 #include <array>

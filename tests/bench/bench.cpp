@@ -2,7 +2,7 @@
 //   forefront_bench [--classic] [--grid none|uniform|hierarchical] [--improve none|default|best] [--threads N]
 //                   [--repeat N] [SCENE SIZE]...
 #include "core/base/cpu_clock.hpp"
-#include "core/io/project_words.hpp"
+#include "core/io/project/project_words.hpp"
 #include "core/mesh/quality.hpp"
 #include "core/mesher/mesher.hpp"
 #include "core/mesher/pipeline.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/domain/discretise.hpp"
+#include "core/boundary/discretise.hpp"
 #include "core/spacing/spacing_field.hpp"
 
 #include <functional>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/app/editor.hpp"
+#include "ui/editor/editor.hpp"
 #include "ui/platform/egl_platform.hpp"
 
 #include <cstdint>

@@ -3,7 +3,7 @@
 #include "core/mesh/verify.hpp"
 #include "tests/ui/edit_driver.hpp"
 #include "ui/dialogs/file_list.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <doctest/doctest.h>
 

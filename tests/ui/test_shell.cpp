@@ -1,6 +1,6 @@
 #include "tests/ui/driver.hpp"
-#include "ui/app/assets.hpp"
 #include "ui/canvas/legend.hpp"
+#include "ui/editor/assets.hpp"
 #include "ui/style/colour_map.hpp"
 
 #include <doctest/doctest.h>

@@ -1,7 +1,7 @@
 #include "tests/ui/edit_driver.hpp"
-#include "ui/app/snapshot_pace.hpp"
-#include "ui/text_wrap.hpp"
-#include "ui/tooltip.hpp"
+#include "ui/editor/snapshot_pace.hpp"
+#include "ui/widgets/text_wrap.hpp"
+#include "ui/widgets/tooltip.hpp"
 
 #include <doctest/doctest.h>
 #include <imgui.h>

@@ -2,7 +2,7 @@
 
 #include "core/edit/document.hpp"
 #include "core/io/source.hpp"
-#include "core/io/text_writer.hpp"
+#include "core/io/text/text_writer.hpp"
 #include "core/mesh/mesh.hpp"
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/diagnostic.hpp"
-#include "core/domain/discretise.hpp"
+#include "core/boundary/discretise.hpp"
 #include "core/mesh/mesh.hpp"
 
 #include <algorithm>

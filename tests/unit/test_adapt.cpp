@@ -1,3 +1,4 @@
+#include "app/tables/power_law.hpp"
 #include "core/adapt/adaptive_meshing.hpp"
 #include "core/adapt/gradient_recovery.hpp"
 #include "core/adapt/mesh_outline.hpp"
@@ -5,7 +6,6 @@
 #include "core/mesh/verify.hpp"
 #include "core/mesher/pipeline.hpp"
 #include "core/spacing/spacing_field.hpp"
-#include "core/tables/power_law.hpp"
 #include "tests/support/poisson.hpp"
 #include "tests/unit/mesh_samples.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/domain/discretise.hpp"
+#include "core/boundary/discretise.hpp"
 #include "core/domain/validate.hpp"
 #include "core/geometry/plane_sweep.hpp"
 #include "tests/support/random_domains.hpp"

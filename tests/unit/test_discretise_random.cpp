@@ -1,4 +1,4 @@
-#include "core/domain/discretise.hpp"
+#include "core/boundary/discretise.hpp"
 #include "core/domain/domain_graph.hpp"
 #include "core/geometry/polygon.hpp"
 #include "tests/support/random_domains.hpp"

@@ -1,5 +1,5 @@
-#include "core/domain/coverage_cell.hpp"
-#include "core/domain/estimate.hpp"
+#include "core/boundary/coverage_cell.hpp"
+#include "core/boundary/estimate.hpp"
 #include "tests/support/random_domains.hpp"
 #include "tests/support/spacing_samples.hpp"
 

@@ -1,7 +1,7 @@
 #include "core/io/format.hpp"
 #include "core/io/names.hpp"
 #include "core/io/node_table.hpp"
-#include "core/io/text_scanner.hpp"
+#include "core/io/text/text_scanner.hpp"
 #include "core/mesh/verify.hpp"
 #include "tests/unit/io_samples.hpp"
 #include "tests/unit/mesh_samples.hpp"

@@ -1,9 +1,9 @@
 #include "core/edit/equality.hpp"
-#include "core/io/base64.hpp"
 #include "core/io/files.hpp"
-#include "core/io/json.hpp"
+#include "core/io/json/json.hpp"
 #include "core/io/names.hpp"
-#include "core/io/tile_code.hpp"
+#include "core/io/project/tile_code.hpp"
+#include "core/io/text/base64.hpp"
 #include "tests/unit/io_samples.hpp"
 
 #include <doctest/doctest.h>

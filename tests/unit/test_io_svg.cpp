@@ -1,8 +1,8 @@
 #include "core/geometry/polygon.hpp"
 #include "core/io/files.hpp"
 #include "core/io/readers.hpp"
-#include "core/io/svg_pen.hpp"
-#include "core/io/svg_transform.hpp"
+#include "core/io/svg/svg_pen.hpp"
+#include "core/io/svg/svg_transform.hpp"
 #include "tests/unit/io_samples.hpp"
 
 #include <doctest/doctest.h>

@@ -1,9 +1,9 @@
-#include "core/tables/adaptive_case.hpp"
-#include "core/tables/log_plot.hpp"
-#include "core/tables/power_law.hpp"
-#include "core/tables/published.hpp"
-#include "core/tables/table_report.hpp"
-#include "core/tables/table_run.hpp"
+#include "app/tables/adaptive_case.hpp"
+#include "app/tables/log_plot.hpp"
+#include "app/tables/power_law.hpp"
+#include "app/tables/published.hpp"
+#include "app/tables/table_report.hpp"
+#include "app/tables/table_run.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "core/io/project_words.hpp"
+#include "core/io/project/project_words.hpp"
 #include "core/mesher/mesher.hpp"
 #include "core/mesher/pipeline.hpp"
 #include "tests/bench/scenes.hpp"

@@ -1,11 +1,11 @@
 #include "ui/canvas/canvas.hpp"
 
 #include "core/base/hash.hpp"
-#include "ui/app/app_context.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/canvas/legend.hpp"
+#include "ui/editor/app_context.hpp"
 #include "ui/gl/gl_kit.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <glad/gl.h>
 #include <imgui.h>

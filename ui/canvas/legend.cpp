@@ -1,6 +1,6 @@
 #include "ui/canvas/legend.hpp"
 
-#include "ui/widgets.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
 

@@ -1,5 +1,5 @@
-#include "ui/app/app_context.hpp"
-#include "ui/widgets.hpp"
+#include "ui/editor/app_context.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
 

@@ -1,9 +1,9 @@
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
 #include "core/edit/spacing_commands.hpp"
-#include "ui/app/app_context.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/dialogs/repair.hpp"
+#include "ui/editor/app_context.hpp"
 #include "ui/tools/edit_state.hpp"
 
 namespace forefront {

@@ -1,9 +1,9 @@
 #include "ui/dialogs/export_dialog.hpp"
 
 #include "core/io/files.hpp"
-#include "ui/app/app_context.hpp"
 #include "ui/dialogs/file_commands.hpp"
-#include "ui/widgets.hpp"
+#include "ui/editor/app_context.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
 

@@ -2,10 +2,10 @@
 
 #include "core/edit/spacing_commands.hpp"
 #include "core/io/files.hpp"
-#include "ui/app/app_context.hpp"
 #include "ui/dialogs/file_dialog.hpp"
 #include "ui/dialogs/import_dialog.hpp"
 #include "ui/dialogs/question_dialog.hpp"
+#include "ui/editor/app_context.hpp"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 #include "ui/dialogs/file_dialog.hpp"
 
 #include "core/io/files.hpp"
-#include "ui/app/app_context.hpp"
-#include "ui/text_wrap.hpp"
-#include "ui/widgets.hpp"
+#include "ui/editor/app_context.hpp"
+#include "ui/widgets/text_wrap.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
 

@@ -2,8 +2,8 @@
 
 #include "core/edit/insert_document.hpp"
 #include "core/edit/shape_geometry.hpp"
-#include "ui/app/app_context.hpp"
-#include "ui/widgets.hpp"
+#include "ui/editor/app_context.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
 

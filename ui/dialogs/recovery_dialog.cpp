@@ -1,8 +1,8 @@
 #include "ui/dialogs/recovery_dialog.hpp"
 
-#include "ui/app/app_context.hpp"
-#include "ui/app/recovery.hpp"
-#include "ui/widgets.hpp"
+#include "ui/editor/app_context.hpp"
+#include "ui/editor/recovery.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
 

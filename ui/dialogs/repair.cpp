@@ -1,7 +1,7 @@
 #include "ui/dialogs/repair.hpp"
 
 #include "core/domain/validate.hpp"
-#include "ui/app/app_context.hpp"
+#include "ui/editor/app_context.hpp"
 
 namespace forefront {
 

@@ -1,7 +1,7 @@
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/layers/layers.hpp"
 #include "ui/layers/moment.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <algorithm>
 #include <string>

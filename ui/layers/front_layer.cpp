@@ -3,7 +3,7 @@
 #include "ui/gl/line_batch.hpp"
 #include "ui/layers/layers.hpp"
 #include "ui/layers/moment.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <string>
 

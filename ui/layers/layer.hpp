@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/session/snapshot.hpp"
-#include "ui/app/preview.hpp"
 #include "ui/canvas/camera.hpp"
+#include "ui/editor/preview.hpp"
 #include "ui/platform/platform.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/theme.hpp"

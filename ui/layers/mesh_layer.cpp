@@ -5,7 +5,7 @@
 #include "ui/gl/mesh_batch.hpp"
 #include "ui/layers/layers.hpp"
 #include "ui/style/colour_map.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #include "ui/gl/gl_kit.hpp"
 #include "ui/layers/layers.hpp"
 #include "ui/style/colour_map.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <algorithm>
 #include <cmath>

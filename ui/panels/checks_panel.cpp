@@ -1,7 +1,7 @@
-#include "ui/app/app_context.hpp"
+#include "ui/editor/app_context.hpp"
 #include "ui/panels/edit_panels.hpp"
-#include "ui/text_wrap.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/text_wrap.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
 

@@ -1,7 +1,7 @@
 #include "ui/panels/form.hpp"
 
-#include "ui/app/app_context.hpp"
-#include "ui/widgets.hpp"
+#include "ui/editor/app_context.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
 

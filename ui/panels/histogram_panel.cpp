@@ -1,6 +1,6 @@
 #include "ui/panels/panels.hpp"
 #include "ui/style/colour_map.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
 

@@ -2,11 +2,11 @@
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
 #include "core/edit/spacing_commands.hpp"
-#include "ui/app/app_context.hpp"
+#include "ui/editor/app_context.hpp"
 #include "ui/panels/edit_panels.hpp"
 #include "ui/panels/form.hpp"
 #include "ui/tools/edit_state.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
 

@@ -1,5 +1,5 @@
 #include "ui/panels/panels.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
 

@@ -1,6 +1,6 @@
 #include "ui/panels/panels.hpp"
-#include "ui/text_wrap.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/text_wrap.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
 

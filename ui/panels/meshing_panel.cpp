@@ -1,8 +1,8 @@
 #include "core/edit/document.hpp"
-#include "ui/app/app_context.hpp"
+#include "ui/editor/app_context.hpp"
 #include "ui/panels/edit_panels.hpp"
 #include "ui/panels/form.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
 

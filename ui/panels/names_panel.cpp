@@ -1,9 +1,9 @@
 #include "core/edit/region_commands.hpp"
-#include "ui/app/app_context.hpp"
+#include "ui/editor/app_context.hpp"
 #include "ui/panels/edit_panels.hpp"
 #include "ui/panels/form.hpp"
 #include "ui/tools/edit_state.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
 

@@ -1,10 +1,10 @@
 #include "core/edit/spacing_commands.hpp"
-#include "ui/app/app_context.hpp"
+#include "ui/editor/app_context.hpp"
 #include "ui/panels/edit_panels.hpp"
 #include "ui/panels/form.hpp"
-#include "ui/text_wrap.hpp"
 #include "ui/tools/edit_state.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/text_wrap.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
 

@@ -1,6 +1,6 @@
 #include "ui/layers/moment.hpp"
 #include "ui/panels/panels.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
 

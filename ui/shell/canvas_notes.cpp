@@ -1,7 +1,7 @@
-#include "ui/flow.hpp"
 #include "ui/shell/shell.hpp"
-#include "ui/text_wrap.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/flow.hpp"
+#include "ui/widgets/text_wrap.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
 

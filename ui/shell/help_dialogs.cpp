@@ -1,8 +1,8 @@
 #include "ui/shell/help_dialogs.hpp"
 
 #include "core/base/version.hpp"
-#include "ui/flow.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/flow.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
 

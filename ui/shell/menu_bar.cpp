@@ -1,6 +1,6 @@
-#include "ui/app/assets.hpp"
+#include "ui/editor/assets.hpp"
 #include "ui/shell/shell.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
 #include <imgui_internal.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/app/app_context.hpp"
+#include "ui/editor/app_context.hpp"
 
 namespace forefront::shell {
 

@@ -1,6 +1,6 @@
 #include "core/base/hash.hpp"
 #include "ui/shell/shell.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
 

@@ -1,6 +1,6 @@
-#include "ui/flow.hpp"
 #include "ui/shell/shell.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/flow.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
 

@@ -2,8 +2,8 @@
 
 #include "core/edit/join_segments.hpp"
 #include "core/edit/shape_commands.hpp"
-#include "ui/app/app_context.hpp"
 #include "ui/canvas/canvas_painter.hpp"
+#include "ui/editor/app_context.hpp"
 
 namespace forefront {
 

@@ -1,9 +1,9 @@
 #include "ui/tools/pen_tool.hpp"
 
-#include "ui/app/app_context.hpp"
 #include "ui/canvas/canvas_painter.hpp"
+#include "ui/editor/app_context.hpp"
 #include "ui/tools/tool_options.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <numbers>
 

@@ -1,9 +1,9 @@
 #include "core/edit/shape_geometry.hpp"
-#include "ui/app/app_context.hpp"
 #include "ui/canvas/canvas_painter.hpp"
-#include "ui/flow.hpp"
+#include "ui/editor/app_context.hpp"
 #include "ui/tools/select_tool.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/flow.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
 

@@ -3,7 +3,7 @@
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
 #include "core/edit/spacing_commands.hpp"
-#include "ui/app/app_context.hpp"
+#include "ui/editor/app_context.hpp"
 
 namespace forefront {
 

@@ -1,11 +1,11 @@
 #include "ui/tools/source_tool.hpp"
 
 #include "core/edit/spacing_commands.hpp"
-#include "ui/app/app_context.hpp"
 #include "ui/canvas/canvas_painter.hpp"
-#include "ui/flow.hpp"
+#include "ui/editor/app_context.hpp"
 #include "ui/tools/tool_options.hpp"
-#include "ui/widgets.hpp"
+#include "ui/widgets/flow.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/vec2.hpp"
+#include "core/base/vec2.hpp"
 #include "ui/input/keys.hpp"
 #include "ui/platform/platform.hpp"
 

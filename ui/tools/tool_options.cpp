@@ -1,8 +1,8 @@
 #include "ui/tools/tool_options.hpp"
 
-#include "ui/app/app_context.hpp"
-#include "ui/flow.hpp"
-#include "ui/widgets.hpp"
+#include "ui/editor/app_context.hpp"
+#include "ui/widgets/flow.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
 

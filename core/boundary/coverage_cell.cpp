@@ -1,0 +1,121 @@
+#include "core/boundary/coverage_cell.hpp"
+
+#include <algorithm>
+
+namespace forefront {
+
+namespace {
+
+/// The fractions of a segment between which it runs within a box; empty if first > last.
+struct Clip {
+    double first = 0.0;
+    double last = 1.0;
+};
+
+void clipAxis(double from, double along, double low, double high, Clip &clip) {
+    if (along == 0.0) {
+        if (from < low || from > high) {
+            clip = {1.0, 0.0};
+        }
+        return;
+    }
+    const double s = (low - from) / along, t = (high - from) / along;
+    clip.first = std::max(clip.first, std::min(s, t));
+    clip.last = std::min(clip.last, std::max(s, t));
+}
+
+/// After Y.-D. Liang and B. A. Barsky, A new concept and method for line clipping (1984).
+Clip clipped(const BoundaryPiece &piece, const Box2 &box) {
+    const Vec2 along = piece.b - piece.a;
+    Clip clip;
+    clipAxis(piece.a.x, along.x, box.min.x, box.max.x, clip);
+    clipAxis(piece.a.y, along.y, box.min.y, box.max.y, clip);
+    return clip;
+}
+
+double heightAt(const BoundaryPiece &piece, double x) {
+    return piece.a.y + (piece.b.y - piece.a.y) * ((x - piece.a.x) / (piece.b.x - piece.a.x));
+}
+
+bool crossesUpright(const BoundaryPiece &piece, double x) {
+    return (piece.a.x <= x) != (piece.b.x <= x);
+}
+
+/// True if an odd number of pieces is crossed on the way from p up or down to the height of q, then level to q.
+bool crossesOddly(Vec2 p, Vec2 q, std::span<const std::uint32_t> pieces, std::span<const BoundaryPiece> all) {
+    bool odd = false;
+    for (const std::uint32_t i : pieces) {
+        const BoundaryPiece &piece = all[i];
+        if (crossesUpright(piece, p.x)) {
+            const double y = heightAt(piece, p.x);
+            odd ^= (y <= p.y) != (y <= q.y);
+        }
+        if ((piece.a.y <= q.y) != (piece.b.y <= q.y)) {
+            const double x = piece.a.x + (piece.b.x - piece.a.x) * ((q.y - piece.a.y) / (piece.b.y - piece.a.y));
+            odd ^= (x <= p.x) != (x <= q.x);
+        }
+    }
+    return odd;
+}
+
+/// The area that changes sides, seen from the upright line in the middle of the box, by a part of a piece from p to q
+/// that does not cross this line.
+double areaBeyond(Vec2 p, Vec2 q, double middle, const Box2 &box) {
+    const double x = 0.5 * (p.x + q.x);
+    return (x > middle ? x - box.max.x : x - box.min.x) * (q.y - p.y);
+}
+
+} // namespace
+
+bool meetsBox(const BoundaryPiece &piece, const Box2 &box) {
+    const Clip clip = clipped(piece, box);
+    return clip.first <= clip.last;
+}
+
+BoundaryPiece partWithin(const BoundaryPiece &piece, const Box2 &box) {
+    const Clip clip = clipped(piece, box);
+    return {lerp(piece.a, piece.b, clip.first), lerp(piece.a, piece.b, clip.last)};
+}
+
+// A point of the box is reached from the centre up or down, then level. Each piece crossed on the way puts it from one
+// side to the other: integrating over all points, a piece counts with the area beyond it.
+double CoverageCell::coveredArea(std::span<const BoundaryPiece> all) const {
+    const Vec2 size = box.size(), centre = box.centre();
+    double area = centreInside ? size.x * size.y : 0.0;
+    for (const std::uint32_t i : pieces) {
+        const BoundaryPiece &piece = all[i];
+        if (!meetsBox(piece, box)) {
+            continue;
+        }
+        const auto [p, q] = partWithin(piece, box);
+        if (!crossesUpright(piece, centre.x)) {
+            area += areaBeyond(p, q, centre.x, box);
+            continue;
+        }
+        const double y = heightAt(piece, centre.x);
+        if ((p.x <= centre.x) == (q.x <= centre.x) || y < box.min.y || y > box.max.y) {
+            area += areaBeyond(p, q, centre.x, box); // crosses the line beyond the box
+            continue;
+        }
+        area += areaBeyond(p, {centre.x, y}, centre.x, box) + areaBeyond({centre.x, y}, q, centre.x, box);
+        const double beyond = size.x * (y > centre.y ? box.max.y - y : box.min.y - y);
+        area += piece.b.x > piece.a.x ? beyond : -beyond;
+    }
+    return std::clamp(area, 0.0, size.x * size.y);
+}
+
+CoverageCell CoverageCell::quarter(unsigned k, std::span<const BoundaryPiece> all) const {
+    const Vec2 centre = box.centre();
+    CoverageCell result;
+    result.box.min = {k % 2 != 0 ? centre.x : box.min.x, k / 2 != 0 ? centre.y : box.min.y};
+    result.box.max = {k % 2 != 0 ? box.max.x : centre.x, k / 2 != 0 ? box.max.y : centre.y};
+    result.centreInside = centreInside != crossesOddly(centre, result.box.centre(), pieces, all);
+    for (const std::uint32_t i : pieces) {
+        if (meetsBox(all[i], result.box)) {
+            result.pieces.push_back(i);
+        }
+    }
+    return result;
+}
+
+} // namespace forefront

@@ -1,0 +1,371 @@
+#include "core/boundary/discretise.hpp"
+
+#include "core/base/ids.hpp"
+#include "core/boundary/spacing_integral.hpp"
+#include "core/domain/domain_graph.hpp"
+#include "core/geometry/edge_meetings.hpp"
+#include "core/geometry/polygon.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace forefront {
+
+namespace {
+
+/// Some 44 bytes each: about 1 GB.
+constexpr double kMostPieces = 2e7;
+
+/// Part of the domain's size between places where the spacing is looked at, at least.
+constexpr double kLongestStep = 1.0 / 64.0;
+
+Diagnostics located(std::string code, std::string message, std::string advice, Vec2 at) {
+    Diagnostics faults = error(std::move(code), std::move(message), std::move(advice));
+    faults[0].at = at;
+    return faults;
+}
+
+Diagnostics cancelled() {
+    return error("cancelled", "discretising was cancelled");
+}
+
+Diagnostics notValid() {
+    return error("invalid-domain", "the domain has faults and cannot be discretised", "validate or repair it first");
+}
+
+Diagnostics tooMany(double estimate, Vec2 at) {
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "at most %.3g boundary segments can be held, and the spacing asks for about %.3g: it is too fine",
+                  kMostPieces, estimate);
+    return located("too-many-nodes", text, "make the spacing larger, or keep the boundary segments as they are given",
+                   at);
+}
+
+class Discretiser {
+  public:
+    Discretiser(const Domain &domain, const SpacingField &spacing, bool keepBoundary, const Progress &progress)
+        : domain_(domain), spacing_(spacing), progress_(progress), keepBoundary_(keepBoundary),
+          longest_(domain.bounds().diagonal() * kLongestStep) {}
+
+    Result<DiscreteDomain> run() {
+        if (Status faults = findRegions(); !faults.empty()) {
+            return faults;
+        }
+        most_.assign(domain_.segments.size(), keepBoundary_ ? 1U : kNoIndex);
+        if (!keepBoundary_) {
+            if (!sampleNodes()) {
+                return cancelled();
+            }
+            if (Status faults = refuseAbsurd(); !faults.empty()) {
+                return faults;
+            }
+        }
+        // Rounding may push an inserted node across a part that is closer than the last digits: such segments are cut
+        // into fewer pieces until nothing meets. As given they meet nothing, so this ends.
+        for (;;) {
+            if (Status faults = cutSegments(); !faults.empty()) {
+                return faults;
+            }
+            progress_("checking the boundary", 0.0);
+            const std::vector<std::uint32_t> meeting = sourcesThatMeet();
+            if (progress_.cancelled()) {
+                return cancelled();
+            }
+            if (meeting.empty()) {
+                break;
+            }
+            if (!relax(meeting)) {
+                return notValid();
+            }
+        }
+        finish();
+        return std::move(result_);
+    }
+
+  private:
+    /// Regions by face, and the sides of the segments as given.
+    Status findRegions() {
+        const DomainGraph graph = graphOf(domain_);
+        if (graph.edges.size() != domain_.segments.size() || graph.node.size() != domain_.nodes.size()) {
+            return notValid();
+        }
+        const PlaneSweepResult sweep = sweepPlane(graph.points, graph.edges, progress_.stop);
+        if (progress_.cancelled()) {
+            return cancelled();
+        }
+        if (sweep.droppedCount != 0) {
+            return notValid();
+        }
+        const Faces faces = findFaces(graph.points, graph.edges, sweep);
+        const FaceLabels labels = labelFaces(domain_, graph, faces);
+        std::vector<std::uint32_t> region(faces.count, kOutside);
+        for (std::uint32_t face = 0; face < faces.count; ++face) {
+            if (labels.inside[face] != 0) {
+                region[face] = static_cast<std::uint32_t>(result_.regions.size());
+                result_.regions.push_back({labels.tag[face], 0.0});
+            }
+        }
+        left_.resize(domain_.segments.size());
+        right_.resize(domain_.segments.size());
+        std::vector<std::uint8_t> hasSegments(domain_.nodes.size(), 0);
+        for (std::size_t s = 0; s < domain_.segments.size(); ++s) { // all of them are edges, in the same order
+            left_[s] = region[faces.left[s]];
+            right_[s] = region[faces.right[s]];
+            if (left_[s] == kOutside && right_[s] == kOutside) {
+                return notValid();
+            }
+            hasSegments[domain_.segments[s].a] = hasSegments[domain_.segments[s].b] = 1;
+        }
+        std::vector<std::uint8_t> listed(domain_.nodes.size(), 0);
+        for (const ConstraintPoint &point : domain_.points) {
+            if (hasSegments[point.node] == 0 && listed[point.node] == 0) {
+                const std::uint32_t face = faces.ofPoint[point.node];
+                if (face == kNoIndex || region[face] == kOutside) {
+                    return notValid();
+                }
+                listed[point.node] = 1;
+                result_.points.push_back(point);
+                pointRegion_.push_back(region[face]);
+                pointBelow_.push_back(sweep.below[sweep.canonical[point.node]]);
+            }
+        }
+        return {};
+    }
+
+    /// False when cancelled.
+    bool sampleNodes() {
+        constexpr std::size_t kBatch = 4096;
+        rho_.resize(domain_.nodes.size());
+        const std::span<const Vec2> nodes = domain_.nodes;
+        const std::span<double> rho = rho_;
+        for (std::size_t first = 0; first < nodes.size(); first += kBatch) {
+            if (progress_.cancelled()) {
+                return false;
+            }
+            const std::size_t count = std::min(kBatch, nodes.size() - first);
+            spacing_.atMany(nodes.subspan(first, count), rho.subspan(first, count));
+        }
+        return true;
+    }
+
+    /// A rough look at ∫ds/ρ, so that an absurd spacing is refused before anything is built.
+    Status refuseAbsurd() const {
+        constexpr double kMargin = 1.2; // the integral proper decides what is near the limit
+        double sum = 0.0, worst = 0.0;
+        Vec2 worstPlace;
+        for (std::size_t s = 0; s < domain_.segments.size(); ++s) {
+            if (s % 256 == 0 && progress_.cancelled()) {
+                return cancelled();
+            }
+            const std::uint32_t nodeA = domain_.segments[s].a, nodeB = domain_.segments[s].b;
+            const Vec2 a = domain_.nodes[nodeA], b = domain_.nodes[nodeB];
+            double pieces = 0.5 * distance(a, b) / rho_[nodeA] + 0.5 * distance(a, b) / rho_[nodeB];
+            if (pieces > 64.0) {
+                pieces = roughSpacingIntegral(spacing_, a, b, rho_[nodeA], rho_[nodeB]);
+            }
+            if (pieces > worst) {
+                worst = pieces;
+                worstPlace = midpoint(a, b);
+            }
+            sum += pieces;
+        }
+        return sum > kMargin * kMostPieces ? tooMany(sum, worstPlace) : Status{};
+    }
+
+    Status cutSegments() {
+        result_.nodes = domain_.nodes;
+        result_.segments.clear();
+        result_.segments.reserve(domain_.segments.size());
+        count_.assign(domain_.segments.size(), 1U);
+        for (std::uint32_t s = 0; s < domain_.segments.size(); ++s) {
+            if (s % 4096 == 0) {
+                progress_("discretising", static_cast<double>(s) / static_cast<double>(domain_.segments.size()));
+            }
+            if (s % 256 == 0 && progress_.cancelled()) {
+                return cancelled();
+            }
+            if (Status faults = cutSegment(s); !faults.empty()) {
+                return faults;
+            }
+        }
+        return {};
+    }
+
+    Status cutSegment(std::uint32_t s) {
+        const DomainSegment &segment = domain_.segments[s];
+        fractions_.clear();
+        // The same nodes for either direction: fractions count from the end that is least by x, then y.
+        const Vec2 a = domain_.nodes[segment.a], b = domain_.nodes[segment.b];
+        const bool forward = a.x != b.x ? a.x < b.x : a.y < b.y;
+        const Vec2 low = forward ? a : b, high = forward ? b : a;
+        if (most_[s] > 1) {
+            const double rhoLow = rho_[forward ? segment.a : segment.b],
+                         rhoHigh = rho_[forward ? segment.b : segment.a];
+            const double room = kMostPieces - static_cast<double>(result_.segments.size());
+            switch (integral_.integrate(spacing_, low, high, rhoLow, rhoHigh, longest_, room, progress_)) {
+            case SpacingIntegral::Outcome::Done:
+                break;
+            case SpacingIntegral::Outcome::BadSpacing:
+                return located("expression-value", "the spacing is not a positive number",
+                               "make it finite and positive everywhere in the domain", integral_.badPlace());
+            case SpacingIntegral::Outcome::TooMany:
+                return tooMany(static_cast<double>(result_.segments.size()) + integral_.total(), midpoint(a, b));
+            case SpacingIntegral::Outcome::Cancelled:
+                return cancelled();
+            }
+            count_[s] = std::min(most_[s], static_cast<std::uint32_t>(integral_.pieces()));
+            integral_.cut(count_[s], fractions_);
+        }
+        std::uint32_t from = segment.a;
+        for (std::size_t i = 0; i < fractions_.size(); ++i) {
+            const auto to = static_cast<std::uint32_t>(result_.nodes.size());
+            result_.nodes.push_back(lerp(low, high, fractions_[forward ? i : fractions_.size() - 1 - i]));
+            addPiece(from, to, s);
+            from = to;
+        }
+        addPiece(from, segment.b, s);
+        return {};
+    }
+
+    void addPiece(std::uint32_t a, std::uint32_t b, std::uint32_t source) {
+        result_.segments.push_back({a, b, domain_.segments[source].tag, left_[source], right_[source], source});
+    }
+
+    /// Domain segments whose pieces meet others, coincide in a node, or have pushed a constraint point to another
+    /// region.
+    std::vector<std::uint32_t> sourcesThatMeet() const {
+        std::vector<std::uint32_t> sources;
+        if (result_.segments.size() == domain_.segments.size()) {
+            return sources;
+        }
+        std::vector<PlaneEdge> edges;
+        edges.reserve(result_.segments.size());
+        for (const DiscreteSegment &piece : result_.segments) {
+            edges.push_back({piece.a, piece.b});
+        }
+        const PlaneSweepResult sweep = sweepPlane(result_.nodes, edges, progress_.stop);
+        const auto add = [&](std::uint32_t edge) { sources.push_back(result_.segments[edge].source); };
+        if (progress_.cancelled()) {
+            return sources;
+        }
+        if (sweep.order.size() != result_.nodes.size() || sweep.droppedCount != 0) {
+            std::vector<std::uint32_t> dropped;
+            for (std::uint32_t e = 0; e < edges.size(); ++e) {
+                const bool moved =
+                    sweep.canonical[edges[e].a] != edges[e].a || sweep.canonical[edges[e].b] != edges[e].b;
+                if (sweep.dropped[e] != 0 || moved) {
+                    dropped.push_back(e);
+                    add(e);
+                }
+            }
+            for (const EdgeMeeting &meeting : findMeetings(result_.nodes, edges, dropped, 1'000'000).list) {
+                add(meeting.first);
+                add(meeting.second);
+            }
+        } else {
+            for (std::size_t i = 0; i < result_.points.size(); ++i) {
+                const std::uint32_t node = result_.points[i].node;
+                if (sweep.on[node] != kNoIndex) {
+                    add(sweep.on[node]);
+                } else if (const std::uint32_t below = sweep.below[node]; regionAbove(below) != pointRegion_[i]) {
+                    // Either the segment below it as given has been pushed above it, or the one below it now under it.
+                    sources.push_back(pointBelow_[i]);
+                    if (below != kNoIndex) {
+                        add(below);
+                    }
+                }
+            }
+        }
+        std::sort(sources.begin(), sources.end());
+        sources.erase(std::unique(sources.begin(), sources.end()), sources.end());
+        return sources;
+    }
+
+    std::uint32_t regionAbove(std::uint32_t edge) const {
+        if (edge == kNoIndex) {
+            return kOutside;
+        }
+        const DiscreteSegment &piece = result_.segments[edge];
+        const Vec2 a = result_.nodes[piece.a], b = result_.nodes[piece.b];
+        return (a.x != b.x ? a.x < b.x : a.y < b.y) ? piece.leftRegion : piece.rightRegion;
+    }
+
+    /// Halves the numbers of pieces; false if all of these segments are uncut already.
+    bool relax(const std::vector<std::uint32_t> &sources) {
+        bool changed = false;
+        for (const std::uint32_t s : sources) {
+            if (count_[s] > 1) {
+                most_[s] = count_[s] / 2;
+                changed = true;
+            }
+        }
+        return changed;
+    }
+
+    void finish() {
+        // Each region from an origin of its own: neither an offset nor the size of the whole costs digits.
+        std::vector<Vec2> origin(result_.regions.size());
+        std::vector<std::uint8_t> known(result_.regions.size(), 0);
+        std::vector<CompensatedSum> twice(result_.regions.size());
+        const auto add = [&](std::uint32_t region, Vec2 a, Vec2 b) {
+            if (region == kOutside) {
+                return;
+            }
+            if (known[region] == 0) {
+                known[region] = 1;
+                origin[region] = a;
+            }
+            twice[region].add(cross(a - origin[region], b - origin[region]));
+        };
+        for (const DiscreteSegment &piece : result_.segments) {
+            add(piece.leftRegion, result_.nodes[piece.a], result_.nodes[piece.b]);
+            add(piece.rightRegion, result_.nodes[piece.b], result_.nodes[piece.a]);
+        }
+        for (std::size_t region = 0; region < twice.size(); ++region) {
+            result_.regions[region].area = 0.5 * twice[region].value();
+        }
+        result_.boundaryNames = domain_.boundaryNames;
+        result_.regionNames = domain_.regionNames;
+        progress_("discretising", 1.0);
+    }
+
+    const Domain &domain_;
+    const SpacingField &spacing_;
+    const Progress &progress_;
+    bool keepBoundary_;
+    double longest_; // without a look at the spacing
+    DiscreteDomain result_;
+    std::vector<std::uint32_t> left_, right_; // per domain segment: regions
+    std::vector<std::uint32_t> pointRegion_;  // per result_.points
+    std::vector<std::uint32_t> pointBelow_;   // likewise: the domain segment directly below
+    std::vector<std::uint32_t> most_, count_; // per domain segment: pieces allowed and made
+    std::vector<double> rho_;                 // at the nodes of the domain
+    std::vector<double> fractions_;
+    SpacingIntegral integral_;
+};
+
+} // namespace
+
+double DiscreteDomain::area() const {
+    CompensatedSum sum;
+    for (const DiscreteRegion &region : regions) {
+        sum.add(region.area);
+    }
+    return sum.value();
+}
+
+Box2 DiscreteDomain::bounds() const {
+    Box2 box;
+    for (const Vec2 node : nodes) {
+        box.add(node);
+    }
+    return box;
+}
+
+Result<DiscreteDomain> discretise(const Domain &domain, const SpacingField &spacing, bool keepBoundary,
+                                  const Progress &progress) {
+    return Discretiser(domain, spacing, keepBoundary, progress).run();
+}
+
+} // namespace forefront

@@ -1,0 +1,329 @@
+#include "core/edit/box_tree.hpp"
+#include "core/geometry/polygon.hpp"
+#include "core/io/domain_builder.hpp"
+#include "core/io/json/json_check.hpp"
+#include "core/io/names.hpp"
+#include "core/io/readers.hpp"
+
+#include <limits>
+
+namespace forefront {
+
+namespace {
+
+struct GeoPolygon {
+    JsonValue from;                       ///< its coordinates in the text
+    std::vector<std::vector<Vec2>> rings; ///< outline and holes, first nodes not repeated
+    std::int32_t boundaryTag = 1;
+    std::int32_t regionTag = 1;
+    Vec2 inside = {};
+};
+
+struct GeoLine {
+    JsonValue from;
+    std::vector<Vec2> nodes;
+    std::int32_t tag = 1;
+};
+
+struct GeoPoint {
+    JsonValue from;
+    Vec2 place;
+    std::int32_t tag = 1;
+};
+
+/// What the properties of a feature say.
+struct GeoLabel {
+    std::string name;
+    std::optional<std::int32_t> tag;
+};
+
+/// GeoJSON (RFC 7946) as a plane drawing. Neighbouring polygons share interfaces; a polygon that lies inside another
+/// one is a region of its own; lines are constraints, and name the polygon sides they coincide with; points are
+/// constraint points. properties.name names boundary and region, properties.tag sets their tag.
+class GeoJsonReader {
+  public:
+    explicit GeoJsonReader(const SourceText &source)
+        : check_(source), noted_(source.origin != nullptr), builder_(source.origin) {
+        if (noted_) {
+            source.origin->showsColumns = true;
+        }
+    }
+
+    Result<Domain> read(const JsonValue &root) {
+        reserveTags(root);
+        anything(root, {});
+        if (!check_.faults().empty()) {
+            return check_.faults();
+        }
+        if (polygons_.empty() && lines_.empty()) {
+            check_.fault(root, "empty-domain", "the file holds no polygon and no line that could bound a domain");
+            return check_.faults();
+        }
+        placePolygons();
+        for (const GeoLine &line : lines_) {
+            buildFromItems(line.from);
+            builder_.addChain(line.nodes, line.tag);
+        }
+        for (const GeoPoint &point : points_) {
+            buildFrom(point.from);
+            builder_.addPoint(point.place, point.tag);
+        }
+        Domain domain = builder_.finish();
+        domain.boundaryNames = boundaries_.names();
+        domain.regionNames = regions_.names();
+        return domain;
+    }
+
+  private:
+    /// What is built next stands at this value, or at the items of this list.
+    void buildFrom(const JsonValue &value) { builder_.from({value.offset()}); }
+    void buildFromItems(const JsonValue &list) {
+        if (noted_) {
+            std::vector<std::size_t> offsets;
+            for (const JsonValue item : list) {
+                offsets.push_back(item.offset());
+            }
+            builder_.from(std::move(offsets));
+        }
+    }
+
+    void reserveTags(const JsonValue &root) {
+        const auto features = root.find("features");
+        if (!features) {
+            return;
+        }
+        for (const JsonValue feature : *features) {
+            const GeoLabel given = label(feature);
+            if (given.tag) {
+                boundaries_.reserve(*given.tag);
+                regions_.reserve(*given.tag);
+            }
+        }
+    }
+
+    GeoLabel label(const JsonValue &feature) {
+        GeoLabel label;
+        const auto properties = feature.find("properties");
+        if (!properties) {
+            return label;
+        }
+        for (const char *key : {"name", "Name", "NAME"}) {
+            const auto name = properties->find(key);
+            if (name && name->is(JsonKind::String) && label.name.empty()) {
+                label.name = cleanName(name->string());
+            }
+        }
+        const auto tag = properties->find("tag");
+        const auto number = tag ? tag->integer() : std::nullopt;
+        if (number && *number >= 1 && *number <= std::numeric_limits<std::int32_t>::max()) {
+            label.tag = static_cast<std::int32_t>(*number);
+        }
+        return label;
+    }
+
+    static std::int32_t tagOf(TagAllocator &tags, const GeoLabel &label) {
+        if (!label.tag) {
+            return tags.of(label.name);
+        }
+        if (!label.name.empty()) {
+            tags.name(*label.tag, label.name);
+        }
+        return *label.tag;
+    }
+
+    /// A collection, a feature or a geometry. Nesting is bounded by the JSON reader.
+    void anything(const JsonValue &value, const GeoLabel &label) {
+        const auto type = check_.member(value, "type", "the object");
+        if (!type || check_.full()) {
+            return;
+        }
+        const std::string word = type->string();
+        if (word == "FeatureCollection") {
+            each(value, "features", {});
+        } else if (word == "GeometryCollection") {
+            each(value, "geometries", label);
+        } else if (word == "Feature") {
+            const auto geometry = check_.member(value, "geometry", "the feature");
+            if (geometry && !geometry->is(JsonKind::Null)) {
+                anything(*geometry, this->label(value));
+            }
+        } else {
+            geometry(*type, word, value, label);
+        }
+    }
+
+    void each(const JsonValue &value, std::string_view member, const GeoLabel &label) {
+        const auto list = check_.member(value, member, "the collection");
+        if (list && check_.expect(*list, JsonKind::Array, member)) {
+            for (const JsonValue item : *list) {
+                anything(item, label);
+            }
+        }
+    }
+
+    void geometry(const JsonValue &type, const std::string &word, const JsonValue &value, const GeoLabel &label) {
+        const auto coordinates = value.find("coordinates");
+        if (!coordinates || !coordinates->is(JsonKind::Array)) {
+            check_.fault(coordinates.value_or(value), "bad-field",
+                         "expected a geometry with a list of \"coordinates\"");
+            return;
+        }
+        if (word == "Polygon") {
+            polygon(*coordinates, label);
+        } else if (word == "LineString") {
+            line(*coordinates, label);
+        } else if (word == "Point") {
+            points_.push_back({*coordinates, position(*coordinates), tagOf(boundaries_, label)});
+        } else if (word == "MultiPolygon" || word == "MultiLineString" || word == "MultiPoint") {
+            for (const JsonValue part : *coordinates) {
+                if (check_.full()) {
+                    return;
+                }
+                if (word == "MultiPolygon") {
+                    polygon(part, label);
+                } else if (word == "MultiLineString") {
+                    line(part, label);
+                } else {
+                    points_.push_back({part, position(part), tagOf(boundaries_, label)});
+                }
+            }
+        } else {
+            check_.fault(type, "unknown-geometry", "a geometry of type " + inQuotes(word) + " cannot be read");
+        }
+    }
+
+    /// Longitude and latitude, or x and y; further numbers, such as a height, are passed over.
+    Vec2 position(const JsonValue &value) {
+        Vec2 place;
+        std::size_t count = 0;
+        for (const JsonValue number : value) {
+            const double coordinate = check_.number(number, "a coordinate");
+            (count == 0 ? place.x : place.y) = count < 2 ? coordinate : place.y;
+            ++count;
+        }
+        if (!value.is(JsonKind::Array) || count < 2) {
+            check_.fault(value, "bad-number", "expected a position, [x, y]");
+        }
+        return place;
+    }
+
+    std::vector<Vec2> positions(const JsonValue &list, std::string_view what) {
+        std::vector<Vec2> nodes;
+        if (check_.expect(list, JsonKind::Array, what)) {
+            for (const JsonValue item : list) {
+                if (check_.full()) {
+                    break;
+                }
+                nodes.push_back(position(item));
+            }
+        }
+        return nodes;
+    }
+
+    void line(const JsonValue &value, const GeoLabel &label) {
+        std::vector<Vec2> nodes = positions(value, "a line");
+        if (nodes.size() < 2) {
+            check_.fault(value, "bad-count", "a line needs at least 2 positions");
+        }
+        lines_.push_back({value, std::move(nodes), tagOf(boundaries_, label)});
+    }
+
+    void polygon(const JsonValue &value, const GeoLabel &label) {
+        GeoPolygon polygon{value, {}};
+        if (!check_.expect(value, JsonKind::Array, "the rings of a polygon")) {
+            return;
+        }
+        for (const JsonValue ring : value) {
+            std::vector<Vec2> nodes = positions(ring, "a ring of a polygon");
+            if (nodes.size() > 1 && nodes.front() == nodes.back()) {
+                nodes.pop_back();
+            }
+            if (nodes.size() < 3) {
+                check_.fault(ring, "bad-count", "a ring needs at least 3 different positions");
+            }
+            polygon.rings.push_back(std::move(nodes));
+        }
+        if (polygon.rings.empty() || !check_.faults().empty()) {
+            return;
+        }
+        const auto inside = pointInside(polygon.rings);
+        if (!inside) {
+            check_.fault(value, "zero-area", "the polygon encloses no area");
+            return;
+        }
+        polygon.inside = *inside;
+        polygon.boundaryTag = tagOf(boundaries_, label);
+        polygon.regionTag = tagOf(regions_, label);
+        polygons_.push_back(std::move(polygon));
+    }
+
+    /// Polygons inside another one do not take from it: they only divide it.
+    void placePolygons() {
+        std::vector<Box2> boxes(polygons_.size());
+        for (std::size_t p = 0; p < polygons_.size(); ++p) {
+            for (const Vec2 node : polygons_[p].rings.front()) {
+                boxes[p].add(node);
+            }
+        }
+        const BoxTree tree(boxes);
+        for (std::uint32_t p = 0; p < polygons_.size(); ++p) {
+            bool nested = false;
+            tree.query(boxOf(polygons_[p].inside, polygons_[p].inside),
+                       [&](std::uint32_t other) { nested = nested || (other != p && contains(other, p, boxes)); });
+            auto from = polygons_[p].from.begin();
+            for (const std::vector<Vec2> &ring : polygons_[p].rings) {
+                buildFromItems(*from);
+                ++from;
+                builder_.addLoop(ring, polygons_[p].boundaryTag,
+                                 nested ? SegmentRole::Constraint : SegmentRole::Boundary);
+            }
+            buildFrom(polygons_[p].from);
+            if (polygons_.size() > 1 || !regions_.names().empty() || polygons_[p].regionTag != 1) {
+                builder_.addRegion(polygons_[p].inside, polygons_[p].regionTag);
+            }
+        }
+    }
+
+    /// The larger of two that overlap contains the other; of two equal ones, the first does.
+    bool contains(std::uint32_t outer, std::uint32_t inner, const std::vector<Box2> &boxes) const {
+        const double outerSize = boxes[outer].diagonal();
+        const double innerSize = boxes[inner].diagonal();
+        if (outerSize < innerSize || (outerSize == innerSize && outer > inner)) {
+            return false;
+        }
+        bool inside = false;
+        for (const std::vector<Vec2> &ring : polygons_[outer].rings) {
+            inside = inside != (locate(ring, polygons_[inner].inside) == PointPlace::Inside);
+        }
+        return inside;
+    }
+
+    JsonCheck check_;
+    TagAllocator boundaries_, regions_;
+    std::vector<GeoPolygon> polygons_;
+    std::vector<GeoLine> lines_;
+    std::vector<GeoPoint> points_;
+    bool noted_; ///< places of the parts are asked for
+    DomainBuilder builder_;
+};
+
+} // namespace
+
+bool looksLikeGeoJson(std::string_view head) {
+    const bool object =
+        head.find_first_not_of(" \t\r\n") != std::string_view::npos && head[head.find_first_not_of(" \t\r\n")] == '{';
+    return object && !looksLikeProject(head) &&
+           (head.find("\"FeatureCollection\"") != std::string_view::npos ||
+            head.find("\"Feature\"") != std::string_view::npos ||
+            head.find("\"coordinates\"") != std::string_view::npos);
+}
+
+Result<Domain> readGeoJson(const SourceText &source) {
+    const auto json = JsonDocument::parse(source);
+    if (!json) {
+        return json.faults();
+    }
+    return GeoJsonReader(source).read(json->root());
+}
+
+} // namespace forefront

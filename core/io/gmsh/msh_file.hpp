@@ -1,0 +1,95 @@
+#pragma once
+
+#include "core/io/planar_mesh.hpp"
+#include "core/io/text/byte_scanner.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace forefront {
+
+/// Types of elements as MSH numbers them.
+inline constexpr std::int32_t kMshLine = 1, kMshTriangle = 2, kMshPoint = 15;
+
+/// Nodal values of a $NodeData section with one component.
+struct MshValues {
+    std::string name;
+    std::size_t offset = 0;
+    std::vector<double> values;                       ///< per node; NaN where the section has none
+    std::size_t notPositive = std::string_view::npos; ///< offset of the first value that is 0 or less
+
+    void set(NodeId node, double value, std::size_t place) {
+        if (!(value > 0.0)) {
+            notPositive = std::min(notPositive, place);
+        }
+        values[index(node)] = value;
+    }
+};
+
+/// Reader of Gmsh MSH 2.2, ASCII, and 4.1, ASCII and binary. Sections it has no use for are skipped.
+class MshFile {
+  public:
+    explicit MshFile(const SourceText &source) : scanner_(source) {}
+
+    /// False after a failure, then see faults().
+    bool read();
+    const Diagnostics &faults() const { return scanner_.faults(); }
+    TextScanner &scanner() { return scanner_; }
+    PlanarMeshBuilder &builder() { return builder_; }
+    /// In the order of the file.
+    const std::vector<MshValues> &values() const { return values_; }
+
+  private:
+    bool readSection(std::string_view name);
+    bool readFormat();
+    bool readNames();
+    bool readNodeData();
+    bool skipSection(std::string_view name);
+
+    bool readNodes2();
+    bool readElements2();
+    bool readElement2(std::size_t number);
+    bool readEntities4();
+    bool readEntity4(int dimension);
+    bool readNodes4();
+    bool readElements4();
+    bool readElementBlock4(std::size_t &left);
+    void restoreOrder();
+
+    struct NumberedNode {
+        std::int64_t number;
+        Vec2 place;
+    };
+    bool readByteOrder(std::int64_t size);
+    bool readEntitiesBinary();
+    bool readEntityBinary(ByteScanner &bytes, int dimension);
+    bool readNodesBinary();
+    bool readNodeBlockBinary(ByteScanner &bytes, std::size_t block, std::size_t most, std::vector<NumberedNode> &nodes);
+    bool readElementsBinary();
+    bool findNode(std::int64_t number, NodeId &node, std::size_t place);
+    void addConnection(std::int32_t type, const Element &nodes, std::int32_t tag, std::int64_t number);
+    bool readElementBlockBinary(ByteScanner &bytes, std::size_t &left);
+    bool readValuesBinary(std::size_t count, MshValues &field);
+
+    /// Nodes in the order of their numbers.
+    bool takeNodes(std::vector<NumberedNode> nodes);
+    /// The tag of what lies on an entity: its first physical group, else its own number.
+    std::int32_t tagOf(int dimension, std::int64_t entity) const;
+
+    /// Nodes of a point, line or triangle; other types are refused.
+    bool failType(const std::string &what, std::int64_t type, std::size_t place);
+    bool readConnection(std::int64_t type, std::int32_t tag, std::size_t typeOffset, Expect expect);
+
+    TextScanner scanner_;
+    PlanarMeshBuilder builder_;
+    std::vector<MshValues> values_;
+    bool version4_ = false, binary_ = false, formatRead_ = false, nodesRead_ = false, elementsRead_ = false;
+    std::map<std::pair<int, std::int64_t>, std::int32_t> physical_; ///< by dimension and entity
+    std::vector<std::int64_t> edgeNumbers_, elementNumbers_;        ///< MSH 4.1: as in the file
+};
+
+} // namespace forefront

@@ -1,0 +1,315 @@
+#include "core/io/gmsh/msh_file.hpp"
+#include "core/io/mesh_field.hpp"
+#include "core/io/names.hpp"
+#include "core/io/readers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+namespace forefront {
+
+namespace {
+
+constexpr std::int64_t kAny = std::numeric_limits<std::int64_t>::max();
+constexpr std::int64_t kGreatestTag = std::numeric_limits<std::int32_t>::max();
+
+} // namespace
+
+bool MshFile::read() {
+    while (scanner_.ok() && !scanner_.atEnd()) {
+        const std::size_t place = scanner_.offset();
+        const std::string_view word = scanner_.word();
+        if (word.front() != '$') {
+            return scanner_.fail(place, "bad-syntax", "expected a section such as $Nodes, found " + inQuotes(word));
+        }
+        if (!formatRead_ && word != "$MeshFormat" && word != "$Comments") {
+            return scanner_.fail(place, "bad-syntax", "expected $MeshFormat as first section, found " + inQuotes(word));
+        }
+        readSection(word.substr(1));
+    }
+    if (scanner_.ok() && !nodesRead_) {
+        return scanner_.fail(scanner_.offset(), "bad-syntax", "the file has no $Nodes");
+    }
+    return scanner_.ok();
+}
+
+bool MshFile::readSection(std::string_view name) {
+    bool done = false;
+    if (name == "MeshFormat") {
+        done = readFormat();
+    } else if (name == "PhysicalNames") {
+        done = readNames();
+    } else if (name == "Nodes" && !nodesRead_) {
+        done = binary_ ? readNodesBinary() : version4_ ? readNodes4() : readNodes2();
+        nodesRead_ = true;
+    } else if (name == "Elements" && !elementsRead_) {
+        if (!nodesRead_) {
+            return scanner_.fail(scanner_.offset(), "bad-syntax", "$Elements come before $Nodes");
+        }
+        done = binary_ ? readElementsBinary() : version4_ ? readElements4() : readElements2();
+        elementsRead_ = true;
+    } else if (name == "Entities" && version4_) {
+        done = binary_ ? readEntitiesBinary() : readEntities4();
+    } else if (name == "NodeData" && nodesRead_) {
+        done = readNodeData();
+    } else {
+        return skipSection(name);
+    }
+    return done && scanner_.literal("$End" + std::string(name));
+}
+
+bool MshFile::skipSection(std::string_view name) {
+    const std::size_t place = scanner_.offset();
+    const std::string end = "$End" + std::string(name);
+    const std::size_t found = scanner_.source().text.find("\n" + end, place);
+    if (found == std::string_view::npos) {
+        return scanner_.fail(place, "bad-syntax", "the end of the section, " + end + ", is missing");
+    }
+    scanner_.seek(found);
+    return scanner_.literal(end);
+}
+
+bool MshFile::readFormat() {
+    double version = 0.0;
+    std::int64_t binary = 0, size = 0;
+    const std::size_t place = scanner_.offset();
+    if (!scanner_.real(version, {"the version of the MSH format"}) ||
+        !scanner_.integer(binary, 0, 1, {"the file type"})) {
+        return false;
+    }
+    version4_ = version >= 4.0;
+    if (version != 2.2 && version != 2.1 && version != 2.0 && version != 4.1) {
+        return scanner_.fail(place, "unknown-version", "MSH versions 2.2 and 4.1 can be read, this is another one",
+                             "save it from gmsh with -format msh22 or msh41");
+    }
+    if (binary == 1 && !version4_) {
+        return scanner_.fail(place, "binary", "binary MSH files of version 2 cannot be read",
+                             "save it from gmsh with -format msh41, or as ASCII with -bin 0");
+    }
+    formatRead_ = true;
+    binary_ = binary == 1;
+    return scanner_.integer(size, 1, 16, {"the size of a number"}) && (!binary_ || readByteOrder(size));
+}
+
+bool MshFile::readNames() {
+    std::size_t count = 0;
+    if (!scanner_.count(count, 6, {"the number of physical names"})) {
+        return false;
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+        std::int64_t dimension = 0, tag = 0;
+        std::string_view name;
+        const Expect expect{"physical name", k + 1};
+        if (!scanner_.integer(dimension, 0, 3, expect) || !scanner_.integer(tag, -kGreatestTag, kGreatestTag, expect) ||
+            !scanner_.quotedWord(name, expect)) {
+            return false;
+        }
+        const bool region = dimension == 2;
+        addName(region ? builder_.mesh.regionNames : builder_.mesh.boundaryNames,
+                static_cast<std::int32_t>(std::abs(tag)), std::string(name), region);
+    }
+    return true;
+}
+
+bool MshFile::readNodes2() {
+    std::size_t count = 0;
+    if (!scanner_.count(count, 8, {"the number of nodes"})) {
+        return false;
+    }
+    builder_.reserveNodes(count);
+    for (std::size_t k = 0; k < count; ++k) {
+        std::int64_t number = 0;
+        if (!scanner_.integer(number, 1, kAny, {"the number of node", k + 1}) ||
+            !builder_.readNode(scanner_, number, 3)) {
+            return false;
+        }
+    }
+    return builder_.finishNodes(scanner_);
+}
+
+bool MshFile::readElements2() {
+    std::size_t count = 0;
+    if (!scanner_.count(count, 6, {"the number of elements"})) {
+        return false;
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+        if (!readElement2(k + 1)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool MshFile::readElement2(std::size_t number) {
+    const Expect expect{"element", number};
+    std::int64_t id = 0, type = 0, tags = 0;
+    if (!scanner_.integer(id, 0, kAny, expect)) {
+        return false;
+    }
+    const std::size_t typeOffset = scanner_.offset();
+    if (!scanner_.integer(type, 1, 1000, expect) || !scanner_.integer(tags, 0, 1000, {"the tags of element", number})) {
+        return false;
+    }
+    // Physical group, then geometry; without physical groups the geometry tells parts apart.
+    std::int64_t chosen = 0;
+    for (std::int64_t t = 0; t < tags; ++t) {
+        std::int64_t tag = 0;
+        if (!scanner_.integer(tag, -kGreatestTag, kGreatestTag, {"a tag of element", number})) {
+            return false;
+        }
+        if (t < 2 && chosen == 0) {
+            chosen = std::abs(tag);
+        }
+    }
+    return readConnection(type, static_cast<std::int32_t>(std::max<std::int64_t>(chosen, 1)), typeOffset, expect);
+}
+
+bool MshFile::readConnection(std::int64_t type, std::int32_t tag, std::size_t typeOffset, Expect expect) {
+    switch (type) {
+    case kMshPoint:
+        return builder_.readPoint(scanner_, tag, expect);
+    case kMshLine:
+        return builder_.readEdge(scanner_, tag, expect);
+    case kMshTriangle:
+        return builder_.readElement(scanner_, tag, expect);
+    default:
+        return failType(expect.words(), type, typeOffset);
+    }
+}
+
+bool MshFile::failType(const std::string &what, std::int64_t type, std::size_t place) {
+    return scanner_.fail(place, "unknown-element",
+                         what + " is of MSH type " + std::to_string(type) +
+                             "; only points, 2-node lines and 3-node triangles can be read");
+}
+
+bool MshFile::readNodeData() {
+    const std::size_t place = scanner_.offset();
+    std::size_t strings = 0, reals = 0, integers = 0, count = 0;
+    std::string_view text;
+    MshValues field;
+    field.offset = place;
+    double number = 0.0;
+    if (!scanner_.count(strings, 2, {"the number of string tags"})) {
+        return false;
+    }
+    for (std::size_t k = 0; k < strings; ++k) {
+        if (!scanner_.quotedWord(text, {"a string tag"})) {
+            return false;
+        }
+        field.name = k == 0 ? std::string(text) : field.name;
+    }
+    if (!scanner_.count(reals, 2, {"the number of real tags"})) {
+        return false;
+    }
+    for (std::size_t k = 0; k < reals; ++k) {
+        if (!scanner_.real(number, {"a real tag"})) {
+            return false;
+        }
+    }
+    std::int64_t tag = 0, components = 1;
+    if (!scanner_.count(integers, 2, {"the number of integer tags"})) {
+        return false;
+    }
+    for (std::size_t k = 0; k < integers; ++k) {
+        if (k == 2) {
+            if (!scanner_.count(count, 4, {"the number of nodal values"})) {
+                return false;
+            }
+        } else if (!scanner_.integer(tag, 0, kAny, {"an integer tag"})) {
+            return false;
+        }
+        components = k == 1 ? tag : components;
+    }
+    if (components != 1) { // vectors and tensors: of no use here
+        const std::size_t end = scanner_.source().text.find("\n$EndNodeData", scanner_.offset());
+        scanner_.seek(end == std::string_view::npos ? scanner_.source().text.size() : end);
+        return true;
+    }
+    field.values.assign(builder_.mesh.nodes.size(), std::numeric_limits<double>::quiet_NaN());
+    if (binary_) {
+        return readValuesBinary(count, field);
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+        NodeId node = kNoNode;
+        if (!builder_.readNodeId(scanner_, node, {"nodal value", k + 1})) {
+            return false;
+        }
+        const std::size_t valueOffset = scanner_.offset() + 1;
+        if (!scanner_.real(number, {"nodal value", k + 1})) {
+            return false;
+        }
+        field.set(node, number, valueOffset);
+    }
+    values_.push_back(std::move(field));
+    return true;
+}
+
+bool looksLikeMsh(std::string_view head) {
+    return head.find("$MeshFormat") != std::string_view::npos;
+}
+
+Result<Mesh> readMsh(const SourceText &source) {
+    MshFile file(source);
+    if (!file.read()) {
+        return file.faults();
+    }
+    return file.builder().finish();
+}
+
+Result<MeshField> readMshField(const SourceText &source, std::string_view name) {
+    MshFile file(source);
+    if (!file.read()) {
+        return file.faults();
+    }
+    NamedFields fields;
+    for (const MshValues &field : file.values()) {
+        fields.insert_or_assign(field.name, field.values); // of several time steps the last
+    }
+    return meshWithField(file.builder().finish(), std::move(fields), name, source);
+}
+
+Result<SpacingSpec> readMshSpacing(const SourceText &source) {
+    MshFile file(source);
+    if (!file.read()) {
+        return file.faults();
+    }
+    TextScanner &scanner = file.scanner();
+    const Mesh mesh = file.builder().finish();
+    if (file.values().empty() || mesh.elements.empty()) {
+        scanner.fail(0, "no-values",
+                     "the file holds no triangles with nodal values ($NodeData) to take a spacing from");
+        return scanner.faults();
+    }
+    const MshValues &values = file.values().front();
+    if (values.notPositive != std::string_view::npos) {
+        scanner.fail(values.notPositive, "bad-values", "a spacing must be greater than 0");
+        return scanner.faults();
+    }
+    auto background = std::make_shared<BackgroundMesh>();
+    background->nodes = mesh.nodes;
+    background->values = values.values;
+    background->elements.reserve(mesh.elements.size());
+    for (const Element &element : mesh.elements) {
+        std::array<std::uint32_t, 3> corners{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            corners[k] = static_cast<std::uint32_t>(element[k]);
+            if (std::isnan(values.values[corners[k]])) {
+                scanner.fail(values.offset, "no-values", "some nodes of triangles have no value in $NodeData");
+                return scanner.faults();
+            }
+        }
+        background->elements.push_back(corners);
+    }
+    // Nodes that no triangle uses have no value; any positive one serves.
+    for (double &value : background->values) {
+        value = std::isnan(value) ? 1.0 : value;
+    }
+    SpacingSpec spec;
+    spec.background = std::move(background);
+    return spec;
+}
+
+} // namespace forefront

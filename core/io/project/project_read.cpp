@@ -1,0 +1,428 @@
+#include "core/io/files.hpp"
+#include "core/io/json/json_check.hpp"
+#include "core/io/project/project_words.hpp"
+#include "core/io/project/tile_code.hpp"
+#include "core/io/readers.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace forefront {
+
+namespace {
+
+constexpr std::int64_t kGreatestInt = std::numeric_limits<std::int32_t>::max();
+constexpr std::int64_t kGreatestId = std::numeric_limits<std::uint32_t>::max() - 1;
+
+class ProjectReader {
+  public:
+    explicit ProjectReader(const SourceText &source) : check_(source) {}
+
+    Result<Document> read(const JsonValue &root) {
+        if (!header(root)) {
+            return check_.faults();
+        }
+        shapes(root);
+        if (const auto markers = root.find("regionMarkers")) {
+            regionMarkers(*markers);
+        }
+        names(root, "boundaryNames", document_.boundaryNames);
+        names(root, "regionNames", document_.regionNames);
+        if (const auto spec = root.find("spacing"); spec && check_.expect(*spec, JsonKind::Object, "\"spacing\"")) {
+            spacing(*spec);
+        }
+        if (const auto given = root.find("options"); given && check_.expect(*given, JsonKind::Object, "\"options\"")) {
+            options(*given);
+        }
+        if (const auto tolerance = root.find("circleTolerance")) {
+            document_.circleTolerance = check_.positive(*tolerance, "\"circleTolerance\"");
+            if (document_.circleTolerance < 1e-8 || document_.circleTolerance > 0.5) {
+                check_.fault(*tolerance, "bad-number", "\"circleTolerance\" must lie between 1e-8 and 0.5");
+            }
+        }
+        nextId(root);
+        if (!check_.faults().empty()) {
+            return check_.faults();
+        }
+        return std::move(document_);
+    }
+
+  private:
+    bool header(const JsonValue &root) {
+        const auto format = root.find("format");
+        if (!format || format->string() != "forefront") {
+            check_.fault(format.value_or(root), "not-a-project", "this is no Forefront project",
+                         "a project begins with {\"format\": \"forefront\", \"version\": 1");
+            return false;
+        }
+        const auto version = check_.member(root, "version", "the project");
+        if (!version) {
+            return false;
+        }
+        if (const auto number = version->integer(); number && *number > kProjectVersion) {
+            check_.fault(*version, "newer-version",
+                         "the project was written by a newer Forefront (project version " + std::to_string(*number) +
+                             ", this program reads up to " + std::to_string(kProjectVersion) + ")",
+                         "update Forefront");
+            return false;
+        }
+        check_.integer(*version, 1, kProjectVersion, "\"version\"");
+        return check_.faults().empty();
+    }
+
+    void shapes(const JsonValue &root) {
+        const auto list = check_.member(root, "shapes", "the project");
+        if (!list || !check_.expect(*list, JsonKind::Array, "\"shapes\"")) {
+            return;
+        }
+        for (const JsonValue item : *list) {
+            if (check_.full()) {
+                return;
+            }
+            if (check_.expect(item, JsonKind::Object, "a shape")) {
+                document_.shapes.push_back(std::make_shared<const Shape>(shape(item)));
+            }
+        }
+    }
+
+    Shape shape(const JsonValue &item) {
+        Shape shape;
+        if (const auto id = check_.member(item, "id", "the shape")) {
+            shape.id = static_cast<std::uint32_t>(check_.integer(*id, 1, kGreatestId, "the id of a shape"));
+            if (!ids_.insert(shape.id).second) {
+                check_.fault(*id, "duplicate-id", "another shape has the id " + std::to_string(shape.id));
+            }
+        }
+        if (const auto kind = check_.member(item, "kind", "the shape")) {
+            shape.kind = static_cast<ShapeKind>(check_.choice(*kind, kShapeKinds, "the kind of a shape"));
+        }
+        if (const auto use = item.find("use")) {
+            shape.use = static_cast<ShapeUse>(check_.choice(*use, kShapeUses, "the use of a shape"));
+        }
+        if (const auto tag = item.find("tag")) {
+            shape.tag = check_.tag(*tag);
+        }
+        if (const auto name = item.find("name")) {
+            shape.name = check_.string(*name, "the name of a shape");
+        }
+        if (const auto nodes = check_.member(item, "nodes", "the shape");
+            nodes && check_.expect(*nodes, JsonKind::Array, "the nodes of a shape")) {
+            shape.nodes = points(*nodes, "a node of a shape");
+            nodeCount(shape, *nodes);
+        }
+        if (const auto tags = item.find("segmentTags");
+            tags && check_.expect(*tags, JsonKind::Array, "\"segmentTags\"")) {
+            for (const JsonValue tag : *tags) {
+                shape.segmentTags.push_back(check_.tag(tag));
+            }
+            segmentTagCount(shape, *tags);
+        }
+        return shape;
+    }
+
+    std::vector<Vec2> points(const JsonValue &list, std::string_view what) {
+        std::vector<Vec2> nodes;
+        for (const JsonValue node : list) {
+            if (check_.full()) {
+                break;
+            }
+            nodes.push_back(check_.point(node, what));
+        }
+        return nodes;
+    }
+
+    void nodeCount(const Shape &shape, const JsonValue &place) {
+        const std::size_t count = shape.nodes.size();
+        const bool two = shape.kind == ShapeKind::Rectangle || shape.kind == ShapeKind::Circle;
+        if ((two && count != 2) || (shape.kind == ShapeKind::Point && count != 1) || count == 0) {
+            check_.fault(place, "bad-count",
+                         std::string("a ") + std::string(kShapeKinds[static_cast<std::size_t>(shape.kind)]) + " has " +
+                             (two                              ? "2 nodes"
+                              : shape.kind == ShapeKind::Point ? "1 node"
+                                                               : "at least 1 node") +
+                             ", found " + std::to_string(count));
+        }
+    }
+
+    void segmentTagCount(const Shape &shape, const JsonValue &place) {
+        const std::size_t nodes = shape.nodes.size();
+        const std::size_t count = shape.segmentTags.size();
+        const std::size_t expected = shape.kind == ShapeKind::Polygon     ? nodes
+                                     : shape.kind == ShapeKind::Polyline  ? nodes - std::min<std::size_t>(nodes, 1)
+                                     : shape.kind == ShapeKind::Rectangle ? 4
+                                     : shape.kind == ShapeKind::Circle    ? 1
+                                                                          : 0;
+        if (count != 0 && count != expected) {
+            check_.fault(place, "bad-count",
+                         "expected a tag for each of the " + std::to_string(expected) + " segments, found " +
+                             std::to_string(count));
+        }
+    }
+
+    void regionMarkers(const JsonValue &list) {
+        if (!check_.expect(list, JsonKind::Array, "\"regionMarkers\"")) {
+            return;
+        }
+        for (const JsonValue item : list) {
+            RegionMarker marker;
+            if (const auto at = check_.member(item, "at", "the region marker")) {
+                marker.at = check_.point(*at, "a region marker");
+            }
+            if (const auto tag = check_.member(item, "tag", "the region marker")) {
+                marker.tag = check_.tag(*tag);
+            }
+            document_.regionMarkers.push_back(marker);
+        }
+    }
+
+    void names(const JsonValue &root, std::string_view member, std::map<std::int32_t, std::string> &names) {
+        const auto object = root.find(member);
+        if (!object || !check_.expect(*object, JsonKind::Object, member)) {
+            return;
+        }
+        for (auto entry = object->begin(); entry != object->end(); ++entry) {
+            const std::string key = entry.key();
+            std::int32_t tag = 0;
+            const auto [end, problem] = std::from_chars(key.data(), key.data() + key.size(), tag);
+            if (problem != std::errc{} || end != key.data() + key.size() || tag < 1) {
+                check_.fault(entry.keyValue(), "bad-tag", "expected a tag, an integer of at least 1, as key of a name");
+            }
+            names.emplace(tag, check_.string(*entry, "a name"));
+        }
+    }
+
+    void optional(const JsonValue &object, std::string_view name, std::optional<double> &target) {
+        if (const auto value = object.find(name)) {
+            target = check_.positive(*value, name);
+        }
+    }
+
+    void spacing(const JsonValue &object) {
+        SpacingSpec &spec = document_.spacing;
+        optional(object, "size", spec.size);
+        optional(object, "minimum", spec.minimum);
+        optional(object, "maximum", spec.maximum);
+        optional(object, "gradation", spec.gradation);
+        if (const auto flag = object.find("fromBoundary")) {
+            spec.fromBoundary = check_.flag(*flag, "\"fromBoundary\"");
+        }
+        if (const auto text = object.find("expression")) {
+            spec.expression = check_.string(*text, "\"expression\"");
+        }
+        if (const auto list = object.find("sources"); list && check_.expect(*list, JsonKind::Array, "\"sources\"")) {
+            for (const JsonValue item : *list) {
+                if (check_.full()) {
+                    return;
+                }
+                spec.sources.push_back(source(item));
+            }
+        }
+        if (const auto paint = object.find("paint"); paint && check_.expect(*paint, JsonKind::Object, "\"paint\"")) {
+            painted(*paint);
+        }
+        if (const auto mesh = object.find("background");
+            mesh && check_.expect(*mesh, JsonKind::Object, "\"background\"")) {
+            background(*mesh);
+        }
+    }
+
+    SizeSource source(const JsonValue &item) {
+        SizeSource source;
+        if (const auto shape = check_.member(item, "shape", "the source")) {
+            source.shape = static_cast<SourceShape>(check_.choice(*shape, kSourceShapes, "the shape of a source"));
+        }
+        if (const auto a = check_.member(item, "a", "the source")) {
+            source.a = check_.point(*a, "a source");
+        }
+        if (const auto b = item.find("b")) {
+            source.b = check_.point(*b, "a source");
+        }
+        if (const auto radius = item.find("radius")) {
+            source.radius = check_.notNegative(*radius, "the radius of a source");
+        }
+        if (const auto size = check_.member(item, "size", "the source")) {
+            source.size = check_.positive(*size, "the size of a source");
+        }
+        if (const auto growth = item.find("growth")) {
+            source.growth = check_.notNegative(*growth, "the growth of a source");
+        }
+        if (const auto name = item.find("name")) {
+            source.name = check_.string(*name, "the name of a source");
+        }
+        return source;
+    }
+
+    void painted(const JsonValue &object) {
+        PaintedSpacing &paint = document_.spacing.paint;
+        if (const auto origin = check_.member(object, "origin", "the paint")) {
+            paint.origin = check_.point(*origin, "the origin of the paint");
+        }
+        if (const auto pitch = check_.member(object, "pitch", "the paint")) {
+            paint.pitch = check_.positive(*pitch, "the pitch of the paint");
+        }
+        const auto tiles = check_.member(object, "tiles", "the paint");
+        if (!tiles || !check_.expect(*tiles, JsonKind::Array, "\"tiles\"")) {
+            return;
+        }
+        for (const JsonValue item : *tiles) {
+            if (check_.full()) {
+                return;
+            }
+            tile(item);
+        }
+    }
+
+    void tile(const JsonValue &item) {
+        if (!item.is(JsonKind::Array) || item.count() != 3) {
+            check_.fault(item, "bad-tile", "expected [column, row, \"values\"] for a painted tile");
+            return;
+        }
+        auto field = item.begin();
+        const auto column = static_cast<std::int32_t>(
+            check_.integer(*field, -kGreatestInt, kGreatestInt, "the column of a painted tile"));
+        ++field;
+        const auto row =
+            static_cast<std::int32_t>(check_.integer(*field, -kGreatestInt, kGreatestInt, "the row of a painted tile"));
+        ++field;
+        const auto values = decodeTile((*field).string());
+        const bool sound = values && std::all_of(values->begin(), values->end(),
+                                                 [](float value) { return std::isfinite(value) && value >= 0.0F; });
+        if (!sound) {
+            check_.fault(*field, "bad-tile", "the values of this painted tile are damaged");
+            return;
+        }
+        const auto shared = std::make_shared<const PaintedSpacing::Tile>(*values);
+        if (!document_.spacing.paint.tiles.emplace(std::pair(column, row), shared).second) {
+            check_.fault(item, "bad-tile", "this painted tile is given twice");
+        }
+    }
+
+    void background(const JsonValue &object) {
+        const auto nodes = check_.member(object, "nodes", "the background mesh");
+        const auto elements = check_.member(object, "elements", "the background mesh");
+        const auto values = check_.member(object, "values", "the background mesh");
+        if (!nodes || !elements || !values || !check_.expect(*nodes, JsonKind::Array, "\"nodes\"") ||
+            !check_.expect(*elements, JsonKind::Array, "\"elements\"") ||
+            !check_.expect(*values, JsonKind::Array, "\"values\"")) {
+            return;
+        }
+        BackgroundMesh mesh;
+        mesh.nodes = points(*nodes, "a node of the background mesh");
+        for (const JsonValue item : *elements) {
+            if (check_.full()) {
+                return;
+            }
+            mesh.elements.push_back(backgroundElement(item, mesh.nodes.size()));
+        }
+        for (const JsonValue value : *values) {
+            if (check_.full()) {
+                return;
+            }
+            mesh.values.push_back(check_.positive(value, "a spacing of the background mesh"));
+        }
+        if (mesh.values.size() != mesh.nodes.size()) {
+            check_.fault(*values, "bad-count",
+                         "expected one spacing for each of the " + std::to_string(mesh.nodes.size()) +
+                             " nodes, found " + std::to_string(mesh.values.size()));
+        }
+        document_.spacing.background = std::make_shared<const BackgroundMesh>(std::move(mesh));
+    }
+
+    std::array<std::uint32_t, 3> backgroundElement(const JsonValue &item, std::size_t nodes) {
+        std::array<std::uint32_t, 3> element{};
+        std::size_t count = 0;
+        for (const JsonValue node : item) {
+            const auto number = node.integer();
+            if (!number || *number < 0 || static_cast<std::size_t>(*number) >= nodes) {
+                check_.fault(node, "bad-index",
+                             "expected the index of a node, from 0 to less than " + std::to_string(nodes));
+            } else if (count < 3) {
+                element[count] = static_cast<std::uint32_t>(*number);
+            }
+            ++count;
+        }
+        if (!item.is(JsonKind::Array) || count != 3) {
+            check_.fault(item, "bad-count", "expected 3 node indices for an element");
+        }
+        return element;
+    }
+
+    void options(const JsonValue &object) {
+        MeshingOptions &options = document_.options;
+        if (const auto method = object.find("method")) {
+            options.method = static_cast<Method>(check_.choice(*method, kMethods, "the method"));
+        }
+        if (const auto grid = object.find("grid")) {
+            options.grid = static_cast<GridKind>(check_.choice(*grid, kGridKinds, "the background grid"));
+        }
+        if (const auto columns = object.find("gridColumns")) {
+            options.gridColumns = static_cast<int>(check_.integer(*columns, 0, kMostCells, "\"gridColumns\""));
+        }
+        if (const auto rows = object.find("gridRows")) {
+            options.gridRows = static_cast<int>(check_.integer(*rows, 0, kMostCells, "\"gridRows\""));
+        }
+        if (const auto flag = object.find("keepBoundary")) {
+            options.keepBoundary = check_.flag(*flag, "\"keepBoundary\"");
+        }
+        if (const auto level = object.find("improve")) {
+            options.improve = improveLevel(*level);
+        }
+        if (const auto threads = object.find("threads")) {
+            options.threads = static_cast<unsigned>(check_.integer(*threads, 0, kMostThreads, "\"threads\""));
+        }
+    }
+
+    /// A word; true and false, as older projects have it, mean default and none.
+    ImproveLevel improveLevel(const JsonValue &value) {
+        if (value.is(JsonKind::True) || value.is(JsonKind::False)) {
+            return value.is(JsonKind::True) ? ImproveLevel::Default : ImproveLevel::None;
+        }
+        return static_cast<ImproveLevel>(check_.choice(value, kImproveLevels, "\"improve\""));
+    }
+
+    void nextId(const JsonValue &root) {
+        document_.nextId = ids_.empty() ? 1 : *ids_.rbegin() + 1;
+        if (const auto value = root.find("nextId")) {
+            const std::int64_t next = check_.integer(*value, 1, kGreatestId + 1, "\"nextId\"");
+            document_.nextId = std::max(document_.nextId, static_cast<std::uint32_t>(next));
+        }
+    }
+
+    static constexpr std::int64_t kMostCells = 1 << 20;
+    static constexpr std::int64_t kMostThreads = 4096;
+
+    JsonCheck check_;
+    Document document_;
+    std::set<std::uint32_t> ids_;
+};
+
+} // namespace
+
+Result<Document> readProjectText(const SourceText &source) {
+    const auto json = JsonDocument::parse(source);
+    if (!json) {
+        return json.faults();
+    }
+    return ProjectReader(source).read(json->root());
+}
+
+Result<Document> parseProject(std::string_view text, const std::string &fileName) {
+    return readProjectText({text, fileName, {}, {}});
+}
+
+bool looksLikeProject(std::string_view head) {
+    return head.find("\"format\"") != std::string_view::npos && head.find("\"forefront\"") != std::string_view::npos;
+}
+
+Result<SpacingSpec> readProjectSpacing(const SourceText &source) {
+    auto document = readProjectText(source);
+    if (!document) {
+        return document.faults();
+    }
+    return std::move(document->spacing);
+}
+
+} // namespace forefront

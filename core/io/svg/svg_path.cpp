@@ -1,0 +1,198 @@
+#include "core/io/svg/svg_pen.hpp"
+
+#include <charconv>
+#include <cmath>
+
+namespace forefront {
+
+void SvgNumbers::skipBlanks() {
+    while (at_ < text_.size() && (static_cast<unsigned char>(text_[at_]) <= ' ' || text_[at_] == ',')) {
+        ++at_;
+    }
+}
+
+bool SvgNumbers::atEnd() {
+    skipBlanks();
+    return at_ == text_.size();
+}
+
+char SvgNumbers::peek() {
+    skipBlanks();
+    return at_ < text_.size() ? text_[at_] : '\0';
+}
+
+bool SvgNumbers::more() {
+    const char c = peek();
+    return (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+';
+}
+
+bool SvgNumbers::number(double &value) {
+    if (!more()) {
+        return false;
+    }
+    const std::size_t plus = text_[at_] == '+' ? 1 : 0;
+    const char *const begin = text_.data() + at_ + plus;
+    const char *const end = text_.data() + text_.size();
+    const char *const digit = begin < end && *begin == '-' && plus == 0 ? begin + 1 : begin;
+    if (digit == end || !((*digit >= '0' && *digit <= '9') || *digit == '.')) {
+        return false;
+    }
+    const auto [stop, problem] = std::from_chars(begin, end, value);
+    if (problem == std::errc::invalid_argument) {
+        return false;
+    }
+    if (problem == std::errc::result_out_of_range) {
+        const std::string_view token(begin, static_cast<std::size_t>(stop - begin));
+        if (token.find("e-") == std::string_view::npos && token.find("E-") == std::string_view::npos) {
+            return false;
+        }
+        value = 0.0;
+    }
+    at_ = static_cast<std::size_t>(stop - text_.data());
+    return std::isfinite(value);
+}
+
+bool SvgNumbers::flag(bool &value) {
+    const char c = peek();
+    if (c != '0' && c != '1') {
+        return false;
+    }
+    value = c == '1';
+    ++at_;
+    return true;
+}
+
+namespace {
+
+/// Runs through path data; `last*Control_` are the control points that S and T mirror.
+class PathDrawer {
+  public:
+    PathDrawer(std::string_view data, SvgPen &pen) : numbers_(data), pen_(pen) {}
+
+    std::optional<SvgFault> run() {
+        while (!numbers_.atEnd()) {
+            const char letter = numbers_.peek();
+            if (std::string_view("MmLlHhVvCcSsQqTtAaZz").find(letter) == std::string_view::npos) {
+                return fault("expected a path command");
+            }
+            if (!pen_.down() && letter != 'M' && letter != 'm') {
+                return fault("path data must begin with M or m");
+            }
+            numbers_.skip();
+            relative_ = letter >= 'a';
+            command_ = relative_ ? static_cast<char>(letter - 'a' + 'A') : letter;
+            if (command_ == 'Z') {
+                pen_.close();
+                previous_ = 'Z';
+                continue;
+            }
+            do {
+                if (!segment()) {
+                    return fault(std::string("expected a number for path command ") + letter);
+                }
+                previous_ = command_;
+                command_ = command_ == 'M' ? 'L' : command_;
+            } while (numbers_.more());
+        }
+        return std::nullopt;
+    }
+
+  private:
+    SvgFault fault(std::string message) const { return {numbers_.offset(), std::move(message)}; }
+
+    bool point(Vec2 &p) {
+        if (!numbers_.point(p)) {
+            return false;
+        }
+        p = relative_ ? pen_.at() + p : p;
+        return true;
+    }
+
+    bool segment() {
+        Vec2 a, b, p;
+        double along = 0.0;
+        switch (command_) {
+        case 'M':
+            if (!point(p)) {
+                return false;
+            }
+            pen_.moveTo(p);
+            return true;
+        case 'L':
+            if (!point(p)) {
+                return false;
+            }
+            pen_.lineTo(p);
+            return true;
+        case 'H':
+        case 'V':
+            if (!numbers_.number(along)) {
+                return false;
+            }
+            p = pen_.at();
+            (command_ == 'H' ? p.x : p.y) = along + (!relative_ ? 0.0 : command_ == 'H' ? p.x : p.y);
+            pen_.lineTo(p);
+            return true;
+        case 'C':
+            return point(a) && point(b) && point(p) && cubic(a, b, p);
+        case 'S':
+            a = previous_ == 'C' || previous_ == 'S' ? mirrored() : pen_.at();
+            return point(b) && point(p) && cubic(a, b, p);
+        case 'Q':
+            return point(a) && point(p) && quadratic(a, p);
+        case 'T':
+            a = previous_ == 'Q' || previous_ == 'T' ? mirrored() : pen_.at();
+            return point(p) && quadratic(a, p);
+        default:
+            return arc();
+        }
+    }
+
+    Vec2 mirrored() const { return pen_.at() + (pen_.at() - control_); }
+    bool cubic(Vec2 a, Vec2 b, Vec2 p) {
+        control_ = b;
+        pen_.cubicTo(a, b, p);
+        return true;
+    }
+    bool quadratic(Vec2 a, Vec2 p) {
+        control_ = a;
+        pen_.quadraticTo(a, p);
+        return true;
+    }
+    bool arc() {
+        EllipticalArc arc;
+        Vec2 p;
+        if (!numbers_.number(arc.radiusX) || !numbers_.number(arc.radiusY) || !numbers_.number(arc.rotationDegrees) ||
+            !numbers_.flag(arc.largeArc) || !numbers_.flag(arc.sweep) || !point(p)) {
+            return false;
+        }
+        pen_.arcTo(arc, p);
+        return true;
+    }
+
+    SvgNumbers numbers_;
+    SvgPen &pen_;
+    char command_ = 'M', previous_ = 'M';
+    bool relative_ = false;
+    Vec2 control_;
+};
+
+} // namespace
+
+std::optional<SvgFault> drawPath(std::string_view data, SvgPen &pen) {
+    return PathDrawer(data, pen).run();
+}
+
+std::optional<SvgFault> readPoints(std::string_view data, std::vector<Vec2> &points) {
+    SvgNumbers numbers(data);
+    while (!numbers.atEnd()) {
+        Vec2 p;
+        if (!numbers.point(p)) {
+            return SvgFault{numbers.offset(), "expected pairs of numbers"};
+        }
+        points.push_back(p);
+    }
+    return std::nullopt;
+}
+
+} // namespace forefront

@@ -1,0 +1,81 @@
+#pragma once
+
+#include "core/base/vec2.hpp"
+#include "core/geometry/curves.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace forefront {
+
+/// A polyline drawn by the pen, in the coordinates of its element.
+struct SvgSubpath {
+    std::vector<Vec2> nodes;
+    bool closed = false;
+};
+
+/// Draws what path data and basic shapes say as polylines. In a first pass, which only measures the drawing, curves are
+/// replaced by points that bound them.
+class SvgPen {
+  public:
+    /// `tolerance` in the element's units; nothing: measure only.
+    explicit SvgPen(std::optional<double> tolerance) : tolerance_(tolerance) {}
+
+    Vec2 at() const { return at_; }
+    bool down() const { return !subpaths_.empty(); }
+    void moveTo(Vec2 p);
+    void lineTo(Vec2 p);
+    void quadraticTo(Vec2 control, Vec2 p);
+    void cubicTo(Vec2 control1, Vec2 control2, Vec2 p);
+    void arcTo(const EllipticalArc &arc, Vec2 p);
+    void close();
+
+    void ellipse(Vec2 centre, double radiusX, double radiusY);
+    void rectangle(Vec2 corner, Vec2 size, double radiusX, double radiusY);
+
+    std::vector<SvgSubpath> take() { return std::move(subpaths_); }
+
+  private:
+    std::vector<Vec2> &nodes();
+
+    std::optional<double> tolerance_;
+    std::vector<SvgSubpath> subpaths_;
+    Vec2 at_, start_;
+    bool closedLast_ = false; ///< the next drawing command begins a new subpath at the start of the closed one
+};
+
+/// What is wrong with a text and at which byte.
+struct SvgFault {
+    std::size_t offset = 0;
+    std::string message;
+};
+
+/// Path data, all commands of SVG 1.1.
+std::optional<SvgFault> drawPath(std::string_view data, SvgPen &pen);
+/// The attribute `points` of polygon and polyline.
+std::optional<SvgFault> readPoints(std::string_view data, std::vector<Vec2> &points);
+
+/// Numbers as SVG writes them: "1.5.5-3e2,4" is 1.5, .5, -300, 4.
+class SvgNumbers {
+  public:
+    explicit SvgNumbers(std::string_view text) : text_(text) {}
+    std::size_t offset() const { return at_; }
+    bool atEnd();
+    char peek();
+    void skip() { ++at_; }
+    bool number(double &value);
+    bool point(Vec2 &p) { return number(p.x) && number(p.y); }
+    bool flag(bool &value);
+    /// True if another number follows.
+    bool more();
+
+  private:
+    void skipBlanks();
+
+    std::string_view text_;
+    std::size_t at_ = 0;
+};
+
+} // namespace forefront

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/base/vec2.hpp"
+
+#include <optional>
+#include <string_view>
+
+namespace forefront {
+
+/// x' = a·x + c·y + e, y' = b·x + d·y + f, in the letters of SVG.
+struct AffineMap {
+    double a = 1.0, b = 0.0, c = 0.0, d = 1.0, e = 0.0, f = 0.0;
+
+    Vec2 operator()(Vec2 p) const { return {a * p.x + c * p.y + e, b * p.x + d * p.y + f}; }
+    /// First `inner`, then this.
+    AffineMap operator*(const AffineMap &inner) const;
+    /// The greatest factor by which it stretches a length.
+    double stretch() const;
+};
+
+/// The attribute `transform`: a list of matrix, translate, scale, rotate, skewX, skewY; nothing where it is malformed.
+std::optional<AffineMap> parseTransform(std::string_view text);
+
+} // namespace forefront

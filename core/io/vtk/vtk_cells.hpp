@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/io/text/text_scanner.hpp"
+#include "core/io/text/text_writer.hpp"
+#include "core/mesh/mesh.hpp"
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace forefront {
+
+/// How a mesh lies in an unstructured grid of VTK: triangles, then tagged edges as lines, then tagged points as
+/// vertices. The cell array `region` has the region of triangles, `boundary` the tag of lines and vertices; both are 0
+/// elsewhere. A field array "boundary:NAME" or "region:NAME" holds the tags of that name.
+inline constexpr std::uint8_t kVtkVertex = 1, kVtkLine = 3, kVtkTriangle = 5;
+
+/// Names of the field arrays with their tags, for all tags in use.
+std::map<std::string, std::vector<std::int32_t>> vtkNameFields(const Mesh &mesh);
+
+/// An unstructured grid as read, not yet trusted.
+struct VtkGrid {
+    std::vector<Vec2> nodes;
+    std::vector<std::int64_t> connectivity, ends; ///< the nodes of cell c end at ends[c]
+    std::vector<std::int64_t> types;
+    std::map<std::string, std::vector<std::int64_t>> cellArrays;
+    std::map<std::string, std::vector<std::int64_t>> fields;
+    std::map<std::string, std::vector<double>> pointArrays; ///< of one component; only where they are asked for
+    std::size_t offset = 0;                                 ///< of the cells, for faults
+};
+
+/// Failures are recorded in the scanner.
+bool meshOfVtk(const VtkGrid &grid, TextScanner &scanner, Mesh &mesh);
+
+} // namespace forefront

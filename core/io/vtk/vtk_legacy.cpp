@@ -1,0 +1,346 @@
+#include "core/io/mesh_field.hpp"
+#include "core/io/planar_mesh.hpp"
+#include "core/io/readers.hpp"
+#include "core/io/vtk/vtk_cells.hpp"
+
+#include <array>
+#include <limits>
+
+namespace forefront {
+
+namespace {
+
+/// Names in legacy files must not hold blanks; VTK writes and reads them with %XX.
+std::string percentEncoded(std::string_view name) {
+    std::string text;
+    for (const char c : name) {
+        if (static_cast<unsigned char>(c) <= ' ' || c == '%' || c == '"' || static_cast<unsigned char>(c) > '~') {
+            constexpr std::string_view kHex = "0123456789ABCDEF";
+            text += '%';
+            text += kHex[static_cast<unsigned char>(c) >> 4];
+            text += kHex[static_cast<unsigned char>(c) & 15U];
+        } else {
+            text += c;
+        }
+    }
+    return text;
+}
+
+std::string percentDecoded(std::string_view text) {
+    const auto digit = [](char c) {
+        return c >= '0' && c <= '9'   ? c - '0'
+               : c >= 'A' && c <= 'F' ? c - 'A' + 10
+               : c >= 'a' && c <= 'f' ? c - 'a' + 10
+                                      : -1;
+    };
+    std::string name;
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        if (text[k] == '%' && k + 2 < text.size() && digit(text[k + 1]) >= 0 && digit(text[k + 2]) >= 0) {
+            name += static_cast<char>(digit(text[k + 1]) * 16 + digit(text[k + 2]));
+            k += 2;
+        } else {
+            name += text[k];
+        }
+    }
+    return name;
+}
+
+} // namespace
+
+void writeVtk(const Mesh &mesh, TextWriter &out) {
+    const std::size_t cells = mesh.elements.size() + mesh.edges.size() + mesh.points.size();
+    out << "# vtk DataFile Version 3.0\nPlane triangle mesh\nASCII\nDATASET UNSTRUCTURED_GRID\n";
+    const auto fields = vtkNameFields(mesh);
+    out << "FIELD FieldData " << fields.size() << '\n';
+    for (const auto &[name, tags] : fields) {
+        out << percentEncoded(name) << " 1 " << tags.size() << " int\n";
+        for (const std::int32_t tag : tags) {
+            out << tag << '\n';
+        }
+    }
+    out << "POINTS " << mesh.nodes.size() << " double\n";
+    for (std::size_t n = 0; n < mesh.nodes.size() && out.ok(); ++n) {
+        out << mesh.nodes[n].x << ' ' << mesh.nodes[n].y << " 0\n";
+    }
+    out << "CELLS " << cells << ' ' << 4 * mesh.elements.size() + 3 * mesh.edges.size() + 2 * mesh.points.size()
+        << '\n';
+    for (std::size_t e = 0; e < mesh.elements.size() && out.ok(); ++e) {
+        const Element &nodes = mesh.elements[e];
+        out << "3 " << index(nodes[0]) << ' ' << index(nodes[1]) << ' ' << index(nodes[2]) << '\n';
+    }
+    for (const TaggedEdge &edge : mesh.edges) {
+        out << "2 " << index(edge.a) << ' ' << index(edge.b) << '\n';
+    }
+    for (const TaggedNode &point : mesh.points) {
+        out << "1 " << index(point.node) << '\n';
+    }
+    const auto column = [&](auto triangle, auto edge, auto point) {
+        for (std::size_t e = 0; e < mesh.elements.size() && out.ok(); ++e) {
+            out << triangle(e) << '\n';
+        }
+        for (const TaggedEdge &item : mesh.edges) {
+            out << edge(item) << '\n';
+        }
+        for (const TaggedNode &item : mesh.points) {
+            out << point(item) << '\n';
+        }
+    };
+    const auto constant = [](int value) { return [value](const auto &) { return value; }; };
+    out << "CELL_TYPES " << cells << '\n';
+    column(constant(kVtkTriangle), constant(kVtkLine), constant(kVtkVertex));
+    out << "CELL_DATA " << cells << "\nSCALARS region int 1\nLOOKUP_TABLE default\n";
+    column([&](std::size_t e) { return mesh.region(e); }, constant(0), constant(0));
+    out << "SCALARS boundary int 1\nLOOKUP_TABLE default\n";
+    column(
+        constant(0), [](const TaggedEdge &edge) { return edge.tag; },
+        [](const TaggedNode &point) { return point.tag; });
+}
+
+namespace {
+
+constexpr std::int64_t kAny = std::numeric_limits<std::int64_t>::max();
+
+class VtkReader {
+  public:
+    explicit VtkReader(const SourceText &source) : scanner_(source) {}
+
+    Result<Mesh> read() {
+        Mesh mesh;
+        if (header()) {
+            while (scanner_.ok() && !scanner_.atEnd()) {
+                const std::size_t place = scanner_.offset();
+                section(scanner_.word(), place);
+            }
+        }
+        if (scanner_.ok() && !builder_.finishNodes(scanner_)) {
+            return scanner_.faults();
+        }
+        grid_.nodes = std::move(builder_.mesh.nodes);
+        if (!scanner_.ok() || !meshOfVtk(grid_, scanner_, mesh)) {
+            return scanner_.faults();
+        }
+        return mesh;
+    }
+
+    std::map<std::string, std::vector<double>> takePointArrays() { return std::move(grid_.pointArrays); }
+
+  private:
+    bool header() {
+        scanner_.skipLine();
+        scanner_.skipLine();
+        const std::size_t place = scanner_.offset();
+        const std::string_view kind = scanner_.word();
+        if (kind == "BINARY") {
+            return scanner_.fail(place, "binary", "binary VTK legacy files cannot be read",
+                                 "save it as ASCII or as VTU");
+        }
+        if (kind != "ASCII") {
+            return scanner_.fail(place, "bad-syntax", "expected ASCII on the third line, found " + inQuotes(kind));
+        }
+        return scanner_.literal("DATASET") && scanner_.literal("UNSTRUCTURED_GRID");
+    }
+
+    bool section(std::string_view word, std::size_t place) {
+        std::size_t count = 0;
+        if (word == "POINTS" && builder_.mesh.nodes.empty()) {
+            return points();
+        }
+        if (word == "CELLS" && grid_.ends.empty()) {
+            grid_.offset = place;
+            return cells();
+        }
+        if (word == "CELL_TYPES" && grid_.types.empty()) {
+            return scanner_.count(count, 2, {"the number of cell types"}) &&
+                   integers(count, grid_.types, "a cell type");
+        }
+        if (word == "CELL_DATA" || word == "POINT_DATA") {
+            inCells_ = word == "CELL_DATA";
+            return scanner_.count(items_, 1, {"the number of values"});
+        }
+        if (word == "FIELD") {
+            return field();
+        }
+        if (word == "SCALARS") {
+            return scalars();
+        }
+        if (word == "VECTORS" || word == "NORMALS") {
+            return vectors();
+        }
+        if (word == "LOOKUP_TABLE") {
+            scanner_.skipLine();
+            return true;
+        }
+        if (word == "METADATA") {
+            const std::size_t blank = scanner_.source().text.find("\n\n", scanner_.offset());
+            scanner_.seek(blank == std::string_view::npos ? scanner_.source().text.size() : blank);
+            return true;
+        }
+        return scanner_.fail(place, "unknown-section", "the section " + inQuotes(word) + " cannot be read");
+    }
+
+    bool points() {
+        std::size_t count = 0;
+        if (!scanner_.count(count, 6, {"the number of points"})) {
+            return false;
+        }
+        scanner_.word();
+        builder_.reserveNodes(count);
+        for (std::size_t k = 0; k < count; ++k) {
+            if (!builder_.readNode(scanner_, static_cast<std::int64_t>(k), 3)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /// Up to version 4: "CELLS n size", each cell its number of nodes and them; from 5 on: offsets and connectivity.
+    bool cells() {
+        std::size_t count = 0, size = 0;
+        if (!scanner_.count(count, 2, {"the number of cells"}) || !scanner_.count(size, 2, {"the size of the cells"})) {
+            return false;
+        }
+        if (scanner_.peek() == "OFFSETS") {
+            scanner_.word();
+            scanner_.word();
+            if (!integers(count, grid_.ends, "an offset") || !scanner_.literal("CONNECTIVITY")) {
+                return false;
+            }
+            if (!grid_.ends.empty()) {
+                grid_.ends.erase(grid_.ends.begin());
+            }
+            scanner_.word();
+            return integers(size, grid_.connectivity, "a node of a cell");
+        }
+        grid_.ends.reserve(count);
+        for (std::size_t c = 0; c < count; ++c) {
+            std::size_t nodes = 0;
+            if (!scanner_.count(nodes, 2, {"the number of nodes of cell", c}) ||
+                !integers(nodes, grid_.connectivity, "a node of a cell")) {
+                return false;
+            }
+            grid_.ends.push_back(static_cast<std::int64_t>(grid_.connectivity.size()));
+        }
+        return true;
+    }
+
+    bool integers(std::size_t count, std::vector<std::int64_t> &values, const char *what) {
+        std::int64_t value = 0;
+        for (std::size_t k = 0; k < count; ++k) {
+            if (!scanner_.integer(value, -kAny, kAny, {what})) {
+                return false;
+            }
+            values.push_back(value);
+        }
+        return true;
+    }
+
+    /// Numbers of any kind; as tags, those that are whole are kept.
+    template <class Kept>
+    bool values(std::size_t count, std::vector<Kept> &kept) {
+        constexpr double kWhole = 1e15;
+        double value = 0.0;
+        for (std::size_t k = 0; k < count; ++k) {
+            if (!scanner_.real(value, {"a value"})) {
+                return false;
+            }
+            if constexpr (std::is_integral_v<Kept>) {
+                kept.push_back(value > -kWhole && value < kWhole ? static_cast<Kept>(value) : 0);
+            } else {
+                kept.push_back(value);
+            }
+        }
+        return true;
+    }
+
+    /// The values of an array after its head, kept where they may be wanted: one component, of points or cells.
+    bool arrayOf(const std::string &name, std::size_t components, std::size_t tuples) {
+        const std::size_t place = scanner_.offset();
+        std::vector<std::int64_t> tags;
+        std::vector<double> reals;
+        const bool ofPoints = items_ > 0 && !inCells_;
+        const bool fits = components == 0 || tuples <= scanner_.remaining() / components + 1;
+        if (!fits || !(ofPoints ? values(components * tuples, reals) : values(components * tuples, tags))) {
+            return scanner_.fail(place, "bad-count", "more values are announced than follow");
+        }
+        if (ofPoints && components == 1) {
+            grid_.pointArrays[name] = std::move(reals);
+        } else if (!ofPoints && (components == 1 || items_ == 0)) {
+            (items_ == 0 ? grid_.fields : grid_.cellArrays)[name] = std::move(tags);
+        }
+        return true;
+    }
+
+    bool vectors() {
+        const std::string name = percentDecoded(scanner_.word());
+        scanner_.word();
+        return arrayOf(name, 3, items_);
+    }
+
+    bool scalars() {
+        const std::string name = percentDecoded(scanner_.word());
+        scanner_.word();
+        std::size_t components = 1;
+        if (scanner_.peek() != "LOOKUP_TABLE" && !scanner_.count(components, 1, {"the number of components"})) {
+            return false;
+        }
+        if (scanner_.peek() == "LOOKUP_TABLE") {
+            scanner_.skipLine();
+        }
+        return arrayOf(name, components, items_);
+    }
+
+    bool field() {
+        std::size_t arrays = 0;
+        scanner_.word();
+        if (!scanner_.count(arrays, 8, {"the number of arrays"})) {
+            return false;
+        }
+        for (std::size_t k = 0; k < arrays; ++k) {
+            const std::string name = percentDecoded(scanner_.word());
+            std::size_t components = 0, tuples = 0;
+            if (!scanner_.count(components, 1, {"the number of components"}) ||
+                !scanner_.count(tuples, 1, {"the number of tuples"})) {
+                return false;
+            }
+            const std::size_t place = scanner_.offset();
+            const std::string_view type = scanner_.word();
+            if (type == "string") {
+                return scanner_.fail(place, "unknown-section", "arrays of strings cannot be read");
+            }
+            if (!arrayOf(name, components, tuples)) {
+                return false;
+            }
+            if (scanner_.peek() == "METADATA") {
+                section(scanner_.word(), scanner_.offset());
+            }
+        }
+        return scanner_.ok();
+    }
+
+    TextScanner scanner_;
+    PlanarMeshBuilder builder_;
+    VtkGrid grid_;
+    std::size_t items_ = 0; ///< values of an array in the current CELL_DATA or POINT_DATA; 0: before them
+    bool inCells_ = false;
+};
+
+} // namespace
+
+bool looksLikeVtk(std::string_view head) {
+    return head.starts_with("# vtk DataFile");
+}
+
+Result<Mesh> readVtk(const SourceText &source) {
+    return VtkReader(source).read();
+}
+
+Result<MeshField> readVtkField(const SourceText &source, std::string_view name) {
+    VtkReader reader(source);
+    Result<Mesh> mesh = reader.read();
+    if (!mesh) {
+        return mesh.faults();
+    }
+    return meshWithField(std::move(*mesh), reader.takePointArrays(), name, source);
+}
+
+} // namespace forefront

@@ -1,0 +1,44 @@
+#include "ui/editor/assets.hpp"
+
+#include <cstdlib>
+#include <fstream>
+
+namespace forefront {
+
+namespace fs = std::filesystem;
+
+fs::path assetFolder() {
+    std::vector<fs::path> places;
+    if (const char *given = std::getenv("FOREFRONT_ASSETS"); given != nullptr && *given != 0) {
+        places.emplace_back(given);
+    }
+    std::error_code ignored;
+    const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+    for (fs::path folder = program.parent_path(); !folder.empty(); folder = folder.parent_path()) {
+        places.push_back(folder / "assets");
+        places.push_back(folder / "share/forefront/assets");
+        if (folder == folder.root_path()) {
+            break;
+        }
+    }
+    places.emplace_back(FOREFRONT_ASSETS_SOURCE);
+    for (const fs::path &place : places) {
+        if (fs::is_regular_file(place / "samples/index.txt", ignored)) {
+            return place;
+        }
+    }
+    return {};
+}
+
+std::vector<Sample> samples() {
+    std::vector<Sample> found;
+    const fs::path folder = assetFolder() / "samples";
+    std::ifstream index(folder / "index.txt");
+    // "FILE TITLE..." a line
+    for (std::string file, title; index >> file && std::getline(index >> std::ws, title);) {
+        found.push_back({title, folder / file});
+    }
+    return found;
+}
+
+} // namespace forefront

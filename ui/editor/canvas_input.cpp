@@ -1,0 +1,222 @@
+#include "ui/editor/canvas_input.hpp"
+
+#include "ui/editor/app_context.hpp"
+#include "ui/widgets/widgets.hpp"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <cmath>
+#include <utility>
+
+namespace forefront {
+
+namespace {
+
+constexpr double kZoomStep = 1.18;
+
+bool canvasFree(const AppContext &context) {
+    return !ImGui::GetIO().WantCaptureMouse && !context.dialogs.any();
+}
+
+} // namespace
+
+bool CanvasInput::offer(CanvasEvent event, AppContext &context) const {
+    event.pixel = pixel_;
+    event.place = context.view.camera.toPlane(pixel_);
+    event.modifiers = modifiers_;
+    return context.tools.current().handle(event, context);
+}
+
+void CanvasInput::dispatch(const InputEvent &event, AppContext &context) {
+    switch (event.kind) {
+    case InputKind::MouseMove:
+        move(event, context);
+        break;
+    case InputKind::MouseButton:
+        button(event, context);
+        break;
+    case InputKind::Scroll:
+        scroll(event, context);
+        break;
+    case InputKind::Key:
+        key(event, context);
+        break;
+    case InputKind::Text:
+        if (!ui::typing().active && !context.dialogs.any()) {
+            offer({.kind = CanvasEvent::Kind::Text, .character = static_cast<char32_t>(event.code)}, context);
+        }
+        break;
+    case InputKind::Focus:
+        if (!event.pressed) {
+            modifiers_ = {};
+            spaceDown_ = false;
+        }
+        break;
+    case InputKind::Drop:
+    case InputKind::Close:
+        break;
+    }
+}
+
+void CanvasInput::move(const InputEvent &event, AppContext &context) {
+    const Vec2 before = pixel_;
+    pixel_ = {event.x, event.y};
+    const bool over = canvasFree(context) && context.view.camera.viewport.contains(pixel_);
+    if (panning_) {
+        context.view.pan(pixel_ - before);
+        spaceUsed_ = true;
+    } else if (held_) {
+        offer({.kind = CanvasEvent::Kind::Drag, .button = *held_}, context);
+    } else if (over) {
+        offer({.kind = CanvasEvent::Kind::Hover}, context);
+    } else if (over_) {
+        offer({.kind = CanvasEvent::Kind::Leave}, context);
+    }
+    over_ = over;
+    context.view.pointer = over || held_ ? std::optional(context.view.camera.toPlane(pixel_)) : std::nullopt;
+}
+
+int CanvasInput::countClicks(const InputEvent &event, AppContext &context) {
+    const double now = context.platform.now();
+    const bool again =
+        now - clickTime_ < 0.35 && distance(pixel_, clickPixel_) < 4.0 * static_cast<double>(context.scale);
+    clicks_ = again ? clicks_ + 1 : 1;
+    clickTime_ = now;
+    clickPixel_ = pixel_;
+    static_cast<void>(event);
+    return clicks_;
+}
+
+void CanvasInput::button(const InputEvent &event, AppContext &context) {
+    const auto which = static_cast<MouseButton>(event.code);
+    if (!event.pressed) {
+        if (panning_) {
+            panning_ = false;
+        } else if (held_ == which) {
+            held_.reset();
+            offer({.kind = CanvasEvent::Kind::Release, .button = which, .clicks = clicks_}, context);
+        }
+        return;
+    }
+    if (!canvasFree(context) || !context.view.camera.viewport.contains(pixel_) || held_ || panning_) {
+        return;
+    }
+    if (which == MouseButton::Middle || (spaceDown_ && which == MouseButton::Left)) {
+        panning_ = true;
+        return;
+    }
+    if (ui::typing().active) {
+        context.widgets.fields.leave(); // it takes its text before anything else is selected
+        waitingPress_ = event;
+        return;
+    }
+    held_ = which;
+    offer({.kind = CanvasEvent::Kind::Press, .button = which, .clicks = countClicks(event, context)}, context);
+}
+
+void CanvasInput::scroll(const InputEvent &event, AppContext &context) {
+    if (!canvasFree(context) || !context.view.camera.viewport.contains(pixel_)) {
+        return;
+    }
+    // Shift turns a wheel sideways on some systems.
+    const double steps = event.y != 0.0 ? event.y : event.x;
+    const bool forTool = (modifiers_.control() || modifiers_.shift()) &&
+                         offer({.kind = CanvasEvent::Kind::Wheel, .wheel = steps}, context);
+    if (!forTool) {
+        context.view.zoomAt(pixel_, std::pow(kZoomStep, steps));
+        context.view.pointer = context.view.camera.toPlane(pixel_);
+    }
+}
+
+void CanvasInput::spaceKey(const InputEvent &event, AppContext &context) {
+    // A tap plays or pauses; held, it turns a drag into a pan.
+    if (event.pressed && !spaceDown_) {
+        spaceDown_ = true;
+        spaceUsed_ = false;
+    } else if (!event.pressed && spaceDown_) {
+        spaceDown_ = false;
+        if (!spaceUsed_ && !panning_) {
+            context.actions.runShortcut({key::kSpace, {}}, false, context);
+        }
+    }
+}
+
+/// A field keeps the keys that type and edit text. Shortcuts with Ctrl and function keys are the program's: the field
+/// takes what was typed, then they run. Undo and redo are the field's as long as it has something to undo or redo.
+void CanvasInput::fieldKey(const InputEvent &event, AppContext &context) {
+    const bool functionKey = event.code >= key::kF1 && event.code < key::kF1 + 12;
+    if (!event.pressed || (!modifiers_.control() && !functionKey)) {
+        return;
+    }
+    const Shortcut shortcut{event.code, modifiers_};
+    const ui::Typing typing = ui::typing();
+    const bool redo = (event.code == 'Z' && modifiers_.shift()) || event.code == 'Y';
+    const bool undo = event.code == 'Z' && !modifiers_.shift();
+    const bool clipboard =
+        (event.code == 'A' || event.code == 'C' || event.code == 'V' || event.code == 'X') && !modifiers_.shift();
+    if ((undo && typing.canUndo) || (redo && typing.canRedo) || clipboard) {
+        return;
+    }
+    if (context.actions.knows(shortcut) && !event.repeated) {
+        context.widgets.fields.leave();
+        waiting_ = shortcut;
+    }
+}
+
+void CanvasInput::runWaiting(AppContext &context) {
+    if (const std::optional<Shortcut> shortcut = std::exchange(waiting_, std::nullopt)) {
+        context.actions.runShortcut(*shortcut, false, context);
+        context.animate();
+    }
+    if (const std::optional<InputEvent> press = std::exchange(waitingPress_, std::nullopt);
+        press && !ui::typing().active) {
+        button(*press, context);
+    }
+}
+
+void CanvasInput::key(const InputEvent &event, AppContext &context) {
+    const ImGuiIO &io = ImGui::GetIO();
+    modifiers_.bits =
+        static_cast<std::uint8_t>((io.KeyShift ? Modifiers::kShift : 0) | (io.KeyCtrl ? Modifiers::kControl : 0) |
+                                  (io.KeyAlt ? Modifiers::kAlt : 0));
+    if (event.code >= key::kLeftShift) {
+        // The tool may show what a modifier does before the pointer moves.
+        if (over_ && !held_ && !panning_) {
+            offer({.kind = CanvasEvent::Kind::Hover}, context);
+        }
+        return;
+    }
+    if (context.dialogs.any()) {
+        return;
+    }
+    if (ui::typing().active) {
+        fieldKey(event, context);
+        return;
+    }
+    if (event.code == key::kSpace && modifiers_.none()) {
+        spaceKey(event, context);
+        return;
+    }
+    if (!event.pressed) {
+        return;
+    }
+    if (event.code == key::kEscape && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
+        ImGui::ClosePopupToLevel(0, true);
+        return;
+    }
+    if (offer({.kind = CanvasEvent::Kind::Key, .key = event.code, .repeated = event.repeated}, context) ||
+        context.actions.runShortcut({event.code, modifiers_}, event.repeated, context)) {
+        return;
+    }
+    if (modifiers_.none() && !event.repeated) {
+        for (const auto &tool : context.tools.tools) {
+            if (tool->key() == event.code) {
+                context.tools.choose(tool->id(), context);
+                return;
+            }
+        }
+    }
+}
+
+} // namespace forefront

@@ -1,0 +1,407 @@
+#include "ui/editor/editor.hpp"
+
+#include "core/io/files.hpp"
+#include "ui/canvas/canvas.hpp"
+#include "ui/dialogs/file_commands.hpp"
+#include "ui/editor/assets.hpp"
+#include "ui/editor/canvas_input.hpp"
+#include "ui/editor/imgui_bridge.hpp"
+#include "ui/editor/recovery.hpp"
+#include "ui/editor/snapshot_pace.hpp"
+#include "ui/editor/state_file.hpp"
+#include "ui/shell/shell.hpp"
+#include "ui/widgets/widgets.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace forefront {
+
+struct Editor::Parts {
+    Parts(Platform &platform, EditorSetup given)
+        : options(std::move(given)), bridge(platform), context{.platform = platform}, canvas(platform) {}
+
+    EditorSetup options;
+    InputQueue input;
+    ImGuiBridge bridge;
+    AppContext context;
+    Canvas canvas;
+    CanvasInput canvasInput;
+    std::unique_ptr<Recovery> recovery; ///< null: no journal is kept
+    Settings savedSettings;
+    std::string shownTitle;
+    double lastFrame = 0.0;
+    std::uint64_t frames = 0;
+    std::uint64_t liveRevision = 0;
+    std::uint64_t flagRevision = 0; ///< of the document that the flag of the view speaks of
+    PixelSize size;
+    std::shared_ptr<const SpacingRaster> raster;
+    SnapshotPace pace;
+    bool drewNews = false;       ///< this frame draws a new snapshot
+    bool saidCancelling = false; ///< a frame was presented that says that the run is being cancelled
+    bool toldBusy = false;       ///< the state file says that something is still going on
+
+    bool newsDue() const;
+    void refreshLook();
+    void takeResults(bool cancels);
+    void dropFlag();
+    void meshLive();
+    void handleEvents(const std::vector<InputEvent> &events);
+    void buildInterface();
+    void showTitle();
+    void applyCursor();
+    void rememberSettings();
+};
+
+namespace {
+
+double steadySeconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+CursorShape cursorOf(ImGuiMouseCursor cursor) {
+    switch (cursor) {
+    case ImGuiMouseCursor_TextInput:
+        return CursorShape::Text;
+    case ImGuiMouseCursor_ResizeEW:
+        return CursorShape::ResizeHorizontal;
+    case ImGuiMouseCursor_ResizeNS:
+        return CursorShape::ResizeVertical;
+    case ImGuiMouseCursor_Hand:
+        return CursorShape::Hand;
+    default:
+        return CursorShape::Arrow;
+    }
+}
+
+bool sameSettings(const Settings &a, const Settings &b) {
+    return a.theme == b.theme && a.scale == b.scale && a.panelWidth == b.panelWidth && a.tabsHeight == b.tabsHeight &&
+           a.hints == b.hints && a.recentFiles == b.recentFiles;
+}
+
+} // namespace
+
+bool Editor::Parts::newsDue() const {
+    if (context.run().cancelling() && !saidCancelling) {
+        return false; // first a frame that says so: drawing the news may take long
+    }
+    const RunState state = context.run().now().state;
+    return pace.due(steadySeconds(), state == RunState::Running || state == RunState::Improving);
+}
+
+Editor::Editor(Platform &platform, EditorSetup options)
+    : parts_(std::make_unique<Parts>(platform, std::move(options))) {
+    AppContext &c = parts_->context;
+    const auto wake = [&platform] { platform.wake(); };
+    c.log.follow([&c] { return c.document().revision(); });
+    if (!parts_->options.settingsFolder.empty()) {
+        Diagnostics faults;
+        c.settings = loadSettings(parts_->options.settingsFolder / "settings.json", &faults);
+        c.log.add(faults);
+    }
+    parts_->savedSettings = c.settings;
+    c.runs = std::make_unique<RunControl>(c.store, c.log, wake);
+    c.previews = std::make_unique<Preview>(wake);
+    c.preview = c.previews->latest();
+    c.showDocument = [this](const Document &document, const std::filesystem::path &file) { show(document, file); };
+    c.tools.tools = makeTools();
+    for (auto &layer : makeLayers()) {
+        const bool visible = layer->visibleAtStart();
+        c.layers.push_back({std::move(layer), visible});
+    }
+    c.panels = makePanels();
+    addEditActions(c.actions);
+    addShellActions(c.actions);
+    c.tools.current().activate(c);
+    if (!parts_->options.file.empty()) {
+        open(parts_->options.file);
+    } else if (parts_->options.sample) {
+        const std::vector<Sample> gallery = samples();
+        if (gallery.empty()) {
+            c.log.add(Diagnostic{.severity = Severity::Warning,
+                                 .code = "no-assets",
+                                 .message = "the samples were not found",
+                                 .advice = "set FOREFRONT_ASSETS to the folder assets"});
+        } else {
+            open(gallery.front().path);
+        }
+    }
+    if (!parts_->options.stateFolder.empty()) {
+        parts_->recovery = std::make_unique<Recovery>(parts_->options.stateFolder);
+        parts_->recovery->offer(c);
+    }
+}
+
+Editor::~Editor() {
+    parts_->context.platform.makeCurrent();
+    parts_->bridge.activate();
+    parts_->rememberSettings();
+}
+
+AppContext &Editor::context() {
+    return parts_->context;
+}
+InputQueue &Editor::input() {
+    return parts_->input;
+}
+std::uint64_t Editor::frames() const {
+    return parts_->frames;
+}
+bool Editor::running() const {
+    return !parts_->context.quit;
+}
+
+bool Editor::settled() const {
+    const AppContext &c = parts_->context;
+    return parts_->input.empty() && !parts_->input.replaying() && c.redraw <= 0 && !c.previews->busy() &&
+           !c.run().busy() && !c.run().hasNews();
+}
+
+double Editor::sleepSeconds() const {
+    const AppContext &c = parts_->context;
+    if (c.redraw > 0 || c.widgets.fields.travelling() || !parts_->input.empty() || parts_->input.replaying()) {
+        return 0.0;
+    }
+    const double untilNews = c.run().hasNews() ? parts_->pace.next() - steadySeconds() : 0.5;
+    return std::clamp(std::min(c.nextFrameAt - c.platform.now(), untilNews), 0.001, 0.5);
+}
+
+bool Editor::needsFrame() const {
+    const AppContext &c = parts_->context;
+    return sleepSeconds() <= 0.0 || c.platform.now() >= c.nextFrameAt || (c.run().hasNews() && parts_->newsDue()) ||
+           c.previews->latest() != c.preview || c.previews->raster() != parts_->raster ||
+           !(c.platform.framebufferSize() == parts_->size) || (parts_->toldBusy && settled());
+}
+
+bool Editor::open(const std::filesystem::path &file) {
+    const Result<Document> document = readDocument(file);
+    if (!document) {
+        parts_->context.log.add(document.faults());
+        return false;
+    }
+    show(*document, file);
+    return true;
+}
+
+void Editor::show(const Document &document, const std::filesystem::path &file) {
+    AppContext &c = parts_->context;
+    const FileFormat *const format = fileFormatOf(file);
+    const bool project = format != nullptr && std::string_view(format->id) == "project";
+    const std::vector<Sample> gallery = samples();
+    const auto sample = std::find_if(gallery.begin(), gallery.end(), [&](const Sample &s) { return s.path == file; });
+    // A sample or an imported drawing is not saved over.
+    const bool own = project && sample == gallery.end();
+    c.document().load(document, own ? file : std::filesystem::path(), false,
+                      sample != gallery.end() ? sample->title : file.stem().string());
+    c.run().clear();
+    c.selection.clear();
+    c.view.isolatedBin.reset();
+    c.view.fitPending = true;
+    c.animate();
+    if (!project && format != nullptr) {
+        const std::size_t count = document.shapes.size();
+        c.log.tell(file.filename().string() + " (" + format->name + ") opened as a new drawing of " + ui::count(count) +
+                   (count == 1 ? " shape" : " shapes") + "; Save keeps it as a project");
+    }
+}
+
+void Editor::Parts::refreshLook() {
+    const double scale = context.platform.contentScale() * context.settings.scale;
+    const auto wanted = static_cast<float>(std::round(scale * 64.0) / 64.0);
+    const bool fonts = context.fonts.body == nullptr || wanted != context.scale;
+    if (fonts) {
+        context.scale = wanted;
+        std::string warning;
+        context.fonts = loadFonts(wanted, warning);
+        if (!warning.empty() && frames == 0) {
+            context.log.add(Diagnostic{.severity = Severity::Warning, .code = "missing-font", .message = warning});
+        }
+        bridge.fontsChanged();
+        context.animate();
+    }
+    if (fonts || frames == 0 || context.theme.kind != context.settings.theme) {
+        context.theme = makeTheme(context.settings.theme);
+        applyTheme(context.theme, context.scale);
+        context.animate();
+    }
+}
+
+/// `cancels`: the user cancels in this frame, which is to show that before anything else.
+void Editor::Parts::takeResults(bool cancels) {
+    context.log.setTime(context.platform.now());
+    SnapshotLayers wanted{.mesh = false, .front = false};
+    for (const LayerSlot &slot : context.layers) {
+        if (slot.visible) {
+            slot.layer->request(wanted);
+        }
+    }
+    wanted.mesh = true; // the panels speak of it
+    context.run().want(wanted);
+    const auto before = context.run().snapshot();
+    if (newsDue() && !cancels) {
+        context.run().refresh();
+    }
+    drewNews = before != context.run().snapshot();
+    context.previews->submit(context.document().current(), context.document().revision());
+    if (recovery) {
+        recovery->follow(context);
+    }
+    const auto known = context.preview;
+    const auto knownRaster = raster;
+    context.preview = context.previews->latest();
+    raster = context.previews->raster();
+    if (before != context.run().snapshot() || known != context.preview || knownRaster != raster) {
+        context.animate();
+    }
+}
+
+/// The place of a fault is not marked any longer once the document is another.
+void Editor::Parts::dropFlag() {
+    if (flagRevision != context.document().revision()) {
+        flagRevision = context.document().revision();
+        context.view.flag.reset();
+    }
+}
+
+void Editor::Parts::meshLive() {
+    const std::uint64_t revision = context.document().revision();
+    const bool ready = context.run().live && revision != liveRevision && context.preview->revision == revision;
+    if (ready) {
+        liveRevision = revision;
+        if (!hasErrors(context.preview->faults) && !context.document().current()->shapes.empty()) {
+            context.run().mesh();
+        }
+    }
+}
+
+void Editor::Parts::handleEvents(const std::vector<InputEvent> &events) {
+    for (const InputEvent &event : events) {
+        if (event.kind == InputKind::Close) {
+            context.closeRequested = true;
+        } else if (event.kind == InputKind::Drop) {
+            for (const std::string &path : event.paths) {
+                openDocument(context, path);
+            }
+        } else {
+            canvasInput.dispatch(event, context);
+        }
+    }
+    if (!events.empty()) {
+        context.redraw = 3;
+    }
+    if (context.closeRequested) {
+        context.closeRequested = false;
+        if (!context.actions.run("file.quit", context)) {
+            context.quit = true;
+        }
+    }
+}
+
+void Editor::Parts::buildInterface() {
+    const shell::Layout layout = shell::layOut(context);
+    if (context.view.resize(layout.canvas, shell::freeRoom(context, layout.canvas))) {
+        context.animate();
+    }
+    if (context.view.fitPending && frames >= 1) {
+        context.view.fitPending = false;
+        context.actions.run("view.fit", context);
+    }
+    ui::markRect(context, "canvas", layout.canvas);
+    shell::drawMenuBar(context, layout.menu);
+    shell::drawToolStrip(context, layout.tools);
+    shell::drawColumn(context, layout.column);
+    shell::drawTimeline(context, layout.timeline);
+    shell::drawStatusBar(context, layout.status);
+    shell::drawToolOptions(context, layout.canvas);
+    shell::drawCanvasNotes(context, layout.canvas);
+    context.dialogs.draw(context);
+}
+
+void Editor::Parts::showTitle() {
+    const std::string title =
+        (context.document().dirty() ? "\xe2\x80\xa2 " : "") + context.document().title() + " \xe2\x80\x93 Forefront";
+    if (title != shownTitle) {
+        shownTitle = title;
+        context.platform.setTitle(title);
+    }
+}
+
+void Editor::Parts::applyCursor() {
+    const bool onCanvas = context.view.pointer.has_value() && !ImGui::GetIO().WantCaptureMouse;
+    if (canvasInput.panning()) {
+        context.platform.setCursor(CursorShape::Move);
+    } else if (onCanvas) {
+        context.platform.setCursor(context.tools.current().cursor());
+    } else {
+        context.platform.setCursor(cursorOf(ImGui::GetMouseCursor()));
+    }
+}
+
+void Editor::Parts::rememberSettings() {
+    if (!options.settingsFolder.empty() && !sameSettings(savedSettings, context.settings)) {
+        saveSettings(options.settingsFolder / "settings.json", context.settings);
+        savedSettings = context.settings;
+    }
+}
+
+void Editor::frame() {
+    Parts &p = *parts_;
+    AppContext &c = p.context;
+    c.platform.makeCurrent();
+    p.bridge.activate();
+    c.nextFrameAt = 1e300;
+    --c.redraw;
+    const double now = c.platform.now();
+    const double begin = steadySeconds();
+    const PixelSize size = c.platform.framebufferSize();
+    if (!(size == p.size)) {
+        p.size = size;
+        c.animate();
+    }
+    if (size.width <= 0 || size.height <= 0) {
+        return; // minimised
+    }
+    const std::vector<InputEvent> events =
+        c.widgets.fields.travelling() ? std::vector<InputEvent>() : p.input.takeFrame();
+    p.refreshLook();
+    const bool escape = std::any_of(events.begin(), events.end(), [](const InputEvent &event) {
+        return event.kind == InputKind::Key && event.code == key::kEscape && event.pressed;
+    });
+    p.takeResults(escape && c.run().busy());
+    p.bridge.beginFrame(events, now - p.lastFrame);
+    p.lastFrame = now;
+    c.widgets.beginFrame();
+    p.handleEvents(events);
+    p.dropFlag();
+    p.meshLive();
+    const bool cancelling = c.run().cancelling();
+    p.buildInterface();
+    p.canvasInput.runWaiting(c);
+    p.canvas.draw(c);
+    p.applyCursor();
+    p.bridge.endFrame();
+    c.widgets.endFrame();
+    c.platform.present();
+    p.saidCancelling = cancelling;
+    if (c.run().cancelling()) {
+        c.animate();
+    }
+    if (p.drewNews) {
+        const double end = steadySeconds();
+        p.pace.drew(end, end - begin);
+    }
+    p.showTitle();
+    if (!ImGui::IsAnyItemActive()) {
+        p.rememberSettings();
+    }
+    ++p.frames;
+    if (!p.options.stateFile.empty()) {
+        p.toldBusy = !settled();
+        writeStateFile(p.options.stateFile, *this);
+    }
+}
+
+} // namespace forefront

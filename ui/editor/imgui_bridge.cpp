@@ -1,0 +1,143 @@
+#include "ui/editor/imgui_bridge.hpp"
+
+#include "ui/platform/platform.hpp"
+
+#include <imgui.h>
+#include <imgui_impl_opengl3.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <string>
+
+namespace forefront {
+
+namespace {
+
+const char *readClipboard(void *user) {
+    // Dear ImGui wants a pointer that outlives the call.
+    static thread_local std::string text;
+    text = static_cast<Platform *>(user)->clipboard();
+    return text.c_str();
+}
+
+void writeClipboard(void *user, const char *text) {
+    static_cast<Platform *>(user)->setClipboard(text);
+}
+
+void mapKeys(ImGuiIO &io) {
+    io.KeyMap[ImGuiKey_Tab] = key::kTab;
+    io.KeyMap[ImGuiKey_LeftArrow] = key::kLeft;
+    io.KeyMap[ImGuiKey_RightArrow] = key::kRight;
+    io.KeyMap[ImGuiKey_UpArrow] = key::kUp;
+    io.KeyMap[ImGuiKey_DownArrow] = key::kDown;
+    io.KeyMap[ImGuiKey_PageUp] = key::kPageUp;
+    io.KeyMap[ImGuiKey_PageDown] = key::kPageDown;
+    io.KeyMap[ImGuiKey_Home] = key::kHome;
+    io.KeyMap[ImGuiKey_End] = key::kEnd;
+    io.KeyMap[ImGuiKey_Insert] = key::kInsert;
+    io.KeyMap[ImGuiKey_Delete] = key::kDelete;
+    io.KeyMap[ImGuiKey_Backspace] = key::kBackspace;
+    io.KeyMap[ImGuiKey_Space] = key::kSpace;
+    io.KeyMap[ImGuiKey_Enter] = key::kEnter;
+    io.KeyMap[ImGuiKey_Escape] = key::kEscape;
+    io.KeyMap[ImGuiKey_KeyPadEnter] = key::kKeypadEnter;
+    io.KeyMap[ImGuiKey_A] = 'A';
+    io.KeyMap[ImGuiKey_C] = 'C';
+    io.KeyMap[ImGuiKey_V] = 'V';
+    io.KeyMap[ImGuiKey_X] = 'X';
+    io.KeyMap[ImGuiKey_Y] = 'Y';
+    io.KeyMap[ImGuiKey_Z] = 'Z';
+}
+
+} // namespace
+
+ImGuiBridge::ImGuiBridge(Platform &platform) : platform_(platform), context_(ImGui::CreateContext()) {
+    IMGUI_CHECKVERSION();
+    activate();
+    ImGuiIO &io = ImGui::GetIO();
+    io.IniFilename = nullptr; // the layout is fixed; nothing to remember
+    io.LogFilename = nullptr;
+    io.ConfigWindowsMoveFromTitleBarOnly = true;
+    io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
+    io.GetClipboardTextFn = readClipboard;
+    io.SetClipboardTextFn = writeClipboard;
+    io.ClipboardUserData = &platform_;
+    mapKeys(io);
+    ImGui_ImplOpenGL3_Init("#version 330 core");
+}
+
+ImGuiBridge::~ImGuiBridge() {
+    activate();
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui::DestroyContext(context_);
+}
+
+void ImGuiBridge::activate() {
+    ImGui::SetCurrentContext(context_);
+}
+
+void ImGuiBridge::fontsChanged() {
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+}
+
+void ImGuiBridge::feed(const InputEvent &event) {
+    ImGuiIO &io = ImGui::GetIO();
+    switch (event.kind) {
+    case InputKind::MouseMove:
+        io.MousePos = {static_cast<float>(event.x), static_cast<float>(event.y)};
+        break;
+    case InputKind::MouseButton:
+        if (event.code >= 0 && event.code < 5) {
+            io.MouseDown[event.code] = event.pressed;
+        }
+        break;
+    case InputKind::Scroll:
+        io.MouseWheelH += static_cast<float>(event.x);
+        io.MouseWheel += static_cast<float>(event.y);
+        break;
+    case InputKind::Key:
+        if (event.code >= 0 && event.code < IM_ARRAYSIZE(io.KeysDown)) {
+            io.KeysDown[event.code] = event.pressed;
+        }
+        io.KeyCtrl = io.KeysDown[key::kLeftControl] || io.KeysDown[key::kRightControl];
+        io.KeyShift = io.KeysDown[key::kLeftShift] || io.KeysDown[key::kRightShift];
+        io.KeyAlt = io.KeysDown[key::kLeftAlt] || io.KeysDown[key::kRightAlt];
+        break;
+    case InputKind::Text:
+        if (event.code > 0) {
+            io.AddInputCharacter(static_cast<unsigned>(event.code));
+        }
+        break;
+    case InputKind::Focus:
+        io.AddFocusEvent(event.pressed);
+        if (!event.pressed) {
+            std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
+            io.KeyCtrl = io.KeyShift = io.KeyAlt = false;
+        }
+        break;
+    case InputKind::Drop:
+    case InputKind::Close:
+        break;
+    }
+}
+
+void ImGuiBridge::beginFrame(std::span<const InputEvent> events, double elapsedSeconds) {
+    ImGuiIO &io = ImGui::GetIO();
+    for (const InputEvent &event : events) {
+        feed(event);
+    }
+    const PixelSize size = platform_.framebufferSize();
+    io.DisplaySize = {static_cast<float>(std::max(size.width, 1)), static_cast<float>(std::max(size.height, 1))};
+    io.DisplayFramebufferScale = {1.0F, 1.0F};
+    io.DeltaTime = static_cast<float>(std::clamp(elapsedSeconds, 1e-4, 0.25));
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui::NewFrame();
+}
+
+void ImGuiBridge::endFrame() {
+    ImGui::Render();
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+} // namespace forefront

@@ -1,0 +1,66 @@
+#include "ui/editor/settings.hpp"
+
+#include "core/io/files.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <fstream>
+
+namespace forefront {
+
+namespace {
+
+using Json = nlohmann::json;
+
+double numberIn(const Json &json, const char *name, double fallback, double least, double greatest) {
+    const auto found = json.find(name);
+    return found != json.end() && found->is_number() ? std::clamp(found->get<double>(), least, greatest) : fallback;
+}
+
+} // namespace
+
+Settings loadSettings(const std::filesystem::path &file, Diagnostics *faults) {
+    Settings settings;
+    std::ifstream stream(file);
+    const bool there = stream.good();
+    const Json json = there ? Json::parse(stream, nullptr, false) : Json();
+    if (!json.is_object()) {
+        if (there && faults != nullptr) {
+            *faults = error("bad-settings", file.string() + " cannot be read; the settings are as at first");
+            faults->front().severity = Severity::Warning;
+        }
+        return settings;
+    }
+    const auto theme = json.find("theme");
+    settings.theme = theme != json.end() && *theme == "light" ? ThemeKind::Light : ThemeKind::Dark;
+    settings.scale = numberIn(json, "scale", settings.scale, 0.75, 3.0);
+    settings.panelWidth = numberIn(json, "panelWidth", settings.panelWidth, 240.0, 640.0);
+    settings.tabsHeight = numberIn(json, "tabsHeight", settings.tabsHeight, 90.0, 900.0);
+    const auto hints = json.find("hints");
+    settings.hints = hints == json.end() || *hints != false;
+    const auto recent = json.find("recentFiles");
+    if (recent != json.end() && recent->is_array()) {
+        for (const Json &entry : *recent) {
+            if (entry.is_string() && settings.recentFiles.size() < 12) {
+                settings.recentFiles.push_back(entry.get<std::string>());
+            }
+        }
+    }
+    return settings;
+}
+
+void saveSettings(const std::filesystem::path &file, const Settings &settings) {
+    const Json json{{"theme", settings.theme == ThemeKind::Light ? "light" : "dark"},
+                    {"scale", settings.scale},
+                    {"panelWidth", settings.panelWidth},
+                    {"tabsHeight", settings.tabsHeight},
+                    {"hints", settings.hints},
+                    {"recentFiles", settings.recentFiles}};
+    std::error_code ignored;
+    std::filesystem::create_directories(file.parent_path(), ignored);
+    // Losing a setting is no reason to disturb the user: a fault of the disk shows where documents are saved.
+    static_cast<void>(writeFileAtomically(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"));
+}
+
+} // namespace forefront

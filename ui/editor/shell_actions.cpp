@@ -1,0 +1,232 @@
+#include "ui/dialogs/file_commands.hpp"
+#include "ui/editor/app_context.hpp"
+#include "ui/editor/assets.hpp"
+#include "ui/shell/help_dialogs.hpp"
+
+#include <algorithm>
+
+namespace forefront {
+
+namespace {
+
+constexpr Modifiers kNone{};
+constexpr Modifiers kShift{Modifiers::kShift};
+constexpr Modifiers kControl{Modifiers::kControl};
+
+Box2 drawingBounds(const AppContext &context) {
+    Box2 box;
+    for (const auto &shape : context.document().current()->shapes) {
+        const bool circle = shape->kind == ShapeKind::Circle && shape->nodes.size() >= 2;
+        const double radius = circle ? distance(shape->nodes[0], shape->nodes[1]) : 0.0;
+        for (const Vec2 node : shape->nodes) {
+            box.add(node);
+        }
+        if (circle) {
+            box.add(boxAround(shape->nodes[0], radius));
+        }
+    }
+    return box.empty() ? Box2{{0, 0}, {10, 7}} : box;
+}
+
+void chooseTheme(AppContext &context, ThemeKind kind) {
+    context.settings.theme = kind;
+    context.animate();
+}
+
+void addCameraActions(ActionRegistry &actions) {
+    actions.add(
+        {.id = "view.fit", .menu = "View", .title = "Show all", .shortcuts = {{'F', kNone}}, .run = [](AppContext &c) {
+             c.view.fit(drawingBounds(c));
+         }});
+    actions.add({.id = "view.zoomIn",
+                 .menu = "View",
+                 .title = "Zoom in",
+                 .shortcuts = {{key::kEqual, kNone}, {key::kEqual, kControl}},
+                 .run = [](AppContext &c) { c.view.zoomAt(c.view.camera.viewport.centre(), 1.4); },
+                 .repeats = true});
+    actions.add({.id = "view.zoomOut",
+                 .menu = "View",
+                 .title = "Zoom out",
+                 .shortcuts = {{key::kMinus, kNone}, {key::kMinus, kControl}},
+                 .run = [](AppContext &c) { c.view.zoomAt(c.view.camera.viewport.centre(), 1.0 / 1.4); },
+                 .repeats = true});
+}
+
+void addInterfaceActions(ActionRegistry &actions) {
+    actions.add({.id = "view.panels",
+                 .menu = "View",
+                 .title = "Panels at the right",
+                 .shortcuts = {{key::kTab, kNone}},
+                 .run =
+                     [](AppContext &c) {
+                         c.view.panels = !c.view.panels;
+                         c.animate();
+                     },
+                 .checked = [](const AppContext &c) { return c.view.panels; },
+                 .separatorBefore = true});
+    actions.add({.id = "view.theme",
+                 .menu = "View",
+                 .title = "Light theme",
+                 .run =
+                     [](AppContext &c) {
+                         chooseTheme(c, c.settings.theme == ThemeKind::Dark ? ThemeKind::Light : ThemeKind::Dark);
+                     },
+                 .checked = [](const AppContext &c) { return c.settings.theme == ThemeKind::Light; }});
+    actions.add(
+        {.id = "view.scale", .menu = "View", .title = "Size of the interface\xe2\x80\xa6", .run = [](AppContext &c) {
+             c.dialogs.open(makeScaleDialog());
+         }});
+    actions.add({.id = "view.palette",
+                 .menu = "View",
+                 .title = "Command palette\xe2\x80\xa6",
+                 .shortcuts = {{'P', kControl}},
+                 .run = [](AppContext &c) { c.dialogs.open(makePalette()); },
+                 .separatorBefore = true});
+    actions.add({.id = "view.hints",
+                 .menu = "Help",
+                 .title = "Hint strip",
+                 .run = [](AppContext &c) { c.settings.hints = !c.settings.hints; },
+                 .checked = [](const AppContext &c) { return c.settings.hints; }});
+}
+
+bool canMesh(const AppContext &context) {
+    return !context.document().current()->shapes.empty();
+}
+
+void addRunActions(ActionRegistry &actions) {
+    actions.add({.id = "run.mesh",
+                 .menu = "Mesh",
+                 .title = "Mesh",
+                 .shortcuts = {{key::k2, kNone}, {key::kF5, kNone}},
+                 .run =
+                     [](AppContext &c) {
+                         c.view.isolatedBin.reset();
+                         c.run().mesh();
+                     },
+                 .enabled = canMesh});
+    actions.add({.id = "run.cancel",
+                 .menu = "Mesh",
+                 .title = "Cancel",
+                 .shortcuts = {{key::kEscape, kNone}},
+                 .run = [](AppContext &c) { c.run().cancel(); },
+                 .enabled = [](const AppContext &c) { return c.run().busy(); }});
+    actions.add({.id = "run.live",
+                 .menu = "Mesh",
+                 .title = "Mesh after every edit",
+                 .run = [](AppContext &c) { c.run().live = !c.run().live; },
+                 .checked = [](const AppContext &c) { return c.run().live; }});
+}
+
+void addTimelineActions(ActionRegistry &actions) {
+    actions.add({.id = "run.play",
+                 .menu = "Mesh",
+                 .title = "Play or pause",
+                 .shortcuts = {{key::kSpace, kNone}},
+                 .run =
+                     [](AppContext &c) {
+                         c.view.isolatedBin.reset();
+                         c.run().togglePlay();
+                     },
+                 .enabled = canMesh,
+                 .separatorBefore = true});
+    const struct {
+        const char *id, *title;
+        Shortcut shortcut;
+        std::int64_t steps;
+    } steps[] = {{"run.forward", "Step on", {key::kPeriod, kNone}, 1},
+                 {"run.back", "Step back", {key::kComma, kNone}, -1},
+                 {"run.forward100", "100 steps on", {key::kPeriod, kShift}, 100},
+                 {"run.back100", "100 steps back", {key::kComma, kShift}, -100}};
+    for (const auto &step : steps) {
+        actions.add({.id = step.id,
+                     .menu = "Mesh",
+                     .title = step.title,
+                     .shortcuts = {step.shortcut},
+                     .run =
+                         [n = step.steps](AppContext &c) {
+                             c.view.isolatedBin.reset();
+                             c.run().step(c.run().granularity, n);
+                         },
+                     .enabled = canMesh,
+                     .repeats = true});
+    }
+    actions.add({.id = "run.start",
+                 .menu = "Mesh",
+                 .title = "To the start",
+                 .shortcuts = {{key::kHome, kNone}},
+                 .run = [](AppContext &c) { c.run().seek(0); },
+                 .enabled = canMesh});
+    actions.add({.id = "run.end",
+                 .menu = "Mesh",
+                 .title = "To the end",
+                 .shortcuts = {{key::kEnd, kNone}},
+                 .run = [](AppContext &c) { c.run().seekEnd(); },
+                 .enabled = canMesh});
+}
+
+void addPlaceActions(ActionRegistry &actions) {
+    actions.add({.id = "run.worst",
+                 .menu = "Mesh",
+                 .title = "Go to the worst element",
+                 .run =
+                     [](AppContext &c) {
+                         const SessionSnapshot &s = c.run().now();
+                         const Element &e = s.mesh->mesh.elements[index(s.quality.worst)];
+                         const auto &n = s.mesh->mesh.nodes;
+                         c.view.goTo((1.0 / 3.0) * (n[index(e[0])] + n[index(e[1])] + n[index(e[2])]),
+                                     c.platform.now());
+                     },
+                 .enabled =
+                     [](const AppContext &c) {
+                         const SessionSnapshot &s = c.run().now();
+                         return s.mesh && s.quality.worst != kNoElement &&
+                                index(s.quality.worst) < s.mesh->mesh.elements.size();
+                     },
+                 .separatorBefore = true});
+    actions.add({.id = "view.firstFault",
+                 .menu = "",
+                 .title = "Go to the first fault",
+                 .run =
+                     [](AppContext &c) {
+                         const auto &faults = c.preview->faults;
+                         const auto placed = std::find_if(faults.begin(), faults.end(),
+                                                          [](const Diagnostic &d) { return d.at.has_value(); });
+                         if (placed != faults.end()) {
+                             c.view.goTo(*placed->at, c.platform.now());
+                         }
+                         c.log.add(faults);
+                     },
+                 .enabled = [](const AppContext &c) { return !c.preview->faults.empty(); }});
+}
+
+void addHelpActions(ActionRegistry &actions) {
+    actions.add({.id = "help.shortcuts",
+                 .menu = "Help",
+                 .title = "Shortcuts",
+                 .shortcuts = {{key::kF1, kNone}, {key::kSlash, kShift}},
+                 .run = [](AppContext &c) { c.dialogs.open(makeShortcutSheet()); }});
+    actions.add({.id = "help.about",
+                 .menu = "Help",
+                 .title = "About Forefront",
+                 .run = [](AppContext &c) { c.dialogs.open(makeAbout()); },
+                 .separatorBefore = true});
+    for (const Sample &sample : samples()) {
+        actions.add({.id = "learn." + sample.path.stem().string(),
+                     .menu = "Learn",
+                     .title = sample.title,
+                     .run = [path = sample.path](AppContext &c) { openDocument(c, path); }});
+    }
+}
+
+} // namespace
+
+void addShellActions(ActionRegistry &actions) {
+    addCameraActions(actions);
+    addInterfaceActions(actions);
+    addRunActions(actions);
+    addTimelineActions(actions);
+    addPlaceActions(actions);
+    addHelpActions(actions);
+}
+
+} // namespace forefront

@@ -1,0 +1,58 @@
+#include "ui/widgets/field_focus.hpp"
+
+#include <algorithm>
+
+namespace forefront {
+
+void FieldFocus::tab(std::string_view name, bool back) {
+    tabbed_ = name;
+    back_ = back;
+}
+
+void FieldFocus::arrived(std::string_view name) {
+    if (wanted_ == name) {
+        wanted_.clear();
+    }
+}
+
+bool FieldFocus::takes(std::string_view name) {
+    const bool now = !wanted_.empty() && wanted_ == name && !asked_;
+    asked_ = asked_ || now;
+    return now;
+}
+
+bool FieldFocus::inSight(std::string_view name) const {
+    return std::any_of(order_.begin(), order_.end(), [&](const Field &field) { return field.name == name; });
+}
+
+void FieldFocus::endFrame() {
+    constexpr int kPatience = 8;
+    leaving_ = false;
+    if (entry && !inSight(entry->name)) {
+        entry.reset(); // what it belonged to is gone
+    }
+    if (--patience_ <= 0) {
+        wanted_.clear();
+    }
+    if (!tabbed_) {
+        return;
+    }
+    const auto here = std::find_if(order_.begin(), order_.end(), [&](const Field &f) { return f.name == *tabbed_; });
+    tabbed_.reset();
+    if (here == order_.end()) {
+        return;
+    }
+    std::vector<std::string> group;
+    std::size_t at = 0;
+    for (const Field &field : order_) {
+        if (field.group == here->group) {
+            at = &field == &*here ? group.size() : at;
+            group.push_back(field.name);
+        }
+    }
+    wanted_ = group[(at + (back_ ? group.size() - 1 : 1)) % group.size()];
+    asked_ = false;
+    patience_ = kPatience;
+}
+
+} // namespace forefront

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "ui/editor/app_context.hpp"
+
+namespace forefront::ui {
+
+/// Items side by side, the next one in a new row where it would not fit any more. An item is all that is drawn until
+/// the next one begins; its width is known from the frame before.
+class Flow {
+  public:
+    /// `room`: width of a row, `gap`: between items; pixels.
+    Flow(AppContext &context, float room, float gap) : context_(context), room_(room), gap_(gap) {}
+    ~Flow() { end(); }
+    Flow(const Flow &) = delete;
+    Flow &operator=(const Flow &) = delete;
+
+    /// Begins an item; its name is unique among those of the window.
+    void item(const char *name);
+    float room() const { return room_; }
+
+  private:
+    void end();
+
+    AppContext &context_;
+    float room_, gap_;
+    float used_ = 0.0F;      ///< of the row so far
+    unsigned int begun_ = 0; ///< by which Dear ImGui remembers the width of the item begun; 0: none is
+};
+
+} // namespace forefront::ui

@@ -1,0 +1,147 @@
+#include "ui/tools/numeric_entry.hpp"
+#include "ui/widgets/widgets.hpp"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+#include <utility>
+
+namespace forefront::ui {
+
+namespace {
+
+/// Dear ImGui 1.86 redoes by Ctrl+Y alone: while Ctrl+Shift+Z is held, Z is shown to it as that.
+class RedoByShiftZ {
+  public:
+    RedoByShiftZ()
+        : io_(ImGui::GetIO()), swapped_(io_.KeyCtrl && io_.KeyShift && io_.KeysDown[io_.KeyMap[ImGuiKey_Z]]) {
+        if (swapped_) {
+            swap();
+            io_.KeyShift = false;
+            io_.KeyMods &= ~ImGuiKeyModFlags_Shift;
+        }
+    }
+    ~RedoByShiftZ() {
+        if (swapped_) {
+            swap();
+            io_.KeyShift = true;
+            io_.KeyMods |= ImGuiKeyModFlags_Shift;
+        }
+    }
+    RedoByShiftZ(const RedoByShiftZ &) = delete;
+    RedoByShiftZ &operator=(const RedoByShiftZ &) = delete;
+
+  private:
+    void swap() { std::swap(io_.KeyMap[ImGuiKey_Z], io_.KeyMap[ImGuiKey_Y]); }
+
+    ImGuiIO &io_;
+    bool swapped_;
+};
+
+struct Drawn {
+    bool returned = false; ///< what Dear ImGui answers
+    bool held = false;     ///< the field had the focus before, so that its text is the one typed
+    bool holds = false;    ///< and has it now
+};
+
+/// One field in the order that Tab follows.
+Drawn drawField(AppContext &context, std::string_view name, std::string &value, std::string_view hint, float width,
+                ImGuiInputTextFlags flags, bool focus) {
+    FieldFocus &fields = context.widgets.fields;
+    ImGui::PushID(name.data(), name.data() + name.size());
+    const ImGuiID id = ImGui::GetID("##text");
+    ImGui::SetNextItemWidth(width < 0.0F ? -1.0F : context.px(static_cast<double>(width)));
+    if (focus || fields.takes(name)) {
+        ImGui::SetKeyboardFocusHere();
+        context.animate();
+    }
+    Drawn drawn{.held = ImGui::GetActiveID() == id};
+    {
+        const RedoByShiftZ redo;
+        drawn.returned = ImGui::InputTextWithHint("##text", std::string(hint).c_str(), &value, flags);
+    }
+    ImGui::PopID();
+    mark(context, name);
+    if (const ImGuiWindow *window = ImGui::GetCurrentWindowRead(); !window->SkipItems) {
+        fields.drawn(name, window->RootWindow->ID);
+    }
+    if (ImGui::GetActiveID() == id) {
+        fields.arrived(name);
+        const bool tab = ImGui::IsKeyPressed(key::kTab) && !ImGui::GetIO().KeyCtrl && !ImGui::GetIO().KeyAlt;
+        if (tab) {
+            fields.tab(name, ImGui::GetIO().KeyShift);
+        }
+        if (tab || fields.leaving()) {
+            ImGui::ClearActiveID();
+            context.animate();
+        }
+    }
+    // Whoever comes back to the field starts afresh: what was undone here belongs to the document now.
+    if (ImGuiInputTextState *state = ImGui::GetInputTextState(id); state != nullptr && ImGui::GetActiveID() != id) {
+        state->ID = 0;
+    }
+    drawn.holds = ImGui::GetActiveID() == id;
+    return drawn;
+}
+
+} // namespace
+
+bool inputText(AppContext &context, std::string_view name, std::string &value, std::string_view hint, float width,
+               bool onEnter, bool focus) {
+    const ImGuiInputTextFlags flags = onEnter ? ImGuiInputTextFlags_EnterReturnsTrue : ImGuiInputTextFlags_None;
+    return drawField(context, name, value, hint, width, flags, focus).returned;
+}
+
+bool entry(AppContext &context, std::string_view name, std::string &value, std::string_view hint, float width,
+           bool selectAll) {
+    const std::string before = value;
+    const Drawn drawn = drawField(context, name, value, hint, width,
+                                  selectAll ? ImGuiInputTextFlags_AutoSelectAll : ImGuiInputTextFlags_None, false);
+    std::optional<FieldFocus::Entry> &being = context.widgets.fields.entry;
+    const bool mine = being && being->name == name;
+    if (drawn.holds) {
+        if (!mine) {
+            being = {std::string(name), before, value};
+        }
+        being->text = std::exchange(value, before);
+        return false;
+    }
+    if (!mine) {
+        value = before;
+        return false;
+    }
+    // Where another widget took the focus, the field was not asked and shows what stood there before.
+    value = drawn.held ? value : being->text;
+    const bool changed = value != being->initial;
+    being.reset();
+    value = changed ? value : before;
+    return changed;
+}
+
+std::optional<double> typedNumber(AppContext &context, const std::string &typed) {
+    const std::optional<double> number = parseNumber(typed);
+    if (!number) {
+        context.log.add(error("bad-number", "\"" + typed + "\" is not a number", "enter a number such as 0.25"));
+    }
+    return number;
+}
+
+bool inputNumber(AppContext &context, std::string_view name, double &value, float width) {
+    std::string typed = format("%.6g", value);
+    if (!entry(context, name, typed, {}, width, true)) {
+        return false;
+    }
+    const std::optional<double> number = typedNumber(context, typed);
+    const bool changed = number && *number != value;
+    value = number.value_or(value);
+    return changed;
+}
+
+Typing typing() {
+    const ImGuiID active = ImGui::GetActiveID();
+    const ImGuiInputTextState *state = active != 0 ? ImGui::GetInputTextState(active) : nullptr;
+    return state == nullptr ? Typing{} : Typing{true, state->GetUndoAvailCount() > 0, state->GetRedoAvailCount() > 0};
+}
+
+} // namespace forefront::ui

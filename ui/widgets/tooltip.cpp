@@ -1,0 +1,68 @@
+#include "ui/widgets/tooltip.hpp"
+
+#include "ui/widgets/text_wrap.hpp"
+#include "ui/widgets/widgets.hpp"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace forefront::ui {
+
+PixelRect placeTooltip(const PixelRect &widget, const PixelRect &window, Vec2 size, PixelSize display, double x,
+                       double gap) {
+    const double width = display.width, height = display.height;
+    const auto within = [](double at, double extent, double room) {
+        return std::clamp(at, 0.0, std::max(0.0, room - extent));
+    };
+    const double level = within(widget.y, size.y, height);
+    const double left = window.x - gap - size.x, right = window.x + window.width + gap;
+    const bool fitsLeft = left >= 0.0, fitsRight = right + size.x <= width;
+    if (window.height > 0.3 * height && (fitsLeft || fitsRight)) { // a column: beside it, towards the canvas
+        const bool takesLeft = fitsLeft && (!fitsRight || window.centre().x > 0.5 * width);
+        return {takesLeft ? left : right, level, size.x, size.y};
+    }
+    const double at = within(std::clamp(x, widget.x, widget.x + widget.width), size.x, width);
+    const bool bar = window.height <= 0.3 * height;
+    const PixelRect &clear = bar ? window : widget;
+    const double above = clear.y - gap - size.y, below = clear.y + clear.height + gap;
+    const bool fitsAbove = above >= 0.0, fitsBelow = below + size.y <= height;
+    const bool takesAbove = fitsAbove && (!bar || !fitsBelow || window.centre().y > 0.5 * height);
+    return {at, takesAbove ? above : within(below, size.y, height), size.x, size.y};
+}
+
+void tooltip(AppContext &context, std::string_view text) {
+    constexpr float kDelay = 0.4F; // seconds: who passes over a control on the way elsewhere wants no explanation
+    if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+        return;
+    }
+    const ImGuiContext &imgui = *ImGui::GetCurrentContext();
+    if (imgui.HoveredId != 0 && imgui.HoveredIdTimer < kDelay) {
+        context.wakeAt(context.platform.now() + static_cast<double>(kDelay - imgui.HoveredIdTimer));
+        return;
+    }
+    if (imgui.HoveredId != 0 && imgui.HoveredIdTimer - imgui.IO.DeltaTime < kDelay) {
+        context.animate(); // it appears now: Dear ImGui measures it in a frame that does not show it
+    }
+    const float wrap = context.px(320);
+    const ImVec2 pad(context.px(9), context.px(6));
+    const std::string lines = wrapped(text, wrap);
+    const ImVec2 words = ImGui::CalcTextSize(lines.c_str(), nullptr, false, wrap + 1.0F);
+    const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+    const ImGuiWindow &window = *imgui.CurrentWindow->RootWindow;
+    const PixelRect place = placeTooltip({min.x, min.y, max.x - min.x, max.y - min.y},
+                                         {window.Pos.x, window.Pos.y, window.Size.x, window.Size.y},
+                                         {std::ceil(words.x) + 2.0 * pad.x, std::ceil(words.y) + 2.0 * pad.y},
+                                         context.platform.framebufferSize(), imgui.IO.MousePos.x, context.px(6));
+    ImGui::SetNextWindowPos({static_cast<float>(place.x), static_cast<float>(place.y)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, pad);
+    ImGui::BeginTooltip();
+    wrappedText(text, wrap);
+    ImGui::EndTooltip();
+    ImGui::PopStyleVar();
+    markRect(context, "tooltip", place);
+}
+
+} // namespace forefront::ui

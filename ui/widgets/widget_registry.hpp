@@ -1,0 +1,44 @@
+#pragma once
+
+#include "ui/canvas/camera.hpp"
+#include "ui/widgets/field_focus.hpp"
+
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace forefront {
+
+/// Every widget of the last frame by name, so that scripts can say "click panel/mesh".
+class WidgetRegistry {
+  public:
+    struct Widget {
+        PixelRect rect;
+        bool enabled = true;
+        bool visible = true; ///< not scrolled or clipped away
+    };
+    using Map = std::map<std::string, Widget, std::less<>>;
+
+    void beginFrame() {
+        current_.clear();
+        fields.beginFrame();
+    }
+    void endFrame() {
+        last_.swap(current_);
+        fields.endFrame();
+    }
+    void add(std::string_view name, const Widget &widget) { current_.insert_or_assign(std::string(name), widget); }
+    /// Of the last whole frame; null if it was not drawn.
+    const Widget *find(std::string_view name) const {
+        const auto found = last_.find(name);
+        return found == last_.end() ? nullptr : &found->second;
+    }
+    const Map &all() const { return last_; }
+
+    FieldFocus fields;
+
+  private:
+    Map current_, last_;
+};
+
+} // namespace forefront

@@ -1,0 +1,394 @@
+#include "ui/widgets/widgets.hpp"
+
+#include "ui/widgets/text_wrap.hpp"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <cstdlib>
+
+namespace forefront::ui {
+
+namespace {
+
+/// Scope that pushes the widget's name as Dear ImGui's id.
+struct Id {
+    explicit Id(std::string_view name) { ImGui::PushID(name.data(), name.data() + name.size()); }
+    ~Id() { ImGui::PopID(); }
+    Id(const Id &) = delete;
+    Id &operator=(const Id &) = delete;
+};
+
+struct Disabled {
+    explicit Disabled(bool disabled) : disabled_(disabled) {
+        if (disabled_) {
+            ImGui::BeginDisabled();
+        }
+    }
+    ~Disabled() {
+        if (disabled_) {
+            ImGui::EndDisabled();
+        }
+    }
+    Disabled(const Disabled &) = delete;
+    Disabled &operator=(const Disabled &) = delete;
+
+  private:
+    bool disabled_;
+};
+
+float widthOf(const AppContext &context, float width) {
+    return width < 0.0F ? -1.0F : context.px(width);
+}
+
+void pushButtonColours(const Theme &theme, ButtonKind kind, bool on) {
+    Colour rest = theme.raised, hover = theme.hovered, press = theme.pressed, text = theme.text;
+    if (kind == ButtonKind::Primary) {
+        rest = theme.accent;
+        hover = mix(theme.accent, theme.text, 0.15);
+        press = mix(theme.accent, theme.panel, 0.2);
+        text = theme.onAccent;
+    } else if (kind == ButtonKind::Quiet) {
+        rest = on ? fade(theme.accent, 0.2) : Colour{0};
+        text = on ? theme.accent : theme.text;
+    }
+    ImGui::PushStyleColor(ImGuiCol_Button, rest);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, hover);
+    ImGui::PushStyleColor(ImGuiCol_ButtonActive, press);
+    ImGui::PushStyleColor(ImGuiCol_Text, text);
+}
+
+} // namespace
+
+void markRect(AppContext &context, std::string_view name, const PixelRect &rect, bool enabled) {
+    context.widgets.add(name, {rect, enabled, true});
+}
+
+void mark(AppContext &context, std::string_view name, bool enabled) {
+    const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+    context.widgets.add(name, {{min.x, min.y, max.x - min.x, max.y - min.y}, enabled, ImGui::IsItemVisible()});
+}
+
+void markWindow(AppContext &context, std::string_view name) {
+    const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    const PixelRect rect{at.x, at.y, size.x, size.y};
+    const WidgetRegistry::Widget *const before = context.widgets.find(name);
+    if (before == nullptr || !(before->rect == rect)) {
+        context.animate(); // what stands beside it may move
+    }
+    markRect(context, name, rect);
+}
+
+bool button(AppContext &context, std::string_view name, std::string_view label, ButtonKind kind, bool enabled,
+            float width) {
+    const Id id(name);
+    const Disabled disabled(!enabled);
+    pushButtonColours(context.theme, kind, false);
+    const bool pressed = ImGui::Button(std::string(label).c_str(), {widthOf(context, width), 0.0F});
+    ImGui::PopStyleColor(4);
+    mark(context, name, enabled);
+    return pressed;
+}
+
+bool iconButton(AppContext &context, std::string_view name, const char *icon, const std::string &tip, bool on,
+                bool enabled, float size) {
+    bool pressed = false;
+    {
+        const Id id(name);
+        const Disabled disabled(!enabled);
+        pushButtonColours(context.theme, ButtonKind::Quiet, on);
+        ImGui::PushFont(size < 30.0F ? context.fonts.body : context.fonts.icons);
+        ImGui::PushStyleColor(ImGuiCol_Text, on             ? context.theme.accent
+                                             : size < 30.0F ? context.theme.muted
+                                                            : context.theme.text);
+        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
+        pressed = ImGui::Button(icon, {context.px(size), context.px(size)});
+        ImGui::PopStyleVar();
+        ImGui::PopFont();
+        ImGui::PopStyleColor(5);
+        mark(context, name, enabled);
+    }
+    tooltip(context, tip);
+    return pressed;
+}
+
+bool checkbox(AppContext &context, std::string_view name, std::string_view label, bool &value) {
+    const Id id(name);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 text = ImGui::CalcTextSize(label.data(), label.data() + label.size());
+    const float height = ImGui::GetFrameHeight(), box = context.px(16), gap = context.px(7);
+    const bool pressed = ImGui::InvisibleButton("check", {box + gap + text.x, height});
+    if (pressed) {
+        value = !value;
+    }
+    const bool hovered = ImGui::IsItemHovered();
+    mark(context, name);
+    const Theme &theme = context.theme;
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    const ImVec2 corner{at.x, std::round(at.y + (height - box) / 2)};
+    const Colour rest = value ? theme.accent : theme.raised,
+                 lit = value ? mix(theme.accent, theme.text, 0.15) : theme.hovered;
+    list.AddRectFilled(corner, {corner.x + box, corner.y + box}, hovered ? lit : rest, context.px(4));
+    if (value) {
+        const ImVec2 points[] = {{corner.x + 0.24F * box, corner.y + 0.52F * box},
+                                 {corner.x + 0.43F * box, corner.y + 0.70F * box},
+                                 {corner.x + 0.77F * box, corner.y + 0.31F * box}};
+        list.AddPolyline(points, 3, theme.onAccent, 0, context.px(1.8));
+    } else {
+        list.AddRect(corner, {corner.x + box, corner.y + box}, theme.faint, context.px(4));
+    }
+    list.AddText({at.x + box + gap, at.y + (height - text.y) / 2}, theme.text, label.data(),
+                 label.data() + label.size());
+    return pressed;
+}
+
+bool eyeSwitch(AppContext &context, std::string_view name, std::string_view label, bool &value, float width) {
+    const Id id(name);
+    const float height = context.px(24);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const bool pressed = ImGui::InvisibleButton("eye", {context.px(width), height});
+    if (pressed) {
+        value = !value;
+    }
+    mark(context, name);
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    if (ImGui::IsItemHovered()) {
+        list.AddRectFilled(at, {at.x + context.px(width), at.y + height}, context.theme.raised, context.px(5));
+    }
+    const Colour colour = value ? context.theme.text : context.theme.faint;
+    const float middle = at.y + (height - ImGui::GetFontSize()) / 2;
+    list.AddText({at.x + context.px(5), middle}, value ? context.theme.accent : context.theme.faint,
+                 value ? icon::kEye : icon::kEyeClosed);
+    list.AddText({at.x + context.px(24), middle}, colour, label.data(), label.data() + label.size());
+    return pressed;
+}
+
+bool segmented(AppContext &context, std::string_view name, std::span<const char *const> labels, int &choice,
+               float width, std::span<const char *const> tips) {
+    const Id id(name);
+    const float whole = width > 0.0F ? context.px(width) : ImGui::GetContentRegionAvail().x;
+    const float each = whole / static_cast<float>(labels.size());
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float height = context.px(26);
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(at, {at.x + whole, at.y + height}, context.theme.raised, context.px(6));
+    bool changed = false;
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        const ImVec2 corner{at.x + each * static_cast<float>(i), at.y};
+        ImGui::SetCursorScreenPos(corner);
+        const bool here = choice == static_cast<int>(i);
+        if (ImGui::InvisibleButton(labels[i], {each, height}) && !here) {
+            choice = static_cast<int>(i);
+            changed = true;
+        }
+        mark(context, std::string(name) + "/" + labels[i]);
+        tooltip(context, i < tips.size() ? tips[i] : "");
+        const float inset = context.px(2);
+        if (here) {
+            list.AddRectFilled({corner.x + inset, corner.y + inset},
+                               {corner.x + each - inset, corner.y + height - inset}, context.theme.pressed,
+                               context.px(5));
+        }
+        const ImVec2 size = ImGui::CalcTextSize(labels[i]);
+        list.AddText({corner.x + (each - size.x) / 2, corner.y + (height - size.y) / 2},
+                     here ? context.theme.text : context.theme.muted, labels[i]);
+    }
+    ImGui::SetCursorScreenPos({at.x, at.y + height});
+    ImGui::Dummy({whole, 0.0F});
+    return changed;
+}
+
+bool combo(AppContext &context, std::string_view name, std::span<const char *const> labels, int &choice, float width) {
+    const Id id(name);
+    ImGui::SetNextItemWidth(widthOf(context, width));
+    const char *shown =
+        choice >= 0 && choice < static_cast<int>(labels.size()) ? labels[static_cast<std::size_t>(choice)] : "";
+    bool changed = false;
+    const bool open = ImGui::BeginCombo("##combo", shown);
+    mark(context, name);
+    if (open) {
+        for (std::size_t i = 0; i < labels.size(); ++i) {
+            if (ImGui::Selectable(labels[i], choice == static_cast<int>(i))) {
+                choice = static_cast<int>(i);
+                changed = true;
+            }
+            mark(context, std::string(name) + "/" + labels[i]);
+        }
+        ImGui::EndCombo();
+    }
+    return changed;
+}
+
+bool slider(AppContext &context, std::string_view name, double &value, double least, double greatest,
+            const char *pattern, bool logarithmic, float width) {
+    const Id id(name);
+    ImGui::SetNextItemWidth(widthOf(context, width));
+    const bool changed =
+        ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &least, &greatest, pattern,
+                            ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0));
+    mark(context, name);
+    return changed;
+}
+
+bool thinSlider(AppContext &context, std::string_view name, double &t, std::string_view shown, float width,
+                float textWidth) {
+    const Id id(name);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float height = context.px(26), whole = context.px(static_cast<double>(width));
+    ImGui::InvisibleButton("thin", {whole, height});
+    mark(context, name);
+    // A last move and the release may come in one frame.
+    const bool active = ImGui::IsItemActive() || ImGui::IsItemDeactivated(), hovered = ImGui::IsItemHovered();
+    const float inset = context.px(6), middle = at.y + height / 2, half = context.px(2);
+    const float left = at.x + inset, right = at.x + whole - inset;
+    bool changed = false;
+    if (active) {
+        const double wanted =
+            std::clamp(static_cast<double>((ImGui::GetIO().MousePos.x - left) / (right - left)), 0.0, 1.0);
+        changed = wanted != t;
+        t = wanted;
+    }
+    const float x = left + static_cast<float>(std::clamp(t, 0.0, 1.0)) * (right - left);
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled({left, middle - half}, {right, middle + half}, context.theme.pressed, half);
+    list.AddRectFilled({left, middle - half}, {x, middle + half}, context.theme.accent, half);
+    list.AddCircleFilled({x, middle}, context.px(active || hovered ? 6.5 : 5.5), context.theme.text, 20);
+    ImGui::SameLine(0, 0);
+    const ImVec2 size = ImGui::CalcTextSize(shown.data(), shown.data() + shown.size());
+    const ImVec2 text = ImGui::GetCursorScreenPos();
+    list.AddText({text.x + context.px(4), text.y + (height - size.y) / 2}, context.theme.muted, shown.data(),
+                 shown.data() + shown.size());
+    ImGui::Dummy({context.px(static_cast<double>(textWidth)), height});
+    return changed;
+}
+
+bool selectable(AppContext &context, std::string_view name, std::string_view label, bool selected,
+                std::string_view detail) {
+    const Id id(name);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x, height = context.px(26);
+    const bool pressed = ImGui::Selectable("##row", selected, ImGuiSelectableFlags_None, {width, height});
+    mark(context, name);
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    const float y = at.y + (height - ImGui::GetFontSize()) / 2;
+    list.AddText({at.x + context.px(8), y}, context.theme.text, label.data(), label.data() + label.size());
+    if (!detail.empty()) {
+        const ImVec2 size = ImGui::CalcTextSize(detail.data(), detail.data() + detail.size());
+        list.AddText({at.x + width - size.x - context.px(8), y}, context.theme.muted, detail.data(),
+                     detail.data() + detail.size());
+    }
+    return pressed;
+}
+
+bool link(AppContext &context, std::string_view name, std::string_view text) {
+    const Id id(name);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 size = ImGui::CalcTextSize(text.data(), text.data() + text.size());
+    const bool pressed = ImGui::InvisibleButton("link", size);
+    const bool hovered = ImGui::IsItemHovered();
+    mark(context, name);
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    list.AddText(at, context.theme.accent, text.data(), text.data() + text.size());
+    if (hovered) {
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+        list.AddLine({at.x, at.y + size.y}, {at.x + size.x, at.y + size.y}, context.theme.accent);
+    }
+    return pressed;
+}
+
+void actionItem(AppContext &context, const Action &action) {
+    const bool enabled = !action.enabled || action.enabled(context);
+    const bool checked = action.checked && action.checked(context);
+    const std::string title = action.dynamic ? action.dynamic(context) : action.title;
+    const std::string shortcut = action.shortcuts.empty() ? std::string() : toString(action.shortcuts.front());
+    const std::string name = "menu/" + action.id;
+    const Id id(name);
+    ImGui::PushStyleColor(ImGuiCol_TextDisabled, context.theme.muted); // the colour of the shortcut, not of the item
+    const bool chosen = ImGui::MenuItem(title.c_str(), shortcut.c_str(), checked, enabled);
+    ImGui::PopStyleColor();
+    mark(context, name, enabled);
+    if (chosen) {
+        action.run(context);
+    }
+}
+
+void heading(AppContext &context, std::string_view text) {
+    ImGui::PushFont(context.fonts.heading);
+    ImGui::PushStyleColor(ImGuiCol_Text, context.theme.muted);
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+}
+
+void field(AppContext &context, std::string_view label, std::string_view value, float column) {
+    const float left = ImGui::GetCursorPosX();
+    muted(context, label);
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(left + context.px(column));
+    ImGui::TextUnformatted(value.data(), value.data() + value.size());
+}
+
+void muted(AppContext &context, std::string_view text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, context.theme.muted);
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::PopStyleColor();
+}
+
+void small(AppContext &context, std::string_view text, bool wrap) {
+    ImGui::PushFont(context.fonts.small);
+    ImGui::PushStyleColor(ImGuiCol_Text, context.theme.muted);
+    if (wrap) {
+        wrappedText(text);
+    } else {
+        ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    }
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+}
+
+bool badge(AppContext &context, std::string_view name, std::string_view text, Colour colour) {
+    const Id id(name);
+    ImGui::PushFont(context.fonts.small);
+    const ImVec2 size = ImGui::CalcTextSize(text.data(), text.data() + text.size());
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 box{size.x + context.px(18), size.y + context.px(8)};
+    const bool pressed = ImGui::InvisibleButton("badge", box);
+    const bool hovered = ImGui::IsItemHovered();
+    mark(context, name);
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(at, {at.x + box.x, at.y + box.y}, fade(colour, hovered ? 0.35 : 0.2), box.y / 2);
+    list.AddText({at.x + context.px(9), at.y + context.px(4)}, colour, text.data(), text.data() + text.size());
+    ImGui::PopFont();
+    return pressed;
+}
+
+std::string count(std::uint64_t value) {
+    const std::string digits = std::to_string(value);
+    std::string grouped;
+    for (std::size_t i = 0; i < digits.size(); ++i) {
+        if (i > 0 && (digits.size() - i) % 3 == 0) {
+            grouped += "\xe2\x80\xaf"; // narrow no-break space
+        }
+        grouped += digits[i];
+    }
+    return grouped;
+}
+
+std::string format(const char *pattern, ...) {
+    va_list arguments;
+    va_start(arguments, pattern);
+    char buffer[512];
+    std::vsnprintf(buffer, sizeof buffer, pattern, arguments);
+    va_end(arguments);
+    return buffer;
+}
+
+std::string number(double value, int digits) {
+    return format("%.*g", digits, value);
+}
+
+} // namespace forefront::ui
