@@ -7,9 +7,9 @@
 
 namespace forefront {
 
-/// Turns edges wherever the rule says so, then again around the changes, a few times. α must be up to date and is kept
-/// so. The result is that of turning them one by one in the order of their half-edges, whatever the number of threads.
-/// Returns the number of swaps. After a stop rings are no longer those of the mesh.
+/// Swaps the edges that the rule selects, in the order of their half-edges, then looks again around the swaps, up to
+/// six rounds in all. α must be up to date and is kept up to date. Returns the number of swaps. After cancellation the
+/// rings are out of date.
 std::size_t swapEdges(ImproveWorkspace &work, const SwapRule &rule, const Progress &progress);
 
 } // namespace forefront

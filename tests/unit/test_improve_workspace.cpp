@@ -137,8 +137,8 @@ TEST_CASE("ImproveWorkspace: rings are the same where neighbours lie too far in 
 }
 
 TEST_CASE("swapEdges: several threads turn the same edges in the same order as one") {
-    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-        // Blocks of elements that touch each other all over, and such that seldom do.
+    // In seeds 13 and 30 swaps near the edges of blocks of elements depend on each other in chains.
+    for (const std::uint64_t seed : {1U, 2U, 13U, 30U}) {
         Mesh raw = samples::square(150, 150, 0.24, {}, seed);
         if (seed % 2 == 0) {
             std::shuffle(raw.elements.begin(), raw.elements.end(), std::mt19937_64(seed));
