@@ -9,17 +9,17 @@
 
 namespace forefront {
 
-/// What a segment of the domain means.
+/// The purpose of a domain segment.
 enum class SegmentRole : std::uint8_t {
-    Boundary,  ///< counts for inside and outside
+    Boundary,  ///< separates inside from outside
     Constraint ///< must be in the mesh; may divide the domain into regions or end freely inside
 };
 
-/// How the faces cut out by the segments are told to be inside or outside.
+/// The rule that decides which faces between the segments are inside the domain.
 enum class InsideRule : std::uint8_t {
-    EvenOdd,    ///< inside where a ray to infinity crosses an odd number of Boundary segments (loops in any order,
-                ///< orientation)
-    HoleMarkers ///< every bounded face is inside but those that hold a hole marker (Triangle's .poly)
+    EvenOdd, ///< inside where a ray to infinity crosses an odd number of Boundary segments; the order and orientation
+             ///< of loops do not matter
+    HoleMarkers ///< every bounded face is inside except those that hold a hole marker (as in Triangle's .poly)
 };
 
 struct DomainSegment {
@@ -29,9 +29,14 @@ struct DomainSegment {
     SegmentRole role = SegmentRole::Boundary;
 };
 
+/// Attributes of the face that contains a point.
 struct RegionMarker {
     Vec2 at;              ///< any point inside the face
     std::int32_t tag = 1; ///< >= 1
+    /// Maximum area of an element in the face, in domain units squared; 0: no limit. Becomes part of the spacing.
+    double maxArea = 0.0;
+
+    friend bool operator==(const RegionMarker &, const RegionMarker &) = default;
 };
 
 struct ConstraintPoint {
@@ -39,8 +44,8 @@ struct ConstraintPoint {
     std::int32_t tag = 1;   ///< >= 1
 };
 
-/// A planar domain as given: an unordered set of segments over nodes, with holes, islands, constraints, tags and names.
-/// Nothing is promised of it before `validate` has passed it.
+/// A planar domain as given: segments over nodes in any order, with holes, islands, constraints, tags and names.
+/// Nothing about it can be relied on until `validate` has accepted it.
 struct Domain {
     std::vector<Vec2> nodes;
     std::vector<DomainSegment> segments;
@@ -52,11 +57,13 @@ struct Domain {
     std::map<std::int32_t, std::string> boundaryNames;
     std::map<std::int32_t, std::string> regionNames;
 
-    Box2 bounds() const; ///< of all nodes with finite coordinates
+    /// Returns the box of all nodes with finite coordinates.
+    Box2 bounds() const;
 };
 
-/// Name of a tag: the given one, or the default.
+/// Returns the name of a boundary tag: the entry in `names`, or "boundary_TAG".
 std::string boundaryName(const std::map<std::int32_t, std::string> &names, std::int32_t tag);
+/// Returns the name of a region tag: the entry in `names`, or "region_TAG".
 std::string regionName(const std::map<std::int32_t, std::string> &names, std::int32_t tag);
 
 } // namespace forefront

@@ -5,7 +5,7 @@
 namespace forefront {
 namespace {
 
-/// Shared content is equal without a look inside.
+/// Compares the contents of two pointers; shared content is equal without a look inside.
 template <class T, class Equal>
 bool samePointed(const std::shared_ptr<const T> &a, const std::shared_ptr<const T> &b, Equal equal) {
     return a == b || (a && b && equal(*a, *b));
@@ -29,10 +29,6 @@ bool sameBackground(const BackgroundMesh &a, const BackgroundMesh &b) {
     return a.nodes == b.nodes && a.elements == b.elements && a.values == b.values;
 }
 
-bool sameMarker(const RegionMarker &a, const RegionMarker &b) {
-    return a.at == b.at && a.tag == b.tag;
-}
-
 } // namespace
 
 bool sameContent(const SpacingSpec &a, const SpacingSpec &b) {
@@ -44,9 +40,7 @@ bool sameContent(const SpacingSpec &a, const SpacingSpec &b) {
 
 bool sameContent(const Document &a, const Document &b) {
     return a.circleTolerance == b.circleTolerance && a.options == b.options && a.boundaryNames == b.boundaryNames &&
-           a.regionNames == b.regionNames &&
-           std::equal(a.regionMarkers.begin(), a.regionMarkers.end(), b.regionMarkers.begin(), b.regionMarkers.end(),
-                      sameMarker) &&
+           a.regionNames == b.regionNames && a.regionMarkers == b.regionMarkers &&
            std::equal(a.shapes.begin(), a.shapes.end(), b.shapes.begin(), b.shapes.end(),
                       [](const auto &s, const auto &t) {
                           return samePointed<Shape>(s, t, [](const Shape &u, const Shape &v) { return u == v; });

@@ -16,7 +16,7 @@ Document insertDrawing(const Document &document, const Document &other, double s
     }
     for (const RegionMarker &marker : other.regionMarkers) {
         fresh.markers.insert(static_cast<std::uint32_t>(next.regionMarkers.size()));
-        next.regionMarkers.push_back({scale * marker.at, marker.tag});
+        next.regionMarkers.push_back({scale * marker.at, marker.tag, scale * scale * marker.maxArea});
     }
     next.boundaryNames.insert(other.boundaryNames.begin(), other.boundaryNames.end());
     next.regionNames.insert(other.regionNames.begin(), other.regionNames.end());

@@ -31,6 +31,9 @@ Result<Document> addRegionMarker(const Document &document, RegionMarker marker) 
     if (!isFinite(marker.at)) {
         return error("bad-number", "a coordinate is not a finite number");
     }
+    if (!(marker.maxArea >= 0.0) || !std::isfinite(marker.maxArea)) {
+        return error("bad-number", "invalid maximum area; expected a number of at least 0");
+    }
     Document next = document;
     next.regionMarkers.push_back(marker);
     return next;

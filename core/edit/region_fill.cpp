@@ -30,12 +30,16 @@ Result<Document> fillRegion(const Document &document, Vec2 at, std::int32_t tag)
     }
     Document next = document;
     next.regionMarkers.clear();
+    RegionMarker filled{at, tag};
     for (std::size_t k = 0; k < document.regionMarkers.size(); ++k) {
+        const RegionMarker &marker = document.regionMarkers[k];
         if (faceOf(k) != face) {
-            next.regionMarkers.push_back(document.regionMarkers[k]);
+            next.regionMarkers.push_back(marker);
+        } else if (filled.maxArea == 0.0) {
+            filled.maxArea = marker.maxArea; // a new tag keeps the face's element size
         }
     }
-    return addRegionMarker(next, {at, tag});
+    return addRegionMarker(next, filled);
 }
 
 } // namespace forefront

@@ -174,6 +174,9 @@ class ProjectReader {
             if (const auto tag = check_.member(item, "tag", "the region marker")) {
                 marker.tag = check_.tag(*tag);
             }
+            if (const auto area = item.find("maxArea")) {
+                marker.maxArea = check_.notNegative(*area, "the maximum area of a region marker");
+            }
             document_.regionMarkers.push_back(marker);
         }
     }

@@ -78,7 +78,12 @@ class ProjectWriter {
         list(markers, ", ", [&](const RegionMarker &marker) {
             out_ << "{\"at\": ";
             point(marker.at);
-            out_ << ", \"tag\": " << marker.tag << '}';
+            out_ << ", \"tag\": " << marker.tag;
+            if (marker.maxArea != 0.0) {
+                out_ << ", \"maxArea\": ";
+                number(marker.maxArea);
+            }
+            out_ << '}';
         });
         out_ << ']';
     }
