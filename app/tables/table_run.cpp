@@ -123,7 +123,7 @@ Status describeError(const Mesh &mesh, const RowJob &found, const PreparedJob &p
     }
     figures.adapted = found.adapted;
     figures.adapted->error = estimate->relative();
-    figures.adapted->leastSpacing = prepared.spacing->least();
+    figures.adapted->leastSpacing = prepared.spacing->minimum();
     return {};
 }
 

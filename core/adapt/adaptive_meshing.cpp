@@ -1,7 +1,7 @@
 #include "core/adapt/adaptive_meshing.hpp"
 
 #include "core/mesher/pipeline.hpp"
-#include "core/spacing/expression.hpp"
+#include "core/spacing/parts/expression/expression.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/adapt/error_estimate.hpp"
-#include "core/spacing/spacing_spec.hpp"
+#include "core/spacing/spec/spacing_spec.hpp"
 
 #include <limits>
 #include <span>

@@ -1,7 +1,7 @@
 #include "core/adapt/mesh_outline.hpp"
 
 #include "core/base/ids.hpp"
-#include "core/io/readers.hpp"
+#include "core/mesh/mesh_domain.hpp"
 
 #include <array>
 #include <cmath>

@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-/// Broken invariant of our own code: checked in debug builds and wherever FOREFRONT_ASSERTS is set, also when
-/// optimised. Never used for bad input; that is reported by Diagnostics.
+/// Aborts if an invariant of our own code is broken. Active wherever FOREFRONT_ASSERTS is set, also in optimised
+/// builds. Never used for bad input: that is reported by Diagnostics.
 #if defined(FOREFRONT_ASSERTS)
 #define FOREFRONT_ASSERT(condition)                                                                                    \
     do {                                                                                                               \

@@ -5,14 +5,14 @@
 
 namespace forefront {
 
-/// CPU time of the calling thread, or of all threads of the program.
+/// Measures CPU time of the calling thread, or of all threads of the program.
 class CpuClock {
   public:
     enum class Of : std::uint8_t { Thread, Program };
 
     explicit CpuClock(Of of = Of::Thread)
         : id_(of == Of::Thread ? CLOCK_THREAD_CPUTIME_ID : CLOCK_PROCESS_CPUTIME_ID), start_(now()) {}
-    /// Seconds since construction or the last lap.
+    /// Returns the seconds since construction or the last lap.
     double lap() {
         const double end = now();
         const double seconds = end - start_;

@@ -23,7 +23,7 @@ const char *word(DomainPartKind kind) {
     return "";
 }
 
-/// ": segment 3 (line 7) and segment 5 (line 9)"; empty where nothing is known beside the indices.
+/// Returns ": segment 3 (line 7) and segment 5 (line 9)"; empty if only the indices are known.
 std::string partsText(const std::vector<DomainPart> &parts) {
     std::string text;
     for (const DomainPart &part : parts) {

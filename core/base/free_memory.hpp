@@ -1,14 +1,14 @@
 #pragma once
 
-#include <cstdlib> // says which library it is
+#include <cstdlib> // defines __GLIBC__ where it applies
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
 
 namespace forefront {
 
-/// Gives memory that is free but kept for later back to the system, where the library's allocator can: each thread
-/// keeps some megabytes that large arrays and other threads do not use. Takes less than a millisecond.
+/// Returns unused memory from the allocator to the system, where the C library supports it. Each thread otherwise keeps
+/// some megabytes that large arrays and other threads cannot use. Takes less than a millisecond.
 inline void giveBackFreeMemory() {
 #ifdef __GLIBC__
     malloc_trim(0);

@@ -7,7 +7,7 @@
 
 namespace forefront {
 
-/// 64-bit streaming hash for comparing meshes and states between runs; not cryptographic.
+/// A 64-bit streaming hash for comparing meshes and states between runs; not cryptographic.
 /// The mixing step is the 64-bit finaliser of MurmurHash3 (A. Appleby, public domain).
 class Hash64 {
   public:
@@ -20,7 +20,7 @@ class Hash64 {
         h ^= h >> 33;
         state_ = h;
     }
-    /// The exact bits count; -0.0 and 0.0 differ only in sign and are taken as equal.
+    /// Adds the exact bits of a number, except that -0.0 counts as 0.0.
     void add(double number) { add(std::bit_cast<std::uint64_t>(number == 0.0 ? 0.0 : number)); }
     void add(std::string_view text) {
         add(static_cast<std::uint64_t>(text.size()));
@@ -34,7 +34,7 @@ class Hash64 {
     std::uint64_t state_ = 0x6a09e667f3bcc908ULL;
 };
 
-/// Sixteen lower-case hexadecimal digits.
+/// Returns the value as sixteen lower-case hexadecimal digits.
 inline std::string toHex(std::uint64_t value) {
     std::string text(16, '0');
     for (int digit = 15; digit >= 0; --digit, value >>= 4) {

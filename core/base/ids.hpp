@@ -5,12 +5,14 @@
 
 namespace forefront {
 
-/// Strong index types into flat arrays. 32 bits: up to 4.29e9 nodes or elements.
+/// Index of a node. Ids have 32 bits: up to 4.29e9 nodes or elements.
 enum class NodeId : std::uint32_t {};
+/// Index of an element.
 enum class ElementId : std::uint32_t {};
-/// A slot of the generation front: a front node together with its outgoing front segment.
+/// Index of a slot of the generation front: a front node together with its outgoing front segment.
 enum class SlotId : std::uint32_t {};
 
+/// Marks an index that refers to nothing.
 inline constexpr std::uint32_t kNoIndex = 0xffffffffU;
 inline constexpr NodeId kNoNode{kNoIndex};
 inline constexpr ElementId kNoElement{kNoIndex};

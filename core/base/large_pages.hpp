@@ -9,15 +9,15 @@
 
 namespace forefront {
 
-/// Asks the system to map the memory from `begin` on, before it is touched, in pages of 2 MiB where these fit inside:
-/// a third of the cost of the first touch, and fewer misses of the address cache. No memory beyond the range is taken.
+/// Asks the system to back a range of untouched memory with pages of 2 MiB where whole ones fit. That cuts the cost of
+/// first touch to a third and causes fewer TLB misses. Never affects memory outside the range.
 inline void preferLargePages(void *begin, std::size_t bytes) {
 #ifdef __linux__
     constexpr std::uintptr_t kPage = 2U << 20U;
     const auto from = reinterpret_cast<std::uintptr_t>(begin);
     const std::uintptr_t first = (from + kPage - 1) / kPage * kPage, last = (from + bytes) / kPage * kPage;
     if (first < last) {
-        madvise(reinterpret_cast<void *>(first), last - first, MADV_HUGEPAGE); // only a wish: may fail
+        madvise(reinterpret_cast<void *>(first), last - first, MADV_HUGEPAGE); // a hint; failure is harmless
     }
 #else
     static_cast<void>(begin);

@@ -6,21 +6,21 @@
 
 namespace forefront {
 
-/// A loop that reports and can be cancelled: looks at the stop token every some thousand items, which should take a few
-/// milliseconds.
+/// Reports progress of a loop and lets it be cancelled. Checks the stop token once every kItems items, which should
+/// take a few milliseconds.
 class PacedProgress {
   public:
-    /// The stage is not copied. Reports the part done of `items`.
+    /// `stage` must outlive this object; `items` is the expected number of calls to next().
     PacedProgress(const Progress &progress, std::string_view stage, std::size_t items)
         : progress_(progress), stage_(stage), items_(items) {}
 
-    /// To be asked before each item; false when cancelled.
-    bool next() { return done_++ % kItems != 0 || look(); }
+    /// Call before each item. Returns false once cancelled.
+    bool next() { return done_++ % kItems != 0 || check(); }
 
     static constexpr std::size_t kItems = 4096;
 
   private:
-    bool look() {
+    bool check() {
         if (progress_.cancelled()) {
             return false;
         }

@@ -6,11 +6,11 @@
 
 namespace forefront {
 
-/// How a long action reports and is cancelled. Default-constructed: silent and never cancelled.
+/// Progress callback and stop token of a long operation. Default-constructed: silent and never cancelled.
 struct Progress {
-    /// Called from the working thread with the name of the stage and the fraction done in [0, 1]; may be empty.
+    /// Called from the worker thread with the name of the stage and the fraction done in [0, 1]; may be empty.
     std::function<void(std::string_view stage, double fraction)> report;
-    /// Asked often enough that cancelling takes less than 100 ms.
+    /// Checked often enough that cancelling takes less than 100 ms.
     std::stop_token stop;
 
     void operator()(std::string_view stage, double fraction) const {

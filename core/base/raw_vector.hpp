@@ -9,13 +9,13 @@
 
 namespace forefront {
 
-/// Allocates as std::allocator does, but leaves elements that are given no value as the memory comes: so that the
-/// threads that write them first touch it, not the one that asks for it. In large pages where that can be had.
+/// An allocator that leaves new elements uninitialised, so that the threads that write them touch the memory first, not
+/// the thread that allocates it. Uses large pages where available.
 template <class T>
 struct RawAllocator : std::allocator<T> {
     static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
     template <class U>
-    struct rebind { // NOLINT: the name is the standard's
+    struct rebind { // NOLINT: the standard prescribes the name
         using other = RawAllocator<U>;
     };
 
@@ -25,7 +25,7 @@ struct RawAllocator : std::allocator<T> {
 
     T *allocate(std::size_t count) {
         T *const memory = std::allocator<T>::allocate(count);
-        preferLargePages(memory, count * sizeof(T) / 16 * 15); // the rest may be room that is never used
+        preferLargePages(memory, count * sizeof(T) / 16 * 15); // the rest may be spare capacity
         return memory;
     }
     template <class U>
@@ -36,7 +36,7 @@ struct RawAllocator : std::allocator<T> {
     }
 };
 
-/// A vector whose resize(n) leaves new elements without a value: each must be written before it is read.
+/// A vector whose resize(n) leaves new elements uninitialised: write each before reading it.
 template <class T>
 using RawVector = std::vector<T, RawAllocator<T>>;
 

@@ -8,7 +8,7 @@
 
 namespace forefront {
 
-/// A value, or the diagnostics (never empty) that say why there is none. Nothing throws out of the core.
+/// A value, or the diagnostics (never empty) that explain why there is none. No exception leaves the core.
 template <class T>
 class [[nodiscard]] Result {
   public:
@@ -31,7 +31,7 @@ class [[nodiscard]] Result {
     std::variant<T, Diagnostics> content_;
 };
 
-/// Success without a value: an empty list means done.
+/// Outcome of an operation without a result: empty on success.
 using Status = Diagnostics;
 
 } // namespace forefront

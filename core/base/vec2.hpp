@@ -6,7 +6,7 @@
 
 namespace forefront {
 
-/// Point or vector of the plane, in domain units.
+/// A point or vector in the plane, in domain units.
 struct Vec2 {
     double x = 0.0;
     double y = 0.0;
@@ -33,7 +33,7 @@ constexpr Vec2 &operator+=(Vec2 &a, Vec2 b) {
 constexpr double dot(Vec2 a, Vec2 b) {
     return a.x * b.x + a.y * b.y;
 }
-/// z component of a × b; positive when b lies counter-clockwise of a.
+/// Returns the z component of a × b: positive if b lies counter-clockwise of a.
 constexpr double cross(Vec2 a, Vec2 b) {
     return a.x * b.y - a.y * b.x;
 }
@@ -52,7 +52,7 @@ constexpr double distanceSquared(Vec2 a, Vec2 b) {
 constexpr Vec2 midpoint(Vec2 a, Vec2 b) {
     return {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
 }
-/// v turned by +90 degrees: points to the left of v.
+/// Returns v rotated by +90 degrees, which points to its left.
 constexpr Vec2 leftNormal(Vec2 v) {
     return {-v.y, v.x};
 }
@@ -63,7 +63,7 @@ inline bool isFinite(Vec2 v) {
     return std::isfinite(v.x) && std::isfinite(v.y);
 }
 
-/// Axis-parallel box; empty when constructed.
+/// An axis-aligned box; empty when default-constructed.
 struct Box2 {
     Vec2 min{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     Vec2 max{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
@@ -98,7 +98,8 @@ constexpr Box2 boxAround(Vec2 centre, double radius) {
     return {{centre.x - radius, centre.y - radius}, {centre.x + radius, centre.y + radius}};
 }
 
-/// True if `inner` lies in `outer`, whose upper limits do not belong to it: so neighbours share nothing.
+/// Returns true if `inner` lies inside the half-open box `outer` (upper limits excluded), so that adjacent boxes share
+/// nothing.
 constexpr bool holds(const Box2 &outer, const Box2 &inner) {
     return outer.min.x <= inner.min.x && inner.max.x < outer.max.x && outer.min.y <= inner.min.y &&
            inner.max.y < outer.max.y;

@@ -196,7 +196,7 @@ double estimateElements(const DiscreteDomain &domain, const SpacingField &spacin
         return 1.0;
     }
     const double rhoUnit = spacing.at(domain.bounds().centre());
-    const double mean = spacing.least() < spacing.greatest() ? MeanDensity(domain, spacing, rhoUnit).value() : 1.0;
+    const double mean = spacing.minimum() < spacing.maximum() ? MeanDensity(domain, spacing, rhoUnit).value() : 1.0;
     const double side = std::sqrt(domain.area()) / rhoUnit;
     const double elements = mean * side * side * 4.0 / std::numbers::sqrt3;
     return elements < kMostElements ? std::max(1.0, elements) : kMostElements;

@@ -3,7 +3,7 @@
 #include "core/base/result.hpp"
 #include "core/domain/domain.hpp"
 #include "core/mesher/options.hpp"
-#include "core/spacing/spacing_spec.hpp"
+#include "core/spacing/spec/spacing_spec.hpp"
 
 #include <cstdint>
 #include <map>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/edit/box_tree.hpp"
 #include "core/edit/references.hpp"
+#include "core/geometry/box_tree.hpp"
 
 #include <functional>
 #include <memory>

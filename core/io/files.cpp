@@ -3,6 +3,7 @@
 #include "core/io/atomic_file.hpp"
 #include "core/io/format.hpp"
 #include "core/io/readers.hpp"
+#include "core/mesh/mesh_domain.hpp"
 
 #include <algorithm>
 #include <fstream>

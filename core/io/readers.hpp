@@ -65,8 +65,4 @@ bool looksLikeGeoJson(std::string_view head);
 Result<Domain> readSvg(const SourceText &source);
 bool looksLikeSvg(std::string_view head);
 
-/// The domain that a mesh covers: its boundary edges, the interfaces between its regions and its tagged edges and
-/// points, with tags and names, and a marker in every face.
-Result<Domain> domainOfMesh(const Mesh &mesh);
-
 } // namespace forefront

@@ -112,7 +112,7 @@ FrontRegions::FrontRegions(const DiscreteDomain &domain, const SpacingField &spa
     : FrontRegions() {
     const Box2 box = domain.bounds();
     // No more than the least spacing would give: spares most domains the estimate.
-    const double most = domain.area() * 4.0 / (std::numbers::sqrt3 * spacing.least() * spacing.least());
+    const double most = domain.area() * 4.0 / (std::numbers::sqrt3 * spacing.minimum() * spacing.minimum());
     if (!(most > kLeastStrips * perStrip)) {
         return;
     }

@@ -2,7 +2,7 @@
 
 #include "core/domain/domain.hpp"
 #include "core/improve/improve_level.hpp"
-#include "core/spacing/spacing_spec.hpp"
+#include "core/spacing/spec/spacing_spec.hpp"
 
 #include <cstdint>
 

@@ -52,31 +52,32 @@ SpacingSample ExpressionField::sample(Vec2 p) const {
 }
 
 CombinedField::CombinedField(SpacingParts parts, const Box2 &box) : parts_(std::move(parts)) {
-    least_ = greatest_ = parts_.cap;
+    minimum_ = maximum_ = parts_.cap;
     const auto include = [this](double low, double high) {
-        least_ = std::min(least_, low);
-        greatest_ = std::min(greatest_, high);
+        minimum_ = std::min(minimum_, low);
+        maximum_ = std::min(maximum_, high);
     };
     for (const SizeSite &site : parts_.few.sites) {
         include(leastOverBox(site, box), greatestOverBox(site, box));
     }
     if (parts_.expression) {
-        include(parts_.expression->least(), parts_.expression->greatest());
+        include(parts_.expression->minimum(), parts_.expression->maximum());
     }
     if (parts_.background) {
         const bool filled = parts_.filler.has_value();
-        include(std::min(parts_.background->least(), filled ? parts_.filler->least() : parts_.background->least()),
-                filled ? std::max(parts_.background->greatest(), parts_.fillerCap)
-                       : std::numeric_limits<double>::infinity());
+        include(
+            std::min(parts_.background->minimum(), filled ? parts_.filler->minimum() : parts_.background->minimum()),
+            filled ? std::max(parts_.background->maximum(), parts_.fillerCap)
+                   : std::numeric_limits<double>::infinity());
     }
     if (parts_.paint) {
-        include(parts_.paint->least(), std::numeric_limits<double>::infinity());
+        include(parts_.paint->minimum(), std::numeric_limits<double>::infinity());
     }
     if (parts_.tree) {
-        include(parts_.tree->least(), parts_.tree->greatest());
+        include(parts_.tree->minimum(), parts_.tree->maximum());
     }
-    least_ = std::max(least_, parts_.minimum);
-    greatest_ = std::max(greatest_, parts_.minimum);
+    minimum_ = std::max(minimum_, parts_.minimum);
+    maximum_ = std::max(maximum_, parts_.minimum);
 }
 
 void CombinedField::atMany(std::span<const Vec2> points, std::span<double> rho) const {

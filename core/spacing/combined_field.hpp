@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/spacing/background_part.hpp"
-#include "core/spacing/expression_spacing.hpp"
-#include "core/spacing/painted_part.hpp"
-#include "core/spacing/site_set.hpp"
-#include "core/spacing/site_tree.hpp"
+#include "core/spacing/parts/background/background_part.hpp"
+#include "core/spacing/parts/expression/expression_spacing.hpp"
+#include "core/spacing/parts/paint/painted_part.hpp"
+#include "core/spacing/sites/site_set.hpp"
+#include "core/spacing/sites/site_tree.hpp"
 #include "core/spacing/spacing_field.hpp"
 
 #include <optional>
@@ -18,8 +18,8 @@ class ConstantField final : public SpacingField {
     double at(Vec2) const override { return rho_; }
     void atMany(std::span<const Vec2> points, std::span<double> rho) const override;
     SpacingSample sample(Vec2 p) const override;
-    double least() const override { return rho_; }
-    double greatest() const override { return rho_; }
+    double minimum() const override { return rho_; }
+    double maximum() const override { return rho_; }
 
   private:
     double rho_;
@@ -33,8 +33,8 @@ class ExpressionField final : public SpacingField {
     double at(Vec2 p) const override { return expression_.at(p); }
     void atMany(std::span<const Vec2> points, std::span<double> rho) const override { expression_.atMany(points, rho); }
     SpacingSample sample(Vec2 p) const override;
-    double least() const override { return expression_.least(); }
-    double greatest() const override { return expression_.greatest(); }
+    double minimum() const override { return expression_.minimum(); }
+    double maximum() const override { return expression_.maximum(); }
 
   private:
     ExpressionSpacing expression_;
@@ -67,8 +67,8 @@ class CombinedField final : public SpacingField {
     double at(Vec2 p) const override { return inlineAt(p); }
     void atMany(std::span<const Vec2> points, std::span<double> rho) const override;
     SpacingSample sample(Vec2 p) const override;
-    double least() const override { return least_; }
-    double greatest() const override { return greatest_; }
+    double minimum() const override { return minimum_; }
+    double maximum() const override { return maximum_; }
 
   private:
     double backgroundAt(Vec2 p) const {
@@ -100,8 +100,8 @@ class CombinedField final : public SpacingField {
     void describeSite(const SizeSite &site, const SiteLabel &label, Vec2 p, SpacingSample &sample) const;
 
     SpacingParts parts_;
-    double least_ = 0.0;
-    double greatest_ = 0.0;
+    double minimum_ = 0.0;
+    double maximum_ = 0.0;
 };
 
 } // namespace forefront

@@ -1,9 +1,10 @@
 #include "core/spacing/spacing_field.hpp"
 
-#include "core/spacing/automatic.hpp"
-#include "core/spacing/boundary_spacing.hpp"
 #include "core/spacing/combined_field.hpp"
-#include "core/spacing/spec_check.hpp"
+#include "core/spacing/parts/automatic/automatic.hpp"
+#include "core/spacing/parts/automatic/boundary_spacing.hpp"
+#include "core/spacing/parts/sources/source_sites.hpp"
+#include "core/spacing/spec/spec_check.hpp"
 
 #include <limits>
 
@@ -14,12 +15,6 @@ constexpr double kUsualGradation = 0.25; ///< of painted, boundary and automatic
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 constexpr double kFarBeyond = 1e3; ///< diagonals of the domain's box
 constexpr std::size_t kFew = 6;    ///< sites up to this number are looked at one by one
-
-SizeSite siteOf(const SizeSource &source) {
-    return source.shape == SourceShape::Line
-               ? SizeSite::segment(source.a, source.b, source.size, source.growth, source.radius)
-               : SizeSite::point(source.a, source.size, source.growth, source.radius);
-}
 
 /// Gathers the parts of one specification.
 class FieldBuilder {
@@ -127,10 +122,9 @@ class FieldBuilder {
         return {};
     }
     void addSources() {
-        for (std::size_t i = 0; i < spec_.sources.size(); ++i) {
-            sites_.add(limited(siteOf(spec_.sources[i]), parts_.minimum, spec_.gradation.value_or(kNoLimit)),
-                       {SpacingOrigin::Source, SiteReason::Source, static_cast<std::uint32_t>(i)});
-            parts_.sourceNames.push_back(spec_.sources[i].name);
+        addSourceSites(spec_.sources, parts_.minimum, spec_.gradation.value_or(kNoLimit), sites_);
+        for (const SizeSource &source : spec_.sources) {
+            parts_.sourceNames.push_back(source.name);
         }
     }
     void addAutomatic() {

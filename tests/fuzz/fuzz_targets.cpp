@@ -1,6 +1,7 @@
 #include "tests/fuzz/fuzz_targets.hpp"
 
 #include "core/io/readers.hpp"
+#include "core/mesh/mesh_domain.hpp"
 
 #include <algorithm>
 #include <array>

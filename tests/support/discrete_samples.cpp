@@ -16,8 +16,8 @@ class FunctionSpacing final : public SpacingField {
         std::transform(points.begin(), points.end(), rho.begin(), rho_);
     }
     SpacingSample sample(Vec2 p) const override { return {rho_(p), SpacingOrigin::Expression, 0, "test"}; }
-    double least() const override { return 0.0; }
-    double greatest() const override { return 1e300; }
+    double minimum() const override { return 0.0; }
+    double maximum() const override { return 1e300; }
 
   private:
     std::function<double(Vec2)> rho_;

@@ -12,7 +12,7 @@ namespace forefront::testing {
 class SpacingFunction : public SpacingField {
   public:
     SpacingFunction(std::function<double(Vec2)> rho, double least, double greatest)
-        : rho_(std::move(rho)), least_(least), greatest_(greatest) {}
+        : rho_(std::move(rho)), minimum_(least), maximum_(greatest) {}
 
     double at(Vec2 p) const override { return rho_(p); }
     void atMany(std::span<const Vec2> points, std::span<double> rho) const override {
@@ -21,12 +21,12 @@ class SpacingFunction : public SpacingField {
         }
     }
     SpacingSample sample(Vec2 p) const override { return {rho_(p), SpacingOrigin::Expression, 0, "test"}; }
-    double least() const override { return least_; }
-    double greatest() const override { return greatest_; }
+    double minimum() const override { return minimum_; }
+    double maximum() const override { return maximum_; }
 
   private:
     std::function<double(Vec2)> rho_;
-    double least_, greatest_;
+    double minimum_, maximum_;
 };
 
 inline SpacingFunction constantSpacing(double rho) {

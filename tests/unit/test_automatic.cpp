@@ -1,7 +1,7 @@
 #include "core/domain/add_loop.hpp"
 #include "core/domain/domain.hpp"
-#include "core/spacing/automatic.hpp"
-#include "core/spacing/boundary_spacing.hpp"
+#include "core/spacing/parts/automatic/automatic.hpp"
+#include "core/spacing/parts/automatic/boundary_spacing.hpp"
 #include "core/spacing/spacing_field.hpp"
 
 #include <doctest/doctest.h>
@@ -57,7 +57,7 @@ TEST_CASE("Automatic spacing: short segments are respected, whatever the size of
     for (const PlacedSegment &segment : placedSegments(domain)) {
         const Vec2 middle = midpoint(segment.a, segment.b);
         CHECK(field->at(middle) <= segment.length() * 1.006);
-        CHECK(field->at(middle) >= field->least());
+        CHECK(field->at(middle) >= field->minimum());
     }
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("Automatic spacing: two elements fit across a channel, and open water 
         CHECK(field->at({x, 1.95}) <= 0.064);
         CHECK(field->at({x, 1.95}) >= 0.045);
     }
-    CHECK(field->at({1.5, 1}) == doctest::Approx(field->greatest()));
+    CHECK(field->at({1.5, 1}) == doctest::Approx(field->maximum()));
     CHECK(field->sample({5, 1.95}).describe.find("narrow channel") != std::string::npos);
 }
 
@@ -79,8 +79,8 @@ TEST_CASE("Automatic spacing: what is narrow only outside the domain does not co
     Domain domain = loopOf({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
     addLoop(domain, std::vector<Vec2>{{1.02, 0}, {2.02, 0}, {2.02, 1}, {1.02, 1}});
     const auto field = automatic(domain);
-    CHECK(field->at({0.99, 0.5}) == doctest::Approx(field->greatest()));
-    CHECK(field->least() == field->greatest());
+    CHECK(field->at({0.99, 0.5}) == doctest::Approx(field->maximum()));
+    CHECK(field->minimum() == field->maximum());
 }
 
 TEST_CASE("Automatic spacing: orientation and order of the segments do not matter") {
@@ -108,7 +108,7 @@ TEST_CASE("Automatic spacing: orientation and order of the segments do not matte
 TEST_CASE("Automatic spacing: a needle is refined towards its tip but not without end") {
     const auto field = automatic(loopOf({{0, 0}, {10, 0}, {10, 0.6}}));
     CHECK(field->at({1.0, 0.03}) < 0.08);
-    CHECK(field->least() > 0.01);
+    CHECK(field->minimum() > 0.01);
 }
 
 TEST_CASE("Automatic spacing: a very long and thin channel stays affordable") {
@@ -129,7 +129,7 @@ TEST_CASE("Automatic spacing: lone points ask for their distance to the next thi
     domain.points = {{4, 1}, {5, 1}};
     const auto field = automatic(domain);
     CHECK(field->at({5, 5}) == doctest::Approx(0.05));
-    CHECK(field->at({1, 1}) == doctest::Approx(field->greatest()));
+    CHECK(field->at({1, 1}) == doctest::Approx(field->maximum()));
 }
 
 TEST_CASE("Automatic spacing: graded within two hundredths, and bounded as it says") {
@@ -150,8 +150,8 @@ TEST_CASE("Automatic spacing: graded within two hundredths, and bounded as it sa
             const double a = field->at(p);
             const double b = field->at(q);
             REQUIRE(std::fabs(a - b) <= 0.25 * distance(p, q) + 0.012 * std::max(a, b));
-            REQUIRE(a >= field->least() * (1 - 1e-6));
-            REQUIRE(a <= field->greatest() * (1 + 1e-6));
+            REQUIRE(a >= field->minimum() * (1 - 1e-6));
+            REQUIRE(a <= field->maximum() * (1 + 1e-6));
         }
     }
 }

@@ -71,8 +71,8 @@ TEST_CASE("Background mesh: a linear field is reproduced everywhere, graded mesh
                 i < 3721 ? spec.background->nodes[static_cast<std::size_t>(i)] : Vec2{place(random), place(random)};
             REQUIRE(field->at(p) == doctest::Approx(linear(p)).epsilon(1e-9));
         }
-        CHECK(field->least() <= 0.2);
-        CHECK(field->greatest() >= 0.6);
+        CHECK(field->minimum() <= 0.2);
+        CHECK(field->maximum() >= 0.6);
         CHECK(field->sample({3, 3}).origin == SpacingOrigin::Background);
     }
 }

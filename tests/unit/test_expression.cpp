@@ -1,4 +1,4 @@
-#include "core/spacing/expression.hpp"
+#include "core/spacing/parts/expression/expression.hpp"
 
 #include <doctest/doctest.h>
 #include <muParser.h>

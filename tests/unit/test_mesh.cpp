@@ -175,8 +175,8 @@ class ConstantSpacing : public SpacingField {
         std::fill(rho.begin(), rho.end(), rho_);
     }
     SpacingSample sample(Vec2) const override { return {rho_, SpacingOrigin::Constant, 0, "constant"}; }
-    double least() const override { return rho_; }
-    double greatest() const override { return rho_; }
+    double minimum() const override { return rho_; }
+    double maximum() const override { return rho_; }
 
   private:
     double rho_;

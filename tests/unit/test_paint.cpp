@@ -1,5 +1,5 @@
 #include "core/domain/domain.hpp"
-#include "core/spacing/paint.hpp"
+#include "core/spacing/parts/paint/paint.hpp"
 #include "core/spacing/spacing_field.hpp"
 
 #include <doctest/doctest.h>
@@ -144,8 +144,8 @@ TEST_CASE("SpacingField: a painted patch holds its value and blends outwards by 
             CHECK(field->at(p) <= std::min(1.0, 0.05 + 0.25 * (r - 1.0 + pitch)) * 1.006);
             CHECK(field->at(p) >= std::min(1.0, 0.05 + 0.25 * (r - 1.0 - 1.5 * pitch)) * 0.994);
         }
-        CHECK(field->at(p) >= field->least());
-        CHECK(field->at(p) <= field->greatest());
+        CHECK(field->at(p) >= field->minimum());
+        CHECK(field->at(p) <= field->maximum());
     }
     CHECK(field->sample({5, 5}).origin == SpacingOrigin::Paint);
     CHECK(field->sample({5, 6.5}).origin == SpacingOrigin::Gradation);

@@ -43,8 +43,8 @@ TEST_CASE("SpacingField: a constant is the same everywhere and says so") {
     spec.size = 0.3;
     const auto field = built(spec, rectangle(2, 1, 4, 2));
     CHECK(field->at({0.1, 0.2}) == 0.3);
-    CHECK(field->least() == 0.3);
-    CHECK(field->greatest() == 0.3);
+    CHECK(field->minimum() == 0.3);
+    CHECK(field->maximum() == 0.3);
     CHECK(field->sample({1, 1}).origin == SpacingOrigin::Constant);
 }
 
@@ -66,8 +66,8 @@ TEST_CASE("SpacingField: sources, constant and expression combine by minimum and
         const double circle = 0.1 + 0.5 * std::max(0.0, distance(p, {8, 2}) - 1.0);
         const double expected = std::max(0.08, std::min({1.0, 0.5 + 0.1 * p.x, point, line, circle}));
         CHECK(field->at(p) == doctest::Approx(expected).epsilon(1e-12));
-        CHECK(field->at(p) >= field->least());
-        CHECK(field->at(p) <= field->greatest());
+        CHECK(field->at(p) >= field->minimum());
+        CHECK(field->at(p) <= field->maximum());
         CHECK(field->sample(p).rho == field->at(p));
     }
     CHECK(field->sample({3, 3}).describe == "least spacing");
@@ -80,7 +80,7 @@ TEST_CASE("SpacingField: automatic spacing respects short segments and is graded
     const Domain domain = rectangle(10, 5, 200, 5);
     const auto field = built({}, domain);
     CHECK(field->at({5, 0}) == doctest::Approx(0.05).epsilon(0.01));
-    CHECK(field->greatest() <= 0.5);
+    CHECK(field->maximum() <= 0.5);
     std::mt19937 random(11);
     std::uniform_real_distribution<double> place(0.0, 1.0);
     for (int i = 0; i < 20000; ++i) {
@@ -120,9 +120,9 @@ TEST_CASE("SpacingField: an expression without gradation is left exactly as give
         CHECK(field->at({x, 4.2}) ==
               doctest::Approx(std::max(0.1, 0.8 * std::fabs(distance({x, 4.2}, {5, 5}) - 3))).epsilon(1e-14));
     }
-    CHECK(field->least() <= 0.1);
-    CHECK(field->greatest() >= 0.8 * (std::sqrt(50.0) - 3));
-    CHECK(field->greatest() <= 0.8 * (std::sqrt(50.0) - 3) * 1.1);
+    CHECK(field->minimum() <= 0.1);
+    CHECK(field->maximum() >= 0.8 * (std::sqrt(50.0) - 3));
+    CHECK(field->maximum() <= 0.8 * (std::sqrt(50.0) - 3) * 1.1);
 }
 
 TEST_CASE("SpacingField: a steep expression is limited as the formula says, within two hundredths") {
@@ -230,8 +230,8 @@ TEST_CASE("SpacingField: many sources give the same as few, within the tolerance
                 expected = std::min(expected, source.size + source.growth * std::max(0.0, d - source.radius));
             }
             REQUIRE(field->at(p) == doctest::Approx(expected).epsilon(0.011));
-            REQUIRE(field->at(p) >= field->least() * (1.0 - 1e-6));
-            REQUIRE(field->at(p) <= field->greatest() * (1.0 + 1e-6));
+            REQUIRE(field->at(p) >= field->minimum() * (1.0 - 1e-6));
+            REQUIRE(field->at(p) <= field->maximum() * (1.0 + 1e-6));
         }
     }
 }

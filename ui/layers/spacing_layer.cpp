@@ -69,8 +69,8 @@ class SpacingLayer final : public Layer {
             return false;
         }
         // The scale is of the whole domain, not of the part in view, so that colours keep their meaning while panning.
-        least_ = frame.preview.spacing->least();
-        greatest_ = frame.preview.spacing->greatest();
+        least_ = frame.preview.spacing->minimum();
+        greatest_ = frame.preview.spacing->maximum();
         uniform_ = greatest_ < 1.02 * least_;
         if (uniform_) {
             least_ *= 0.5; // one colour, from the middle of the map

@@ -2,7 +2,7 @@
 
 #include "core/edit/shape_geometry.hpp"
 #include "core/edit/spacing_commands.hpp"
-#include "core/spacing/paint.hpp"
+#include "core/spacing/parts/paint/paint.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/editor/app_context.hpp"
 #include "ui/tools/tool_options.hpp"

@@ -1,4 +1,4 @@
-#include "core/edit/box_tree.hpp"
+#include "core/geometry/box_tree.hpp"
 #include "core/geometry/polygon.hpp"
 #include "core/io/domain_builder.hpp"
 #include "core/io/json/json_check.hpp"

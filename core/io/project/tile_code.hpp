@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/spacing/spacing_spec.hpp"
+#include "core/spacing/spec/spacing_spec.hpp"
 
 #include <optional>
 #include <string>

@@ -1,0 +1,170 @@
+#include "core/mesh/mesh_domain.hpp"
+
+#include "core/base/ids.hpp"
+#include "core/mesh/topology.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace forefront {
+
+namespace {
+
+class MeshOutline {
+  public:
+    explicit MeshOutline(const Mesh &mesh) : mesh_(mesh), numbers_(mesh.nodes.size(), kNoIndex) {}
+
+    Domain run() {
+        collectTags();
+        if (!mesh_.elements.empty()) {
+            elementEdges();
+        }
+        for (std::size_t k = 0; k < tags_.size(); ++k) {
+            if (!used_[k]) {
+                addSegment(NodeId{tags_[k].a}, NodeId{tags_[k].b}, tags_[k].tag,
+                           mesh_.elements.empty() ? SegmentRole::Boundary : SegmentRole::Constraint);
+            }
+        }
+        for (const TaggedNode &point : mesh_.points) {
+            domain_.points.push_back({number(point.node), point.tag});
+        }
+        domain_.boundaryNames = mesh_.boundaryNames;
+        domain_.regionNames = mesh_.regionNames;
+        return std::move(domain_);
+    }
+
+  private:
+    struct Tagged {
+        std::uint32_t low, high, a, b;
+        std::int32_t tag;
+        auto key() const { return std::tuple(low, high); }
+    };
+
+    void collectTags() {
+        tags_.reserve(mesh_.edges.size());
+        for (const TaggedEdge &edge : mesh_.edges) {
+            const auto a = static_cast<std::uint32_t>(edge.a);
+            const auto b = static_cast<std::uint32_t>(edge.b);
+            tags_.push_back({std::min(a, b), std::max(a, b), a, b, edge.tag});
+        }
+        std::stable_sort(tags_.begin(), tags_.end(),
+                         [](const Tagged &a, const Tagged &b) { return a.key() < b.key(); });
+        tags_.erase(std::unique(tags_.begin(), tags_.end(),
+                                [](const Tagged &a, const Tagged &b) { return a.key() == b.key(); }),
+                    tags_.end());
+        used_.assign(tags_.size(), false);
+    }
+
+    /// Index of the tag of an edge, or tags_.size().
+    std::size_t findTag(NodeId a, NodeId b) const {
+        const std::tuple key(static_cast<std::uint32_t>(std::min(a, b)), static_cast<std::uint32_t>(std::max(a, b)));
+        const auto place = std::lower_bound(tags_.begin(), tags_.end(), key,
+                                            [](const Tagged &tag, const auto &wanted) { return tag.key() < wanted; });
+        return place != tags_.end() && place->key() == key ? static_cast<std::size_t>(place - tags_.begin())
+                                                           : tags_.size();
+    }
+
+    void elementEdges() {
+        neighbours_ = elementNeighbours(mesh_);
+        divides_.resize(neighbours_.size());
+        for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                elementEdge(e, k);
+            }
+        }
+        const bool named = !mesh_.regionNames.empty() ||
+                           std::any_of(mesh_.regions.begin(), mesh_.regions.end(), [](auto tag) { return tag != 1; });
+        if (named) {
+            regionMarkers();
+        }
+    }
+
+    void elementEdge(std::size_t e, std::size_t k) {
+        const ElementId neighbour = neighbours_[e][k];
+        const NodeId a = mesh_.elements[e][k];
+        const NodeId b = mesh_.elements[e][(k + 1) % 3];
+        const std::size_t found = findTag(a, b);
+        const bool tagged = found < tags_.size();
+        const bool outer = neighbour == kNoElement;
+        if (!outer && !tagged && mesh_.region(e) == mesh_.region(index(neighbour))) {
+            return;
+        }
+        divides_[e][k] = true;
+        if (tagged && used_[found]) {
+            return;
+        }
+        if (tagged) {
+            used_[found] = true;
+        } else if (!outer && index(neighbour) < e) {
+            return;
+        }
+        addSegment(a, b, tagged ? tags_[found].tag : 1, outer ? SegmentRole::Boundary : SegmentRole::Constraint);
+    }
+
+    /// One marker in every face, in its largest element.
+    void regionMarkers() {
+        std::vector<bool> seen(mesh_.elements.size(), false);
+        std::vector<std::size_t> stack;
+        for (std::size_t start = 0; start < seen.size(); ++start) {
+            if (seen[start]) {
+                continue;
+            }
+            std::size_t largest = start;
+            seen[start] = true;
+            stack.push_back(start);
+            while (!stack.empty()) {
+                const std::size_t e = stack.back();
+                stack.pop_back();
+                largest = area(e) > area(largest) ? e : largest;
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const ElementId next = neighbours_[e][k];
+                    if (!divides_[e][k] && next != kNoElement && !seen[index(next)]) {
+                        seen[index(next)] = true;
+                        stack.push_back(index(next));
+                    }
+                }
+            }
+            const Element &nodes = mesh_.elements[largest];
+            const Vec2 sum = place(nodes[0]) + place(nodes[1]) + place(nodes[2]);
+            domain_.regionMarkers.push_back({(1.0 / 3.0) * sum, mesh_.region(largest)});
+        }
+    }
+
+    Vec2 place(NodeId node) const { return mesh_.nodes[index(node)]; }
+    double area(std::size_t e) const {
+        const Element &nodes = mesh_.elements[e];
+        return std::abs(cross(place(nodes[1]) - place(nodes[0]), place(nodes[2]) - place(nodes[0])));
+    }
+
+    std::uint32_t number(NodeId node) {
+        std::uint32_t &number = numbers_[index(node)];
+        if (number == kNoIndex) {
+            number = static_cast<std::uint32_t>(domain_.nodes.size());
+            domain_.nodes.push_back(place(node));
+        }
+        return number;
+    }
+    void addSegment(NodeId a, NodeId b, std::int32_t tag, SegmentRole role) {
+        domain_.segments.push_back({number(a), number(b), tag, role});
+    }
+
+    const Mesh &mesh_;
+    std::vector<std::uint32_t> numbers_; ///< of the mesh's nodes in the domain
+    std::vector<Tagged> tags_;
+    std::vector<bool> used_;
+    std::vector<std::array<ElementId, 3>> neighbours_;
+    std::vector<std::array<bool, 3>> divides_;
+    Domain domain_;
+};
+
+} // namespace
+
+Result<Domain> domainOfMesh(const Mesh &mesh) {
+    if (mesh.elements.empty() && mesh.edges.empty()) {
+        return error("empty-domain", "the mesh has neither triangles nor lines that could bound a domain");
+    }
+    return MeshOutline(mesh).run();
+}
+
+} // namespace forefront

@@ -1,0 +1,97 @@
+#include "core/spacing/parts/automatic/automatic.hpp"
+
+#include "core/spacing/parts/automatic/gap_finder.hpp"
+
+namespace forefront {
+namespace {
+
+constexpr double kAcross = 45.0;         ///< elements along the diagonal of the domain's box
+constexpr double kAcrossGap = 2.0;       ///< elements across a narrow place
+constexpr double kFinestGap = 1e-4;      ///< of the diagonal: narrower places get no finer stretches
+constexpr double kGapElements = 3.0e4;   ///< about as many elements may be spent on narrow places ...
+constexpr double kGapElementsEach = 8.0; ///< ... and as many more for each segment of the domain
+
+/// Elements that a stretch costs when its size is at least `floor`: half the gap belongs to it.
+double elementsFor(const Gap &gap, double floor) {
+    const double length = distance(gap.a, gap.b);
+    const double size = std::max(gap.width / kAcrossGap, floor);
+    return length / size * (1.0 + 1.1547 * gap.width / size);
+}
+
+/// The least size in narrow places that keeps their cost within bounds; 0 where no floor is needed.
+double affordableFloor(const std::vector<Gap> &gaps, double longest, double budget) {
+    const auto cost = [&](double floor) {
+        double sum = 0.0;
+        for (const Gap &gap : gaps) {
+            sum += elementsFor(gap, floor);
+        }
+        return sum;
+    };
+    if (cost(0.0) <= budget) {
+        return 0.0;
+    }
+    double low = 0.0;
+    double high = longest;
+    for (int step = 0; step < 40; ++step) {
+        const double middle = 0.5 * (low + high);
+        (cost(middle) > budget ? low : high) = middle;
+    }
+    return high;
+}
+
+/// Segments, then lone points as segments without length.
+std::vector<PlacedSegment> thingsOf(const Domain &domain) {
+    std::vector<PlacedSegment> things = placedSegments(domain);
+    for (std::size_t i = 0; i < domain.points.size(); ++i) {
+        const std::uint32_t node = domain.points[i].node;
+        if (node < domain.nodes.size() && isUsable(domain.nodes[node])) {
+            things.push_back(
+                {domain.nodes[node], domain.nodes[node], static_cast<std::uint32_t>(domain.segments.size() + i)});
+        }
+    }
+    return things;
+}
+
+} // namespace
+
+AutomaticSpacing automaticSpacing(const Domain &domain, const Box2 &box, double minimum, double gradation,
+                                  const Progress &progress) {
+    AutomaticSpacing automatic;
+    automatic.greatest = box.diagonal() / kAcross;
+    const auto add = [&](const SizeSite &site, SiteReason reason, std::uint32_t index) {
+        automatic.sites.add(limited(site, minimum, gradation), {SpacingOrigin::Automatic, reason, index});
+    };
+    std::vector<PlacedSegment> segments = placedSegments(domain);
+    dropDominated(domain, gradation, segments);
+    for (const PlacedSegment &segment : segments) {
+        if (const double length = segment.length(); length < automatic.greatest) {
+            add(SizeSite::segment(segment.a, segment.b, length, gradation), SiteReason::SegmentLength, segment.index);
+        }
+    }
+    const SegmentIndex things(thingsOf(domain));
+    const GapFinder finder(domain, things, automatic.greatest, kFinestGap * box.diagonal(), progress);
+    const std::vector<Gap> gaps = finder.find();
+    const double budget = kGapElements + kGapElementsEach * static_cast<double>(domain.segments.size());
+    const double floor = affordableFloor(gaps, automatic.greatest, budget);
+    for (const Gap &gap : gaps) {
+        const double size = std::max(gap.width / kAcrossGap, floor);
+        const double length = distance(gap.a, gap.b);
+        const auto &ends = domain.segments[gap.segment];
+        const double own = std::min(automatic.greatest, distance(domain.nodes[ends.a], domain.nodes[ends.b]));
+        if (size < 0.95 * own && length > 0.0) {
+            add(SizeSite::segment(gap.a, gap.b, size, gradation), gap.corner ? SiteReason::Corner : SiteReason::Channel,
+                gap.segment);
+        }
+    }
+    for (std::uint32_t i = 0; i < things.segments.size(); ++i) {
+        const PlacedSegment &thing = things.segments[i];
+        if (thing.index >= domain.segments.size()) {
+            const std::uint32_t node = domain.points[thing.index - domain.segments.size()].node;
+            add(SizeSite::point(thing.a, std::max(finder.clearance(i), floor), gradation), SiteReason::LonePoint, node);
+        }
+    }
+    automatic.sites.dropDominated();
+    return automatic;
+}
+
+} // namespace forefront

@@ -1,0 +1,193 @@
+#include "core/spacing/parts/automatic/gap_finder.hpp"
+
+#include <limits>
+#include <utility>
+
+namespace forefront {
+namespace {
+
+constexpr double kNothing = std::numeric_limits<double>::infinity();
+constexpr double kFacing = 0.5; ///< cosine of the widest angle to the normal
+/// Beside a sharp corner the width falls to zero: stretches there are no finer than this part of their reach.
+constexpr double kCornerFloor = 0.125;
+
+struct Pair {
+    Vec2 p;
+    Vec2 q;
+    double square = kNothing;
+};
+
+Vec2 nearestOn(Vec2 a, Vec2 b, Vec2 p) {
+    return SizeSite::segment(a, b, 1.0, 0.0).nearest(p);
+}
+
+/// Closest points of two segments that do not cross: at least one is an end.
+Pair closest(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+    Pair best;
+    const auto consider = [&](Vec2 p, Vec2 q) {
+        const double square = distanceSquared(p, q);
+        if (square < best.square) {
+            best = {p, q, square};
+        }
+    };
+    consider(nearestOn(a, b, c), c);
+    consider(nearestOn(a, b, d), d);
+    consider(a, nearestOn(c, d, a));
+    consider(b, nearestOn(c, d, b));
+    return best;
+}
+
+BoxTree treeOf(const std::vector<PlacedSegment> &segments) {
+    std::vector<Box2> boxes;
+    boxes.reserve(segments.size());
+    for (const PlacedSegment &segment : segments) {
+        boxes.push_back(boxOf(segment.a, segment.b));
+    }
+    return BoxTree(boxes);
+}
+
+} // namespace
+
+SegmentIndex::SegmentIndex(std::vector<PlacedSegment> placed) : segments(std::move(placed)), tree(treeOf(segments)) {}
+
+GapFinder::GapFinder(const Domain &domain, const SegmentIndex &index, double longest, double shortest,
+                     const Progress &progress)
+    : domain_(domain), index_(index), longest_(longest), shortest_(shortest), box_(spacingBox(domain)),
+      progress_(progress) {}
+
+bool GapFinder::isPoint(const PlacedSegment &segment) const {
+    return segment.index >= domain_.segments.size();
+}
+
+GapFinder::Sides GapFinder::insideOf(std::uint32_t position) const {
+    const PlacedSegment &segment = index_.segments[position];
+    const Vec2 direction = segment.b - segment.a;
+    const Vec2 middle = midpoint(segment.a, segment.b);
+    // A ray along the axis that crosses the segment most squarely: along +x (upright) or along +y.
+    const bool upright = std::fabs(direction.y) >= std::fabs(direction.x);
+    Box2 ray = boxOf(middle, middle);
+    (upright ? ray.max.x : ray.max.y) = upright ? box_.max.x : box_.max.y;
+    bool odd = false;
+    index_.tree.query(ray, [&](std::uint32_t other) {
+        const PlacedSegment &wall = index_.segments[other];
+        if (other == position || isPoint(wall) || domain_.segments[wall.index].role != SegmentRole::Boundary) {
+            return;
+        }
+        const auto across = [&](Vec2 p) { return upright ? p.y - middle.y : p.x - middle.x; };
+        const auto along = [&](Vec2 p) { return upright ? p.x - middle.x : p.y - middle.y; };
+        const double from = across(wall.a);
+        const double to = across(wall.b);
+        if ((from > 0.0) != (to > 0.0)) {
+            const double t = from / (from - to);
+            odd = odd != (along(wall.a) + t * (along(wall.b) - along(wall.a)) > 0.0);
+        }
+    });
+    if (domain_.segments[segment.index].role != SegmentRole::Boundary) {
+        return {odd, odd};
+    }
+    // The ray leaves to the left of the segment where it runs downwards (along +x) or to the right (along +y).
+    const bool leavesLeft = upright ? direction.y < 0.0 : direction.x > 0.0;
+    return leavesLeft ? Sides{odd, !odd} : Sides{!odd, odd};
+}
+
+GapFinder::Facing GapFinder::facing(std::uint32_t position, Vec2 a, Vec2 b, double reach, Sides sides) const {
+    const PlacedSegment &own = index_.segments[position];
+    const DomainSegment &ends = domain_.segments[own.index];
+    const Vec2 normal = (1.0 / own.length()) * leftNormal(own.b - own.a);
+    Facing best{kNothing, false, false};
+    double square = reach * reach;
+    index_.tree.query(boxOf(a, b).grown(reach), [&](std::uint32_t other) {
+        if (other == position) {
+            return;
+        }
+        const PlacedSegment &wall = index_.segments[other];
+        const Pair pair = closest(a, b, wall.a, wall.b);
+        if (pair.square == 0.0) {
+            // They share an end: sharp where the wall runs back along the stretch.
+            const Vec2 along = pair.p == a ? own.b - own.a : own.a - own.b;
+            const Vec2 back = pair.q == wall.a ? wall.b - wall.a : wall.a - wall.b;
+            best.tip = best.tip || (dot(along, back) > kFacing * length(along) * length(back) &&
+                                    (dot(back, normal) > 0.0 ? sides.left : sides.right));
+            return;
+        }
+        if (pair.square >= square) {
+            return;
+        }
+        const double side = dot(pair.q - pair.p, normal);
+        if (std::fabs(side) < kFacing * std::sqrt(pair.square) || !(side > 0.0 ? sides.left : sides.right)) {
+            return;
+        }
+        square = pair.square;
+        best.width = std::sqrt(square);
+        best.corner = false;
+        if (!isPoint(wall)) {
+            const DomainSegment &far = domain_.segments[wall.index];
+            best.corner = far.a == ends.a || far.a == ends.b || far.b == ends.a || far.b == ends.b;
+        }
+    });
+    return best;
+}
+
+void GapFinder::divide(std::uint32_t position, double from, double to, double reach, Sides sides,
+                       std::vector<Gap> &gaps) const {
+    if (progress_.cancelled()) {
+        return;
+    }
+    const PlacedSegment &own = index_.segments[position];
+    const Vec2 a = lerp(own.a, own.b, from);
+    const Vec2 b = lerp(own.a, own.b, to);
+    const Facing least = facing(position, a, b, 2.0 * reach, sides);
+    // Near a sharp corner the width falls to zero with the distance to it: only to a floor is it followed.
+    const double floor = least.tip || least.corner ? std::max(shortest_, kCornerFloor * reach) : shortest_;
+    const bool wide = least.width == kNothing;
+    if (length(b - a) > 2.0 * floor && (least.tip || !wide)) {
+        const double atA = facing(position, a, a, 2.0 * reach, sides).width;
+        const double atB = facing(position, b, b, 2.0 * reach, sides).width;
+        const double narrowest = std::min(least.width, std::min(atA, atB));
+        if (least.tip || (length(b - a) > narrowest && std::max(atA, atB) > 2.0 * narrowest)) {
+            const double middle = 0.5 * (from + to);
+            divide(position, from, middle, reach, sides, gaps);
+            divide(position, middle, to, reach, sides, gaps);
+            return;
+        }
+    }
+    if (!wide) {
+        gaps.push_back(
+            {a, b, std::max(least.width, least.corner ? 2.0 * kCornerFloor * reach : 0.0), own.index, least.corner});
+    }
+}
+
+std::vector<Gap> GapFinder::find() const {
+    std::vector<Gap> gaps;
+    for (std::uint32_t i = 0; i < index_.segments.size() && !progress_.cancelled(); ++i) {
+        const PlacedSegment &segment = index_.segments[i];
+        if (isPoint(segment)) {
+            continue;
+        }
+        const double reach = std::min(longest_, segment.length());
+        // Most segments are far from everything: the sides are asked for only where something is near.
+        const Facing any = facing(i, segment.a, segment.b, 2.0 * reach, {true, true});
+        if (any.width == kNothing && !any.tip) {
+            continue;
+        }
+        divide(i, 0.0, 1.0, reach, insideOf(i), gaps);
+    }
+    return gaps;
+}
+
+double GapFinder::clearance(std::uint32_t position) const {
+    const Vec2 p = index_.segments[position].a;
+    // Looked for in growing boxes, so that crowds of points cost little each.
+    double least = longest_;
+    for (double reach = longest_ / 256.0; reach <= longest_ && least > reach / 2.0; reach *= 2.0) {
+        index_.tree.query(boxAround(p, reach), [&](std::uint32_t other) {
+            if (other != position) {
+                const double d = distance(p, nearestOn(index_.segments[other].a, index_.segments[other].b, p));
+                least = d > 0.0 ? std::min(least, d) : least;
+            }
+        });
+    }
+    return least;
+}
+
+} // namespace forefront

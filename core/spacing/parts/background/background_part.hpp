@@ -1,0 +1,103 @@
+#pragma once
+
+#include "core/base/progress.hpp"
+#include "core/base/result.hpp"
+#include "core/spacing/sites/site_set.hpp"
+#include "core/spacing/spec/spacing_spec.hpp"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace forefront {
+
+/// Nodal spacing on a triangle mesh, prepared for point location: a table of cells, each the root of a quadtree whose
+/// leaves list the triangles that touch them.
+class BackgroundPart {
+  public:
+    /// Faults: bad-background, with the place where there is one: counts that do not match, values or coordinates not
+    /// usable, indices out of range, triangles inverted or without area (exact test); cancelled.
+    static Result<BackgroundPart> build(const BackgroundMesh &mesh, double minimum, const Progress &progress);
+
+    /// Linear in each triangle; infinity outside of the mesh. Where triangles overlap, the one that holds p most
+    /// deeply.
+    double at(Vec2 p) const {
+        const double u = (p.x - corner_.x) * toCells_;
+        const double v = (p.y - corner_.y) * toCells_;
+        if (!(u >= 0.0 && v >= 0.0 && u < columns_ && v < rows_)) {
+            return std::numeric_limits<double>::infinity();
+        }
+        const auto i = static_cast<std::uint32_t>(u);
+        const auto j = static_cast<std::uint32_t>(v);
+        const std::uint32_t *cell = &cells_[j * columns_ + i];
+        double s = u - i;
+        double t = v - j;
+        while (*cell & kSplit) {
+            s *= 2.0;
+            t *= 2.0;
+            const bool right = s >= 1.0;
+            const bool upper = t >= 1.0;
+            cell = &cells_[(*cell & ~kSplit) + (right ? 1U : 0U) + (upper ? 2U : 0U)];
+            s -= right ? 1.0 : 0.0;
+            t -= upper ? 1.0 : 0.0;
+        }
+        return valueAmong(&lists_[*cell], p);
+    }
+    /// Bounds of the values, after raising them to the minimum.
+    double minimum() const { return minimum_; }
+    double maximum() const { return maximum_; }
+    /// Index of the triangle that sets the value at p, if any.
+    std::optional<std::uint32_t> triangleAt(Vec2 p) const;
+
+    /// Segments along the border of the mesh from which its spacing reaches on by `gradation`. Incomplete when
+    /// cancelled.
+    static void addBorderSites(const BackgroundMesh &mesh, double minimum, double gradation, SiteSet &sites,
+                               const Progress &progress);
+    /// Segments along the edges of triangles steeper than `gradation`, which limit them.
+    static void addSteepSites(const BackgroundMesh &mesh, double minimum, double gradation, SiteSet &sites);
+
+  private:
+    friend class BackgroundBuilder;
+    static constexpr std::uint32_t kSplit = 0x80000000U;
+
+    /// Barycentric coordinates and value as linear functions of p − a.
+    struct Triangle {
+        Vec2 a;
+        Vec2 toSecond; ///< gradient of the coordinate of the second node
+        Vec2 toThird;
+        double value = 0.0;  ///< at a
+        double second = 0.0; ///< value of the second node less that of the first
+        double third = 0.0;
+    };
+    double valueAmong(const std::uint32_t *entry, Vec2 p) const {
+        double deepest = -1e-9; // on an edge, rounding must not lose the point
+        double value = std::numeric_limits<double>::infinity();
+        for (std::uint32_t n = *entry++; n > 0; --n) {
+            const Triangle &triangle = triangles_[*entry++];
+            const Vec2 d = p - triangle.a;
+            const double second = dot(triangle.toSecond, d);
+            const double third = dot(triangle.toThird, d);
+            const double depth = std::min(std::min(second, third), 1.0 - second - third);
+            if (depth > deepest) {
+                deepest = depth;
+                value = triangle.value + second * triangle.second + third * triangle.third;
+            }
+        }
+        // A hair outside, the linear function may leave the range of the nodes.
+        return value < minimum_ ? minimum_ : value;
+    }
+
+    std::vector<Triangle> triangles_;
+    std::vector<std::uint32_t> cells_;
+    std::vector<std::uint32_t> lists_;
+    Vec2 corner_;
+    double toCells_ = 1.0;
+    std::uint32_t columns_ = 0;
+    std::uint32_t rows_ = 0;
+    double minimum_ = 0.0;
+    double maximum_ = 0.0;
+};
+
+} // namespace forefront

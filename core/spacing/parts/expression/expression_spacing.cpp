@@ -1,0 +1,99 @@
+#include "core/spacing/parts/expression/expression_spacing.hpp"
+
+#include "core/spacing/parts/expression/expression.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace forefront {
+namespace {
+
+constexpr int kProbes = 64; ///< intervals of the probe lattice along each side
+
+std::vector<Vec2> probePlaces(const Domain &domain, const Box2 &box) {
+    std::vector<Vec2> places;
+    for (const Vec2 node : domain.nodes) {
+        if (box.contains(node)) {
+            places.push_back(node);
+        }
+    }
+    for (int j = 0; j <= kProbes; ++j) {
+        for (int i = 0; i <= kProbes; ++i) {
+            places.push_back({box.min.x + box.size().x * i / kProbes, box.min.y + box.size().y * j / kProbes});
+        }
+    }
+    return places;
+}
+
+const char *faultOf(double value, const SpacingSpec &spec) {
+    if (std::isnan(value)) {
+        return "no number";
+    }
+    if (value <= 0.0 && !spec.minimum) {
+        return value == 0.0 ? "zero" : "a negative number";
+    }
+    if (std::isinf(value) && value > 0.0 && !spec.maximum) {
+        return "infinity";
+    }
+    return nullptr;
+}
+
+} // namespace
+
+Result<ExpressionSpacing> ExpressionSpacing::build(const SpacingSpec &spec, const Domain &domain, const Box2 &box) {
+    auto program = compileExpression(*spec.expression);
+    if (!program) {
+        return program.faults();
+    }
+    ExpressionSpacing spacing;
+    spacing.program_ = std::move(*program);
+    spacing.text_ = *spec.expression;
+    spacing.floor_ = spec.minimum.value_or(1e-9 * box.diagonal());
+    spacing.ceiling_ = spec.maximum.value_or(std::max(1e3 * box.diagonal(), spacing.floor_));
+
+    const std::vector<Vec2> places = probePlaces(domain, box);
+    std::vector<double> values(places.size());
+    spacing.program_.evaluateMany(places, values);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (const char *const fault = faultOf(values[i], spec)) {
+            Diagnostics faults =
+                error("expression-value", std::string("The spacing expression gives ") + fault,
+                      "keep it above zero everywhere in the domain's box, for example by max(0.1, ...)");
+            faults.front().at = places[i];
+            return faults;
+        }
+    }
+    spacing.atMany(places, values);
+    spacing.minimum_ = *std::min_element(values.begin(), values.end());
+    spacing.maximum_ = *std::max_element(values.begin(), values.end());
+    spacing.findBounds(box);
+    return spacing;
+}
+
+void ExpressionSpacing::findBounds(const Box2 &box) {
+    double low = std::numeric_limits<double>::infinity();
+    double high = 0.0;
+    for (int j = 0; j < kProbes; ++j) {
+        for (int i = 0; i < kProbes; ++i) {
+            const Vec2 corner = box.min + Vec2{box.size().x * i / kProbes, box.size().y * j / kProbes};
+            const ValueRange range =
+                program_.range({corner, corner + Vec2{box.size().x / kProbes, box.size().y / kProbes}});
+            if (range.undefined) {
+                return;
+            }
+            low = std::min(low, made(range.low));
+            high = std::max(high, made(range.high));
+        }
+    }
+    minimum_ = low;
+    maximum_ = high;
+}
+
+void ExpressionSpacing::atMany(std::span<const Vec2> points, std::span<double> rho) const {
+    program_.evaluateMany(points, rho);
+    for (double &value : rho) {
+        value = made(value);
+    }
+}
+
+} // namespace forefront

@@ -1,0 +1,165 @@
+#include "core/spacing/parts/paint/paint.hpp"
+
+#include <cmath>
+#include <cstdint>
+
+namespace forefront {
+namespace {
+
+constexpr std::int32_t kSpan = PaintedSpacing::kTileSpan;
+constexpr double kFarthest = 1e9; ///< lattice indices beyond this are refused: they must fit 32 bits
+
+std::int32_t tileOf(std::int32_t node) {
+    return node >= 0 ? node / kSpan : -((-node + kSpan - 1) / kSpan);
+}
+std::size_t placeIn(std::int32_t i, std::int32_t j) {
+    return static_cast<std::size_t>((i - tileOf(i) * kSpan) + (j - tileOf(j) * kSpan) * kSpan);
+}
+
+struct NodeRange {
+    std::int32_t first = 0;
+    std::int32_t last = -1;
+};
+
+/// A disc in lattice units, and the nodes that may lie in it.
+struct LatticeDisc {
+    double x = 0.0;
+    double y = 0.0;
+    double radius = 0.0;
+    NodeRange columns;
+    NodeRange rows;
+};
+
+/// Nothing where the numbers are unusable. The disc reaches at least the node nearest to its centre.
+std::optional<LatticeDisc> latticeDisc(const PaintedSpacing &paint, Vec2 centre, double radius) {
+    if (!isFinite(centre) || !isFinite(paint.origin) || !(radius > 0.0) || !std::isfinite(radius) ||
+        !(paint.pitch > 0.0) || !std::isfinite(paint.pitch)) {
+        return std::nullopt;
+    }
+    LatticeDisc disc;
+    disc.x = (centre.x - paint.origin.x) / paint.pitch;
+    disc.y = (centre.y - paint.origin.y) / paint.pitch;
+    disc.radius = std::min(radius / paint.pitch, 0.5 * kWidestDab);
+    if (!(std::fabs(disc.x) < kFarthest && std::fabs(disc.y) < kFarthest)) {
+        return std::nullopt;
+    }
+    const double dx = disc.x - std::nearbyint(disc.x);
+    const double dy = disc.y - std::nearbyint(disc.y);
+    disc.radius = std::max(disc.radius, std::sqrt(dx * dx + dy * dy) * (1.0 + 1e-12));
+    const auto range = [&](double at) {
+        return NodeRange{static_cast<std::int32_t>(std::ceil(at - disc.radius)),
+                         static_cast<std::int32_t>(std::floor(at + disc.radius))};
+    };
+    disc.columns = range(disc.x);
+    disc.rows = range(disc.y);
+    return disc;
+}
+
+/// Calls change(value, distance to the centre in pitches) for the nodes of the disc; true from it: changed. Tiles are
+/// copied before their first change, and dropped when nothing is painted in them any more.
+template <class Change>
+void changeDisc(PaintedSpacing &paint, const LatticeDisc &disc, bool mayCreate, Change change) {
+    for (std::int32_t tj = tileOf(disc.rows.first); tj <= tileOf(disc.rows.last); ++tj) {
+        for (std::int32_t ti = tileOf(disc.columns.first); ti <= tileOf(disc.columns.last); ++ti) {
+            const auto found = paint.tiles.find({ti, tj});
+            if (found == paint.tiles.end() && !mayCreate) {
+                continue;
+            }
+            PaintedSpacing::Tile tile{};
+            if (found != paint.tiles.end() && found->second) {
+                tile = *found->second;
+            }
+            bool changed = false;
+            const std::int32_t lastJ = std::min(disc.rows.last, tj * kSpan + kSpan - 1);
+            const std::int32_t lastI = std::min(disc.columns.last, ti * kSpan + kSpan - 1);
+            for (std::int32_t j = std::max(disc.rows.first, tj * kSpan); j <= lastJ; ++j) {
+                for (std::int32_t i = std::max(disc.columns.first, ti * kSpan); i <= lastI; ++i) {
+                    const double d = std::sqrt((i - disc.x) * (i - disc.x) + (j - disc.y) * (j - disc.y));
+                    if (d <= disc.radius) {
+                        changed = change(tile[placeIn(i, j)], d) || changed;
+                    }
+                }
+            }
+            if (!changed) {
+                continue;
+            }
+            bool any = false;
+            for (const float value : tile) {
+                any = any || value != 0.0F;
+            }
+            if (any) {
+                paint.tiles[{ti, tj}] = std::make_shared<const PaintedSpacing::Tile>(tile);
+            } else if (found != paint.tiles.end()) {
+                paint.tiles.erase(found);
+            }
+        }
+    }
+}
+
+} // namespace
+
+PaintedSpacing emptyPaint(const Box2 &domain) {
+    PaintedSpacing paint;
+    const double diagonal = domain.diagonal();
+    if (!(diagonal > 0.0) || !std::isfinite(diagonal)) {
+        paint.pitch = 1.0 / 512.0;
+        return paint;
+    }
+    paint.pitch = std::ldexp(1.0, std::ilogb(diagonal / 512.0));
+    // Whole tiles from the origin of coordinates where they can be counted there, else from the box.
+    const double farthest =
+        std::max({std::fabs(domain.min.x), std::fabs(domain.max.x), std::fabs(domain.min.y), std::fabs(domain.max.y)});
+    if (farthest > 1e6 * paint.pitch) {
+        paint.origin = domain.min;
+    }
+    return paint;
+}
+
+PaintedSpacing paint(const PaintedSpacing &before, const Dab &dab) {
+    PaintedSpacing after = before;
+    const auto disc = latticeDisc(before, dab.centre, dab.radius);
+    const auto target = static_cast<float>(dab.spacing);
+    if (!disc || !(target > 0.0F) || !std::isfinite(target)) {
+        return after;
+    }
+    const double hardness = dab.hardness >= 0.0 ? std::min(dab.hardness, 1.0) : 0.0;
+    const double core = std::max(hardness * disc->radius, std::min(disc->radius, 0.70711));
+    const double rim = disc->radius - core;
+    const auto ambient = dab.ambient > 0.0 && std::isfinite(dab.ambient) ? static_cast<float>(dab.ambient) : 0.0F;
+    changeDisc(after, *disc, true, [&](float &value, double d) {
+        float wanted = target;
+        if (d > core) {
+            const double s = (d - core) / rim;
+            const double fading = s * s * (3.0 - 2.0 * s); // 0 at the core, 1 at the radius
+            const float old = value > 0.0F ? value : ambient;
+            if (old > 0.0F) {
+                wanted = static_cast<float>(target * std::pow(static_cast<double>(old) / target, fading));
+            } else if (s > 0.5) {
+                return false;
+            }
+        }
+        const bool changed = value != wanted;
+        value = wanted;
+        return changed;
+    });
+    return after;
+}
+
+PaintedSpacing erase(const PaintedSpacing &before, Vec2 centre, double radius) {
+    PaintedSpacing after = before;
+    if (const auto disc = latticeDisc(before, centre, radius)) {
+        changeDisc(after, *disc, false, [](float &value, double) {
+            const bool changed = value != 0.0F;
+            value = 0.0F;
+            return changed;
+        });
+    }
+    return after;
+}
+
+float paintedNode(const PaintedSpacing &paint, std::int32_t i, std::int32_t j) {
+    const auto found = paint.tiles.find({tileOf(i), tileOf(j)});
+    return found == paint.tiles.end() || !found->second ? 0.0F : (*found->second)[placeIn(i, j)];
+}
+
+} // namespace forefront

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/spacing/sites/site_set.hpp"
+#include "core/spacing/spec/spacing_spec.hpp"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace forefront {
+
+/// Painted tiles prepared for fast evaluation, and their reach beyond the paint.
+class PaintedPart {
+  public:
+    static constexpr std::size_t kMostTiles = 65536; ///< 64 MB of paint
+
+    /// Fault bad-paint: origin or pitch unusable, too many tiles, values that are negative or not finite (with the
+    /// place).
+    static Result<PaintedPart> build(const PaintedSpacing &paint, const Box2 &box, double minimum);
+
+    /// Infinity where nothing is painted.
+    double at(Vec2 p) const {
+        const double u = (p.x - origin_.x) * perPitch_;
+        const double v = (p.y - origin_.y) * perPitch_;
+        if (!(u >= 0.0 && v >= 0.0 && u < spanX_ && v < spanY_)) {
+            return std::numeric_limits<double>::infinity();
+        }
+        const auto i = static_cast<std::uint32_t>(u);
+        const auto j = static_cast<std::uint32_t>(v);
+        const std::uint32_t block = directory_[(j / kSpan) * columns_ + i / kSpan];
+        if (block == kNoBlock) {
+            return std::numeric_limits<double>::infinity();
+        }
+        const float *const node = blocks_[block].data() + (i % kSpan) + (j % kSpan) * kWidth;
+        return valueIn(node[0], node[1], node[kWidth], node[kWidth + 1], u - i, v - j);
+    }
+    /// Least painted value; infinity where the box has no paint.
+    double minimum() const { return minimum_; }
+
+    /// Segments and points from which the paint reaches on by `gradation`: edges of the paint, and nodes next to paint
+    /// that is steeper.
+    static void addSites(const PaintedSpacing &paint, double minimum, double gradation, SiteSet &sites);
+
+  private:
+    static constexpr std::uint32_t kSpan = PaintedSpacing::kTileSpan;
+    static constexpr std::uint32_t kWidth = kSpan + 1;
+    static constexpr std::uint32_t kNoBlock = 0xffffffffU;
+    /// Nodes of a tile with those of the next tiles on its upper edges.
+    using Block = std::array<float, kWidth * kWidth>;
+
+    static double valueIn(float a, float b, float c, float d, double s, double t) {
+        if (a > 0.0F && b > 0.0F && c > 0.0F && d > 0.0F) {
+            const double low = a + s * (static_cast<double>(b) - a);
+            const double high = c + s * (static_cast<double>(d) - c);
+            return low + t * (high - low);
+        }
+        double least = std::numeric_limits<double>::infinity();
+        for (const float value : {a, b, c, d}) {
+            least = value > 0.0F ? std::min(least, static_cast<double>(value)) : least;
+        }
+        return least;
+    }
+
+    Vec2 origin_; ///< lower left node of the first tile of the directory
+    double perPitch_ = 1.0;
+    double spanX_ = 0.0; ///< of the directory, in pitches
+    double spanY_ = 0.0;
+    double minimum_ = std::numeric_limits<double>::infinity();
+    std::uint32_t columns_ = 0;
+    std::vector<std::uint32_t> directory_; ///< of tiles that overlap the box: index of the block
+    std::vector<Block> blocks_;
+};
+
+} // namespace forefront

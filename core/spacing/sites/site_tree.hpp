@@ -1,0 +1,101 @@
+#pragma once
+
+#include "core/base/progress.hpp"
+#include "core/base/vec2.hpp"
+#include "core/spacing/sites/size_site.hpp"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace forefront {
+
+/// The minimum over many size sites, prepared for fast evaluation in a box.
+///
+/// A table of equal square cells, each the root of a quadtree. A leaf holds either the few sites that can win in it
+/// (exact) or, where many sites compete far away and their minimum is smooth, its values at the four corners
+/// (bilinear). Relative error of bilinear leaves: aimed at kTolerance, checked at the centre and the middles of the
+/// sides while building. Outside the box the value at the nearest point of the box is taken.
+/// Immutable once built; memory stays below about 60 MB (then leaves get longer lists or larger errors).
+class SiteTree {
+  public:
+    static constexpr double kTolerance = 0.005;
+
+    /// `sites` not empty, finite; `box` not empty. Nothing only when cancelled.
+    static std::optional<SiteTree> build(std::vector<SizeSite> sites, const Box2 &box, const Progress &progress = {});
+
+    double at(Vec2 p) const {
+        const double u = std::min(spanX_, std::max(0.0, (p.x - corner_.x) * toUnits_));
+        const double v = std::min(spanY_, std::max(0.0, (p.y - corner_.y) * toUnits_));
+        const auto ix = static_cast<std::uint32_t>(u);
+        const auto iy = static_cast<std::uint32_t>(v);
+        const std::uint32_t *cell = &cells_[(iy >> kBits) * columns_ + (ix >> kBits)];
+        int level = kBits;
+        while (*cell & kSplit) {
+            --level;
+            cell = &cells_[(*cell & ~kSplit) + ((ix >> level) & 1U) + 2U * ((iy >> level) & 1U)];
+        }
+        if (*cell & kSmooth) {
+            const std::uint32_t mask = (1U << level) - 1U;
+            const double inverse = kInverse[static_cast<std::size_t>(level)];
+            return bilinear(smooth_[*cell & ~kSmooth], (u - (ix & ~mask)) * inverse, (v - (iy & ~mask)) * inverse);
+        }
+        const std::uint32_t *entry = &lists_[*cell];
+        double least = std::numeric_limits<double>::infinity();
+        // Points beyond the box are judged at its nearest point, as in smooth leaves.
+        const Vec2 q{corner_.x + u * unit_, corner_.y + v * unit_};
+        for (std::uint32_t n = *entry++; n > 0; --n) {
+            least = std::min(least, sites_[*entry++].at(q));
+        }
+        return least;
+    }
+    /// Index of the site with the least value at p (the first of equals), by looking at all.
+    std::size_t winner(Vec2 p) const;
+    const std::vector<SizeSite> &sites() const { return sites_; }
+    /// Bounds of the values over the box.
+    double minimum() const { return minimum_; }
+    double maximum() const { return maximum_; }
+    std::size_t bytes() const;
+    std::size_t smoothLeaves() const { return smooth_.size(); }
+
+  private:
+    friend class SiteTreeBuilder;
+
+    static constexpr int kBits = 16; ///< levels below a table cell
+    static constexpr std::uint32_t kSplit = 0x80000000U;
+    static constexpr std::uint32_t kSmooth = 0x40000000U;
+    /// Lower left, lower right, upper left, upper right; in units of scale_, so that floats hold any domain's sizes.
+    using Corners = std::array<float, 4>;
+
+    static constexpr std::array<double, kBits + 1> kInverse = [] {
+        std::array<double, kBits + 1> inverse{};
+        for (int level = 0; level <= kBits; ++level) {
+            inverse[static_cast<std::size_t>(level)] = 1.0 / (1U << level);
+        }
+        return inverse;
+    }();
+
+    double bilinear(const Corners &c, double s, double t) const {
+        const double low = c[0] + s * (static_cast<double>(c[1]) - c[0]);
+        const double high = c[2] + s * (static_cast<double>(c[3]) - c[2]);
+        return scale_ * (low + t * (high - low));
+    }
+
+    std::vector<SizeSite> sites_;
+    std::vector<std::uint32_t> cells_; ///< table cells row by row, then groups of four children
+    std::vector<std::uint32_t> lists_; ///< count, then indices of sites
+    std::vector<Corners> smooth_;
+    Vec2 corner_;
+    double scale_ = 1.0; ///< greater side of the box
+    double unit_ = 1.0;  ///< length of the finest cell
+    double toUnits_ = 1.0;
+    double spanX_ = 0.0; ///< greatest u and v, in units, just inside the table
+    double spanY_ = 0.0;
+    std::uint32_t columns_ = 1;
+    double minimum_ = 0.0;
+    double maximum_ = 0.0;
+};
+
+} // namespace forefront

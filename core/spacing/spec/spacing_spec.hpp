@@ -1,0 +1,77 @@
+#pragma once
+
+#include "core/base/vec2.hpp"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace forefront {
+
+/// Shape of a size source.
+enum class SourceShape : std::uint8_t { Point, Line, Circle };
+
+/// A size source: the spacing is size + growth·d at distance d from the shape.
+struct SizeSource {
+    SourceShape shape = SourceShape::Point;
+    Vec2 a; ///< point; first end; centre
+    Vec2 b; ///< second end (Line only)
+    double radius =
+        0.0;           ///< the spacing is `size` within this distance; required for Circle, optional for Point and Line
+    double size = 1.0; ///< > 0
+    double growth = 0.2; ///< >= 0, change of spacing per unit of distance
+    std::string name;
+};
+
+/// Painted spacing: square tiles of `kTileNodes`² values at the nodes of a square grid. The lower left node of tile (i,
+/// j) is at origin + pitch·kTileSpan·(i, j); a value of 0 means unpainted. Between nodes the spacing is bilinear where
+/// all four nodes are painted, else the minimum painted value of the four.
+struct PaintedSpacing {
+    static constexpr int kTileSpan = 16;
+    static constexpr int kTileNodes = kTileSpan; ///< nodes (0..15)²; the upper edges belong to the next tiles
+    using Tile = std::array<float, kTileNodes * kTileNodes>;
+
+    Vec2 origin;
+    double pitch = 1.0; ///< distance between nodes
+    std::map<std::pair<std::int32_t, std::int32_t>, std::shared_ptr<const Tile>> tiles;
+};
+
+/// Nodal spacing on a triangle mesh; undefined outside the mesh.
+struct BackgroundMesh {
+    std::vector<Vec2> nodes;
+    std::vector<std::array<std::uint32_t, 3>> elements;
+    std::vector<double> values; ///< one per node, > 0
+};
+
+/// The node spacing function ρ(x, y) as data, part of the document.
+///
+/// The given parts, and the maximum areas of the domain's region markers, are combined by minimum, clamped to [minimum,
+/// maximum], then limited so that |∇ρ| <= gradation. Where nothing covers the whole domain (no size, expression, source
+/// or boundary lengths), automatic spacing applies: from boundary lengths, narrow places and domain size, graded. It is
+/// combined by minimum with paint and region areas, and fills in outside a background mesh.
+struct SpacingSpec {
+    std::optional<double> size;            ///< constant spacing, > 0
+    std::optional<std::string> expression; ///< formula in x and y, for example "max(0.1, 0.2*sqrt(x*x+y*y))"
+    std::vector<SizeSource> sources;
+    PaintedSpacing paint;
+    std::shared_ptr<const BackgroundMesh> background;
+    bool fromBoundary = false;     ///< the given lengths of boundary segments act as sources
+    std::optional<double> minimum; ///< > 0
+    std::optional<double> maximum; ///< > 0
+    /// Maximum |∇ρ|, > 0; absent: 0.25 for painted, boundary, region and automatic parts, no limit for the others. The
+    /// limited spacing is within 1 % of exact for sources and boundary lengths, within 2 % for paint, expression and
+    /// mesh.
+    std::optional<double> gradation;
+
+    /// Returns true if no part is given, so that the spacing is automatic.
+    bool automatic() const {
+        return !size && !expression && sources.empty() && paint.tiles.empty() && !background && !fromBoundary;
+    }
+};
+
+} // namespace forefront
