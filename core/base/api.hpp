@@ -1,7 +1,5 @@
 #pragma once
 
-#include "core/base/api.hpp"
-
 /// Marks a namespace whose declarations the shared library exports: `namespace FOREFRONT_API forefront {`. Every header
 /// that core/forefront.hpp includes uses it; everything else stays hidden.
 #if defined(__GNUC__)
