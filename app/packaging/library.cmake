@@ -30,7 +30,7 @@ function(install_library KIND)
   install(TARGETS ${KIND} EXPORT ${KIND}
           LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${KIND} ${ARGN}
           ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${KIND} ${ARGN})
-  install(EXPORT ${KIND} FILE ForefrontTargets.cmake NAMESPACE Forefront:: DESTINATION ${package_folder}
+  install(EXPORT ${KIND} FILE ${KIND}.cmake NAMESPACE Forefront:: DESTINATION ${package_folder}
           COMPONENT ${KIND} ${ARGN})
   install(FILES ${generated}/ForefrontConfig.cmake ${generated}/ForefrontConfigVersion.cmake
           DESTINATION ${package_folder} COMPONENT ${KIND} ${ARGN})
