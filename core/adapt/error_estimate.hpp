@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/base/api.hpp"
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
 #include "core/mesh/mesh.hpp"
@@ -8,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace FOREFRONT_API forefront {
+namespace forefront {
 
 /// Estimated error of the gradient of a nodal field, in the L2 norm (for Poisson's equation: the energy norm).
 struct ErrorEstimate {

@@ -1,14 +1,13 @@
 #pragma once
 
 #include "core/adapt/error_estimate.hpp"
-#include "core/base/api.hpp"
 #include "core/spacing/spec/spacing_spec.hpp"
 
 #include <limits>
 #include <span>
 #include <vector>
 
-namespace FOREFRONT_API forefront {
+namespace forefront {
 
 /// What an adapted mesh shall be like.
 struct AdaptTarget {

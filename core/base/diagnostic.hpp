@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/base/api.hpp"
 #include "core/base/vec2.hpp"
 
 #include <cstdint>
@@ -8,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace FOREFRONT_API forefront {
+namespace forefront {
 
 /// Severity of a diagnostic.
 enum class Severity : std::uint8_t { Error, Warning, Note };

@@ -1,12 +1,10 @@
 #pragma once
 
-#include "core/base/api.hpp"
-
 #include <functional>
 #include <stop_token>
 #include <string_view>
 
-namespace FOREFRONT_API forefront {
+namespace forefront {
 
 /// Progress callback and stop token of a long operation. Default-constructed: silent and never cancelled.
 struct Progress {

@@ -1,13 +1,12 @@
 #pragma once
 
-#include "core/base/api.hpp"
 #include "core/base/assert.hpp"
 #include "core/base/diagnostic.hpp"
 
 #include <utility>
 #include <variant>
 
-namespace FOREFRONT_API forefront {
+namespace forefront {
 
 /// A value, or the diagnostics (never empty) that explain why there is none. No exception leaves the core.
 template <class T>

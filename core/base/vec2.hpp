@@ -1,12 +1,10 @@
 #pragma once
 
-#include "core/base/api.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace FOREFRONT_API forefront {
+namespace forefront {
 
 /// A point or vector in the plane, in domain units.
 struct Vec2 {

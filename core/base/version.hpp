@@ -1,10 +1,8 @@
 #pragma once
 
-#include "core/base/api.hpp"
+namespace forefront {
 
-namespace FOREFRONT_API forefront {
-
-/// Returns the version of the library, "MAJOR.MINOR.PATCH".
-const char *version();
+/// Version of the program, "MAJOR.MINOR.PATCH".
+inline constexpr const char *kVersion = FOREFRONT_VERSION;
 
 } // namespace forefront

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/base/api.hpp"
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
 #include "core/domain/domain.hpp"
@@ -9,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace FOREFRONT_API forefront {
+namespace forefront {
 
 inline constexpr std::uint32_t kOutside = 0xffffffffU;
 

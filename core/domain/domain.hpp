@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/base/api.hpp"
 #include "core/base/vec2.hpp"
 
 #include <cstdint>
@@ -8,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace FOREFRONT_API forefront {
+namespace forefront {
 
 /// The purpose of a domain segment.
 enum class SegmentRole : std::uint8_t {

@@ -1,11 +1,10 @@
 #pragma once
 
-#include "core/base/api.hpp"
 #include "core/base/progress.hpp"
 #include "core/improve/improve_level.hpp"
 #include "core/mesh/mesh.hpp"
 
-namespace FOREFRONT_API forefront {
+namespace forefront {
 
 class SpacingField;
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/base/api.hpp"
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
 #include "core/domain/domain.hpp"
@@ -12,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace FOREFRONT_API forefront {
+namespace forefront {
 
 struct ImportOptions {
     double curveTolerance =

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/base/api.hpp"
 #include "core/base/ids.hpp"
 #include "core/base/vec2.hpp"
 
@@ -10,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace FOREFRONT_API forefront {
+namespace forefront {
 
 /// Nodes of an element, counter-clockwise.
 using Element = std::array<NodeId, 3>;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/base/api.hpp"
 #include "core/mesh/mesh.hpp"
 
 #include <array>
@@ -8,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace FOREFRONT_API forefront {
+namespace forefront {
 
 class SpacingField;
 

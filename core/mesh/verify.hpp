@@ -1,10 +1,9 @@
 #pragma once
 
-#include "core/base/api.hpp"
 #include "core/base/diagnostic.hpp"
 #include "core/mesh/mesh.hpp"
 
-namespace FOREFRONT_API forefront {
+namespace forefront {
 
 struct DiscreteDomain;
 struct Domain;

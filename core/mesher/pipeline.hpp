@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/base/api.hpp"
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
 #include "core/boundary/discretise.hpp"
@@ -12,7 +11,7 @@
 #include <memory>
 #include <string_view>
 
-namespace FOREFRONT_API forefront {
+namespace forefront {
 
 class Mesher;
 

@@ -1,10 +1,8 @@
 #pragma once
 
-#include "core/base/api.hpp"
-
 #include <cstdint>
 
-namespace FOREFRONT_API forefront {
+namespace forefront {
 
 /// Work counters of a run: sums.
 struct WorkCounters {

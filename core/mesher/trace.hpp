@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/base/api.hpp"
 #include "core/base/ids.hpp"
 #include "core/base/vec2.hpp"
 
@@ -9,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace FOREFRONT_API forefront {
+namespace forefront {
 
 /// The ten steps of the advancing front technique after S. H. Lo, in the terms of this program.
 enum class Step : std::uint8_t {

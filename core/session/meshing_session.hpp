@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/base/api.hpp"
 #include "core/mesher/options.hpp"
 #include "core/session/snapshot.hpp"
 
@@ -8,7 +7,7 @@
 #include <functional>
 #include <memory>
 
-namespace FOREFRONT_API forefront {
+namespace forefront {
 
 /// How far one step goes.
 enum class Granularity : std::uint8_t {

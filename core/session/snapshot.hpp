@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/base/api.hpp"
 #include "core/base/diagnostic.hpp"
 #include "core/mesh/mesh.hpp"
 #include "core/mesh/quality.hpp"
@@ -12,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace FOREFRONT_API forefront {
+namespace forefront {
 
 class SpacingField;
 struct DiscreteDomain;

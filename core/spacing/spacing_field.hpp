@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/base/api.hpp"
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
 #include "core/spacing/spec/spacing_origin.hpp"
@@ -10,7 +9,7 @@
 #include <span>
 #include <string>
 
-namespace FOREFRONT_API forefront {
+namespace forefront {
 
 struct Domain;
 

@@ -7,7 +7,7 @@ from pathlib import Path
 # Rooms from the lowest up; "." is the folder itself. A file may include the rooms before its own; rooms in one string
 # are equals and must not include each other.
 ORDERS = {
-    "core": ["base", "geometry", "domain", "spacing", "boundary", "front", "grid", "mesh", "improve", "mesher",
+    "core": ["base", "geometry", "domain", "arrangement", "spacing", "boundary", "front", "grid", "mesh", "improve", "mesher",
              "adapt edit session", "io", "."],
     "core/spacing": ["spec", "sites", "parts", "."],
     "ui": ["platform input style", "widgets", "canvas gl", "layers tools panels dialogs", "shell", "editor", "."],

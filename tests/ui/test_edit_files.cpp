@@ -33,7 +33,7 @@ void askForExport(Draughtsman &driver) {
 } // namespace
 
 TEST_CASE("Files: what is drawn and painted is saved, and opened again it is the same") {
-    const TemporaryFolder place;
+    const Workplace place;
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.polygon({{3, 3}, {5, 3}, {4, 5}});
@@ -63,7 +63,7 @@ TEST_CASE("Files: what is drawn and painted is saved, and opened again it is the
 }
 
 TEST_CASE("Files: opened again after its changes were saved, a file is shown with them") {
-    const TemporaryFolder place;
+    const Workplace place;
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.key('S', {Modifiers::kControl});
@@ -82,7 +82,7 @@ TEST_CASE("Files: opened again after its changes were saved, a file is shown wit
 }
 
 TEST_CASE("Files: an existing file is replaced only when asked twice, and what cannot be written is reported") {
-    const TemporaryFolder place;
+    const Workplace place;
     std::ofstream(place.path / "old.forefront") << "keep me";
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
@@ -109,7 +109,7 @@ TEST_CASE("Files: an existing file is replaced only when asked twice, and what c
 }
 
 TEST_CASE("Files: a file that is no drawing is refused with a message and changes nothing") {
-    const TemporaryFolder place;
+    const Workplace place;
     std::ofstream(place.path / "bad.forefront") << "{\"this is\": [no json";
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
@@ -122,7 +122,7 @@ TEST_CASE("Files: a file that is no drawing is refused with a message and change
 }
 
 TEST_CASE("Export: a drawing is meshed and written as MSH, which is a valid mesh of the drawing") {
-    const TemporaryFolder place;
+    const Workplace place;
     Draughtsman driver;
     driver.polygon({{1, 1}, {9, 1}, {9, 8}, {1, 8}});
     driver.polygon({{3, 3}, {5, 3}, {4, 5}});
@@ -148,7 +148,7 @@ TEST_CASE("Files: in a small window the dialog holds its fields, and the sheet o
         const PixelRect rect = driver.context().widgets.find(part)->rect;
         CHECK(rect.x + rect.width <= dialog.x + dialog.width - 20.0);
     }
-    const TemporaryFolder place;
+    const Workplace place;
     const std::filesystem::path file = place.path / (std::string(60, 'm') + ".geojson");
     std::ofstream(file) << R"({"type": "Point", "coordinates": [1, 2]})";
     typeName(driver, "open", file);
@@ -172,7 +172,7 @@ TEST_CASE("Files: in a small window the dialog holds its fields, and the sheet o
 }
 
 TEST_CASE("Export: what was written is told on the canvas with its size, and so is what could not be") {
-    const TemporaryFolder place;
+    const Workplace place;
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     askForExport(driver);
@@ -192,7 +192,7 @@ TEST_CASE("Export: what was written is told on the canvas with its size, and so 
 }
 
 TEST_CASE("Export: that there is no such folder is said in the dialog, which stays until another is named") {
-    const TemporaryFolder place;
+    const Workplace place;
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     askForExport(driver);
@@ -210,7 +210,7 @@ TEST_CASE("Export: that there is no such folder is said in the dialog, which sta
 }
 
 TEST_CASE("Open: what cannot be read is said in the dialog, until another file is chosen; the drawing stays") {
-    const TemporaryFolder place;
+    const Workplace place;
     std::ofstream(place.path / "points.geojson") << R"({"type": "Point", "coordinates": [1, 2]})";
     std::ofstream(place.path / "square.geojson")
         << R"({"type": "Polygon", "coordinates": [[[0, 0], [4, 0], [4, 3], [0, 3], [0, 0]]]})";
@@ -240,7 +240,7 @@ TEST_CASE("Open: what cannot be read is said in the dialog, until another file i
 }
 
 TEST_CASE("Open: a GeoJSON that goes by .json is not saved over") {
-    const TemporaryFolder place;
+    const Workplace place;
     std::ofstream(place.path / "square.json")
         << R"({"type": "Polygon", "coordinates": [[[0, 0], [4, 0], [4, 3], [0, 3], [0, 0]]]})";
     Draughtsman driver;
@@ -252,7 +252,7 @@ TEST_CASE("Open: a GeoJSON that goes by .json is not saved over") {
 }
 
 TEST_CASE("Import: a drawing joins this one, scaled by the unit that is chosen") {
-    const TemporaryFolder place;
+    const Workplace place;
     {
         Draughtsman driver;
         driver.rectangle({2, 2}, {4, 4});
@@ -301,7 +301,7 @@ TEST_CASE("Recovery: draws in the folder of FOREFRONT_TEST_VICTIM and waits" * d
 }
 
 TEST_CASE("Recovery: after kill -9 the next start offers the drawing, never saved, and recovers it") {
-    const TemporaryFolder place;
+    const Workplace place;
     const pid_t child = ::fork();
     REQUIRE(child >= 0);
     if (child == 0) {

@@ -21,7 +21,7 @@ fs::path assetFolder() {
             break;
         }
     }
-    places.emplace_back(FOREFRONT_ASSETS_INSTALLED);
+    places.emplace_back(FOREFRONT_ASSETS_SOURCE);
     for (const fs::path &place : places) {
         if (fs::is_regular_file(place / "samples/index.txt", ignored)) {
             return place;

@@ -1,10 +1,8 @@
 #pragma once
 
-#include "core/base/api.hpp"
-
 #include <cstdint>
 
-namespace FOREFRONT_API forefront {
+namespace forefront {
 
 /// The part of the specification that determines the spacing at a point.
 enum class SpacingOrigin : std::uint8_t {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/base/api.hpp"
 #include "core/base/vec2.hpp"
 
 #include <array>
@@ -12,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace FOREFRONT_API forefront {
+namespace forefront {
 
 /// Shape of a size source.
 enum class SourceShape : std::uint8_t { Point, Line, Circle };

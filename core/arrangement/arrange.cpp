@@ -1,0 +1,143 @@
+#include "core/arrangement/arrangement.hpp"
+#include "core/arrangement/assembler.hpp"
+#include "core/arrangement/snap.hpp"
+#include "core/domain/coordinate_range.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace forefront {
+
+namespace {
+
+Box2 boundsOf(const ArrangementInput &input) {
+    Box2 box;
+    for (const ArrangementPiece &piece : input.pieces) {
+        box.add(piece.a);
+        box.add(piece.b);
+    }
+    return box;
+}
+
+Diagnostics checkRange(const ArrangementInput &input, const Box2 &box) {
+    for (const ArrangementPiece &piece : input.pieces) {
+        for (const Vec2 p : {piece.a, piece.b}) {
+            if (!isFinite(p)) {
+                return error("non-finite", "a coordinate is not finite", "give it finite coordinates");
+            }
+        }
+    }
+    if (!box.empty() && (tooLarge(box.min) || tooLarge(box.max) || tooSmall(box) || tooFarAway(box))) {
+        Diagnostics faults =
+            error("out-of-range", "the coordinates are too large, too small, or too far from the origin",
+                  "scale and move the drawing first");
+        faults.front().at = box.min;
+        return faults;
+    }
+    return {};
+}
+
+/// Every contour must come to each of its nodes as often as it leaves it; even-odd ones an even number of times.
+Diagnostics checkClosed(const ArrangementInput &input, const SnappedLines &snapped) {
+    std::vector<std::uint64_t> balance(input.contours.size(), 0);
+    const auto mix = [](std::uint64_t node) { // SplitMix64 (S. Vigna): sums of such numbers vanish only by pairs
+        node = (node + 1) * 0x9e3779b97f4a7c15ULL;
+        node = (node ^ (node >> 30)) * 0xbf58476d1ce4e5b9ULL;
+        node = (node ^ (node >> 27)) * 0x94d049bb133111ebULL;
+        return node ^ (node >> 31);
+    };
+    std::vector<std::uint32_t> piece(input.contours.size(), 0);
+    for (std::uint32_t i = 0; i < input.pieces.size(); ++i) {
+        const ArrangementPiece &about = input.pieces[i];
+        if (about.role != PieceRole::Outline || snapped.starts[i] == snapped.starts[i + 1]) {
+            continue;
+        }
+        const std::uint32_t lastWay = snapped.ways[snapped.starts[i + 1] - 1];
+        const PlaneEdge &last = snapped.edges[lastWay / 2];
+        const std::uint64_t from = mix(snapped.first[i]), to = mix(lastWay % 2 != 0 ? last.a : last.b);
+        std::uint64_t &sum = balance[about.contour];
+        sum = input.contours[about.contour].rule == FillRule::EvenOdd ? sum ^ from ^ to : sum + to - from;
+        piece[about.contour] = i;
+    }
+    const auto open = std::find_if(balance.begin(), balance.end(), [](std::uint64_t sum) { return sum != 0; });
+    if (open == balance.end()) {
+        return {};
+    }
+    Diagnostics faults = error("open-contour", "an outline does not end where it begins", "close the outline");
+    faults.front().at = input.pieces[piece[static_cast<std::size_t>(open - balance.begin())]].b;
+    return faults;
+}
+
+} // namespace
+
+std::uint32_t ArrangementInput::addFeature(std::int32_t regionTag, std::string name) {
+    features.push_back({regionTag, std::move(name)});
+    return static_cast<std::uint32_t>(features.size() - 1);
+}
+
+std::uint32_t ArrangementInput::addShape(std::uint32_t feature) {
+    shapes.push_back({feature});
+    return static_cast<std::uint32_t>(shapes.size() - 1);
+}
+
+std::uint32_t ArrangementInput::addContour(std::uint32_t shape, FillRule rule, bool hole) {
+    contours.push_back({shape, rule, hole});
+    return static_cast<std::uint32_t>(contours.size() - 1);
+}
+
+void ArrangementInput::addRing(std::uint32_t contour, std::span<const Vec2> nodes, std::int32_t tag) {
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+        const Vec2 a = nodes[k], b = nodes[(k + 1) % nodes.size()];
+        if (a != b) {
+            pieces.push_back({a, b, contour, tag, PieceRole::Outline});
+        }
+    }
+}
+
+void ArrangementInput::addChain(std::span<const Vec2> nodes, std::int32_t tag) {
+    for (std::size_t k = 1; k < nodes.size(); ++k) {
+        if (nodes[k - 1] != nodes[k]) {
+            pieces.push_back({nodes[k - 1], nodes[k], 0, tag, PieceRole::Constraint});
+        }
+    }
+}
+
+void ArrangementInput::addPoint(Vec2 at, std::int32_t tag) {
+    pieces.push_back({at, at, 0, tag, PieceRole::Point});
+}
+
+Result<Arrangement> arrange(const ArrangementInput &input, std::stop_token stop) {
+    const Box2 box = boundsOf(input);
+    if (Diagnostics faults = checkRange(input, box); !faults.empty()) {
+        return faults;
+    }
+    std::vector<SnapLine> lines;
+    lines.reserve(input.pieces.size());
+    for (const ArrangementPiece &piece : input.pieces) {
+        lines.push_back({piece.a, piece.b});
+    }
+    // A few last digits of the coordinates: with less, rounding could turn the order of nodes and edges around.
+    constexpr double kResolution = 4e-15;
+    const double magnitude =
+        box.empty()
+            ? 0.0
+            : std::max({std::fabs(box.min.x), std::fabs(box.max.x), std::fabs(box.min.y), std::fabs(box.max.y)});
+    const double tolerance = std::max({input.tolerance, kResolution * magnitude, std::numeric_limits<double>::min()});
+    const SnappedLines snapped = snapLines(lines, tolerance, stop);
+    if (!snapped.finished) {
+        return error("cancelled", "joining the pieces was cancelled");
+    }
+    if (Diagnostics faults = checkClosed(input, snapped); !faults.empty()) {
+        return faults;
+    }
+    const PlaneSweepResult sweep = sweepPlane(snapped.nodes, snapped.edges);
+    if (sweep.droppedCount != 0) {
+        return error("arrangement-failed", "the pieces still meet after joining", "report this file as a fault");
+    }
+    Arrangement result = Assembler(input, snapped, findFaces(snapped.nodes, snapped.edges, sweep)).run();
+    result.radius = snapped.radius;
+    return result;
+}
+
+} // namespace forefront

@@ -1,0 +1,194 @@
+#include "core/arrangement/assembler.hpp"
+
+#include "core/base/ids.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace forefront {
+
+Assembler::Assembler(const ArrangementInput &input, const SnappedLines &snapped, Faces faces)
+    : input_(input), snapped_(snapped), faces_(std::move(faces)) {}
+
+Arrangement Assembler::run() {
+    collectRuns();
+    cover_ = coverFaces(input_, snapped_.nodes, snapped_.edges, runs_, faces_);
+    decideFates();
+    chooseTags();
+    buildDomain();
+    if (input_.markRegions) {
+        markRegions();
+    }
+    report();
+    return std::move(result_);
+}
+
+/// Sorts the outlines by the edges they run along.
+void Assembler::collectRuns() {
+    const std::size_t edgeCount = snapped_.edges.size();
+    isLine_.assign(edgeCount, 0);
+    std::vector<std::uint32_t> starts(edgeCount + 1, 0);
+    const auto forEach = [&](const auto &visit) {
+        for (std::uint32_t i = 0; i < input_.pieces.size(); ++i) {
+            for (std::uint32_t k = snapped_.starts[i]; k < snapped_.starts[i + 1]; ++k) {
+                visit(input_.pieces[i], snapped_.ways[k]);
+            }
+        }
+    };
+    forEach([&](const ArrangementPiece &piece, std::uint32_t way) {
+        if (piece.role == PieceRole::Outline) {
+            ++starts[way / 2 + 1];
+        } else {
+            isLine_[way / 2] = 1;
+        }
+    });
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    std::vector<ContourRun> runs(starts.back());
+    std::vector<std::uint32_t> fill(starts.begin(), starts.end() - 1);
+    forEach([&](const ArrangementPiece &piece, std::uint32_t way) {
+        if (piece.role == PieceRole::Outline) {
+            runs[fill[way / 2]++] = {piece.contour, way % 2 == 0 ? 1 : -1};
+        }
+    });
+    runs_.starts.push_back(0);
+    for (std::size_t e = 0; e < edgeCount; ++e) {
+        const auto first = runs.begin() + starts[e], last = runs.begin() + starts[e + 1];
+        std::sort(first, last, [](const ContourRun &s, const ContourRun &t) { return s.contour < t.contour; });
+        for (auto run = first; run != last; ++run) {
+            if (run != first && runs_.runs.back().contour == run->contour) {
+                runs_.runs.back().times += run->times;
+            } else {
+                runs_.runs.push_back(*run);
+            }
+        }
+        runs_.starts.push_back(static_cast<std::uint32_t>(runs_.runs.size()));
+    }
+}
+
+Assembler::Fate Assembler::fateOf(std::uint32_t edge) const {
+    const std::uint32_t left = faces_.left[edge], right = faces_.right[edge];
+    if (inside(left) != inside(right)) {
+        return Fate::Boundary;
+    }
+    const bool isLine = isLine_[edge] != 0;
+    if (!inside(left)) {
+        return isLine ? Fate::Outside : Fate::Inner;
+    }
+    // All shapes of the left face end here: those of the right one only touch them.
+    const bool touch = left != right && cover_.ends[edge] == cover_.shapes[left];
+    return isLine || touch || cover_.owner[left] != cover_.owner[right] ? Fate::Constraint : Fate::Inner;
+}
+
+void Assembler::decideFates() {
+    fate_.resize(snapped_.edges.size());
+    for (std::uint32_t e = 0; e < fate_.size(); ++e) {
+        fate_[e] = fateOf(e);
+        const auto first = runs_.runs.begin() + runs_.starts[e], last = runs_.runs.begin() + runs_.starts[e + 1];
+        const bool folded =
+            first != last && std::all_of(first, last, [&](const ContourRun &run) {
+                return input_.contours[run.contour].rule == FillRule::EvenOdd ? run.times % 2 == 0 : run.times == 0;
+            });
+        if (fate_[e] == Fate::Inner && folded) {
+            fate_[e] = Fate::Folded;
+        }
+    }
+}
+
+/// Lines give their tag before outlines do, the last of several; of outlines the first one that bounds the feature on
+/// either side.
+void Assembler::chooseTags() {
+    enum Rank : std::uint8_t { None, Any, Bounding, Line };
+    std::vector<Rank> rank(snapped_.edges.size(), None);
+    tag_.assign(snapped_.edges.size(), 1);
+    for (std::uint32_t i = 0; i < input_.pieces.size(); ++i) {
+        const ArrangementPiece &piece = input_.pieces[i];
+        for (std::uint32_t k = snapped_.starts[i]; k < snapped_.starts[i + 1]; ++k) {
+            const std::uint32_t edge = snapped_.ways[k] / 2;
+            Rank own = Line;
+            if (piece.role == PieceRole::Outline) {
+                const std::uint32_t feature = input_.shapes[input_.contours[piece.contour].shape].feature;
+                const bool bounds =
+                    cover_.owner[faces_.left[edge]] == feature || cover_.owner[faces_.right[edge]] == feature;
+                own = bounds ? Bounding : Any;
+            }
+            if (own > rank[edge] || own == Line) {
+                rank[edge] = own;
+                tag_[edge] = piece.tag;
+            }
+        }
+    }
+}
+
+std::uint32_t Assembler::node(std::uint32_t snappedNode, std::uint32_t piece) {
+    std::uint32_t &number = number_[snappedNode];
+    if (number == kNoIndex) {
+        number = static_cast<std::uint32_t>(result_.domain.nodes.size());
+        result_.domain.nodes.push_back(snapped_.nodes[snappedNode]);
+        result_.nodePiece.push_back(piece);
+    }
+    return number;
+}
+
+void Assembler::buildDomain() {
+    number_.assign(snapped_.nodes.size(), kNoIndex);
+    nodeSide_.assign(snapped_.nodes.size(), 0);
+    hasPoint_.assign(snapped_.nodes.size(), 0);
+    added_.assign(snapped_.edges.size(), 0);
+    for (std::uint32_t e = 0; e < snapped_.edges.size(); ++e) {
+        const bool beside = inside(faces_.left[e]) || inside(faces_.right[e]);
+        for (const std::uint32_t end : {snapped_.edges[e].a, snapped_.edges[e].b}) {
+            nodeSide_[end] = std::max<std::uint8_t>(nodeSide_[end], beside ? 2 : 1);
+        }
+    }
+    for (std::uint32_t i = 0; i < input_.pieces.size(); ++i) {
+        input_.pieces[i].role == PieceRole::Point ? addPoint(i) : addSegments(i);
+    }
+}
+
+/// Adds the edges along a piece that no piece before it has added.
+void Assembler::addSegments(std::uint32_t piece) {
+    for (std::uint32_t k = snapped_.starts[piece]; k < snapped_.starts[piece + 1]; ++k) {
+        const std::uint32_t edge = snapped_.ways[k] / 2;
+        if (!kept(edge) || added_[edge] != 0) {
+            continue;
+        }
+        added_[edge] = 1;
+        const bool back = snapped_.ways[k] % 2 != 0;
+        const std::uint32_t from = back ? snapped_.edges[edge].b : snapped_.edges[edge].a;
+        const std::uint32_t to = back ? snapped_.edges[edge].a : snapped_.edges[edge].b;
+        const std::uint32_t a = node(from, piece), b = node(to, piece);
+        result_.domain.segments.push_back(
+            {a, b, tag_[edge], fate_[edge] == Fate::Boundary ? SegmentRole::Boundary : SegmentRole::Constraint});
+        result_.stretches.push_back(stretchOf(piece, from, to));
+    }
+}
+
+/// The part of the piece's curve between two nodes on its way.
+PieceStretch Assembler::stretchOf(std::uint32_t piece, std::uint32_t from, std::uint32_t to) const {
+    const ArrangementPiece &about = input_.pieces[piece];
+    const Vec2 along = about.b - about.a;
+    const auto parameter = [&](std::uint32_t node) {
+        const double part = dot(snapped_.nodes[node] - about.a, along) / lengthSquared(along);
+        return about.t0 + std::clamp(part, 0.0, 1.0) * (about.t1 - about.t0);
+    };
+    return {piece, parameter(from), parameter(to)};
+}
+
+bool Assembler::pointInside(std::uint32_t node) const {
+    return nodeSide_[node] != 0 ? nodeSide_[node] == 2 : inside(faces_.ofPoint[node]);
+}
+
+void Assembler::addPoint(std::uint32_t piece) {
+    const std::uint32_t at = snapped_.first[piece];
+    if (!pointInside(at)) {
+        note(ChangeKind::OutsidePoints, snapped_.nodes[at], 0.0, piece);
+        return;
+    }
+    if (hasPoint_[at] == 0) {
+        hasPoint_[at] = 1;
+        result_.domain.points.push_back({node(at, piece), input_.pieces[piece].tag});
+        result_.pointPiece.push_back(piece);
+    }
+}
+
+} // namespace forefront

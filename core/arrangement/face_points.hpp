@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/base/vec2.hpp"
+#include "core/geometry/plane_sweep.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace forefront {
+
+/// An edge around or inside a face.
+struct FaceEdge {
+    Vec2 a;
+    Vec2 b;
+    bool twice = false; ///< the face lies on both sides
+};
+
+/// A point well inside the face with these edges, away from all of them; nothing if rounding leaves no room.
+std::optional<Vec2> pointInFace(std::span<const FaceEdge> edges);
+
+} // namespace forefront

@@ -1,0 +1,137 @@
+#include "core/arrangement/snap.hpp"
+
+#include "core/arrangement/cluster.hpp"
+#include "core/arrangement/snapper.hpp"
+#include "core/geometry/polygon.hpp"
+
+#include <algorithm>
+#include <compare>
+#include <utility>
+
+namespace forefront {
+
+namespace {
+
+constexpr int kMostAttempts = 8;
+/// Of the radius: what rounding may add to a distance.
+constexpr double kSlack = 1.0 + 1e-9;
+
+/// Lines, some of them cut into parts at places that shall not move.
+class PinnedLines {
+  public:
+    PinnedLines(std::span<const SnapLine> lines, double radius) : lines_(lines), radius_(radius) {}
+
+    SnappedLines run(const std::stop_token &stop) {
+        SnappedLines result = Snapper(lines_, {}, radius_).run(stop);
+        for (int attempt = 0; result.finished && attempt < kMostAttempts; ++attempt) {
+            const std::size_t before = pins_.size();
+            result.displacement = measure(result);
+            if (pins_.size() == before) {
+                return result;
+            }
+            result = runPinned(stop);
+        }
+        result.displacement = measure(result);
+        return result;
+    }
+
+  private:
+    /// A place on a line, at a part of the way from the end that comes first by x, then y.
+    struct Pin {
+        std::uint32_t line = 0;
+        double part = 0.0;
+        friend auto operator<=>(const Pin &, const Pin &) = default;
+    };
+
+    /// The line from the end that comes first: the same whichever way it is given.
+    SnapLine ordered(std::uint32_t line) const {
+        const SnapLine &given = lines_[line];
+        return comesBefore(given.b, given.a) ? SnapLine{given.b, given.a} : given;
+    }
+
+    /// The greatest distance between a line and its way; pins lines where it is beyond the radius.
+    double measure(const SnappedLines &snapped) {
+        double greatest = 0.0;
+        for (std::uint32_t i = 0; i < lines_.size(); ++i) {
+            std::uint32_t node = snapped.first[i];
+            Vec2 worst = snapped.nodes[node];
+            double most = distance(lines_[i].a, worst);
+            for (std::uint32_t k = snapped.starts[i]; k < snapped.starts[i + 1]; ++k) {
+                const PlaneEdge &edge = snapped.edges[snapped.ways[k] / 2];
+                node = edge.a == node ? edge.b : edge.a;
+                const Vec2 p = snapped.nodes[node];
+                const bool last = k + 1 == snapped.starts[i + 1];
+                const double gap = last ? distance(lines_[i].b, p) : distanceToSegment(lines_[i].a, lines_[i].b, p);
+                if (gap > most || (gap == most && comesBefore(p, worst))) {
+                    most = gap;
+                    worst = p;
+                }
+            }
+            greatest = std::max(greatest, most);
+            if (most > kSlack * radius_) {
+                const SnapLine line = ordered(i);
+                const Vec2 along = line.b - line.a;
+                pins_.push_back({i, dot(worst - line.a, along) / lengthSquared(along)});
+            }
+        }
+        return greatest;
+    }
+
+    SnappedLines runPinned(const std::stop_token &stop) {
+        std::sort(pins_.begin(), pins_.end());
+        pins_.erase(std::unique(pins_.begin(), pins_.end()), pins_.end());
+        std::vector<SnapLine> parts;
+        std::vector<std::uint8_t> pinned;
+        std::vector<std::size_t> partStarts;
+        std::size_t next = 0;
+        for (std::uint32_t i = 0; i < lines_.size(); ++i) {
+            partStarts.push_back(parts.size());
+            const SnapLine line = ordered(i);
+            std::vector<Vec2> stations{line.a};
+            for (; next < pins_.size() && pins_[next].line == i; ++next) {
+                const Vec2 at = lerp(line.a, line.b, pins_[next].part);
+                if (pins_[next].part > 0.0 && pins_[next].part < 1.0 && at != stations.back() && at != line.b) {
+                    stations.push_back(at);
+                }
+            }
+            stations.push_back(line.b);
+            if (line.a != lines_[i].a) {
+                std::reverse(stations.begin(), stations.end());
+            }
+            for (std::size_t k = 1; k < stations.size(); ++k) {
+                parts.push_back({stations[k - 1], stations[k]});
+                pinned.push_back(k > 1 ? 1 : 0);
+            }
+        }
+        partStarts.push_back(parts.size());
+        SnappedLines result = Snapper(parts, pinned, radius_).run(stop);
+        std::vector<std::uint32_t> starts, first;
+        for (std::size_t i = 0; i < lines_.size(); ++i) {
+            starts.push_back(result.starts[partStarts[i]]);
+            first.push_back(result.first[partStarts[i]]);
+        }
+        starts.push_back(result.starts.back());
+        result.starts = std::move(starts);
+        result.first = std::move(first);
+        return result;
+    }
+
+    std::span<const SnapLine> lines_;
+    double radius_;
+    std::vector<Pin> pins_;
+};
+
+} // namespace
+
+SnappedLines snapLines(std::span<const SnapLine> lines, double tolerance, const std::stop_token &stop) {
+    SnappedLines result;
+    double radius = tolerance;
+    do {
+        result = PinnedLines(lines, radius).run(stop);
+        result.radius = radius;
+        radius *= 0.5;
+    } while (result.finished && result.displacement > kSlack * tolerance);
+    return result;
+}
+
+} // namespace forefront

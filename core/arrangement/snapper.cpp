@@ -1,0 +1,382 @@
+#include "core/arrangement/snapper.hpp"
+
+#include "core/arrangement/cluster.hpp"
+#include "core/arrangement/place_table.hpp"
+#include "core/base/ids.hpp"
+#include "core/geometry/edge_meetings.hpp"
+#include "core/geometry/predicates.hpp"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+namespace forefront {
+
+namespace {
+
+constexpr std::size_t kMostBoxes = 64; // of one edge
+
+} // namespace
+
+Snapper::Snapper(std::span<const SnapLine> lines, std::span<const std::uint8_t> preferred, double radius)
+    : lines_(lines), radius_(radius) {
+    collectPlaces(preferred);
+    makeEdges();
+}
+
+void Snapper::collectPlaces(std::span<const std::uint8_t> preferred) {
+    PlaceTable table(2 * lines_.size());
+    ends_.reserve(2 * lines_.size());
+    std::vector<std::uint8_t> stays;
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+        for (const Vec2 p : {lines_[i].a, lines_[i].b}) {
+            ends_.push_back(table.indexOf(p, places_));
+        }
+        if (!preferred.empty() && preferred[i] != 0) {
+            stays.resize(places_.size(), 0);
+            stays[ends_[2 * i]] = 1;
+        }
+    }
+    if (!stays.empty()) {
+        stays.resize(places_.size(), 0);
+    }
+    givenPlaces_ = places_.size();
+    leader_ = clusterPlaces(places_, stays, radius_);
+}
+
+void Snapper::makeEdges() {
+    byEnds_.reserve(lines_.size());
+    edges_.reserve(lines_.size());
+    lineEdge_.reserve(lines_.size());
+    double length = 0.0;
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+        const std::uint32_t a = leader_[ends_[2 * i]], b = leader_[ends_[2 * i + 1]];
+        const bool isPoint = ends_[2 * i] == ends_[2 * i + 1];
+        if (isPoint) {
+            halfEdge(a, a);
+        }
+        lineEdge_.push_back(a == b ? kNoIndex : halfEdge(a, b));
+        length += distance(places_[a], places_[b]);
+    }
+    boxLength_ = edges_.empty() ? 0.0 : length / static_cast<double>(edges_.size());
+}
+
+/// The half-edge between two nodes, made if there is none. Edges run from the end that comes first by x, then y.
+std::uint32_t Snapper::halfEdge(std::uint32_t from, std::uint32_t to) {
+    const bool forth = from == to || comesBefore(places_[from], places_[to]);
+    const std::uint32_t a = forth ? from : to, b = forth ? to : from;
+    const auto [entry, added] =
+        byEnds_.try_emplace((std::uint64_t{a} << 32) | b, static_cast<std::uint32_t>(edges_.size()));
+    if (added) {
+        edges_.push_back({a, b});
+    }
+    return 2 * entry->second + (forth ? 0U : 1U);
+}
+
+/// Puts the edges from this one on into a tree. An edge that slants is covered by several boxes.
+void Snapper::index(std::uint32_t firstEdge) {
+    std::vector<Box2> boxes;
+    Layer layer;
+    for (std::uint32_t e = firstEdge; e < edges_.size(); ++e) {
+        const Vec2 a = places_[edges_[e].a], b = places_[edges_[e].b];
+        const double slant = std::min(std::fabs(b.x - a.x), std::fabs(b.y - a.y));
+        const double wanted = boxLength_ > 0.0 ? std::ceil(slant / boxLength_) : 1.0;
+        const auto count = static_cast<std::size_t>(std::clamp(wanted, 1.0, static_cast<double>(kMostBoxes)));
+        for (std::size_t k = 0; k < count; ++k) {
+            const auto part = [&](std::size_t i) {
+                return i == count ? b : lerp(a, b, static_cast<double>(i) / static_cast<double>(count));
+            };
+            boxes.push_back(boxOf(part(k), part(k + 1)));
+            layer.edge.push_back(e);
+        }
+    }
+    layer.tree = BoxTree(boxes);
+    layers_.push_back(std::move(layer));
+}
+
+/// Visits the edges whose boxes come near an edge.
+template <class Visit>
+void Snapper::visitNear(std::uint32_t edge, const Visit &visit) const {
+    const Vec2 a = places_[edges_[edge].a], ab = places_[edges_[edge].b] - a;
+    // Boxes of slanting edges are cut with rounding; the radius is larger than that.
+    const double reach = 2.0 * radius_;
+    const Box2 around = boxOf(a, places_[edges_[edge].b]).grown(reach);
+    const double width = std::fabs(ab.x), height = std::fabs(ab.y), most = reach * (width + height);
+    const auto meets = [&](const Box2 &box) {
+        if (!box.overlaps(around)) {
+            return false;
+        }
+        const Vec2 half = 0.5 * box.size();
+        return std::fabs(cross(ab, box.centre() - a)) <= width * half.y + height * half.x + 2.0 * most;
+    };
+    for (const Layer &layer : layers_) {
+        layer.tree.search(meets, [&](std::uint32_t item) {
+            visit(layer.edge[item]);
+            return true;
+        });
+    }
+}
+
+void Snapper::findCuts(std::uint32_t edge, std::uint32_t firstFresh) {
+    visitNear(edge, [&](std::uint32_t other) {
+        const bool fromOther = other >= firstFresh && other < edge; // a pair of fresh edges is compared once
+        if (other != edge && !fromOther && edges_[other].child == edges_[other].end) {
+            compare(edge, other);
+        }
+    });
+}
+
+void Snapper::compare(std::uint32_t edge, std::uint32_t other) {
+    const Edge e = edges_[edge], f = edges_[other];
+    bool near = false;
+    for (const std::uint32_t node : {f.a, f.b}) {
+        near = cutNear(edge, node) || near;
+    }
+    for (const std::uint32_t node : {e.a, e.b}) {
+        near = cutNear(other, node) || near;
+    }
+    if (near || e.a == e.b || f.a == f.b) {
+        return; // a crossing that is left shows up when the parts are compared
+    }
+    const Vec2 a = places_[e.a], b = places_[e.b], c = places_[f.a], d = places_[f.b];
+    switch (meet(a, b, c, d)) {
+    case SegmentMeeting::Crossing:
+        addCrossing(edge, other);
+        break;
+    case SegmentMeeting::Touching:
+    case SegmentMeeting::Overlapping:
+        for (const std::uint32_t node : {f.a, f.b}) {
+            if (node != e.a && node != e.b && onSegment(a, b, places_[node])) {
+                addCut(edge, node);
+            }
+        }
+        for (const std::uint32_t node : {e.a, e.b}) {
+            if (node != f.a && node != f.b && onSegment(c, d, places_[node])) {
+                addCut(other, node);
+            }
+        }
+        break;
+    case SegmentMeeting::Apart:
+    case SegmentMeeting::SharedEnd:
+        break;
+    }
+}
+
+/// Leads the edge through the node if that is near its inside and makes both parts shorter than the whole.
+bool Snapper::cutNear(std::uint32_t edge, std::uint32_t node) {
+    const Edge &e = edges_[edge];
+    if (node == e.a || node == e.b) {
+        return false;
+    }
+    const Vec2 a = places_[e.a], b = places_[e.b], p = places_[node];
+    const Vec2 ab = b - a, ap = p - a;
+    const double whole = lengthSquared(ab), along = dot(ap, ab), area = cross(ab, ap);
+    if (!(along > 0.0 && along < whole && area * area <= radius_ * radius_ * whole) || lengthSquared(ap) >= whole ||
+        distanceSquared(b, p) >= whole) {
+        return false;
+    }
+    cuts_.push_back({edge, node, along});
+    return true;
+}
+
+void Snapper::addCut(std::uint32_t edge, std::uint32_t node) {
+    const Edge &e = edges_[edge];
+    if (node != e.a && node != e.b) {
+        const Vec2 a = places_[e.a];
+        cuts_.push_back({edge, node, dot(places_[node] - a, places_[e.b] - a)});
+    }
+}
+
+/// Two edges cross, and no end of one is near the inside of the other.
+void Snapper::addCrossing(std::uint32_t edge, std::uint32_t other) {
+    const bool swapped =
+        std::tuple(places_[edges_[other].a].x, places_[edges_[other].a].y, places_[edges_[other].b].x,
+                   places_[edges_[other].b].y) < std::tuple(places_[edges_[edge].a].x, places_[edges_[edge].a].y,
+                                                            places_[edges_[edge].b].x, places_[edges_[edge].b].y);
+    const std::uint32_t first = swapped ? other : edge, second = swapped ? edge : other;
+    const Edge e = edges_[first], f = edges_[second];
+    const Vec2 at = crossingPoint(places_[e.a], places_[e.b], places_[f.a], places_[f.b]);
+    std::uint32_t nearest = kNoIndex;
+    for (const std::uint32_t node : {e.a, e.b, f.a, f.b}) {
+        if (nearest == kNoIndex || distance(places_[node], at) < distance(places_[nearest], at)) {
+            nearest = node;
+        }
+    }
+    // Led through the nearest of the four ends, the other edge gets shorter, whatever the angles are.
+    const std::uint32_t through = distance(places_[nearest], at) <= radius_ ? nearest : nodeWithin(at);
+    if (through == kNoIndex) {
+        crossings_.push_back({at, first, second});
+        return;
+    }
+    addCut(first, through);
+    addCut(second, through);
+}
+
+/// The nearest node within the radius, or kNoIndex.
+std::uint32_t Snapper::nodeWithin(Vec2 at) const {
+    std::uint32_t best = kNoIndex;
+    for (const Layer &layer : layers_) {
+        layer.tree.query(boxAround(at, 2.0 * radius_), [&](std::uint32_t item) {
+            const Edge &e = edges_[layer.edge[item]];
+            for (const std::uint32_t node : {e.a, e.b}) {
+                const double gap = distance(places_[node], at);
+                const double least = best == kNoIndex ? radius_ : distance(places_[best], at);
+                if (gap < least || (gap == least && (best == kNoIndex || comesBefore(places_[node], places_[best])))) {
+                    best = node;
+                }
+            }
+        });
+    }
+    return best;
+}
+
+/// Makes nodes where edges cross far from any node; of crossings near each other, one.
+void Snapper::addCrossings() {
+    if (crossings_.empty()) {
+        return;
+    }
+    std::vector<Vec2> distinct;
+    PlaceTable table(crossings_.size());
+    std::vector<std::uint32_t> place;
+    for (const Crossing &crossing : crossings_) {
+        place.push_back(table.indexOf(crossing.at, distinct));
+    }
+    const std::vector<std::uint32_t> leader = clusterPlaces(distinct, {}, radius_);
+    std::vector<std::uint32_t> node(distinct.size(), kNoIndex);
+    for (std::size_t i = 0; i < crossings_.size(); ++i) {
+        std::uint32_t &made = node[leader[place[i]]];
+        if (made == kNoIndex) {
+            made = static_cast<std::uint32_t>(places_.size());
+            places_.push_back(distinct[leader[place[i]]]);
+        }
+        addCut(crossings_[i].first, made);
+        addCut(crossings_[i].second, made);
+    }
+    crossings_.clear();
+}
+
+void Snapper::splitEdges() {
+    std::sort(cuts_.begin(), cuts_.end(), [&](const Cut &s, const Cut &t) {
+        if (s.edge != t.edge || s.along != t.along) {
+            return std::tie(s.edge, s.along) < std::tie(t.edge, t.along);
+        }
+        return s.node != t.node && comesBefore(places_[s.node], places_[t.node]);
+    });
+    std::vector<Cut> ofEdge;
+    for (std::size_t i = 0; i < cuts_.size();) {
+        ofEdge.clear();
+        const std::uint32_t edge = cuts_[i].edge;
+        for (; i < cuts_.size() && cuts_[i].edge == edge; ++i) {
+            if (ofEdge.empty() || ofEdge.back().node != cuts_[i].node) {
+                ofEdge.push_back(cuts_[i]);
+            }
+        }
+        split(edge, ofEdge);
+    }
+    cuts_.clear();
+}
+
+/// All at once where that makes every part shorter, else at the nearest node alone.
+void Snapper::split(std::uint32_t edge, std::vector<Cut> &cuts) {
+    if (cuts.size() > 1 && !shortens(edge, cuts)) {
+        Cut nearest = cuts.front();
+        for (const Cut &cut : cuts) {
+            const double gapHere = gap(edge, cut.node), least = gap(edge, nearest.node);
+            if (gapHere < least || (gapHere == least && comesBefore(places_[cut.node], places_[nearest.node]))) {
+                nearest = cut;
+            }
+        }
+        cuts.assign(1, nearest);
+    }
+    const Edge whole = edges_[edge];
+    const auto firstChild = static_cast<std::uint32_t>(children_.size());
+    std::uint32_t from = whole.a;
+    for (const Cut &cut : cuts) {
+        children_.push_back(halfEdge(from, cut.node));
+        from = cut.node;
+    }
+    children_.push_back(halfEdge(from, whole.b));
+    edges_[edge].child = firstChild;
+    edges_[edge].end = static_cast<std::uint32_t>(children_.size());
+}
+
+bool Snapper::shortens(std::uint32_t edge, const std::vector<Cut> &cuts) const {
+    const Edge &e = edges_[edge];
+    const double whole = distanceSquared(places_[e.a], places_[e.b]);
+    std::uint32_t from = e.a;
+    for (const Cut &cut : cuts) {
+        if (distanceSquared(places_[from], places_[cut.node]) >= whole) {
+            return false;
+        }
+        from = cut.node;
+    }
+    return distanceSquared(places_[from], places_[e.b]) < whole;
+}
+
+/// Distance of a node from the line of an edge.
+double Snapper::gap(std::uint32_t edge, std::uint32_t node) const {
+    const Vec2 a = places_[edges_[edge].a], ab = places_[edges_[edge].b] - a;
+    return std::fabs(cross(ab, places_[node] - a)) / length(ab);
+}
+
+SnappedLines Snapper::run(const std::stop_token &stop) {
+    bool finished = true;
+    for (std::uint32_t fresh = 0; fresh < edges_.size() && finished;) {
+        index(fresh);
+        const auto end = static_cast<std::uint32_t>(edges_.size());
+        for (std::uint32_t e = fresh; e < end; ++e) {
+            if (e % 1024 == 0 && stop.stop_requested()) {
+                finished = false;
+                break;
+            }
+            findCuts(e, fresh);
+        }
+        addCrossings();
+        splitEdges();
+        fresh = end;
+    }
+    SnappedLines result = collect();
+    result.finished = finished;
+    return result;
+}
+
+SnappedLines Snapper::collect() const {
+    SnappedLines result;
+    result.nodes = places_;
+    result.crossing.assign(places_.size(), 0);
+    std::fill(result.crossing.begin() + static_cast<std::ptrdiff_t>(givenPlaces_), result.crossing.end(), 1);
+    std::vector<std::uint32_t> renumbered(edges_.size(), kNoIndex);
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+        if (edges_[e].child == edges_[e].end && edges_[e].a != edges_[e].b) {
+            renumbered[e] = static_cast<std::uint32_t>(result.edges.size());
+            result.edges.push_back({edges_[e].a, edges_[e].b});
+        }
+    }
+    std::vector<std::uint32_t> open; // half-edges still to be followed, the next one last
+    result.starts.push_back(0);
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+        result.first.push_back(leader_[ends_[2 * i]]);
+        if (lineEdge_[i] != kNoIndex) {
+            open.push_back(lineEdge_[i]);
+        }
+        while (!open.empty()) {
+            const std::uint32_t half = open.back(), back = half % 2;
+            const Edge &e = edges_[half / 2];
+            open.pop_back();
+            if (e.child == e.end) {
+                result.ways.push_back(2 * renumbered[half / 2] + back);
+            } else if (back == 0) {
+                open.insert(open.end(), std::reverse_iterator(children_.begin() + e.end),
+                            std::reverse_iterator(children_.begin() + e.child));
+            } else {
+                for (std::uint32_t k = e.child; k < e.end; ++k) {
+                    open.push_back(children_[k] ^ 1U);
+                }
+            }
+        }
+        result.starts.push_back(static_cast<std::uint32_t>(result.ways.size()));
+    }
+    return result;
+}
+
+} // namespace forefront

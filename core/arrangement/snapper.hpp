@@ -1,0 +1,71 @@
+#pragma once
+
+#include "core/arrangement/snap.hpp"
+#include "core/geometry/box_tree.hpp"
+
+#include <unordered_map>
+
+namespace forefront {
+
+/// Joins lines with one radius, without a limit on how far steps add up.
+class Snapper {
+  public:
+    /// `preferred`: per line, true if its first end shall stay where it is.
+    Snapper(std::span<const SnapLine> lines, std::span<const std::uint8_t> preferred, double radius);
+
+    SnappedLines run(const std::stop_token &stop);
+
+  private:
+    struct Edge {
+        std::uint32_t a = 0, b = 0;       ///< nodes; the same for a point
+        std::uint32_t child = 0, end = 0; ///< range in children_; empty: the edge is not split
+    };
+    struct Cut {
+        std::uint32_t edge = 0, node = 0;
+        double along = 0.0;
+    };
+    struct Crossing {
+        Vec2 at;
+        std::uint32_t first = 0, second = 0;
+    };
+
+    void collectPlaces(std::span<const std::uint8_t> preferred);
+    void makeEdges();
+    std::uint32_t halfEdge(std::uint32_t from, std::uint32_t to);
+    void index(std::uint32_t firstEdge);
+    template <class Visit>
+    void visitNear(std::uint32_t edge, const Visit &visit) const;
+    void findCuts(std::uint32_t edge, std::uint32_t firstFresh);
+    void compare(std::uint32_t edge, std::uint32_t other);
+    bool cutNear(std::uint32_t edge, std::uint32_t node);
+    void addCrossing(std::uint32_t edge, std::uint32_t other);
+    std::uint32_t nodeWithin(Vec2 at) const;
+    void addCut(std::uint32_t edge, std::uint32_t node);
+    void addCrossings();
+    void splitEdges();
+    void split(std::uint32_t edge, std::vector<Cut> &cuts);
+    bool shortens(std::uint32_t edge, const std::vector<Cut> &cuts) const;
+    double gap(std::uint32_t edge, std::uint32_t node) const;
+    SnappedLines collect() const;
+
+    std::span<const SnapLine> lines_;
+    double radius_;
+    std::vector<Vec2> places_;          ///< distinct ends of lines, then crossings
+    std::vector<std::uint32_t> leader_; ///< per end of a line: the node it became
+    std::vector<std::uint32_t> ends_;   ///< per line two: places
+    std::size_t givenPlaces_ = 0;
+    std::vector<Edge> edges_;
+    std::vector<std::uint32_t> children_;                     ///< half-edges
+    std::vector<std::uint32_t> lineEdge_;                     ///< per line: its half-edge, or kNoIndex
+    std::unordered_map<std::uint64_t, std::uint32_t> byEnds_; ///< only looked up
+    struct Layer {
+        BoxTree tree;
+        std::vector<std::uint32_t> edge; ///< per box
+    };
+    std::vector<Layer> layers_; ///< edges of each round; split ones are passed over
+    double boxLength_ = 0.0;    ///< longer slanting edges have several boxes
+    std::vector<Cut> cuts_;
+    std::vector<Crossing> crossings_;
+};
+
+} // namespace forefront
