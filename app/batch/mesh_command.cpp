@@ -88,17 +88,22 @@ Diagnostics repairDomain(const MeshArguments &arguments, Domain &domain) {
     return {};
 }
 
+/// Writes the meshes and the statistics. The result holds what went wrong, else notes on what the formats changed.
 Diagnostics writeOutputs(const MeshArguments &arguments, const Mesh &mesh, const RunReport &report,
                          const Progress &progress) {
+    Diagnostics notes;
     for (std::size_t i = 0; i < arguments.outputs.size(); ++i) {
-        Diagnostics faults = writeMesh(arguments.outputs[i], mesh, arguments.format(i), progress);
+        const Diagnostics faults = writeMesh(arguments.outputs[i], mesh, arguments.format(i), progress);
         if (hasErrors(faults)) {
             return faults;
         }
+        notes.insert(notes.end(), faults.begin(), faults.end());
     }
-    return arguments.statistics && !arguments.printsStatistics()
-               ? writeFileAtomically(*arguments.statistics, statisticsJson(report))
-               : Diagnostics{};
+    if (arguments.statistics && !arguments.printsStatistics()) {
+        const Diagnostics faults = writeFileAtomically(*arguments.statistics, statisticsJson(report));
+        notes.insert(notes.end(), faults.begin(), faults.end());
+    }
+    return notes;
 }
 
 void printResult(const MeshArguments &arguments, const RunReport &report) {
@@ -168,6 +173,9 @@ int meshCommand(int argc, const char *const *argv) {
     bar.clear();
     if (hasErrors(faults)) {
         return refuse(faults, interrupt);
+    }
+    if (!arguments.quiet) {
+        printFaults(faults);
     }
     printResult(arguments, report);
     return kDone;

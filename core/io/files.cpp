@@ -181,9 +181,10 @@ Status writeMesh(const std::filesystem::path &path, const Mesh &mesh, std::strin
             return named(format->writeFiles(path, mesh, progress), path);
         }
         constexpr std::size_t kBytesPerNode = 45, kBytesPerElement = 32;
-        return writeTextFile(
+        const Status status = writeTextFile(
             path, [&](TextWriter &out) { format->writeMesh(mesh, out); }, progress,
             1 + mesh.nodes.size() * kBytesPerNode + mesh.elements.size() * kBytesPerElement);
+        return hasErrors(status) || format->noteChanges == nullptr ? status : named(format->noteChanges(mesh), path);
     } catch (const std::bad_alloc &) {
         return named(error("out-of-memory", "there is not enough memory to write the file"), path);
     }

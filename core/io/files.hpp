@@ -55,7 +55,8 @@ Result<MeshField> readField(const std::filesystem::path &path, std::string_view 
 Result<SpacingSpec> readSpacing(const std::filesystem::path &path, const ImportOptions &options = {});
 
 /// Writes a mesh; the format by id, or by extension when empty (.msh is MSH 2.2). Atomic: a temporary file beside it,
-/// then renamed. Triangle: PATH.node, PATH.ele and PATH.edge. SVG draws the mesh.
+/// then renamed. Triangle: PATH.node, PATH.ele and PATH.edge. SVG draws the mesh. The result holds errors, else notes
+/// on names that the format cannot hold as they are.
 Status writeMesh(const std::filesystem::path &path, const Mesh &mesh, std::string_view formatId = {},
                  const Progress &progress = {});
 

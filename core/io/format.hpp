@@ -25,6 +25,8 @@ struct Format {
     Result<SpacingSpec> (*readSpacing)(const SourceText &) = nullptr;
     Result<MeshField> (*readField)(const SourceText &, std::string_view name) = nullptr;
     void (*writeMesh)(const Mesh &, TextWriter &) = nullptr;
+    /// Notes on what a file of this format has in another form than the mesh, such as names; null: nothing.
+    Diagnostics (*noteChanges)(const Mesh &) = nullptr;
     /// For formats of several files; else null.
     Status (*writeFiles)(const std::filesystem::path &, const Mesh &, const Progress &) = nullptr;
 };

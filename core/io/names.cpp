@@ -30,18 +30,6 @@ std::size_t characterLength(std::string_view text, std::size_t at) {
     return length > 2 && overlongOrBeyond ? 0 : length;
 }
 
-/// At most `longest` bytes, not cut within a character.
-std::string shortened(const std::string &text, std::size_t longest) {
-    if (text.size() <= longest) {
-        return text;
-    }
-    std::size_t size = longest;
-    while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xc0U) == 0x80U) {
-        --size;
-    }
-    return text.substr(0, size);
-}
-
 bool isLetter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
@@ -59,20 +47,31 @@ std::string validUtf8(std::string_view text) {
     return result;
 }
 
+std::string shortened(const std::string &text, std::size_t maximum) {
+    if (text.size() <= maximum) {
+        return text;
+    }
+    std::size_t size = maximum;
+    while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xc0U) == 0x80U) {
+        --size;
+    }
+    return text.substr(0, size);
+}
+
 std::string cleanName(std::string_view text) {
-    constexpr std::size_t kLongest = 200;
+    constexpr std::size_t kMaximum = 200;
     std::string name = validUtf8(text);
     std::erase_if(name, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
     const std::size_t begin = name.find_first_not_of(' ');
     if (begin == std::string::npos) {
         return {};
     }
-    name = shortened(name.substr(begin), kLongest);
+    name = shortened(name.substr(begin), kMaximum);
     name.erase(name.find_last_not_of(' ') + 1);
     return name;
 }
 
-std::string asIdentifier(std::string_view name, std::size_t longest) {
+std::string asIdentifier(std::string_view name, std::size_t maximum) {
     std::string result;
     for (std::size_t at = 0; at < name.size();) {
         const char c = name[at];
@@ -82,26 +81,60 @@ std::string asIdentifier(std::string_view name, std::size_t longest) {
     if (result.empty() || !isLetter(result.front())) {
         result.insert(0, "n_");
     }
-    return result.substr(0, longest);
+    return result.substr(0, maximum);
 }
 
-std::string asQuotable(std::string_view name, std::size_t longest) {
+std::string asQuotable(std::string_view name, std::size_t maximum) {
     std::string result = validUtf8(name);
     for (char &c : result) {
         c = c == '"' ? '\'' : static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
     }
-    return shortened(result, longest);
+    return shortened(result, maximum);
 }
 
-std::string UniqueNames::claim(const std::string &name) {
+std::string percentEncoded(std::string_view name, std::string_view others) {
+    constexpr std::string_view kHex = "0123456789ABCDEF";
+    std::string text;
+    for (const char c : name) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < ' ' || byte > '~' || c == '%' || c == '"' || others.find(c) != std::string_view::npos) {
+            text += {'%', kHex[byte >> 4U], kHex[byte & 15U]};
+        } else {
+            text += c;
+        }
+    }
+    return text;
+}
+
+std::string percentDecoded(std::string_view text) {
+    const auto digit = [](char c) {
+        return c >= '0' && c <= '9'   ? c - '0'
+               : c >= 'A' && c <= 'F' ? c - 'A' + 10
+               : c >= 'a' && c <= 'f' ? c - 'a' + 10
+                                      : -1;
+    };
+    std::string name;
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        if (text[k] == '%' && k + 2 < text.size() && digit(text[k + 1]) >= 0 && digit(text[k + 2]) >= 0) {
+            name += static_cast<char>(digit(text[k + 1]) * 16 + digit(text[k + 2]));
+            k += 2;
+        } else {
+            name += text[k];
+        }
+    }
+    return name;
+}
+
+std::string UniqueNames::claim(const std::string &name, std::size_t maximum) {
     const auto folded = [](std::string text) {
         std::transform(text.begin(), text.end(), text.begin(),
                        [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; });
         return text;
     };
-    std::string candidate = name;
+    std::string candidate = shortened(name, maximum);
     for (int number = 2; !taken_.insert(folded(candidate)).second; ++number) {
-        candidate = name + '_' + std::to_string(number);
+        const std::string ending = '_' + std::to_string(number);
+        candidate = shortened(name, maximum - ending.size()) + ending;
     }
     return candidate;
 }
@@ -132,6 +165,45 @@ TagList tagsOf(const Mesh &mesh) {
     return tags;
 }
 
+FileNames identifiersOf(const TagList &tags, UniqueNames &unique) {
+    FileNames names;
+    for (const auto &[from, to] : {std::pair{&tags.regions, &names.regions}, std::pair{&tags.edges, &names.edges},
+                                   std::pair{&tags.points, &names.points}}) {
+        for (const auto &[tag, name] : *from) {
+            to->emplace(tag, unique.claim(asIdentifier(name)));
+        }
+    }
+    return names;
+}
+
+Diagnostics noteChangedNames(const TagList &tags, const FileNames &written) {
+    constexpr std::size_t kListed = 8;
+    std::string list;
+    std::size_t changes = 0;
+    const auto compare = [&](const char *kind, const auto &names, const auto &inFile) {
+        for (const auto &[tag, name] : inFile) {
+            const std::string &given = names.at(tag);
+            if (given != name && changes++ < kListed) {
+                list += (list.empty() ? "" : ", ") + std::string(kind) + " '" + asQuotable(given) + "' is " + name;
+            }
+        }
+    };
+    compare("boundary", tags.edges, written.edges);
+    compare("region", tags.regions, written.regions);
+    compare("point", tags.points, written.points);
+    if (changes == 0) {
+        return {};
+    }
+    if (changes > kListed) {
+        list += " and " + std::to_string(changes - kListed) + " more";
+    }
+    Diagnostic note;
+    note.severity = Severity::Note;
+    note.code = "changed-names";
+    note.message = "names are changed to fit the format: " + list;
+    return {note};
+}
+
 void addName(std::map<std::int32_t, std::string> &names, std::int32_t tag, const std::string &name, bool region) {
     const std::string clean = cleanName(name);
     if (tag >= 1 && !clean.empty() && clean != (region ? regionName({}, tag) : boundaryName({}, tag))) {
@@ -144,10 +216,10 @@ void writeNameComments(const Mesh &mesh, std::string_view prefix, TextWriter &ou
     auto boundaries = tags.points;
     boundaries.insert(tags.edges.begin(), tags.edges.end());
     for (const auto &[tag, name] : boundaries) {
-        out << prefix << " boundary " << tag << " \"" << asQuotable(name) << "\"\n";
+        out << prefix << " boundary " << tag << " \"" << percentEncoded(validUtf8(name)) << "\"\n";
     }
     for (const auto &[tag, name] : tags.regions) {
-        out << prefix << " region " << tag << " \"" << asQuotable(name) << "\"\n";
+        out << prefix << " region " << tag << " \"" << percentEncoded(validUtf8(name)) << "\"\n";
     }
 }
 
@@ -167,7 +239,7 @@ TagNames readNameComments(std::string_view text, std::string_view prefix) {
             const std::size_t close = line.rfind('"');
             if (problem == std::errc{} && open < close) {
                 addName(region ? names.region : names.boundary, tag,
-                        std::string(line.substr(open + 1, close - open - 1)), region);
+                        percentDecoded(line.substr(open + 1, close - open - 1)), region);
             }
         }
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/diagnostic.hpp"
 #include "core/io/text/text_writer.hpp"
 #include "core/mesh/mesh.hpp"
 
@@ -12,45 +13,66 @@
 
 namespace forefront {
 
-/// The text with every byte that is not well-formed UTF-8 replaced by U+FFFD.
+/// Replaces every byte that is not well-formed UTF-8 by U+FFFD.
 std::string validUtf8(std::string_view text);
 
-/// A name as read from a foreign file: valid UTF-8, control characters and blanks around it dropped, at most 200 bytes.
+/// Returns at most `maximum` bytes of a text, cut between characters.
+std::string shortened(const std::string &text, std::size_t maximum);
+
+/// Cleans a name read from a file: valid UTF-8, without control characters and surrounding blanks, at most 200 bytes.
 std::string cleanName(std::string_view text);
 
-/// Letters, digits and '_' only, beginning with a letter, at most `longest` bytes; for formats whose names are
-/// identifiers.
-std::string asIdentifier(std::string_view name, std::size_t longest = 80);
+/// The name as an identifier: ASCII letters, digits and '_' only, beginning with a letter, at most `maximum` bytes.
+std::string asIdentifier(std::string_view name, std::size_t maximum = 80);
 
-/// For formats that put names in double quotes without escapes: quotes become apostrophes, line ends blanks; at most
-/// `longest` bytes, cut between characters.
-std::string asQuotable(std::string_view name, std::size_t longest = 127);
+/// The name for formats that put names in double quotes without escapes: quotes become apostrophes and control
+/// characters blanks; at most `maximum` bytes, cut between characters.
+std::string asQuotable(std::string_view name, std::size_t maximum = 127);
 
-/// Hands out names that differ from each other, also when upper and lower case are taken as equal.
+/// The name in printable ASCII: '%', '"', control characters, every byte above 0x7e and the bytes in `others` become
+/// %XX, as in URLs and in legacy VTK files.
+std::string percentEncoded(std::string_view name, std::string_view others = {});
+
+/// The inverse of percentEncoded. A '%' without two hexadecimal digits after it is kept.
+std::string percentDecoded(std::string_view text);
+
+/// Hands out names that differ from each other even when case is ignored.
 class UniqueNames {
   public:
-    /// The name itself, or with "_2", "_3", ... appended.
-    std::string claim(const std::string &name);
+    /// Returns the name, shortened to `maximum` bytes, or with "_2", "_3", ... at its end if it is already taken.
+    std::string claim(const std::string &name, std::size_t maximum = 80);
 
   private:
     std::set<std::string> taken_;
 };
 
-/// Tags in use by kind, each with its name as given or by default, sorted by tag.
+/// The tags in use by kind, each with its given or default name, sorted by tag.
 struct TagList {
     std::map<std::int32_t, std::string> edges, points, regions;
 };
 TagList tagsOf(const Mesh &mesh);
 
-/// Reads names back: an entry that only repeats the default name is left out.
+/// The names that a file holds for tags, where it cannot hold those of the mesh.
+struct FileNames {
+    std::map<std::int32_t, std::string> edges, points, regions;
+};
+
+/// Makes an identifier of each name. No two are the same, whatever the kinds of their tags.
+FileNames identifiersOf(const TagList &tags, UniqueNames &unique);
+
+/// Returns a note that lists the names which differ in the file, or nothing where none does.
+Diagnostics noteChangedNames(const TagList &tags, const FileNames &written);
+
+/// Adds a name read from a file, unless it only repeats the default name of its tag.
 void addName(std::map<std::int32_t, std::string> &names, std::int32_t tag, const std::string &name, bool region);
 
-/// For formats without names of their own: a comment line `PREFIX boundary TAG "NAME"` or `PREFIX region TAG "NAME"`
-/// for every tag in use, and back.
+/// Writes a comment line `PREFIX boundary TAG "NAME"` or `PREFIX region TAG "NAME"` for every tag in use, for formats
+/// that cannot hold any name. The lines are ASCII: other characters of a name are written as %XX.
 void writeNameComments(const Mesh &mesh, std::string_view prefix, TextWriter &out);
 struct TagNames {
     std::map<std::int32_t, std::string> boundary, region;
 };
+/// Reads the lines that writeNameComments wrote.
 TagNames readNameComments(std::string_view text, std::string_view prefix);
 
 } // namespace forefront

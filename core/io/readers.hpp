@@ -21,6 +21,7 @@ bool looksLikeMsh(std::string_view head);
 void writeMsh2(const Mesh &mesh, TextWriter &out);
 void writeMsh4(const Mesh &mesh, TextWriter &out);
 void writeMsh4Binary(const Mesh &mesh, TextWriter &out);
+Diagnostics noteMshChanges(const Mesh &mesh);
 
 Result<Mesh> readVtu(const SourceText &source);
 Result<MeshField> readVtuField(const SourceText &source, std::string_view name);
@@ -39,13 +40,16 @@ void writeMedit(const Mesh &mesh, TextWriter &out);
 Result<Mesh> readAbaqus(const SourceText &source);
 bool looksLikeAbaqus(std::string_view head);
 void writeAbaqus(const Mesh &mesh, TextWriter &out);
+Diagnostics noteAbaqusChanges(const Mesh &mesh);
 
 Result<Mesh> readSu2(const SourceText &source);
 bool looksLikeSu2(std::string_view head);
 void writeSu2(const Mesh &mesh, TextWriter &out);
+Diagnostics noteSu2Changes(const Mesh &mesh);
 
 Result<Mesh> readObj(const SourceText &source);
 void writeObj(const Mesh &mesh, TextWriter &out);
+Diagnostics noteObjChanges(const Mesh &mesh);
 
 /// A .node or .ele file; the other one, and an .edge file if there is one, stand beside it.
 Result<Mesh> readTriangle(const SourceText &source);

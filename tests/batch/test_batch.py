@@ -153,6 +153,12 @@ class Meshing(Case):
         self.assertIn("hash", text)
         self.assertEqual(text, binary)
 
+    def test_names_that_a_format_changes_are_told(self):
+        self.write("named.poly", poly([SQUARE]) + '# boundary 1 "4th wall"\n')
+        done = self.call("mesh", "named.poly", "-o", "named.inp", "-o", "named.vtu")
+        self.assertRegex(done.stderr, r"^named.inp: note: .*'4th wall' is n_4th_wall.* \[changed-names\]\n$")
+        self.assertEqual(self.call("mesh", "named.poly", "-q", "-o", "named.inp").stderr, "")
+
     def test_quiet_prints_nothing(self):
         done = self.call("mesh", "plate.poly", "-o", "plate.msh", "--quiet")
         self.assertEqual((done.stdout, done.stderr), ("", ""))

@@ -30,7 +30,7 @@ bool WriteDialog::draw(AppContext &context) {
     if (result_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
         const Diagnostics faults = result_.get();
         context.log.add(faults);
-        if (faults.empty()) {
+        if (!hasErrors(faults)) {
             done_(context);
         }
         return false;

@@ -1,5 +1,4 @@
 #include "core/io/gmsh/msh_model.hpp"
-#include "core/io/gmsh/msh_names.hpp"
 #include "core/io/readers.hpp"
 
 #include <array>
@@ -132,14 +131,16 @@ void writeElements(const Mesh &mesh, const MshModel &model, TextWriter &out) {
 
 /// Integers of four bytes, counts and numbers of nodes and elements of eight; sections and names stay text.
 void writeMsh4Binary(const Mesh &mesh, TextWriter &out) {
-    const MshModel model(mesh);
+    const MshGroups groups(mesh);
+    const MshModel model(mesh, groups);
     out << "$MeshFormat\n4.1 1 8\n";
     put<std::int32_t>(out, 1);
     out << "\n$EndMeshFormat\n";
-    writePhysicalNames(mesh, out);
+    groups.writeNames(out);
     writeEntities(model, out);
     writeNodes(mesh, model, out);
     writeElements(mesh, model, out);
+    groups.writeOrigins(out);
 }
 
 } // namespace forefront

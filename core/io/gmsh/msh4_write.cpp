@@ -1,5 +1,4 @@
 #include "core/io/gmsh/msh_model.hpp"
-#include "core/io/gmsh/msh_names.hpp"
 #include "core/io/readers.hpp"
 
 namespace forefront {
@@ -67,12 +66,14 @@ void writeElements(const Mesh &mesh, const MshModel &model, TextWriter &out) {
 } // namespace
 
 void writeMsh4(const Mesh &mesh, TextWriter &out) {
-    const MshModel model(mesh);
+    const MshGroups groups(mesh);
+    const MshModel model(mesh, groups);
     out << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
-    writePhysicalNames(mesh, out);
+    groups.writeNames(out);
     writeEntities(model, out);
     writeNodes(mesh, model, out);
     writeElements(mesh, model, out);
+    groups.writeOrigins(out);
 }
 
 } // namespace forefront

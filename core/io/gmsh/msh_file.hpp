@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/io/gmsh/msh_groups.hpp"
 #include "core/io/planar_mesh.hpp"
 #include "core/io/text/byte_scanner.hpp"
 
@@ -48,6 +49,7 @@ class MshFile {
     bool readFormat();
     bool readNames();
     bool readNodeData();
+    bool readComments();
     bool skipSection(std::string_view name);
 
     bool readNodes2();
@@ -87,6 +89,7 @@ class MshFile {
     TextScanner scanner_;
     PlanarMeshBuilder builder_;
     std::vector<MshValues> values_;
+    std::vector<MshGroup> origins_; ///< of groups that our writer renumbered or renamed
     bool version4_ = false, binary_ = false, formatRead_ = false, nodesRead_ = false, elementsRead_ = false;
     std::map<std::pair<int, std::int64_t>, std::int32_t> physical_; ///< by dimension and entity
     std::vector<std::int64_t> edgeNumbers_, elementNumbers_;        ///< MSH 4.1: as in the file

@@ -5,11 +5,13 @@
 
 namespace forefront {
 
-MshModel::MshModel(const Mesh &mesh) : mesh_(mesh), owner_(mesh.nodes.size(), kNoIndex) {
+MshModel::MshModel(const Mesh &mesh, const MshGroups &groups)
+    : mesh_(mesh), groups_(groups), owner_(mesh.nodes.size(), kNoIndex) {
+    const std::int32_t firstPoint = groups.unusedNumbers(mesh.points.size());
     for (std::uint32_t p = 0; p < mesh.points.size(); ++p) {
         MshEntity &entity = entities_.emplace_back();
-        entity.tag = static_cast<std::int32_t>(p) + 1;
-        entity.physical = mesh.points[p].tag;
+        entity.tag = firstPoint + static_cast<std::int32_t>(p);
+        entity.physical = groups.number(0, mesh.points[p].tag);
         add(entities_.size() - 1, p);
     }
     for (std::uint32_t e = 0; e < mesh.edges.size(); ++e) {
@@ -42,7 +44,7 @@ std::size_t MshModel::entityOf(int dimension, std::int32_t tag) {
     if (added) {
         MshEntity &entity = entities_.emplace_back();
         entity.dimension = dimension;
-        entity.tag = entity.physical = tag;
+        entity.tag = entity.physical = groups_.number(dimension, tag);
     }
     return entry->second;
 }
@@ -106,7 +108,7 @@ void MshModel::findBounds() {
             const std::uint64_t side = key(a, b);
             auto found = std::lower_bound(tagged.begin(), tagged.end(), Side{side, 0});
             for (; found != tagged.end() && found->first == side; ++found) {
-                entities_[entityOf(2, mesh_.region(e))].bounds.insert(found->second);
+                entities_[entityOf(2, mesh_.region(e))].bounds.insert(groups_.number(1, found->second));
             }
         }
     }

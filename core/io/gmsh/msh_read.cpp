@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <limits>
 
 namespace forefront {
@@ -32,6 +33,9 @@ bool MshFile::read() {
     if (scanner_.ok() && !nodesRead_) {
         return scanner_.fail(scanner_.offset(), "bad-syntax", "the file has no $Nodes");
     }
+    if (scanner_.ok()) {
+        restoreTags(origins_, builder_.mesh);
+    }
     return scanner_.ok();
 }
 
@@ -54,10 +58,23 @@ bool MshFile::readSection(std::string_view name) {
         done = binary_ ? readEntitiesBinary() : readEntities4();
     } else if (name == "NodeData" && nodesRead_) {
         done = readNodeData();
+    } else if (name == "Comments") {
+        return readComments();
     } else {
         return skipSection(name);
     }
     return done && scanner_.literal("$End" + std::string(name));
+}
+
+/// Comments mean nothing to a reader, except those that our writer leaves.
+bool MshFile::readComments() {
+    const std::size_t begin = scanner_.offset();
+    if (!skipSection("Comments")) {
+        return false;
+    }
+    std::vector<MshGroup> origins = readMshOrigins(scanner_.source().text.substr(begin, scanner_.offset() - begin));
+    origins_.insert(origins_.end(), std::make_move_iterator(origins.begin()), std::make_move_iterator(origins.end()));
+    return true;
 }
 
 bool MshFile::skipSection(std::string_view name) {

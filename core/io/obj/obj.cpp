@@ -7,42 +7,60 @@
 
 namespace forefront {
 
-/// Wavefront OBJ: a group of faces per region, a group of lines per boundary tag, points. Names as given and the
-/// numbers of the tags stand in comments; "# tag N" belongs to the group before it.
+namespace {
+
+FileNames groupsOf(const TagList &tags) {
+    UniqueNames unique;
+    return identifiersOf(tags, unique);
+}
+
+} // namespace
+
+/// Wavefront OBJ: a group of faces per region, a group of lines per boundary tag, a group of points per tag. Comments
+/// hold the names as given and the tags: "# tag TAG" belongs to the group before it.
 void writeObj(const Mesh &mesh, TextWriter &out) {
     writeNameComments(mesh, "#", out);
     for (std::size_t n = 0; n < mesh.nodes.size() && out.ok(); ++n) {
         out << "v " << mesh.nodes[n].x << ' ' << mesh.nodes[n].y << " 0\n";
     }
-    const TagList tags = tagsOf(mesh);
-    std::map<std::int32_t, std::vector<std::uint32_t>> regions, boundaries;
+    const FileNames names = groupsOf(tagsOf(mesh));
+    std::map<std::int32_t, std::vector<std::uint32_t>> regions, boundaries, points;
     for (std::uint32_t e = 0; e < mesh.elements.size(); ++e) {
         regions[mesh.region(e)].push_back(e);
     }
     for (std::uint32_t k = 0; k < mesh.edges.size(); ++k) {
         boundaries[mesh.edges[k].tag].push_back(k);
     }
-    UniqueNames unique;
+    for (std::uint32_t k = 0; k < mesh.points.size(); ++k) {
+        points[mesh.points[k].tag].push_back(k);
+    }
     const auto group = [&](const std::string &name, std::int32_t tag) {
-        out << "g " << unique.claim(asIdentifier(name)) << "\n# tag " << tag << '\n';
+        out << "g " << name << "\n# tag " << tag << '\n';
     };
     for (const auto &[tag, elements] : regions) {
-        group(tags.regions.at(tag), tag);
+        group(names.regions.at(tag), tag);
         for (std::size_t k = 0; k < elements.size() && out.ok(); ++k) {
             const Element &nodes = mesh.elements[elements[k]];
             out << "f " << index(nodes[0]) + 1 << ' ' << index(nodes[1]) + 1 << ' ' << index(nodes[2]) + 1 << '\n';
         }
     }
     for (const auto &[tag, edges] : boundaries) {
-        group(tags.edges.at(tag), tag);
+        group(names.edges.at(tag), tag);
         for (const std::uint32_t k : edges) {
             out << "l " << index(mesh.edges[k].a) + 1 << ' ' << index(mesh.edges[k].b) + 1 << '\n';
         }
     }
-    for (const TaggedNode &point : mesh.points) {
-        group(tags.points.at(point.tag), point.tag);
-        out << "p " << index(point.node) + 1 << '\n';
+    for (const auto &[tag, items] : points) {
+        group(names.points.at(tag), tag);
+        for (const std::uint32_t k : items) {
+            out << "p " << index(mesh.points[k].node) + 1 << '\n';
+        }
     }
+}
+
+Diagnostics noteObjChanges(const Mesh &mesh) {
+    const TagList tags = tagsOf(mesh);
+    return noteChangedNames(tags, groupsOf(tags));
 }
 
 namespace {

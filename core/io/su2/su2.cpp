@@ -11,10 +11,16 @@ namespace {
 
 constexpr int kVertex = 1, kLine = 3, kTriangle = 5; // as in VTK
 
+FileNames markersOf(const TagList &tags) {
+    UniqueNames unique;
+    return identifiersOf({.edges = tags.edges, .points = {}, .regions = {}}, unique);
+}
+
 } // namespace
 
-/// SU2 mesh, two-dimensional. Each boundary tag is a marker; what SU2 has no words for (regions, points, the numbers of
-/// the tags) stands in comments: "% tag N" before a marker, "% regions COUNT TAG ..." in the order of the elements.
+/// SU2 mesh, two-dimensional. Each boundary tag is a marker. Comments hold what SU2 has no words for: "% tag TAG"
+/// before a marker, "% elements COUNT TAG" for each run of elements of a region, "% point NODE TAG". The file is ASCII,
+/// since SU2 stops at other characters, even in comments.
 void writeSu2(const Mesh &mesh, TextWriter &out) {
     writeNameComments(mesh, "%", out);
     for (const TaggedNode &point : mesh.points) {
@@ -44,15 +50,19 @@ void writeSu2(const Mesh &mesh, TextWriter &out) {
     for (std::size_t k = 0; k < mesh.edges.size(); ++k) {
         markers[mesh.edges[k].tag].push_back(k);
     }
-    UniqueNames unique;
+    const FileNames names = markersOf(tagsOf(mesh));
     out << "NMARK= " << markers.size() << '\n';
     for (const auto &[tag, edges] : markers) {
-        out << "% tag " << tag << "\nMARKER_TAG= " << unique.claim(asIdentifier(boundaryName(mesh.boundaryNames, tag)))
-            << "\nMARKER_ELEMS= " << edges.size() << '\n';
+        out << "% tag " << tag << "\nMARKER_TAG= " << names.edges.at(tag) << "\nMARKER_ELEMS= " << edges.size() << '\n';
         for (const std::size_t k : edges) {
             out << kLine << ' ' << index(mesh.edges[k].a) << ' ' << index(mesh.edges[k].b) << '\n';
         }
     }
+}
+
+Diagnostics noteSu2Changes(const Mesh &mesh) {
+    const TagList tags = tagsOf(mesh);
+    return noteChangedNames(tags, markersOf(tags));
 }
 
 namespace {

@@ -111,7 +111,8 @@ class TriangleMeshReader {
                 if (!scanner.real(attribute, {"the attribute of triangle", k + 1})) {
                     return fail(scanner);
                 }
-                const bool tag = attribute >= 1.0 && attribute <= 1e9 && attribute == std::floor(attribute);
+                const bool tag = attribute >= 1.0 && attribute <= std::numeric_limits<std::int32_t>::max() &&
+                                 attribute == std::floor(attribute);
                 region = a == 0 && tag ? static_cast<std::int32_t>(attribute) : region;
             }
             builder_.mesh.regions.back() = region;

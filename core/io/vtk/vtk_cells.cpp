@@ -13,10 +13,10 @@ std::map<std::string, std::vector<std::int32_t>> vtkNameFields(const Mesh &mesh)
     boundaries.insert(tags.edges.begin(), tags.edges.end());
     std::map<std::string, std::vector<std::int32_t>> fields;
     for (const auto &[tag, name] : boundaries) {
-        fields["boundary:" + asQuotable(name)].push_back(tag);
+        fields["boundary:" + validUtf8(name)].push_back(tag);
     }
     for (const auto &[tag, name] : tags.regions) {
-        fields["region:" + asQuotable(name)].push_back(tag);
+        fields["region:" + validUtf8(name)].push_back(tag);
     }
     return fields;
 }

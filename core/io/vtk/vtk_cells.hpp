@@ -11,26 +11,26 @@
 
 namespace forefront {
 
-/// How a mesh lies in an unstructured grid of VTK: triangles, then tagged edges as lines, then tagged points as
-/// vertices. The cell array `region` has the region of triangles, `boundary` the tag of lines and vertices; both are 0
-/// elsewhere. A field array "boundary:NAME" or "region:NAME" holds the tags of that name.
+/// Cell types of VTK. A mesh becomes an unstructured grid of triangles, then tagged edges as lines, then tagged points
+/// as vertices. The cell array `region` holds the region of triangles, `boundary` the tag of lines and vertices; both
+/// are 0 elsewhere. A field array "boundary:NAME" or "region:NAME" holds the tags of that name.
 inline constexpr std::uint8_t kVtkVertex = 1, kVtkLine = 3, kVtkTriangle = 5;
 
-/// Names of the field arrays with their tags, for all tags in use.
+/// Returns the names of the field arrays of a VTU file with their tags, for all tags in use.
 std::map<std::string, std::vector<std::int32_t>> vtkNameFields(const Mesh &mesh);
 
-/// An unstructured grid as read, not yet trusted.
+/// An unstructured grid as read, before its indices are checked.
 struct VtkGrid {
     std::vector<Vec2> nodes;
     std::vector<std::int64_t> connectivity, ends; ///< the nodes of cell c end at ends[c]
     std::vector<std::int64_t> types;
     std::map<std::string, std::vector<std::int64_t>> cellArrays;
     std::map<std::string, std::vector<std::int64_t>> fields;
-    std::map<std::string, std::vector<double>> pointArrays; ///< of one component; only where they are asked for
+    std::map<std::string, std::vector<double>> pointArrays; ///< with one component; only where asked for
     std::size_t offset = 0;                                 ///< of the cells, for faults
 };
 
-/// Failures are recorded in the scanner.
+/// Makes a mesh of a grid, with the names of its tags. Failures are recorded in the scanner.
 bool meshOfVtk(const VtkGrid &grid, TextScanner &scanner, Mesh &mesh);
 
 } // namespace forefront

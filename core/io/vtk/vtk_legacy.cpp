@@ -1,63 +1,58 @@
+#include "core/domain/domain.hpp"
 #include "core/io/mesh_field.hpp"
+#include "core/io/names.hpp"
 #include "core/io/planar_mesh.hpp"
 #include "core/io/readers.hpp"
 #include "core/io/vtk/vtk_cells.hpp"
 
-#include <array>
+#include <charconv>
 #include <limits>
 
 namespace forefront {
 
 namespace {
 
-/// Names in legacy files must not hold blanks; VTK writes and reads them with %XX.
-std::string percentEncoded(std::string_view name) {
-    std::string text;
-    for (const char c : name) {
-        if (static_cast<unsigned char>(c) <= ' ' || c == '%' || c == '"' || static_cast<unsigned char>(c) > '~') {
-            constexpr std::string_view kHex = "0123456789ABCDEF";
-            text += '%';
-            text += kHex[static_cast<unsigned char>(c) >> 4];
-            text += kHex[static_cast<unsigned char>(c) & 15U];
-        } else {
-            text += c;
-        }
-    }
-    return text;
+/// VTK reads words of at most 255 bytes.
+constexpr std::size_t kMaximumNameBytes = 200;
+
+std::string nameWord(const std::string &name) {
+    std::size_t bytes = kMaximumNameBytes;
+    std::string word;
+    do {
+        word = percentEncoded(shortened(validUtf8(name), bytes--), " ");
+    } while (word.size() > kMaximumNameBytes);
+    return word;
 }
 
-std::string percentDecoded(std::string_view text) {
-    const auto digit = [](char c) {
-        return c >= '0' && c <= '9'   ? c - '0'
-               : c >= 'A' && c <= 'F' ? c - 'A' + 10
-               : c >= 'a' && c <= 'f' ? c - 'a' + 10
-                                      : -1;
+/// Legacy files have no place for names that every reader skips: a FIELD block before POINTS stops Gmsh, FreeFem++ and
+/// deal.II, and deal.II expects as many values in it as there are cells. All of them skip look-up tables, so each name
+/// is that of a table of one colour: "boundary:3:inlet".
+void writeNames(const Mesh &mesh, TextWriter &out) {
+    const TagList tags = tagsOf(mesh);
+    const auto table = [&](const char *kind, std::int32_t tag, const std::string &name) {
+        out << "LOOKUP_TABLE " << kind << ':' << tag << ':' << nameWord(name) << " 1\n0.5 0.5 0.5 1\n";
     };
-    std::string name;
-    for (std::size_t k = 0; k < text.size(); ++k) {
-        if (text[k] == '%' && k + 2 < text.size() && digit(text[k + 1]) >= 0 && digit(text[k + 2]) >= 0) {
-            name += static_cast<char>(digit(text[k + 1]) * 16 + digit(text[k + 2]));
-            k += 2;
-        } else {
-            name += text[k];
+    auto boundaries = tags.points;
+    boundaries.insert(tags.edges.begin(), tags.edges.end());
+    for (const auto &[tag, name] : boundaries) {
+        if (name != boundaryName({}, tag)) {
+            table("boundary", tag, name);
         }
     }
-    return name;
+    for (const auto &[tag, name] : tags.regions) {
+        if (name != regionName({}, tag)) {
+            table("region", tag, name);
+        }
+    }
 }
 
 } // namespace
 
+/// Version 3.0, ASCII. `MaterialID` is the region of triangles and the boundary tag of lines and vertices, as deal.II
+/// expects it first; the arrays `region` and `boundary` hold the two apart, 0 where they do not apply.
 void writeVtk(const Mesh &mesh, TextWriter &out) {
     const std::size_t cells = mesh.elements.size() + mesh.edges.size() + mesh.points.size();
     out << "# vtk DataFile Version 3.0\nPlane triangle mesh\nASCII\nDATASET UNSTRUCTURED_GRID\n";
-    const auto fields = vtkNameFields(mesh);
-    out << "FIELD FieldData " << fields.size() << '\n';
-    for (const auto &[name, tags] : fields) {
-        out << percentEncoded(name) << " 1 " << tags.size() << " int\n";
-        for (const std::int32_t tag : tags) {
-            out << tag << '\n';
-        }
-    }
     out << "POINTS " << mesh.nodes.size() << " double\n";
     for (std::size_t n = 0; n < mesh.nodes.size() && out.ok(); ++n) {
         out << mesh.nodes[n].x << ' ' << mesh.nodes[n].y << " 0\n";
@@ -86,14 +81,17 @@ void writeVtk(const Mesh &mesh, TextWriter &out) {
         }
     };
     const auto constant = [](int value) { return [value](const auto &) { return value; }; };
+    const auto region = [&](std::size_t e) { return mesh.region(e); };
+    const auto tag = [](const auto &item) { return item.tag; };
     out << "CELL_TYPES " << cells << '\n';
     column(constant(kVtkTriangle), constant(kVtkLine), constant(kVtkVertex));
-    out << "CELL_DATA " << cells << "\nSCALARS region int 1\nLOOKUP_TABLE default\n";
-    column([&](std::size_t e) { return mesh.region(e); }, constant(0), constant(0));
-    out << "SCALARS boundary int 1\nLOOKUP_TABLE default\n";
-    column(
-        constant(0), [](const TaggedEdge &edge) { return edge.tag; },
-        [](const TaggedNode &point) { return point.tag; });
+    out << "CELL_DATA " << cells << "\nSCALARS MaterialID int 1\nLOOKUP_TABLE default\n";
+    column(region, tag, tag);
+    out << "FIELD FieldData 2\nregion 1 " << cells << " int\n";
+    column(region, constant(0), constant(0));
+    out << "boundary 1 " << cells << " int\n";
+    column(constant(0), tag, tag);
+    writeNames(mesh, out);
 }
 
 namespace {
@@ -167,8 +165,7 @@ class VtkReader {
             return vectors();
         }
         if (word == "LOOKUP_TABLE") {
-            scanner_.skipLine();
-            return true;
+            return lookupTable();
         }
         if (word == "METADATA") {
             const std::size_t blank = scanner_.source().text.find("\n\n", scanner_.offset());
@@ -287,6 +284,30 @@ class VtkReader {
             scanner_.skipLine();
         }
         return arrayOf(name, components, items_);
+    }
+
+    /// A table of colours; those that our writer adds carry a name of a tag.
+    bool lookupTable() {
+        constexpr std::size_t kComponents = 4;
+        const std::string name = percentDecoded(scanner_.word());
+        std::size_t colours = 0;
+        double component = 0.0;
+        if (!scanner_.count(colours, 2 * kComponents, {"the number of colours"})) {
+            return false;
+        }
+        for (std::size_t k = 0; k < kComponents * colours; ++k) {
+            if (!scanner_.real(component, {"a colour"})) {
+                return false;
+            }
+        }
+        const std::size_t first = name.find(':');
+        const std::size_t second = first == std::string::npos ? first : name.find(':', first + 1);
+        std::int64_t tag = 0;
+        if (second != std::string::npos &&
+            std::from_chars(name.data() + first + 1, name.data() + second, tag).ptr == name.data() + second) {
+            grid_.fields[name.substr(0, first) + name.substr(second)].push_back(tag);
+        }
+        return true;
     }
 
     bool field() {
