@@ -7,6 +7,7 @@
 #include "core/adapt/adaptive_meshing.hpp"
 #include "core/adapt/mesh_outline.hpp"
 #include "core/io/files.hpp"
+#include "core/io/inner_edges.hpp"
 #include "core/mesh/verify.hpp"
 #include "core/mesher/pipeline.hpp"
 
@@ -40,6 +41,7 @@ struct AdaptArguments {
     int rounds = 8;
     std::optional<std::filesystem::path> domain;
     std::vector<std::filesystem::path> outputs;
+    InnerEdges innerEdges = InnerEdges::Keep;
     bool quiet = false;
 };
 
@@ -161,13 +163,16 @@ int runAdapt(const AdaptArguments &arguments) {
             refuse(mistyped ? mesh.faults() : meshingFaults(mesh.faults(), *domain, file, true), interrupt);
         return code == kRefused && mistyped ? static_cast<int>(kUsage) : code;
     }
+    const bool drops = arguments.innerEdges == InnerEdges::Drop;
+    const Mesh outline = drops ? withoutInnerEdges(*mesh) : Mesh();
     for (const std::filesystem::path &path : arguments.outputs) {
-        const Status written = writeMesh(path, *mesh, {}, progress);
+        const Status written = writeMesh(path, drops ? outline : *mesh, {}, progress);
         bar.clear();
         if (hasErrors(written)) {
             return refuse(written, interrupt);
         }
         if (!arguments.quiet) {
+            printFaults(written);
             std::printf("wrote %s\n", path.string().c_str());
         }
     }
@@ -195,6 +200,7 @@ int adaptCommand(int argc, const char *const *argv) {
         ->required()
         ->allow_extra_args(false)
         ->type_name("OUT");
+    addInnerEdgesOption(app, arguments.innerEdges);
     app.add_option("--rounds", arguments.rounds, "with --expression: at most so many new meshes (default 8)")
         ->check(wholeNumberWithin(1, 100))
         ->type_name("N");

@@ -121,6 +121,7 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     app.add_option("--format", arguments.formats, "format of the outputs in their order: " + formatIds())
         ->allow_extra_args(false)
         ->type_name("ID");
+    addInnerEdgesOption(app, arguments.innerEdges);
     auto *spacing = app.add_option_group("Spacing", "at most one; else that of the project, or automatic");
     addSpacingOptions(*spacing, arguments.size, arguments.expression);
     spacing->add_option("--spacing-file", arguments.spacingFile, "spacing of a project, or a background mesh (.msh)")

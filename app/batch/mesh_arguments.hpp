@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/io/inner_edges.hpp"
 #include "core/mesher/options.hpp"
 
 #include <filesystem>
@@ -15,6 +16,7 @@ struct MeshArguments {
     std::filesystem::path input;
     std::vector<std::filesystem::path> outputs;
     std::vector<std::string> formats; ///< of the outputs in their order; the rest by extension
+    InnerEdges innerEdges = InnerEdges::Keep;
     std::optional<double> size;
     std::optional<std::string> expression;
     std::optional<std::filesystem::path> spacingFile;

@@ -8,6 +8,7 @@
 #include "core/domain/validate.hpp"
 #include "core/edit/document.hpp"
 #include "core/io/files.hpp"
+#include "core/io/inner_edges.hpp"
 #include "core/mesher/pipeline.hpp"
 
 #include <algorithm>
@@ -91,9 +92,12 @@ Diagnostics repairDomain(const MeshArguments &arguments, Domain &domain) {
 /// Writes the meshes and the statistics. The result holds what went wrong, else notes on what the formats changed.
 Diagnostics writeOutputs(const MeshArguments &arguments, const Mesh &mesh, const RunReport &report,
                          const Progress &progress) {
+    const bool drops = arguments.innerEdges == InnerEdges::Drop && !arguments.outputs.empty();
+    const Mesh outline = drops ? withoutInnerEdges(mesh) : Mesh();
     Diagnostics notes;
     for (std::size_t i = 0; i < arguments.outputs.size(); ++i) {
-        const Diagnostics faults = writeMesh(arguments.outputs[i], mesh, arguments.format(i), progress);
+        const Diagnostics faults =
+            writeMesh(arguments.outputs[i], drops ? outline : mesh, arguments.format(i), progress);
         if (hasErrors(faults)) {
             return faults;
         }

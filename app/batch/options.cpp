@@ -83,6 +83,18 @@ void addSpacingOptions(CLI::App &group, std::optional<double> &size, std::option
         ->type_name("EXPR");
 }
 
+void addInnerEdgesOption(CLI::App &app, InnerEdges &innerEdges) {
+    app.add_option_function<std::string>(
+           "--inner-edges",
+           [&innerEdges](const std::string &word) {
+               innerEdges = word == "drop" ? InnerEdges::Drop : InnerEdges::Keep;
+           },
+           "tagged edges inside the domain, in the written meshes: keep (default) or drop, for programs such as "
+           "deal.II that accept tags on the boundary only")
+        ->check(oneOf({"keep", "drop"}))
+        ->type_name("WORD");
+}
+
 std::optional<int> parseOptions(CLI::App &app, int argc, const char *const *argv) {
     try {
         app.parse(argc, argv);

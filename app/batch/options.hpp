@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/io/inner_edges.hpp"
+
 #include <CLI/CLI.hpp>
 
 #include <optional>
@@ -17,6 +19,9 @@ CLI::Validator oneOf(std::vector<std::string> words);
 
 /// The options --size and --spacing, which several commands have.
 void addSpacingOptions(CLI::App &group, std::optional<double> &size, std::optional<std::string> &expression);
+
+/// Adds the option --inner-edges of the commands that write meshes.
+void addInnerEdgesOption(CLI::App &app, InnerEdges &innerEdges);
 
 /// Parses the command line. The exit code with which to leave (help was shown: 0; wrong usage, said on stderr: 2), or
 /// nothing to go on.

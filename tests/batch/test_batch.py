@@ -153,6 +153,23 @@ class Meshing(Case):
         self.assertIn("hash", text)
         self.assertEqual(text, binary)
 
+    def test_inner_edges_can_be_left_out(self):
+        inner = poly([SQUARE]).replace("4 2 0 0", "6 2 0 0").replace("4 1\n", "5 1 1\n6 2 2\n5 1\n", 1)
+        self.write("inner.poly", inner.replace("\n0\n", "\n5 5 6 9\n0\n"))
+        for command in (["mesh", "inner.poly"],
+                        ["adapt", "base.msh", "--domain", "inner.poly", "--expression", "x*x", "--error", "0.3"]):
+            if command[0] == "adapt":
+                self.call("mesh", "inner.poly", "-o", "base.msh")
+            self.call(*command, "-o", "keep.msh", "--inner-edges", "keep")
+            self.call(*command, "-o", "drop.msh", "--inner-edges", "drop")
+            self.assertIn('1 9 "', self.read("keep.msh"))
+            self.assertNotIn('1 9 "', self.read("drop.msh"))
+            self.assertIn('1 1 "boundary_1"', self.read("drop.msh"))
+            triangles = [re.findall(r"^\d+ 2 2 .*", self.read(name), re.M) for name in ("keep.msh", "drop.msh")]
+            self.assertEqual(*map(len, triangles))
+            self.assertGreater(len(triangles[0]), 0)
+        self.assertIn("keep, drop", self.call("mesh", "inner.poly", "-o", "a.msh", "--inner-edges", "no", code=2).stderr)
+
     def test_names_that_a_format_changes_are_told(self):
         self.write("named.poly", poly([SQUARE]) + '# boundary 1 "4th wall"\n')
         done = self.call("mesh", "named.poly", "-o", "named.inp", "-o", "named.vtu")

@@ -1,5 +1,6 @@
 #include "core/edit/equality.hpp"
 #include "core/io/files.hpp"
+#include "core/io/inner_edges.hpp"
 #include "core/mesh/verify.hpp"
 #include "tests/ui/edit_driver.hpp"
 #include "ui/dialogs/file_list.hpp"
@@ -135,6 +136,33 @@ TEST_CASE("Export: a drawing is meshed and written as MSH, which is a valid mesh
     REQUIRE(mesh.ok());
     CHECK(mesh->elements.size() == driver.run().quality.elements);
     CHECK_FALSE(hasErrors(verifyAgainst(*mesh, toDomain(driver.document()))));
+}
+
+TEST_CASE("Export: edges inside the domain are left out where that is chosen") {
+    const Workplace place;
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('L');
+    driver.clickPlace({3, 3});
+    driver.clickPlace({6, 5});
+    driver.key(key::kEnter);
+    REQUIRE(driver.document().shapes.back()->use == ShapeUse::Constraint);
+    std::size_t edges[2] = {};
+    for (const bool keeps : {true, false}) {
+        askForExport(driver);
+        REQUIRE(driver.has("dialog/export/inner-edges"));
+        if (!keeps) {
+            driver.click("dialog/export/inner-edges");
+        }
+        typeName(driver, "export", place.path / (keeps ? "whole.msh" : "outline.msh"));
+        driver.settle();
+        const Result<Mesh> mesh = readMesh(place.path / (keeps ? "whole.msh" : "outline.msh"));
+        REQUIRE(mesh.ok());
+        CHECK(mesh->elements.size() == driver.run().quality.elements);
+        edges[keeps ? 0 : 1] = mesh->edges.size();
+        CHECK((withoutInnerEdges(*mesh).edges.size() == mesh->edges.size()) != keeps);
+    }
+    CHECK(edges[1] < edges[0]);
 }
 
 TEST_CASE("Files: in a small window the dialog holds its fields, and the sheet of shortcuts its columns") {

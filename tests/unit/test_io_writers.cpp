@@ -1,6 +1,7 @@
 #include "core/domain/domain.hpp"
 #include "core/io/files.hpp"
 #include "core/io/gmsh/msh_groups.hpp"
+#include "core/io/inner_edges.hpp"
 #include "core/io/names.hpp"
 #include "core/io/readers.hpp"
 #include "core/mesh/edge_table.hpp"
@@ -257,6 +258,20 @@ TEST_CASE("percentEncoded: the inverse brings every text back") {
         const std::string name = randomName(random);
         CHECK(isAscii(percentEncoded(name)));
         CHECK(percentDecoded(percentEncoded(name)) == name);
+    }
+}
+
+TEST_CASE("withoutInnerEdges: only edges on the boundary of the triangles stay") {
+    const Mesh mesh = twoRegionMesh(8, 5);
+    const Mesh outline = withoutInnerEdges(mesh);
+    CHECK(outline.edges.size() == 26);
+    CHECK(mesh.edges.size() == 26 + 5 + 1);
+    CHECK(std::none_of(outline.edges.begin(), outline.edges.end(),
+                       [](const TaggedEdge &edge) { return edge.tag == 9 || edge.tag == 6; }));
+    CHECK(outline.elements == mesh.elements);
+    CHECK(outline.points.size() == mesh.points.size());
+    for (const auto write : {writeMsh2, writeVtk, writeSu2}) {
+        CHECK(written(write, outline).find("interface") == std::string::npos);
     }
 }
 

@@ -1,6 +1,7 @@
 #include "ui/dialogs/export_dialog.hpp"
 
 #include "core/io/files.hpp"
+#include "core/io/inner_edges.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/editor/app_context.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -102,16 +103,18 @@ std::uintmax_t bytesOf(const std::filesystem::path &path, const std::string &for
     return sum;
 }
 
-Diagnostics write(AppContext &context, const std::filesystem::path &file, const FileFilter &filter) {
+Diagnostics write(AppContext &context, const std::filesystem::path &file, const FileFilter &filter,
+                  InnerEdges innerEdges) {
     const std::shared_ptr<const MeshView> mesh = finishedMesh(context);
     if (!mesh) {
         return error("no-mesh", "there is no finished mesh to write", "mesh the drawing first");
     }
-    const auto job = [mesh, file, format = filter.id](std::atomic<double> &fraction, std::stop_token stop) {
+    const auto job = [mesh, file, innerEdges, format = filter.id](std::atomic<double> &fraction, std::stop_token stop) {
         Progress progress;
         progress.report = [&fraction](std::string_view, double done) { fraction.store(done); };
         progress.stop = std::move(stop);
-        return writeMesh(file, mesh->mesh, format, progress);
+        return innerEdges == InnerEdges::Keep ? writeMesh(file, mesh->mesh, format, progress)
+                                              : writeMesh(file, withoutInnerEdges(mesh->mesh), format, progress);
     };
     const auto done = [file, format = filter.id, triangles = mesh->mesh.elements.size()](AppContext &c) {
         c.log.tell("Mesh written to " + file.string() + ": " + ui::count(triangles) + " triangles, " +
@@ -142,8 +145,16 @@ void exportMesh(AppContext &context) {
     request.folder = document.parent_path();
     request.name = (document.empty() ? std::string("mesh") : document.stem().string()) +
                    request.filters[request.filter].extensions.front();
-    request.chosen = write;
-    request.extra = [asked = false](AppContext &c) mutable { return drawMeshLine(c, asked); };
+    const auto keepsInnerEdges = std::make_shared<bool>(true);
+    request.chosen = [keepsInnerEdges](AppContext &c, const std::filesystem::path &file, const FileFilter &filter) {
+        return write(c, file, filter, *keepsInnerEdges ? InnerEdges::Keep : InnerEdges::Drop);
+    };
+    request.extraLines = 2;
+    request.extra = [keepsInnerEdges, asked = false](AppContext &c) mutable {
+        const bool ready = drawMeshLine(c, asked);
+        ui::checkbox(c, "dialog/export/inner-edges", "Include tagged edges inside the domain", *keepsInnerEdges);
+        return ready;
+    };
     context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));
 }
 

@@ -234,7 +234,8 @@ float FileDialog::bottomHeight(const AppContext &context) const {
     const float room = ImGui::GetContentRegionAvail().x - context.px(2.0 * kButton + 2.0 * kGap);
     const float lines = ImGui::CalcTextSize(ui::wrapped(warning(), room).c_str(), nullptr, false, room).y;
     const float more = std::max(0.0F, lines - ImGui::GetTextLineHeight());
-    return context.px(request_.extra ? 118 : 84) + more;
+    constexpr int kPlain = 84, kLine = 34;
+    return context.px(kPlain + (request_.extra ? request_.extraLines * kLine : 0)) + more;
 }
 
 void FileDialog::drawName(AppContext &context, bool &wanted) {

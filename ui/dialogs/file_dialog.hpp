@@ -26,6 +26,7 @@ struct FileRequest {
     std::function<Diagnostics(AppContext &, const std::filesystem::path &, const FileFilter &)> chosen;
     /// Lines between the list and the buttons; returns false to disable the button. May be empty.
     std::function<bool(AppContext &)> extra;
+    int extraLines = 1; ///< number of lines that `extra` draws
 };
 
 /// Choosing a file inside the program.
