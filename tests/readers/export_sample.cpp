@@ -1,8 +1,9 @@
-// Writes a small mesh of two regions with a hole and named boundaries in every format, and its true figures as JSON.
+// Writes small meshes in every format, each with its true figures as JSON.
 //   export_sample FOLDER
-// Or reads a mesh with nodal values 1 + x + 2y and prints its figures.
+// Reads a mesh with nodal values 1 + x + 2y and prints its figures.
 //   export_sample --read FILE NAME
 #include "core/io/files.hpp"
+#include "core/io/inner_edges.hpp"
 #include "core/mesher/pipeline.hpp"
 
 #include <nlohmann/json.hpp>
@@ -33,6 +34,17 @@ Domain twoRegions() {
     return domain;
 }
 
+/// The same with names that formats have to change: boundaries and regions of the same name, as after GeoJSON, blanks,
+/// quotes, letters outside ASCII, and a point with the tag of an edge.
+Domain twins() {
+    Domain domain = twoRegions();
+    domain.nodes.push_back({3.0, 1.25});
+    domain.points = {{10, 2}};
+    domain.boundaryNames = {
+        {1, "steel"}, {2, "\u00d6ffnung \"s\u00fcd\""}, {3, "sea bed"}, {4, "sea_bed"}, {5, "4th hole"}, {6, "copper"}};
+    return domain;
+}
+
 /// [0,10]x[0,2] for a tension test.
 Domain strip() {
     Domain domain;
@@ -50,6 +62,11 @@ nlohmann::json figures(const Mesh &mesh) {
     nlohmann::json truth;
     truth["nodes"] = mesh.nodes.size();
     truth["elements"] = mesh.elements.size();
+    for (const TaggedNode &point : mesh.points) {
+        auto &part = truth["points"][boundaryName(mesh.boundaryNames, point.tag)];
+        part["tag"] = point.tag;
+        part["count"] = part.value("count", 0) + 1;
+    }
     for (const TaggedEdge &edge : mesh.edges) {
         auto &part = truth["edges"][boundaryName(mesh.boundaryNames, edge.tag)];
         part["tag"] = edge.tag;
@@ -75,19 +92,12 @@ int fail(const Diagnostics &faults) {
     return 1;
 }
 
-int exportAll(const std::filesystem::path &folder, const std::string &name, const Domain &domain, double size) {
-    MeshingJob job;
-    job.domain = domain;
-    job.spacing.size = size;
-    const Result<MeshingOutcome> outcome = meshDomain(job);
-    if (!outcome) {
-        return fail(outcome.faults());
-    }
-    nlohmann::json truth = figures(outcome->mesh);
+int exportAll(const std::filesystem::path &folder, const std::string &name, const Mesh &mesh) {
+    nlohmann::json truth = figures(mesh);
     for (const FileFormat &format : fileFormats()) {
         if (format.writesMesh) {
             const std::filesystem::path path = folder / (name + '-' + format.id + format.extension);
-            const Status status = writeMesh(path, outcome->mesh, format.id);
+            const Status status = writeMesh(path, mesh, format.id);
             if (hasErrors(status)) {
                 return fail(status);
             }
@@ -96,6 +106,19 @@ int exportAll(const std::filesystem::path &folder, const std::string &name, cons
     }
     std::ofstream(folder / (name + ".json")) << truth.dump(1) << '\n';
     return 0;
+}
+
+/// Meshes a domain and writes the mesh, and as NAME-outline the mesh without inner edges.
+int exportDomain(const std::filesystem::path &folder, const std::string &name, const Domain &domain, double size) {
+    MeshingJob job;
+    job.domain = domain;
+    job.spacing.size = size;
+    const Result<MeshingOutcome> outcome = meshDomain(job);
+    if (!outcome) {
+        return fail(outcome.faults());
+    }
+    const int whole = exportAll(folder, name, outcome->mesh);
+    return whole != 0 ? whole : exportAll(folder, name + "-outline", withoutInnerEdges(outcome->mesh));
 }
 
 int printFigures(const std::filesystem::path &path, const char *field) {
@@ -126,6 +149,7 @@ int main(int argc, char **argv) {
     }
     const std::filesystem::path folder = argv[1];
     std::filesystem::create_directories(folder);
-    const int first = exportAll(folder, "sample", twoRegions(), 0.25);
-    return first != 0 ? first : exportAll(folder, "strip", strip(), 0.5);
+    int code = exportDomain(folder, "sample", twoRegions(), 0.25);
+    code = code != 0 ? code : exportDomain(folder, "twins", twins(), 0.25);
+    return code != 0 ? code : exportDomain(folder, "strip", strip(), 0.5);
 }

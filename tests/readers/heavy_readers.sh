@@ -1,0 +1,25 @@
+#!/bin/sh
+# Reads exported meshes with deal.II and dolfinx. Their packages are some 250 MB to download and 1.7 GB on disk, so the
+# ordinary tests leave them out; the outcome of the last run is kept in heavy_readers.txt.
+#
+#   sh tests/readers/heavy_readers.sh EXPORT_SAMPLE
+#
+#   EXPORT_SAMPLE   the program forefront_export_sample of a build with tests
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+if [ $# -ne 1 ] || [ ! -x "$1" ]; then
+    sed -n '2,7s/^# \{0,1\}//p' "$0" >&2
+    exit 2
+fi
+packages='libdeal.ii-dev python3-dolfinx-real python3-gmsh g++'
+# shellcheck disable=SC2086  # a list of packages
+if ! dpkg-query -W $packages >/dev/null 2>&1; then
+    echo "heavy_readers.sh: packages are missing; as root: apt-get install --no-install-recommends $packages" >&2
+    exit 1
+fi
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+mpi=$(dirname "$(find /usr/lib -name mpi.h -path '*openmpi*' | head -n 1)")
+g++ -std=c++17 -isystem /usr/include/trilinos -isystem "$mpi" "$here/dealii_reader.cpp" -o "$work/dealii_reader" \
+    -Wl,--copy-dt-needed-entries -ldeal.ii
+/usr/bin/python3 "$here/check_heavy_readers.py" "$1" "$work/dealii_reader" "$here/heavy_readers.txt"
