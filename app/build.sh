@@ -1,9 +1,19 @@
 #!/bin/sh
-# Builds a preset into build/PRESET and says how far it is.
+# Builds a preset of CMakePresets.json into build/PRESET, with ccache if it is installed. Prints its progress and how long
+# it took.
 #
 #   sh app/build.sh PRESET [TARGET...] [-DNAME=VALUE...]
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
+case ${1--h} in
+-*)
+    sed -n '2,5s/^# \{0,1\}//p' "$0"
+    exit 2
+    ;;
+esac
+if [ -z "${CMAKE_CXX_COMPILER_LAUNCHER-}" ] && command -v ccache >/dev/null; then
+    export CMAKE_CXX_COMPILER_LAUNCHER=ccache
+fi
 preset=$1
 shift
 targets=

@@ -1,19 +1,20 @@
 #!/bin/sh
-# Installs the Debian 12 packages that Forefront needs; those already there are left alone, and where none is missing
-# this takes a blink and needs no rights.
+# Installs the Debian 12 packages that Forefront needs and that are not installed yet. If none is missing, it takes less
+# than a second and needs no root.
 #
 #   sh app/install.sh [--headless] [--tests]
 #
-#   --headless   only what the core and the batch program need, no graphics
-#   --tests      also what the tests need, readers of the exported files included (tests/packages.txt)
-# shellcheck disable=SC2086  # lists of packages are words to be split
+#   --headless   only what the library and the batch program need, no graphics
+#   --tests      also what the tests need, including the programs that read exported files (tests/packages.txt)
+# shellcheck disable=SC2086  # lists of packages are split into words on purpose
 set -eu
 here=$(cd "$(dirname "$0")/.." && pwd)
 
 core='g++ cmake ninja-build pkg-config nlohmann-json3-dev libcli11-dev libmuparser-dev libpugixml-dev'
 editor='libimgui-dev python3-glad libglfw3-dev libglm-dev libstb-dev libfreetype-dev libegl-dev libgl-dev libopengl-dev
     libgl1-mesa-dri libegl-mesa0 libglx-mesa0 libstb0 fonts-inter fonts-dejavu-core fonts-font-awesome'
-tests='doctest-dev libboost-dev libeigen3-dev python3 xvfb xauth xdotool x11-utils imagemagick librsvg2-bin'
+tests='doctest-dev libboost-dev libeigen3-dev python3 xvfb xauth xdotool x11-utils imagemagick librsvg2-bin
+    ccache clang-format clang-tidy desktop-file-utils doxygen gcovr git'
 
 wanted="$core $editor"
 for option in "$@"; do
@@ -40,7 +41,7 @@ for option in "$@"; do
 done
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
-    echo "install.sh: this is no Debian; please install what these Debian packages hold:" $wanted >&2
+    echo "install.sh: not a Debian system; install the equivalents of these Debian packages:" $wanted >&2
     exit 1
 fi
 present=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' $wanted 2>/dev/null | sed -n 's/^installed //p' || true)
@@ -56,7 +57,7 @@ echo "packages missing: $missing"
 as_root=
 if [ "$(id -u)" -ne 0 ]; then
     if ! command -v sudo >/dev/null; then
-        echo "install.sh: installing needs root; run as root: apt-get install --no-install-recommends $missing" >&2
+        echo "install.sh: sudo not found; run as root: apt-get install --no-install-recommends $missing" >&2
         exit 1
     fi
     as_root=sudo
@@ -75,7 +76,7 @@ run() {
 }
 size_before=$(df -Pk /usr | awk 'NR == 2 { print $3 }')
 install_missing() { run install -y --no-install-recommends $missing; }
-# The lists of packages may be absent or outdated; they are fetched only then.
+# The package lists are fetched only if they are missing or outdated.
 if ! apt-get -s install --no-install-recommends $missing >/dev/null 2>&1; then
     run update
     install_missing

@@ -67,7 +67,7 @@ int dispatch(int argc, const char *const *argv) {
         return tablesCommand(argc - 1, argv + 1);
     }
     if (command == "--version") {
-        std::printf("forefront %s\n", kVersion);
+        std::printf("forefront %s\n", version());
         return kDone;
     }
     if (command == "--help" || command == "-h" || command == "help") {

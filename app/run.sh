@@ -1,10 +1,10 @@
 #!/bin/sh
-# Installs what is missing, builds Forefront and opens the editor. Where there is no display it meshes the sample in
-# batch instead and leaves the mesh and a picture of it. Safe to repeat; starts within seconds when nothing has changed.
+# Installs what is missing, builds Forefront and opens the editor. Without a display it meshes the sample in batch mode
+# instead and writes the mesh and a picture of it to build/. Safe to repeat; starts within seconds if nothing has changed.
 #
 #   sh app/run.sh [FILE]
 #
-#   FILE   project or domain to open; without it the sample
+#   FILE   project or domain to open; default: a sample
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 case ${1-} in
@@ -14,11 +14,11 @@ case ${1-} in
     ;;
 esac
 if [ $# -gt 1 ]; then
-    echo "run.sh: one file at most (see --help)" >&2
+    echo "run.sh: expected at most one file, got $# (see --help)" >&2
     exit 2
 fi
 if [ $# -eq 1 ] && [ ! -f "$1" ]; then
-    echo "run.sh: there is no file $1" >&2
+    echo "run.sh: file not found: $1" >&2
     exit 2
 fi
 
@@ -30,7 +30,7 @@ mesh_in_batch() {
     input=${1:-$root/assets/samples/harbour.json}
     name=$(basename "$input")
     name=$root/build/${name%.*}
-    echo "meshing $input in batch instead:"
+    echo "Meshing $input in batch mode instead:"
     "$program" mesh "$input" -o "$name.msh" -o "$name.svg"
     if command -v rsvg-convert >/dev/null; then
         rsvg-convert -w 1600 -b white "$name.svg" -o "$name.png"
@@ -41,14 +41,14 @@ mesh_in_batch() {
 }
 
 if [ -z "${DISPLAY-}" ] && [ -z "${WAYLAND_DISPLAY-}" ]; then
-    echo "There is no display (DISPLAY is not set), so the editor cannot open."
+    echo "No display (DISPLAY and WAYLAND_DISPLAY are not set), so the editor cannot open."
     mesh_in_batch "$@"
     exit 0
 fi
 status=0
 "$program" "$@" || status=$?
-if [ $status -eq 4 ]; then # no window could be opened
-    echo "The editor could not open a window on display '${DISPLAY-}${WAYLAND_DISPLAY-}'."
+if [ $status -eq 4 ]; then # the window could not be opened
+    echo "The editor cannot open a window on display '${DISPLAY-}${WAYLAND_DISPLAY-}'."
     mesh_in_batch "$@"
     exit 0
 fi

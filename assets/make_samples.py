@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the gallery of samples beside this file: own geometry, project format version 1."""
+"""Writes the sample projects beside this file; the geometry is our own. Project format version 1."""
 import base64
 import json
 import math
@@ -12,7 +12,7 @@ SPAN = 16  # nodes per side of a tile
 
 
 def encode_tile(values):
-    """256 floats as words, runs of equal words packed, base64 (core/io/tile_code)."""
+    """Returns 256 floats with runs of equal words packed, as base64 (core/io/project/tile_code)."""
     words = [struct.pack("<f", v) for v in values]
     packed = bytearray()
     at = 0
@@ -34,7 +34,7 @@ def encode_tile(values):
 
 
 def paint(discs, pitch=PITCH):
-    """Painted discs (x, y, radius, spacing); where they overlap the finer one counts."""
+    """Paints discs (x, y, radius, spacing); where they overlap, the finer one counts."""
     nodes = {}
     for x, y, radius, rho in discs:
         for j in range(math.floor((y - radius) / pitch), math.ceil((y + radius) / pitch) + 1):
@@ -122,7 +122,7 @@ def plate():
 
 
 def airfoil():
-    """NACA 2412, closed trailing edge, in a round far field."""
+    """A NACA 2412 airfoil with a closed trailing edge in a round far field."""
     p = Project()
     p.boundaries = {1: "far field", 2: "upper side", 3: "lower side"}
     p.regions = {1: "air"}

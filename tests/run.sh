@@ -1,11 +1,11 @@
 #!/bin/sh
-# Installs what is missing, builds, and runs every test: unit and property tests, the readers of exported files, the
-# batch program, the editor headless and with real input, then the sanitizers on a reduced set. Says what takes how
-# long. Safe to repeat.
+# Installs what is missing, builds, and runs every test: format, unit and property tests, the programs that read exported
+# files, the batch program, the installed library, the editor with and without a window, then the sanitizers and
+# clang-tidy. Prints how long each step takes. Safe to repeat.
 #
 #   sh tests/run.sh [--quick]
 #
-#   --quick   without the sanitizers
+#   --quick   skip the sanitizers and clang-tidy
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 cd "$root"
@@ -27,7 +27,7 @@ jobs=$(nproc)
 times=
 failed=
 began=$(date +%s)
-# step NAME COMMAND...: runs it, notes its time and whether it failed, and goes on.
+# step NAME COMMAND...: runs the command, records its time and whether it failed, and continues either way.
 step() {
     name=$1
     shift
@@ -46,7 +46,7 @@ finish() {
     echo
     echo "== times"
     printf '%s' "$times"
-    printf '%6d s  in all\n' $(($(date +%s) - began))
+    printf '%6d s  total\n' $(($(date +%s) - began))
     if [ -n "$failed" ]; then
         echo "FAILED:$failed"
         exit 1
@@ -54,20 +54,27 @@ finish() {
     echo "all tests passed"
     exit 0
 }
-need() { # a step without which the rest makes no sense
+need() { # a step that the others depend on
     step "$@"
     [ -z "$failed" ] || finish
 }
+run_tests() { # run_tests PRESET [CTEST OPTION...]
+    preset=$1
+    shift
+    ctest --test-dir "build/$preset" --output-on-failure --progress -j "$jobs" "$@"
+}
 
 need 'install packages' sh app/install.sh --tests
+step 'format' sh tests/format.sh
 need 'build release' sh app/build.sh release -DFOREFRONT_TESTS=ON
-step 'tests, release' ctest --test-dir build/release --output-on-failure -j "$jobs"
+step 'tests, release' run_tests release
 if [ $quick = no ]; then
-    step 'build asan-ubsan' sh app/build.sh asan-ubsan -DFOREFRONT_EDITOR=OFF
-    step 'tests, address and undefined-behaviour sanitizers' \
-        ctest --test-dir build/asan-ubsan --output-on-failure -j "$jobs" -R '^(unit|batch|fuzz_regression)$'
-    step 'build tsan' sh app/build.sh tsan forefront_unit_tests -DFOREFRONT_EDITOR=OFF
-    step 'tests, thread sanitizer' \
-        build/tsan/tests/forefront_unit_tests '--test-case=*MeshingSession*,*Journal*,*thread*'
+    step 'build with address and undefined-behaviour sanitizers' sh app/build.sh asan-ubsan \
+        forefront forefront_unit_tests forefront_ui_tests forefront_fuzz_regression
+    step 'tests with address and undefined-behaviour sanitizers' \
+        run_tests asan-ubsan -R '^(unit/|ui/|batch$|fuzz_regression$)' -LE slow
+    step 'build with thread sanitizer' sh app/build.sh tsan forefront_unit_tests forefront_ui_tests
+    step 'tests with thread sanitizer' run_tests tsan -R '^(unit|ui)/' -L threads
+    step 'clang-tidy on changed files' sh tests/tidy.sh
 fi
 finish

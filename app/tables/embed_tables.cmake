@@ -1,4 +1,4 @@
-# Turns the CSV of published figures into a C++ source: cmake -DINPUT=... -DOUTPUT=... -P embed_tables.cmake
+# Converts the CSV file of published figures into a C++ source: cmake -DINPUT=... -DOUTPUT=... -P embed_tables.cmake
 file(STRINGS "${INPUT}" lines)
 set(rows "")
 set(count 0)
@@ -16,9 +16,9 @@ foreach(line IN LISTS lines)
     continue()
   endif()
   set(number "([0-9.]+)")
-  # CMake knows nine groups at most: the words first, the rest in one piece.
+  # CMake captures nine groups at most, so the numbers at the end are one group.
   if(NOT line MATCHES "^([0-9.]+),([0-9A-E]+),${number},${number},([a-z0-9]+),([0-9]+,[0-9]+,[0-9.]+,[0-9.]+,[0-9]+,[0-9.]*,[0-9.]+,[0-9.]+)$")
-    message(FATAL_ERROR "${INPUT}: cannot read the line '${line}'")
+    message(FATAL_ERROR "${INPUT}: unexpected line '${line}'")
   endif()
   set(head "\"${CMAKE_MATCH_1}\", \"${CMAKE_MATCH_2}\", ${CMAKE_MATCH_3}, ${CMAKE_MATCH_4}, \"${CMAKE_MATCH_5}\"")
   string(REPLACE ",," ", kNotPublished, " tail "${CMAKE_MATCH_6}")

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/adapt/error_spacing.hpp"
+#include "core/base/api.hpp"
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
 #include "core/domain/domain.hpp"
@@ -10,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 /// Values at the nodes of a mesh: a formula, or the result of a solver that is run on it. May report and be cancelled.
 using NodalField = std::function<Result<std::vector<double>>(const Mesh &, const Progress &)>;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/api.hpp"
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
 #include "core/mesh/mesh.hpp"
@@ -7,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 /// Estimated error of the gradient of a nodal field, in the L2 norm (for Poisson's equation: the energy norm).
 struct ErrorEstimate {

@@ -1,13 +1,14 @@
 #pragma once
 
 #include "core/adapt/error_estimate.hpp"
+#include "core/base/api.hpp"
 #include "core/spacing/spec/spacing_spec.hpp"
 
 #include <limits>
 #include <span>
 #include <vector>
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 /// What an adapted mesh shall be like.
 struct AdaptTarget {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "core/base/api.hpp"
+
 #include <cstddef>
 #include <cstdint>
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 /// Index of a node. Ids have 32 bits: up to 4.29e9 nodes or elements.
 enum class NodeId : std::uint32_t {};

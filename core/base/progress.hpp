@@ -1,10 +1,12 @@
 #pragma once
 
+#include "core/base/api.hpp"
+
 #include <functional>
 #include <stop_token>
 #include <string_view>
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 /// Progress callback and stop token of a long operation. Default-constructed: silent and never cancelled.
 struct Progress {

@@ -1,12 +1,13 @@
 #pragma once
 
+#include "core/base/api.hpp"
 #include "core/base/assert.hpp"
 #include "core/base/diagnostic.hpp"
 
 #include <utility>
 #include <variant>
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 /// A value, or the diagnostics (never empty) that explain why there is none. No exception leaves the core.
 template <class T>

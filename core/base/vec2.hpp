@@ -1,10 +1,12 @@
 #pragma once
 
+#include "core/base/api.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 /// A point or vector in the plane, in domain units.
 struct Vec2 {

@@ -1,8 +1,10 @@
 #pragma once
 
-namespace forefront {
+#include "core/base/api.hpp"
 
-/// Version of the program, "MAJOR.MINOR.PATCH".
-inline constexpr const char *kVersion = FOREFRONT_VERSION;
+namespace FOREFRONT_API forefront {
+
+/// Returns the version of the library, "MAJOR.MINOR.PATCH".
+const char *version();
 
 } // namespace forefront

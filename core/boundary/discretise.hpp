@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/api.hpp"
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
 #include "core/domain/domain.hpp"
@@ -8,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 inline constexpr std::uint32_t kOutside = 0xffffffffU;
 

@@ -1,10 +1,11 @@
 #pragma once
 
+#include "core/base/api.hpp"
 #include "core/domain/domain.hpp"
 
 #include <span>
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 /// Adds nodes and the boundary segments that join them to a closed polygon.
 inline void addLoop(Domain &domain, std::span<const Vec2> nodes, std::int32_t tag = 1) {

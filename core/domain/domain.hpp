@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/api.hpp"
 #include "core/base/vec2.hpp"
 
 #include <cstdint>
@@ -7,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 /// The purpose of a domain segment.
 enum class SegmentRole : std::uint8_t {

@@ -1,9 +1,10 @@
 #pragma once
 
+#include "core/base/api.hpp"
 #include "core/base/result.hpp"
 #include "core/domain/domain.hpp"
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 /// All faults of a domain at once, each with coordinates and parts; empty when the domain can be meshed.
 /// Codes: non-finite, out-of-range (beyond 1e60, smaller than 1e-60, or too far from the origin for four digits),

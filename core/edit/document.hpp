@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/api.hpp"
 #include "core/base/result.hpp"
 #include "core/domain/domain.hpp"
 #include "core/mesher/options.hpp"
@@ -11,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 enum class ShapeKind : std::uint8_t {
     Polygon,   ///< closed, nodes in order

@@ -1,10 +1,11 @@
 #pragma once
 
+#include "core/base/api.hpp"
 #include "core/base/progress.hpp"
 #include "core/improve/improve_level.hpp"
 #include "core/mesh/mesh.hpp"
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 class SpacingField;
 

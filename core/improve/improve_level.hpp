@@ -1,8 +1,10 @@
 #pragma once
 
+#include "core/base/api.hpp"
+
 #include <cstdint>
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 /// How much work the mesh is given after the front has closed. Default swaps and smooths in a fraction of the time of
 /// the front; Best takes several times as long for the best shapes and edges nearest to the spacing, and lets nodes

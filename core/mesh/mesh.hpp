@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/api.hpp"
 #include "core/base/ids.hpp"
 #include "core/base/vec2.hpp"
 
@@ -9,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 /// Nodes of an element, counter-clockwise.
 using Element = std::array<NodeId, 3>;

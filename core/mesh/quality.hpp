@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/api.hpp"
 #include "core/mesh/mesh.hpp"
 
 #include <array>
@@ -7,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 class SpacingField;
 

@@ -1,9 +1,10 @@
 #pragma once
 
+#include "core/base/api.hpp"
 #include "core/base/diagnostic.hpp"
 #include "core/mesh/mesh.hpp"
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 struct DiscreteDomain;
 struct Domain;

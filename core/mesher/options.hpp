@@ -1,12 +1,13 @@
 #pragma once
 
+#include "core/base/api.hpp"
 #include "core/domain/domain.hpp"
 #include "core/improve/improve_level.hpp"
 #include "core/spacing/spec/spacing_spec.hpp"
 
 #include <cstdint>
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 /// How the front advances.
 enum class Method : std::uint8_t {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/api.hpp"
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
 #include "core/boundary/discretise.hpp"
@@ -11,7 +12,7 @@
 #include <memory>
 #include <string_view>
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 class Mesher;
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "core/base/api.hpp"
+
 #include <cstdint>
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 /// Work counters of a run: sums.
 struct WorkCounters {

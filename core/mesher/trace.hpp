@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/api.hpp"
 #include "core/base/ids.hpp"
 #include "core/base/vec2.hpp"
 
@@ -8,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 /// The ten steps of the advancing front technique after S. H. Lo, in the terms of this program.
 enum class Step : std::uint8_t {

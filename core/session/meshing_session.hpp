@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/api.hpp"
 #include "core/mesher/options.hpp"
 #include "core/session/snapshot.hpp"
 
@@ -7,7 +8,7 @@
 #include <functional>
 #include <memory>
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 /// How far one step goes.
 enum class Granularity : std::uint8_t {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/api.hpp"
 #include "core/base/diagnostic.hpp"
 #include "core/mesh/mesh.hpp"
 #include "core/mesh/quality.hpp"
@@ -11,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 class SpacingField;
 struct DiscreteDomain;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/api.hpp"
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
 #include "core/spacing/spec/spacing_origin.hpp"
@@ -9,7 +10,7 @@
 #include <span>
 #include <string>
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 struct Domain;
 

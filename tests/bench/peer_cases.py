@@ -1,9 +1,9 @@
-"""The cases that the meshers are compared on: a polygon and the node spacing, in the words of each program."""
+"""The cases on which the meshers are compared: a polygon and the node spacing, in the syntax of each program."""
 
 import math
 
 RECTANGLE = [(0, 0), (60, 0), (60, 40), (0, 40)]
-SLOPE = 0.232  # by which the node spacing of the graded case grows a unit of length off the circle
+SLOPE = 0.232  # growth of the graded node spacing per unit of distance from the circle
 
 
 class Case:
@@ -13,11 +13,11 @@ class Case:
         self.polygon = polygon
         self.least = least
         self.graded = graded
-        self.greatest = 6 if graded else least  # node spacing in the polygon, or a bound of it
+        self.greatest = 6 if graded else least  # an upper bound of the node spacing in the polygon
 
     @property
     def spacing(self):
-        """An expression of Forefront."""
+        """The spacing as an expression for Forefront."""
         return f"max({self.least!r}, {self.off_circle})" if self.graded else repr(self.least)
 
     @property
@@ -28,7 +28,7 @@ class Case:
         return max(self.least, SLOPE * abs(math.hypot(x - 30, y - 20) - 12)) if self.graded else self.least
 
     def samples(self):
-        """(x, y, rho) dense enough to carry the spacing: centres of cells no wider than half the least rho within."""
+        """Yields (x, y, rho) at the centres of cells no wider than half the smallest rho in them."""
         xs, ys = [p[0] for p in self.polygon], [p[1] for p in self.polygon]
         stack = [(min(xs), min(ys), max(max(xs) - min(xs), max(ys) - min(ys)))]
         while stack:
@@ -41,7 +41,7 @@ class Case:
                 yield x + half, y + half, rho
 
     def poly(self):
-        """Text of a Triangle .poly file."""
+        """Returns the text of a Triangle .poly file."""
         count = len(self.polygon)
         lines = [f"{count} 2 0 0", *(f"{i} {x!r} {y!r}" for i, (x, y) in enumerate(self.polygon, 1)), f"{count} 1",
                  *(f"{i} {i} {i % count + 1} 1" for i in range(1, count + 1)), "0"]
@@ -49,7 +49,7 @@ class Case:
 
 
 def disc(elements):
-    """The unit disc, so fine that about as many equilateral triangles fill it."""
+    """Returns the unit disc with a spacing that gives about that many equilateral triangles."""
     size = math.sqrt(math.pi / (math.sqrt(3) / 4 * elements))
     count = round(2 * math.pi / size)
     return Case([(math.cos(2 * math.pi * i / count), math.sin(2 * math.pi * i / count)) for i in range(count)], size,

@@ -1,6 +1,6 @@
-"""Gmsh on one case: peer_gmsh.py CASE OUT.msh. Prints mesh_cpu=SECONDS of the call that makes the triangles.
+"""Meshes one case with Gmsh: peer_gmsh.py CASE OUT.msh. Prints mesh_cpu=SECONDS of the call that makes the triangles.
 
-Algorithm 6, which the command line calls front2d: the default of Gmsh too."""
+Uses algorithm 6, "front2d", which is also Gmsh's default."""
 
 import sys
 import time
@@ -22,7 +22,7 @@ surface = gmsh.model.geo.addPlaneSurface([gmsh.model.geo.addCurveLoop(lines)])
 gmsh.model.geo.synchronize()
 gmsh.model.addPhysicalGroup(2, [surface])
 if case.graded:
-    # The maximum by MeshSizeMin: the same mesh as by a field Max of two formulas, and one formula less to evaluate.
+    # MeshSizeMin gives the same mesh as the maximum of two formulas, with one formula less to evaluate.
     field = gmsh.model.mesh.field.add("MathEval")
     gmsh.model.mesh.field.setString(field, "F", case.off_circle.replace("abs", "Fabs").replace("sqrt", "Sqrt"))
     gmsh.model.mesh.field.setAsBackgroundMesh(field)

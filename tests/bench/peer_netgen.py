@@ -1,4 +1,4 @@
-"""Netgen on one case: peer_netgen.py CASE OUT.msh. Prints mesh_cpu=SECONDS of the call that makes the mesh."""
+"""Meshes one case with Netgen: peer_netgen.py CASE OUT.msh. Prints mesh_cpu=SECONDS of the call that makes the mesh."""
 
 import sys
 import time
@@ -8,8 +8,8 @@ from netgen.meshing import MeshingParameters
 
 from peer_cases import CASES
 
-# Where spacing varies, Netgen takes a wish only if it is more than 1.2 times finer than what is there. Asked for this
-# much of the spacing, it makes about as many elements as the others.
+# Netgen ignores a requested size unless it is more than 1.2 times finer than the present one. With this factor on the
+# spacing, it makes about as many elements as the others.
 SCALE = 0.9
 
 case, out = CASES[sys.argv[1]], sys.argv[2]

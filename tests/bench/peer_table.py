@@ -1,9 +1,9 @@
-"""The table of peers.sh: peer_table.py FOREFRONT FOLDER PEER..., FOLDER/peer_cgal being the compiled peer.
+"""Prints the table of peers.sh: peer_table.py FOREFRONT FOLDER PEER...; FOLDER/peer_cgal is the compiled CGAL mesher.
 
-Seconds are CPU time of the call that makes the triangles and works on their shape: reading, writing, start and, where
-it is a step of its own, the discretisation of the boundary do not count. The least of ROUNDS runs stands, taken in turn
-so that a busy moment of the machine meets all; a mesher slower than SLOW seconds runs once. Every mesh is judged by
-`forefront check` against the spacing that was asked for."""
+Seconds are the CPU time of the call that makes the triangles and improves them. Reading, writing, start-up and, if it is
+a separate step, the discretisation of the boundary are not included. The fastest of ROUNDS runs counts; the meshers take
+turns, so that a busy moment of the machine affects all of them. A mesher that takes more than SLOW seconds runs once.
+`forefront check` measures every mesh against the requested spacing."""
 
 import json
 import pathlib
@@ -15,18 +15,18 @@ from peer_cases import CASES
 
 ROUNDS = 3
 SLOW = 8.0
-LIMIT = 300  # seconds of one run
+LIMIT = 300  # seconds for one run
 HERE = pathlib.Path(__file__).parent
 PROGRAM, FOLDER = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
 REFERENCE = "Gmsh front2d"
 
 
 def run(words):
-    """What the program prints; raises RuntimeError with one line that says why there is nothing."""
+    """Returns what the program prints; raises RuntimeError with one line if it fails."""
     try:
         done = subprocess.run([str(w) for w in words], capture_output=True, text=True, timeout=LIMIT, cwd=FOLDER)
     except (subprocess.TimeoutExpired, OSError) as error:
-        raise RuntimeError(f"no end after {LIMIT} s" if isinstance(error, subprocess.TimeoutExpired) else error)
+        raise RuntimeError(f"not finished after {LIMIT} s" if isinstance(error, subprocess.TimeoutExpired) else error)
     if done.returncode != 0:
         lines = (done.stderr.strip() or done.stdout.strip() or f"exit code {done.returncode}").splitlines()
         raise RuntimeError(lines[-1][:100])
@@ -34,10 +34,10 @@ def run(words):
 
 
 def find(pattern, printed):
-    """The groups of the pattern in what was printed; raises RuntimeError where there are none."""
+    """Returns the groups of the pattern in the output; raises RuntimeError if nothing matches."""
     match = re.search(pattern, printed, re.M)
     if not match:
-        raise RuntimeError(f"its output has no line {pattern}")
+        raise RuntimeError(f"no line of its output matches {pattern}")
     return match.groups()
 
 
@@ -50,7 +50,7 @@ def ours(*options):
 
 
 def peer(*command):
-    """A mesher that takes CASE OUT, or CASE NODES OUT ROUNDS if it is CGAL's, and prints mesh_cpu=SECONDS."""
+    """Returns a mesher that takes CASE OUT (CGAL: CASE NODES OUT ROUNDS) and prints mesh_cpu=SECONDS."""
     def mesh(name, case, out):
         printed = run([w.format(case=name, out=out) for w in command])
         return float(find(r"^mesh_cpu=(.*)$", printed)[0])
@@ -72,12 +72,12 @@ MESHERS = {
     "CGAL with Lloyd, 10 rounds": peer("./peer_cgal", "{case}", "{case}.txt", "{out}", "10"),
 }
 MESHERS = {name: mesh for name, mesh in MESHERS.items() if name.split()[0].rstrip(",") in ("Forefront", *sys.argv[3:])}
-# Tens of times slower than the refinement alone; shown on one case only.
+# Tens of times slower than refinement alone, so it runs on one case only.
 ONLY = {"CGAL with Lloyd, 10 rounds": "graded-0.05"}
 
 
 def judge(case, out):
-    """(elements, the columns α mean, α least, least angle, δ) by the one evaluator."""
+    """Returns the number of elements and the columns α mean, α min, min angle, δ, all measured by `forefront check`."""
     printed = run([PROGRAM, "check", out, "--spacing", case.spacing])
     return int(find(r"(\d+) elements", printed)[0]), (
         *find(r"^shape factor: mean ([\d.]+),.*least ([\d.]+); angles ([\d.]+)", printed),
@@ -85,7 +85,7 @@ def judge(case, out):
 
 
 def measure(name, case):
-    """{mesher: (seconds, elements, columns), or a RuntimeError}"""
+    """Returns {mesher: (seconds, elements, columns) or RuntimeError}."""
     found = {}
     for _ in range(ROUNDS):
         for mesher, mesh in MESHERS.items():
@@ -107,7 +107,7 @@ def rows(name, found):
     base = reference[1] / reference[0] if isinstance(reference, tuple) else None
     for mesher, what in found.items():
         if isinstance(what, RuntimeError):
-            print(f"peers.sh: {name}: {mesher} left out: {what}", file=sys.stderr)
+            print(f"peers.sh: {name}: {mesher} is left out: {what}", file=sys.stderr)
             continue
         seconds, elements, columns = what
         speed = elements / seconds
@@ -119,7 +119,7 @@ def rows(name, found):
 for case_name, CASE in CASES.items():
     (FOLDER / f"{case_name}.poly").write_text(CASE.poly())
     (FOLDER / f"{case_name}.txt").write_text("".join(f"{x!r} {y!r}\n" for x, y in CASE.polygon))
-print("| case | mesher | triangles | CPU s | 1000/s | × Gmsh | α mean | α least | least angle ° | δ |")
+print("| case | mesher | triangles | CPU s | 1000/s | × Gmsh | α mean | α min | min angle ° | δ |")
 print("|---|---|---:|---:|---:|---:|---:|---:|---:|---:|")
 for case_name, CASE in CASES.items():
     for row in rows(case_name, measure(case_name, CASE)):

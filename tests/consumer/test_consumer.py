@@ -1,43 +1,160 @@
 #!/usr/bin/env python3
-"""The README's ten lines in a project of their own: they compile, and our warnings are no concern of theirs.
+"""The library as its users meet it: installed as a static and as a shared library, and used by the README's example
+through find_package, pkg-config and add_subdirectory. All six programs must write the same file.
 
-    test_consumer.py CMAKE REPOSITORY
+    test_consumer.py CMAKE REPOSITORY BUILD_FOLDER
 """
 
+import os
 import pathlib
 import re
 import subprocess
 import sys
 import tempfile
 
-CMAKE, REPOSITORY = sys.argv[1], pathlib.Path(sys.argv[2])
-PROJECT = f"""cmake_minimum_required(VERSION 3.25)
-project(square LANGUAGES CXX)
-add_subdirectory("{REPOSITORY}" forefront)
-add_executable(square square.cpp)
-target_link_libraries(square forefront_core)
+CMAKE, REPOSITORY, BUILD = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
+KINDS = {"static": "forefront_core", "shared": "forefront_shared"}
+VERSION = re.search(r"project\(forefront VERSION ([0-9.]+)", (REPOSITORY / "CMakeLists.txt").read_text())[1]
+MINOR = VERSION.rsplit(".", 1)[0]
+PROJECT = """cmake_minimum_required(VERSION 3.25)
+project(consumer LANGUAGES CXX)
+{find}
+add_executable(consumer consumer.cpp)
+target_link_libraries(consumer Forefront::core)
 """
-# Each flag that we compile by ourselves would warn of this.
-WARNED = "static int unused(double given) { int given2; { int given2 = given; } return 3.5 * given; }\n"
+# The public headers must be clean under the warnings that their users may have chosen.
+STRICT = "-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror"
+# Our own warnings must not reach users: each of them would report this line.
+CARELESS = "static int unused(double given) { int given2; { int given2 = given; } return 3.5 * given; }\n"
+[EXAMPLE] = re.findall(r"^```cpp\n(.*?)^```$", (REPOSITORY / "README.md").read_text(), re.M | re.S)
 
 
-def run(*command, folder):
-    done = subprocess.run(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+def run(*command, folder, env=None):
+    done = subprocess.run([str(word) for word in command], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          text=True, env=dict(os.environ, **(env or {})))
     if done.returncode != 0:
-        sys.exit(f"{' '.join(command)} failed:\n{done.stdout}")
+        sys.exit(f"{' '.join(str(word) for word in command)} failed:\n{done.stdout}")
     return done.stdout
 
 
-[ten_lines] = re.findall(r"^```cpp\n(.*?)^```$", (REPOSITORY / "README.md").read_text(), re.M | re.S)
+def check(condition, message):
+    if not condition:
+        sys.exit(message)
+
+
+def installed(kind, folder):
+    """Installs one kind, then moves the tree: nothing in it may depend on where it was installed."""
+    first, prefix = folder / f"first-{kind}", folder / f"prefix-{kind}"
+    run(CMAKE, "--install", BUILD, "--prefix", first, "--component", KINDS[kind], folder=folder)
+    first.rename(prefix)
+    headers = {str(path.relative_to(prefix / "include")) for path in prefix.rglob("*.hpp")}
+    check("forefront/forefront.hpp" in headers, f"forefront.hpp is missing among {sorted(headers)}")
+    check(all(name.startswith("forefront/") for name in headers), f"headers outside of forefront/: {sorted(headers)}")
+    for name in headers:
+        text = (prefix / "include" / name).read_text()
+        check('#include "core/' not in text, f'{name} includes "core/..."')
+    for path in prefix.rglob("*"):
+        if path.suffix in (".cmake", ".pc"):
+            check(str(REPOSITORY) not in path.read_text(), f"{path.name} names the source folder")
+    return prefix
+
+
+def library_folder(prefix):
+    [pc] = prefix.rglob("forefront.pc")
+    return pc.parent.parent
+
+
+def check_shared_object(prefix):
+    [library] = [path for path in library_folder(prefix).glob("libforefront.so.*") if not path.is_symlink()]
+    dynamic = run("readelf", "-d", library, folder=prefix)
+    check(f"Library soname: [libforefront.so.{MINOR}]" in dynamic, f"unexpected soname:\n{dynamic}")
+    names = run("nm", "-DC", "--defined-only", library, folder=prefix).splitlines()
+    # Strong symbols only: templates of the standard library that users instantiate too are weak.
+    strong = [line.split(" ", 2)[2] for line in names if line.split(" ", 2)[1] in "TDB"]
+    foreign = [name for name in strong if "forefront::" not in name]
+    check(strong and not foreign, f"exported symbols that are not ours: {foreign[:10]}")
+    check(any("forefront::meshDomain(" in name for name in strong), "meshDomain is not exported")
+    hidden = [name for name in strong if "GenerationFront" in name or "PlaneSweep" in name or "pugi::" in name]
+    check(not hidden, f"internal symbols are exported: {hidden[:10]}")
+
+
+def result(program, folder, prefix=None):
+    env = {} if prefix is None else {"LD_LIBRARY_PATH": str(library_folder(prefix))}
+    run(program, folder=folder, env=env)
+    [mesh] = folder.glob("*.msh")
+    return mesh.read_bytes()
+
+
+def source_folder(folder, name, text):
+    made = folder / name
+    made.mkdir()
+    (made / "consumer.cpp").write_text(text)
+    return made
+
+
+def by_find_package(kind, prefix, folder):
+    made = source_folder(folder, f"find-package-{kind}", EXAMPLE)
+    (made / "CMakeLists.txt").write_text(PROJECT.format(find=f"find_package(Forefront {MINOR} REQUIRED)"))
+    run(CMAKE, "-G", "Ninja", "-B", "build", f"-DCMAKE_PREFIX_PATH={prefix}", f"-DCMAKE_CXX_FLAGS={STRICT}", folder=made)
+    run(CMAKE, "--build", "build", folder=made)
+    return result(made / "build" / "consumer", made)
+
+
+def check_other_versions_are_refused(prefix, folder):
+    for version in ("0.1", "0.9", "1.0"):
+        made = source_folder(folder, f"version-{version}", EXAMPLE)
+        (made / "CMakeLists.txt").write_text(PROJECT.format(find=f"find_package(Forefront {version} REQUIRED)"))
+        done = subprocess.run([CMAKE, "-G", "Ninja", "-B", "build", f"-DCMAKE_PREFIX_PATH={prefix}"], cwd=made,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        check(done.returncode != 0 and "compatible" in done.stdout, f"version {version} is accepted:\n{done.stdout}")
+
+
+def by_pkg_config(kind, prefix, folder):
+    made = source_folder(folder, f"pkg-config-{kind}", EXAMPLE)
+    [pc] = prefix.rglob("forefront.pc")
+    env = {"PKG_CONFIG_PATH": str(pc.parent)}
+    check(run("pkg-config", "--modversion", "forefront", folder=made, env=env).strip() == VERSION, "another version")
+    flags = run("pkg-config", "--cflags", "--libs", "forefront", folder=made, env=env).split()
+    run(os.environ.get("CXX", "c++"), "-std=c++20", *STRICT.split(), "consumer.cpp", "-o", "consumer", *flags, folder=made,
+        env=env)
+    return result(made / "consumer", made, prefix)
+
+
+def by_add_subdirectory(folder):
+    """One build tree, first static and then shared, so that the library is compiled once. The flags are those of our
+    release preset: a compiler cache then finds every object."""
+    made = source_folder(folder, "add-subdirectory", EXAMPLE + CARELESS)
+    (made / "CMakeLists.txt").write_text(PROJECT.format(find=f'add_subdirectory("{REPOSITORY}" forefront)'))
+    for kind, shared in (("static", "OFF"), ("shared", "ON")):
+        run(CMAKE, "-G", "Ninja", "-B", "build", "-DCMAKE_BUILD_TYPE=Release", "-DFOREFRONT_WERROR=ON",
+            f"-DBUILD_SHARED_LIBS={shared}", folder=made)
+        targets = run("ninja", "-C", "build", "-t", "targets", "all", folder=made)
+        for part in ("forefront_ui", "forefront_unit_tests", "forefront_tables", "app/forefront"):
+            check(part not in targets, f"{part} is built in another project without being asked for")
+        printed = run(CMAKE, "--build", "build", "--target", "consumer", folder=made)
+        check("warning:" not in printed, f"our warnings reach the project:\n{printed}")
+        yield kind, result(made / "build" / "consumer", made)
+
+
+def check_warnings_stay_warnings(folder):
+    made = source_folder(folder, "werror", EXAMPLE)
+    (made / "CMakeLists.txt").write_text(PROJECT.format(find=f'add_subdirectory("{REPOSITORY}" forefront)'))
+    run(CMAKE, "-G", "Ninja", "-B", "build", folder=made)
+    commands = run("ninja", "-C", "build", "-t", "commands", "consumer", folder=made)
+    check("-Wall" in commands and "-Werror" not in commands, "-Werror is on in another project")
+
+
 with tempfile.TemporaryDirectory() as name:
-    folder = pathlib.Path(name)
-    (folder / "CMakeLists.txt").write_text(PROJECT)
-    (folder / "square.cpp").write_text(ten_lines + WARNED)
-    run(CMAKE, "-G", "Ninja", "-B", "build", folder=folder)
-    printed = run(CMAKE, "--build", "build", "--target", "CMakeFiles/square.dir/square.cpp.o", folder=folder)
-    targets = run("ninja", "-C", "build", "-t", "targets", "all", folder=folder)
-if "warning:" in printed:
-    sys.exit(f"our warning flags reach the project:\n{printed}")
-for part in ("forefront_ui", "forefront_unit_tests"):
-    if part in targets:
-        sys.exit(f"{part} is built within another project without being asked for")
+    top = pathlib.Path(name)
+    results = {}
+    for kind in KINDS:
+        prefix = installed(kind, top)
+        results[f"find_package, {kind}"] = by_find_package(kind, prefix, top)
+        results[f"pkg-config, {kind}"] = by_pkg_config(kind, prefix, top)
+        if kind == "shared":
+            check_shared_object(prefix)
+            check_other_versions_are_refused(prefix, top)
+    check_warnings_stay_warnings(top)
+    for kind, mesh in by_add_subdirectory(top):
+        results[f"add_subdirectory, {kind}"] = mesh
+    check(len(results) == 6 and len(set(results.values())) == 1, f"different meshes: {sorted(results)}")

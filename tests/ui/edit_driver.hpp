@@ -1,10 +1,9 @@
 #pragma once
 
 #include "core/edit/shape_geometry.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tests/ui/driver.hpp"
 
-#include <cstdlib>
-#include <filesystem>
 #include <string>
 
 namespace forefront::test {
@@ -74,21 +73,6 @@ class Draughtsman : public Driver {
     }
 };
 
-/// A folder of its own that goes with the test.
-class Workplace {
-  public:
-    Workplace() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "forefront-ui-XXXXXX").string();
-        path = ::mkdtemp(pattern.data()) != nullptr ? pattern : std::string();
-    }
-    ~Workplace() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path, ignored);
-    }
-    Workplace(const Workplace &) = delete;
-    Workplace &operator=(const Workplace &) = delete;
-
-    std::filesystem::path path;
-};
+using testing::TemporaryFolder;
 
 } // namespace forefront::test

@@ -1,9 +1,9 @@
+#include "tests/support/temporary_folder.hpp"
 #include "ui/dialogs/file_list.hpp"
 #include "ui/tools/numeric_entry.hpp"
 
 #include <doctest/doctest.h>
 
-#include <cstdlib>
 #include <fstream>
 
 using namespace forefront;
@@ -118,9 +118,8 @@ TEST_CASE("parseNumber and parsePair: the whole text counts, and only finite num
 }
 
 TEST_CASE("File list: folders first, hidden and other files left out, names without regard to case") {
-    std::string pattern = (std::filesystem::temp_directory_path() / "forefront-list-XXXXXX").string();
-    REQUIRE(::mkdtemp(pattern.data()) != nullptr);
-    const std::filesystem::path folder = pattern;
+    const testing::TemporaryFolder place;
+    const std::filesystem::path &folder = place.path;
     for (const char *name : {"b.forefront", "A.Forefront", "mesh.msh", ".hidden.forefront"}) {
         std::ofstream(folder / name) << "12345";
     }
@@ -136,7 +135,6 @@ TEST_CASE("File list: folders first, hidden and other files left out, names with
     CHECK((*listed)[2].name == "b.forefront");
     CHECK(listFolder(folder, {"All", {}, "any"})->size() == 4);
     CHECK(listFolder(folder / "nowhere", projects).faults().front().code == "folder");
-    std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("File names: the extension follows the filter, and paths are spelt out") {

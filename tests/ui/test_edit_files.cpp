@@ -34,7 +34,7 @@ void askForExport(Draughtsman &driver) {
 } // namespace
 
 TEST_CASE("Files: what is drawn and painted is saved, and opened again it is the same") {
-    const Workplace place;
+    const TemporaryFolder place;
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.polygon({{3, 3}, {5, 3}, {4, 5}});
@@ -64,7 +64,7 @@ TEST_CASE("Files: what is drawn and painted is saved, and opened again it is the
 }
 
 TEST_CASE("Files: opened again after its changes were saved, a file is shown with them") {
-    const Workplace place;
+    const TemporaryFolder place;
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.key('S', {Modifiers::kControl});
@@ -83,7 +83,7 @@ TEST_CASE("Files: opened again after its changes were saved, a file is shown wit
 }
 
 TEST_CASE("Files: an existing file is replaced only when asked twice, and what cannot be written is reported") {
-    const Workplace place;
+    const TemporaryFolder place;
     std::ofstream(place.path / "old.forefront") << "keep me";
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
@@ -110,7 +110,7 @@ TEST_CASE("Files: an existing file is replaced only when asked twice, and what c
 }
 
 TEST_CASE("Files: a file that is no drawing is refused with a message and changes nothing") {
-    const Workplace place;
+    const TemporaryFolder place;
     std::ofstream(place.path / "bad.forefront") << "{\"this is\": [no json";
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
@@ -123,7 +123,7 @@ TEST_CASE("Files: a file that is no drawing is refused with a message and change
 }
 
 TEST_CASE("Export: a drawing is meshed and written as MSH, which is a valid mesh of the drawing") {
-    const Workplace place;
+    const TemporaryFolder place;
     Draughtsman driver;
     driver.polygon({{1, 1}, {9, 1}, {9, 8}, {1, 8}});
     driver.polygon({{3, 3}, {5, 3}, {4, 5}});
@@ -176,7 +176,7 @@ TEST_CASE("Files: in a small window the dialog holds its fields, and the sheet o
         const PixelRect rect = driver.context().widgets.find(part)->rect;
         CHECK(rect.x + rect.width <= dialog.x + dialog.width - 20.0);
     }
-    const Workplace place;
+    const TemporaryFolder place;
     const std::filesystem::path file = place.path / (std::string(60, 'm') + ".geojson");
     std::ofstream(file) << R"({"type": "Point", "coordinates": [1, 2]})";
     typeName(driver, "open", file);
@@ -200,7 +200,7 @@ TEST_CASE("Files: in a small window the dialog holds its fields, and the sheet o
 }
 
 TEST_CASE("Export: what was written is told on the canvas with its size, and so is what could not be") {
-    const Workplace place;
+    const TemporaryFolder place;
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     askForExport(driver);
@@ -220,7 +220,7 @@ TEST_CASE("Export: what was written is told on the canvas with its size, and so 
 }
 
 TEST_CASE("Export: that there is no such folder is said in the dialog, which stays until another is named") {
-    const Workplace place;
+    const TemporaryFolder place;
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     askForExport(driver);
@@ -238,7 +238,7 @@ TEST_CASE("Export: that there is no such folder is said in the dialog, which sta
 }
 
 TEST_CASE("Open: what cannot be read is said in the dialog, until another file is chosen; the drawing stays") {
-    const Workplace place;
+    const TemporaryFolder place;
     std::ofstream(place.path / "points.geojson") << R"({"type": "Point", "coordinates": [1, 2]})";
     std::ofstream(place.path / "square.geojson")
         << R"({"type": "Polygon", "coordinates": [[[0, 0], [4, 0], [4, 3], [0, 3], [0, 0]]]})";
@@ -268,7 +268,7 @@ TEST_CASE("Open: what cannot be read is said in the dialog, until another file i
 }
 
 TEST_CASE("Open: a GeoJSON that goes by .json is not saved over") {
-    const Workplace place;
+    const TemporaryFolder place;
     std::ofstream(place.path / "square.json")
         << R"({"type": "Polygon", "coordinates": [[[0, 0], [4, 0], [4, 3], [0, 3], [0, 0]]]})";
     Draughtsman driver;
@@ -280,7 +280,7 @@ TEST_CASE("Open: a GeoJSON that goes by .json is not saved over") {
 }
 
 TEST_CASE("Import: a drawing joins this one, scaled by the unit that is chosen") {
-    const Workplace place;
+    const TemporaryFolder place;
     {
         Draughtsman driver;
         driver.rectangle({2, 2}, {4, 4});
@@ -329,7 +329,7 @@ TEST_CASE("Recovery: draws in the folder of FOREFRONT_TEST_VICTIM and waits" * d
 }
 
 TEST_CASE("Recovery: after kill -9 the next start offers the drawing, never saved, and recovers it") {
-    const Workplace place;
+    const TemporaryFolder place;
     const pid_t child = ::fork();
     REQUIRE(child >= 0);
     if (child == 0) {

@@ -114,7 +114,7 @@ TEST_CASE("Fields: coming back to a field, Ctrl+Z is not the typing of the time 
 }
 
 TEST_CASE("Fields: Ctrl+S takes what was typed and saves it with the rest") {
-    const Workplace place;
+    const TemporaryFolder place;
     SpacingForm form;
     const auto file = place.path / "square.json";
     form.context().document().markSaved(file);
@@ -191,7 +191,7 @@ TEST_CASE("Fields: Tab walks the fields of a dialog") {
     driver.frames(3);
     CHECK(driver.context().view.panels);
     driver.key('A', kControl);
-    const Workplace place;
+    const TemporaryFolder place;
     driver.type(place.path.string());
     driver.key(key::kTab); // goes to that folder
     driver.settle();

@@ -1,3 +1,4 @@
+#include "tests/support/temporary_folder.hpp"
 #include "tests/ui/driver.hpp"
 #include "ui/canvas/legend.hpp"
 #include "ui/editor/assets.hpp"
@@ -56,8 +57,8 @@ TEST_CASE("Editor: every sample of the gallery opens without a fault") {
 }
 
 TEST_CASE("Editor: the hint strip goes when closed and is not shown again") {
-    const auto folder = std::filesystem::temp_directory_path() / "forefront_ui_settings";
-    std::filesystem::remove_all(folder);
+    const testing::TemporaryFolder place;
+    const std::filesystem::path &folder = place.path;
     {
         Driver driver({.settingsFolder = folder});
         driver.click("hints/close");
@@ -67,11 +68,11 @@ TEST_CASE("Editor: the hint strip goes when closed and is not shown again") {
     Driver again({.settingsFolder = folder});
     CHECK_FALSE(again.has("hints/close"));
     CHECK(again.context().theme.kind == ThemeKind::Light);
-    std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("Settings: a spoilt file gives the defaults and says so, numbers out of range are brought in") {
-    const auto file = std::filesystem::temp_directory_path() / "forefront_settings_test.json";
+    const testing::TemporaryFolder place;
+    const std::filesystem::path file = place / "settings.json";
     Diagnostics faults;
     std::ofstream(file) << "{\"scale\": 1e9, \"panelWidth\": \"wide\", \"theme\": 7";
     CHECK(loadSettings(file, &faults).scale == 1.0);
@@ -81,7 +82,6 @@ TEST_CASE("Settings: a spoilt file gives the defaults and says so, numbers out o
     CHECK(settings.scale == 3.0);
     CHECK(settings.panelWidth == Settings{}.panelWidth);
     CHECK(settings.recentFiles == std::vector<std::string>{"a"});
-    std::filesystem::remove(file);
 }
 
 TEST_CASE("Editor: all of the interface is inside the window at 1280x800, 1920x1080 and twice the scale") {

@@ -4,25 +4,11 @@
 #include "tests/unit/mesh_samples.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <set>
 #include <tuple>
-#include <unistd.h>
 
 namespace forefront::testing {
-
-ScratchFolder::ScratchFolder() {
-    static std::atomic<int> number = 0;
-    path_ = std::filesystem::temp_directory_path() /
-            ("forefront-io-" + std::to_string(::getpid()) + '-' + std::to_string(number++));
-    std::filesystem::create_directories(path_);
-}
-
-ScratchFolder::~ScratchFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-}
 
 namespace {
 

@@ -4,26 +4,13 @@
 #include "core/io/source.hpp"
 #include "core/io/text/text_writer.hpp"
 #include "core/mesh/mesh.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <filesystem>
 #include <string>
 #include <string_view>
 
 namespace forefront::testing {
-
-/// A folder of its own that disappears with the object.
-class ScratchFolder {
-  public:
-    ScratchFolder();
-    ~ScratchFolder();
-    ScratchFolder(const ScratchFolder &) = delete;
-    ScratchFolder &operator=(const ScratchFolder &) = delete;
-    std::filesystem::path operator/(std::string_view name) const { return path_ / name; }
-    const std::filesystem::path &path() const { return path_; }
-
-  private:
-    std::filesystem::path path_;
-};
 
 /// A document that uses every field of the project file.
 Document fullDocument();

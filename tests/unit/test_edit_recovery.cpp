@@ -1,5 +1,6 @@
 #include "core/edit/journal_record.hpp"
 #include "core/edit/recovery_journal.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tests/unit/edit_support.hpp"
 
 #include <doctest/doctest.h>
@@ -14,30 +15,14 @@
 
 using namespace forefront;
 using namespace forefront::edit_test;
+using forefront::testing::TemporaryFolder;
 using namespace std::chrono_literals;
 
 namespace {
 
-/// A folder of its own that goes with the test.
-class TemporaryFolder {
-  public:
-    TemporaryFolder() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "forefront-test-XXXXXX").string();
-        REQUIRE(::mkdtemp(pattern.data()) != nullptr);
-        path_ = pattern;
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    const std::filesystem::path &path() const { return path_; }
-    std::size_t files() const {
-        return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path_), {}));
-    }
-
-  private:
-    std::filesystem::path path_;
-};
+std::size_t fileCount(const TemporaryFolder &folder) {
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder.path), {}));
+}
 
 /// Stands for projectText: the size of the document in many words, so that differences have both ends.
 std::string words(const Document &document) {
@@ -122,23 +107,23 @@ TEST_CASE("Journal: after a save there is nothing to recover, after the next cha
 TEST_CASE("RecoveryJournal: no file before the first change, none after a clean end") {
     const TemporaryFolder folder;
     {
-        RecoveryJournal journal(folder.path() / "state", words);
+        RecoveryJournal journal(folder.path / "state", words);
         journal.recordSaved();
         journal.flush();
-        CHECK(folder.files() == 0);
+        CHECK(fileCount(folder) == 0);
         journal.record(numbered(5), {});
         journal.flush();
         CHECK(std::filesystem::exists(journal.file()));
-        CHECK(findOrphanedJournals(folder.path() / "state").empty());
+        CHECK(findOrphanedJournals(folder.path / "state").empty());
         CHECK(std::filesystem::exists(journal.file()));
         CHECK(journal.takeFaults().empty());
     }
-    CHECK(std::filesystem::is_empty(folder.path() / "state"));
+    CHECK(std::filesystem::is_empty(folder.path / "state"));
 }
 
 TEST_CASE("RecoveryJournal: what is recorded stands in the file, however long it gets") {
     const TemporaryFolder folder;
-    RecoveryJournal journal(folder.path(), [](const Document &document) {
+    RecoveryJournal journal(folder.path, [](const Document &document) {
         // Two texts that share nothing: every change is as long as the text, so the file is begun anew now and then.
         return std::string(300000, document.nextId % 2 == 0 ? 'a' : 'b') + std::to_string(document.nextId);
     });
@@ -153,13 +138,13 @@ TEST_CASE("RecoveryJournal: what is recorded stands in the file, however long it
         CHECK(content.path == "/tmp/x.forefront");
         CHECK(bytes.size() < 3000000);
     }
-    CHECK(folder.files() == 1);
+    CHECK(fileCount(folder) == 1);
 }
 
 TEST_CASE("RecoveryJournal: a folder that cannot be made is reported once") {
     const TemporaryFolder folder;
-    std::ofstream(folder.path() / "state") << "a file in the way";
-    RecoveryJournal journal(folder.path() / "state", words);
+    std::ofstream(folder.path / "state") << "a file in the way";
+    RecoveryJournal journal(folder.path / "state", words);
     for (std::uint32_t k = 1; k < 4; ++k) {
         journal.record(numbered(k), {});
         journal.flush();
@@ -178,7 +163,7 @@ TEST_CASE("RecoveryJournal: killed without warning, it loses at most the last se
         const pid_t child = ::fork();
         REQUIRE(child >= 0);
         if (child == 0) {
-            RecoveryJournal journal(folder.path(), words);
+            RecoveryJournal journal(folder.path, words);
             for (std::uint32_t k = 1; k <= 50; ++k) {
                 journal.record(numbered(k), savedAt);
                 std::this_thread::sleep_for(1ms);
@@ -191,7 +176,7 @@ TEST_CASE("RecoveryJournal: killed without warning, it loses at most the last se
         }
         char byte = 0;
         REQUIRE(::read(ready[0], &byte, 1) == 1);
-        CHECK(findOrphanedJournals(folder.path()).empty()); // it lives
+        CHECK(findOrphanedJournals(folder.path).empty()); // it lives
         std::this_thread::sleep_for(1s);
         ::kill(child, SIGKILL);
         int status = 0;
@@ -199,21 +184,21 @@ TEST_CASE("RecoveryJournal: killed without warning, it loses at most the last se
         ::close(ready[0]);
         ::close(ready[1]);
 
-        std::vector<OrphanedJournal> orphans = findOrphanedJournals(folder.path());
+        std::vector<OrphanedJournal> orphans = findOrphanedJournals(folder.path);
         REQUIRE(orphans.size() == 1);
         CHECK(orphans[0].text() == words(*numbered(50)));
         CHECK(orphans[0].savedAt() == savedAt);
-        CHECK(findOrphanedJournals(folder.path()).empty()); // held while it is offered
+        CHECK(findOrphanedJournals(folder.path).empty()); // held while it is offered
         orphans[0].discard();
-        CHECK(folder.files() == 0);
+        CHECK(fileCount(folder) == 0);
     }
 }
 
 TEST_CASE("findOrphanedJournals: newest first; empty and spoilt ones are removed, other files left alone") {
     const TemporaryFolder folder;
     const auto put = [&](const char *name, const std::string &bytes, int age) {
-        std::ofstream(folder.path() / name, std::ios::binary) << bytes;
-        std::filesystem::last_write_time(folder.path() / name,
+        std::ofstream(folder.path / name, std::ios::binary) << bytes;
+        std::filesystem::last_write_time(folder.path / name,
                                          std::filesystem::file_time_type::clock::now() - std::chrono::hours(age));
     };
     put("1-0.journal", journalOf({"old"}), 5);
@@ -223,11 +208,11 @@ TEST_CASE("findOrphanedJournals: newest first; empty and spoilt ones are removed
     put("5-0.journal", journalOf({"saved"}) + encodeRecord(JournalRecord::Saved, {}), 1);
     put("notes.txt", "mine", 1);
     {
-        const std::vector<OrphanedJournal> orphans = findOrphanedJournals(folder.path());
+        const std::vector<OrphanedJournal> orphans = findOrphanedJournals(folder.path);
         REQUIRE(orphans.size() == 2);
         CHECK(orphans[0].text() == "new");
         CHECK(orphans[1].text() == "old");
     }
-    CHECK(folder.files() == 3);
-    CHECK(findOrphanedJournals(folder.path() / "nowhere").empty());
+    CHECK(fileCount(folder) == 3);
+    CHECK(findOrphanedJournals(folder.path / "nowhere").empty());
 }

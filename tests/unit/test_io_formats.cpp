@@ -34,7 +34,7 @@ Mesh byRegion(Mesh mesh) {
 } // namespace
 
 TEST_CASE("Formats: a mesh written in any format is read back the same, with tags, names and regions") {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const Mesh mesh = twoRegionMesh();
     for (const FileFormat &format : fileFormats()) {
         if (!format.writesMesh || !format.readsMesh) {
@@ -52,7 +52,7 @@ TEST_CASE("Formats: a mesh written in any format is read back the same, with tag
 }
 
 TEST_CASE("Formats: a mesh of one region without names, edges or points survives, too") {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     Mesh mesh = samples::square(2, 2);
     mesh.edges.clear();
     mesh.boundaryNames.clear();
@@ -73,7 +73,7 @@ TEST_CASE("Formats: a mesh of one region without names, edges or points survives
 }
 
 TEST_CASE("Formats: the domain of a written mesh is the domain it covers") {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const Mesh mesh = twoRegionMesh();
     for (const char *id : {"msh2", "msh41", "msh41-binary"}) {
         const auto path = folder / "mesh.msh";
@@ -94,7 +94,7 @@ TEST_CASE("Formats: the domain of a written mesh is the domain it covers") {
 }
 
 TEST_CASE("Formats: the default of an extension, unknown formats and cancelling") {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const Mesh mesh = samples::square(3, 3);
     REQUIRE(writeMesh(folder / "a.MSH", mesh).empty());
     std::string first, version;
@@ -114,7 +114,7 @@ TEST_CASE("Formats: the default of an extension, unknown formats and cancelling"
 }
 
 TEST_CASE("Formats: content decides over a wrong extension") {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const Mesh mesh = samples::square(3, 3);
     REQUIRE(writeMesh(folder / "mesh.txt", mesh, "msh2").empty());
     const auto back = readMesh(folder / "mesh.txt");

@@ -50,7 +50,7 @@ TEST_CASE("Triangle .poly: nodes, markers, holes, regions and isolated nodes are
 }
 
 TEST_CASE("Triangle .poly: nodes may be in a .node file beside it, numbered from 1") {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     REQUIRE(writeFileAtomically(folder / "a.node", "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n").empty());
     REQUIRE(writeFileAtomically(folder / "a.poly", "0 2 0 0\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n").empty());
     const auto domain = readDomain(folder / "a.poly");

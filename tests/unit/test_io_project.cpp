@@ -218,7 +218,7 @@ TEST_CASE("Tile code: any tile survives bit for bit, runs are packed, damage is 
 }
 
 TEST_CASE("Files: writing is atomic, keeps permissions and follows links") {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const auto path = folder / "a.json";
     CHECK(writeFileAtomically(path, "one").empty());
     std::filesystem::permissions(path, std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
@@ -230,21 +230,21 @@ TEST_CASE("Files: writing is atomic, keeps permissions and follows links") {
     CHECK(content.str() == "two");
     CHECK(std::filesystem::status(path).permissions() ==
           (std::filesystem::perms::owner_read | std::filesystem::perms::owner_write));
-    CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 2);
+    CHECK(std::distance(std::filesystem::directory_iterator(folder.path), {}) == 2);
 }
 
 TEST_CASE("Files: what cannot be written or read is said with its path and the reason") {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const Status missing = writeFileAtomically(folder / "no/such/file", "x");
     REQUIRE(missing.size() == 1);
     CHECK(missing[0].code == "cannot-write");
     CHECK(missing[0].file == (folder / "no/such/file").string());
     CHECK(missing[0].message.find("No such file or directory") != std::string::npos);
-    CHECK(hasCode(writeFileAtomically(folder.path(), "x"), "cannot-write"));
+    CHECK(hasCode(writeFileAtomically(folder.path, "x"), "cannot-write"));
     const auto absent = readFileBytes(folder / "absent", 10);
     REQUIRE(!absent.ok());
     CHECK(absent.faults()[0].message.find("No such file") != std::string::npos);
-    CHECK(!readFileBytes(folder.path(), 10).ok());
+    CHECK(!readFileBytes(folder.path, 10).ok());
     REQUIRE(writeFileAtomically(folder / "long", "12345678901").empty());
     CHECK(hasCode(readFileBytes(folder / "long", 10).faults(), "too-large"));
     CHECK(readFileBytes(folder / "long", 11).value() == "12345678901");

@@ -21,7 +21,7 @@ fs::path assetFolder() {
             break;
         }
     }
-    places.emplace_back(FOREFRONT_ASSETS_SOURCE);
+    places.emplace_back(FOREFRONT_ASSETS_INSTALLED);
     for (const fs::path &place : places) {
         if (fs::is_regular_file(place / "samples/index.txt", ignored)) {
             return place;

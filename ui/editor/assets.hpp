@@ -6,8 +6,8 @@
 
 namespace forefront {
 
-/// The folder of assets: $FOREFRONT_ASSETS, or beside the program (../assets, ../share/forefront/assets, ...), or where
-/// the program was built from. Empty where none is found.
+/// Returns the folder of assets: $FOREFRONT_ASSETS; else `assets` or `share/forefront/assets` in the program's folder
+/// or one above it; else where the program was configured to be installed. Empty if none of them exists.
 std::filesystem::path assetFolder();
 
 struct Sample {

@@ -1,4 +1,4 @@
-# Writes OUTPUT: a C++ source with shaderText(name) for every file in SHADERS.
+# Writes the C++ source OUTPUT, which defines shaderText(name) for every file in SHADERS.
 set(entries "")
 foreach(path IN LISTS SHADERS)
   get_filename_component(name ${path} NAME_WE)

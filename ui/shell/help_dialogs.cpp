@@ -222,7 +222,7 @@ class About final : public Dialog {
     float width() const override { return 460.0F; }
 
     bool draw(AppContext &context) override {
-        ui::muted(context, std::string("Version ") + kVersion);
+        ui::muted(context, std::string("Version ") + version());
         ImGui::PushTextWrapPos(0.0F);
         ImGui::TextUnformatted(
             "Planar triangle meshes by the advancing front technique of S. H. Lo: draw a domain, paint "

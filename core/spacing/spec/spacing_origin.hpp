@@ -1,8 +1,10 @@
 #pragma once
 
+#include "core/base/api.hpp"
+
 #include <cstdint>
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 /// The part of the specification that determines the spacing at a point.
 enum class SpacingOrigin : std::uint8_t {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/api.hpp"
 #include "core/base/vec2.hpp"
 
 #include <array>
@@ -11,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 /// Shape of a size source.
 enum class SourceShape : std::uint8_t { Point, Line, Circle };
