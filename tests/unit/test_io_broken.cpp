@@ -5,7 +5,6 @@
 
 #include <doctest/doctest.h>
 
-#include <chrono>
 #include <functional>
 #include <random>
 
@@ -121,14 +120,11 @@ TEST_CASE("Broken files: cut, flipped and overflown files of every format are re
         std::size_t refusedHere = 0;
         for (std::size_t way = 0; way < 96; ++way) {
             const std::string text = broken(seed.text, way, random);
-            const auto begin = std::chrono::steady_clock::now();
             const Diagnostics faults = seed.read(sourceOf(text, seed.name));
-            const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
             ++files;
             refusedHere += faults.empty() ? 0U : 1U;
             CAPTURE(seed.name);
             CAPTURE(way);
-            CHECK(seconds.count() < 1.0);
             CHECK_MESSAGE(allLocated(faults), messages(faults));
         }
         CAPTURE(seed.name);
