@@ -10,19 +10,18 @@ uniform vec2 rasterSize;  // pixels
 uniform vec2 range;       // ln ρ at the ends of the map
 uniform sampler2D map;
 uniform vec4 plain;
-uniform float tint; // 0: plain only; opacity of the map over it
+uniform int tinted; // 1: coloured by ρ, 0: plain
 
 out vec4 result;
 
 void main() {
     float inside = texture(mask, pixel / viewport).r;
     vec3 rgb = plain.rgb;
-    if (tint > 0.0) {
+    if (tinted == 1) {
         float value = texture(raster, (pixel - rasterLeast) / rasterSize).r;
         float span = range.y - range.x;
         float t = clamp((value - range.x) / (abs(span) > 1e-6 ? span : 1e-6), 0.0, 1.0);
-        vec3 colour = texture(map, vec2(t * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb;
-        rgb = mix(rgb, colour, tint);
+        rgb = texture(map, vec2(t * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb;
     }
     result = vec4(rgb, plain.a * inside);
 }

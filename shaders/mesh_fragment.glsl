@@ -6,9 +6,9 @@ uniform vec4 face;        // of elements without a colour of their own
 uniform vec4 edge;
 uniform float edgeWidth;  // pixels, of the whole edge
 uniform int coloured;     // 1: by value and map
-uniform float opacity;    // of the coloured faces
 uniform sampler2D map;
-uniform float least;       // value at the lower end of the map; the upper end is 1
+uniform vec2 range;       // values at the ends of the map
+uniform float veil;       // opacity of the edges where they are too dense to be told apart
 uniform float badBelow;   // elements below are hatched
 uniform vec4 hatch;
 uniform vec2 isolate;     // values shown alone; x > y: all
@@ -18,11 +18,11 @@ void main() {
     vec3 rate = fwidth(corner);
     vec3 pixels = corner / max(rate, vec3(1e-9));
     float nearest = min(min(pixels.x, pixels.y), pixels.z);
-    // Heights of the triangle in pixels; below a few of them edges would be solid colour, so they turn into an even
-    // veil, which still tells what is meshed from what is not.
-    float least = 1.0 / max(max(rate.x, rate.y), rate.z);
-    float line = mix(0.3, clamp(0.5 * edgeWidth + 0.5 - nearest, 0.0, 1.0), smoothstep(1.5, 9.0, least));
-    vec4 fill = coloured == 1 ? vec4(texture(map, vec2(clamp((shade - least) / (1.0 - least), 0.0, 1.0) * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb, opacity) : face;
+    // Edges of triangles only a few pixels high would cover the colours beneath them, so they fade out.
+    float height = 1.0 / max(max(rate.x, rate.y), rate.z);
+    float line = mix(veil, clamp(0.5 * edgeWidth + 0.5 - nearest, 0.0, 1.0), smoothstep(2.0, 9.0, height));
+    float t = clamp((shade - range.x) / (range.y - range.x), 0.0, 1.0);
+    vec4 fill = coloured == 1 ? vec4(texture(map, vec2(t * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb, 1.0) : face;
     if (coloured == 1 && shade < badBelow) {
         float stripe = abs(fract((gl_FragCoord.x + gl_FragCoord.y) / 7.0) - 0.5) * 7.0;
         fill = mix(fill, vec4(hatch.rgb, 1.0), hatch.a * clamp(1.75 - stripe, 0.0, 1.0));

@@ -1,10 +1,12 @@
 #include "ui/canvas/canvas.hpp"
 
 #include "core/base/hash.hpp"
+#include "core/edit/shape_geometry.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/canvas/legend.hpp"
 #include "ui/editor/app_context.hpp"
 #include "ui/gl/gl_kit.hpp"
+#include "ui/layers/quality_range.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <glad/gl.h>
@@ -89,6 +91,7 @@ struct Canvas::Parts {
     void drawStill(AppContext &context, const LayerFrame &frame);
     void drawLive(AppContext &context, const LayerFrame &frame);
     static void drawLegends(AppContext &context, CanvasPainter &painter, const LayerFrame &frame);
+    static void reservePlates(const AppContext &context, CanvasPainter &painter);
     void drawOverlays(AppContext &context, const LayerFrame &frame);
 };
 
@@ -192,12 +195,33 @@ void Canvas::Parts::drawLegends(AppContext &context, CanvasPainter &painter, con
     }
 }
 
+/// Keeps labels from under the plates on the canvas, as the last frame placed them, and off the selected nodes.
+void Canvas::Parts::reservePlates(const AppContext &context, CanvasPainter &painter) {
+    for (const auto &[name, widget] : context.widgets.all()) {
+        const bool plate = name == "options" || name == "hints" || name == "canvas/plate" || name == "canvas/news" ||
+                           name.starts_with("canvas/legend/");
+        if (plate) {
+            painter.reserve(widget.rect);
+        }
+    }
+    const double half = 6.0 * painter.scale();
+    for (const NodeRef node : context.selection.nodes) {
+        const Shape *const shape = findShape(*context.document().current(), node.shape);
+        const std::vector<Vec2> handles = shape != nullptr ? handlesOf(*shape) : std::vector<Vec2>();
+        if (node.node < handles.size()) {
+            const Vec2 p = painter.camera().toPixel(handles[node.node]);
+            painter.reserve({p.x - half, p.y - half, 2.0 * half, 2.0 * half});
+        }
+    }
+}
+
 void Canvas::Parts::drawOverlays(AppContext &context, const LayerFrame &frame) {
     const PixelRect &rect = frame.camera.viewport;
     ImDrawList &list = *ImGui::GetBackgroundDrawList();
     list.PushClipRect({static_cast<float>(rect.x), static_cast<float>(rect.y)},
                       {static_cast<float>(rect.x + rect.width), static_cast<float>(rect.y + rect.height)});
     CanvasPainter painter(list, frame.camera, frame.scale);
+    reservePlates(context, painter);
     for (LayerSlot &slot : context.layers) {
         if (slot.visible) {
             slot.layer->drawOverlay(painter, frame);
@@ -233,7 +257,10 @@ void Canvas::draw(AppContext &context) {
                            .preview = *context.preview,
                            .raster = context.previews->raster(),
                            .selection = context.selection,
+                           .pointer = context.view.pointer,
                            .isolatedBin = context.view.isolatedBin,
+                           .qualityRange =
+                               context.view.qualityRange.value_or(fittedQualityRange(context.run().now().quality)),
                            .outOfDate = context.run().outOfDate(),
                            .layers = context.layers,
                            .gl = parts_->gl};

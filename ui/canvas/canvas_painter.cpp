@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -162,16 +163,49 @@ void CanvasPainter::dashedCircle(Vec2 centre, double radius, Colour colour, doub
     }
 }
 
+namespace {
+
+ImVec2 extentOf(ImFont &font, std::string_view text) {
+    return font.CalcTextSizeA(font.FontSize, 1e9F, 0.0F, text.data(), text.data() + text.size());
+}
+
+constexpr double kLabelPadX = 5.0, kLabelPadY = 2.0; // design pixels
+
+} // namespace
+
+PixelRect CanvasPainter::labelRect(Vec2 at, Vec2 offset, std::string_view text, ImFont *font) const {
+    const ImVec2 size = extentOf(font != nullptr ? *font : *ImGui::GetFont(), text);
+    const Vec2 p = camera_.toPixel(at) + scale_ * offset;
+    const double padX = kLabelPadX * scale_, padY = kLabelPadY * scale_;
+    return {std::round(p.x) - padX, std::round(p.y) - padY, static_cast<double>(size.x) + 2.0 * padX,
+            static_cast<double>(size.y) + 2.0 * padY};
+}
+
 PixelRect CanvasPainter::label(Vec2 at, Vec2 offset, std::string_view text, Colour colour, Colour plate, ImFont *font) {
     ImFont *used = font != nullptr ? font : ImGui::GetFont();
-    const ImVec2 size = used->CalcTextSizeA(used->FontSize, 1e9F, 0.0F, text.data(), text.data() + text.size());
-    const Vec2 p = camera_.toPixel(at) + scale_ * offset;
-    const Vec2 corner{std::round(p.x), std::round(p.y)};
-    const double padX = 5.0 * scale_, padY = 2.0 * scale_;
-    const PixelRect rect{corner.x - padX, corner.y - padY, im(size.x) + 2.0 * padX, im(size.y) + 2.0 * padY};
+    const PixelRect rect = labelRect(at, offset, text, used);
     list_.AddRectFilled(im({rect.x, rect.y}), im({rect.x + rect.width, rect.y + rect.height}), plate, im(4.0 * scale_));
-    list_.AddText(used, used->FontSize, im(corner), colour, text.data(), text.data() + text.size());
+    list_.AddText(used, used->FontSize, im({rect.x + kLabelPadX * scale_, rect.y + kLabelPadY * scale_}), colour,
+                  text.data(), text.data() + text.size());
+    taken_.push_back(rect);
     return rect;
+}
+
+bool CanvasPainter::freeLabel(Vec2 at, Vec2 offset, std::string_view text, Colour colour, Colour plate, ImFont *font) {
+    const PixelRect first = labelRect(at, offset, text, font);
+    const double height = first.height / scale_ + 1.0;
+    const double mirrored = -offset.x - first.width / scale_ + 2.0 * kLabelPadX;
+    for (const double level : {0.0, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0}) {
+        for (const double x : {offset.x, mirrored}) {
+            const Vec2 place{x, offset.y + level * height};
+            const PixelRect rect = labelRect(at, place, text, font);
+            if (std::none_of(taken_.begin(), taken_.end(), [&](const PixelRect &t) { return rect.overlaps(t); })) {
+                label(at, place, text, colour, plate, font);
+                return true;
+            }
+        }
+    }
+    return false;
 }
 
 void CanvasPainter::text(Vec2 at, std::string_view text, Colour colour, ImFont *font) {

@@ -5,6 +5,7 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 struct ImDrawList;
 struct ImFont;
@@ -12,8 +13,8 @@ struct ImFont;
 namespace forefront {
 
 /// Draws the few things over the canvas that change with every frame: tool overlays, labels, candidates. Places are in
-/// domain units, widths and radii in design pixels (scaled for HiDPI here). Thousands of primitives are fine, millions
-/// are not: those are layers of their own on the GPU.
+/// domain units, widths and radii in design pixels (scaled for HiDPI here). It serves thousands of primitives, not
+/// millions: those belong in layers on the GPU.
 class CanvasPainter {
   public:
     CanvasPainter(ImDrawList &list, const Camera &camera, double scale) : list_(list), camera_(camera), scale_(scale) {}
@@ -38,6 +39,11 @@ class CanvasPainter {
     void dashedCircle(Vec2 centre, double radius, Colour colour, double width = 1.5);
     /// Text on a rounded plate; `offset` in design pixels from the place. Returns its rectangle in pixels.
     PixelRect label(Vec2 at, Vec2 offset, std::string_view text, Colour colour, Colour plate, ImFont *font = nullptr);
+    /// Draws a label where it covers no other label and no reserved place: at `offset`, or else to the other side of
+    /// the place, or above or below. Returns false, and draws nothing, where all of these are taken.
+    bool freeLabel(Vec2 at, Vec2 offset, std::string_view text, Colour colour, Colour plate, ImFont *font = nullptr);
+    /// Keeps free labels out of a rectangle of pixels.
+    void reserve(const PixelRect &rect) { taken_.push_back(rect); }
     /// Bare text centred on the place.
     void text(Vec2 at, std::string_view text, Colour colour, ImFont *font = nullptr);
 
@@ -46,9 +52,12 @@ class CanvasPainter {
     ImDrawList &list() { return list_; }
 
   private:
+    PixelRect labelRect(Vec2 at, Vec2 offset, std::string_view text, ImFont *font) const;
+
     ImDrawList &list_;
     const Camera &camera_;
     double scale_;
+    std::vector<PixelRect> taken_; ///< by labels and reserved places
 };
 
 } // namespace forefront

@@ -76,6 +76,21 @@ void drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &font
     }
 }
 
+std::vector<LegendTick> linearTicks(const ColourRange &range) {
+    std::vector<LegendTick> ticks{{0.0, "\xe2\x89\xa4" + ui::number(range.from, 3)}};
+    const double least = (range.to - range.from) / 4.0;
+    const double power = std::pow(10.0, std::floor(std::log10(least)));
+    const double step = power * (least <= power ? 1.0 : least <= 2.0 * power ? 2.0 : least <= 5.0 * power ? 5.0 : 10.0);
+    for (double value = step * std::ceil(range.from / step); value < range.to; value += step) {
+        const double at = range.position(value);
+        if (at > 0.1 && at < 0.92) { // else too near to the ends
+            ticks.push_back({at, ui::number(value, 3)});
+        }
+    }
+    ticks.push_back({1.0, ui::number(range.to, 3)});
+    return ticks;
+}
+
 std::vector<LegendTick> logarithmicTicks(double least, double greatest, std::size_t most) {
     std::vector<LegendTick> ticks;
     if (!(least > 0.0) || !(greatest > least)) {

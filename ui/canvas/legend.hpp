@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/canvas/canvas_painter.hpp"
+#include "ui/style/colour_map.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/theme.hpp"
 
@@ -39,6 +40,10 @@ std::vector<LegendLabel> legendLabels(ImFont *font, const std::vector<LegendTick
 void drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &fonts, Vec2 corner,
                    const std::string &title, Colour (*map)(double), const std::vector<LegendTick> &ticks,
                    double hatchedTo = 0.0);
+
+/// Ticks of a linear scale: the ends, and between them the multiples of a round step. The lower end reads "≤" since
+/// smaller values have its colour.
+std::vector<LegendTick> linearTicks(const ColourRange &range);
 
 /// Ticks of a logarithmic scale: the ends, and at most `most` round numbers (1, 2, 5 · 10ⁿ) between them.
 std::vector<LegendTick> logarithmicTicks(double least, double greatest, std::size_t most);

@@ -12,6 +12,7 @@
 #include "ui/layers/layer.hpp"
 #include "ui/panels/panel.hpp"
 #include "ui/platform/platform.hpp"
+#include "ui/style/colour_map.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/icons.hpp"
 #include "ui/style/theme.hpp"
@@ -37,7 +38,8 @@ struct View {
     bool fitPending = true;      ///< fit the drawing as soon as the size of the canvas is known
     std::optional<Vec2> flag;    ///< place gone to, marked by a ring that fades
     double flagTime = 0.0;
-    std::optional<int> isolatedBin; ///< bin of the histogram of α whose elements are shown alone
+    std::optional<int> isolatedBin;          ///< bin of the histogram of α whose elements are shown alone
+    std::optional<ColourRange> qualityRange; ///< of the colours of α; not set: it fits the mesh
 
     /// Shows a part of the plane whole, and goes on doing so while the canvas changes its size.
     void fit(const Box2 &box);

@@ -36,7 +36,7 @@ unsigned mapTexture(Colour (*map)(double)) {
 } // namespace
 
 GlKit::GlKit()
-    : lines_("line"), boxes_("box"), mesh_("mesh"), field_("field"), viridis_(mapTexture(forefront::viridis)),
+    : lines_("line"), boxes_("box"), mesh_("mesh"), field_("field"), spacing_(mapTexture(spacingColour)),
       cividis_(mapTexture(forefront::cividis)) {
     glGenVertexArrays(1, &emptyArray_);
     mask_ = smoothTexture(GL_NEAREST);
@@ -44,7 +44,7 @@ GlKit::GlKit()
 }
 
 GlKit::~GlKit() {
-    glDeleteTextures(1, &viridis_);
+    glDeleteTextures(1, &spacing_);
     glDeleteTextures(1, &cividis_);
     glDeleteTextures(1, &mask_);
     glDeleteTextures(1, &raster_);
@@ -89,20 +89,19 @@ void GlKit::drawField(const Domain &domain, std::uint64_t revision, const Camera
     updateMask(domain, revision, camera);
     program.set("mask", 0);
     program.set("plain", plain);
-    program.set("tint", tint != nullptr ? static_cast<float>(tint->opacity) : 0.0F);
+    program.set("tinted", tint != nullptr ? 1 : 0);
     program.set("raster", 1);
     program.set("map", 2);
     if (tint != nullptr) {
         glActiveTexture(GL_TEXTURE1);
         updateRaster(*tint);
         glActiveTexture(GL_TEXTURE2);
-        glBindTexture(GL_TEXTURE_2D, viridis_);
+        glBindTexture(GL_TEXTURE_2D, spacing_);
         const Vec2 middle{0.5 * camera.viewport.width, 0.5 * camera.viewport.height};
         const Vec2 least = middle + camera.zoom * (tint->box.min - camera.centre);
         program.set("rasterLeast", least.x, least.y);
         program.set("rasterSize", tint->box.size().x * camera.zoom, tint->box.size().y * camera.zoom);
-        program.set("range", tint->reversed ? tint->greatest : tint->least,
-                    tint->reversed ? tint->least : tint->greatest);
+        program.set("range", tint->least, tint->greatest);
         glActiveTexture(GL_TEXTURE0);
     }
     glBindVertexArray(emptyArray_);

@@ -14,10 +14,8 @@ struct FieldTint {
     Box2 box;
     int columns = 0, rows = 0;
     const std::vector<float> *logRho = nullptr;
-    std::uint64_t version = 0; ///< changes when the numbers do
-    double least = 0.0, greatest = 1.0;
-    bool reversed = false; ///< the least value has the bright end of the map
-    double opacity = 1.0;
+    std::uint64_t version = 0;          ///< changes when the numbers do
+    double least = 0.0, greatest = 1.0; ///< ln ρ at the ends of the map
 };
 
 /// Programs and textures shared by the layers. One per OpenGL context.
@@ -32,13 +30,12 @@ class GlKit {
     const ShaderProgram &boxes() const { return boxes_; }
     const ShaderProgram &mesh() const { return mesh_; }
     const ShaderProgram &field() const { return field_; }
-    /// Draws inside of the domain in one colour, or tinted by ρ (`tint` > 0) from a raster with its box.
+    /// Fills the domain with one colour, or with the colours of ρ if `tint` is not null.
     void drawField(const Domain &domain, std::uint64_t revision, const Camera &camera, Colour plain,
                    const FieldTint *tint);
     /// Uniforms "centre" (split), "zoom", "viewport" of a program in use.
     void setCamera(const ShaderProgram &program, const Camera &camera) const;
     /// Textures of 256 x 1 colours.
-    unsigned viridis() const { return viridis_; }
     unsigned cividis() const { return cividis_; }
     /// A vertex array without attributes, for shaders that make their own corners.
     unsigned emptyArray() const { return emptyArray_; }
@@ -48,7 +45,7 @@ class GlKit {
     void updateMask(const Domain &domain, std::uint64_t revision, const Camera &camera);
     void updateRaster(const FieldTint &tint);
 
-    unsigned viridis_ = 0, cividis_ = 0, emptyArray_ = 0, mask_ = 0, raster_ = 0;
+    unsigned spacing_ = 0, cividis_ = 0, emptyArray_ = 0, mask_ = 0, raster_ = 0;
     std::uint64_t maskRevision_ = 0, rasterVersion_ = 0;
     Camera maskCamera_;
 };

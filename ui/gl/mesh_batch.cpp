@@ -187,8 +187,8 @@ void MeshBatch::draw(const GlKit &gl, const Camera &camera, const MeshStyle &sty
     program.set("edge", style.edge);
     program.set("edgeWidth", static_cast<float>(style.edgeWidth));
     program.set("coloured", style.coloured ? 1 : 0);
-    program.set("least", static_cast<float>(style.least));
-    program.set("opacity", static_cast<float>(style.opacity));
+    program.set("range", style.range.from, style.range.to);
+    program.set("veil", static_cast<float>(style.veil));
     program.set("badBelow", static_cast<float>(style.badBelow));
     program.set("hatch", style.hatch);
     program.set("isolate", style.isolateFrom, style.isolateTo);

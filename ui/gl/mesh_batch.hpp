@@ -3,6 +3,7 @@
 #include "core/session/snapshot.hpp"
 #include "ui/canvas/camera.hpp"
 #include "ui/style/colour.hpp"
+#include "ui/style/colour_map.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -12,14 +13,14 @@ namespace forefront {
 
 class GlKit;
 
-/// Looks of the elements of a mesh.
+/// How the elements of a mesh are drawn.
 struct MeshStyle {
     Colour face = 0;        ///< of elements not coloured by their value; transparent: none
     Colour edge = 0;        ///< transparent: none
     double edgeWidth = 1.0; ///< pixels
-    bool coloured = false;  ///< by α, on the cividis map from `least` to 1
-    double least = 0.4;
-    double opacity = 1.0;
+    double veil = 0.0;      ///< opacity, relative to `edge`, left to edges too dense to be told apart
+    bool coloured = false;  ///< by α, on the cividis map, opaque
+    ColourRange range;      ///< of α on the map
     double badBelow = -1.0; ///< elements with α below it are hatched
     Colour hatch = 0;
     double isolateFrom = 1.0, isolateTo = 0.0; ///< elements with α in [from, to) shown alone; from > to: all

@@ -10,9 +10,9 @@ namespace forefront {
 
 namespace {
 
-constexpr std::size_t kMostLabels = 7;
+constexpr std::size_t kMaxLabels = 7;
 
-/// How much room there is: pixels of the base segment, in design pixels.
+/// Returns the length of the base segment on the screen, in design pixels: a measure of the room for labels.
 double roomOf(const LayerFrame &frame, const AdvanceExplanation &advance) {
     return frame.camera.zoom * distance(advance.a, advance.b) / frame.scale;
 }
@@ -82,34 +82,13 @@ class CandidatesLayer final : public Layer {
             painter.dot(candidate.position, 5.0, colour);
             painter.ring(candidate.position, 5.0, fade(theme.popup, 0.9), 1.5);
         }
-        const std::size_t labelled = words ? std::min(moment.candidates, kMostLabels) : 0;
-        std::vector<PixelRect> taken;
+        const std::size_t labelled = words ? std::min(moment.candidates, kMaxLabels) : 0;
         for (std::size_t i = 0; i < labelled; ++i) {
             const CandidateTrace &candidate = e.candidates[i];
             const Colour colour = verdictColour(theme, candidate.verdict, moment.judged[i]);
-            painter.label(candidate.position, freePlace(frame, candidate.position, taken),
-                          candidateLabel(candidate, i, moment), colour, fade(theme.popup, 0.92), frame.fonts.small);
+            painter.freeLabel(candidate.position, {11.0, -7.0}, candidateLabel(candidate, i, moment), colour,
+                              fade(theme.popup, 0.92), frame.fonts.small);
         }
-    }
-
-    /// Right of the node, and lower while a label is there already.
-    static Vec2 freePlace(const LayerFrame &frame, Vec2 at, std::vector<PixelRect> &taken) {
-        Vec2 offset{11.0, -7.0};
-        const Vec2 pixel = frame.camera.toPixel(at);
-        const double width = 150.0 * frame.scale, height = 19.0 * frame.scale;
-        for (int tries = 0; tries < 12; ++tries) {
-            const PixelRect rect{pixel.x + offset.x * frame.scale, pixel.y + offset.y * frame.scale, width, height};
-            const bool hit = std::any_of(taken.begin(), taken.end(), [&](const PixelRect &t) {
-                return rect.x < t.x + t.width && t.x < rect.x + rect.width && rect.y < t.y + t.height &&
-                       t.y < rect.y + rect.height;
-            });
-            if (!hit) {
-                taken.push_back(rect);
-                break;
-            }
-            offset.y += 20.0;
-        }
-        return offset;
     }
 };
 

@@ -37,7 +37,7 @@ class FrontLayer final : public Layer {
                 }
             }
         }
-        // Where segments are a few pixels long, glow and heads would bury what they belong to, and cost time.
+        // On segments only a few pixels long, glow and arrows would hide the front and cost time.
         const bool fine = frame.camera.zoom * meanLength_ < 4.0 * frame.scale;
         segments_.draw(frame.gl, frame.camera,
                        {.width = (fine ? 1.25 : 2.0) * frame.scale,
@@ -56,11 +56,12 @@ class FrontLayer final : public Layer {
         painter.line(e.a, e.b, fade(theme.base, 0.25), 9.0);
         painter.arrow(e.a, e.b, theme.base, 3.0, 11.0);
         if (pixels < 14.0) {
-            painter.ring(midpoint(e.a, e.b), 13.0, theme.base, 2.0); // too small to be found otherwise
+            painter.ring(midpoint(e.a, e.b), 13.0, theme.base, 2.0); // too small to find otherwise
         }
         if (pixels > 60.0) {
             const Colour plate = fade(theme.popup, 0.85);
-            // Beyond the ends and on the meshed side, where no candidate stands; y points down on the screen.
+            // Place the labels beyond the ends, on the meshed side, away from all candidates. On the screen y points
+            // down.
             const Vec2 along = (1.0 / distance(e.a, e.b)) * (e.b - e.a);
             const Vec2 right{along.y, -along.x};
             const auto screen = [](Vec2 v) { return Vec2{v.x, -v.y}; };

@@ -10,7 +10,7 @@ namespace forefront {
 
 namespace {
 
-constexpr std::size_t kMostNumbers = 80;
+constexpr std::size_t kMaxNumbers = 80;
 
 class LabelsLayer final : public Layer {
   public:
@@ -25,7 +25,8 @@ class LabelsLayer final : public Layer {
     }
 
   private:
-    /// Each run of segments with one tag bears the name of the tag, beside its middle where heads and tips are.
+    /// Writes its name beside each run of segments that share a tag: not in the middle of the run, where the direction
+    /// arrow is.
     static void drawNames(CanvasPainter &painter, const LayerFrame &frame, const Shape &shape) {
         if (shape.kind == ShapeKind::Circle && shape.nodes.size() >= 2) {
             const double radius = distance(shape.nodes[0], shape.nodes[1]);
@@ -72,9 +73,9 @@ class LabelsLayer final : public Layer {
         if (named == frame.document.boundaryNames.end() || frame.camera.zoom * extent < 40.0 * frame.scale) {
             return;
         }
-        const double half = 3.0 * static_cast<double>(named->second.size());
-        painter.label(at, {-half, -7.0}, named->second, frame.theme.muted, fade(frame.theme.popup, 0.82),
-                      frame.fonts.small);
+        const double half = 3.25 * static_cast<double>(named->second.size());
+        painter.freeLabel(at, {-half, -7.0}, named->second, frame.theme.muted, fade(frame.theme.popup, 0.82),
+                          frame.fonts.small);
     }
 
     static void drawNodeNumbers(CanvasPainter &painter, const LayerFrame &frame) {
@@ -85,16 +86,16 @@ class LabelsLayer final : public Layer {
         const Box2 visible = frame.camera.visible();
         const Vec2 all = frame.domain.bounds().size(), seen = visible.size();
         const double part = std::min(1.0, seen.x * seen.y / std::max(all.x * all.y, 1e-300));
-        if (part * static_cast<double>(nodes.size()) > 40.0 * static_cast<double>(kMostNumbers)) {
+        if (part * static_cast<double>(nodes.size()) > 40.0 * static_cast<double>(kMaxNumbers)) {
             return;
         }
         std::vector<std::size_t> inView;
-        for (std::size_t i = 0; i < nodes.size() && inView.size() <= kMostNumbers; ++i) {
+        for (std::size_t i = 0; i < nodes.size() && inView.size() <= kMaxNumbers; ++i) {
             if (visible.contains(nodes[i])) {
                 inView.push_back(i);
             }
         }
-        if (inView.size() > kMostNumbers) {
+        if (inView.size() > kMaxNumbers) {
             return;
         }
         const Moment moment = momentOf(frame.snapshot);
@@ -103,12 +104,12 @@ class LabelsLayer final : public Layer {
                 continue;
             }
             painter.dot(nodes[i], 2.0, frame.theme.muted);
-            painter.label(nodes[i], {6, 3}, std::to_string(i), frame.theme.muted, fade(frame.theme.popup, 0.2),
-                          frame.fonts.small);
+            painter.freeLabel(nodes[i], {6, 3}, std::to_string(i), frame.theme.muted, fade(frame.theme.popup, 0.2),
+                              frame.fonts.small);
         }
     }
 
-    /// A, B and the candidates bear labels of their own.
+    /// Returns true for A, B and the candidates, which have labels of their own.
     static bool namedElsewhere(const Moment &moment, std::size_t node) {
         if (!moment) {
             return false;

@@ -4,6 +4,7 @@
 #include "ui/canvas/camera.hpp"
 #include "ui/editor/preview.hpp"
 #include "ui/platform/platform.hpp"
+#include "ui/style/colour_map.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/theme.hpp"
 
@@ -34,7 +35,9 @@ struct LayerFrame {
     const DocumentPreview &preview;
     std::shared_ptr<const SpacingRaster> raster;
     const Selection &selection;
+    std::optional<Vec2> pointer; ///< place under the pointer while it is over the canvas
     std::optional<int> isolatedBin;
+    ColourRange qualityRange; ///< of the colours of α
     bool outOfDate;
     const std::vector<LayerSlot> &layers;
     GlKit &gl; ///< shared shaders and buffers
@@ -51,6 +54,9 @@ class Layer {
     virtual const char *id() const = 0;
     virtual const char *name() const = 0;
     virtual bool visibleAtStart() const { return true; }
+    /// True if the layer colours the domain or its elements by a value. At most one such layer is visible at a time, so
+    /// that colours never mix and always match the legend.
+    virtual bool coloursByValue() const { return false; }
     /// What the session must deliver while the layer is visible.
     virtual void request(SnapshotLayers &) const {}
 
@@ -74,6 +80,9 @@ struct LayerSlot {
     std::unique_ptr<Layer> layer;
     bool visible = true;
 };
+
+/// Shows or hides a layer. Showing one that colours by value hides the others that do.
+void showLayer(std::vector<LayerSlot> &layers, std::string_view id, bool visible);
 
 /// All layers from the lowest to the topmost.
 std::vector<std::unique_ptr<Layer>> makeLayers();

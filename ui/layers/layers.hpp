@@ -30,5 +30,7 @@ std::unique_ptr<Layer> makeTestsLayer();
 std::unique_ptr<Layer> makeLabelsLayer();
 /// Size sources and region markers.
 std::unique_ptr<Layer> makeMarksLayer();
+/// Faults of the drawing, each at its place.
+std::unique_ptr<Layer> makeFaultsLayer();
 
 } // namespace forefront

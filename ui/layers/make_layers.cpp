@@ -11,6 +11,21 @@ bool LayerFrame::visible(std::string_view id) const {
     return false;
 }
 
+void showLayer(std::vector<LayerSlot> &layers, std::string_view id, bool visible) {
+    bool colours = false;
+    for (LayerSlot &slot : layers) {
+        if (slot.layer->id() == id) {
+            slot.visible = visible;
+            colours = visible && slot.layer->coloursByValue();
+        }
+    }
+    for (LayerSlot &slot : layers) {
+        if (colours && slot.layer->coloursByValue() && slot.layer->id() != id) {
+            slot.visible = false;
+        }
+    }
+}
+
 std::vector<std::unique_ptr<Layer>> makeLayers() {
     std::vector<std::unique_ptr<Layer>> layers;
     layers.push_back(makeDomainLayer());
@@ -25,6 +40,7 @@ std::vector<std::unique_ptr<Layer>> makeLayers() {
     layers.push_back(makeCandidatesLayer());
     layers.push_back(makeMarksLayer());
     layers.push_back(makeLabelsLayer());
+    layers.push_back(makeFaultsLayer());
     return layers;
 }
 

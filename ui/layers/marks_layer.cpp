@@ -9,11 +9,11 @@ namespace forefront {
 
 namespace {
 
-/// More marks than this in view are noise; the rest is left out.
-constexpr int kMostMarks = 600;
-constexpr int kMostLabels = 40;
+/// At most this many marks in view are drawn, and this many labelled; more would only be noise.
+constexpr int kMaxMarks = 600;
+constexpr int kMaxLabels = 40;
 
-/// Size sources and region markers: what belongs to the drawing but is no line of it.
+/// Draws size sources and region markers.
 class MarksLayer final : public Layer {
   public:
     const char *id() const override { return "marks"; }
@@ -23,19 +23,19 @@ class MarksLayer final : public Layer {
         const Box2 visible = frame.camera.visible();
         int drawn = 0;
         const std::vector<SizeSource> &sources = frame.document.spacing.sources;
-        for (std::size_t k = 0; k < sources.size() && drawn < kMostMarks; ++k) {
+        for (std::size_t k = 0; k < sources.size() && drawn < kMaxMarks; ++k) {
             Box2 box = boxAround(sources[k].a, sources[k].radius);
             if (sources[k].shape == SourceShape::Line) {
                 box.add(boxAround(sources[k].b, sources[k].radius));
             }
             if (box.overlaps(visible)) {
-                drawSource(painter, frame, k, drawn++ < kMostLabels);
+                drawSource(painter, frame, k, drawn++ < kMaxLabels);
             }
         }
         drawn = 0;
         for (const RegionMarker &marker : frame.document.regionMarkers) {
-            if (visible.contains(marker.at) && drawn < kMostMarks) {
-                drawMarker(painter, frame, marker, drawn++ < kMostLabels);
+            if (visible.contains(marker.at) && drawn < kMaxMarks) {
+                drawMarker(painter, frame, marker, drawn++ < kMaxLabels);
             }
         }
     }
@@ -56,8 +56,8 @@ class MarksLayer final : public Layer {
         if (labelled) {
             char text[160];
             std::snprintf(text, sizeof text, "%s  \xcf\x81=%.3g", displayName(source, index).c_str(), source.size);
-            painter.label(source.a, {10.0, -18.0}, text, frame.theme.text, fade(frame.theme.popup, 0.75),
-                          frame.fonts.small);
+            painter.freeLabel(source.a, {10.0, -18.0}, text, frame.theme.text, fade(frame.theme.popup, 0.75),
+                              frame.fonts.small);
         }
     }
 
@@ -65,8 +65,8 @@ class MarksLayer final : public Layer {
         painter.dot(marker.at, 3.5, frame.theme.accent);
         painter.ring(marker.at, 6.0, fade(frame.theme.accent, 0.6), 1.25);
         if (labelled) {
-            painter.label(marker.at, {10.0, -8.0}, regionName(frame.document.regionNames, marker.tag), frame.theme.text,
-                          fade(frame.theme.popup, 0.75), frame.fonts.small);
+            painter.freeLabel(marker.at, {10.0, -8.0}, regionName(frame.document.regionNames, marker.tag),
+                              frame.theme.text, fade(frame.theme.popup, 0.75), frame.fonts.small);
         }
     }
 };

@@ -1,3 +1,4 @@
+#include "core/base/hash.hpp"
 #include "core/mesh/quality.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/canvas/legend.hpp"
@@ -13,22 +14,31 @@ namespace forefront {
 
 namespace {
 
-/// α at the lower end of the colour map, and below which an element is called bad.
-constexpr double kMapFrom = 0.4, kBad = 0.5;
-/// More numbers than this would cover what they speak of.
-constexpr std::size_t kMostNumbers = 60;
+/// Elements with α below this are hatched and numbered.
+constexpr double kBad = 0.5;
+/// More numbers than this would hide the elements.
+constexpr std::size_t kMaxNumbers = 60;
+/// Edges on opaque colours: dark in both themes, since the colours are the same in both.
+constexpr Colour kEdgeOnColour = rgb(0x0b1018, 0.6);
 
 std::uint64_t versionOf(const LayerFrame &frame) {
     const std::uint64_t mesh = frame.snapshot.mesh ? frame.snapshot.mesh->version : 0;
     const auto bin = static_cast<std::uint64_t>(frame.isolatedBin ? *frame.isolatedBin + 1 : 0);
-    return (mesh << 8) ^ (frame.snapshot.run << 48) ^ bin ^ (frame.outOfDate ? 128U : 0U);
+    Hash64 hash;
+    hash.add(mesh);
+    hash.add(frame.snapshot.run);
+    hash.add(bin);
+    hash.add(frame.qualityRange.from);
+    hash.add(frame.qualityRange.to);
+    return hash.value();
 }
 
 bool atRest(const SessionSnapshot &snapshot) {
     return snapshot.state == RunState::Finished || snapshot.state == RunState::Cancelled;
 }
 
-/// Faces and edges in one pass. Both layers draw by it: whichever is lower colours the faces, the mesh adds edges.
+/// Draws faces and edges in one pass, for both layers: the quality layer gives the faces their colours, the mesh layer
+/// adds the edges.
 class ElementPainter {
   public:
     void draw(const LayerFrame &frame, bool edges) {
@@ -36,17 +46,14 @@ class ElementPainter {
         const bool quality = frame.visible("quality");
         const bool tinted = frame.visible("size");
         MeshStyle style;
-        style.face = fade(frame.theme.element, tinted ? 0.5 : 1.0);
-        style.edge = edges ? frame.theme.mesh : Colour{0};
+        style.face = tinted ? Colour{0} : frame.theme.element;
+        style.edge = !edges ? Colour{0} : quality || tinted ? kEdgeOnColour : frame.theme.mesh;
         style.edgeWidth = 1.0 * frame.scale;
+        style.veil = tinted ? 0.2 : 0.0; // nothing else tells what is meshed while the front advances
         style.coloured = quality;
-        style.opacity = frame.theme.kind == ThemeKind::Dark ? 0.8 : 0.92;
-        style.least = kMapFrom;
+        style.range = frame.qualityRange;
         style.badBelow = quality ? kBad : -2.0;
         style.hatch = frame.theme.bad;
-        if (quality && edges) {
-            style.edge = frame.theme.kind == ThemeKind::Dark ? rgb(0x0b1018, 0.55) : rgb(0x101820, 0.5);
-        }
         if (frame.isolatedBin) {
             const double bins = static_cast<double>(kHistogramBins);
             style.isolateFrom = *frame.isolatedBin == 0 ? -2.0 : *frame.isolatedBin / bins;
@@ -78,6 +85,7 @@ class QualityLayer final : public Layer {
     const char *id() const override { return "quality"; }
     const char *name() const override { return "Quality \xce\xb1"; }
     bool visibleAtStart() const override { return false; }
+    bool coloursByValue() const override { return true; }
     void request(SnapshotLayers &layers) const override { layers.mesh = true; }
 
     std::uint64_t stillVersion(const LayerFrame &frame) const override { return versionOf(frame); }
@@ -88,7 +96,7 @@ class QualityLayer final : public Layer {
         }
     }
 
-    /// Numbers on bad elements large enough to bear them.
+    /// Writes α on bad elements that are large enough for it.
     void drawOverlay(CanvasPainter &painter, const LayerFrame &frame) override {
         if (!frame.snapshot.mesh) {
             return;
@@ -104,9 +112,9 @@ class QualityLayer final : public Layer {
             if (!visible.contains(middle) || frame.camera.zoom * distance(a, b) < 24.0 * frame.scale) {
                 continue;
             }
-            painter.label(middle, {-12, -7}, ui::format("%.2f", static_cast<double>(frame.snapshot.mesh->alpha[i])),
-                          frame.theme.bad, fade(frame.theme.popup, 0.9), frame.fonts.small);
-            if (++shown >= kMostNumbers) {
+            painter.freeLabel(middle, {-12, -7}, ui::format("%.2f", static_cast<double>(frame.snapshot.mesh->alpha[i])),
+                              frame.theme.bad, fade(frame.theme.popup, 0.9), frame.fonts.small);
+            if (++shown >= kMaxNumbers) {
                 break;
             }
         }
@@ -114,14 +122,8 @@ class QualityLayer final : public Layer {
 
     bool hasLegend() const override { return true; }
     bool drawLegend(CanvasPainter &painter, const LayerFrame &frame, Vec2 corner) override {
-        const auto at = [](double alpha) { return (alpha - kMapFrom) / (1.0 - kMapFrom); };
         drawColourBar(painter, frame.theme, frame.fonts, corner, "shape factor \xce\xb1  (hatched: below 0.5)", cividis,
-                      {{at(0.4), "\xe2\x89\xa4"
-                                 "0.4"},
-                       {at(0.6), "0.6"},
-                       {at(0.8), "0.8"},
-                       {at(1.0), "1"}},
-                      at(kBad));
+                      linearTicks(frame.qualityRange), std::clamp(frame.qualityRange.position(kBad), 0.0, 1.0));
         return true;
     }
 

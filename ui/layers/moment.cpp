@@ -6,7 +6,7 @@ namespace forefront {
 
 namespace {
 
-/// Faster than this the eye follows the front only.
+/// Above this rate, in advances per second, single advances cannot be followed and only the front is shown.
 constexpr double kFollowed = 40.0;
 
 } // namespace

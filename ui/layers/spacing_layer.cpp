@@ -11,11 +11,6 @@ namespace forefront {
 
 namespace {
 
-/// Fine spacing stands out from the canvas: bright on a dark one, dark on a light one; the coarse rest stays calm.
-Colour fineIsBright(double t) {
-    return viridis(1.0 - t);
-}
-
 class SpacingLayer final : public Layer {
   public:
     const char *id() const override { return "size"; }
@@ -37,19 +32,17 @@ class SpacingLayer final : public Layer {
                              .logRho = &logRho_,
                              .version = version_,
                              .least = std::log(least_),
-                             .greatest = std::log(greatest_),
-                             .reversed = frame.theme.kind == ThemeKind::Dark,
-                             .opacity = frame.theme.kind == ThemeKind::Dark ? 0.5 : 0.55};
+                             .greatest = std::log(greatest_)};
         frame.gl.drawField(frame.domain, frame.revision, frame.camera, frame.theme.domain, &tint);
     }
 
+    bool coloursByValue() const override { return true; }
     bool hasLegend() const override { return true; }
     bool drawLegend(CanvasPainter &painter, const LayerFrame &frame, Vec2 corner) override {
         if (!shown_ || shown_->rho.empty()) {
             return false;
         }
-        drawColourBar(painter, frame.theme, frame.fonts, corner, "node spacing \xcf\x81",
-                      frame.theme.kind == ThemeKind::Dark ? fineIsBright : viridis,
+        drawColourBar(painter, frame.theme, frame.fonts, corner, "node spacing \xcf\x81", spacingColour,
                       uniform_ ? std::vector<LegendTick>{{0.5, ui::number(0.5 * greatest_, 3)}}
                                : logarithmicTicks(least_, greatest_, 5));
         return true;

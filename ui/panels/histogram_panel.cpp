@@ -1,3 +1,4 @@
+#include "ui/layers/quality_range.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/style/colour_map.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -20,11 +21,12 @@ class HistogramPanel final : public Panel {
     void draw(AppContext &context) override {
         const MeshQuality &quality = context.run().now().quality;
         if (quality.elements == 0) {
-            ui::small(context, "The shape factor \xce\xb1 of the elements appears here once there is a mesh.", true);
+            ui::small(context, "Mesh the drawing to see how the shape factor \xce\xb1 is distributed.", true);
             ui::mark(context, "histogram/empty");
             return;
         }
         drawSummary(context, quality);
+        drawRange(context, quality);
         const float axis = context.px(18);
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const ImVec2 room = ImGui::GetContentRegionAvail();
@@ -38,22 +40,53 @@ class HistogramPanel final : public Panel {
         if (context.view.isolatedBin) {
             const int bin = *context.view.isolatedBin;
             const std::string text =
-                ui::format("\xce\xb1 %.3f\xe2\x80\x93%.3f alone", bin / static_cast<double>(kHistogramBins),
+                ui::format("only \xce\xb1 %.3f\xe2\x80\x93%.3f", bin / static_cast<double>(kHistogramBins),
                            (bin + 1) / static_cast<double>(kHistogramBins));
             if (ui::badge(context, "histogram/all", text + "   " + icon::kCross, context.theme.accent)) {
                 context.view.isolatedBin.reset();
             }
         } else {
-            ui::small(context, ui::format("\xce\xb1  mean %.3f   geometric %.3f   least %.3f", quality.alphaMean,
+            ui::small(context, ui::format("\xce\xb1  mean %.3f   geometric %.3f   min %.3f", quality.alphaMean,
                                           quality.alphaGeometricMean, quality.alphaMin));
         }
     }
 
-    /// Heights grow with the square root of the count, so that a few bad elements are seen beside thousands of good
-    /// ones.
+    /// The ends of the colour map; they fit the mesh until the user sets them.
+    static void drawRange(AppContext &context, const MeshQuality &quality) {
+        const ColourRange fitted = fittedQualityRange(quality);
+        ColourRange range = context.view.qualityRange.value_or(fitted);
+        ImGui::AlignTextToFramePadding();
+        ui::small(context, "Colours from");
+        ImGui::SameLine();
+        const bool from = ui::inputNumber(context, "histogram/from", range.from, 52.0F);
+        ImGui::SameLine();
+        ui::small(context, "to");
+        ImGui::SameLine();
+        const bool to = ui::inputNumber(context, "histogram/to", range.to, 52.0F);
+        ImGui::SameLine();
+        if (ui::button(context, "histogram/fit", "Fit", ui::ButtonKind::Plain, context.view.qualityRange.has_value())) {
+            context.view.qualityRange.reset();
+            context.animate();
+        }
+        ui::tooltip(context, "Fit the colours to the mesh");
+        if ((from || to) && !(range.from < range.to && range.from >= 0.0 && range.to <= 1.0)) {
+            context.log.add(Diagnostic{.severity = Severity::Warning,
+                                       .code = "bad-range",
+                                       .message = "colour range " + ui::number(range.from) + " to " +
+                                                  ui::number(range.to) + " is not within 0 to 1",
+                                       .advice = "enter two numbers in increasing order"});
+        } else if (from || to) {
+            context.view.qualityRange = range;
+            context.animate();
+        }
+    }
+
+    /// Draws bars whose height is proportional to the square root of the count, so that a few bad elements stay visible
+    /// beside thousands of good ones.
     static void drawBars(AppContext &context, const MeshQuality &quality, ImVec2 at, ImVec2 size) {
+        const ColourRange range = context.view.qualityRange.value_or(fittedQualityRange(quality));
         const auto &bins = quality.alphaHistogram;
-        const double most =
+        const double largest =
             std::sqrt(static_cast<double>(std::max<std::uint64_t>(1, *std::max_element(bins.begin(), bins.end()))));
         const float each = size.x / static_cast<float>(bins.size());
         ImDrawList &list = *ImGui::GetWindowDrawList();
@@ -68,8 +101,8 @@ class HistogramPanel final : public Panel {
             if (bins[i] > 0) {
                 const double middle = (static_cast<double>(i) + 0.5) / static_cast<double>(bins.size());
                 const float tall = std::max(
-                    context.px(2), size.y * static_cast<float>(std::sqrt(static_cast<double>(bins[i])) / most));
-                Colour colour = cividis((middle - 0.4) / 0.6);
+                    context.px(2), size.y * static_cast<float>(std::sqrt(static_cast<double>(bins[i])) / largest));
+                Colour colour = cividis(range.position(middle));
                 if (context.theme.kind == ThemeKind::Dark && middle < 0.55) {
                     colour = mix(colour, context.theme.muted, 0.35); // the dark end of the map on a dark panel
                 }
@@ -85,7 +118,7 @@ class HistogramPanel final : public Panel {
             if (hovered) {
                 ui::tooltip(context, ui::format("\xce\xb1 %.3f\xe2\x80\x93%.3f: ", static_cast<double>(i) / 40.0,
                                                 static_cast<double>(i + 1) / 40.0) +
-                                         ui::count(bins[i]) + " elements\nClick to show them alone");
+                                         ui::count(bins[i]) + " elements\nClick to show only these");
             }
         }
     }

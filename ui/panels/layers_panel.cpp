@@ -24,8 +24,9 @@ class LayersPanel final : public Panel {
                 ImGui::SameLine();
             }
             ++at;
-            if (ui::eyeSwitch(context, std::string("layer/") + slot.layer->id(), slot.layer->name(), slot.visible,
-                              each)) {
+            bool visible = slot.visible;
+            if (ui::eyeSwitch(context, std::string("layer/") + slot.layer->id(), slot.layer->name(), visible, each)) {
+                showLayer(context.layers, slot.layer->id(), visible);
                 context.animate();
             }
         }

@@ -31,4 +31,8 @@ Colour cividis(double t) {
     return between(kCividis, t);
 }
 
+Colour spacingColour(double t) {
+    return viridis(1.0 - 0.75 * std::clamp(t, 0.0, 1.0));
+}
+
 } // namespace forefront

@@ -8,5 +8,17 @@ namespace forefront {
 /// (viridis: N. Smith and S. van der Walt; cividis: J. Nuñez, C. Anderton, R. Renslow).
 Colour viridis(double t);
 Colour cividis(double t);
+/// Colour of the node spacing, the same in both themes: bright yellow where it is finest (t = 0), blue where it is
+/// coarsest (t = 1). The darkest quarter of viridis is left out, so that the edges of a mesh stay visible on it.
+Colour spacingColour(double t);
+
+/// The values at the two ends of a colour map.
+struct ColourRange {
+    double from = 0.0, to = 1.0; ///< from < to
+
+    /// Position on the map, 0 at `from` and 1 at `to`; may lie outside of [0, 1].
+    double position(double value) const { return (value - from) / (to - from); }
+    friend bool operator==(const ColourRange &, const ColourRange &) = default;
+};
 
 } // namespace forefront

@@ -1,0 +1,217 @@
+#include "core/base/vec2.hpp"
+#include "tests/ui/edit_driver.hpp"
+#include "ui/canvas/legend.hpp"
+#include "ui/layers/quality_range.hpp"
+#include "ui/style/colour_map.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace forefront::test {
+
+namespace {
+
+/// Largest difference of two colours in a channel, 0 to 255.
+int difference(Colour a, Colour b) {
+    int largest = 0;
+    for (unsigned shift = 0; shift < 24; shift += 8) {
+        const int u = static_cast<int>((a >> shift) & 0xffU), v = static_cast<int>((b >> shift) & 0xffU);
+        largest = std::max(largest, std::abs(u - v));
+    }
+    return largest;
+}
+
+Colour colourAt(const Driver::Picture &picture, Vec2 pixel) {
+    const auto at = 4 * (static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(picture.size.width) +
+                         static_cast<std::size_t>(pixel.x));
+    return rgb(static_cast<std::uint32_t>(picture.rgba[at] << 16 | picture.rgba[at + 1] << 8 | picture.rgba[at + 2]));
+}
+
+/// A meshed rectangle of about 170 large elements, and nothing on the canvas but mesh and colours.
+struct MeshedSquare : Draughtsman {
+    MeshedSquare() {
+        rectangle({1, 1}, {9, 8});
+        Document sized = document();
+        sized.spacing.size = 0.9;
+        context().document().apply(std::move(sized), "Size");
+        key('V');
+        key(key::kEscape);
+        key(key::k2);
+        REQUIRE(settle());
+        for (const char *layer : {"front", "candidates", "tests", "labels", "grid"}) {
+            showLayer(context().layers, layer, false);
+        }
+        moveTo({5, 5});
+        context().animate();
+        REQUIRE(settle());
+    }
+    bool visible(const char *layer) { return context().layer(layer)->visible; }
+    /// Redraws and returns the picture.
+    Picture redrawn() {
+        context().animate();
+        REQUIRE(settle());
+        return picture();
+    }
+    Vec2 middleOf(std::size_t element) {
+        const Mesh &mesh = run().mesh->mesh;
+        const Element &e = mesh.elements[element];
+        return pixel((1.0 / 3.0) * (mesh.nodes[index(e[0])] + mesh.nodes[index(e[1])] + mesh.nodes[index(e[2])]));
+    }
+    /// Elements whose middle has not the colour of their α, among those that are not hatched.
+    std::size_t wronglyColoured(const ColourRange &range) {
+        const Picture shown = redrawn();
+        std::size_t wrong = 0;
+        for (std::size_t i = 0; i < run().mesh->alpha.size(); ++i) {
+            const double alpha = static_cast<double>(run().mesh->alpha[i]);
+            wrong += alpha > 0.5 && difference(colourAt(shown, middleOf(i)), cividis(range.position(alpha))) > 4;
+        }
+        return wrong;
+    }
+};
+
+} // namespace
+
+TEST_CASE("Colours: quality and spacing exclude each other") {
+    MeshedSquare driver;
+    REQUIRE(driver.visible("size"));
+    driver.click("layer/quality");
+    CHECK(driver.visible("quality"));
+    CHECK_FALSE(driver.visible("size"));
+    CHECK(driver.has("canvas/legend/quality"));
+    CHECK_FALSE(driver.has("canvas/legend/size"));
+    driver.click("layer/size");
+    CHECK(driver.visible("size"));
+    CHECK_FALSE(driver.visible("quality"));
+    driver.click("layer/size"); // neither
+    CHECK_FALSE(driver.visible("size"));
+    CHECK_FALSE(driver.visible("quality"));
+}
+
+TEST_CASE("Colours: every element has exactly the colour that the legend gives its quality, in both themes") {
+    MeshedSquare driver;
+    showLayer(driver.context().layers, "quality", true);
+    const ColourRange fitted = fittedQualityRange(driver.run().quality);
+    REQUIRE(fitted.from > 0.6); // a good mesh
+    for (const ThemeKind theme : {ThemeKind::Dark, ThemeKind::Light}) {
+        driver.context().settings.theme = theme;
+        driver.context().view.qualityRange.reset();
+        CHECK(driver.wronglyColoured(fitted) == 0);
+        driver.context().view.qualityRange = ColourRange{0.2, 0.99};
+        CHECK(driver.wronglyColoured({0.2, 0.99}) == 0);
+    }
+}
+
+TEST_CASE("Colours: the range of the quality fits the mesh, whatever a few bad elements are like") {
+    MeshQuality good;
+    good.elements = 1000;
+    good.alphaHistogram[36] = 20; // from 0.9 on
+    good.alphaHistogram[39] = 980;
+    CHECK(fittedQualityRange(good) == ColourRange{0.9, 1.0});
+    MeshQuality withOneBad = good;
+    withOneBad.elements += 1;
+    withOneBad.alphaHistogram[3] = 1;
+    CHECK(fittedQualityRange(withOneBad) == ColourRange{0.9, 1.0});
+    MeshQuality poor = good;
+    poor.elements += 500;
+    poor.alphaHistogram[10] = 500;
+    CHECK(fittedQualityRange(poor) == ColourRange{0.25, 1.0});
+    MeshQuality perfect;
+    perfect.elements = 10;
+    perfect.alphaHistogram[39] = 10;
+    CHECK(fittedQualityRange(perfect).to - fittedQualityRange(perfect).from >= 0.049);
+}
+
+TEST_CASE("Colours: the user sets the range of the quality in the histogram, and fits it again") {
+    MeshedSquare driver;
+    driver.click("layer/quality");
+    driver.click("panel/histogram");
+    driver.settle();
+    driver.click("histogram/from");
+    driver.key('A', {Modifiers::kControl});
+    driver.type("0.3");
+    driver.key(key::kTab);
+    REQUIRE(driver.settle());
+    REQUIRE(driver.context().view.qualityRange);
+    CHECK(*driver.context().view.qualityRange == ColourRange{0.3, 1.0});
+    driver.click("histogram/to");
+    driver.key('A', {Modifiers::kControl});
+    driver.type("0.2"); // below the other end
+    driver.key(key::kTab);
+    REQUIRE(driver.settle());
+    CHECK(*driver.context().view.qualityRange == ColourRange{0.3, 1.0});
+    CHECK(driver.logHas("bad-range"));
+    driver.click("histogram/fit");
+    CHECK_FALSE(driver.context().view.qualityRange);
+}
+
+TEST_CASE("Colours: fine spacing is bright and coarse spacing blue, the same in both themes") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    Document graded = driver.document();
+    graded.spacing.expression = "0.1 + 0.4*abs(x - 2)";
+    driver.context().document().apply(std::move(graded), "Spacing");
+    driver.key('V');
+    driver.key(key::kEscape);
+    showLayer(driver.context().layers, "lattice", false);
+    driver.moveTo({5, 5});
+    for (const ThemeKind theme : {ThemeKind::Dark, ThemeKind::Light}) {
+        driver.context().settings.theme = theme;
+        driver.context().animate();
+        REQUIRE(driver.settle());
+        const SpacingField &spacing = *driver.context().preview->spacing;
+        const Driver::Picture picture = driver.picture();
+        const double least = std::log(spacing.minimum()), span = std::log(spacing.maximum()) - least;
+        for (const Vec2 place : {Vec2{2.6, 4.3}, {3.3, 4.3}, {5.2, 4.3}, {8.7, 4.3}}) {
+            CAPTURE(place.x);
+            const Colour expected = spacingColour((std::log(spacing.at(place)) - least) / span);
+            CHECK(difference(colourAt(picture, driver.pixel(place)), expected) <= 6);
+        }
+    }
+    CHECK(spacingColour(0.0) == viridis(1.0));
+}
+
+TEST_CASE("Colours: the edges of a dense mesh fade and leave the colours of the quality as they are") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    Document fine = driver.document();
+    fine.spacing.size = 0.06; // some 35,000 elements
+    driver.context().document().apply(std::move(fine), "Size");
+    driver.key('V');
+    driver.key(key::kEscape);
+    driver.key(key::k2);
+    REQUIRE(driver.settle());
+    for (const char *layer : {"front", "candidates", "tests", "labels", "grid", "boundary"}) {
+        showLayer(driver.context().layers, layer, false);
+    }
+    showLayer(driver.context().layers, "quality", true);
+    View &view = driver.context().view;
+    view.zoomAt(driver.canvas().centre(), 0.35); // an element is about 1.5 pixels high
+    driver.moveTo({5, 5});
+    driver.context().animate();
+    REQUIRE(driver.settle());
+    const Driver::Picture withEdges = driver.picture();
+    showLayer(driver.context().layers, "mesh", false);
+    driver.context().animate();
+    REQUIRE(driver.settle());
+    const Driver::Picture without = driver.picture();
+    const Vec2 from = driver.pixel({1.5, 7.5}), to = driver.pixel({8.5, 1.5});
+    CHECK(withEdges.differences(without, {from.x, from.y, to.x - from.x, to.y - from.y}) == 0);
+}
+
+TEST_CASE("Legend: numbers are plain") {
+    CHECK(logarithmicTicks(0.05, 140.0, 5).back().text == "140");
+    CHECK(logarithmicTicks(0.05, 140.0, 5).front().text == "0.05");
+    CHECK(logarithmicTicks(20.0, 123456.0, 5).back().text == "123456");
+    const auto ticks = linearTicks({0.85, 1.0});
+    CHECK(ticks.front().text == "\xe2\x89\xa4"
+                                "0.85");
+    CHECK(ticks.back().text == "1");
+    REQUIRE(ticks.size() > 2);
+    for (std::size_t i = 1; i < ticks.size(); ++i) {
+        CHECK(ticks[i].at > ticks[i - 1].at);
+    }
+}
+
+} // namespace forefront::test
