@@ -28,15 +28,18 @@ std::filesystem::path settingsFolder() {
 } // namespace
 
 int runEditor(const EditorArguments &arguments) {
+    const std::filesystem::path folder = settingsFolder();
+    const Settings settings = folder.empty() ? Settings() : loadSettings(folder / "settings.json");
     std::string fault;
-    const std::unique_ptr<GlfwPlatform> platform = GlfwPlatform::create({1440, 900}, "Forefront", fault);
+    const std::unique_ptr<GlfwPlatform> platform =
+        GlfwPlatform::create({1440, 900}, "Forefront", settings.window, fault);
     if (!platform) {
         std::fprintf(stderr, "forefront: no window can be opened: %s\n", fault.c_str());
         return kNoWindow;
     }
     platform->setIcon({64, 64}, makeIcon(64));
     EditorSetup setup;
-    setup.settingsFolder = settingsFolder();
+    setup.settingsFolder = folder;
     setup.stateFolder = stateFolder();
     setup.file = arguments.file.value_or(std::filesystem::path());
     setup.stateFile = arguments.stateFile.value_or(std::filesystem::path());

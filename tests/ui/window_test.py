@@ -80,6 +80,25 @@ class Window:
         x, y, width, height, _ = self.wait(f"widget {name}", still)["widgets"][name]
         return x + width // 2, y + height // 2
 
+    def number(self):
+        found = subprocess.run(["xdotool", "search", "--name", "Forefront"], env=self.env, check=True, timeout=TIMEOUT,
+                               capture_output=True, text=True)
+        return found.stdout.split()[-1]
+
+    def geometry(self):
+        """X, Y, width and height on the screen."""
+        shown = subprocess.run(["xdotool", "getwindowgeometry", "--shell", self.number()], env=self.env, check=True,
+                               timeout=TIMEOUT, capture_output=True, text=True)
+        values = dict(line.split("=") for line in shown.stdout.split())
+        return tuple(int(values[key]) for key in ("X", "Y", "WIDTH", "HEIGHT"))
+
+    def wait_geometry(self, expected):
+        end = time.monotonic() + TIMEOUT
+        while self.geometry() != expected:
+            if time.monotonic() > end:
+                raise Failure(f"the window is at {self.geometry()}, not at {expected}")
+            time.sleep(0.02)
+
     def click(self, name):
         self.xdotool("mousemove", *self.widget(name), "click", 1)
 
@@ -174,17 +193,48 @@ def run(program, folder):
         window.close()
 
 
+def remember_place(program, folder):
+    """The window opens where and as large as it was closed, and states a minimum size."""
+    place = (90, 40, 1010, 640)
+    window = Window(program, folder)
+    try:
+        print("moving and resizing the window")
+        window.key("ctrl+n")
+        window.wait("an empty document", lambda s: s["shapes"] == 0)
+        window.xdotool("windowsize", window.number(), *place[2:])
+        window.xdotool("windowmove", window.number(), *place[:2])
+        window.wait_geometry(place)
+        window.wait("the canvas to follow", lambda s: s["settled"] and s["widgets"]["canvas"][2] < place[2])
+        hints = subprocess.run(["xprop", "-id", window.number(), "WM_NORMAL_HINTS"], env=window.env, check=True,
+                               timeout=TIMEOUT, capture_output=True, text=True).stdout
+        if "program specified minimum size: 800 by 500" not in hints:
+            raise Failure(f"no minimum size: {hints}")
+        window.key("ctrl+q")
+        window.program.wait(TIMEOUT)
+    finally:
+        window.close()
+    print("opening it again")
+    window = Window(program, folder)
+    try:
+        window.wait_geometry(place)
+    finally:
+        window.close()
+
+
 def main():
-    for tool in ("Xvfb", "xdotool"):
+    for tool in ("Xvfb", "xdotool", "xprop"):
         if shutil.which(tool) is None:
             print(f"skipped: {tool} is not installed")
             return SKIPPED
-    with tempfile.TemporaryDirectory() as folder:
-        try:
-            run(str(Path(sys.argv[1]).resolve(strict=True)), folder)
-        except (Failure, OSError, subprocess.SubprocessError) as failure:
-            print(f"FAILED: {failure}")
-            return 1
+    try:
+        with tempfile.TemporaryDirectory() as folder:
+            program = str(Path(sys.argv[1]).resolve(strict=True))
+            run(program, folder)
+        with tempfile.TemporaryDirectory() as folder:
+            remember_place(program, folder)
+    except (Failure, OSError, subprocess.SubprocessError) as failure:
+        print(f"FAILED: {failure}")
+        return 1
     print("passed")
     return 0
 

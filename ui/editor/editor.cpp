@@ -77,11 +77,6 @@ CursorShape cursorOf(ImGuiMouseCursor cursor) {
     }
 }
 
-bool sameSettings(const Settings &a, const Settings &b) {
-    return a.theme == b.theme && a.scale == b.scale && a.panelWidth == b.panelWidth && a.tabsHeight == b.tabsHeight &&
-           a.hints == b.hints && a.recentFiles == b.recentFiles;
-}
-
 } // namespace
 
 bool Editor::Parts::newsDue() const {
@@ -117,7 +112,9 @@ Editor::Editor(Platform &platform, EditorSetup options)
     addShellActions(c.actions);
     c.tools.current().activate(c);
     if (!parts_->options.file.empty()) {
-        open(parts_->options.file);
+        if (open(parts_->options.file)) {
+            rememberFile(c, parts_->options.file);
+        }
     } else if (parts_->options.sample) {
         const std::vector<Sample> gallery = samples();
         if (gallery.empty()) {
@@ -138,6 +135,9 @@ Editor::Editor(Platform &platform, EditorSetup options)
 Editor::~Editor() {
     parts_->context.platform.makeCurrent();
     parts_->bridge.activate();
+    if (const auto place = parts_->context.platform.windowPlace()) {
+        parts_->context.settings.window = place;
+    }
     parts_->rememberSettings();
 }
 
@@ -341,7 +341,7 @@ void Editor::Parts::applyCursor() {
 }
 
 void Editor::Parts::rememberSettings() {
-    if (!options.settingsFolder.empty() && !sameSettings(savedSettings, context.settings)) {
+    if (!options.settingsFolder.empty() && savedSettings != context.settings) {
         saveSettings(options.settingsFolder / "settings.json", context.settings);
         savedSettings = context.settings;
     }

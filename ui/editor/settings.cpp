@@ -18,6 +18,24 @@ double numberIn(const Json &json, const char *name, double fallback, double leas
     return found != json.end() && found->is_number() ? std::clamp(found->get<double>(), least, greatest) : fallback;
 }
 
+/// The place of the window; empty where it is missing or makes no sense.
+std::optional<WindowPlace> placeIn(const Json &json) {
+    const auto found = json.find("window");
+    if (found == json.end() || !found->is_object()) {
+        return std::nullopt;
+    }
+    const auto whole = [&](const char *name, double least) {
+        return static_cast<int>(numberIn(*found, name, 0.0, least, 100000.0));
+    };
+    const auto maximised = found->find("maximised");
+    const WindowPlace place{.x = whole("x", -100000.0),
+                            .y = whole("y", -100000.0),
+                            .width = whole("width", 0.0),
+                            .height = whole("height", 0.0),
+                            .maximised = maximised != found->end() && *maximised == true};
+    return place.width > 0 && place.height > 0 ? std::optional(place) : std::nullopt;
+}
+
 } // namespace
 
 Settings loadSettings(const std::filesystem::path &file, Diagnostics *faults) {
@@ -39,6 +57,7 @@ Settings loadSettings(const std::filesystem::path &file, Diagnostics *faults) {
     settings.tabsHeight = numberIn(json, "tabsHeight", settings.tabsHeight, 90.0, 900.0);
     const auto hints = json.find("hints");
     settings.hints = hints == json.end() || *hints != false;
+    settings.window = placeIn(json);
     const auto recent = json.find("recentFiles");
     if (recent != json.end() && recent->is_array()) {
         for (const Json &entry : *recent) {
@@ -51,12 +70,20 @@ Settings loadSettings(const std::filesystem::path &file, Diagnostics *faults) {
 }
 
 void saveSettings(const std::filesystem::path &file, const Settings &settings) {
-    const Json json{{"theme", settings.theme == ThemeKind::Light ? "light" : "dark"},
-                    {"scale", settings.scale},
-                    {"panelWidth", settings.panelWidth},
-                    {"tabsHeight", settings.tabsHeight},
-                    {"hints", settings.hints},
-                    {"recentFiles", settings.recentFiles}};
+    Json json{{"theme", settings.theme == ThemeKind::Light ? "light" : "dark"},
+              {"scale", settings.scale},
+              {"panelWidth", settings.panelWidth},
+              {"tabsHeight", settings.tabsHeight},
+              {"hints", settings.hints},
+              {"recentFiles", settings.recentFiles}};
+    if (settings.window) {
+        const WindowPlace &place = *settings.window;
+        json["window"] = {{"x", place.x},
+                          {"y", place.y},
+                          {"width", place.width},
+                          {"height", place.height},
+                          {"maximised", place.maximised}};
+    }
     std::error_code ignored;
     std::filesystem::create_directories(file.parent_path(), ignored);
     // Losing a setting is no reason to disturb the user: a fault of the disk shows where documents are saved.

@@ -30,6 +30,42 @@ PixelSize withinDesktop(PixelSize wanted) {
     return width > 0 && height > 0 ? PixelSize{std::min(wanted.width, width), std::min(wanted.height, height)} : wanted;
 }
 
+/// The smallest window in which the whole interface can be used, in design pixels.
+constexpr PixelSize kSmallestWindow{800, 500};
+
+/// True if the title bar of a window at this place can be reached on some screen.
+bool onScreen(const WindowPlace &place) {
+    int count = 0;
+    GLFWmonitor **monitors = glfwGetMonitors(&count);
+    for (int i = 0; i < count; ++i) {
+        int x = 0, y = 0, width = 0, height = 0;
+        glfwGetMonitorWorkarea(monitors[i], &x, &y, &width, &height);
+        constexpr int kReachable = 60;
+        if (place.x + place.width >= x + kReachable && place.x + kReachable <= x + width && place.y >= y &&
+            place.y + kReachable <= y + height) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void restore(GLFWwindow *window, const std::optional<WindowPlace> &place) {
+    float scaleX = 1.0F, scaleY = 1.0F;
+    glfwGetWindowContentScale(window, &scaleX, &scaleY);
+    const PixelSize smallest = withinDesktop({static_cast<int>(static_cast<float>(kSmallestWindow.width) * scaleX),
+                                              static_cast<int>(static_cast<float>(kSmallestWindow.height) * scaleY)});
+    glfwSetWindowSizeLimits(window, smallest.width, smallest.height, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    if (place && onScreen(*place)) {
+        const PixelSize size = withinDesktop({place->width, place->height});
+        glfwSetWindowSize(window, std::max(size.width, smallest.width), std::max(size.height, smallest.height));
+        glfwSetWindowPos(window, place->x, place->y);
+        if (place->maximised) {
+            glfwMaximizeWindow(window);
+        }
+    }
+    glfwShowWindow(window);
+}
+
 /// Window coordinates to framebuffer pixels; they differ only where the system scales windows itself.
 void toPixels(GLFWwindow *window, double &x, double &y) {
     int width = 0, height = 0, pixelWidth = 0, pixelHeight = 0;
@@ -78,13 +114,17 @@ struct GlfwPlatform::Callbacks {
     static void drop(GLFWwindow *window, int count, const char **paths) {
         queue(window).push({.kind = InputKind::Drop, .paths = {paths, paths + count}});
     }
+    static void place(GLFWwindow *window, int, int) {
+        static_cast<GlfwPlatform *>(glfwGetWindowUserPointer(window))->notePlace();
+    }
     static void close(GLFWwindow *window) {
         glfwSetWindowShouldClose(window, GLFW_FALSE);
         queue(window).push({.kind = InputKind::Close});
     }
 };
 
-std::unique_ptr<GlfwPlatform> GlfwPlatform::create(PixelSize size, const std::string &title, std::string &fault) {
+std::unique_ptr<GlfwPlatform> GlfwPlatform::create(PixelSize size, const std::string &title,
+                                                   const std::optional<WindowPlace> &place, std::string &fault) {
     if (glfwInit() == GLFW_FALSE) {
         const char *reason = nullptr;
         glfwGetError(&reason);
@@ -96,6 +136,7 @@ std::unique_ptr<GlfwPlatform> GlfwPlatform::create(PixelSize size, const std::st
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE); // shown once it is at its place
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "forefront");
     size = withinDesktop(size);
     GLFWwindow *window = glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr);
@@ -106,6 +147,7 @@ std::unique_ptr<GlfwPlatform> GlfwPlatform::create(PixelSize size, const std::st
         glfwTerminate();
         return nullptr;
     }
+    restore(window, place);
     glfwMakeContextCurrent(window);
     glfwSwapInterval(1);
     std::unique_ptr<GlfwPlatform> platform(new GlfwPlatform(window));
@@ -126,6 +168,9 @@ GlfwPlatform::GlfwPlatform(GLFWwindow *window) : window_(window) {
     glfwSetWindowFocusCallback(window_, Callbacks::focus);
     glfwSetDropCallback(window_, Callbacks::drop);
     glfwSetWindowCloseCallback(window_, Callbacks::close);
+    glfwSetWindowPosCallback(window_, Callbacks::place);
+    glfwSetWindowSizeCallback(window_, Callbacks::place);
+    notePlace();
     const std::array<int, 7> shapes{GLFW_ARROW_CURSOR,     GLFW_HAND_CURSOR,    GLFW_IBEAM_CURSOR,
                                     GLFW_CROSSHAIR_CURSOR, GLFW_HRESIZE_CURSOR, GLFW_VRESIZE_CURSOR,
                                     GLFW_CROSSHAIR_CURSOR};
@@ -174,6 +219,21 @@ void GlfwPlatform::poll(InputQueue &queue, double waitSeconds) {
 
 void GlfwPlatform::wake() {
     glfwPostEmptyEvent();
+}
+
+void GlfwPlatform::notePlace() {
+    const bool maximised = glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) != 0;
+    const bool minimised = glfwGetWindowAttrib(window_, GLFW_ICONIFIED) != 0;
+    if (!maximised && !minimised) {
+        glfwGetWindowPos(window_, &place_.x, &place_.y);
+        glfwGetWindowSize(window_, &place_.width, &place_.height);
+    }
+}
+
+std::optional<WindowPlace> GlfwPlatform::windowPlace() const {
+    WindowPlace place = place_;
+    place.maximised = glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) != 0;
+    return place;
 }
 
 void GlfwPlatform::present() {

@@ -13,8 +13,10 @@ namespace forefront {
 /// A window of the desktop.
 class GlfwPlatform final : public Platform {
   public:
-    /// Null, with the reason in `fault`, where there is no display or no OpenGL 3.3. Size in design pixels.
-    static std::unique_ptr<GlfwPlatform> create(PixelSize size, const std::string &title, std::string &fault);
+    /// Opens a window of `size` design pixels, or at `place` if given and at least partly on a screen. Returns null,
+    /// with the reason in `fault`, where there is no display or no OpenGL 3.3.
+    static std::unique_ptr<GlfwPlatform> create(PixelSize size, const std::string &title,
+                                                const std::optional<WindowPlace> &place, std::string &fault);
     ~GlfwPlatform() override;
 
     void makeCurrent() override;
@@ -25,6 +27,7 @@ class GlfwPlatform final : public Platform {
     void wake() override;
     unsigned targetFramebuffer() const override { return 0; }
     void present() override;
+    std::optional<WindowPlace> windowPlace() const override;
     void setTitle(const std::string &title) override;
     void setIcon(PixelSize size, const std::vector<std::uint8_t> &rgba) override;
     void setCursor(CursorShape shape) override;
@@ -34,11 +37,13 @@ class GlfwPlatform final : public Platform {
   private:
     struct Callbacks;
     explicit GlfwPlatform(GLFWwindow *window);
+    void notePlace();
 
     GLFWwindow *window_;
     InputQueue pending_; ///< filled by callbacks, emptied by poll()
     std::array<GLFWcursor *, 8> cursors_{};
     CursorShape cursor_ = CursorShape::Arrow;
+    WindowPlace place_;
 };
 
 } // namespace forefront

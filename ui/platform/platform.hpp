@@ -3,6 +3,7 @@
 #include "ui/input/input_queue.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,13 @@ namespace forefront {
 struct PixelSize {
     int width = 0, height = 0;
     friend bool operator==(PixelSize, PixelSize) = default;
+};
+
+/// Where a window of the desktop was, in screen coordinates.
+struct WindowPlace {
+    int x = 0, y = 0, width = 0, height = 0; ///< while it was not maximised
+    bool maximised = false;
+    friend bool operator==(const WindowPlace &, const WindowPlace &) = default;
 };
 
 enum class CursorShape : std::uint8_t { Arrow, Hand, Text, Crosshair, ResizeHorizontal, ResizeVertical, Move, Hidden };
@@ -33,6 +41,8 @@ class Platform {
     /// The framebuffer object to draw to.
     virtual unsigned targetFramebuffer() const = 0;
     virtual void present() = 0;
+    /// The place of the window, to be restored when the program next starts; empty where there is no window.
+    virtual std::optional<WindowPlace> windowPlace() const { return std::nullopt; }
     virtual void setTitle(const std::string &title) = 0;
     /// RGBA, row by row from the top.
     virtual void setIcon(PixelSize size, const std::vector<std::uint8_t> &rgba) = 0;
