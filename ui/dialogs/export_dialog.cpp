@@ -46,7 +46,7 @@ bool WriteDialog::draw(AppContext &context) {
 
 namespace {
 
-/// The mesh that would be written now; null: none.
+/// Returns the mesh that would be exported now, or null if there is none.
 std::shared_ptr<const MeshView> finishedMesh(const AppContext &context) {
     const SessionSnapshot &run = context.run().now();
     const bool finished =
@@ -54,8 +54,9 @@ std::shared_ptr<const MeshView> finishedMesh(const AppContext &context) {
     return finished ? run.mesh : nullptr;
 }
 
-/// Counts of the mesh and what may be wrong with it; false: there is nothing to write. Where there is no finished mesh
-/// and the run rests (a step that was asked for may still be under way when the dialog opens), one is made, once.
+/// Draws the counts of the mesh, or offers to make one. Returns false if there is nothing to export. Starts meshing by
+/// itself, once, if there is no finished mesh and no command is pending (a step may still be under way when the dialog
+/// opens).
 bool drawMeshLine(AppContext &context, bool &asked) {
     const std::shared_ptr<const MeshView> mesh = finishedMesh(context);
     ImGui::AlignTextToFramePadding();
@@ -65,7 +66,7 @@ bool drawMeshLine(AppContext &context, bool &asked) {
             context.run().mesh();
         }
         const bool busy = context.run().busy();
-        ui::muted(context, busy ? "Meshing\xe2\x80\xa6" : "There is no finished mesh to write");
+        ui::muted(context, busy ? "Meshing\xe2\x80\xa6" : "No finished mesh to export");
         ImGui::SameLine();
         if (!busy && ui::button(context, "dialog/export/mesh", "Mesh now")) {
             context.run().mesh();
@@ -82,7 +83,7 @@ bool drawMeshLine(AppContext &context, bool &asked) {
     if (context.run().outOfDate()) {
         ImGui::SameLine(0, context.px(16));
         ImGui::PushStyleColor(ImGuiCol_Text, context.theme.warn);
-        ImGui::TextUnformatted("the drawing has changed since");
+        ImGui::TextUnformatted("the drawing has changed since it was meshed");
         ImGui::PopStyleColor();
         ImGui::SameLine();
         if (ui::button(context, "dialog/export/mesh", "Mesh now")) {
@@ -92,7 +93,7 @@ bool drawMeshLine(AppContext &context, bool &asked) {
     return true;
 }
 
-/// Bytes of what was written.
+/// Returns the size of all files that were written, in bytes.
 std::uintmax_t bytesOf(const std::filesystem::path &path, const std::string &format) {
     std::uintmax_t sum = 0;
     for (const std::filesystem::path &file : filesOfMesh(path, format)) {
@@ -107,7 +108,7 @@ Diagnostics write(AppContext &context, const std::filesystem::path &file, const 
                   InnerEdges innerEdges) {
     const std::shared_ptr<const MeshView> mesh = finishedMesh(context);
     if (!mesh) {
-        return error("no-mesh", "there is no finished mesh to write", "mesh the drawing first");
+        return error("no-mesh", "no finished mesh to export", "mesh the drawing first");
     }
     const auto job = [mesh, file, innerEdges, format = filter.id](std::atomic<double> &fraction, std::stop_token stop) {
         Progress progress;
@@ -117,7 +118,7 @@ Diagnostics write(AppContext &context, const std::filesystem::path &file, const 
                                               : writeMesh(file, withoutInnerEdges(mesh->mesh), format, progress);
     };
     const auto done = [file, format = filter.id, triangles = mesh->mesh.elements.size()](AppContext &c) {
-        c.log.tell("Mesh written to " + file.string() + ": " + ui::count(triangles) + " triangles, " +
+        c.log.tell("Exported mesh to " + file.string() + ": " + ui::count(triangles) + " triangles, " +
                    fileSizeText(bytesOf(file, format)));
     };
     context.dialogs.open(std::make_unique<WriteDialog>(file.string(), job, done));
@@ -129,7 +130,7 @@ Diagnostics write(AppContext &context, const std::filesystem::path &file, const 
 void exportMesh(AppContext &context) {
     FileRequest request;
     request.id = "export";
-    request.title = "Export the mesh";
+    request.title = "Export mesh";
     request.action = "Export";
     request.saves = true;
     for (const FileFormat &format : fileFormats()) {
@@ -138,12 +139,12 @@ void exportMesh(AppContext &context) {
                 {std::string(format.name) + " (" + format.extension + ")", {format.extension}, format.id});
         }
     }
-    // What solvers read comes first (MSH 2.2), the drawing of a mesh last.
+    // Formats that solvers read come first (MSH 2.2), pictures last.
     std::stable_partition(request.filters.begin(), request.filters.end(),
                           [](const FileFilter &filter) { return filter.id != "svg"; });
     const std::filesystem::path &document = context.document().path();
     request.folder = document.parent_path();
-    request.name = (document.empty() ? std::string("mesh") : document.stem().string()) +
+    request.name = (document.empty() ? context.document().title() : document.stem().string()) +
                    request.filters[request.filter].extensions.front();
     const auto keepsInnerEdges = std::make_shared<bool>(true);
     request.chosen = [keepsInnerEdges](AppContext &c, const std::filesystem::path &file, const FileFilter &filter) {

@@ -89,7 +89,7 @@ void FileDialog::drawPlaces(AppContext &context) {
         return;
     }
     ImGui::Dummy({0, context.px(6)});
-    ui::heading(context, "RECENT");
+    ui::heading(context, "Recent");
     for (std::size_t k = 0; k < std::min<std::size_t>(5, context.settings.recentFiles.size()); ++k) {
         const std::filesystem::path file = context.settings.recentFiles[k];
         ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, ImVec2(0.0F, 0.5F));
@@ -104,7 +104,7 @@ void FileDialog::drawPlaces(AppContext &context) {
 }
 
 void FileDialog::drawPath(AppContext &context) {
-    if (ui::iconButton(context, widget("up"), icon::kUp, "Folder above", false, folder_.has_relative_path(), 28.0F)) {
+    if (ui::iconButton(context, widget("up"), icon::kUp, "Parent folder", false, folder_.has_relative_path(), 28.0F)) {
         enter(folder_.parent_path());
     }
     ImGui::SameLine();
@@ -159,7 +159,7 @@ bool FileDialog::drawList(AppContext &context) {
     bool opened = false;
     if (entries_.empty()) {
         ImGui::SetCursorPos({context.px(10), context.px(8)});
-        ui::muted(context, "Nothing of this kind here");
+        ui::muted(context, "No matching files");
     }
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(entries_.size()));
@@ -204,14 +204,17 @@ bool FileDialog::choose(AppContext &context) {
     Diagnostics faults;
     if (request_.saves) {
         followExtension(file.filename().string());
-        file.replace_filename(withExtension(file.filename().string(), filter(), request_.filters));
-        faults = checkPlace(file);
+        faults = checkExtension(file.filename().string(), request_.filters);
+        if (faults.empty()) {
+            file.replace_filename(withExtension(file.filename().string(), filter(), request_.filters));
+            faults = checkPlace(file);
+        }
         if (faults.empty() && std::filesystem::exists(file, ignored) && replace_ != file) {
             replace_ = file;
             return false;
         }
     } else if (!std::filesystem::exists(file, ignored)) {
-        fault_ = file.filename().string() + " is not here";
+        fault_ = file.filename().string() + " not found";
         return false;
     }
     replace_.reset();
@@ -224,7 +227,7 @@ bool FileDialog::choose(AppContext &context) {
 }
 
 std::string FileDialog::warning() const {
-    return !fault_.empty() ? fault_ : replace_ ? replace_->filename().string() + " is already there" : std::string();
+    return !fault_.empty() ? fault_ : replace_ ? replace_->filename().string() + " already exists" : std::string();
 }
 
 /// Widths of the two buttons and the gap between them, design pixels; what is told stands to their left.
@@ -243,7 +246,7 @@ void FileDialog::drawName(AppContext &context, bool &wanted) {
     ui::muted(context, "Name");
     ImGui::SameLine(context.px(72));
     std::string name = request_.name;
-    if (ui::inputText(context, widget("name"), name, request_.saves ? "name of the file" : "name or path", 340.0F, true,
+    if (ui::inputText(context, widget("name"), name, request_.saves ? "file name" : "name or path", 340.0F, true,
                       focusName_)) {
         wanted = true;
     }

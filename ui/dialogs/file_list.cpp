@@ -34,6 +34,28 @@ bool passes(const FileFilter &filter, std::string_view name) {
     return filter.extensions.empty() || endsWithOneOf(name, filter.extensions);
 }
 
+Diagnostics checkExtension(std::string_view name, const std::vector<FileFilter> &filters) {
+    const std::string extension = std::filesystem::path(name).extension().string();
+    const bool known =
+        std::any_of(filters.begin(), filters.end(), [&](const FileFilter &filter) { return passes(filter, name); });
+    if (extension.size() < 2 || known) {
+        return {};
+    }
+    std::string expected;
+    for (const FileFilter &filter : filters) {
+        for (const std::string &each : filter.extensions) {
+            if (expected.find(each + ",") == std::string::npos) {
+                expected += each + ", ";
+            }
+        }
+    }
+    expected.resize(expected.size() - 2);
+    if (const std::size_t last = expected.rfind(", "); last != std::string::npos) {
+        expected.replace(last, 2, " or ");
+    }
+    return error("unknown-extension", "unknown file extension '" + extension + "'; expected " + expected);
+}
+
 std::string withExtension(std::string name, const FileFilter &filter, const std::vector<FileFilter> &others) {
     if (filter.extensions.empty() || name.empty() || passes(filter, name)) {
         return name;

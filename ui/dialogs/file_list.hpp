@@ -10,11 +10,11 @@
 
 namespace forefront {
 
-/// A kind of file offered in a file dialog.
+/// A kind of file that a file dialog offers.
 struct FileFilter {
     std::string name;                    ///< "Projects"
     std::vector<std::string> extensions; ///< ".forefront", lower case; empty: every file
-    std::string id;                      ///< what the caller knows it by
+    std::string id;                      ///< identifies the filter to the caller
 };
 
 struct FileEntry {
@@ -24,18 +24,21 @@ struct FileEntry {
     std::int64_t modified = 0; ///< seconds since the epoch
 };
 
-/// Folders first, then files, each by name without regard to case. Dot files and files that do not pass the filter are
-/// left out. Fault: "folder" with the reason.
+/// Lists folders first, then files, each sorted by name without regard to case. Leaves out dot files and files that do
+/// not pass the filter. Error: "folder" with the reason.
 Result<std::vector<FileEntry>> listFolder(const std::filesystem::path &folder, const FileFilter &filter);
 
-/// True if the filter lets a file name through.
+/// Returns true if the filter lets a file name through.
 bool passes(const FileFilter &filter, std::string_view name);
-/// The name with the first extension of the filter, unless it has one of the filter's already. `others`: extensions of
-/// the other filters, which are replaced instead of kept.
+/// Returns the fault of a name for a new file whose extension belongs to no filter, or nothing if the extension is
+/// known or missing.
+Diagnostics checkExtension(std::string_view name, const std::vector<FileFilter> &filters);
+/// Adds the first extension of the filter to a name, unless it has one of the filter's already. An extension of one of
+/// the `others` is replaced.
 std::string withExtension(std::string name, const FileFilter &filter, const std::vector<FileFilter> &others);
-/// "~" and "~/..." spelt out, relative paths taken from `folder`, "." and ".." resolved.
+/// Resolves what was typed: "~" and "~/..." to the home folder, relative paths from `folder`, "." and "..".
 std::filesystem::path resolved(const std::filesystem::path &folder, std::string_view typed);
-/// "1.2 MB".
+/// Formats a size as in "1.2 MB".
 std::string fileSizeText(std::uintmax_t bytes);
 
 } // namespace forefront
