@@ -149,8 +149,11 @@ void addSelectionActions(ActionRegistry &actions) {
                      },
                  .enabled = [](const AppContext &c) { return !c.selection.shapes.empty(); },
                  .separatorBefore = true});
-    actions.add(
-        {.id = "edit.repair", .menu = "Edit", .title = "Repair drawing", .run = repairDrawing, .enabled = hasShapes});
+    actions.add({.id = "edit.repair",
+                 .menu = "Edit",
+                 .title = "Repair drawing",
+                 .run = repairDrawing,
+                 .enabled = [](const AppContext &c) { return anyRepairable(c.preview->faults); }});
     actions.add({.id = "edit.clearPaint",
                  .menu = "Edit",
                  .title = "Clear paint",

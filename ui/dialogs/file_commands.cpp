@@ -12,13 +12,13 @@
 namespace forefront {
 namespace {
 
-constexpr std::size_t kMostRecent = 12;
+constexpr std::size_t kMaxRecent = 12;
 
 FileFilter projects() {
     return {"Projects (.forefront)", {".forefront", ".json"}, "project"};
 }
 
-/// Everything that a drawing can be read from, then each format alone.
+/// Returns the filters for files that hold a drawing: all of them, then each format.
 std::vector<FileFilter> drawings() {
     FileFilter all{"All drawings", projects().extensions, "all"};
     std::vector<FileFilter> filters{projects()};
@@ -53,7 +53,7 @@ Status save(AppContext &context, const std::filesystem::path &file) {
     return {};
 }
 
-/// Opens what can be read, once the user has said what becomes of the document before; the faults of what cannot.
+/// Opens a file after asking about unsaved changes. Returns the faults of a file that cannot be read.
 Diagnostics openChosen(AppContext &context, const std::filesystem::path &file) {
     const auto read = std::make_shared<Result<Document>>(readDocument(file));
     if (!*read) {
@@ -81,7 +81,7 @@ void rememberFile(AppContext &context, const std::filesystem::path &file) {
     std::vector<std::string> &recent = context.settings.recentFiles;
     std::erase(recent, name);
     recent.insert(recent.begin(), name);
-    recent.resize(std::min(recent.size(), kMostRecent));
+    recent.resize(std::min(recent.size(), kMaxRecent));
 }
 
 void afterUnsaved(AppContext &context, std::function<void(AppContext &)> then) {
@@ -96,7 +96,7 @@ void afterUnsaved(AppContext &context, std::function<void(AppContext &)> then) {
         {"discard", "Don't save", false, then},
         {"save", "Save", true, [then](AppContext &c) { saveDocument(c, then); }}};
     context.dialogs.open(std::make_unique<QuestionDialog>(
-        "unsaved", "Save the changes?", "The changes to " + name + " are not saved yet.", std::move(answers)));
+        "unsaved", "Save changes?", "The changes to " + name + " have not been saved.", std::move(answers)));
 }
 
 void newDocument(AppContext &context) {
@@ -160,7 +160,7 @@ void saveDocumentAs(AppContext &context, std::function<void(AppContext &)> then)
 void importDrawing(AppContext &context) {
     FileRequest request;
     request.id = "import";
-    request.title = "Import a drawing";
+    request.title = "Import drawing";
     request.action = "Import";
     request.filters = drawings();
     request.folder = startFolder(context);
@@ -188,7 +188,7 @@ void importSpacing(AppContext &context) {
             return spacing.faults();
         }
         c.document().apply(setSpacing(*c.document().current(), std::move(spacing).value()), "Import spacing");
-        c.log.tell("Spacing taken from " + file.filename().string());
+        c.log.tell("Imported spacing from " + file.filename().string());
         return {};
     };
     context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));

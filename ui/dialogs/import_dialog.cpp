@@ -13,12 +13,9 @@ namespace forefront {
 
 void ImportDialog::insert(AppContext &context) const {
     Selection added;
-    const bool empty = context.document().current()->shapes.empty();
     context.document().apply(insertDrawing(*context.document().current(), drawing_, scale_, &added), "Import drawing");
     context.selection = std::move(added);
-    if (empty) {
-        context.actions.run("view.fit", context);
-    }
+    context.actions.run("view.fit", context);
     const std::size_t count = drawing_.shapes.size();
     context.log.tell(ui::count(count) + (count == 1 ? " shape" : " shapes") + " imported from " +
                      file_.filename().string());
@@ -36,11 +33,11 @@ bool ImportDialog::draw(AppContext &context) {
     };
     ui::field(context, "Shapes", ui::count(drawing_.shapes.size()), 130.0F);
     ui::field(context, "Nodes", ui::count(nodes), 130.0F);
-    ui::field(context, "Size in the file", extent(box, 1.0), 130.0F);
-    ui::field(context, "This drawing", extent(here, 1.0), 130.0F);
+    ui::field(context, "Size in file", extent(box, 1.0), 130.0F);
+    ui::field(context, "Current drawing", extent(here, 1.0), 130.0F);
     ImGui::Dummy({0, context.px(6)});
     ImGui::AlignTextToFramePadding();
-    ui::muted(context, "One unit of the file is");
+    ui::muted(context, "1 unit in the file =");
     ImGui::SameLine();
     double scale = scale_;
     if (ui::inputNumber(context, "dialog/importoptions/scale", scale, 100.0F) && scale > 0.0) {
@@ -48,7 +45,7 @@ bool ImportDialog::draw(AppContext &context) {
     }
     ImGui::SameLine();
     ui::muted(context, "units here");
-    // Inches, millimetres and points are what drawings usually are in.
+    // The units that drawings usually come in.
     const struct {
         const char *id, *label;
         double factor;
@@ -64,7 +61,7 @@ bool ImportDialog::draw(AppContext &context) {
         ImGui::SameLine();
     }
     ImGui::NewLine();
-    ui::field(context, "Size here", extent(box, scale_), 130.0F);
+    ui::field(context, "Size after import", extent(box, scale_), 130.0F);
     ImGui::Dummy({0, context.px(8)});
     ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - context.px(258));
     if (ui::button(context, "dialog/importoptions/cancel", "Cancel", ui::ButtonKind::Plain, true, 124.0F)) {

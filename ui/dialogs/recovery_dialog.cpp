@@ -25,7 +25,7 @@ std::string timeText(std::time_t time) {
 
 bool RecoveryDialog::draw(AppContext &context) {
     ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted("The program ended without saving. This is what it kept of your work:");
+    ImGui::TextUnformatted("Forefront closed unexpectedly. These unsaved drawings can be recovered:");
     ImGui::PopTextWrapPos();
     ImGui::Dummy({0, context.px(4)});
     const float rows = static_cast<float>(std::min<std::size_t>(orphans_.size(), 6));

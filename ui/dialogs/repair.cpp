@@ -3,7 +3,23 @@
 #include "core/domain/validate.hpp"
 #include "ui/editor/app_context.hpp"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 namespace forefront {
+
+bool repairable(const Diagnostic &fault) {
+    // Those that repair() in core/domain treats.
+    static constexpr std::array<std::string_view, 7> kCodes{
+        "zero-length",       "unreferenced-node", "duplicate-node",      "duplicate-segment",
+        "crossing-segments", "touching-segments", "overlapping-segments"};
+    return std::find(kCodes.begin(), kCodes.end(), fault.code) != kCodes.end();
+}
+
+bool anyRepairable(const Diagnostics &faults) {
+    return std::any_of(faults.begin(), faults.end(), repairable);
+}
 
 void repairDrawing(AppContext &context) {
     const std::shared_ptr<const Document> before = context.document().current();
@@ -13,12 +29,12 @@ void repairDrawing(AppContext &context) {
         return;
     }
     if (repaired->changes.empty()) {
-        context.log.tell("Nothing that can be repaired safely was found");
+        context.log.tell("Found nothing to repair");
         return;
     }
     const Document drawing = fromDomain(repaired->domain);
     Document next = *before;
-    // Ids go on counting, so that no shape is taken for one that was there before.
+    // Ids continue, so that no new shape is mistaken for an old one.
     next.shapes.clear();
     for (const auto &shape : drawing.shapes) {
         auto copy = std::make_shared<Shape>(*shape);

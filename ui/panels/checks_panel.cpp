@@ -1,3 +1,4 @@
+#include "ui/dialogs/repair.hpp"
 #include "ui/editor/app_context.hpp"
 #include "ui/panels/edit_panels.hpp"
 #include "ui/widgets/text_wrap.hpp"
@@ -10,7 +11,7 @@
 namespace forefront {
 namespace {
 
-/// Faults of the drawing as the preview finds them, a moment after every edit.
+/// Lists the faults of the drawing, which are found anew a moment after every edit.
 class ChecksPanel final : public Panel {
   public:
     const char *id() const override { return "checks"; }
@@ -20,7 +21,7 @@ class ChecksPanel final : public Panel {
     void draw(AppContext &context) override {
         const Diagnostics &faults = context.preview->faults;
         if (context.document().current()->shapes.empty()) {
-            ui::small(context, "Nothing is drawn yet. Press P and click the corners of a polygon.", true);
+            ui::small(context, "The drawing is empty. Press P and click the corners of a polygon.", true);
             ui::mark(context, "checks/empty");
             return;
         }
@@ -32,16 +33,16 @@ class ChecksPanel final : public Panel {
         ImGui::PopStyleColor();
         ImGui::SameLine();
         ImGui::TextUnformatted(
-            errors > 0 ? (ui::count(static_cast<std::uint64_t>(errors)) + (errors == 1 ? " fault" : " faults")).c_str()
-                       : "The drawing can be meshed");
+            errors > 0 ? (ui::count(static_cast<std::uint64_t>(errors)) + (errors == 1 ? " error" : " errors")).c_str()
+                       : "Ready to mesh");
         ui::mark(context, "checks/summary");
-        if (errors > 0) {
+        if (anyRepairable(faults)) {
             ImGui::SameLine(ImGui::GetContentRegionMax().x - context.px(78));
             if (ui::button(context, "checks/repair", "Repair", ui::ButtonKind::Primary, true, 78.0F)) {
                 context.actions.run("edit.repair", context);
             }
-            ui::tooltip(context, "Merges doubled nodes and segments, splits segments where they cross; every change is "
-                                 "reported in the log");
+            ui::tooltip(context, "Merge duplicate nodes and segments, and split segments where they cross. The log "
+                                 "lists every change.");
         }
         drawList(context, faults);
     }

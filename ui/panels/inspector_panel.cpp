@@ -6,6 +6,7 @@
 #include "ui/panels/edit_panels.hpp"
 #include "ui/panels/form.hpp"
 #include "ui/tools/edit_state.hpp"
+#include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -18,7 +19,7 @@ namespace {
 
 using Names = std::map<std::int32_t, std::string>;
 
-/// What is selected, with its numbers; edits become commands.
+/// Shows and edits what is selected; every edit is a command.
 class InspectorPanel final : public Panel {
   public:
     const char *id() const override { return "inspector"; }
@@ -36,7 +37,7 @@ class InspectorPanel final : public Panel {
     void drawMarker(AppContext &context, std::uint32_t index) const;
     void drawMany(AppContext &context) const;
 
-    std::uint64_t pruned_ = 0; ///< revision for which the selection was last freed of what is gone
+    std::uint64_t pruned_ = 0; ///< revision for which deleted parts were last removed from the selection
 };
 
 void heading(AppContext &context, const std::string &text) {
@@ -46,7 +47,7 @@ void heading(AppContext &context, const std::string &text) {
     ui::mark(context, "inspector/what");
 }
 
-/// Tag and name of boundary shapes, as one row; new values become commands.
+/// Draws the tag and name of boundary shapes in one row; new values become commands.
 template <class SetTag>
 void boundaryTagRow(AppContext &context, std::int32_t tag, SetTag setTag) {
     const Document &document = *context.document().current();
@@ -70,25 +71,41 @@ void useRow(AppContext &context, const std::set<std::uint32_t> &ids, ShapeUse us
     }
 }
 
-void InspectorPanel::drawHere(AppContext &context) const {
+/// The node spacing under the pointer and the part that gives it, or why there is none.
+std::string spacingHere(const AppContext &context) {
     const std::shared_ptr<const SpacingField> &spacing = context.preview->spacing;
     const std::shared_ptr<const Domain> &domain = context.preview->domain;
-    const float top = ImGui::GetCursorPosY();
-    if (!spacing && domain && !domain->nodes.empty()) {
-        ui::small(context, "The spacing has a fault: see Checks.", true);
-        ui::mark(context, "inspector/fault");
-    } else if (!spacing) {
-        ui::small(context, "Draw a domain to see its spacing here.", true);
-    } else if (!context.view.pointer) {
-        ui::small(context, "Point at the canvas to read the spacing there.", true);
-    } else {
-        const SpacingSample sample = spacing->sample(*context.view.pointer);
-        ui::small(context, "\xcf\x81 here = " + ui::number(sample.rho, 3) + ": " + sample.describe, true);
+    if (!spacing) {
+        const bool empty = !domain || domain->nodes.empty();
+        return empty ? "Draw a domain to see its spacing here." : "The spacing has an error: see Checks.";
     }
+    if (!context.view.pointer) {
+        return "Point at the canvas to read the spacing there.";
+    }
+    const SpacingSample sample = spacing->sample(*context.view.pointer);
+    return "\xcf\x81 here = " + ui::number(sample.rho, 3) + ": " + sample.describe;
+}
+
+/// Always takes the room of two lines, however long the text: the fields below must not move under the pointer. What
+/// does not fit is shown in a tooltip.
+void InspectorPanel::drawHere(AppContext &context) const {
+    const float top = ImGui::GetCursorPosY();
+    const std::string text = spacingHere(context);
+    ImGui::PushFont(context.fonts.small);
+    ImGui::PushStyleColor(ImGuiCol_Text, context.theme.muted);
+    const std::string shown = ui::twoLines(text, ImGui::GetContentRegionAvail().x);
+    ImGui::TextUnformatted(shown.c_str());
+    ImGui::PopStyleColor();
     ui::mark(context, "inspector/here");
-    // Always room for two lines: the fields below must not move as the pointer leaves the canvas on its way to them.
-    const float room = 2.0F * context.fonts.small->FontSize + ImGui::GetStyle().ItemSpacing.y;
-    ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), top + room));
+    if (!context.preview->spacing && context.preview->domain && !context.preview->domain->nodes.empty()) {
+        ui::mark(context, "inspector/fault");
+    }
+    if (shown.ends_with("\xe2\x80\xa6")) {
+        ui::tooltip(context, text);
+    }
+    const float room = 2.0F * ImGui::GetTextLineHeight() + ImGui::GetStyle().ItemSpacing.y;
+    ImGui::PopFont();
+    ImGui::SetCursorPosY(top + room);
 }
 
 void InspectorPanel::drawGeometry(AppContext &context, const Shape &shape) const {
@@ -145,7 +162,7 @@ void InspectorPanel::drawShapeButtons(AppContext &context, const Shape &shape) c
                        shape.nodes.size() > 2)) {
             EditState::apply(context, toggleClosed(document, shape.id), closed ? "Open polygon" : "Close polyline");
         }
-        ui::tooltip(context, closed ? "Turn the polygon into a polyline that can end anywhere" : "Join the ends");
+        ui::tooltip(context, closed ? "Turn the polygon into an open polyline" : "Join the two ends");
         ImGui::SameLine();
     }
     if (ui::button(context, "inspector/duplicate", "Duplicate")) {
@@ -219,7 +236,7 @@ void InspectorPanel::drawSource(AppContext &context, std::uint32_t index) const 
     const Document &document = *context.document().current();
     SizeSource source = document.spacing.sources[index];
     heading(context, displayName(source, index));
-    bool changed = form::text(context, "inspector/name", "Name", source.name, "such as pier head");
+    bool changed = form::text(context, "inspector/name", "Name", source.name, "pier head");
     if (source.shape == SourceShape::Line) {
         changed = form::pair(context, "inspector/a", "From", source.a) || changed;
         changed = form::pair(context, "inspector/b", "To", source.b) || changed;

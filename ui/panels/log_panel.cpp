@@ -16,7 +16,7 @@ class LogPanel final : public Panel {
 
     void draw(AppContext &context) override {
         if (context.log.entries().empty()) {
-            ui::small(context, "Nothing to report.");
+            ui::small(context, "No messages yet.");
             return;
         }
         const auto &entries = context.log.entries();

@@ -26,9 +26,8 @@ class MeshingPanel final : public Panel {
             changed = true;
         }
         ImGui::EndGroup();
-        ui::tooltip(context,
-                    "Fast: walks along the front, up to three elements an advance. Classic: the ten steps, one "
-                    "element an advance.");
+        ui::rowTooltip(context, "Fast: walks along the front and makes up to three elements per advance. Classic: the "
+                                "ten steps, one element per advance.");
         form::label(context, "Improve");
         static constexpr const char *kLevels[] = {"None", "Default", "Best"};
         int level = static_cast<int>(options.improve);
@@ -38,11 +37,12 @@ class MeshingPanel final : public Panel {
             changed = true;
         }
         ImGui::EndGroup();
-        ui::tooltip(context, "Swapping edges and moving inner nodes once the front has closed. Best takes longer "
-                             "and also adds and removes inner nodes; None goes with the quickest front.");
+        ui::rowTooltip(context,
+                       "Improve the finished mesh. Default: swap edges and move inner nodes. Best: slower, also "
+                       "adds and removes inner nodes. None: fastest; the mesh is left as it is.");
         form::label(context, "Boundary");
-        changed = ui::checkbox(context, "meshing/keepboundary", "Keep its segments", options.keepBoundary) || changed;
-        ui::tooltip(context, "The segments drawn become edges as they are, however long; no nodes are put between");
+        changed = ui::checkbox(context, "meshing/keepboundary", "Keep segments", options.keepBoundary) || changed;
+        ui::rowTooltip(context, "Keep the drawn segments as mesh edges; do not subdivide them.");
         form::label(context, "Grid");
         static constexpr const char *kGrids[] = {"none", "uniform", "hierarchical"};
         int grid = static_cast<int>(options.grid);
@@ -50,8 +50,8 @@ class MeshingPanel final : public Panel {
             options.grid = static_cast<GridKind>(grid);
             changed = true;
         }
-        ui::tooltip(context, "The background grid answers the searches of the front: it changes the work, never the "
-                             "mesh. Show it with the layer Grid cells.");
+        ui::rowTooltip(context, "Background grid that speeds up searches on the front. It changes the work, never the "
+                                "mesh. Turn on the layer Grid cells to see it.");
         if (changed) {
             Document next = *context.document().current();
             next.options = options;

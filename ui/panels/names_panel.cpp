@@ -18,8 +18,8 @@ class NamesPanel final : public Panel {
 
     void draw(AppContext &context) override {
         const std::shared_ptr<const Document> document = context.document().current();
-        ui::small(context, "Every boundary segment and element keeps these names in exported meshes.", true);
-        ui::heading(context, "BOUNDARIES");
+        ui::small(context, "Exported meshes keep these names.", true);
+        ui::heading(context, "Boundaries");
         if (revision_ != context.document().revision()) {
             revision_ = context.document().revision();
             boundaries_ = boundaryTags(*document);
@@ -32,12 +32,12 @@ class NamesPanel final : public Panel {
             });
             ImGui::SameLine(0, context.px(6));
             if (ui::iconButton(context, "names/boundary/" + std::to_string(tag) + "/select", icon::kSelect,
-                               "Select all with this tag", false, true, 24.0F)) {
+                               "Select everything with this tag", false, true, 24.0F)) {
                 selectTag(context, *document, tag);
             }
         }
         ImGui::Dummy({0, context.px(4)});
-        ui::heading(context, "REGIONS");
+        ui::heading(context, "Regions");
         for (const std::int32_t tag : regions_) {
             row(context, "names/region/", tag, regionName(document->regionNames, tag), [&](std::string name) {
                 EditState::apply(context, setRegionName(*context.document().current(), tag, std::move(name)),

@@ -65,10 +65,11 @@ void SpacingPanel::drawExpression(AppContext &context) {
     const std::string expression = document->spacing.expression.value_or(std::string());
     std::string typed = expression;
     form::label(context, "Expression");
-    if (ui::entry(context, "spacing/expression", typed, "such as 0.1 + 0.2*abs(x)")) {
+    if (ui::entry(context, "spacing/expression", typed, "0.1 + 0.2*abs(x)")) {
         context.document().apply(setExpression(*document, typed), "Change expression");
     }
-    ui::tooltip(context, "\xcf\x81 as a function of x and y. The smallest of all parts wins.");
+    ui::rowTooltip(context, "Node spacing \xcf\x81 as a function of x and y. Where several parts give a spacing, the "
+                            "smallest applies.");
     if (const Diagnostic *fault = expressionFault(context)) {
         drawExpressionFault(context, *fault, expression);
     }
@@ -108,30 +109,30 @@ void SpacingPanel::drawLimits(AppContext &context) {
     std::optional<double> least = document->spacing.minimum, greatest = document->spacing.maximum;
     form::label(context, "Limits");
     const float half = form::halfWidth(context);
-    const bool low = form::optionalField(context, "spacing/minimum", least, "least", half);
-    ui::tooltip(context, "\xcf\x81 is nowhere smaller than this");
+    const bool low = form::optionalField(context, "spacing/minimum", least, "min", half);
+    ui::rowTooltip(context, "Minimum node spacing");
     ImGui::SameLine(0, context.px(6));
-    const bool high = form::optionalField(context, "spacing/maximum", greatest, "greatest", half);
-    ui::tooltip(context, "\xcf\x81 is nowhere greater than this");
+    const bool high = form::optionalField(context, "spacing/maximum", greatest, "max", half);
+    ui::tooltip(context, "Maximum node spacing");
     if (low || high) {
         EditState::apply(context, setLimits(*document, least, greatest), "Limit spacing");
     }
     std::optional<double> gradation = document->spacing.gradation;
     form::label(context, "Gradation");
-    if (form::optionalField(context, "spacing/gradation", gradation, "by itself")) {
+    if (form::optionalField(context, "spacing/gradation", gradation, "auto")) {
         EditState::apply(context, setGradation(*context.document().current(), gradation), "Change gradation");
     }
-    ui::tooltip(context, "Greatest change of \xcf\x81 per unit of length: 0.1 is gentle, 0.3 is steep");
+    ui::rowTooltip(context, "Maximum change of \xcf\x81 per unit of length: 0.1 is gentle, 0.3 is steep");
     form::label(context, "");
     bool fromBoundary = document->spacing.fromBoundary;
-    if (ui::checkbox(context, "spacing/fromboundary", "Boundary lengths too", fromBoundary)) {
+    if (ui::checkbox(context, "spacing/fromboundary", "Use boundary lengths", fromBoundary)) {
         context.document().apply(setFromBoundary(*context.document().current(), fromBoundary), "Spacing from boundary");
     }
-    ui::tooltip(context, "The lengths of the boundary segments, as drawn, are sizes too");
+    ui::rowTooltip(context, "Take the lengths of the drawn boundary segments as node spacing there.");
 }
 
-/// Nothing that speaks of the whole domain is given: the automatic spacing does.
-bool fillsIn(const SpacingSpec &spacing) {
+/// Returns true if nothing covers the whole domain, so that the automatic spacing applies.
+bool automatic(const SpacingSpec &spacing) {
     return !spacing.size && !spacing.expression && spacing.sources.empty() && !spacing.fromBoundary;
 }
 
@@ -140,10 +141,10 @@ void SpacingPanel::draw(AppContext &context) {
     const SpacingSpec &spacing = document->spacing;
     std::optional<double> size = spacing.size;
     form::label(context, "Size");
-    if (form::optionalField(context, "spacing/size", size, fillsIn(spacing) ? "automatic" : "none")) {
+    if (form::optionalField(context, "spacing/size", size, automatic(spacing) ? "auto" : "none")) {
         EditState::apply(context, setSize(*document, size), "Change size");
     }
-    ui::tooltip(context, "Element size everywhere, where nothing finer is asked for. Empty: automatic.");
+    ui::rowTooltip(context, "Element size wherever nothing asks for smaller elements. Leave empty for automatic.");
     drawExpression(context);
     drawSources(context);
     drawLimits(context);
@@ -156,12 +157,12 @@ void SpacingPanel::draw(AppContext &context) {
         }
     }
     if (spacing.background) {
-        if (ui::button(context, "spacing/clearbackground", "Drop background mesh")) {
+        if (ui::button(context, "spacing/clearbackground", "Remove background mesh")) {
             Document next = *context.document().current();
             next.spacing.background.reset();
-            context.document().apply(std::move(next), "Drop background mesh");
+            context.document().apply(std::move(next), "Remove background mesh");
         }
-        ui::tooltip(context, ui::count(spacing.background->nodes.size()) + " nodes with a spacing each");
+        ui::tooltip(context, ui::count(spacing.background->nodes.size()) + " nodes, each with a spacing");
     }
 }
 

@@ -20,7 +20,7 @@ class StatisticsPanel final : public Panel {
     void draw(AppContext &context) override {
         const SessionSnapshot &run = context.run().now();
         if (run.state == RunState::Empty || run.state == RunState::Failed) {
-            ui::small(context, "Numbers of the mesh and of the work behind it appear here.", true);
+            ui::small(context, "Mesh the drawing to see statistics of the mesh and of the run.", true);
             ui::mark(context, "statistics/empty");
             return;
         }
@@ -37,12 +37,17 @@ class StatisticsPanel final : public Panel {
     }
 
   private:
+    /// A label and its value in two columns of the table; the tooltip covers both.
     static void cell(AppContext &context, const char *label, const std::string &value, const char *meaning) {
         ImGui::TableNextColumn();
+        const ImVec2 from = ImGui::GetCursorScreenPos();
         ui::muted(context, label);
-        ui::tooltip(context, meaning);
         ImGui::TableNextColumn();
+        const double right = static_cast<double>(ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x);
         ImGui::TextUnformatted(value.c_str());
+        const PixelRect rect{from.x, from.y, right - static_cast<double>(from.x), ImGui::GetTextLineHeight()};
+        ui::markRect(context, std::string("statistics/") + label, rect);
+        ui::tooltipOver(context, rect, meaning);
     }
 
     static void rows(AppContext &context, const SessionSnapshot &run) {
@@ -55,32 +60,33 @@ class StatisticsPanel final : public Panel {
              "area/\xce\xa3l\xc2\xb2, arithmetic mean; 1: equilateral");
         cell(context, "Ne", ui::count(q.elements), "Elements");
         cell(context, "\xce\xb1 geom.", ui::format("%.4f", q.alphaGeometricMean), "Geometric mean of \xce\xb1");
-        cell(context, "\xce\x93", ui::count(run.frontSegments), "Segments of the generation front now");
-        cell(context, "\xce\xb1 least", ui::format("%.4f", q.alphaMin), "The worst element");
-        cell(context, "Nb", ui::format("%.1f", w.frontMean()), "Mean length of the front");
+        cell(context, "\xce\x93", ui::count(run.frontSegments), "Segments on the generation front now");
+        cell(context, "\xce\xb1 min", ui::format("%.4f", q.alphaMin), "Shape factor of the worst element");
+        cell(context, "Nb", ui::mean(w.frontMean()), "Mean number of segments on the front");
         cell(context, "\xce\xb4 mean", ui::format("%.4f", q.deltaMean),
              "Spacing conformity min(L/\xcf\x81, \xcf\x81/L), mean over the segments");
-        cell(context, "Nc", ui::format("%.2f", w.neighboursMean()),
-             "Mean neighbouring segments that the background grid delivers per element");
-        cell(context, "min \xe2\x88\xa0", ui::format("%.1f\xc2\xb0", q.minAngle), "Least angle");
-        cell(context, "Ns", ui::format("%.3f", w.testsMean()), "Mean segments tested exactly per element");
-        cell(context, "max \xe2\x88\xa0", ui::format("%.1f\xc2\xb0", q.maxAngle), "Greatest angle");
+        cell(context, "Nc", ui::mean(w.neighboursMean()),
+             "Mean number of neighbouring segments that the background grid delivers per element");
+        cell(context, "min \xe2\x88\xa0", ui::format("%.1f\xc2\xb0", q.minAngle), "Smallest angle");
+        cell(context, "Ns", ui::mean(w.testsMean()), "Mean number of segments tested for intersection per element");
+        cell(context, "max \xe2\x88\xa0", ui::format("%.1f\xc2\xb0", q.maxAngle), "Largest angle");
         const auto perElement = [&w](std::uint64_t sum) {
             return w.elements == 0 ? 0.0 : static_cast<double>(sum) / static_cast<double>(w.elements);
         };
-        cell(context, "cells", ui::format("%.2f", perElement(w.cellsVisited)),
-             "Cells of the background grid visited per element");
-        cell(context, "candidates", ui::format("%.2f", perElement(w.candidates)),
-             "Candidate nodes considered per element");
-        cell(context, "new nodes", ui::count(w.newNodes), "Advances that made a node");
-        cell(context, "deferred", ui::count(w.deferrals), "Advances without an element: the base was put back");
-        cell(context, "time", timeText(run.secondsMesh), "Advancing the front, processor time");
-        cell(context, "forced", ui::count(w.forced), "Elements made by the closing stage, from existing nodes only");
-        cell(context, "improve", timeText(run.secondsImprove), "Swapping and smoothing, processor time");
+        cell(context, "cells", ui::mean(perElement(w.cellsVisited)),
+             "Mean number of cells of the background grid visited per element");
+        cell(context, "candidates", ui::mean(perElement(w.candidates)),
+             "Mean number of candidate nodes considered per element");
+        cell(context, "new nodes", ui::count(w.newNodes), "Advances that created a node");
+        cell(context, "deferred", ui::count(w.deferrals),
+             "Advances that created no element: the base segment was put back for later");
+        cell(context, "time", timeText(run.secondsMesh), "Processor time spent on advancing the front");
+        cell(context, "forced", ui::count(w.forced), "Elements made from existing nodes only, to close the front");
+        cell(context, "improve", timeText(run.secondsImprove), "Processor time spent on swapping and smoothing");
         cell(context, "hash",
              run.meshHash != 0 ? ui::format("%08x\xe2\x80\xa6", static_cast<unsigned>(run.meshHash >> 32))
                                : std::string("\xe2\x80\x93"),
-             "Equal exactly when the mesh is equal bit for bit");
+             "Two meshes are identical bit for bit if and only if their hashes are equal");
     }
 };
 

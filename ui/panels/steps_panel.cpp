@@ -23,7 +23,7 @@ constexpr std::array<const char *, kStepCount> kShort{
     "Stop when \xce\x93 = \xe2\x88\x85",
 };
 
-/// The candidate that the score on show is of: the one accepted, once that is known, else the best one proposed last.
+/// Returns the candidate whose score is shown: the accepted one once it is known, else the one scored last.
 const CandidateTrace *scored(const Moment &moment) {
     const AdvanceExplanation &e = *moment.advance;
     for (std::size_t i = 0; i < moment.candidates; ++i) {
@@ -39,7 +39,7 @@ const CandidateTrace *scored(const Moment &moment) {
     return found;
 }
 
-/// What the step found, at the right of its line; empty while it is not known.
+/// Returns the result of a step, shown at the right of its line; empty while it is not known.
 std::string finding(const Moment &moment, int step) {
     if (!moment || static_cast<int>(moment.step) < step) {
         return {};
@@ -71,8 +71,9 @@ std::string finding(const Moment &moment, int step) {
 std::string tip(Step step) {
     std::string text = stepTitle(step);
     if (step == Step::Score) {
-        text +=
-            ". A point for several segments has the least \xce\xb1 of its elements; AC and CB are their outer sides.";
+        text += ". A point that closes several segments gets the smallest \xce\xb1 of its elements; AC and CB are "
+                "their outer "
+                "sides.";
     }
     return text;
 }

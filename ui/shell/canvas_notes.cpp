@@ -1,3 +1,4 @@
+#include "ui/dialogs/repair.hpp"
 #include "ui/shell/shell.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/text_wrap.hpp"
@@ -18,7 +19,8 @@ constexpr ImGuiWindowFlags kFloating = ImGuiWindowFlags_NoDecoration | ImGuiWind
                                        ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing |
                                        ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-/// A small plate on the canvas; `pivotX` 0: x is its left edge, 0.5: its middle, 1: its right edge.
+/// A small plate on the canvas. `pivotX` and `pivotY` say which point of it lies at (x, y): 0 left or top, 1 right or
+/// bottom.
 class Plate {
   public:
     Plate(AppContext &context, const char *name, double x, double y, float pivotX, float pivotY) {
@@ -54,18 +56,18 @@ struct Hint {
     const char *key, *text;
 };
 
-/// Pixels that the hint takes in the strip, the gap behind it included.
+/// Returns the width of a hint in the strip, including the gap after it, in pixels.
 float widthOf(const AppContext &context, const Hint &hint) {
     return ImGui::CalcTextSize(hint.key).x + ImGui::CalcTextSize(hint.text).x + context.px(12 + 6 + 16);
 }
 
-/// As many hints as there is room for beside the legends; one alone is not worth its plate.
+/// Draws as many hints as fit beside the legends, but at least two.
 void drawHints(AppContext &context, const PixelRect &canvas) {
     if (!context.settings.hints) {
         return;
     }
     static constexpr std::array<Hint, 5> kMeshing{
-        {{"2", "mesh"}, {"Space", "replay the front"}, {".", "step"}, {"B", "paint finer"}, {"?", "all shortcuts"}}};
+        {{"2", "mesh"}, {"Space", "play"}, {".", "step forward"}, {"B", "paint spacing"}, {"?", "all shortcuts"}}};
     static constexpr std::array<Hint, 5> kDrawing{
         {{"R", "rectangle"}, {"P", "polygon"}, {"C", "circle"}, {"Ctrl+O", "open"}, {"?", "all shortcuts"}}};
     const auto &hints = context.document().current()->shapes.empty() ? kDrawing : kMeshing;
@@ -93,13 +95,13 @@ void drawHints(AppContext &context, const PixelRect &canvas) {
     ui::markWindow(context, "hints");
 }
 
-/// What the plates may take of the width of the canvas, their padding left out.
+/// Returns the greatest width of a plate without its padding, in pixels.
 float roomOfPlates(const AppContext &context, const PixelRect &canvas) {
     return static_cast<float>(canvas.width) - context.px(2 * 12 + 2 * 12);
 }
 
-/// Top of the plate at the right end: beside the options of the tool where it fits there, below them where not. Judged
-/// by what the last frame drew.
+/// Returns the top of the plate at the right: beside the tool options if it fits there, else below them. Uses the
+/// rectangles of the last frame.
 double topOfNotes(const AppContext &context, const PixelRect &canvas) {
     const double gap = 12.0 * static_cast<double>(context.scale);
     const WidgetRegistry::Widget *const options = context.widgets.find("options");
@@ -118,7 +120,7 @@ bool working(const SessionSnapshot &run) {
 
 void drawOutOfDate(AppContext &context, const PixelRect &canvas) {
     if (working(context.run().now()) || context.run().cancelling()) {
-        return; // the progress stands there
+        return; // the progress is shown there
     }
     const RunState state = context.run().now().state;
     if (!context.run().outOfDate() || state == RunState::Empty || state == RunState::Failed) {
@@ -181,7 +183,7 @@ void drawProgress(AppContext &context, const PixelRect &canvas) {
     ui::markWindow(context, "canvas/plate");
 }
 
-/// "FILE, line N: MESSAGE", the parts that are known.
+/// Formats "FILE, line N: MESSAGE" as far as known.
 std::string withPlace(const Diagnostic &diagnostic) {
     std::string text;
     if (!diagnostic.file.empty()) {
@@ -194,16 +196,8 @@ std::string withPlace(const Diagnostic &diagnostic) {
     return text + diagnostic.message;
 }
 
-/// A fault of the drawing that "Repair drawing" mends.
-bool repairable(const Diagnostic &diagnostic) {
-    static constexpr std::array<std::string_view, 7> kCodes{
-        "zero-length",       "unreferenced-node", "duplicate-node",      "duplicate-segment",
-        "crossing-segments", "touching-segments", "overlapping-segments"};
-    return std::find(kCodes.begin(), kCodes.end(), diagnostic.code) != kCodes.end();
-}
-
-/// What was told last, as long as it is new and, a fault, of the document as it is; of several faults told at once the
-/// first, and how many followed it goes to `more`. Null: nothing.
+/// Returns the newest message while it is recent and, if it is a fault, still about the current document; else null. Of
+/// several faults reported at once it is the first, and `more` counts the others.
 const MessageLog::Entry *newsOf(AppContext &context, std::size_t &more) {
     constexpr double kShown = 9.0; // seconds
     const auto &entries = context.log.entries();
@@ -230,11 +224,11 @@ const MessageLog::Entry *newsOf(AppContext &context, std::size_t &more) {
 void drawNewsButtons(AppContext &context, ui::Flow &flow, const Diagnostic &diagnostic) {
     if (diagnostic.at) {
         flow.item("goto");
-        if (ui::button(context, "canvas/error/goto", "Show place")) {
+        if (ui::button(context, "canvas/error/goto", "Show")) {
             context.view.goTo(*diagnostic.at, context.platform.now());
         }
     }
-    if (repairable(diagnostic) && hasErrors(context.preview->faults)) {
+    if (repairable(diagnostic) && anyRepairable(context.preview->faults)) {
         flow.item("repair");
         if (ui::button(context, "canvas/error/repair", "Repair")) {
             context.actions.run("edit.repair", context);
@@ -242,7 +236,7 @@ void drawNewsButtons(AppContext &context, ui::Flow &flow, const Diagnostic &diag
     }
 }
 
-/// `room`: greatest width in pixels. `more`: how many faults followed.
+/// Draws a message at most `room` pixels wide; `more` counts the faults that followed it.
 void drawMessage(AppContext &context, const Diagnostic &diagnostic, float room, std::size_t more) {
     const bool fault = diagnostic.severity == Severity::Error, note = diagnostic.severity == Severity::Note;
     const Theme &theme = context.theme;
@@ -261,14 +255,14 @@ void drawMessage(AppContext &context, const Diagnostic &diagnostic, float room, 
         ImGui::PopStyleColor();
     }
     if (more > 0) {
-        ui::muted(context, "and " + ui::count(more) + " more: see Log");
+        ui::muted(context, "and " + ui::count(more) + " more; see Log");
         ui::mark(context, "canvas/error/more");
     }
     ImGui::EndGroup();
     ui::mark(context, note ? "canvas/note" : "canvas/error");
 }
 
-/// The news for some seconds; those of a fault with a way to its place.
+/// Shows the newest message for a few seconds, with buttons to go to the place of a fault and to repair it.
 void drawNews(AppContext &context, const PixelRect &canvas) {
     std::size_t more = 0;
     const MessageLog::Entry *const entry = newsOf(context, more);

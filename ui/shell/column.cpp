@@ -4,22 +4,16 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cctype>
+#include <string>
+#include <vector>
 
 namespace forefront::shell {
 
 namespace {
 
-std::string capitals(const char *text) {
-    std::string result(text);
-    std::transform(result.begin(), result.end(), result.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-    return result;
-}
-
-/// An edge that can be dragged; returns the distance dragged in pixels along its normal.
+/// Draws an edge that can be dragged. Returns the distance dragged in this frame, in pixels along its normal.
 float splitter(AppContext &context, const char *name, const PixelRect &rect, bool vertical) {
-    // Dear ImGui clips to half of the padding, just where the edge is.
+    // Dear ImGui clips at half of the padding, which would hide the edge.
     const ImVec2 corner{static_cast<float>(rect.x), static_cast<float>(rect.y)};
     ImGui::PushClipRect(corner, {static_cast<float>(rect.x + rect.width), static_cast<float>(rect.y + rect.height)},
                         false);
@@ -44,7 +38,7 @@ float splitter(AppContext &context, const char *name, const PixelRect &rect, boo
     return vertical ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y;
 }
 
-/// Heading with a triangle; remembers in Dear ImGui's storage whether the panel is folded.
+/// Draws the heading of a panel, which folds it. Returns true if the panel is unfolded; Dear ImGui's storage remembers.
 bool panelHeading(AppContext &context, const Panel &panel) {
     const std::string name = std::string("panel/") + panel.id();
     bool *folded = ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID(panel.id()), false);
@@ -60,7 +54,7 @@ bool panelHeading(AppContext &context, const Panel &panel) {
     const float y = at.y + (height - ImGui::GetFontSize()) / 2;
     const Colour colour = hovered ? context.theme.text : context.theme.muted;
     list.AddText({at.x, y}, colour, *folded ? icon::kRight : icon::kDown);
-    list.AddText({at.x + context.px(14), y}, colour, capitals(panel.title()).c_str());
+    list.AddText({at.x + context.px(14), y}, colour, panel.title());
     ImGui::PopFont();
     return !*folded;
 }
@@ -113,15 +107,15 @@ void drawTabs(AppContext &context) {
     const float height = context.px(24);
     float words = 0.0F;
     for (const Panel *tab : tabs) {
-        words += ImGui::CalcTextSize(capitals(tab->title()).c_str()).x + context.px(2);
+        words += ImGui::CalcTextSize(tab->title()).x + context.px(2);
     }
     const float room = ImGui::GetContentRegionAvail().x - words;
     const float gap =
         std::clamp(room / std::max(1.0F, static_cast<float>(tabs.size()) - 1.0F), context.px(5), context.px(16));
     for (std::size_t i = 0; i < tabs.size(); ++i) {
-        const std::string title = capitals(tabs[i]->title());
+        const std::string title = tabs[i]->title();
         const ImVec2 size = ImGui::CalcTextSize(title.c_str());
-        if (i > 0) { // in a narrow column they go on in a second row
+        if (i > 0) { // in a narrow column they continue in a second row
             ImGui::SameLine(0, gap);
             if (ImGui::GetContentRegionAvail().x < size.x) {
                 ImGui::NewLine();
@@ -158,9 +152,9 @@ void drawColumn(AppContext &context, const PixelRect &rect) {
     ImGui::GetWindowDrawList()->AddLine({edge, static_cast<float>(rect.y)},
                                         {edge, static_cast<float>(rect.y + rect.height)}, context.theme.line);
     const double scale = static_cast<double>(context.scale);
-    // In a low window half of the column is left to what stands above the tabs.
-    const double most = std::min(rect.height - 80.0 * scale, std::max(0.5 * rect.height, rect.height - 240.0 * scale));
-    const double tabs = std::clamp(context.settings.tabsHeight * scale, 60.0, std::max(60.0, most));
+    // In a low window the panels above the tabs keep half of the column.
+    const double limit = std::min(rect.height - 80.0 * scale, std::max(0.5 * rect.height, rect.height - 240.0 * scale));
+    const double tabs = std::clamp(context.settings.tabsHeight * scale, 60.0, std::max(60.0, limit));
     const float stacked = static_cast<float>(rect.height - tabs) - context.px(10);
     drawStacked(context, stacked);
     const double splitY = rect.y + rect.height - tabs - 5.0 * scale;

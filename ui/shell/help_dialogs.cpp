@@ -17,7 +17,7 @@ namespace {
 class ShortcutSheet final : public Dialog {
   public:
     const char *id() const override { return "shortcuts"; }
-    std::string title() const override { return "Shortcuts"; }
+    std::string title() const override { return "Keyboard shortcuts"; }
     float width() const override { return 860.0F; }
 
     bool draw(AppContext &context) override {
@@ -34,38 +34,38 @@ class ShortcutSheet final : public Dialog {
     static void drawColumns(AppContext &context, float column, float room) {
         ui::Flow flow(context, room, context.px(18));
         flow.item("tools");
-        group(context, "shortcuts/tools", "TOOLS", column, [&] {
+        group(context, "shortcuts/tools", "Tools", column, [&] {
             for (const auto &tool : context.tools.tools) {
                 row(context, column, toString({tool->key(), {}}), tool->name());
             }
         });
         flow.item("mesh");
-        group(context, "shortcuts/mesh", "MESH AND TIMELINE", column, [&] { actionRows(context, column, {"Mesh"}); });
-        group(context, "shortcuts/drawing", "DRAWING", column, [&] {
+        group(context, "shortcuts/mesh", "Mesh and timeline", column, [&] { actionRows(context, column, {"Mesh"}); });
+        group(context, "shortcuts/drawing", "Drawing", column, [&] {
             for (const auto &[keys, text] : kDrawing) {
                 row(context, column, keys, text);
             }
         });
         flow.item("files");
-        group(context, "shortcuts/files", "FILES AND EDITING", column, [&] {
+        group(context, "shortcuts/files", "Files and editing", column, [&] {
             actionRows(context, column, {"File", "Edit"});
         });
-        group(context, "shortcuts/view", "VIEW", column, [&] {
-            row(context, column, "Wheel", "Zoom at the pointer");
-            row(context, column, "Space + drag", "Move the view");
-            row(context, column, "Middle drag", "Move the view");
+        group(context, "shortcuts/view", "View", column, [&] {
+            row(context, column, "Wheel", "Zoom at pointer");
+            row(context, column, "Space + drag", "Pan");
+            row(context, column, "Middle drag", "Pan");
             actionRows(context, column, {"View", "Help"});
         });
     }
 
     static constexpr std::array<std::pair<const char *, const char *>, 7> kDrawing{{
-        {"Enter", "Close or end the path"},
+        {"Enter", "Finish the path"},
         {"Backspace", "Remove the last node"},
         {"X Y D Q", "Lock x, y, distance, angle"},
         {"0\xe2\x80\xa6"
          "9",
-         "Numeric entry"},
-        {"Shift / Ctrl", "Angle snap / no snap"},
+         "Enter a number"},
+        {"Shift / Ctrl", "Snap to 15\xc2\xb0 / do not snap"},
         {"[ ]", "Brush radius"},
         {"Shift + [ ]", "Brush spacing"},
     }};
@@ -110,7 +110,7 @@ std::string lowered(std::string_view text) {
     return result;
 }
 
-/// Every word of the query occurs in the text.
+/// Returns true if every word of the query occurs in the text.
 bool matches(const std::string &text, const std::string &query) {
     const std::string low = lowered(text);
     for (std::size_t at = 0; at < query.size();) {
@@ -131,7 +131,7 @@ class Palette final : public Dialog {
     float height() const override { return 440.0F; }
 
     bool draw(AppContext &context) override {
-        ui::inputText(context, "palette/query", query_, "Type what you want to do", -1.0F, false, first_);
+        ui::inputText(context, "palette/query", query_, "Type a command", -1.0F, false, first_);
         first_ = false;
         const std::vector<const Action *> found = search(context);
         move(static_cast<int>(found.size()));
@@ -190,14 +190,14 @@ class Palette final : public Dialog {
 class ScaleDialog final : public Dialog {
   public:
     const char *id() const override { return "scale"; }
-    std::string title() const override { return "Size of the interface"; }
+    std::string title() const override { return "Interface scale"; }
     float width() const override { return 420.0F; }
 
     bool draw(AppContext &context) override {
         if (percent_ <= 0.0) {
             percent_ = 100.0 * context.settings.scale;
         }
-        ui::small(context, "On top of the scale of the screen. It takes effect when the slider is let go.", true);
+        ui::small(context, "Multiplies the scale of the screen. Takes effect when you release the slider.", true);
         ui::slider(context, "scale/slider", percent_, 75.0, 300.0, "%.0f %%");
         if (ImGui::IsItemDeactivatedAfterEdit()) {
             context.settings.scale = percent_ / 100.0;
@@ -225,8 +225,8 @@ class About final : public Dialog {
         ui::muted(context, std::string("Version ") + version());
         ImGui::PushTextWrapPos(0.0F);
         ImGui::TextUnformatted(
-            "Planar triangle meshes by the advancing front technique of S. H. Lo: draw a domain, paint "
-            "the node spacing, and watch the front step forward and back.");
+            "Triangle meshes of plane domains by the advancing front technique of S. H. Lo. Draw a domain, paint the "
+            "node spacing, and watch the front step forward and back.");
         ImGui::PopTextWrapPos();
         ui::small(context, "MIT licence. Built on Dear ImGui, GLFW, FreeType, Inter and Font Awesome.", true);
         return true;

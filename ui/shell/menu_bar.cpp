@@ -36,8 +36,8 @@ std::string titleText(const AppContext &context) {
     return title;
 }
 
-/// In the middle of the bar, or of what the menus and the icons leave of it; its end is left out where that is too
-/// short.
+/// Draws the title of the document, centred in the bar as far as menus and icons allow, and shortened where it does
+/// not fit.
 void drawTitle(AppContext &context, const PixelRect &rect, float from, float to) {
     const std::string title = titleText(context);
     const ImVec2 size = ImGui::CalcTextSize(title.c_str());
@@ -60,8 +60,8 @@ void drawRightEnd(AppContext &context, const PixelRect &rect) {
     ImGui::SetCursorPos({icons, (static_cast<float>(rect.height) - icon) / 2});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(4), 0));
     const bool shown = context.view.panels;
-    if (ui::iconButton(context, "menu/panels", icon::kColumns,
-                       shown ? "Hide the panels (Tab)" : "Show the panels (Tab)", !shown, true, 26.0F)) {
+    if (ui::iconButton(context, "menu/panels", icon::kColumns, shown ? "Hide panels (Tab)" : "Show panels (Tab)",
+                       !shown, true, 26.0F)) {
         context.actions.run("view.panels", context);
     }
     ImGui::SameLine();
@@ -75,7 +75,7 @@ void drawRightEnd(AppContext &context, const PixelRect &rect) {
         context.actions.run("view.theme", context);
     }
     ImGui::SameLine();
-    if (ui::iconButton(context, "menu/shortcuts", icon::kKeyboard, "Shortcuts (?)", false, true, 26.0F)) {
+    if (ui::iconButton(context, "menu/shortcuts", icon::kKeyboard, "Keyboard shortcuts (?)", false, true, 26.0F)) {
         context.actions.run("help.shortcuts", context);
     }
     ImGui::PopStyleVar();

@@ -10,17 +10,17 @@ namespace forefront::shell {
 
 namespace {
 
-/// Writes cells from left to right, hairlines between them.
+/// Lays out the cells of the status bar from left to right, with hairlines between them.
 class Cells {
   public:
     Cells(AppContext &context, const PixelRect &rect) : context_(context), rect_(rect), x_(rect.x) {}
 
-    /// `least`: design pixels kept free so that changing digits do not push the rest about.
-    void add(const std::string &name, const std::string &text, Colour colour, double least = 0.0) {
+    /// Adds a cell at least `minWidth` design pixels wide, so that changing digits do not move the next ones.
+    void add(const std::string &name, const std::string &text, Colour colour, double minWidth = 0.0) {
         const double scale = static_cast<double>(context_.scale);
         const double pad = 10.0 * scale;
         const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-        const double width = std::max(static_cast<double>(size.x), least * scale) + 2.0 * pad;
+        const double width = std::max(static_cast<double>(size.x), minWidth * scale) + 2.0 * pad;
         ImDrawList &list = *ImGui::GetWindowDrawList();
         if (x_ > rect_.x) {
             list.AddLine({static_cast<float>(x_), static_cast<float>(rect_.y + 6.0 * scale)},
@@ -56,7 +56,7 @@ std::string pointerText(const View &view) {
     return ui::format("x %.*f   y %.*f", decimals, view.pointer->x, decimals, view.pointer->y);
 }
 
-/// Of the mesh there is, else of the one to be expected.
+/// Adds the figures of the mesh, or the estimated number of elements while there is none.
 void addMesh(Cells &cells, AppContext &context) {
     const Theme &theme = context.theme;
     const SessionSnapshot &run = context.run().now();
@@ -72,8 +72,8 @@ void addMesh(Cells &cells, AppContext &context) {
             theme.text, 120);
         cells.clicked("quality");
         ui::tooltip(context, run.complete && run.advance < run.known
-                                 ? "Mean shape factor and least angle so far; the mesh is improved at the end"
-                                 : "Mean shape factor and least angle");
+                                 ? "Mean shape factor and smallest angle so far; the mesh is improved at the end"
+                                 : "Mean shape factor and smallest angle");
     } else if (context.preview->estimatedElements > 0.0) {
         cells.add("estimate",
                   "about " + ui::count(static_cast<std::uint64_t>(context.preview->estimatedElements)) +
@@ -84,9 +84,9 @@ void addMesh(Cells &cells, AppContext &context) {
         cells.add("hash", "hash " + toHex(run.meshHash).substr(0, 8), theme.muted);
         if (cells.clicked("hash")) {
             context.platform.setClipboard(toHex(run.meshHash));
-            context.log.tell("Mesh hash copied: " + toHex(run.meshHash));
+            context.log.tell("Copied mesh hash " + toHex(run.meshHash));
         }
-        ui::tooltip(context, "Equal exactly when the mesh is equal bit for bit. Click to copy.");
+        ui::tooltip(context, "Meshes with the same hash are identical bit for bit. Click to copy.");
     }
 }
 
@@ -97,11 +97,11 @@ void addFaults(Cells &cells, AppContext &context) {
         if (cells.clicked("faults")) {
             context.actions.run("view.firstFault", context);
         }
-        ui::tooltip(context, toString(context.preview->faults.front()) + "\nClick to go there.");
+        ui::tooltip(context, toString(context.preview->faults.front()) + "\nClick to go there");
     }
 }
 
-/// At the right, where there is room.
+/// Draws the hint of the current tool at the right if there is room.
 void drawHint(const Cells &cells, const AppContext &context, const PixelRect &rect) {
     const std::string hint = context.tools.current().statusText(context);
     if (!hint.empty()) {

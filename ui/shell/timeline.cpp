@@ -29,11 +29,11 @@ void drawTransport(AppContext &context) {
     const struct {
         const char *name, *icon, *tip, *action;
     } buttons[] = {
-        {"timeline/start", icon::kToStart, "To the start (Home)", "run.start"},
-        {"timeline/back", icon::kBack, "One step back ( , )  Shift: 100", "run.back"},
+        {"timeline/start", icon::kToStart, "Go to the start (Home)", "run.start"},
+        {"timeline/back", icon::kBack, "Step back ( , )  Shift: 100 steps", "run.back"},
         {"timeline/play", playing ? icon::kPause : icon::kPlay, playing ? "Pause (Space)" : "Play (Space)", "run.play"},
-        {"timeline/forward", icon::kForward, "One step on ( . )  Shift: 100", "run.forward"},
-        {"timeline/end", icon::kToEnd, "To the end (End)", "run.end"},
+        {"timeline/forward", icon::kForward, "Step forward ( . )  Shift: 100 steps", "run.forward"},
+        {"timeline/end", icon::kToEnd, "Go to the end (End)", "run.end"},
     };
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(2), 0));
     for (const auto &button : buttons) {
@@ -47,7 +47,7 @@ void drawTransport(AppContext &context) {
     ImGui::PopStyleVar();
 }
 
-/// `narrow`: short of room.
+/// Draws the speed slider and the step size; `narrow` makes both smaller.
 void drawSpeed(AppContext &context, bool narrow) {
     const double speed = context.run().speed();
     const double slowest = std::log10(RunControl::kSlowest), span = std::log10(RunControl::kFastest) - slowest;
@@ -58,21 +58,21 @@ void drawSpeed(AppContext &context, bool narrow) {
     }
     ImGui::SameLine(0, context.px(6));
     int granularity = static_cast<int>(context.run().granularity);
-    // By the classic method an advance is one element, by the fast one it is up to three.
+    // An advance of the classic method makes one element, one of the fast method up to three.
     const bool fast = context.run().method() == Method::Fast;
     const char *const names[] = {"Event", fast ? "Advance" : "Element", "Layer"};
     const char *const tips[] = {
-        "A step is one moment inside an advance: a candidate, a segment tested",
-        fast ? "A step is one advance of the front: up to three elements around one node"
-             : "A step is one advance of the front: one element, or none where the segment is deferred",
-        "A step is once around the front: as many advances as it had segments"};
+        "One step is one event within an advance, such as a candidate or a tested segment",
+        fast ? "One step is one advance of the front: up to three elements around one node"
+             : "One step is one advance of the front: one element, or none if the base segment is deferred",
+        "One step is once around the front: as many advances as the front has segments"};
     if (ui::segmented(context, "timeline/granularity", names, granularity, narrow ? 176.0F : 190.0F, tips)) {
         context.run().granularity = static_cast<Granularity>(granularity);
     }
 }
 
-/// Marks under the bar. New nodes and closures closer than the eye can tell are drawn once; what is rare is always
-/// drawn.
+/// Draws the marks below the bar. Of new nodes and closures too close to tell apart only one is drawn; rare marks are
+/// always drawn.
 template <class Place>
 void drawMarks(AppContext &context, const std::vector<TimelineMark> &marks, Place place, float middle) {
     ImDrawList &list = *ImGui::GetWindowDrawList();
@@ -90,13 +90,13 @@ void drawMarks(AppContext &context, const std::vector<TimelineMark> &marks, Plac
     }
 }
 
-/// The bar that can be dragged: known part, marks, position.
+/// Draws the bar of the timeline with its marks, and seeks while it is dragged.
 void drawScrubber(AppContext &context, float width, float height) {
     const SessionSnapshot &run = context.run().now();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton("##scrubber", {width, height});
     ui::mark(context, "timeline/scrubber", run.known > 0);
-    // A last move and the release may come in one frame.
+    // The last move and the release may arrive in the same frame.
     const bool active = ImGui::IsItemActive() || ImGui::IsItemDeactivated(), hovered = ImGui::IsItemHovered();
     ImDrawList &list = *ImGui::GetWindowDrawList();
     const Theme &theme = context.theme;
@@ -128,7 +128,7 @@ void drawScrubber(AppContext &context, float width, float height) {
     }
 }
 
-/// To two digits, so that the last ones do not flicker.
+/// Rounds a rate to two digits, so that the others do not flicker.
 std::uint64_t roundedRate(double rate) {
     if (!(rate >= 1.0)) {
         return 0;
@@ -142,7 +142,7 @@ std::string cancelledText(const SessionSnapshot &run) {
         return "Cancelled before the front advanced.";
     }
     return "Cancelled after " + ui::count(run.known) +
-           " advances: step through what is there, End goes on, 2 starts again.";
+           " advances. Step through them, press End to continue, or 2 to start again.";
 }
 
 /// "segments 3 and 9 cross at (2, 0.5); move a node"
@@ -154,11 +154,11 @@ std::string faultText(const Diagnostic &fault) {
     return fault.advice.empty() ? text : text + "; " + fault.advice;
 }
 
-/// What to do while there is no mesh.
+/// Says how to get started while there is no mesh.
 std::string invitation(const AppContext &context) {
     return context.document().current()->shapes.empty()
-               ? "Draw a domain: R rectangle, P polygon, C circle; a shape inside another is a hole. Or open one: "
-                 "Ctrl+O, samples in Learn."
+               ? "Draw a domain: R rectangle, P polygon, C circle. A shape inside another is a hole. Or open a file "
+                 "(Ctrl+O) or a sample (Learn)."
                : "Press 2 to mesh, or Space to watch the front advance.";
 }
 
@@ -173,7 +173,7 @@ std::string captionText(const AppContext &context, const SessionSnapshot &run) {
         return cancelledText(run);
     case RunState::Failed:
         if (context.run().outOfDate()) {
-            return invitation(context); // what it failed of may be mended
+            return invitation(context); // the drawing has changed since it failed
         }
         return run.diagnostics.empty() ? "The domain cannot be meshed." : faultText(run.diagnostics.front());
     case RunState::Preparing:
@@ -184,16 +184,17 @@ std::string captionText(const AppContext &context, const SessionSnapshot &run) {
     }
     const bool atEnd = run.complete && run.advance == run.known;
     if (atEnd && (run.improved || run.frontSegments == 0) && run.eventCursor >= run.eventCount) {
-        return "\xce\x93 = \xe2\x88\x85: the domain is meshed" + std::string(run.improved ? " and improved." : ".");
+        return "\xce\x93 = \xe2\x88\x85: the domain is meshed" +
+               std::string(run.improved ? " and the mesh improved." : ".");
     }
     if (run.explanation) {
         return caption(*run.explanation, run.eventCount > 0 ? run.eventCursor : run.explanation->events.size());
     }
     if (run.advance == 0) {
-        return "\xce\x93 is the boundary of the domain: nothing is meshed yet.";
+        return "\xce\x93 is the boundary of the domain; nothing is meshed yet.";
     }
     if (run.state == RunState::Running) {
-        return "The front advances: " + ui::count(roundedRate(run.rate)) + " advances per second.";
+        return "The front advances " + ui::count(roundedRate(run.rate)) + " times per second.";
     }
     return {};
 }

@@ -3,6 +3,7 @@
 #include <imgui.h>
 #include <imgui_freetype.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -21,7 +22,7 @@ class AtlasBuilder {
   public:
     AtlasBuilder(float scale, std::string &warning) : scale_(scale), warning_(warning) {}
 
-    /// Text at `size` design pixels, with symbols the face lacks taken from DejaVu, and icons where asked for.
+    /// Adds a text font at `size` design pixels. Symbols it lacks come from DejaVu; icons are added on request.
     ImFont *text(const char *file, float size, bool withIcons) {
         ImFont *font = add(file, size, kTextRanges, nullptr);
         if (font == nullptr) {
@@ -60,8 +61,7 @@ class AtlasBuilder {
         if (!std::filesystem::exists(path, ignored)) {
             if (warning_.empty()) {
                 warning_ = "font " + path.string() +
-                           " is missing; install fonts-inter, fonts-font-awesome and "
-                           "fonts-dejavu-core";
+                           " not found; install fonts-inter, fonts-font-awesome and fonts-dejavu-core";
             }
             return nullptr;
         }
@@ -71,6 +71,27 @@ class AtlasBuilder {
     float scale_;
     std::string &warning_;
 };
+
+/// Gives all digits the width of the widest and centres them in it. FreeType within Dear ImGui does not apply the
+/// OpenType feature "tnum" that would do the same.
+void makeDigitsTabular(ImFont &font) {
+    float widest = 0.0F;
+    for (ImWchar digit = '0'; digit <= '9'; ++digit) {
+        widest = std::max(widest, font.GetCharAdvance(digit));
+    }
+    for (ImWchar digit = '0'; digit <= '9'; ++digit) {
+        const ImFontGlyph *const found = font.FindGlyphNoFallback(digit);
+        if (found == nullptr) {
+            continue;
+        }
+        ImFontGlyph &glyph = font.Glyphs[static_cast<int>(found - font.Glyphs.Data)];
+        const float shift = std::round(0.5F * (widest - glyph.AdvanceX)); // whole pixels keep the digit sharp
+        glyph.X0 += shift;
+        glyph.X1 += shift;
+        glyph.AdvanceX = widest;
+        font.IndexAdvanceX[digit] = widest;
+    }
+}
 
 } // namespace
 
@@ -84,15 +105,18 @@ Fonts loadFonts(float scale, std::string &warning) {
     Fonts fonts;
     fonts.body = builder.text("opentype/inter/Inter-Regular.otf", 14.0F, true);
     fonts.strong = builder.text("opentype/inter/Inter-SemiBold.otf", 14.0F, true);
-    fonts.small = builder.text("opentype/inter/Inter-Regular.otf", 12.0F, true);
-    fonts.heading = builder.text("opentype/inter/Inter-SemiBold.otf", 11.0F, true);
+    fonts.small = builder.text("opentype/inter/Inter-Regular.otf", 13.0F, true);
+    fonts.heading = builder.text("opentype/inter/Inter-SemiBold.otf", 12.0F, true);
     fonts.title = builder.text("opentype/inter/Inter-SemiBold.otf", 20.0F, false);
     fonts.icons = builder.icons(17.0F);
-    fonts.mono = builder.mono(12.5F);
+    fonts.mono = builder.mono(13.0F);
     fonts.icons = fonts.icons != nullptr ? fonts.icons : fonts.body;
     fonts.mono = fonts.mono != nullptr ? fonts.mono : fonts.body;
     ImGui::GetIO().FontDefault = fonts.body;
     atlas.Build();
+    for (ImFont *font : atlas.Fonts) {
+        makeDigitsTabular(*font);
+    }
     return fonts;
 }
 

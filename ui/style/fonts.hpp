@@ -6,19 +6,20 @@ struct ImFont;
 
 namespace forefront {
 
-/// The type of the program: Inter in few sizes, with the icons of Font Awesome in each. Sizes in design pixels.
+/// The fonts of the program: Inter in a few sizes, each with the icons of Font Awesome. Sizes in design pixels. All
+/// digits of a font have the same width, so that changing numbers do not move what stands beside them.
 struct Fonts {
     ImFont *body = nullptr;    ///< 14, regular: everything
     ImFont *strong = nullptr;  ///< 14, semi-bold: values, active
-    ImFont *small = nullptr;   ///< 12, regular: captions, ticks, units
-    ImFont *heading = nullptr; ///< 11, semi-bold: capitals over panels
+    ImFont *small = nullptr;   ///< 13, regular: captions, ticks, units
+    ImFont *heading = nullptr; ///< 12, semi-bold: headings of panels
     ImFont *title = nullptr;   ///< 20, semi-bold: dialogs, help
     ImFont *icons = nullptr;   ///< 17: tool strip and transport
     ImFont *mono = nullptr;    ///< 13: hashes, expressions
 };
 
-/// Builds the font atlas of the current Dear ImGui context at `scale` pixels per design pixel. What is missing falls
-/// back to a font that is there, down to Dear ImGui's own; `warning` then says what to install.
+/// Builds the font atlas of the current Dear ImGui context at `scale` pixels per design pixel. A missing font falls
+/// back to one that is installed, down to Dear ImGui's own; `warning` then names the packages to install.
 Fonts loadFonts(float scale, std::string &warning);
 
 } // namespace forefront

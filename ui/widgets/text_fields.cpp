@@ -11,7 +11,8 @@ namespace forefront::ui {
 
 namespace {
 
-/// Dear ImGui 1.86 redoes by Ctrl+Y alone: while Ctrl+Shift+Z is held, Z is shown to it as that.
+/// Makes Ctrl+Shift+Z redo in text fields: Dear ImGui 1.86 knows only Ctrl+Y, so Z is shown to it as Y while the keys
+/// are held.
 class RedoByShiftZ {
   public:
     RedoByShiftZ()
@@ -40,12 +41,12 @@ class RedoByShiftZ {
 };
 
 struct Drawn {
-    bool returned = false; ///< what Dear ImGui answers
-    bool held = false;     ///< the field had the focus before, so that its text is the one typed
-    bool holds = false;    ///< and has it now
+    bool returned = false; ///< by Dear ImGui
+    bool held = false;     ///< the field had the focus before, so its text is what was typed
+    bool holds = false;    ///< the field has the focus now
 };
 
-/// One field in the order that Tab follows.
+/// Draws a text field and adds it to the order in which Tab visits fields.
 Drawn drawField(AppContext &context, std::string_view name, std::string &value, std::string_view hint, float width,
                 ImGuiInputTextFlags flags, bool focus) {
     FieldFocus &fields = context.widgets.fields;
@@ -77,7 +78,7 @@ Drawn drawField(AppContext &context, std::string_view name, std::string &value, 
             context.animate();
         }
     }
-    // Whoever comes back to the field starts afresh: what was undone here belongs to the document now.
+    // Forget the undo history of a field that was left: its changes now belong to the history of the document.
     if (ImGuiInputTextState *state = ImGui::GetInputTextState(id); state != nullptr && ImGui::GetActiveID() != id) {
         state->ID = 0;
     }
@@ -111,7 +112,7 @@ bool entry(AppContext &context, std::string_view name, std::string &value, std::
         value = before;
         return false;
     }
-    // Where another widget took the focus, the field was not asked and shows what stood there before.
+    // If another widget took the focus, the field was not drawn as active and shows the text from before.
     value = drawn.held ? value : being->text;
     const bool changed = value != being->initial;
     being.reset();
@@ -122,19 +123,19 @@ bool entry(AppContext &context, std::string_view name, std::string &value, std::
 std::optional<double> typedNumber(AppContext &context, const std::string &typed) {
     const std::optional<double> number = parseNumber(typed);
     if (!number) {
-        context.log.add(error("bad-number", "\"" + typed + "\" is not a number", "enter a number such as 0.25"));
+        context.log.add(error("bad-number", "expected a number, got '" + typed + "'", "enter a number such as 0.25"));
     }
     return number;
 }
 
 bool inputNumber(AppContext &context, std::string_view name, double &value, float width) {
-    std::string typed = format("%.6g", value);
+    std::string typed = number(value, 6);
     if (!entry(context, name, typed, {}, width, true)) {
         return false;
     }
-    const std::optional<double> number = typedNumber(context, typed);
-    const bool changed = number && *number != value;
-    value = number.value_or(value);
+    const std::optional<double> entered = typedNumber(context, typed);
+    const bool changed = entered && *entered != value;
+    value = entered.value_or(value);
     return changed;
 }
 

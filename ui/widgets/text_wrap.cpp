@@ -33,6 +33,23 @@ std::string wrapped(std::string_view text, float width) {
     }
 }
 
+std::string twoLines(std::string_view text, float width) {
+    std::string lines = wrapped(text, width);
+    const std::size_t first = lines.find('\n');
+    const std::size_t second = first == std::string::npos ? first : lines.find('\n', first + 1);
+    if (second == std::string::npos) {
+        return lines;
+    }
+    lines.resize(second);
+    const auto tooWide = [&] {
+        return ImGui::CalcTextSize((lines.substr(first + 1) + "\xe2\x80\xa6").c_str()).x > width;
+    };
+    while (tooWide() && lines.rfind(' ') != std::string::npos && lines.rfind(' ') > first) {
+        lines.resize(lines.rfind(' '));
+    }
+    return lines + "\xe2\x80\xa6";
+}
+
 void wrappedText(std::string_view text, float width) {
     const float room = width > 0.0F ? width : ImGui::GetContentRegionAvail().x;
     const std::string lines = wrapped(text, room);

@@ -33,8 +33,36 @@ PixelRect placeTooltip(const PixelRect &widget, const PixelRect &window, Vec2 si
     return {at, takesAbove ? above : within(below, size.y, height), size.x, size.y};
 }
 
+namespace {
+
+/// Shows a tooltip beside `widget`, a rectangle within the current window.
+void show(AppContext &context, std::string_view text, const PixelRect &widget) {
+    const ImGuiContext &imgui = *ImGui::GetCurrentContext();
+    const float wrap = context.px(320);
+    const ImVec2 pad(context.px(9), context.px(6));
+    const std::string lines = wrapped(text, wrap);
+    const ImVec2 words = ImGui::CalcTextSize(lines.c_str(), nullptr, false, wrap + 1.0F);
+    const ImGuiWindow &window = *imgui.CurrentWindow->RootWindow;
+    const PixelRect place = placeTooltip(widget, {window.Pos.x, window.Pos.y, window.Size.x, window.Size.y},
+                                         {std::ceil(words.x) + 2.0 * pad.x, std::ceil(words.y) + 2.0 * pad.y},
+                                         context.platform.framebufferSize(), imgui.IO.MousePos.x, context.px(6));
+    ImGui::SetNextWindowPos({static_cast<float>(place.x), static_cast<float>(place.y)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, pad);
+    ImGui::BeginTooltip();
+    wrappedText(text, wrap);
+    ImGui::EndTooltip();
+    ImGui::PopStyleVar();
+    markRect(context, "tooltip", place);
+}
+
+PixelRect rectOf(ImVec2 min, ImVec2 max) {
+    return {min.x, min.y, max.x - min.x, max.y - min.y};
+}
+
+} // namespace
+
 void tooltip(AppContext &context, std::string_view text) {
-    constexpr float kDelay = 0.4F; // seconds: who passes over a control on the way elsewhere wants no explanation
+    constexpr float kDelay = 0.4F; // seconds: no explanation for a pointer that only passes over
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
         return;
     }
@@ -46,23 +74,25 @@ void tooltip(AppContext &context, std::string_view text) {
     if (imgui.HoveredId != 0 && imgui.HoveredIdTimer - imgui.IO.DeltaTime < kDelay) {
         context.animate(); // it appears now: Dear ImGui measures it in a frame that does not show it
     }
-    const float wrap = context.px(320);
-    const ImVec2 pad(context.px(9), context.px(6));
-    const std::string lines = wrapped(text, wrap);
-    const ImVec2 words = ImGui::CalcTextSize(lines.c_str(), nullptr, false, wrap + 1.0F);
+    show(context, text, rectOf(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()));
+}
+
+void tooltipOver(AppContext &context, const PixelRect &rect, std::string_view text) {
+    const ImVec2 min{static_cast<float>(rect.x), static_cast<float>(rect.y)};
+    const ImVec2 max{static_cast<float>(rect.x + rect.width), static_cast<float>(rect.y + rect.height)};
+    if (!text.empty() && ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(min, max, false)) {
+        show(context, text, rect);
+    }
+}
+
+void rowTooltip(AppContext &context, std::string_view text) {
     const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
-    const ImGuiWindow &window = *imgui.CurrentWindow->RootWindow;
-    const PixelRect place = placeTooltip({min.x, min.y, max.x - min.x, max.y - min.y},
-                                         {window.Pos.x, window.Pos.y, window.Size.x, window.Size.y},
-                                         {std::ceil(words.x) + 2.0 * pad.x, std::ceil(words.y) + 2.0 * pad.y},
-                                         context.platform.framebufferSize(), imgui.IO.MousePos.x, context.px(6));
-    ImGui::SetNextWindowPos({static_cast<float>(place.x), static_cast<float>(place.y)});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, pad);
-    ImGui::BeginTooltip();
-    wrappedText(text, wrap);
-    ImGui::EndTooltip();
-    ImGui::PopStyleVar();
-    markRect(context, "tooltip", place);
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+        tooltip(context, text);
+    } else {
+        const float left = ImGui::GetCurrentWindowRead()->WorkRect.Min.x;
+        tooltipOver(context, rectOf({left, min.y}, {min.x, max.y}), text);
+    }
 }
 
 } // namespace forefront::ui

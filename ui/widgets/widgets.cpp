@@ -388,7 +388,21 @@ std::string format(const char *pattern, ...) {
 }
 
 std::string number(double value, int digits) {
-    return format("%.*g", digits, value);
+    const double size = std::abs(value);
+    if (!(size >= 1e-4 && size < 1e9)) { // also 0 and what is not finite
+        return format("%.*g", digits, value);
+    }
+    const int whole = static_cast<int>(std::floor(std::log10(size))) + 1;
+    std::string text = format("%.*f", std::max(0, digits - whole), value);
+    if (text.find('.') != std::string::npos) {
+        text.erase(text.find_last_not_of('0') + 1);
+        text.erase(text.find_last_not_of('.') + 1);
+    }
+    return text;
+}
+
+std::string mean(double value) {
+    return format("%.*f", value >= 99.95 ? 0 : value >= 9.995 ? 1 : 2, value);
 }
 
 } // namespace forefront::ui

@@ -66,7 +66,7 @@ bool link(AppContext &context, std::string_view name, std::string_view text);
 /// Menu entry that runs an action of the registry.
 void actionItem(AppContext &context, const Action &action);
 
-/// Small capitals over a group.
+/// A heading over a group.
 void heading(AppContext &context, std::string_view text);
 /// Muted label, then the value in the same line at a fixed column (design pixels).
 void field(AppContext &context, std::string_view label, std::string_view value, float column = 108.0F);
@@ -74,6 +74,10 @@ void muted(AppContext &context, std::string_view text);
 void small(AppContext &context, std::string_view text, bool wrap = false);
 /// Shows `text` while the last item is hovered.
 void tooltip(AppContext &context, std::string_view text);
+/// Shows `text` while the last item, or the label to its left, is hovered.
+void rowTooltip(AppContext &context, std::string_view text);
+/// Shows `text` while the pointer is over a rectangle of the current window.
+void tooltipOver(AppContext &context, const PixelRect &rect, std::string_view text);
 /// A coloured pill with text, such as "out of date"; true when clicked.
 bool badge(AppContext &context, std::string_view name, std::string_view text, Colour colour);
 
@@ -81,7 +85,10 @@ bool badge(AppContext &context, std::string_view name, std::string_view text, Co
 std::string count(std::uint64_t number);
 /// printf into a string.
 std::string format(const char *pattern, ...) __attribute__((format(printf, 1, 2)));
-/// A length with as many digits as it takes, no more: "0.05", "12.3".
+/// A number as people write it, with `digits` significant digits, all digits before the point and no trailing zeros:
+/// "0.05", "12.3", "140". With an exponent only below 0.0001 and from 10⁹ on.
 std::string number(double value, int digits = 4);
+/// A mean of counts with about three digits: "3.27", "41.5", "140".
+std::string mean(double value);
 
 } // namespace forefront::ui

@@ -1,0 +1,331 @@
+#include "core/edit/shape_geometry.hpp"
+#include "core/io/files.hpp"
+#include "tests/ui/edit_driver.hpp"
+#include "ui/canvas/canvas_painter.hpp"
+#include "ui/dialogs/file_list.hpp"
+#include "ui/dialogs/repair.hpp"
+#include "ui/editor/settings.hpp"
+#include "ui/widgets/text_wrap.hpp"
+#include "ui/widgets/widgets.hpp"
+
+#include <doctest/doctest.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+namespace forefront::test {
+
+namespace {
+
+void nameAndConfirm(Driver &driver, const std::string &dialog, const std::filesystem::path &file) {
+    driver.click("dialog/" + dialog + "/name");
+    driver.key('A', {Modifiers::kControl});
+    driver.type(file.string());
+    driver.click("dialog/" + dialog + "/ok");
+    driver.settle();
+}
+
+/// Makes a folder the working folder for a while.
+class WorkingFolder {
+  public:
+    explicit WorkingFolder(const std::filesystem::path &folder) : before_(std::filesystem::current_path()) {
+        std::filesystem::current_path(folder);
+    }
+    ~WorkingFolder() { std::filesystem::current_path(before_); }
+    WorkingFolder(const WorkingFolder &) = delete;
+    WorkingFolder &operator=(const WorkingFolder &) = delete;
+
+  private:
+    std::filesystem::path before_;
+};
+
+std::size_t filesIn(const std::filesystem::path &folder) {
+    const std::filesystem::directory_iterator first(folder);
+    return static_cast<std::size_t>(std::distance(begin(first), end(first)));
+}
+
+} // namespace
+
+TEST_CASE("Export: an unknown extension is refused with the known ones, and nothing is written") {
+    const TemporaryFolder place;
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('E', {Modifiers::kControl});
+    driver.settle();
+    nameAndConfirm(driver, "export", place.path / "pic.png");
+    CHECK(driver.has("dialog/export/ok")); // the dialog stays
+    CHECK(driver.logHas("unknown-extension"));
+    const std::string message = driver.context().log.entries().back().diagnostic.message;
+    CHECK(message.find("'.png'") != std::string::npos);
+    CHECK(message.find(".msh") != std::string::npos);
+    CHECK(message.find(".vtu") != std::string::npos);
+    CHECK(filesIn(place.path) == 0);
+    nameAndConfirm(driver, "export", place.path / "pic.vtu");
+    CHECK_FALSE(driver.has("dialog/export/ok"));
+    CHECK(std::filesystem::exists(place.path / "pic.vtu"));
+}
+
+TEST_CASE("Export: the suggested name is the name of the document, be it saved or not") {
+    const TemporaryFolder place;
+    const WorkingFolder here(place.path);
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    const Document drawn = driver.document();
+    driver.context().document().load(drawn, {}, false, "Old harbour");
+    driver.key('E', {Modifiers::kControl});
+    driver.settle();
+    driver.click("dialog/export/ok");
+    driver.settle();
+    CHECK(std::filesystem::exists(place.path / "Old harbour.msh"));
+    driver.context().document().load(drawn, place.path / "bay.forefront");
+    driver.key('E', {Modifiers::kControl});
+    driver.settle();
+    driver.click("dialog/export/ok");
+    driver.settle();
+    CHECK(std::filesystem::exists(place.path / "bay.msh"));
+}
+
+TEST_CASE("Faults: they are marked on the canvas as soon as they are drawn, without meshing") {
+    Draughtsman driver;
+    driver.polygon({{1, 1}, {9, 8}, {9, 1}, {1, 8}}); // crosses itself in the middle
+    driver.key('V');
+    driver.key(key::kEscape);
+    driver.moveTo({5, 5});
+    REQUIRE(driver.settle());
+    REQUIRE(driver.run().state == RunState::Empty);
+    const auto around = [&](Vec2 place) {
+        const Vec2 p = driver.pixel(place);
+        return PixelRect{p.x - 14, p.y - 14, 28, 28};
+    };
+    const Vec2 crossing{5, 4.5};
+    const auto marked = driver.picture();
+    showLayer(driver.context().layers, "faults", false);
+    driver.context().animate();
+    REQUIRE(driver.settle());
+    const auto plain = driver.picture();
+    CHECK(marked.differences(plain, around(crossing)) > 100);
+    CHECK(marked.differences(plain, around({3, 6})) == 0);
+    showLayer(driver.context().layers, "faults", true);
+    driver.moveToPlace(crossing);
+    REQUIRE(driver.settle());
+    const Vec2 p = driver.pixel(crossing); // now explained at its right
+    CHECK(driver.picture().differences(plain, {p.x + 16, p.y - 30, 120, 26}) > 500);
+}
+
+TEST_CASE("Checks: repair is offered only where there is something to repair") {
+    Draughtsman driver;
+    driver.polygon({{1, 1}, {9, 8}, {9, 1}, {1, 8}});
+    driver.key(key::kEscape);
+    driver.click("panel/checks");
+    REQUIRE(driver.settle());
+    CHECK(driver.has("checks/repair"));
+    CHECK(driver.context().actions.find("edit.repair")->enabled(driver.context()));
+    driver.click("checks/repair");
+    REQUIRE(driver.settle());
+    CHECK_FALSE(hasErrors(driver.context().preview->faults));
+    CHECK_FALSE(driver.has("checks/repair"));
+    Document faulty = driver.document();
+    faulty.spacing.expression = "0.1*nonsense(x)"; // an error, but none of the geometry
+    driver.context().document().apply(std::move(faulty), "Expression");
+    REQUIRE(driver.settle());
+    REQUIRE(hasErrors(driver.context().preview->faults));
+    CHECK_FALSE(driver.has("checks/repair"));
+    CHECK_FALSE(driver.context().actions.find("edit.repair")->enabled(driver.context()));
+}
+
+TEST_CASE("Import: what was imported is in view") {
+    const TemporaryFolder place;
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    Document far = driver.document();
+    REQUIRE(far.shapes.size() == 1);
+    auto moved = std::make_shared<Shape>(*far.shapes.front());
+    moved->nodes = {{500, 500}, {580, 570}};
+    far.shapes = {moved};
+    REQUIRE(writeProject(place.path / "far.forefront", far).empty());
+    driver.key('I', {Modifiers::kControl});
+    driver.settle();
+    nameAndConfirm(driver, "import", place.path / "far.forefront");
+    REQUIRE(driver.has("dialog/importoptions/ok"));
+    driver.click("dialog/importoptions/ok");
+    driver.settle();
+    const Box2 all = boundsOf(driver.document()), seen = driver.context().view.camera.visible();
+    CHECK(all.contains({550, 550}));
+    CHECK(seen.contains(all.min));
+    CHECK(seen.contains(all.max));
+}
+
+TEST_CASE("Recent files: a file given on the command line becomes one of them") {
+    const TemporaryFolder place;
+    const std::filesystem::path file = place.path / "bay.forefront";
+    {
+        Draughtsman driver;
+        driver.rectangle({1, 1}, {9, 8});
+        REQUIRE(writeProject(file, driver.document()).empty());
+    }
+    Driver driver({.file = file});
+    REQUIRE_FALSE(driver.context().settings.recentFiles.empty());
+    CHECK(driver.context().settings.recentFiles.front() == file.string());
+    Driver missing({.file = place.path / "no-such.forefront"});
+    CHECK(missing.context().settings.recentFiles.empty());
+}
+
+TEST_CASE("Settings: the place of the window is remembered, and nonsense is not") {
+    const TemporaryFolder place;
+    const std::filesystem::path file = place.path / "settings.json";
+    Settings settings;
+    settings.window = WindowPlace{.x = -30, .y = 40, .width = 1100, .height = 700, .maximised = true};
+    saveSettings(file, settings);
+    CHECK(loadSettings(file) == settings);
+    for (const char *text : {R"({"window": {"x": 1, "y": 2}})", R"({"window": {"width": -5, "height": 1e300}})",
+                             R"({"window": [1, 2, 3, 4]})", R"({"window": {"width": "wide", "height": 20}})"}) {
+        CAPTURE(text);
+        REQUIRE(writeFileAtomically(file, text).empty());
+        CHECK_FALSE(loadSettings(file).window.has_value());
+    }
+}
+
+TEST_CASE("Numbers: they are written plainly, and means of counts with about three digits") {
+    CHECK(ui::number(140.0, 2) == "140");
+    CHECK(ui::number(1234567.0, 4) == "1234567");
+    CHECK(ui::number(0.05, 4) == "0.05");
+    CHECK(ui::number(12.3456, 4) == "12.35");
+    CHECK(ui::number(-0.00123456, 3) == "-0.00123");
+    CHECK(ui::number(0.0, 4) == "0");
+    CHECK(ui::number(1e-9, 3) == "1e-09");
+    CHECK(ui::number(2e12, 3) == "2e+12");
+    CHECK(ui::mean(0.0) == "0.00");
+    CHECK(ui::mean(3.2741) == "3.27");
+    CHECK(ui::mean(41.52) == "41.5");
+    CHECK(ui::mean(1402.7) == "1403");
+}
+
+TEST_CASE("Statistics: the tooltip of a row shows over its label and over its value") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key(key::k2);
+    driver.click("panel/statistics");
+    REQUIRE(driver.settle());
+    REQUIRE(driver.has("statistics/Nb"));
+    const PixelRect row = driver.context().widgets.find("statistics/Nb")->rect;
+    for (const double part : {0.05, 0.4, 0.95}) {
+        CAPTURE(part);
+        driver.moveTo({row.x + part * row.width, row.y + 0.5 * row.height});
+        driver.frames(40);
+        CHECK(driver.has("tooltip"));
+    }
+}
+
+TEST_CASE("Forms: the tooltip of a field shows over its label, too") {
+    Draughtsman driver;
+    driver.rectangle({0, 0}, {8, 8});
+    driver.key(key::kEscape);
+    driver.unfold("spacing");
+    for (const char *field : {"spacing/size", "spacing/expression", "spacing/gradation", "meshing/keepboundary"}) {
+        CAPTURE(field);
+        const PixelRect rect = driver.context().widgets.find(field)->rect;
+        driver.moveTo({rect.x - 60.0, rect.centre().y});
+        driver.frames(40);
+        CHECK(driver.has("tooltip"));
+    }
+}
+
+TEST_CASE("Inspector: no field moves, wherever the pointer is and however much there is to say of the place") {
+    Draughtsman driver;
+    driver.rectangle({0, 0}, {8, 8});
+    Document wordy = driver.document();
+    wordy.spacing.expression = "max(0.1, 0.2*dist(3, 2)) + 0.001*sin(x)*cos(y) + 0.002*sin(2*x)*cos(3*y) + "
+                               "0.003*sin(5*x)*cos(7*y) + 0.004*sin(11*x)*cos(13*y)";
+    driver.context().document().apply(std::move(wordy), "Expression");
+    driver.key('V');
+    REQUIRE(driver.settle());
+    driver.clickPlace({0, 4}); // selects the rectangle
+    REQUIRE(driver.settle());
+    REQUIRE(driver.has("inspector/name"));
+    const PixelRect name = driver.context().widgets.find("inspector/name")->rect;
+    const PixelRect size = driver.context().widgets.find("panel/spacing")->rect;
+    for (const Vec2 place : {Vec2{1, 1}, {3, 2}, {7, 7}, {9, 9}}) {
+        driver.moveToPlace(place);
+        REQUIRE(driver.settle());
+        CHECK(driver.context().widgets.find("inspector/name")->rect == name);
+        CHECK(driver.context().widgets.find("panel/spacing")->rect == size);
+    }
+    driver.hover("inspector/name");
+    REQUIRE(driver.settle());
+    CHECK(driver.context().widgets.find("inspector/name")->rect == name);
+}
+
+TEST_CASE("Text: two lines are never exceeded, and what was cut off is marked") {
+    Driver driver;
+    const std::string text =
+        "max(0.1, 0.2*dist(3, 2)) limited by the gradation 0.3 of the boundary between here and there";
+    for (const float width : {90.0F, 160.0F, 240.0F}) {
+        const std::string lines = ui::twoLines(text, width);
+        CHECK(std::count(lines.begin(), lines.end(), '\n') == 1);
+        CHECK(lines.ends_with("\xe2\x80\xa6"));
+        CHECK(ImGui::CalcTextSize(lines.c_str()).x <= width);
+    }
+    CHECK(ui::twoLines("short", 200.0F) == "short");
+}
+
+TEST_CASE("Fonts: all digits have the same width, so that changing numbers move nothing") {
+    for (const double scale : {1.0, 1.5, 2.0}) {
+        Driver driver({}, {1280, 800}, scale);
+        const Fonts &fonts = driver.context().fonts;
+        for (ImFont *font : {fonts.body, fonts.strong, fonts.small, fonts.heading, fonts.title, fonts.mono}) {
+            const auto width = [&](const char *text) {
+                return font->CalcTextSizeA(font->FontSize, 1e9F, 0.0F, text).x;
+            };
+            CHECK(width("0000") == width("1111"));
+            CHECK(width("0123456789") == width("4444444444"));
+        }
+    }
+}
+
+TEST_CASE("Text: labels and captions stand out from their background, in both themes") {
+    const auto luminance = [](Colour colour) {
+        const auto channel = [&](unsigned shift) {
+            const double c = static_cast<double>((colour >> shift) & 0xffU) / 255.0;
+            return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+        };
+        return 0.2126 * channel(0) + 0.7152 * channel(8) + 0.0722 * channel(16);
+    };
+    const auto contrast = [&](Colour a, Colour b) { // as WCAG defines it
+        const double u = luminance(a), v = luminance(b);
+        return (std::max(u, v) + 0.05) / (std::min(u, v) + 0.05);
+    };
+    for (const ThemeKind kind : {ThemeKind::Dark, ThemeKind::Light}) {
+        const Theme theme = makeTheme(kind);
+        for (const Colour surface : {theme.panel, theme.popup}) {
+            CHECK(contrast(theme.text, surface) >= 10.0);
+            CHECK(contrast(theme.muted, surface) >= 7.0);
+            CHECK(contrast(theme.faint, surface) >= 3.5);
+            CHECK(contrast(theme.bad, surface) >= 4.5);
+            CHECK(contrast(theme.warn, surface) >= 4.5);
+        }
+    }
+    Driver driver;
+    CHECK(driver.context().fonts.small->FontSize >= 13.0F);
+    CHECK(driver.context().fonts.heading->FontSize >= 12.0F);
+}
+
+TEST_CASE("Labels: a label finds a free place beside the others, or is left out") {
+    Driver driver;
+    ImDrawList list(ImGui::GetDrawListSharedData());
+    list._ResetForNewFrame();
+    list.PushClipRectFullScreen();
+    list.PushTextureID(ImGui::GetIO().Fonts->TexID);
+    const Camera camera{.centre = {0, 0}, .zoom = 10.0, .viewport = {0, 0, 800, 600}};
+    CanvasPainter painter(list, camera, 1.0);
+    ImFont *font = driver.context().fonts.small;
+    const PixelRect first = painter.label({0, 0}, {6, 3}, "first", rgb(0xffffff), rgb(0), font);
+    CHECK(painter.freeLabel({0, 0}, {6, 3}, "second", rgb(0xffffff), rgb(0), font));
+    CHECK(painter.freeLabel({20, 20}, {6, 3}, "far away", rgb(0xffffff), rgb(0), font));
+    painter.reserve({first.x - 300, first.y - 300, 600, 600});
+    CHECK_FALSE(painter.freeLabel({0, 0}, {6, 3}, "no room", rgb(0xffffff), rgb(0), font));
+}
+
+} // namespace forefront::test
