@@ -21,7 +21,7 @@ struct PixelRect {
 
 /// Maps the plane (y up, double precision) to framebuffer pixels (y down).
 struct Camera {
-    Vec2 centre;            ///< place shown in the middle of the viewport
+    Vec2 centre;            ///< place in the middle of the viewport
     double zoom = 50.0;     ///< pixels per domain unit, > 0
     PixelRect viewport;     ///< the canvas in the framebuffer
     double minZoom = 1e-12; ///< bounds of zoom, set from the size of the drawing
@@ -35,23 +35,23 @@ struct Camera {
         const Vec2 middle = viewport.centre();
         return {centre.x + (pixel.x - middle.x) / zoom, centre.y - (pixel.y - middle.y) / zoom};
     }
-    /// The part of the plane in view.
+    /// Returns the part of the plane in view.
     Box2 visible() const {
         const Vec2 half{0.5 * viewport.width / zoom, 0.5 * viewport.height / zoom};
         return {centre - half, centre + half};
     }
-    /// Length in domain units of `pixels` pixels.
+    /// Converts a length in pixels to domain units.
     double length(double pixels) const { return pixels / zoom; }
 
     void pan(Vec2 pixels) { centre = centre - Vec2{pixels.x / zoom, -pixels.y / zoom}; }
-    /// Zooms by `factor`; the place under `pixel` stays there.
+    /// Zooms by `factor` and keeps the place under `pixel` fixed.
     void zoomAt(Vec2 pixel, double factor) {
         const Vec2 fixed = toPlane(pixel);
         zoom = std::clamp(zoom * factor, minZoom, maxZoom);
         const Vec2 moved = toPlane(pixel);
         centre += fixed - moved;
     }
-    /// Shows `box` whole in the middle of `room`, a part of the viewport, with a margin as a part of the room.
+    /// Fits `box` into the middle of `room`, a part of the viewport; `margin` is a fraction of the room.
     void fit(const Box2 &box, const PixelRect &room, double margin = 0.05) {
         if (box.empty() || room.width <= 0.0 || room.height <= 0.0) {
             return;

@@ -19,7 +19,7 @@ namespace forefront {
 
 namespace {
 
-/// A texture to draw to, kept between frames.
+/// A texture to render into, kept between frames.
 class Target {
   public:
     Target() {
@@ -103,8 +103,8 @@ std::uint64_t Canvas::stillDraws() const {
     return parts_->stillDraws;
 }
 
-/// Asks for ρ over the part in view and somewhat around it; anew only where the last raster does not serve any more, so
-/// that panning does not sample all the time.
+/// Requests a raster of ρ over the part in view and a margin around it. Makes a new request only when the last raster
+/// no longer covers the view or is too coarse, so that panning does not resample all the time.
 void Canvas::Parts::requestRaster(AppContext &context) {
     const LayerSlot *layer = context.layer("size");
     const Box2 bounds = domain.bounds();
@@ -176,7 +176,7 @@ void Canvas::Parts::drawLive(AppContext &context, const LayerFrame &frame) {
     glDisable(GL_SCISSOR_TEST);
 }
 
-/// From the lower right corner to the left, then in a row above.
+/// Draws the legends from the lower right corner to the left, then in rows above.
 void Canvas::Parts::drawLegends(AppContext &context, CanvasPainter &painter, const LayerFrame &frame) {
     const PixelRect &rect = frame.camera.viewport;
     const double s = frame.scale;

@@ -17,9 +17,9 @@ class Canvas {
     Canvas(const Canvas &) = delete;
     Canvas &operator=(const Canvas &) = delete;
 
-    /// Draws to the target framebuffer, and overlays to Dear ImGui's background list. Between NewFrame and Render.
+    /// Draws to the target framebuffer, and overlays to Dear ImGui's background list. Call between NewFrame and Render.
     void draw(AppContext &context);
-    /// How often the still parts were drawn anew; for tests.
+    /// Number of times the still parts were redrawn; for tests.
     std::uint64_t stillDraws() const;
 
   private:

@@ -6,8 +6,8 @@
 
 namespace forefront {
 
-/// Pitch of the drawing lattice at the zoom of a camera: 1, 2 or 5 times a power of ten, at least 18 design pixels wide
-/// on the screen. Every fifth (or, where the pitch is a 2, every fifth again) line is a main line.
+/// Returns the pitch of the drawing lattice at the zoom of a camera: 1, 2 or 5 times a power of ten, at least 18 design
+/// pixels on the screen. Every fifth line is a main line.
 inline double latticePitch(const Camera &camera, double scale) {
     const double least = camera.length(18.0 * scale);
     const double power = std::pow(10.0, std::floor(std::log10(least)));

@@ -11,10 +11,10 @@
 
 namespace forefront {
 
-/// Size of a legend, its distance from the edges of the canvas and from the next one; design pixels.
+/// Size of a legend, margin to the edges of the canvas and gap to the next legend; design pixels.
 inline constexpr double kLegendWidth = 216.0, kLegendHeight = 58.0, kLegendMargin = 14.0, kLegendGap = 10.0;
 
-/// How many legends stand side by side on a canvas of that width in design pixels; the others go above them.
+/// Returns how many legends fit side by side on a canvas of this width in design pixels; the others go above them.
 inline int legendsAbreast(double canvasWidth) {
     return std::max(1,
                     static_cast<int>((canvasWidth - 2.0 * kLegendMargin + kLegendGap) / (kLegendWidth + kLegendGap)));
@@ -25,18 +25,18 @@ struct LegendTick {
     std::string text;
 };
 
-/// The text of a tick and where it begins, pixels from the left end of the bar.
+/// The text of a tick and its position in pixels from the left end of the bar.
 struct LegendLabel {
     double left = 0.0, width = 0.0;
     std::string text;
 };
 
-/// Texts of the ticks along a bar `bar` pixels long, each under its tick but within the bar, at least `gap` pixels
-/// apart: the ends (first and last) first, then from the left those for which there is room.
+/// Lays out the texts of ticks along a bar of `bar` pixels, each below its tick but within the bar and at least `gap`
+/// pixels apart. The two ends come first, then from the left those that fit.
 std::vector<LegendLabel> legendLabels(ImFont *font, const std::vector<LegendTick> &ticks, double bar, double gap);
 
-/// A colour bar with a title and ticks, its lower right corner at `corner` (pixels). `hatchedTo`: the beginning of the
-/// bar up to there is hatched.
+/// Draws a colour bar with a title and ticks, its lower right corner at `corner` (pixels). The bar is hatched from its
+/// start to `hatchedTo`, in [0, 1].
 void drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &fonts, Vec2 corner,
                    const std::string &title, Colour (*map)(double), const std::vector<LegendTick> &ticks,
                    double hatchedTo = 0.0);

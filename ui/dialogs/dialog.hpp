@@ -8,8 +8,8 @@ namespace forefront {
 
 struct AppContext;
 
-/// A modal dialog: drawn in the middle over the dimmed window, closed by Esc unless it says otherwise. Opened by
-/// context.dialogs.open(std::make_unique<...>()); several stack.
+/// A modal dialog, centred over the dimmed window. Open one with context.dialogs.open(std::make_unique<...>()); several
+/// stack. Esc closes it unless closesOnEscape() returns false.
 class Dialog {
   public:
     virtual ~Dialog() = default;
@@ -19,18 +19,18 @@ class Dialog {
     virtual float width() const { return 480.0F; }
     virtual float height() const { return 0.0F; }
     virtual bool closesOnEscape() const { return true; }
-    /// Draws the content. False: close it.
+    /// Draws the content. Returns false to close the dialog.
     virtual bool draw(AppContext &context) = 0;
 };
 
 class DialogHost {
   public:
     void open(std::unique_ptr<Dialog> dialog) { opening_.push_back(std::move(dialog)); }
-    /// The dialog on top, or null.
+    /// Returns the dialog on top, or null.
     const Dialog *top() const { return stack_.empty() ? nullptr : stack_.back().get(); }
     bool any() const { return !stack_.empty() || !opening_.empty(); }
     void closeAll();
-    /// Draws all; called once per frame by the editor.
+    /// Draws all dialogs; called once per frame by the editor.
     void draw(AppContext &context);
 
   private:

@@ -52,7 +52,7 @@ void DialogHost::drawFrom(std::size_t level, AppContext &context, std::vector<bo
         }
         const ImVec2 at = ImGui::GetWindowPos(), extent = ImGui::GetWindowSize();
         ui::markRect(context, name, {at.x, at.y, extent.x, extent.y});
-        // A dialog over this one must be begun inside of it, or Dear ImGui closes this one.
+        // A dialog on top must begin inside this one, or Dear ImGui closes this one.
         if (!isTop) {
             drawFrom(level + 1, context, keep);
         }
@@ -71,7 +71,7 @@ void DialogHost::draw(AppContext &context) {
         context.animate();
     }
     opening_.clear();
-    // Dialogs opened while another draws wait in opening_ for the next frame, so that the stack stands still here.
+    // Dialogs opened while another draws wait in opening_ until the next frame, so that the stack does not change here.
     const std::size_t count = stack_.size();
     std::vector<bool> keep(count, true);
     if (count > 0) {

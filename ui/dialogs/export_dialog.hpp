@@ -10,10 +10,10 @@
 
 namespace forefront {
 
-/// Shows how far the writing of a mesh has come, on a thread of its own; Cancel stops it and leaves no file.
+/// Writes a mesh on a thread of its own and shows the progress. Cancel stops it and leaves no file.
 class WriteDialog final : public Dialog {
   public:
-    /// `write` gets a Progress-like pair through the two arguments.
+    /// `write` reports its progress in `fraction`, 0 to 1, and ends early when `stop` is requested.
     using Write = std::function<Diagnostics(std::atomic<double> &fraction, std::stop_token stop)>;
     WriteDialog(std::string file, Write write, std::function<void(AppContext &)> done);
     ~WriteDialog() override;

@@ -23,7 +23,7 @@ std::string dateText(std::int64_t modified) {
     return std::strftime(buffer, sizeof buffer, "%Y-%m-%d %H:%M", &parts) > 0 ? buffer : std::string();
 }
 
-/// One sentence: the place in the file, the message, the advice.
+/// Formats a fault in one line: the place in the file, the message, the advice.
 std::string told(const Diagnostic &fault) {
     std::string text;
     if (!fault.file.empty()) {
@@ -230,7 +230,7 @@ std::string FileDialog::warning() const {
     return !fault_.empty() ? fault_ : replace_ ? replace_->filename().string() + " already exists" : std::string();
 }
 
-/// Widths of the two buttons and the gap between them, design pixels; what is told stands to their left.
+/// Width of each of the two buttons and the gap between them, in design pixels; the warning is to their left.
 constexpr float kButton = 108.0F, kGap = 10.0F;
 
 float FileDialog::bottomHeight(const AppContext &context) const {

@@ -12,24 +12,24 @@
 
 namespace forefront {
 
-/// What a file dialog is for.
+/// The purpose and the initial state of a file dialog.
 struct FileRequest {
     std::string id;     ///< widgets are "dialog/ID/..."
     std::string title;  ///< "Open"
     std::string action; ///< label of the button, "Open"
-    bool saves = false; ///< a name for a new file is wanted; an existing one is asked about
+    bool saves = false; ///< asks for the name of a new file, and confirms before replacing one
     std::vector<FileFilter> filters;
     std::size_t filter = 0;
-    std::filesystem::path folder; ///< where to begin; empty: the working folder
-    std::string name;             ///< suggested
-    /// Called with the file chosen. No faults: done, the dialog closes; else it stays and shows the first.
+    std::filesystem::path folder; ///< initial folder; empty: the working folder
+    std::string name;             ///< suggested name
+    /// Called with the chosen file. The dialog closes if it returns no faults, else it stays open and shows the first.
     std::function<Diagnostics(AppContext &, const std::filesystem::path &, const FileFilter &)> chosen;
-    /// Lines between the list and the buttons; returns false to disable the button. May be empty.
+    /// Draws extra lines between the list and the buttons; returns false to disable the button. May be empty.
     std::function<bool(AppContext &)> extra;
     int extraLines = 1; ///< number of lines that `extra` draws
 };
 
-/// Choosing a file inside the program.
+/// Lets the user choose a file.
 class FileDialog : public Dialog {
   public:
     explicit FileDialog(FileRequest request);
@@ -44,19 +44,19 @@ class FileDialog : public Dialog {
     void enter(const std::filesystem::path &folder);
     void drawPlaces(AppContext &context);
     void drawPath(AppContext &context);
-    /// The file double-clicked, if any.
+    /// Returns true if a file was double-clicked.
     bool drawList(AppContext &context);
     bool drawRow(AppContext &context, const FileEntry &entry);
     bool drawBottom(AppContext &context);
     void drawName(AppContext &context, bool &wanted);
-    /// What is wrong with the choice, or what choosing once more will do; empty: nothing.
+    /// Returns what is wrong with the choice, or that it will replace a file; empty if neither.
     std::string warning() const;
-    /// Height of what stands below the list, in pixels.
+    /// Returns the height of the rows below the list, in pixels.
     float bottomHeight(const AppContext &context) const;
-    /// What the list and the field of the name say counts from now on; earlier faults do not.
+    /// Sets the chosen name and clears the faults of the last one.
     void suggest(std::string name);
     bool choose(AppContext &context);
-    /// A typed ending of another kind of file chooses that kind.
+    /// Switches to the filter that the extension of a typed name belongs to.
     void followExtension(const std::string &name);
     std::string widget(const char *part) const { return "dialog/" + request_.id + "/" + part; }
     const FileFilter &filter() const { return request_.filters[request_.filter]; }

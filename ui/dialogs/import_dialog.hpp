@@ -7,7 +7,7 @@
 
 namespace forefront {
 
-/// Says what a drawing read from a file holds, how large it is and in which unit, before it joins this one.
+/// Shows the size of a drawing read from a file, and asks for its unit, before adding it to the current drawing.
 class ImportDialog final : public Dialog {
   public:
     ImportDialog(std::filesystem::path file, Document drawing) : file_(std::move(file)), drawing_(std::move(drawing)) {}

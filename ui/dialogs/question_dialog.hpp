@@ -8,7 +8,7 @@
 
 namespace forefront {
 
-/// A question with a few answers; Esc means none of them.
+/// Asks a question with a few answers; Esc chooses none.
 class QuestionDialog final : public Dialog {
   public:
     struct Answer {

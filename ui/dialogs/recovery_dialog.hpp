@@ -9,7 +9,7 @@ namespace forefront {
 
 class Recovery;
 
-/// Asks what shall become of drawings that a crash has left unsaved.
+/// Offers to recover drawings that were unsaved when the program crashed.
 class RecoveryDialog final : public Dialog {
   public:
     RecoveryDialog(Recovery &recovery, std::vector<OrphanedJournal> orphans)

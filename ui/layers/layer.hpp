@@ -22,7 +22,7 @@ struct Document;
 struct LayerSlot;
 struct Selection;
 
-/// All a layer may draw from. Valid for one frame.
+/// Everything that a layer may draw. Valid for one frame.
 struct LayerFrame {
     const Camera &camera;
     const Theme &theme;
@@ -45,8 +45,8 @@ struct LayerFrame {
     bool visible(std::string_view id) const;
 };
 
-/// A layer of the canvas. One file a layer, one line in makeLayers(). Layers are drawn in the order of makeLayers(),
-/// all still parts first.
+/// A layer of the canvas. To add one, write its file and add a line to makeLayers(). Layers are drawn in the order of
+/// makeLayers(), all still parts first.
 class Layer {
   public:
     virtual ~Layer() = default;
@@ -57,19 +57,20 @@ class Layer {
     /// True if the layer colours the domain or its elements by a value. At most one such layer is visible at a time, so
     /// that colours never mix and always match the legend.
     virtual bool coloursByValue() const { return false; }
-    /// What the session must deliver while the layer is visible.
+    /// Tells which parts of the snapshot the layer needs while it is visible.
     virtual void request(SnapshotLayers &) const {}
 
-    /// The heavy part. Kept in a texture and drawn again only when the camera, the theme or this number changes.
+    /// Version of the still part, which is kept in a texture and redrawn only when the camera, the theme or this number
+    /// changes.
     virtual std::uint64_t stillVersion(const LayerFrame &) const { return 0; }
     virtual void drawStill(const LayerFrame &) {}
     /// Drawn with OpenGL in every frame, over all still parts.
     virtual void drawLive(const LayerFrame &) {}
-    /// Few lines and text, over everything drawn with OpenGL.
+    /// Draws a few lines and texts over everything drawn with OpenGL.
     virtual void drawOverlay(CanvasPainter &, const LayerFrame &) {}
-    /// While it is visible, a legend may stand in the lower right corner of the canvas.
+    /// True if the layer can have a legend in the lower right corner of the canvas.
     virtual bool hasLegend() const { return false; }
-    /// Draws a legend with its lower right corner at `corner` (pixels); false: there is nothing to explain.
+    /// Draws the legend with its lower right corner at `corner` (pixels). Returns false if there is nothing to explain.
     virtual bool drawLegend(CanvasPainter &, const LayerFrame &, Vec2 corner) {
         static_cast<void>(corner);
         return false;
@@ -84,7 +85,7 @@ struct LayerSlot {
 /// Shows or hides a layer. Showing one that colours by value hides the others that do.
 void showLayer(std::vector<LayerSlot> &layers, std::string_view id, bool visible);
 
-/// All layers from the lowest to the topmost.
+/// Creates all layers, from the lowest to the topmost.
 std::vector<std::unique_ptr<Layer>> makeLayers();
 
 } // namespace forefront

@@ -6,31 +6,31 @@
 
 namespace forefront {
 
-/// Inside of the domain.
+/// Fills the inside of the domain.
 std::unique_ptr<Layer> makeDomainLayer();
-/// Boundary, constraints and isolated points as drawn.
+/// Draws the boundary, constraints and isolated points of the document.
 std::unique_ptr<Layer> makeBoundaryLayer();
-/// Lattice for drawing.
+/// Draws the drawing lattice.
 std::unique_ptr<Layer> makeLatticeLayer();
-/// Node spacing ρ as a tint (viridis, logarithmic), with a legend.
+/// Colours the domain by the node spacing ρ (logarithmic), with a legend.
 std::unique_ptr<Layer> makeSpacingLayer();
-/// Elements coloured by α (cividis), bad ones hatched and numbered, with a legend.
+/// Colours elements by α (cividis), hatches and numbers bad ones, with a legend.
 std::unique_ptr<Layer> makeQualityLayer();
-/// Elements and their edges.
+/// Draws elements and their edges.
 std::unique_ptr<Layer> makeMeshLayer();
-/// Cells of the background grid: occupied, and visited in this step.
+/// Draws the cells of the background grid: those occupied, and those visited in this step.
 std::unique_ptr<Layer> makeGridLayer();
-/// The directed generation front and the base segment AB.
+/// Draws the directed generation front and the base segment AB.
 std::unique_ptr<Layer> makeFrontLayer();
-/// Ideal point and candidate nodes of this step with rank and verdict, and the element made.
+/// Draws the ideal point and the candidate nodes of this step with rank and verdict, and the new element.
 std::unique_ptr<Layer> makeCandidatesLayer();
-/// Candidate segments of this step and the segments of Γ they are tested against.
+/// Draws the candidate segments of this step and the segments of Γ they are tested against.
 std::unique_ptr<Layer> makeTestsLayer();
-/// Names of boundary parts and, close up, numbers of nodes.
+/// Writes the names of boundary parts and, close up, the numbers of nodes.
 std::unique_ptr<Layer> makeLabelsLayer();
-/// Size sources and region markers.
+/// Draws size sources and region markers.
 std::unique_ptr<Layer> makeMarksLayer();
-/// Faults of the drawing, each at its place.
+/// Marks the faults of the drawing.
 std::unique_ptr<Layer> makeFaultsLayer();
 
 } // namespace forefront

@@ -6,8 +6,8 @@
 
 namespace forefront {
 
-/// What is known at the moment that the timeline rests on inside an advance: of the whole advance, or up to the event
-/// under the cursor.
+/// The part of an advance that has happened at the position of the timeline: the whole advance, or what precedes the
+/// event under the cursor.
 struct Moment {
     const AdvanceExplanation *advance = nullptr; ///< null: nothing to explain
     std::size_t cursor = 0;                      ///< into events; events.size(): the whole advance
@@ -21,7 +21,8 @@ struct Moment {
     explicit operator bool() const { return advance != nullptr; }
 };
 
-/// The moment of a snapshot. None while the front races, at the start, and where the improved mesh is shown.
+/// Returns the moment of a snapshot; an empty one while the front runs fast, at the start, and when the improved mesh
+/// is shown.
 Moment momentOf(const SessionSnapshot &snapshot);
 
 } // namespace forefront

@@ -6,15 +6,15 @@
 
 namespace forefront {
 
-/// What is selected, in numbers, and the spacing under the pointer.
+/// Shows and edits what is selected, and tells the spacing under the pointer.
 std::unique_ptr<Panel> makeInspectorPanel();
-/// All that makes ρ: size, expression, sources, paint, limits.
+/// Edits the node spacing ρ: size, expression, sources, paint, limits.
 std::unique_ptr<Panel> makeSpacingPanel();
-/// How the front works: what MeshingOptions holds.
+/// Edits the MeshingOptions of the document.
 std::unique_ptr<Panel> makeMeshingPanel();
-/// Names of boundary parts and regions.
+/// Edits the names of boundary parts and regions.
 std::unique_ptr<Panel> makeNamesPanel();
-/// Faults of the drawing, live, with a way to each and the repair.
+/// Lists the faults of the drawing, with links to their places and a button to repair them.
 std::unique_ptr<Panel> makeChecksPanel();
 
 } // namespace forefront

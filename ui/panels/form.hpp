@@ -11,21 +11,21 @@ namespace forefront {
 struct AppContext;
 }
 
-/// Rows of the editing panels: a muted label in a fixed column, then a field. Names are those of the widgets.
+/// Rows of the editing panels: a muted label in a fixed column, then a field. `name` is the name of the widget.
 namespace forefront::form {
 
 /// Width of the column of labels, design pixels.
 inline constexpr double kLabel = 84.0;
 
 void label(AppContext &context, const char *text);
-/// A number; true when a new one was entered.
+/// Draws a number; returns true when a new one was entered.
 bool number(AppContext &context, const std::string &name, const char *text, double &value);
-/// A number that may be absent: an empty field that shows the hint. Width in design pixels; negative: all that is left.
+/// Draws an optional number; an empty field shows the hint. Width in design pixels; negative: the rest of the row.
 bool optionalField(AppContext &context, const std::string &name, std::optional<double> &value, const char *hint,
                    float width = -1.0F);
-/// Half of what is left in the row, in design pixels.
+/// Returns half of the width left in the row, in design pixels.
 float halfWidth(const AppContext &context);
-/// Two numbers side by side: "NAME/x" and "NAME/y".
+/// Draws two numbers side by side, "NAME/x" and "NAME/y".
 bool pair(AppContext &context, const std::string &name, const char *text, Vec2 &value);
 bool text(AppContext &context, const std::string &name, const char *text, std::string &value, const char *hint);
 /// A tag >= 1 and its name; both can be edited. True when the tag changed; a new name goes to `rename`.

@@ -6,15 +6,15 @@
 
 namespace forefront {
 
-/// Switches of the layers.
+/// Shows and hides layers.
 std::unique_ptr<Panel> makeLayersPanel();
-/// The ten steps of the technique with the live one marked.
+/// Lists the ten steps of the technique and marks the current one.
 std::unique_ptr<Panel> makeStepsPanel();
-/// Histogram of α; a bar isolates its elements.
+/// Shows a histogram of α; clicking a bar isolates its elements.
 std::unique_ptr<Panel> makeHistogramPanel();
-/// Nn, Ne, Nb, Nc, Ns, α, δ, angles, times.
+/// Shows Nn, Ne, Nb, Nc, Ns, α, δ, angles and times.
 std::unique_ptr<Panel> makeStatisticsPanel();
-/// Messages with a way to their places.
+/// Lists messages with links to their places.
 std::unique_ptr<Panel> makeLogPanel();
 
 } // namespace forefront

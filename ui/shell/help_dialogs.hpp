@@ -6,11 +6,11 @@
 
 namespace forefront {
 
-/// All shortcuts on one page.
+/// Shows all keyboard shortcuts.
 std::unique_ptr<Dialog> makeShortcutSheet();
-/// Every action by name: type a part of it, Enter runs it.
+/// Finds an action by a part of its name and runs it.
 std::unique_ptr<Dialog> makePalette();
-/// The user's scale of the interface.
+/// Sets the scale of the interface.
 std::unique_ptr<Dialog> makeScaleDialog();
 std::unique_ptr<Dialog> makeAbout();
 

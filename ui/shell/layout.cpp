@@ -26,7 +26,7 @@ Layout layOut(const AppContext &context) {
     layout.timeline = {0, height - status - timeline, width, timeline};
     const double top = layout.menu.height, middle = std::max(0.0, layout.timeline.y - top);
     const double tools = px(stripOf(context, middle).width());
-    // In a narrow window the canvas keeps more than half of what is left.
+    // In a narrow window the canvas keeps more than half of the remaining width.
     const double widest = std::max(px(kLeastColumn), 0.45 * (width - tools));
     const double column =
         context.view.panels ? std::min({px(context.settings.panelWidth), widest, std::max(0.0, 0.6 * (width - tools))})
@@ -42,7 +42,7 @@ CanvasBands bandsOf(const AppContext &context, const PixelRect &canvas) {
         static_cast<int>(std::count_if(context.layers.begin(), context.layers.end(),
                                        [](const LayerSlot &slot) { return slot.visible && slot.layer->hasLegend(); }));
     const int abreast = legendsAbreast(canvas.width / static_cast<double>(context.scale));
-    const int rows = std::max(1, (legends + abreast - 1) / abreast); // room for one even while none is shown
+    const int rows = std::max(1, (legends + abreast - 1) / abreast); // leaves room for one even if none is shown
     const int lowest = std::min(legends, abreast);
     return {.top = 56.0,
             .legends = kLegendMargin + lowest * (kLegendWidth + kLegendGap),
@@ -52,7 +52,7 @@ CanvasBands bandsOf(const AppContext &context, const PixelRect &canvas) {
 PixelRect freeRoom(const AppContext &context, const PixelRect &canvas) {
     const CanvasBands bands = bandsOf(context, canvas);
     const double scale = static_cast<double>(context.scale);
-    // On a small canvas the drawing keeps a third of the height, be it beneath what stands there.
+    // On a small canvas the drawing keeps a third of the height, even if plates cover part of it.
     const double top = std::min(bands.top * scale, 0.2 * canvas.height);
     const double bottom = std::min(bands.bottom * scale, 0.45 * canvas.height);
     return {canvas.x, canvas.y + top, canvas.width, canvas.height - top - bottom};

@@ -8,7 +8,7 @@ namespace forefront {
 
 enum class ThemeKind : std::uint8_t { Dark, Light };
 
-/// Every colour of the program by its meaning; nothing else names a colour.
+/// All colours of the program, by meaning.
 struct Theme {
     ThemeKind kind = ThemeKind::Dark;
 

@@ -8,11 +8,11 @@
 
 namespace forefront {
 
-/// Which text field has the keyboard, what is being typed into it, and where Tab leads. Dear ImGui 1.86 tabs only
-/// within one window, and forgets what was typed when another widget takes the focus.
+/// Tracks which text field has the keyboard, what is being typed into it, and where Tab leads. Dear ImGui 1.86 moves by
+/// Tab only within one window, and loses the typed text when another widget takes the focus.
 class FieldFocus {
   public:
-    /// What is being typed. It counts once the field is left.
+    /// The text being typed; it takes effect when the field is left.
     struct Entry {
         std::string name;
         std::string initial; ///< what stood in the field when it was entered
@@ -20,21 +20,21 @@ class FieldFocus {
     };
 
     void beginFrame() { order_.clear(); }
-    /// All fields of the frame are known: Tab finds its neighbour.
+    /// Call when all fields of the frame are drawn: resolves where Tab leads.
     void endFrame();
-    /// A field is drawn; `group`: the window around it, within which Tab stays.
+    /// Registers a field; Tab stays within its `group`, the window around it.
     void drawn(std::string_view name, unsigned group) { order_.push_back({std::string(name), group}); }
 
-    /// Tab was pressed in the field `name`.
+    /// Reports that Tab was pressed in the field `name`.
     void tab(std::string_view name, bool back);
-    /// True once: the field is to take the focus in this frame.
+    /// Returns true once, in the frame in which the field must take the focus.
     bool takes(std::string_view name);
-    /// The field has the focus.
+    /// Reports that the field has the focus.
     void arrived(std::string_view name);
-    /// The focus is on its way to a field: input waits and frames are drawn, or keys would be taken for shortcuts.
+    /// True while the focus is moving to a field. Input must wait for it, or keys would be taken for shortcuts.
     bool travelling() const { return !wanted_.empty(); }
 
-    /// The field that has the focus takes what was typed and lets go.
+    /// Makes the field with the focus commit its text and give up the focus.
     void leave() { leaving_ = true; }
     bool leaving() const { return leaving_; }
 
@@ -53,7 +53,7 @@ class FieldFocus {
     bool back_ = false;
     std::string wanted_; ///< empty: none
     bool asked_ = false; ///< Dear ImGui was asked to give it the focus
-    int patience_ = 0;   ///< frames until the wish is dropped
+    int patience_ = 0;   ///< frames until the request is dropped
     bool leaving_ = false;
 };
 

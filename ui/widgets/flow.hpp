@@ -4,8 +4,8 @@
 
 namespace forefront::ui {
 
-/// Items side by side, the next one in a new row where it would not fit any more. An item is all that is drawn until
-/// the next one begins; its width is known from the frame before.
+/// Lays out items side by side and starts a new row when the next one no longer fits. An item is everything drawn until
+/// the next one begins; its width is taken from the last frame.
 class Flow {
   public:
     /// `room`: width of a row, `gap`: between items; pixels.

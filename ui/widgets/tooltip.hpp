@@ -5,9 +5,9 @@
 
 namespace forefront::ui {
 
-/// Where the explanation of a widget goes: outside of the panel, bar or plate that the widget stands in, so that it
-/// hides neither the widget nor its neighbours; within the display. Above the widget where there is no room for that.
-/// Pixels; `x`: of the pointer.
+/// Returns the place of a widget's tooltip within the display: outside the panel, bar or plate of the widget, so that
+/// it hides neither the widget nor its neighbours; above the widget if there is no room outside. All in pixels; `x` is
+/// that of the pointer.
 PixelRect placeTooltip(const PixelRect &widget, const PixelRect &window, Vec2 size, PixelSize display, double x,
                        double gap);
 

@@ -9,7 +9,7 @@
 
 namespace forefront {
 
-/// Every widget of the last frame by name, so that scripts can say "click panel/mesh".
+/// Finds the widgets of the last frame by name, for scripts and tests.
 class WidgetRegistry {
   public:
     struct Widget {
@@ -28,7 +28,7 @@ class WidgetRegistry {
         fields.endFrame();
     }
     void add(std::string_view name, const Widget &widget) { current_.insert_or_assign(std::string(name), widget); }
-    /// Of the last whole frame; null if it was not drawn.
+    /// Returns a widget of the last complete frame, or null if it was not drawn.
     const Widget *find(std::string_view name) const {
         const auto found = last_.find(name);
         return found == last_.end() ? nullptr : &found->second;

@@ -78,7 +78,7 @@ void markWindow(AppContext &context, std::string_view name) {
     const PixelRect rect{at.x, at.y, size.x, size.y};
     const WidgetRegistry::Widget *const before = context.widgets.find(name);
     if (before == nullptr || !(before->rect == rect)) {
-        context.animate(); // what stands beside it may move
+        context.animate(); // its neighbours may move
     }
     markRect(context, name, rect);
 }
