@@ -1,7 +1,6 @@
 #include "app/batch/report.hpp"
 
 #include "core/base/hash.hpp"
-#include "core/io/project/project_words.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -80,7 +79,7 @@ std::string statisticsJson(const RunReport &report) {
     json["cells_mean"] = perElement(report.work.cellsVisited);
     json["candidates_mean"] = perElement(report.work.candidates);
     json["forced_mean"] = perElement(report.work.forced);
-    json["improve"] = kImproveLevels[static_cast<std::size_t>(report.improve)];
+    json["improve"] = wordOf(report.improve);
     json["seconds_prepare"] = report.secondsPrepare;
     json["seconds_mesh"] = report.secondsMesh;
     json["seconds_improve"] = report.secondsImprove;

@@ -14,7 +14,7 @@ Outline circleOutline(const Shape &shape, double tolerance) {
     const Vec2 centre = shape.nodes[0];
     const Vec2 arm = shape.nodes[1] - centre;
     if (!(lengthSquared(arm) > 0.0)) {
-        // One segment without length: validation reports it once, at its place.
+        // One segment of zero length, which validation reports with its place.
         outline.nodes = {centre, centre};
         return outline;
     }
@@ -172,24 +172,8 @@ double lengthOf(const Shape &shape) {
     return sum;
 }
 
-const char *kindName(ShapeKind kind) {
-    switch (kind) {
-    case ShapeKind::Polygon:
-        return "polygon";
-    case ShapeKind::Polyline:
-        return "polyline";
-    case ShapeKind::Rectangle:
-        return "rectangle";
-    case ShapeKind::Circle:
-        return "circle";
-    case ShapeKind::Point:
-        return "point";
-    }
-    return "shape";
-}
-
 std::string displayName(const Shape &shape) {
-    return shape.name.empty() ? std::string(kindName(shape.kind)) + ' ' + std::to_string(shape.id) : shape.name;
+    return shape.name.empty() ? std::string(wordOf(shape.kind)) + ' ' + std::to_string(shape.id) : shape.name;
 }
 
 } // namespace forefront

@@ -1,11 +1,14 @@
 #pragma once
 
 #include "core/base/api.hpp"
+#include "core/base/enum_words.hpp"
 #include "core/domain/domain.hpp"
 #include "core/improve/improve_level.hpp"
 #include "core/spacing/spec/spacing_spec.hpp"
 
+#include <array>
 #include <cstdint>
+#include <string_view>
 
 namespace FOREFRONT_API forefront {
 
@@ -15,8 +18,20 @@ enum class Method : std::uint8_t {
     Classic ///< the ten steps after Lo: shortest segment first, one element an advance
 };
 
+template <>
+struct EnumWords<Method> {
+    static constexpr auto kLast = Method::Classic;
+    static constexpr std::array<std::string_view, 2> kList = {"fast", "classic"};
+};
+
 /// The background grid that answers the searches of the front. It changes the work, never the mesh.
 enum class GridKind : std::uint8_t { None, Uniform, Hierarchical };
+
+template <>
+struct EnumWords<GridKind> {
+    static constexpr auto kLast = GridKind::Hierarchical;
+    static constexpr std::array<std::string_view, 3> kList = {"none", "uniform", "hierarchical"};
+};
 
 struct MeshingOptions {
     Method method = Method::Fast;

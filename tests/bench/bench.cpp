@@ -2,7 +2,6 @@
 //   forefront_bench [--classic] [--grid none|uniform|hierarchical] [--improve none|default|best] [--threads N]
 //                   [--repeat N] [SCENE SIZE]...
 #include "core/base/cpu_clock.hpp"
-#include "core/io/project/project_words.hpp"
 #include "core/mesh/quality.hpp"
 #include "core/mesher/mesher.hpp"
 #include "core/mesher/pipeline.hpp"
@@ -29,10 +28,6 @@ struct Settings {
     int repeat = 1;
     std::vector<std::pair<std::string, double>> cases;
 };
-
-const char *gridName(GridKind grid) {
-    return grid == GridKind::None ? "none" : grid == GridKind::Uniform ? "uniform" : "hierarchical";
-}
 
 double residentBytes() {
     std::ifstream statm("/proc/self/statm");
@@ -71,9 +66,9 @@ int runCase(const std::string &name, double size, const Settings &settings) {
     const WorkCounters &work = outcome->work;
     std::printf(
         "%s,%g,%s,%s,%s,%u,%zu,%.4f,%.4f,%.4f,%.0f,%.0f,%.1f,%.5f,%.4f,%.2f,%.4f,%.0f,%.3f,%.4f,%.3f,%.4f,%llu,%s\n",
-        name.c_str(), size, settings.method == Method::Classic ? "classic" : "fast", gridName(settings.grid),
-        kImproveLevels[static_cast<std::size_t>(settings.improve)].data(), settings.threads, quality.elements,
-        outcome->secondsMesh, outcome->secondsImprove, outcome->secondsWall, elements / outcome->secondsMesh,
+        name.c_str(), size, wordOf(settings.method).data(), wordOf(settings.grid).data(),
+        wordOf(settings.improve).data(), settings.threads, quality.elements, outcome->secondsMesh,
+        outcome->secondsImprove, outcome->secondsWall, elements / outcome->secondsMesh,
         elements / (outcome->secondsMesh + outcome->secondsImprove), peak / elements, quality.alphaMean,
         quality.alphaMin, quality.minAngle, quality.deltaMean, work.frontMean(), work.neighboursMean(),
         work.testsMean(), static_cast<double>(work.cellsVisited) / elements,
@@ -90,22 +85,19 @@ bool parse(int argc, char **argv, Settings &settings) {
         } else if (word == "--no-improve") {
             settings.improve = ImproveLevel::None;
         } else if (word == "--improve" && i + 1 < argc) {
-            const std::string level = argv[++i];
-            const auto known = std::find(kImproveLevels.begin(), kImproveLevels.end(), level);
-            if (known == kImproveLevels.end()) {
+            const auto level = fromWord<ImproveLevel>(argv[++i]);
+            if (!level) {
                 return false;
             }
-            settings.improve = static_cast<ImproveLevel>(known - kImproveLevels.begin());
+            settings.improve = *level;
         } else if (word == "--threads" && i + 1 < argc) {
             settings.threads = static_cast<unsigned>(std::max(1, std::atoi(argv[++i])));
         } else if (word == "--grid" && i + 1 < argc) {
-            const std::string grid = argv[++i];
-            if (grid != "none" && grid != "uniform" && grid != "hierarchical") {
+            const auto grid = fromWord<GridKind>(argv[++i]);
+            if (!grid) {
                 return false;
             }
-            settings.grid = grid == "none"      ? GridKind::None
-                            : grid == "uniform" ? GridKind::Uniform
-                                                : GridKind::Hierarchical;
+            settings.grid = *grid;
         } else if (word == "--repeat" && i + 1 < argc) {
             settings.repeat = std::max(1, std::atoi(argv[++i]));
         } else if (i + 1 < argc && std::atof(argv[i + 1]) > 0.0) {

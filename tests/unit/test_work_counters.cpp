@@ -1,4 +1,3 @@
-#include "core/io/project/project_words.hpp"
 #include "core/mesher/mesher.hpp"
 #include "core/mesher/pipeline.hpp"
 #include "tests/bench/scenes.hpp"
@@ -55,7 +54,7 @@ TEST_CASE("Work counters: the standard scenes cost no more work per element than
         const std::string scene =
             std::string(bounds.scene) +
             (bounds.method == Method::Fast ? ", fast, before improve " : ", classic, before improve ") +
-            std::string(kImproveLevels[static_cast<std::size_t>(bounds.improve)]);
+            std::string(wordOf(bounds.improve));
         CAPTURE(scene);
         std::optional<bench::Scene> made = bench::makeScene(bounds.scene, bounds.size);
         REQUIRE(made);

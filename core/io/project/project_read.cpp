@@ -97,10 +97,10 @@ class ProjectReader {
             }
         }
         if (const auto kind = check_.member(item, "kind", "the shape")) {
-            shape.kind = static_cast<ShapeKind>(check_.choice(*kind, kShapeKinds, "the kind of a shape"));
+            shape.kind = static_cast<ShapeKind>(check_.choice(*kind, wordsOf<ShapeKind>(), "the kind of a shape"));
         }
         if (const auto use = item.find("use")) {
-            shape.use = static_cast<ShapeUse>(check_.choice(*use, kShapeUses, "the use of a shape"));
+            shape.use = static_cast<ShapeUse>(check_.choice(*use, wordsOf<ShapeUse>(), "the use of a shape"));
         }
         if (const auto tag = item.find("tag")) {
             shape.tag = check_.tag(*tag);
@@ -139,7 +139,7 @@ class ProjectReader {
         const bool two = shape.kind == ShapeKind::Rectangle || shape.kind == ShapeKind::Circle;
         if ((two && count != 2) || (shape.kind == ShapeKind::Point && count != 1) || count == 0) {
             check_.fault(place, "bad-count",
-                         std::string("a ") + std::string(kShapeKinds[static_cast<std::size_t>(shape.kind)]) + " has " +
+                         std::string("a ") + std::string(wordOf(shape.kind)) + " has " +
                              (two                              ? "2 nodes"
                               : shape.kind == ShapeKind::Point ? "1 node"
                                                                : "at least 1 node") +
@@ -235,7 +235,8 @@ class ProjectReader {
     SizeSource source(const JsonValue &item) {
         SizeSource source;
         if (const auto shape = check_.member(item, "shape", "the source")) {
-            source.shape = static_cast<SourceShape>(check_.choice(*shape, kSourceShapes, "the shape of a source"));
+            source.shape =
+                static_cast<SourceShape>(check_.choice(*shape, wordsOf<SourceShape>(), "the shape of a source"));
         }
         if (const auto a = check_.member(item, "a", "the source")) {
             source.a = check_.point(*a, "a source");
@@ -356,10 +357,10 @@ class ProjectReader {
     void options(const JsonValue &object) {
         MeshingOptions &options = document_.options;
         if (const auto method = object.find("method")) {
-            options.method = static_cast<Method>(check_.choice(*method, kMethods, "the method"));
+            options.method = static_cast<Method>(check_.choice(*method, wordsOf<Method>(), "the method"));
         }
         if (const auto grid = object.find("grid")) {
-            options.grid = static_cast<GridKind>(check_.choice(*grid, kGridKinds, "the background grid"));
+            options.grid = static_cast<GridKind>(check_.choice(*grid, wordsOf<GridKind>(), "the background grid"));
         }
         if (const auto columns = object.find("gridColumns")) {
             options.gridColumns = static_cast<int>(check_.integer(*columns, 0, kMostCells, "\"gridColumns\""));
@@ -383,7 +384,7 @@ class ProjectReader {
         if (value.is(JsonKind::True) || value.is(JsonKind::False)) {
             return value.is(JsonKind::True) ? ImproveLevel::Default : ImproveLevel::None;
         }
-        return static_cast<ImproveLevel>(check_.choice(value, kImproveLevels, "\"improve\""));
+        return static_cast<ImproveLevel>(check_.choice(value, wordsOf<ImproveLevel>(), "\"improve\""));
     }
 
     void nextId(const JsonValue &root) {

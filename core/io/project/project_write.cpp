@@ -58,9 +58,9 @@ class ProjectWriter {
     void shapes(const Document &document) {
         out_ << ",\n  \"shapes\": [\n    ";
         list(document.shapes, ",\n    ", [&](const std::shared_ptr<const Shape> &shape) {
-            out_ << "{\"id\": " << shape->id << ", \"kind\": \"" << kShapeKinds[static_cast<std::size_t>(shape->kind)]
-                 << "\", \"use\": \"" << kShapeUses[static_cast<std::size_t>(shape->use)]
-                 << "\", \"tag\": " << shape->tag << ", \"name\": " << jsonString(shape->name) << ", \"nodes\": [";
+            out_ << "{\"id\": " << shape->id << ", \"kind\": \"" << wordOf(shape->kind) << "\", \"use\": \""
+                 << wordOf(shape->use) << "\", \"tag\": " << shape->tag << ", \"name\": " << jsonString(shape->name)
+                 << ", \"nodes\": [";
             list(shape->nodes, ", ", [&](Vec2 p) { point(p); });
             out_ << ']';
             if (!shape->segmentTags.empty()) {
@@ -125,7 +125,7 @@ class ProjectWriter {
     }
 
     void source(const SizeSource &source) {
-        out_ << "{\"shape\": \"" << kSourceShapes[static_cast<std::size_t>(source.shape)] << "\", \"a\": ";
+        out_ << "{\"shape\": \"" << wordOf(source.shape) << "\", \"a\": ";
         point(source.a);
         out_ << ", \"b\": ";
         point(source.b);
@@ -162,12 +162,11 @@ class ProjectWriter {
     }
 
     void options(const MeshingOptions &options) {
-        out_ << ",\n  \"options\": {\"method\": \"" << kMethods[static_cast<std::size_t>(options.method)]
-             << "\", \"grid\": \"" << kGridKinds[static_cast<std::size_t>(options.grid)]
-             << "\", \"gridColumns\": " << options.gridColumns << ", \"gridRows\": " << options.gridRows
+        out_ << ",\n  \"options\": {\"method\": \"" << wordOf(options.method) << "\", \"grid\": \""
+             << wordOf(options.grid) << "\", \"gridColumns\": " << options.gridColumns
+             << ", \"gridRows\": " << options.gridRows
              << ", \"keepBoundary\": " << (options.keepBoundary ? "true" : "false") << ", \"improve\": \""
-             << kImproveLevels[static_cast<std::size_t>(options.improve)] << "\", \"threads\": " << options.threads
-             << '}';
+             << wordOf(options.improve) << "\", \"threads\": " << options.threads << '}';
     }
 
     TextWriter &out_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/api.hpp"
+#include "core/base/enum_words.hpp"
 #include "core/base/vec2.hpp"
 
 #include <array>
@@ -9,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -16,6 +18,12 @@ namespace FOREFRONT_API forefront {
 
 /// Shape of a size source.
 enum class SourceShape : std::uint8_t { Point, Line, Circle };
+
+template <>
+struct EnumWords<SourceShape> {
+    static constexpr auto kLast = SourceShape::Circle;
+    static constexpr std::array<std::string_view, 3> kList = {"point", "line", "circle"};
+};
 
 /// A size source: the spacing is size + growth·d at distance d from the shape.
 struct SizeSource {
@@ -27,6 +35,8 @@ struct SizeSource {
     double size = 1.0; ///< > 0
     double growth = 0.2; ///< >= 0, change of spacing per unit of distance
     std::string name;
+
+    friend bool operator==(const SizeSource &, const SizeSource &) = default;
 };
 
 /// Painted spacing: square tiles of `kTileNodes`² values at the nodes of a square grid. The lower left node of tile (i,
@@ -47,6 +57,8 @@ struct BackgroundMesh {
     std::vector<Vec2> nodes;
     std::vector<std::array<std::uint32_t, 3>> elements;
     std::vector<double> values; ///< one per node, > 0
+
+    friend bool operator==(const BackgroundMesh &, const BackgroundMesh &) = default;
 };
 
 /// The node spacing function ρ(x, y) as data, part of the document.
