@@ -181,7 +181,23 @@ TEST_CASE("Expression: interval bounds hold all values in the box") {
     CHECK(bounded > 700);
 }
 
-TEST_CASE("Expression: faults tell their place once") {
+TEST_CASE("Expression: faults say what is wrong and what was expected") {
+    const auto messageOf = [](const char *text) {
+        const auto program = compileExpression(text);
+        REQUIRE_MESSAGE(!program.ok(), text);
+        return program.faults().front().message;
+    };
+    CHECK(messageOf("1 + z") == "expression, column 5: unknown name 'z'; expected x, y, pi, e or a function");
+    CHECK(messageOf("x ** 2") == "expression, column 4: unexpected '*'; expected a number, a name or '('");
+    CHECK(messageOf("2 3") == "expression, column 3: unexpected '3'; expected an operator or the end");
+    CHECK(messageOf("1 +") == "expression, column 4: unexpected end; expected a number, a name or '('");
+    CHECK(messageOf("sqrt(1, 2)") == "expression, column 10: 'sqrt' takes 1 argument, got 2");
+    CHECK(messageOf("max(1") == "expression, column 6: missing ')'");
+    CHECK(messageOf("x > 1 ? 2") == "expression, column 10: missing ':' after '?'");
+    CHECK(messageOf("\xff") == "expression, column 1: unexpected byte 255; expected a number, a name or '('");
+}
+
+TEST_CASE("Expression: faults name their place once") {
     for (const char *text : {"1 + z", "1 + foo(x)", "1 + ", "max(1", "x ** 2", "1, 2", "x $ y", "2 3"}) {
         CAPTURE(text);
         const auto program = compileExpression(text);

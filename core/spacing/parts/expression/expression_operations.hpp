@@ -6,7 +6,7 @@
 
 namespace forefront {
 
-/// Number of stack entries an operation takes; every operation leaves one.
+/// Returns the number of stack entries that an operation consumes; every operation leaves one.
 constexpr int operandCount(ExpressionOp op) {
     if (op <= ExpressionOp::Push) {
         return 0;

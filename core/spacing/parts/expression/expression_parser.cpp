@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <string>
 
 namespace forefront {
 namespace {
@@ -19,7 +20,7 @@ constexpr std::array<NamedConstant, 4> kConstants{
 struct NamedFunction {
     std::string_view name;
     ExpressionOp op;
-    int arguments;     ///< exact number; -1: one or more, folded from the left with `op`
+    int arguments;     ///< number; -1: one or more, folded from the left with `op`
     bool mean = false; ///< divide the folded value by the number of arguments
 };
 constexpr std::array<NamedFunction, 29> kFunctions{{{"sin", ExpressionOp::Sine, 1},
@@ -52,7 +53,7 @@ constexpr std::array<NamedFunction, 29> kFunctions{{{"sin", ExpressionOp::Sine, 
                                                     {"avg", ExpressionOp::Add, -1, true},
                                                     {"pow", ExpressionOp::Power, 2}}};
 
-constexpr int kDeepestNesting = 200;
+constexpr int kMaxNesting = 200;
 
 bool isDigit(char c) {
     return c >= '0' && c <= '9';
@@ -61,7 +62,13 @@ bool isNameStart(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
 
-/// Recursive descent; each level of precedence is one function, lowest first. Stops at the first fault.
+/// Quotes a character, or names the byte where it is not printable.
+std::string quoted(char c) {
+    return c >= ' ' && c <= '~' ? "'" + std::string(1, c) + "'"
+                                : "byte " + std::to_string(static_cast<unsigned char>(c));
+}
+
+/// A recursive-descent parser with one function per level of precedence, lowest first. Stops at the first fault.
 class Parser {
   public:
     explicit Parser(std::string_view text) : text_(text) {}
@@ -70,7 +77,7 @@ class Parser {
         parseChoice();
         skipBlanks();
         if (!fault_ && at_ < text_.size()) {
-            fail("Unexpected \"" + std::string(1, text_[at_]) + "\"");
+            fail("unexpected " + quoted(text_[at_]) + "; expected an operator or the end");
         }
         if (fault_) {
             return *fault_;
@@ -101,15 +108,15 @@ class Parser {
     void emit(ExpressionOp op, double constant = 0.0) { code_.push_back({op, constant}); }
 
     void parseChoice() {
-        if (++nesting_ > kDeepestNesting) {
-            fail("The expression is nested too deeply");
+        if (++nesting_ > kMaxNesting) {
+            fail("nested too deeply; expected at most " + std::to_string(kMaxNesting) + " levels");
         }
         if (!fault_) {
             parseOr();
             if (take("?")) {
                 parseChoice();
                 if (!take(":")) {
-                    fail("Missing \":\" of a choice");
+                    fail("missing ':' after '?'");
                 }
                 parseChoice();
                 emit(ExpressionOp::Select);
@@ -195,8 +202,8 @@ class Parser {
     void parsePower() {
         parseOperand();
         if (take("^")) {
-            if (++nesting_ > kDeepestNesting) {
-                fail("The expression is nested too deeply");
+            if (++nesting_ > kMaxNesting) {
+                fail("nested too deeply; expected at most " + std::to_string(kMaxNesting) + " levels");
             }
             if (!fault_) {
                 parseSigned(); // right-associative
@@ -211,7 +218,7 @@ class Parser {
             return;
         }
         if (at_ >= text_.size()) {
-            fail("Unexpected end of expression");
+            fail("unexpected end; expected a number, a name or '('");
         } else if (isDigit(text_[at_]) || text_[at_] == '.') {
             parseNumber();
         } else if (isNameStart(text_[at_])) {
@@ -219,10 +226,10 @@ class Parser {
         } else if (take("(")) {
             parseChoice();
             if (!take(")")) {
-                fail("Missing \")\"");
+                fail("missing ')'");
             }
         } else {
-            fail("Unexpected \"" + std::string(1, text_[at_]) + "\"");
+            fail("unexpected " + quoted(text_[at_]) + "; expected a number, a name or '('");
         }
     }
     void parseNumber() {
@@ -230,7 +237,7 @@ class Parser {
         const char *const begin = text_.data() + at_;
         const auto [end, status] = std::from_chars(begin, text_.data() + text_.size(), value);
         if (status != std::errc() || !std::isfinite(value)) {
-            fail("Not a number");
+            fail("invalid number");
             return;
         }
         at_ += static_cast<std::size_t>(end - begin);
@@ -253,7 +260,7 @@ class Parser {
         if (name == "x" || name == "y") {
             emit(name == "x" ? ExpressionOp::PushX : ExpressionOp::PushY);
         } else if (!emitConstant(name)) {
-            fail("Unknown name \"" + std::string(name) + "\"");
+            fail("unknown name '" + std::string(name) + "'; expected x, y, pi, e or a function");
             return;
         }
         at_ = end;
@@ -269,7 +276,7 @@ class Parser {
     }
     void parseArguments(const NamedFunction &function) {
         if (!take("(")) {
-            fail("Missing \"(\" after \"" + std::string(function.name) + "\"");
+            fail("missing '(' after '" + std::string(function.name) + "'");
             return;
         }
         int count = 0;
@@ -281,9 +288,10 @@ class Parser {
             }
         } while (take(","));
         if (function.arguments > 0 && count != function.arguments) {
-            fail("Wrong number of arguments of \"" + std::string(function.name) + "\"");
+            fail("'" + std::string(function.name) + "' takes " + std::to_string(function.arguments) +
+                 (function.arguments == 1 ? " argument, got " : " arguments, got ") + std::to_string(count));
         } else if (!take(")")) {
-            fail("Missing \")\"");
+            fail("missing ')'");
         } else if (function.arguments > 0) {
             emit(function.op);
         } else if (function.mean) {

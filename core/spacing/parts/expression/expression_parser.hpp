@@ -7,7 +7,7 @@
 
 namespace forefront {
 
-/// A formula in postfix order before optimisation; used by ExpressionProgram::compile.
+/// Parses a formula into postfix order, not yet optimised; used by ExpressionProgram::compile.
 std::variant<std::vector<ExpressionInstruction>, ExpressionFault> parseExpression(std::string_view text);
 
 } // namespace forefront

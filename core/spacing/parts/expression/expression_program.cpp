@@ -251,14 +251,15 @@ std::variant<ExpressionProgram, ExpressionFault> ExpressionProgram::compile(std:
     }
     ExpressionProgram program;
     program.code_ = Optimiser().run(std::get<0>(parsed));
-    if (stackNeeded(program.code_) > kDeepest) {
-        return ExpressionFault{0, "The expression is nested too deeply"};
+    if (stackNeeded(program.code_) > kMaxDepth) {
+        return ExpressionFault{0, "nested too deeply; expected at most " + std::to_string(kMaxDepth) +
+                                      " intermediate values"};
     }
     return program;
 }
 
 double ExpressionProgram::evaluate(Vec2 p) const {
-    std::array<double, kDeepest + 1> stack; // [0]: what the first push puts away
+    std::array<double, kMaxDepth + 1> stack; // [0]: pushed away by the first operand
     double *below = stack.data();
     double top = 0.0;
     for (const ExpressionInstruction &instruction : code_) {
@@ -269,7 +270,7 @@ double ExpressionProgram::evaluate(Vec2 p) const {
 
 void ExpressionProgram::evaluateMany(std::span<const Vec2> points, std::span<double> values) const {
     FOREFRONT_ASSERT(points.size() == values.size());
-    std::array<Block, kDeepest> stack;
+    std::array<Block, kMaxDepth> stack;
     for (std::size_t begin = 0; begin < points.size(); begin += kBlock) {
         const auto part = points.subspan(begin, std::min(kBlock, points.size() - begin));
         Block *top = stack.data();

@@ -12,7 +12,7 @@
 
 namespace forefront {
 
-/// Operations of the stack program. The forms ...By, ...Of and SubtractFrom take one operand from the
+/// The operations of the stack program. The forms ...By, ...Of and SubtractFrom take one operand from the
 /// instruction.
 enum class ExpressionOp : std::uint8_t {
     PushX,
@@ -76,34 +76,35 @@ struct ExpressionInstruction {
     double constant = 0.0;
 };
 
-/// Interval of values; `undefined` where the formula may give no number (NaN) somewhere in the argument box.
+/// An interval of values; `undefined` if the formula may be NaN somewhere in the argument box.
 struct ValueRange {
     double low = 0.0;
     double high = 0.0;
     bool undefined = false;
 };
 
-/// Where and why a formula cannot be compiled.
+/// The place and reason why a formula cannot be compiled.
 struct ExpressionFault {
     std::size_t column = 0; ///< zero-based
     std::string message;
 };
 
-/// A formula in x and y as a short stack program: immutable, so that many threads may evaluate it at once, and without
-/// an indirect call per operation.
+/// A formula in x and y as a short stack program. Immutable, so threads may share it, and evaluated without an indirect
+/// call per operation.
 class ExpressionProgram {
   public:
-    static constexpr std::size_t kDeepest = 48; ///< entries of the stack
+    static constexpr std::size_t kMaxDepth = 48; ///< entries on the stack
 
-    /// The grammar of muparser (operators, precedence, functions, ?:) without assignment and strings.
+    /// Compiles a formula in the grammar of muParser (operators, precedence, functions, ?:) without assignment and
+    /// strings.
     static std::variant<ExpressionProgram, ExpressionFault> compile(std::string_view text);
 
-    /// Value at p; NaN or infinite where the formula is.
+    /// Returns the value at p; NaN or infinite where the formula is.
     double evaluate(Vec2 p) const;
-    /// The same doubles as evaluate(), point by point, several times faster.
+    /// Computes the same doubles as evaluate() for many points, several times faster.
     void evaluateMany(std::span<const Vec2> points, std::span<double> values) const;
-    /// Bounds of the values over a box (interval arithmetic; rounding is covered by a margin of a few units in the
-    /// last place).
+    /// Returns bounds of the values over a box by interval arithmetic, with a margin of a few units in the last place
+    /// for rounding.
     ValueRange range(const Box2 &box) const;
 
     std::span<const ExpressionInstruction> instructions() const { return code_; }

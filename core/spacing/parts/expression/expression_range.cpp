@@ -207,7 +207,7 @@ ValueRange unaryRange(const ExpressionInstruction &instruction, const ValueRange
 } // namespace
 
 ValueRange ExpressionProgram::range(const Box2 &box) const {
-    std::array<ValueRange, kDeepest + 3> stack;
+    std::array<ValueRange, kMaxDepth + 3> stack;
     std::size_t top = 0; // number of entries
     for (const ExpressionInstruction &instruction : code_) {
         const Op op = instruction.op;

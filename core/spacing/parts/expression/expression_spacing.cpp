@@ -8,7 +8,7 @@
 namespace forefront {
 namespace {
 
-constexpr int kProbes = 64; ///< intervals of the probe lattice along each side
+constexpr int kProbes = 64; ///< intervals of the probing grid along each side
 
 std::vector<Vec2> probePlaces(const Domain &domain, const Box2 &box) {
     std::vector<Vec2> places;
@@ -57,7 +57,8 @@ Result<ExpressionSpacing> ExpressionSpacing::build(const SpacingSpec &spec, cons
     for (std::size_t i = 0; i < places.size(); ++i) {
         if (const char *const fault = faultOf(values[i], spec)) {
             Diagnostics faults =
-                error("expression-value", std::string("The spacing expression gives ") + fault,
+                error("expression-value",
+                      std::string("the spacing expression gives ") + fault + "; expected a number above 0",
                       "keep it above zero everywhere in the domain's box, for example by max(0.1, ...)");
             faults.front().at = places[i];
             return faults;

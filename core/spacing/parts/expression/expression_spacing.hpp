@@ -4,35 +4,37 @@
 #include "core/base/result.hpp"
 #include "core/domain/domain.hpp"
 #include "core/spacing/parts/expression/expression_program.hpp"
-#include "core/spacing/sites/site_set.hpp"
+#include "core/spacing/sites/site_words.hpp"
 #include "core/spacing/spec/spacing_spec.hpp"
 
 #include <string>
 
 namespace forefront {
 
-/// An expression as spacing: always finite and > 0, whatever the formula gives between the probed places.
+/// An expression as spacing: always finite and > 0, whatever the formula returns between the probed places.
 class ExpressionSpacing {
   public:
-    /// Compiles `spec.expression` and probes it at 65 x 65 places of the box and at the domain's nodes. Faults:
-    /// expression-syntax; expression-value with the first bad place: NaN anywhere, values <= 0 unless a minimum is
-    /// given, infinity unless a maximum is given.
+    /// Compiles `spec.expression` and evaluates it at 65 x 65 places of the box and at the domain's nodes. Errors:
+    /// expression-syntax; expression-value at the first place with NaN, a value <= 0 without a minimum, or infinity
+    /// without a maximum.
     static Result<ExpressionSpacing> build(const SpacingSpec &spec, const Domain &domain, const Box2 &box);
 
     double at(Vec2 p) const { return made(program_.evaluate(p)); }
     void atMany(std::span<const Vec2> points, std::span<double> rho) const;
-    const std::string &text() const { return text_; }
-    /// Places from which the spacing reaches on by `gradation` where the formula is steeper: found on a lattice that is
-    /// refined to a part of the spacing itself, so that the limited spacing is exact within about 2 %.
+    SpacingSample sample(Vec2 p, const SiteWords &) const {
+        return {at(p), SpacingOrigin::Expression, 0, "expression " + text_};
+    }
+    /// Adds the places from which the spacing grows by `gradation` because the formula is steeper. They are found on a
+    /// grid that is refined to a fraction of the spacing, so the limited spacing is within about 2 % of exact.
     void addSteepSites(const Box2 &box, double gradation, SiteSet &sites, const Progress &progress) const;
-    /// Bounds over the box it was built for: by interval arithmetic on 64 x 64 parts of it, or as probed where that
-    /// gives nothing finite.
+    /// Returns a lower bound over the box, by interval arithmetic on 64 x 64 parts of it, or the smallest probed value
+    /// where that is undefined.
     double minimum() const { return minimum_; }
     double maximum() const { return maximum_; }
 
   private:
     void findBounds(const Box2 &box);
-    // Written so that NaN becomes the ceiling.
+    // NaN becomes the ceiling.
     double made(double value) const {
         const double low = value < floor_ ? floor_ : value;
         return low <= ceiling_ ? low : ceiling_;
