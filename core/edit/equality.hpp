@@ -4,9 +4,8 @@
 
 namespace forefront {
 
-/// True if two documents say the same: shapes (deeply), markers, names, spacing (paint tile by tile), options. Ids
-/// count; `nextId` does not.
+/// Returns true if two documents have the same shapes (ids included), markers, names, spacing and options, wherever
+/// those are in memory; `nextId` does not count.
 bool sameContent(const Document &a, const Document &b);
-bool sameContent(const SpacingSpec &a, const SpacingSpec &b);
 
 } // namespace forefront

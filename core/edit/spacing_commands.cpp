@@ -1,23 +1,42 @@
 #include "core/edit/spacing_commands.hpp"
 
+#include "core/spacing/spec/spec_check.hpp"
+
 #include <algorithm>
 
 namespace forefront {
 namespace {
 
-bool positive(std::optional<double> value) {
-    return !value || (std::isfinite(*value) && *value > 0.0);
+Diagnostics noSuchSource(std::size_t index) {
+    return error("no-such-source", "size source " + std::to_string(index) + " not found");
 }
 
-Diagnostics badSize(const char *what) {
-    return error("bad-size", std::string(what) + " must be a number above 0");
+/// A circle needs a radius while it is edited; files may hold one without.
+Diagnostics faultsOf(const SizeSource &source, std::size_t index) {
+    Diagnostics faults;
+    checkSource(source, static_cast<std::uint32_t>(index), faults);
+    if (faults.empty() && source.shape == SourceShape::Circle && source.radius == 0.0) {
+        faults = error("bad-source", "invalid radius 0 of a circle; expected a number above 0");
+    }
+    return faults;
+}
+
+Result<Document> withGoodLimits(Document document) {
+    Diagnostics faults;
+    checkLimits(document.spacing, faults);
+    if (!faults.empty()) {
+        return faults;
+    }
+    return document;
 }
 
 } // namespace
 
 Result<Document> setSize(const Document &document, std::optional<double> size) {
-    if (!positive(size)) {
-        return badSize("a size");
+    Diagnostics faults;
+    checkSize(size, "spacing", faults);
+    if (!faults.empty()) {
+        return faults;
     }
     Document next = document;
     next.spacing.size = size;
@@ -35,25 +54,16 @@ Document setExpression(const Document &document, std::string expression) {
 }
 
 Result<Document> setLimits(const Document &document, std::optional<double> minimum, std::optional<double> maximum) {
-    if (!positive(minimum) || !positive(maximum)) {
-        return badSize("a limit of the spacing");
-    }
-    if (minimum && maximum && *minimum > *maximum) {
-        return error("bad-limits", "the least spacing is above the greatest");
-    }
     Document next = document;
     next.spacing.minimum = minimum;
     next.spacing.maximum = maximum;
-    return next;
+    return withGoodLimits(std::move(next));
 }
 
 Result<Document> setGradation(const Document &document, std::optional<double> gradation) {
-    if (!positive(gradation)) {
-        return error("bad-size", "the gradation must be a number above 0", "0.1 is gentle, 0.3 is steep");
-    }
     Document next = document;
     next.spacing.gradation = gradation;
-    return next;
+    return withGoodLimits(std::move(next));
 }
 
 Document setFromBoundary(const Document &document, bool fromBoundary) {
@@ -62,25 +72,8 @@ Document setFromBoundary(const Document &document, bool fromBoundary) {
     return next;
 }
 
-Diagnostics checkSource(const SizeSource &source) {
-    if (!isFinite(source.a) || !isFinite(source.b)) {
-        return error("bad-source", "a coordinate of the source is not a finite number");
-    }
-    if (!std::isfinite(source.radius) || source.radius < 0.0 ||
-        (source.shape == SourceShape::Circle && source.radius == 0.0)) {
-        return error("bad-source", "a radius must be above 0");
-    }
-    if (!positive(source.size)) {
-        return badSize("the size of a source");
-    }
-    if (!std::isfinite(source.growth) || source.growth < 0.0) {
-        return error("bad-growth", "the growth of a source must be 0 or more");
-    }
-    return {};
-}
-
 Result<Document> addSource(const Document &document, SizeSource source) {
-    if (Diagnostics faults = checkSource(source); !faults.empty()) {
+    if (Diagnostics faults = faultsOf(source, document.spacing.sources.size()); !faults.empty()) {
         return faults;
     }
     Document next = document;
@@ -90,9 +83,9 @@ Result<Document> addSource(const Document &document, SizeSource source) {
 
 Result<Document> replaceSource(const Document &document, std::size_t index, SizeSource source) {
     if (index >= document.spacing.sources.size()) {
-        return error("no-such-source", "there is no such source");
+        return noSuchSource(index);
     }
-    if (Diagnostics faults = checkSource(source); !faults.empty()) {
+    if (Diagnostics faults = faultsOf(source, index); !faults.empty()) {
         return faults;
     }
     Document next = document;
@@ -102,7 +95,7 @@ Result<Document> replaceSource(const Document &document, std::size_t index, Size
 
 Result<Document> removeSource(const Document &document, std::size_t index) {
     if (index >= document.spacing.sources.size()) {
-        return error("no-such-source", "there is no such source");
+        return noSuchSource(index);
     }
     Document next = document;
     next.spacing.sources.erase(next.spacing.sources.begin() + static_cast<std::ptrdiff_t>(index));
@@ -125,10 +118,7 @@ std::string displayName(const SizeSource &source, std::size_t index) {
     if (!source.name.empty()) {
         return source.name;
     }
-    const char *shape = source.shape == SourceShape::Point  ? "point"
-                        : source.shape == SourceShape::Line ? "line"
-                                                            : "circle";
-    return std::string(shape) + " source " + std::to_string(index + 1);
+    return std::string(wordOf(source.shape)) + " source " + std::to_string(index + 1);
 }
 
 } // namespace forefront

@@ -8,17 +8,18 @@
 
 namespace forefront {
 
-/// Commands on the spacing part of a document. Refused with bad-size (not finite or <= 0), bad-source, no-such-source,
-/// bad-limits (minimum above maximum), bad-growth.
+// Commands on the spacing of a document. Errors: bad-size (not finite or <= 0, or minimum above maximum), bad-source,
+// no-such-source.
 
-/// Constant size; nullopt: none.
+/// Sets a constant spacing; nullopt removes it.
 Result<Document> setSize(const Document &document, std::optional<double> size);
-/// Expression in x and y, taken as typed (building the field reports its faults); empty or blank: none.
+/// Sets the expression in x and y; its syntax is checked when the field is built. An empty or blank one removes it.
 Document setExpression(const Document &document, std::string expression);
-/// Clamp of ρ; nullopt: none.
+/// Sets the bounds of the spacing; nullopt removes one.
 Result<Document> setLimits(const Document &document, std::optional<double> minimum, std::optional<double> maximum);
-/// Greatest |∇ρ|; nullopt: the default.
+/// Sets the maximum |∇ρ|; nullopt restores the default.
 Result<Document> setGradation(const Document &document, std::optional<double> gradation);
+/// Sets whether the lengths of boundary segments act as sources.
 Document setFromBoundary(const Document &document, bool fromBoundary);
 
 Result<Document> addSource(const Document &document, SizeSource source);
@@ -26,12 +27,10 @@ Result<Document> replaceSource(const Document &document, std::size_t index, Size
 Result<Document> removeSource(const Document &document, std::size_t index);
 
 Document setPaint(const Document &document, PaintedSpacing paint);
-/// Takes over the spacing of another document or file; null background and empty paint included.
+/// Replaces the whole spacing, for example by that of a file.
 Document setSpacing(const Document &document, SpacingSpec spacing);
 
-/// What is wrong with a source taken alone; empty if it can be in a document.
-Diagnostics checkSource(const SizeSource &source);
-/// Its name, or one made of shape and place such as "point source 2".
+/// Returns the name of a source, or one made of its shape and index such as "point source 2".
 std::string displayName(const SizeSource &source, std::size_t index);
 
 } // namespace forefront

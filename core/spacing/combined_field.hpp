@@ -3,11 +3,14 @@
 #include "core/spacing/parts/background/background_part.hpp"
 #include "core/spacing/parts/expression/expression_spacing.hpp"
 #include "core/spacing/parts/paint/painted_part.hpp"
+#include "core/spacing/parts/regions/region_part.hpp"
 #include "core/spacing/sites/site_set.hpp"
 #include "core/spacing/sites/site_tree.hpp"
+#include "core/spacing/sites/site_words.hpp"
 #include "core/spacing/spacing_field.hpp"
 
 #include <optional>
+#include <tuple>
 
 namespace forefront {
 
@@ -26,13 +29,13 @@ class ConstantField final : public SpacingField {
     SpacingOrigin origin_;
 };
 
-/// An expression alone, limits included.
+/// An expression alone, limits included. Faster than a combined field, and for many points at once.
 class ExpressionField final : public SpacingField {
   public:
     explicit ExpressionField(ExpressionSpacing expression) : expression_(std::move(expression)) {}
     double at(Vec2 p) const override { return expression_.at(p); }
     void atMany(std::span<const Vec2> points, std::span<double> rho) const override { expression_.atMany(points, rho); }
-    SpacingSample sample(Vec2 p) const override;
+    SpacingSample sample(Vec2 p) const override { return expression_.sample(p, {}); }
     double minimum() const override { return expression_.minimum(); }
     double maximum() const override { return expression_.maximum(); }
 
@@ -40,30 +43,66 @@ class ExpressionField final : public SpacingField {
     ExpressionSpacing expression_;
 };
 
-/// What a combined field is made of. Every part is already clamped and limited, so that the minimum of them is, too.
-struct SpacingParts {
-    double cap = 0.0; ///< constant, maximum or greatest automatic spacing: finite wherever nothing else is
-    SpacingOrigin capOrigin = SpacingOrigin::Constant;
-    double minimum = 0.0;
-    double gradation = 0.0; ///< in force for painted, boundary and automatic parts
-    std::optional<ExpressionSpacing> expression;
-    std::optional<PaintedPart> paint;
-    std::optional<BackgroundPart> background;
-    /// Consulted only where the background mesh says nothing and no other part covers the domain.
-    double fillerCap = std::numeric_limits<double>::infinity();
-    std::optional<SiteTree> filler;
-    std::vector<SiteLabel> fillerLabels;
-    SiteSet few;                  ///< looked at one by one
-    std::optional<SiteTree> tree; ///< many
-    std::vector<SiteLabel> treeLabels;
-    std::vector<std::string> sourceNames; ///< of SpacingSpec::sources
+/// A background mesh together with automatic spacing for the places that it does not cover.
+class FilledBackground {
+  public:
+    explicit FilledBackground(BackgroundPart mesh) : mesh_(std::move(mesh)) {}
+
+    /// Sets the spacing outside the mesh: the minimum of `cap` and the sites.
+    void fill(double cap, SiteTree sites, std::vector<SiteLabel> labels);
+
+    double at(Vec2 p) const {
+        const double rho = mesh_.at(p);
+        return rho < std::numeric_limits<double>::infinity() || !sites_ ? rho : std::min(cap_, sites_->at(p));
+    }
+    double minimum() const { return sites_ ? std::min(mesh_.minimum(), sites_->minimum()) : mesh_.minimum(); }
+    double maximum() const {
+        return sites_ ? std::max(mesh_.maximum(), cap_) : std::numeric_limits<double>::infinity();
+    }
+    SpacingSample sample(Vec2 p, const SiteWords &words) const;
+
+  private:
+    BackgroundPart mesh_;
+    double cap_ = std::numeric_limits<double>::infinity();
+    std::optional<SiteTree> sites_;
+    std::vector<SiteLabel> labels_;
 };
 
-/// Minimum of all parts.
+/// The parts that are evaluated point by point, as opposed to by sites. Each has at(p), infinite where the part does
+/// not apply, minimum() and maximum() over the domain's box, and sample(p, words). A tuple, so that the compiler
+/// inlines all of them into the hot path.
+using PointParts = std::tuple<std::optional<ExpressionSpacing>, std::optional<FilledBackground>,
+                              std::optional<PaintedPart>, std::optional<RegionPart>>;
+
+/// The ingredients of a combined field. Every part is already clamped and limited, so their minimum is, too.
+struct FieldParts {
+    double cap = 0.0; ///< constant, maximum or automatic spacing: finite where nothing else is
+    SpacingOrigin capOrigin = SpacingOrigin::Constant;
+    double minimum = 0.0;
+    PointParts points;
+    SiteSet few;                  ///< evaluated one by one
+    std::optional<SiteTree> tree; ///< replaces `few` where there are many
+    std::vector<SiteLabel> treeLabels;
+    SiteWords words;
+
+    /// Lowers the cap to `size` if that is less.
+    void lowerCap(double size, SpacingOrigin origin);
+    /// The point part of type `Part`.
+    template <class Part>
+    std::optional<Part> &point() {
+        return std::get<std::optional<Part>>(points);
+    }
+    /// Returns true if any part is evaluated point by point.
+    bool anyPoint() const {
+        return std::apply([](const auto &...part) { return (part.has_value() || ...); }, points);
+    }
+};
+
+/// The minimum of all parts.
 class CombinedField final : public SpacingField {
   public:
     /// The bounds are those over `box`.
-    CombinedField(SpacingParts parts, const Box2 &box);
+    CombinedField(FieldParts parts, const Box2 &box);
     double at(Vec2 p) const override { return inlineAt(p); }
     void atMany(std::span<const Vec2> points, std::span<double> rho) const override;
     SpacingSample sample(Vec2 p) const override;
@@ -71,35 +110,24 @@ class CombinedField final : public SpacingField {
     double maximum() const override { return maximum_; }
 
   private:
-    double backgroundAt(Vec2 p) const {
-        const double rho = parts_.background->at(p);
-        return rho < std::numeric_limits<double>::infinity() || !parts_.filler
-                   ? rho
-                   : std::min(parts_.fillerCap, parts_.filler->at(p));
+    /// Calls visit(part) for every part evaluated point by point.
+    template <class Visit>
+    void forPoints(const Visit &visit) const {
+        std::apply([&](const auto &...part) { ((part ? visit(*part) : void()), ...); }, parts_.points);
     }
     double inlineAt(Vec2 p) const {
         double rho = parts_.cap;
         for (const SizeSite &site : parts_.few.sites) {
             rho = std::min(rho, site.at(p));
         }
-        if (parts_.expression) {
-            rho = std::min(rho, parts_.expression->at(p));
-        }
-        if (parts_.background) {
-            rho = std::min(rho, backgroundAt(p));
-        }
-        if (parts_.paint) {
-            rho = std::min(rho, parts_.paint->at(p));
-        }
+        forPoints([&](const auto &part) { rho = std::min(rho, part.at(p)); });
         if (parts_.tree) {
             rho = std::min(rho, parts_.tree->at(p));
         }
         return std::max(rho, parts_.minimum);
     }
-    void describeBackground(Vec2 p, SpacingSample &sample) const;
-    void describeSite(const SizeSite &site, const SiteLabel &label, Vec2 p, SpacingSample &sample) const;
 
-    SpacingParts parts_;
+    FieldParts parts_;
     double minimum_ = 0.0;
     double maximum_ = 0.0;
 };

@@ -3,7 +3,7 @@
 #include "core/base/api.hpp"
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
-#include "core/spacing/spec/spacing_origin.hpp"
+#include "core/spacing/spec/spacing_sample.hpp"
 #include "core/spacing/spec/spacing_spec.hpp"
 
 #include <memory>
@@ -13,14 +13,6 @@
 namespace FOREFRONT_API forefront {
 
 struct Domain;
-
-/// The spacing at a point and the part of the specification that set it.
-struct SpacingSample {
-    double rho = 0.0;
-    SpacingOrigin origin = SpacingOrigin::Constant;
-    std::uint32_t source = 0; ///< index into SpacingSpec::sources, the domain segments or its region markers, by origin
-    std::string describe;     ///< for the inspector, such as "source 'pier head'"; filled by sample() only
-};
 
 /// The node spacing function ρ, ready to evaluate. Immutable; const members may be called from several threads at once.
 /// Deterministic: the same field returns the same doubles on every call and thread.

@@ -227,12 +227,12 @@ TEST_CASE("Spacing commands: values are checked, blanks mean none") {
     CHECK(codeOf(setSize(document, std::nan(""))) == "bad-size");
     CHECK(setExpression(document, "0.1+x").spacing.expression == "0.1+x");
     CHECK_FALSE(setExpression(setExpression(document, "x"), "  ").spacing.expression.has_value());
-    CHECK(codeOf(setLimits(document, 2, 1)) == "bad-limits");
+    CHECK(codeOf(setLimits(document, 2, 1)) == "bad-size");
     CHECK(setLimits(document, 1, 2)->spacing.maximum == 2);
     CHECK(codeOf(setGradation(document, -1)) == "bad-size");
     CHECK(codeOf(addSource(document, {SourceShape::Circle, {}, {}, 0.0, 1, 0.2, ""})) == "bad-source");
-    CHECK(codeOf(addSource(document, {SourceShape::Point, {}, {}, 0.0, -1, 0.2, ""})) == "bad-size");
-    CHECK(codeOf(addSource(document, {SourceShape::Point, {}, {}, 0.0, 1, -0.2, ""})) == "bad-growth");
+    CHECK(codeOf(addSource(document, {SourceShape::Point, {}, {}, 0.0, -1, 0.2, ""})) == "bad-source");
+    CHECK(codeOf(addSource(document, {SourceShape::Point, {}, {}, 0.0, 1, -0.2, ""})) == "bad-source");
     CHECK(codeOf(replaceSource(document, 0, {})) == "no-such-source");
     CHECK(codeOf(removeSource(document, 0)) == "no-such-source");
     CHECK(displayName(SizeSource{}, 1) == "point source 2");

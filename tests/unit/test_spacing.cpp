@@ -70,7 +70,7 @@ TEST_CASE("SpacingField: sources, constant and expression combine by minimum and
         CHECK(field->at(p) <= field->maximum());
         CHECK(field->sample(p).rho == field->at(p));
     }
-    CHECK(field->sample({3, 3}).describe == "least spacing");
+    CHECK(field->sample({3, 3}).describe == "minimum spacing");
     CHECK(field->sample({3.5, 3}).describe == "source 'pier head'");
     CHECK(field->sample({5, 9.6}).describe == "source 1");
     CHECK(field->sample({0.5, 6}).describe == "expression 0.5 + 0.1*x");

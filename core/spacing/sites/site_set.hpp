@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/spacing/sites/size_site.hpp"
-#include "core/spacing/spec/spacing_origin.hpp"
+#include "core/spacing/spec/spacing_sample.hpp"
 
 #include <cstdint>
 #include <string>
@@ -9,25 +9,27 @@
 
 namespace forefront {
 
-/// Why a site is there, for the inspector.
+/// The reason for a site, for the inspector.
 enum class SiteReason : std::uint8_t {
     Source,         ///< index: of the size source
     PaintEdge,      ///< reach of a painted patch
     BackgroundEdge, ///< reach of a background mesh
     ExpressionEdge, ///< reach of an expression steeper than the gradation
+    RegionEdge,     ///< reach of a region with a maximum area; index: of the region marker
     SegmentLength,  ///< index: of the domain segment
     Channel,        ///< narrow gap across from the domain segment
     Corner,         ///< beside a sharp corner of the domain segment
     LonePoint       ///< index: of the domain node
 };
 
+/// The part and the reason that a site stems from.
 struct SiteLabel {
     SpacingOrigin origin = SpacingOrigin::Source;
     SiteReason reason = SiteReason::Source;
     std::uint32_t index = 0;
 };
 
-/// Sites and, in step with them, their labels.
+/// Sites and their labels, in parallel arrays.
 struct SiteSet {
     std::vector<SizeSite> sites;
     std::vector<SiteLabel> labels;
@@ -36,7 +38,7 @@ struct SiteSet {
         sites.push_back(site);
         labels.push_back(label);
     }
-    /// Drops sites that another one undercuts everywhere; of equal ones the first stays. For sites without radius.
+    /// Drops sites that another one undercuts everywhere; of equal ones the first stays. Sites must have no radius.
     void dropDominated();
 };
 

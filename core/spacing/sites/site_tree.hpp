@@ -16,14 +16,17 @@ namespace forefront {
 ///
 /// A table of equal square cells, each the root of a quadtree. A leaf holds either the few sites that can win in it
 /// (exact) or, where many sites compete far away and their minimum is smooth, its values at the four corners
-/// (bilinear). Relative error of bilinear leaves: aimed at kTolerance, checked at the centre and the middles of the
-/// sides while building. Outside the box the value at the nearest point of the box is taken.
-/// Immutable once built; memory stays below about 60 MB (then leaves get longer lists or larger errors).
+/// (bilinear), with a relative error of about kTolerance, checked at the centre and the middles of the sides while
+/// building. Outside the box, the value at the nearest point of the box counts. Immutable; uses less than about 60 MB,
+/// for which leaves get longer lists or larger errors if necessary.
+///
+/// A tree of its own: the box tree of core/geometry would have to search for the minimum at every point, which takes
+/// 10 µs instead of 0.1 µs with 5,000 sites along a closed line, and 110 µs with 50,000.
 class SiteTree {
   public:
     static constexpr double kTolerance = 0.005;
 
-    /// `sites` not empty, finite; `box` not empty. Nothing only when cancelled.
+    /// Builds the tree of finite sites over a box, neither of them empty. Returns nothing only if cancelled.
     static std::optional<SiteTree> build(std::vector<SizeSite> sites, const Box2 &box, const Progress &progress = {});
 
     double at(Vec2 p) const {
@@ -51,10 +54,10 @@ class SiteTree {
         }
         return least;
     }
-    /// Index of the site with the least value at p (the first of equals), by looking at all.
+    /// Returns the site with the smallest value at p (the first of equals) by checking all of them.
     std::size_t winner(Vec2 p) const;
     const std::vector<SizeSite> &sites() const { return sites_; }
-    /// Bounds of the values over the box.
+    /// Returns the smallest value over the box.
     double minimum() const { return minimum_; }
     double maximum() const { return maximum_; }
     std::size_t bytes() const;
@@ -66,7 +69,8 @@ class SiteTree {
     static constexpr int kBits = 16; ///< levels below a table cell
     static constexpr std::uint32_t kSplit = 0x80000000U;
     static constexpr std::uint32_t kSmooth = 0x40000000U;
-    /// Lower left, lower right, upper left, upper right; in units of scale_, so that floats hold any domain's sizes.
+    /// Lower left, lower right, upper left, upper right; in units of scale_, so that floats can hold the sizes of any
+    /// domain.
     using Corners = std::array<float, 4>;
 
     static constexpr std::array<double, kBits + 1> kInverse = [] {

@@ -7,9 +7,9 @@
 
 namespace forefront {
 
-/// A place that demands a spacing: `size` within `radius` of the segment from `a` to a + `ab` (a point where ab = 0),
+/// A place that demands a spacing: `size` within `radius` of the segment from `a` to a + `ab` (a point if ab = 0),
 /// growing by `growth` per unit of distance beyond. The common form of size sources, boundary lengths, features and
-/// the reach of a gradation limit. One cache line.
+/// places from which the gradation limit spreads. One cache line.
 struct SizeSite {
     Vec2 a;
     Vec2 ab;
@@ -40,8 +40,8 @@ struct SizeSite {
     double at(Vec2 p) const { return size + growth * distanceTo(p); }
 };
 
-/// The site after its size is raised to `minimum` and its growth lowered to at most `gradation`: the exact result of
-/// limiting max(site, minimum), since the distance to a convex shape offsets into the distance to its neighbourhood.
+/// Returns the site with its size raised to `minimum` and its growth limited to `gradation`. This is the exact limit of
+/// max(site, minimum), since the distance to a convex shape less a constant is the distance to its neighbourhood.
 inline SizeSite limited(SizeSite site, double minimum, double gradation) {
     if (site.size < minimum) {
         if (site.growth > 0.0) {

@@ -1,5 +1,7 @@
 #include "core/spacing/spec/spec_check.hpp"
 
+#include "core/base/number_text.hpp"
+
 #include <cmath>
 
 namespace forefront {
@@ -9,23 +11,33 @@ bool isSize(double value) {
     return std::isfinite(value) && value > 0.0;
 }
 
-void checkSize(const std::optional<double> &value, const char *name, Diagnostics &faults) {
+bool isNotNegative(double value) {
+    return std::isfinite(value) && value >= 0.0;
+}
+
+std::string text(double value) {
+    return numberText(value, 6);
+}
+
+} // namespace
+
+void checkSize(const std::optional<double> &value, const std::string &name, Diagnostics &faults) {
     if (value && !isSize(*value)) {
-        faults.push_back(error("bad-size", std::string("The ") + name + " is not a finite number greater than zero",
-                               "give a length in domain units")
+        faults.push_back(error("bad-size", "invalid " + name + ' ' + text(*value) + "; expected a number above 0",
+                               "enter a length in domain units")
                              .front());
     }
 }
 
 void checkSource(const SizeSource &source, std::uint32_t index, Diagnostics &faults) {
-    const auto fault = [&](const char *what) {
+    const auto fault = [&](const std::string &what, const char *expected) {
         Diagnostic diagnostic;
         diagnostic.code = "bad-source";
-        diagnostic.message = "Size source " + std::to_string(index);
+        diagnostic.message = "size source " + std::to_string(index);
         if (!source.name.empty()) {
             diagnostic.message += " '" + source.name + "'";
         }
-        diagnostic.message += what;
+        diagnostic.message += " has " + what + "; expected " + expected;
         diagnostic.ids = {index};
         if (isFinite(source.a)) {
             diagnostic.at = source.a;
@@ -33,34 +45,53 @@ void checkSource(const SizeSource &source, std::uint32_t index, Diagnostics &fau
         faults.push_back(std::move(diagnostic));
     };
     if (!isFinite(source.a) || (source.shape == SourceShape::Line && !isFinite(source.b))) {
-        fault(" has a place that is not finite");
+        fault("a coordinate that is not finite", "finite numbers");
     }
     if (!isSize(source.size)) {
-        fault(" has a size that is not a finite number greater than zero");
+        fault("the size " + text(source.size), "a number above 0");
     }
-    if (!std::isfinite(source.growth) || source.growth < 0.0) {
-        fault(" has a growth that is not a finite number of at least zero");
+    if (!isNotNegative(source.growth)) {
+        fault("the growth " + text(source.growth), "a number of at least 0");
     }
-    if (!std::isfinite(source.radius) || source.radius < 0.0) {
-        fault(" has a radius that is not a finite number of at least zero");
+    if (!isNotNegative(source.radius)) {
+        fault("the radius " + text(source.radius), "a number of at least 0");
     }
 }
 
-} // namespace
+void checkSources(std::span<const SizeSource> sources, Diagnostics &faults) {
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        checkSource(sources[i], static_cast<std::uint32_t>(i), faults);
+    }
+}
 
-Diagnostics checkSpec(const SpacingSpec &spec) {
-    Diagnostics faults;
-    checkSize(spec.size, "spacing", faults);
-    checkSize(spec.minimum, "least spacing", faults);
-    checkSize(spec.maximum, "greatest spacing", faults);
+void checkRegionAreas(std::span<const RegionMarker> markers, Diagnostics &faults) {
+    for (std::uint32_t i = 0; i < markers.size(); ++i) {
+        if (!isNotNegative(markers[i].maxArea)) {
+            Diagnostics fault =
+                error("bad-region-area",
+                      "invalid maximum area " + text(markers[i].maxArea) + " of a region; expected a number above 0",
+                      "set it to 0 for no limit");
+            fault.front().parts = {{DomainPartKind::RegionMarker, i}};
+            if (isFinite(markers[i].at)) {
+                fault.front().at = markers[i].at;
+            }
+            faults.push_back(std::move(fault.front()));
+        }
+    }
+}
+
+void checkLimits(const SpacingSpec &spec, Diagnostics &faults) {
+    checkSize(spec.minimum, "minimum spacing", faults);
+    checkSize(spec.maximum, "maximum spacing", faults);
     checkSize(spec.gradation, "gradation", faults);
-    if (faults.empty() && spec.minimum && spec.maximum && *spec.minimum > *spec.maximum) {
-        faults = error("bad-size", "The least spacing is greater than the greatest");
+    if (spec.minimum && spec.maximum && isSize(*spec.minimum) && isSize(*spec.maximum) &&
+        *spec.minimum > *spec.maximum) {
+        faults.push_back(error("bad-size",
+                               "the minimum spacing " + text(*spec.minimum) + " is greater than the maximum spacing " +
+                                   text(*spec.maximum),
+                               "swap them or remove one")
+                             .front());
     }
-    for (std::size_t i = 0; i < spec.sources.size(); ++i) {
-        checkSource(spec.sources[i], static_cast<std::uint32_t>(i), faults);
-    }
-    return faults;
 }
 
 } // namespace forefront

@@ -7,18 +7,18 @@ namespace {
 
 constexpr double kAcross = 45.0;         ///< elements along the diagonal of the domain's box
 constexpr double kAcrossGap = 2.0;       ///< elements across a narrow place
-constexpr double kFinestGap = 1e-4;      ///< of the diagonal: narrower places get no finer stretches
-constexpr double kGapElements = 3.0e4;   ///< about as many elements may be spent on narrow places ...
-constexpr double kGapElementsEach = 8.0; ///< ... and as many more for each segment of the domain
+constexpr double kFinestGap = 1e-4;      ///< of the diagonal; narrower places are not resolved further
+constexpr double kGapElements = 3.0e4;   ///< about this many elements may be spent on narrow places ...
+constexpr double kGapElementsEach = 8.0; ///< ... plus this many per domain segment
 
-/// Elements that a stretch costs when its size is at least `floor`: half the gap belongs to it.
+/// Returns the number of elements in a stretch, which covers half the gap, if its size is at least `floor`.
 double elementsFor(const Gap &gap, double floor) {
     const double length = distance(gap.a, gap.b);
     const double size = std::max(gap.width / kAcrossGap, floor);
     return length / size * (1.0 + 1.1547 * gap.width / size);
 }
 
-/// The least size in narrow places that keeps their cost within bounds; 0 where no floor is needed.
+/// Returns the minimum size in narrow places that keeps their cost within the budget; 0 if none is needed.
 double affordableFloor(const std::vector<Gap> &gaps, double longest, double budget) {
     const auto cost = [&](double floor) {
         double sum = 0.0;
@@ -39,7 +39,7 @@ double affordableFloor(const std::vector<Gap> &gaps, double longest, double budg
     return high;
 }
 
-/// Segments, then lone points as segments without length.
+/// Returns the segments, then the lone points as segments of zero length.
 std::vector<PlacedSegment> thingsOf(const Domain &domain) {
     std::vector<PlacedSegment> things = placedSegments(domain);
     for (std::size_t i = 0; i < domain.points.size(); ++i) {
@@ -57,27 +57,27 @@ std::vector<PlacedSegment> thingsOf(const Domain &domain) {
 AutomaticSpacing automaticSpacing(const Domain &domain, const Box2 &box, double minimum, double gradation,
                                   const Progress &progress) {
     AutomaticSpacing automatic;
-    automatic.greatest = box.diagonal() / kAcross;
+    automatic.maximum = box.diagonal() / kAcross;
     const auto add = [&](const SizeSite &site, SiteReason reason, std::uint32_t index) {
         automatic.sites.add(limited(site, minimum, gradation), {SpacingOrigin::Automatic, reason, index});
     };
     std::vector<PlacedSegment> segments = placedSegments(domain);
     dropDominated(domain, gradation, segments);
     for (const PlacedSegment &segment : segments) {
-        if (const double length = segment.length(); length < automatic.greatest) {
+        if (const double length = segment.length(); length < automatic.maximum) {
             add(SizeSite::segment(segment.a, segment.b, length, gradation), SiteReason::SegmentLength, segment.index);
         }
     }
     const SegmentIndex things(thingsOf(domain));
-    const GapFinder finder(domain, things, automatic.greatest, kFinestGap * box.diagonal(), progress);
+    const GapFinder finder(domain, things, automatic.maximum, kFinestGap * box.diagonal(), progress);
     const std::vector<Gap> gaps = finder.find();
     const double budget = kGapElements + kGapElementsEach * static_cast<double>(domain.segments.size());
-    const double floor = affordableFloor(gaps, automatic.greatest, budget);
+    const double floor = affordableFloor(gaps, automatic.maximum, budget);
     for (const Gap &gap : gaps) {
         const double size = std::max(gap.width / kAcrossGap, floor);
         const double length = distance(gap.a, gap.b);
         const auto &ends = domain.segments[gap.segment];
-        const double own = std::min(automatic.greatest, distance(domain.nodes[ends.a], domain.nodes[ends.b]));
+        const double own = std::min(automatic.maximum, distance(domain.nodes[ends.a], domain.nodes[ends.b]));
         if (size < 0.95 * own && length > 0.0) {
             add(SizeSite::segment(gap.a, gap.b, size, gradation), gap.corner ? SiteReason::Corner : SiteReason::Channel,
                 gap.segment);

@@ -6,14 +6,13 @@
 
 namespace forefront {
 
-/// Spacing chosen from the domain alone.
+/// The spacing chosen from the domain alone.
 struct AutomaticSpacing {
-    double greatest = 1.0; ///< nowhere more, from the size of the domain
+    double maximum = 1.0; ///< upper bound everywhere, from the size of the domain
     SiteSet sites;
 };
 
-/// Short segments are respected (they stay in the mesh), long ones are cut so that the domain is about 45 elements
-/// across; all of it graded.
+/// Chooses a graded spacing that keeps short segments whole and makes the domain about 45 elements across.
 AutomaticSpacing automaticSpacing(const Domain &domain, const Box2 &box, double minimum, double gradation,
                                   const Progress &progress = {});
 

@@ -5,7 +5,7 @@
 
 namespace forefront {
 
-/// A segment of the domain with its ends looked up; only those with valid, finite, distinct ends are kept.
+/// A domain segment with the places of its ends.
 struct PlacedSegment {
     Vec2 a;
     Vec2 b;
@@ -13,21 +13,21 @@ struct PlacedSegment {
     double length() const { return distance(a, b); }
 };
 
-/// True for coordinates whose squares of distances do not overflow.
+/// Returns true if squares of distances between such coordinates do not overflow.
 bool isUsable(Vec2 p);
 
-/// The usable segments of a domain that may not have been validated.
+/// Returns the segments with valid, usable, distinct ends of a domain that need not be validated.
 std::vector<PlacedSegment> placedSegments(const Domain &domain);
 
-/// Box of the domain's finite nodes; the unit square where there are none; widened where it has no extent.
+/// Returns the box of the domain's usable nodes: the unit square if there are none, widened if it has no extent.
 Box2 spacingBox(const Domain &domain);
 
-/// Drops the segments whose own length is never the least demand: at both ends of such a segment a neighbour asks for
-/// less, growth included, and so it does everywhere.
+/// Drops the segments whose length never determines the spacing, because the demands of shorter neighbours, including
+/// their growth, are smaller everywhere along it.
 void dropDominated(const Domain &domain, double gradation, std::vector<PlacedSegment> &segments);
 
-/// One site a segment, of the segment's length, growing by `gradation`: short segments draw small elements to them,
-/// long ones are cut where shorter ones are near.
+/// Adds one site per segment, with the segment's length as size, growing by `gradation`. Short segments get small
+/// elements around them; long ones are divided near shorter ones.
 void addBoundarySites(const Domain &domain, double minimum, double gradation, SiteSet &sites);
 
 } // namespace forefront

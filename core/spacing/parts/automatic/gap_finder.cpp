@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::infinity();
 constexpr double kFacing = 0.5; ///< cosine of the widest angle to the normal
-/// Beside a sharp corner the width falls to zero: stretches there are no finer than this part of their reach.
+/// Beside a sharp corner the width falls to zero; stretches there are at least this fraction of their reach.
 constexpr double kCornerFloor = 0.125;
 
 struct Pair {
@@ -21,7 +21,7 @@ Vec2 nearestOn(Vec2 a, Vec2 b, Vec2 p) {
     return SizeSite::segment(a, b, 1.0, 0.0).nearest(p);
 }
 
-/// Closest points of two segments that do not cross: at least one is an end.
+/// Returns the closest points of two segments that do not cross; at least one of them is an end.
 Pair closest(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
     Pair best;
     const auto consider = [&](Vec2 p, Vec2 q) {
@@ -63,7 +63,7 @@ GapFinder::Sides GapFinder::insideOf(std::uint32_t position) const {
     const PlacedSegment &segment = index_.segments[position];
     const Vec2 direction = segment.b - segment.a;
     const Vec2 middle = midpoint(segment.a, segment.b);
-    // A ray along the axis that crosses the segment most squarely: along +x (upright) or along +y.
+    // A ray along the axis that crosses the segment at the larger angle: +x (upright) or +y.
     const bool upright = std::fabs(direction.y) >= std::fabs(direction.x);
     Box2 ray = boxOf(middle, middle);
     (upright ? ray.max.x : ray.max.y) = upright ? box_.max.x : box_.max.y;
@@ -85,7 +85,7 @@ GapFinder::Sides GapFinder::insideOf(std::uint32_t position) const {
     if (domain_.segments[segment.index].role != SegmentRole::Boundary) {
         return {odd, odd};
     }
-    // The ray leaves to the left of the segment where it runs downwards (along +x) or to the right (along +y).
+    // A ray along +x leaves a downward segment on its left, a ray along +y one that runs to the right.
     const bool leavesLeft = upright ? direction.y < 0.0 : direction.x > 0.0;
     return leavesLeft ? Sides{odd, !odd} : Sides{!odd, odd};
 }
@@ -103,7 +103,7 @@ GapFinder::Facing GapFinder::facing(std::uint32_t position, Vec2 a, Vec2 b, doub
         const PlacedSegment &wall = index_.segments[other];
         const Pair pair = closest(a, b, wall.a, wall.b);
         if (pair.square == 0.0) {
-            // They share an end: sharp where the wall runs back along the stretch.
+            // They share an end; the corner is sharp if the wall runs back along the stretch.
             const Vec2 along = pair.p == a ? own.b - own.a : own.a - own.b;
             const Vec2 back = pair.q == wall.a ? wall.b - wall.a : wall.a - wall.b;
             best.tip = best.tip || (dot(along, back) > kFacing * length(along) * length(back) &&
@@ -136,15 +136,15 @@ void GapFinder::divide(std::uint32_t position, double from, double to, double re
     const PlacedSegment &own = index_.segments[position];
     const Vec2 a = lerp(own.a, own.b, from);
     const Vec2 b = lerp(own.a, own.b, to);
-    const Facing least = facing(position, a, b, 2.0 * reach, sides);
-    // Near a sharp corner the width falls to zero with the distance to it: only to a floor is it followed.
-    const double floor = least.tip || least.corner ? std::max(shortest_, kCornerFloor * reach) : shortest_;
-    const bool wide = least.width == kNothing;
-    if (length(b - a) > 2.0 * floor && (least.tip || !wide)) {
+    const Facing nearest = facing(position, a, b, 2.0 * reach, sides);
+    // Near a sharp corner the width falls to zero with the distance to it, so it is followed only down to a floor.
+    const double floor = nearest.tip || nearest.corner ? std::max(shortest_, kCornerFloor * reach) : shortest_;
+    const bool wide = nearest.width == kNothing;
+    if (length(b - a) > 2.0 * floor && (nearest.tip || !wide)) {
         const double atA = facing(position, a, a, 2.0 * reach, sides).width;
         const double atB = facing(position, b, b, 2.0 * reach, sides).width;
-        const double narrowest = std::min(least.width, std::min(atA, atB));
-        if (least.tip || (length(b - a) > narrowest && std::max(atA, atB) > 2.0 * narrowest)) {
+        const double narrowest = std::min(nearest.width, std::min(atA, atB));
+        if (nearest.tip || (length(b - a) > narrowest && std::max(atA, atB) > 2.0 * narrowest)) {
             const double middle = 0.5 * (from + to);
             divide(position, from, middle, reach, sides, gaps);
             divide(position, middle, to, reach, sides, gaps);
@@ -152,8 +152,8 @@ void GapFinder::divide(std::uint32_t position, double from, double to, double re
         }
     }
     if (!wide) {
-        gaps.push_back(
-            {a, b, std::max(least.width, least.corner ? 2.0 * kCornerFloor * reach : 0.0), own.index, least.corner});
+        gaps.push_back({a, b, std::max(nearest.width, nearest.corner ? 2.0 * kCornerFloor * reach : 0.0), own.index,
+                        nearest.corner});
     }
 }
 
@@ -165,7 +165,7 @@ std::vector<Gap> GapFinder::find() const {
             continue;
         }
         const double reach = std::min(longest_, segment.length());
-        // Most segments are far from everything: the sides are asked for only where something is near.
+        // Most segments are far from everything, so the sides are computed only if something is near.
         const Facing any = facing(i, segment.a, segment.b, 2.0 * reach, {true, true});
         if (any.width == kNothing && !any.tip) {
             continue;
@@ -177,17 +177,17 @@ std::vector<Gap> GapFinder::find() const {
 
 double GapFinder::clearance(std::uint32_t position) const {
     const Vec2 p = index_.segments[position].a;
-    // Looked for in growing boxes, so that crowds of points cost little each.
-    double least = longest_;
-    for (double reach = longest_ / 256.0; reach <= longest_ && least > reach / 2.0; reach *= 2.0) {
+    // Search in growing boxes, so that each point of a crowd is cheap.
+    double nearest = longest_;
+    for (double reach = longest_ / 256.0; reach <= longest_ && nearest > reach / 2.0; reach *= 2.0) {
         index_.tree.query(boxAround(p, reach), [&](std::uint32_t other) {
             if (other != position) {
                 const double d = distance(p, nearestOn(index_.segments[other].a, index_.segments[other].b, p));
-                least = d > 0.0 ? std::min(least, d) : least;
+                nearest = d > 0.0 ? std::min(nearest, d) : nearest;
             }
         });
     }
-    return least;
+    return nearest;
 }
 
 } // namespace forefront

@@ -10,7 +10,7 @@
 
 namespace forefront {
 
-/// Segments (and points as segments without length) with the tree that finds those near a place.
+/// Segments, and points as segments of zero length, with the tree that finds those near a place.
 struct SegmentIndex {
     explicit SegmentIndex(std::vector<PlacedSegment> placed);
 
@@ -22,32 +22,34 @@ struct SegmentIndex {
 struct Gap {
     Vec2 a;
     Vec2 b;
-    double width = 0.0;        ///< least distance across the domain to what faces the stretch
+    double width = 0.0;        ///< minimum distance across the domain to what faces the stretch
     std::uint32_t segment = 0; ///< index into Domain::segments
-    bool corner = false;       ///< what faces it is a neighbour at a sharp corner
+    bool corner = false;       ///< the facing segment is a neighbour at a sharp corner
 };
 
-/// Finds where the domain is narrow: for each stretch of boundary or constraint, what faces it across the domain within
-/// `reach`(its longest useful element) at less than twice that. Stretches are divided until the width varies by less
-/// than 2x along each, or they are `shortest` long. The far side counts when it lies within 60 degrees of the normal.
-/// Inside is told by even-odd counting, exact enough for sizes whatever the rule of the domain.
+/// Finds where the domain is narrow.
+///
+/// For each stretch of a boundary or constraint, looks for the facing part of the domain within twice the longest
+/// useful element, at most 60 degrees off the normal. Divides stretches until the width along each varies by less than
+/// a factor of 2, or they are `shortest` long. Decides inside and outside by even-odd counting in floating point, which
+/// is good enough for sizes under either inside rule.
 class GapFinder {
   public:
-    /// `longest`: greatest spacing. `shortest`: no finer stretches. The index holds the segments, then the lone points
-    /// (their `index` counts on from the segments).
+    /// `longest` is the maximum spacing; stretches shorter than `shortest` are not divided. `index` holds the segments,
+    /// then the lone points, whose `index` counts on from the segments.
     GapFinder(const Domain &domain, const SegmentIndex &index, double longest, double shortest,
               const Progress &progress);
 
-    /// Cancelled runs return what was found so far.
+    /// Returns all gaps; after cancelling, those found so far.
     std::vector<Gap> find() const;
-    /// Distance from a lone point to the nearest other thing, at most `longest`.
+    /// Returns the distance from a lone point to the nearest segment or point, at most `longest`.
     double clearance(std::uint32_t position) const;
 
   private:
     struct Facing {
-        double width = 0.0; ///< infinite: nothing
+        double width = 0.0; ///< infinite: nothing faces the stretch
         bool corner = false;
-        bool tip = false; ///< the stretch starts at a corner below 60 degrees
+        bool tip = false; ///< the stretch starts at a corner of less than 60 degrees
     };
     struct Sides {
         bool left = false;
@@ -55,7 +57,7 @@ class GapFinder {
     };
     bool isPoint(const PlacedSegment &segment) const;
     Sides insideOf(std::uint32_t position) const;
-    /// What faces the stretch from a to b of the segment.
+    /// Finds the nearest part facing the stretch from a to b of the segment.
     Facing facing(std::uint32_t position, Vec2 a, Vec2 b, double reach, Sides sides) const;
     void divide(std::uint32_t position, double from, double to, double reach, Sides sides,
                 std::vector<Gap> &gaps) const;

@@ -9,7 +9,7 @@ namespace forefront {
 namespace {
 
 Diagnostics badBackground(std::string message, std::optional<Vec2> at = {}, std::optional<std::uint32_t> id = {}) {
-    Diagnostics faults = error("bad-background", "The background mesh " + message, "give another background mesh");
+    Diagnostics faults = error("bad-background", "the background mesh " + message, "choose another background mesh");
     faults.front().at = at;
     if (id) {
         faults.front().ids = {*id};
@@ -18,7 +18,7 @@ Diagnostics badBackground(std::string message, std::optional<Vec2> at = {}, std:
 }
 
 Diagnostics cancelled() {
-    return error("cancelled", "Preparing the background mesh was cancelled");
+    return error("cancelled", "preparing the background mesh was cancelled");
 }
 
 std::optional<Diagnostics> faultOf(const BackgroundMesh &mesh, const Progress &progress) {
@@ -27,19 +27,19 @@ std::optional<Diagnostics> faultOf(const BackgroundMesh &mesh, const Progress &p
     }
     if (mesh.values.size() != mesh.nodes.size()) {
         return badBackground("has " + std::to_string(mesh.values.size()) + " values for " +
-                             std::to_string(mesh.nodes.size()) + " nodes");
+                             std::to_string(mesh.nodes.size()) + " nodes; expected one per node");
     }
     if (mesh.elements.size() > 0x3fffffffU || mesh.nodes.size() > 0xfffffffeU) {
-        return badBackground("is too large");
+        return badBackground("is too large; expected fewer than 2^30 triangles");
     }
     for (std::uint32_t i = 0; i < mesh.nodes.size(); ++i) {
         const Vec2 node = mesh.nodes[i];
         if (!isFinite(node) || std::fabs(node.x) > 1e150 || std::fabs(node.y) > 1e150) {
-            return badBackground("has a node that is not finite: node " + std::to_string(i), {}, i);
+            return badBackground("has a coordinate that is not finite at node " + std::to_string(i), {}, i);
         }
         if (!std::isfinite(mesh.values[i]) || mesh.values[i] <= 0.0) {
-            return badBackground(
-                "has a spacing that is not a finite number greater than zero, at node " + std::to_string(i), node, i);
+            return badBackground("has an invalid spacing at node " + std::to_string(i) + "; expected a number above 0",
+                                 node, i);
         }
     }
     PacedProgress pace(progress, "checking the background mesh", mesh.elements.size());
@@ -49,11 +49,11 @@ std::optional<Diagnostics> faultOf(const BackgroundMesh &mesh, const Progress &p
         }
         const auto &[a, b, c] = mesh.elements[e];
         if (std::max({a, b, c}) >= mesh.nodes.size()) {
-            return badBackground("has an index out of range in triangle " + std::to_string(e), {}, e);
+            return badBackground("has a node index out of range in triangle " + std::to_string(e), {}, e);
         }
         if (const int sign = orientation(mesh.nodes[a], mesh.nodes[b], mesh.nodes[c]); sign <= 0) {
             return badBackground(std::string("has ") +
-                                     (sign < 0 ? "an inverted triangle: " : "a triangle without area: ") +
+                                     (sign < 0 ? "an inverted triangle, number " : "a degenerate triangle, number ") +
                                      std::to_string(e),
                                  mesh.nodes[a], e);
         }

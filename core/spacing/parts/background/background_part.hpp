@@ -13,16 +13,16 @@
 
 namespace forefront {
 
-/// Nodal spacing on a triangle mesh, prepared for point location: a table of cells, each the root of a quadtree whose
+/// Nodal spacing on a triangle mesh, prepared for point location in a table of cells, each the root of a quadtree whose
 /// leaves list the triangles that touch them.
 class BackgroundPart {
   public:
-    /// Faults: bad-background, with the place where there is one: counts that do not match, values or coordinates not
-    /// usable, indices out of range, triangles inverted or without area (exact test); cancelled.
+    /// Prepares a mesh. Errors: bad-background, with a place if there is one (counts that do not match, invalid values
+    /// or coordinates, indices out of range, inverted or degenerate triangles by an exact test); cancelled.
     static Result<BackgroundPart> build(const BackgroundMesh &mesh, double minimum, const Progress &progress);
 
-    /// Linear in each triangle; infinity outside of the mesh. Where triangles overlap, the one that holds p most
-    /// deeply.
+    /// Returns the spacing at p, linear in each triangle; infinity outside the mesh. Where triangles overlap, the one
+    /// with the largest minimum barycentric coordinate counts.
     double at(Vec2 p) const {
         const double u = (p.x - corner_.x) * toCells_;
         const double v = (p.y - corner_.y) * toCells_;
@@ -45,17 +45,16 @@ class BackgroundPart {
         }
         return valueAmong(&lists_[*cell], p);
     }
-    /// Bounds of the values, after raising them to the minimum.
+    /// Returns the smallest value, after raising values to the given minimum.
     double minimum() const { return minimum_; }
     double maximum() const { return maximum_; }
-    /// Index of the triangle that sets the value at p, if any.
+    /// Returns the triangle that determines the value at p, if any.
     std::optional<std::uint32_t> triangleAt(Vec2 p) const;
 
-    /// Segments along the border of the mesh from which its spacing reaches on by `gradation`. Incomplete when
-    /// cancelled.
+    /// Adds the border edges of the mesh, beyond which its spacing grows by `gradation`. Incomplete if cancelled.
     static void addBorderSites(const BackgroundMesh &mesh, double minimum, double gradation, SiteSet &sites,
                                const Progress &progress);
-    /// Segments along the edges of triangles steeper than `gradation`, which limit them.
+    /// Adds the edges of triangles steeper than `gradation`, which limit them.
     static void addSteepSites(const BackgroundMesh &mesh, double minimum, double gradation, SiteSet &sites);
 
   private:
@@ -85,7 +84,7 @@ class BackgroundPart {
                 value = triangle.value + second * triangle.second + third * triangle.third;
             }
         }
-        // A hair outside, the linear function may leave the range of the nodes.
+        // Just outside its triangle, the linear function may leave the range of the nodes.
         return value < minimum_ ? minimum_ : value;
     }
 

@@ -10,7 +10,7 @@ namespace {
 using Key = std::pair<std::int32_t, std::int32_t>;
 constexpr std::int32_t kSpan = PaintedSpacing::kTileSpan;
 constexpr std::int32_t kFarthestTile = 100'000'000; ///< keeps node numbers within 32 bits
-constexpr double kMostDirectory = 4'000'000.0;      ///< tiles
+constexpr double kMaxDirectory = 4'000'000.0;       ///< tiles
 
 Diagnostics badPaint(std::string message, std::optional<Vec2> at = {}) {
     Diagnostics faults = error("bad-paint", std::move(message), "erase the paint, or paint again");
@@ -20,29 +20,30 @@ Diagnostics badPaint(std::string message, std::optional<Vec2> at = {}) {
 
 std::optional<Diagnostics> faultOf(const PaintedSpacing &paint) {
     if (!isFinite(paint.origin) || !std::isfinite(paint.pitch) || paint.pitch <= 0.0) {
-        return badPaint("The lattice of the painted spacing has no usable origin or pitch");
+        return badPaint("invalid origin or pitch of the painted spacing; expected finite numbers, and a pitch above 0");
     }
-    if (paint.tiles.size() > PaintedPart::kMostTiles) {
-        return badPaint("The painted spacing has " + std::to_string(paint.tiles.size()) + " tiles, more than " +
-                        std::to_string(PaintedPart::kMostTiles));
+    if (paint.tiles.size() > PaintedPart::kMaxTiles) {
+        return badPaint("the painted spacing has " + std::to_string(paint.tiles.size()) + " tiles; expected at most " +
+                        std::to_string(PaintedPart::kMaxTiles));
     }
     for (const auto &[key, tile] : paint.tiles) {
         if (std::abs(static_cast<double>(key.first)) > kFarthestTile ||
             std::abs(static_cast<double>(key.second)) > kFarthestTile) {
-            return badPaint("A tile of the painted spacing is too far from its origin");
+            return badPaint("a tile of the painted spacing is too far from its origin");
         }
         for (std::size_t n = 0; tile && n < tile->size(); ++n) {
             if (!((*tile)[n] >= 0.0F) || !std::isfinite((*tile)[n])) {
                 const Vec2 node{static_cast<double>(key.first) * kSpan + static_cast<double>(n % kSpan),
                                 static_cast<double>(key.second) * kSpan + static_cast<double>(n / kSpan)};
-                return badPaint("A painted spacing is negative or not finite", paint.origin + paint.pitch * node);
+                return badPaint("invalid painted spacing; expected finite numbers above 0",
+                                paint.origin + paint.pitch * node);
             }
         }
     }
     return std::nullopt;
 }
 
-/// Nodes (−1..16)² of a tile: its own and the nearest ones of the eight around it.
+/// The nodes (−1..16)² of a tile: its own and the nearest ones of its eight neighbours.
 class Surroundings {
   public:
     Surroundings(const PaintedSpacing &paint, Key key, double minimum) {
@@ -55,7 +56,7 @@ class Surroundings {
             }
         }
     }
-    /// 0: unpainted.
+    /// Returns the value at a node; 0 if unpainted.
     float at(std::int32_t i, std::int32_t j) const {
         return values_[static_cast<std::size_t>((i + 1) + (j + 1) * kWidth)];
     }
@@ -211,8 +212,8 @@ Result<PaintedPart> PaintedPart::build(const PaintedSpacing &paint, const Box2 &
     const Vec2 first{std::floor((box.min.x - paint.origin.x) / tile), std::floor((box.min.y - paint.origin.y) / tile)};
     const Vec2 last{std::floor((box.max.x - paint.origin.x) / tile), std::floor((box.max.y - paint.origin.y) / tile)};
     const Vec2 count{last.x - first.x + 1.0, last.y - first.y + 1.0};
-    if (!(count.x * count.y <= kMostDirectory)) {
-        return badPaint("The lattice of the painted spacing is too fine for the domain");
+    if (!(count.x * count.y <= kMaxDirectory)) {
+        return badPaint("the grid of the painted spacing is too fine for the domain");
     }
     part.columns_ = static_cast<std::uint32_t>(count.x);
     part.origin_ = paint.origin + tile * first;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/result.hpp"
-#include "core/spacing/sites/site_set.hpp"
+#include "core/spacing/sites/site_words.hpp"
 #include "core/spacing/spec/spacing_spec.hpp"
 
 #include <array>
@@ -12,16 +12,16 @@
 
 namespace forefront {
 
-/// Painted tiles prepared for fast evaluation, and their reach beyond the paint.
+/// Painted tiles prepared for fast evaluation.
 class PaintedPart {
   public:
-    static constexpr std::size_t kMostTiles = 65536; ///< 64 MB of paint
+    static constexpr std::size_t kMaxTiles = 65536; ///< 64 MB of paint
 
-    /// Fault bad-paint: origin or pitch unusable, too many tiles, values that are negative or not finite (with the
-    /// place).
+    /// Prepares the tiles that overlap the box. Errors: bad-paint (invalid origin or pitch, too many tiles, or, with a
+    /// place, values that are negative or not finite).
     static Result<PaintedPart> build(const PaintedSpacing &paint, const Box2 &box, double minimum);
 
-    /// Infinity where nothing is painted.
+    /// Returns the painted spacing at p; infinity if nothing is painted there.
     double at(Vec2 p) const {
         const double u = (p.x - origin_.x) * perPitch_;
         const double v = (p.y - origin_.y) * perPitch_;
@@ -37,18 +37,20 @@ class PaintedPart {
         const float *const node = blocks_[block].data() + (i % kSpan) + (j % kSpan) * kWidth;
         return valueIn(node[0], node[1], node[kWidth], node[kWidth + 1], u - i, v - j);
     }
-    /// Least painted value; infinity where the box has no paint.
+    /// Returns the minimum painted value; infinity if the box has no paint.
     double minimum() const { return minimum_; }
+    double maximum() const { return std::numeric_limits<double>::infinity(); }
+    SpacingSample sample(Vec2 p, const SiteWords &) const { return {at(p), SpacingOrigin::Paint, 0, "painted"}; }
 
-    /// Segments and points from which the paint reaches on by `gradation`: edges of the paint, and nodes next to paint
-    /// that is steeper.
+    /// Adds the places from which the paint's spacing grows by `gradation`: edges of the paint, and nodes where the
+    /// paint is steeper.
     static void addSites(const PaintedSpacing &paint, double minimum, double gradation, SiteSet &sites);
 
   private:
     static constexpr std::uint32_t kSpan = PaintedSpacing::kTileSpan;
     static constexpr std::uint32_t kWidth = kSpan + 1;
     static constexpr std::uint32_t kNoBlock = 0xffffffffU;
-    /// Nodes of a tile with those of the next tiles on its upper edges.
+    /// The nodes of a tile, and those of the next tiles on its upper edges.
     using Block = std::array<float, kWidth * kWidth>;
 
     static double valueIn(float a, float b, float c, float d, double s, double t) {

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <string>
+
+namespace forefront {
+
+/// Returns a number with up to `digits` significant digits, as printf's %g writes it, for messages. The standard
+/// library does this without printf's dependence on the locale and without another library.
+inline std::string numberText(double value, int digits) {
+    std::array<char, 40> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits);
+    return {text.data(), end.ptr};
+}
+
+} // namespace forefront

@@ -1,0 +1,143 @@
+#include "core/spacing/part_list.hpp"
+
+#include "core/spacing/parts/automatic/boundary_spacing.hpp"
+#include "core/spacing/parts/sources/source_sites.hpp"
+#include "core/spacing/spec/spec_check.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace forefront {
+namespace {
+
+void neverFaulty(const SpacingSpec &, const Domain &, Diagnostics &) {}
+
+/// Returns true if both are null or their contents are equal; shared content is equal without a look inside.
+template <class T>
+bool samePointed(const std::shared_ptr<const T> &a, const std::shared_ptr<const T> &b) {
+    return a == b || (a && b && *a == *b);
+}
+
+Diagnostics addSize(const PartInput &input, FieldParts &parts) {
+    parts.lowerCap(*input.spec.size, SpacingOrigin::Constant);
+    return {};
+}
+
+Diagnostics addExpression(const PartInput &input, FieldParts &parts) {
+    auto expression = ExpressionSpacing::build(input.spec, input.domain, input.box);
+    if (!expression) {
+        return expression.faults();
+    }
+    if (input.spec.gradation) {
+        expression->addSteepSites(input.box, *input.spec.gradation, parts.few, input.progress);
+    }
+    parts.point<ExpressionSpacing>() = std::move(*expression);
+    return {};
+}
+
+bool samePaint(const SpacingSpec &a, const SpacingSpec &b) {
+    return a.paint.origin == b.paint.origin && a.paint.pitch == b.paint.pitch &&
+           std::equal(
+               a.paint.tiles.begin(), a.paint.tiles.end(), b.paint.tiles.begin(), b.paint.tiles.end(),
+               [](const auto &s, const auto &t) { return s.first == t.first && samePointed(s.second, t.second); });
+}
+
+Diagnostics addPaint(const PartInput &input, FieldParts &parts) {
+    auto painted = PaintedPart::build(input.spec.paint, input.box, input.minimum);
+    if (!painted) {
+        return painted.faults();
+    }
+    parts.point<PaintedPart>() = std::move(*painted);
+    PaintedPart::addSites(input.spec.paint, input.minimum, input.gradation, parts.few);
+    return {};
+}
+
+Diagnostics addBackground(const PartInput &input, FieldParts &parts) {
+    const BackgroundMesh &mesh = *input.spec.background;
+    auto background = BackgroundPart::build(mesh, input.minimum, input.progress);
+    if (!background) {
+        return background.faults();
+    }
+    parts.point<FilledBackground>().emplace(std::move(*background));
+    if (const auto gradation = input.spec.gradation) {
+        BackgroundPart::addBorderSites(mesh, input.minimum, *gradation, parts.few, input.progress);
+        BackgroundPart::addSteepSites(mesh, input.minimum, *gradation, parts.few);
+    }
+    return {};
+}
+
+Diagnostics addSources(const PartInput &input, FieldParts &parts) {
+    addSourceSites(input.spec.sources, input.minimum, input.givenGradation(), parts.few);
+    for (const SizeSource &source : input.spec.sources) {
+        parts.words.sources.push_back(source.name);
+    }
+    return {};
+}
+
+Diagnostics addBoundary(const PartInput &input, FieldParts &parts) {
+    addBoundarySites(input.domain, input.minimum, input.gradation, parts.few);
+    return {};
+}
+
+Diagnostics addRegions(const PartInput &input, FieldParts &parts) {
+    for (const RegionMarker &marker : input.domain.regionMarkers) {
+        parts.words.regions.push_back(regionName(input.domain.regionNames, marker.tag));
+    }
+    auto regions = RegionPart::build(input.domain, input.minimum);
+    if (regions) {
+        regions->addSites(input.gradation, parts.few);
+        parts.point<RegionPart>() = std::move(*regions);
+    }
+    return {};
+}
+
+// The order decides that of the sites, and so of equal ones which is named in the inspector.
+constexpr auto kKinds = std::to_array<SpacingPartKind>({
+    {"size", true, [](const SpacingSpec &spec, const Domain &) { return spec.size.has_value(); },
+     [](const SpacingSpec &spec, const Domain &, Diagnostics &faults) { checkSize(spec.size, "spacing", faults); },
+     [](const SpacingSpec &a, const SpacingSpec &b) { return a.size == b.size; }, addSize},
+    {"expression", true, [](const SpacingSpec &spec, const Domain &) { return spec.expression.has_value(); },
+     neverFaulty, [](const SpacingSpec &a, const SpacingSpec &b) { return a.expression == b.expression; },
+     addExpression},
+    {"paint", false, [](const SpacingSpec &spec, const Domain &) { return !spec.paint.tiles.empty(); }, neverFaulty,
+     samePaint, addPaint},
+    {"background", false, [](const SpacingSpec &spec, const Domain &) { return spec.background != nullptr; },
+     neverFaulty, [](const SpacingSpec &a, const SpacingSpec &b) { return samePointed(a.background, b.background); },
+     addBackground},
+    {"sources", true, [](const SpacingSpec &spec, const Domain &) { return !spec.sources.empty(); },
+     [](const SpacingSpec &spec, const Domain &, Diagnostics &faults) { checkSources(spec.sources, faults); },
+     [](const SpacingSpec &a, const SpacingSpec &b) { return a.sources == b.sources; }, addSources},
+    {"fromBoundary", true, [](const SpacingSpec &spec, const Domain &) { return spec.fromBoundary; }, neverFaulty,
+     [](const SpacingSpec &a, const SpacingSpec &b) { return a.fromBoundary == b.fromBoundary; }, addBoundary},
+    {"", false,
+     [](const SpacingSpec &, const Domain &domain) {
+         return std::any_of(domain.regionMarkers.begin(), domain.regionMarkers.end(),
+                            [](const RegionMarker &marker) { return marker.maxArea > 0.0; });
+     },
+     [](const SpacingSpec &, const Domain &domain, Diagnostics &faults) {
+         checkRegionAreas(domain.regionMarkers, faults);
+     },
+     [](const SpacingSpec &, const SpacingSpec &) { return true; }, addRegions},
+});
+
+} // namespace
+
+std::span<const SpacingPartKind> spacingPartKinds() {
+    return kKinds;
+}
+
+Diagnostics checkSpacing(const SpacingSpec &spec, const Domain &domain) {
+    Diagnostics faults;
+    checkLimits(spec, faults);
+    for (const SpacingPartKind &kind : kKinds) {
+        kind.check(spec, domain, faults);
+    }
+    return faults;
+}
+
+bool sameContent(const SpacingSpec &a, const SpacingSpec &b) {
+    return a.minimum == b.minimum && a.maximum == b.maximum && a.gradation == b.gradation &&
+           std::all_of(kKinds.begin(), kKinds.end(), [&](const SpacingPartKind &kind) { return kind.same(a, b); });
+}
+
+} // namespace forefront

@@ -1,0 +1,57 @@
+#include "core/spacing/sites/site_words.hpp"
+
+#include "core/base/number_text.hpp"
+
+namespace forefront {
+namespace {
+
+/// The origin of a site's demand: a place from which the gradation limit spreads it, or empty.
+std::string reachedFrom(const SiteLabel &label, const SiteWords &words) {
+    switch (label.reason) {
+    case SiteReason::PaintEdge:
+        return "the painted patch";
+    case SiteReason::BackgroundEdge:
+        return "the background mesh";
+    case SiteReason::ExpressionEdge:
+        return "the expression";
+    case SiteReason::RegionEdge:
+        return "region '" + words.regions[label.index] + "'";
+    default:
+        return {};
+    }
+}
+
+std::string describe(const SiteLabel &label, const SiteWords &words) {
+    const std::string number = std::to_string(label.index);
+    switch (label.reason) {
+    case SiteReason::Source: {
+        const std::string &name = words.sources[label.index];
+        return name.empty() ? "source " + number : "source '" + name + "'";
+    }
+    case SiteReason::SegmentLength:
+        return "length of boundary segment " + number;
+    case SiteReason::Channel:
+        return "narrow channel at boundary segment " + number;
+    case SiteReason::Corner:
+        return "sharp corner at boundary segment " + number;
+    case SiteReason::LonePoint:
+        return "near point " + number;
+    default:
+        return {};
+    }
+}
+
+} // namespace
+
+SpacingSample sampleSite(const SizeSite &site, const SiteLabel &label, const SiteWords &words, Vec2 p) {
+    if (const std::string origin = reachedFrom(label, words); !origin.empty()) {
+        const Vec2 from = site.nearest(p);
+        return {site.at(p), SpacingOrigin::Gradation, label.index,
+                "limited by gradation " + numberText(words.gradation, 4) + " from " + origin + " at (" +
+                    numberText(from.x, 4) + ", " + numberText(from.y, 4) + ")"};
+    }
+    const char *const prefix = label.origin == SpacingOrigin::Automatic ? "automatic: " : "";
+    return {site.at(p), label.origin, label.index, prefix + describe(label, words)};
+}
+
+} // namespace forefront

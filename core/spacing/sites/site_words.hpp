@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/spacing/sites/site_set.hpp"
+#include "core/spacing/spec/spacing_sample.hpp"
+
+#include <string>
+#include <vector>
+
+namespace forefront {
+
+/// Names that descriptions of sites refer to.
+struct SiteWords {
+    double gradation = 0.0;           ///< in force
+    std::vector<std::string> sources; ///< by index into SpacingSpec::sources; may be empty strings
+    std::vector<std::string> regions; ///< by index into Domain::regionMarkers
+};
+
+/// Returns the spacing at p as set by one site.
+SpacingSample sampleSite(const SizeSite &site, const SiteLabel &label, const SiteWords &words, Vec2 p);
+
+} // namespace forefront

@@ -1,0 +1,186 @@
+#include "core/io/files.hpp"
+#include "core/mesher/pipeline.hpp"
+#include "core/spacing/parts/regions/region_part.hpp"
+#include "core/spacing/spacing_field.hpp"
+#include "tests/support/domain_builder.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+
+using namespace forefront;
+using forefront::testing::DomainBuilder;
+using forefront::testing::RandomSource;
+
+namespace {
+
+constexpr double kTolerance = 1.05;
+
+/// A rectangle of 2 x 1 that a line divides into region 1 (left) and region 2 (right).
+Domain twoSquares(double leftArea, double rightArea) {
+    DomainBuilder builder;
+    builder.loop({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {1, 1}, {0, 1}}, 1);
+    builder.segment(1, 4, 2, SegmentRole::Constraint);
+    builder.domain.regionMarkers = {{{0.5, 0.5}, 1, leftArea}, {{1.5, 0.5}, 2, rightArea}};
+    builder.domain.regionNames[1] = "left";
+    return builder.domain;
+}
+
+struct RegionAreas {
+    std::size_t count = 0;
+    double largest = 0.0;
+};
+
+std::map<std::int32_t, RegionAreas> areasByRegion(const MeshingJob &job) {
+    const auto outcome = meshDomain(job);
+    REQUIRE_MESSAGE(outcome.ok(), toString(outcome.ok() ? Diagnostic{} : outcome.faults().front()));
+    std::map<std::int32_t, RegionAreas> areas;
+    const Mesh &mesh = outcome->mesh;
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+        const auto &[a, b, c] = mesh.elements[e];
+        const Vec2 p = mesh.nodes[index(a)];
+        const double area = 0.5 * cross(mesh.nodes[index(b)] - p, mesh.nodes[index(c)] - p);
+        RegionAreas &region = areas[mesh.region(static_cast<std::uint32_t>(e))];
+        region.largest = std::max(region.largest, area);
+        ++region.count;
+    }
+    return areas;
+}
+
+} // namespace
+
+TEST_CASE("Region area: the largest triangle keeps to the maximum") {
+    std::map<double, std::size_t> counts;
+    for (const double area : {0.01, 0.001}) {
+        MeshingJob job{twoSquares(area, 0.0), {}, {}};
+        job.spacing.size = 0.5;
+        auto regions = areasByRegion(job);
+        CHECK(regions[1].largest <= kTolerance * area);
+        CHECK(regions[1].largest >= 0.6 * area); // not much finer than necessary
+        CHECK(regions[2].largest > regions[1].largest);
+        counts[area] = regions[1].count;
+    }
+    CHECK(counts[0.001] > 5 * counts[0.01]);
+}
+
+TEST_CASE("Region area: both methods keep to it on irregular domains") {
+    RandomSource random(11);
+    for (int round = 0; round < 6; ++round) {
+        DomainBuilder builder;
+        builder.loop(forefront::testing::star(random, {0, 0}, 4.0, 0.7, 1.0, 24), 1);
+        builder.loop(forefront::testing::star(random, {0, 0}, 2.0, 0.7, 1.0, 12), 2, SegmentRole::Constraint);
+        builder.domain.regionMarkers = {{{0, 0}, 5, 0.005}, {{0, 2.4}, 6, 0.05}};
+        for (const Method method : {Method::Fast, Method::Classic}) {
+            MeshingJob job{builder.domain, {}, {}};
+            job.options.method = method;
+            auto regions = areasByRegion(job);
+            CHECK(regions[5].largest <= kTolerance * 0.005);
+            CHECK(regions[6].largest <= kTolerance * 0.05);
+        }
+    }
+}
+
+TEST_CASE("Region area: the spacing is constant in its region, grows outside, and is named") {
+    const Domain domain = twoSquares(0.001, 0.0);
+    const auto field = SpacingField::build({}, domain);
+    REQUIRE(field.ok());
+    const double size = spacingForArea(0.001);
+    for (const Vec2 p : {Vec2{0.5, 0.5}, Vec2{0.01, 0.99}, Vec2{0.99, 0.01}, Vec2{1, 0.5}, Vec2{0, 0.5}}) {
+        CHECK((*field)->at(p) == doctest::Approx(size));
+    }
+    CHECK((*field)->minimum() == doctest::Approx(size));
+    const SpacingSample inside = (*field)->sample({0.5, 0.5});
+    CHECK(inside.origin == SpacingOrigin::Region);
+    CHECK(inside.source == 0);
+    CHECK(inside.describe == "maximum area 0.001 of region 'left'");
+    CHECK((*field)->at({1.01, 0.5}) == doctest::Approx(size + 0.25 * 0.01));
+    const SpacingSample beside = (*field)->sample({1.01, 0.5});
+    CHECK(beside.origin == SpacingOrigin::Gradation);
+    CHECK(beside.describe == "limited by gradation 0.25 from region 'left' at (1, 0.5)");
+}
+
+TEST_CASE("Region area: combined with other parts, the finest wins") {
+    SpacingSpec spec;
+    spec.size = 0.02;
+    const auto fine = SpacingField::build(spec, twoSquares(0.01, 0.0));
+    REQUIRE(fine.ok());
+    CHECK((*fine)->at({0.5, 0.5}) == 0.02);
+    spec.size = 0.5;
+    spec.minimum = 0.2;
+    const auto raised = SpacingField::build(spec, twoSquares(0.01, 0.0));
+    REQUIRE(raised.ok());
+    CHECK((*raised)->at({0.5, 0.5}) == 0.2);
+}
+
+TEST_CASE("Region area: of several markers in a face the smallest area counts") {
+    Domain domain = twoSquares(0.01, 0.0);
+    domain.regionMarkers.push_back({{0.2, 0.2}, 1, 0.002});
+    const auto part = RegionPart::build(domain, 0.0);
+    REQUIRE(part.has_value());
+    CHECK(part->at({0.5, 0.5}) == spacingForArea(0.002));
+}
+
+TEST_CASE("Region area: every place gets the limit of its face") {
+    // Columns of faces between vertical and slanting walls that meet in common nodes.
+    DomainBuilder builder;
+    constexpr int kColumns = 6;
+    for (int i = 0; i <= kColumns; ++i) {
+        builder.node({static_cast<double>(i), 0});
+        builder.node({static_cast<double>(i), 3});
+    }
+    for (std::uint32_t i = 0; i < kColumns; ++i) {
+        builder.segment(2 * i, 2 * i + 2, 1);
+        builder.segment(2 * i + 1, 2 * i + 3, 1);
+        builder.segment(2 * i, 2 * i + 3, 2, SegmentRole::Constraint); // diagonal
+    }
+    for (std::uint32_t i = 0; i <= kColumns; ++i) {
+        builder.segment(2 * i, 2 * i + 1, 1, i == 0 || i == kColumns ? SegmentRole::Boundary : SegmentRole::Constraint);
+    }
+    for (int i = 0; i < kColumns; ++i) {
+        builder.domain.regionMarkers.push_back({{i + 0.75, 1.0}, 1, i % 3 == 1 ? 0.0 : 0.01 * (i + 1)}); // below
+        builder.domain.regionMarkers.push_back({{i + 0.25, 2.0}, 1, 0.001 * (i + 1)});                   // above
+    }
+    const auto part = RegionPart::build(builder.domain, 0.0);
+    REQUIRE(part.has_value());
+    RandomSource random(5);
+    for (int k = 0; k < 5000; ++k) {
+        const Vec2 p{random.between(-0.5, kColumns + 0.5), random.between(-0.5, 3.5)};
+        const double column = std::floor(p.x);
+        double expected = std::numeric_limits<double>::infinity();
+        if (p.x > 0 && p.x < kColumns && p.y > 0 && p.y < 3) {
+            const bool below = p.y < 3 * (p.x - column);
+            const double area =
+                below ? (static_cast<int>(column) % 3 == 1 ? 0.0 : 0.01 * (column + 1)) : 0.001 * (column + 1);
+            expected = area > 0.0 ? spacingForArea(area) : expected;
+        }
+        REQUIRE(part->at(p) == expected);
+    }
+    // On a vertical wall the face to its right counts.
+    CHECK(part->at({2, 2}) == spacingForArea(0.003));
+    CHECK(part->at({2, 0.5}) == spacingForArea(0.003));
+}
+
+TEST_CASE("Region area: crossing segments switch it off, and bad areas are refused with their marker") {
+    Domain crossed = twoSquares(0.01, 0.0);
+    crossed.segments.push_back({0, 3, 1, SegmentRole::Constraint});
+    CHECK_FALSE(RegionPart::build(crossed, 0.0).has_value());
+    CHECK_FALSE(RegionPart::build(twoSquares(0.0, 0.0), 0.0).has_value());
+
+    const auto refused = SpacingField::build({}, twoSquares(0.01, -1.0));
+    REQUIRE_FALSE(refused.ok());
+    CHECK(refused.faults().size() == 1);
+    CHECK(refused.faults()[0].code == "bad-region-area");
+    CHECK(refused.faults()[0].parts[0].index == 1);
+    CHECK(refused.faults()[0].at == Vec2{1.5, 0.5});
+}
+
+TEST_CASE("Region area: project files keep it") {
+    Document document;
+    document.regionMarkers = {{{1, 2}, 3, 0.125}, {{4, 5}, 6}};
+    const auto read = parseProject(projectText(document), "test");
+    REQUIRE(read.ok());
+    CHECK(read->regionMarkers == document.regionMarkers);
+    CHECK(projectText(document).find("\"maxArea\": 0.125") != std::string::npos);
+}
