@@ -1,7 +1,8 @@
 #include "core/base/diagnostic.hpp"
 
+#include "core/base/number_text.hpp"
+
 #include <algorithm>
-#include <cstdio>
 
 namespace forefront {
 
@@ -67,9 +68,7 @@ std::string toString(const Diagnostic &diagnostic) {
     }
     text += diagnostic.message;
     if (diagnostic.at) {
-        char place[80];
-        std::snprintf(place, sizeof place, " at (%.9g, %.9g)", diagnostic.at->x, diagnostic.at->y);
-        text += place;
+        text += " at (" + numberText(diagnostic.at->x, 9) + ", " + numberText(diagnostic.at->y, 9) + ')';
     }
     text += partsText(diagnostic.parts);
     if (!diagnostic.code.empty()) {

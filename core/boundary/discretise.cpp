@@ -1,20 +1,20 @@
 #include "core/boundary/discretise.hpp"
 
 #include "core/base/ids.hpp"
+#include "core/base/number_text.hpp"
 #include "core/boundary/spacing_integral.hpp"
 #include "core/domain/domain_graph.hpp"
 #include "core/geometry/edge_meetings.hpp"
 #include "core/geometry/polygon.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace forefront {
 
 namespace {
 
 /// Some 44 bytes each: about 1 GB.
-constexpr double kMostPieces = 2e7;
+constexpr double kMaxPieces = 2e7;
 
 /// Part of the domain's size between places where the spacing is looked at, at least.
 constexpr double kLongestStep = 1.0 / 64.0;
@@ -34,12 +34,10 @@ Diagnostics notValid() {
 }
 
 Diagnostics tooMany(double estimate, Vec2 at) {
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "at most %.3g boundary segments can be held, and the spacing asks for about %.3g: it is too fine",
-                  kMostPieces, estimate);
-    return located("too-many-nodes", text, "make the spacing larger, or keep the boundary segments as they are given",
-                   at);
+    return located("too-many-nodes",
+                   "the spacing is too fine: it asks for about " + numberText(estimate, 3) +
+                       " boundary segments; expected at most " + numberText(kMaxPieces, 3),
+                   "make the spacing larger, or keep the boundary segments as they are", at);
 }
 
 class Discretiser {
@@ -170,7 +168,7 @@ class Discretiser {
             }
             sum += pieces;
         }
-        return sum > kMargin * kMostPieces ? tooMany(sum, worstPlace) : Status{};
+        return sum > kMargin * kMaxPieces ? tooMany(sum, worstPlace) : Status{};
     }
 
     Status cutSegments() {
@@ -202,7 +200,7 @@ class Discretiser {
         if (most_[s] > 1) {
             const double rhoLow = rho_[forward ? segment.a : segment.b],
                          rhoHigh = rho_[forward ? segment.b : segment.a];
-            const double room = kMostPieces - static_cast<double>(result_.segments.size());
+            const double room = kMaxPieces - static_cast<double>(result_.segments.size());
             switch (integral_.integrate(spacing_, low, high, rhoLow, rhoHigh, longest_, room, progress_)) {
             case SpacingIntegral::Outcome::Done:
                 break;

@@ -11,6 +11,7 @@
 
 namespace FOREFRONT_API forefront {
 
+/// Marks the outside of the domain in place of a region.
 inline constexpr std::uint32_t kOutside = 0xffffffffU;
 
 /// An edge of the discretised boundary or of a constraint.
@@ -23,31 +24,33 @@ struct DiscreteSegment {
     std::uint32_t source = 0;             ///< index of the DomainSegment it came from
 };
 
+/// A connected face inside the domain.
 struct DiscreteRegion {
     std::int32_t tag = 1;
     double area = 0.0; ///< of the discretised face, in domain units squared
 };
 
-/// The domain as the front starts from: B. Simple, oriented, closed; behind the door of `validate`.
-/// Nodes 0..k-1 are the domain's nodes in their order (also those on constraints and isolated points).
+/// The discretised boundary B from which the front starts: simple, oriented and closed, since the domain was validated.
+/// Nodes 0..k-1 are the domain's nodes in order, including those of constraints and isolated points.
 struct DiscreteDomain {
     std::vector<Vec2> nodes;
     std::vector<DiscreteSegment> segments;
-    std::vector<ConstraintPoint> points; ///< nodes that the mesh must contain; those on segments are in it anyway
+    std::vector<ConstraintPoint> points; ///< nodes that the mesh must contain besides those of segments
     std::vector<DiscreteRegion> regions; ///< every connected face inside the domain
     std::map<std::int32_t, std::string> boundaryNames;
     std::map<std::int32_t, std::string> regionNames;
-    /// What estimateElements() says with the spacing that it was discretised for; 0: not asked yet.
+    /// Result of estimateElements() for the spacing it was discretised with; 0: not computed yet.
     double estimatedElements = 0.0;
 
-    double area() const; ///< sum over regions
+    /// Returns the sum of the regions' areas.
+    double area() const;
     Box2 bounds() const;
 };
 
-/// Cuts the segments of a validated domain so that their lengths follow the spacing (number of pieces from ∫ds/ρ, nodes
-/// at equal fractions of that integral), or keeps them exactly as given; finds the faces and their regions. The same
-/// result whatever the order or orientation of loops in the sense of geometry; deterministic. Errors: cancelled; more
-/// nodes than can be held.
+/// Divides the segments of a validated domain so that their lengths follow the spacing, or keeps them exactly as given,
+/// and finds the faces and their regions. The number of pieces follows from ∫ds/ρ, with nodes at equal fractions of it.
+/// Deterministic; the geometry does not depend on the order or orientation of loops. Errors: cancelled, too-many-nodes,
+/// invalid-domain.
 Result<DiscreteDomain> discretise(const Domain &domain, const SpacingField &spacing, bool keepBoundary,
                                   const Progress &progress = {});
 

@@ -5,8 +5,8 @@
 
 namespace forefront {
 
-/// About how many elements the node spacing asks for: ∫ 4/(√3·ρ²) dA over the domain, within some 10 % on ordinary
-/// spacings; at least 1. Takes some milliseconds whatever the size.
+/// Estimates the number of elements that the spacing asks for: ∫ 4/(√3·ρ²) dA over the domain, within about 10 % for
+/// ordinary spacings; at least 1. Takes a few milliseconds for any size.
 double estimateElements(const DiscreteDomain &domain, const SpacingField &spacing);
 
 } // namespace forefront

@@ -4,10 +4,10 @@ namespace forefront {
 
 namespace {
 
-constexpr double kLeastStep = 0x1p-48; // finer fractions could not be told apart
-constexpr double kLeastFirstStep = 0x1p-10;
+constexpr double kMinStep = 0x1p-48; // finer fractions would be equal
+constexpr double kMinFirstStep = 0x1p-10;
 
-bool isSound(double density) {
+bool isValid(double density) {
     return density > 0.0 && std::isfinite(density);
 }
 
@@ -24,17 +24,17 @@ SpacingIntegral::Outcome SpacingIntegral::fail(Vec2 place) {
 }
 
 SpacingIntegral::Outcome SpacingIntegral::integrate(const SpacingField &spacing, Vec2 a, Vec2 b, double rhoA,
-                                                    double rhoB, double longest, double most,
+                                                    double rhoB, double longest, double limit,
                                                     const Progress &progress) {
     constexpr std::size_t kSamplesPerCheck = 1U << 14;
     const double span = distance(a, b);
     samples_.clear();
     stack_.clear();
     samples_.push_back({0.0, span / rhoA, 0.0});
-    if (!isSound(span / rhoA) || !isSound(span / rhoB)) {
-        return fail(isSound(span / rhoA) ? b : a);
+    if (!isValid(span / rhoA) || !isValid(span / rhoB)) {
+        return fail(isValid(span / rhoA) ? b : a);
     }
-    const double longestStep = std::max(longest / span, kLeastFirstStep);
+    const double longestStep = std::max(longest / span, kMinFirstStep);
     stack_.push_back({0.0, 1.0, span / rhoA, span / rhoB});
     while (!stack_.empty()) {
         const Interval interval = stack_.back();
@@ -42,20 +42,20 @@ SpacingIntegral::Outcome SpacingIntegral::integrate(const SpacingField &spacing,
         const double middle = 0.5 * (interval.t0 + interval.t1), step = interval.t1 - interval.t0;
         const Vec2 place = lerp(a, b, middle);
         const double density = span / spacing.at(place);
-        if (!isSound(density)) {
+        if (!isValid(density)) {
             return fail(place);
         }
         const double greatest = std::max({interval.density0, density, interval.density1});
         const double least = std::min({interval.density0, density, interval.density1});
         const double pieces = greatest * step;
-        if ((pieces > 1.0 || step > longestStep || (pieces > 0.1 && greatest > 2.0 * least)) && step > kLeastStep) {
+        if ((pieces > 1.0 || step > longestStep || (pieces > 0.1 && greatest > 2.0 * least)) && step > kMinStep) {
             stack_.push_back({middle, interval.t1, density, interval.density1});
             stack_.push_back({interval.t0, middle, interval.density0, density});
             continue;
         }
         append(middle, density);
         append(interval.t1, interval.density1);
-        if (total() > most) {
+        if (total() > limit) {
             return Outcome::TooMany;
         }
         if (samples_.size() % kSamplesPerCheck == 1 && progress.cancelled()) {
@@ -66,7 +66,7 @@ SpacingIntegral::Outcome SpacingIntegral::integrate(const SpacingField &spacing,
 }
 
 double SpacingIntegral::pieces() const {
-    // Between k and k + 1 pieces the lengths are off by the same factor where N = sqrt(k (k + 1)).
+    // k and k + 1 pieces are off by the same factor where N = sqrt(k (k + 1)).
     const double below = std::floor(total());
     return std::max(1.0, total() > std::sqrt(below * (below + 1.0)) ? below + 1.0 : below);
 }
@@ -89,7 +89,7 @@ void SpacingIntegral::cut(std::uint32_t count, std::vector<double> &fractions) c
 }
 
 double roughSpacingIntegral(const SpacingField &spacing, Vec2 a, Vec2 b, double rhoA, double rhoB) {
-    constexpr int kMostSamples = 4096;
+    constexpr int kMaxSamples = 4096;
     struct Interval {
         double t0, t1, density0, density1;
     };
@@ -103,7 +103,7 @@ double roughSpacingIntegral(const SpacingField &spacing, Vec2 a, Vec2 b, double 
         const double density = span / spacing.at(lerp(a, b, middle));
         const double greatest = std::max({interval.density0, density, interval.density1});
         const double least = std::min({interval.density0, density, interval.density1});
-        if (greatest > 2.0 * least && greatest * step > 1.0 && step > kLeastStep && samples < kMostSamples) {
+        if (greatest > 2.0 * least && greatest * step > 1.0 && step > kMinStep && samples < kMaxSamples) {
             stack.push_back({middle, interval.t1, density, interval.density1});
             stack.push_back({interval.t0, middle, interval.density0, density});
         } else {

@@ -8,28 +8,31 @@
 
 namespace forefront {
 
-/// N(t) = ∫ds/ρ from the start of a segment to the fraction t of its length: the number of pieces that the spacing asks
-/// for up to there. Sampled until no interval is longer than ρ at its ends and middle, shorter ones where ρ more than
-/// doubles, and linear density in between: with |∇ρ| <= 0.3 within some parts in a thousand, however steeply ρ changes
-/// along the whole.
+/// The integral N(t) = ∫ds/ρ from the start of a segment to the fraction t of its length: the number of pieces that the
+/// spacing asks for up to there.
+///
+/// Sampled until no interval is longer than ρ at its ends and middle, and more finely where ρ more than doubles; the
+/// density is linear in between. Accurate to a few parts in a thousand if |∇ρ| <= 0.3, however much ρ varies along the
+/// segment.
 class SpacingIntegral {
   public:
     enum class Outcome : std::uint8_t { Done, BadSpacing, TooMany, Cancelled };
 
-    /// `rhoA`, `rhoB`: spacing at the ends. No interval is longer than `longest` (> 0, domain units): narrower dips of
-    /// ρ may be missed. TooMany once the integral exceeds `most`; BadSpacing where ρ is not finite
-    /// and positive.
+    /// Integrates along ab. `rhoA` and `rhoB` are the spacings at the ends. No interval is longer than `longest` (> 0,
+    /// domain units); narrower dips of ρ may be missed. Returns TooMany once the integral exceeds `limit`, BadSpacing
+    /// if ρ is not finite and positive somewhere.
     Outcome integrate(const SpacingField &spacing, Vec2 a, Vec2 b, double rhoA, double rhoB, double longest,
-                      double most, const Progress &progress);
+                      double limit, const Progress &progress);
 
+    /// Returns the integral over the whole segment.
     double total() const { return samples_.back().integral; }
-    /// Where ρ was bad.
+    /// Returns the place where ρ was invalid, after BadSpacing.
     Vec2 badPlace() const { return badPlace_; }
 
-    /// Number of pieces (>= 1) whose length comes closest to the spacing, too long and too short weighed alike.
+    /// Returns the number of pieces (>= 1) whose length is closest to the spacing as a ratio.
     double pieces() const;
 
-    /// Replaces `fractions` by those of the count - 1 inner ends of `count` pieces with equal shares of the integral.
+    /// Sets `fractions` to the count - 1 inner ends of `count` pieces with equal shares of the integral.
     void cut(std::uint32_t count, std::vector<double> &fractions) const;
 
   private:
@@ -50,7 +53,7 @@ class SpacingIntegral {
     Vec2 badPlace_;
 };
 
-/// About ∫ds/ρ over a segment from few samples, however large it is; infinite or NaN where ρ is bad.
+/// Returns ∫ds/ρ over a segment from at most 4096 samples, within some 10 %; not finite if ρ is 0 or NaN somewhere.
 double roughSpacingIntegral(const SpacingField &spacing, Vec2 a, Vec2 b, double rhoA, double rhoB);
 
 } // namespace forefront

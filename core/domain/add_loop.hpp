@@ -7,7 +7,7 @@
 
 namespace FOREFRONT_API forefront {
 
-/// Adds nodes and the boundary segments that join them to a closed polygon.
+/// Adds a closed polygon: its nodes and the boundary segments between them.
 inline void addLoop(Domain &domain, std::span<const Vec2> nodes, std::int32_t tag = 1) {
     const auto first = static_cast<std::uint32_t>(domain.nodes.size());
     const auto count = static_cast<std::uint32_t>(nodes.size());

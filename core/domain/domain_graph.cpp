@@ -4,7 +4,7 @@ namespace forefront {
 
 namespace {
 
-/// Puts a finite marker among the points.
+/// Adds a marker to the points and returns its index, or kNoIndex if it is not finite.
 std::uint32_t addMarker(DomainGraph &graph, Vec2 at) {
     if (!isFinite(at)) {
         return kNoIndex;
@@ -13,8 +13,7 @@ std::uint32_t addMarker(DomainGraph &graph, Vec2 at) {
     return static_cast<std::uint32_t>(graph.points.size() - 1);
 }
 
-/// Faces reached from the unbounded one, each by a chain of edges crossed; `odd` tells the parity of boundary segments
-/// on the way.
+/// Returns, per face, the parity of the boundary segments crossed on a way from the unbounded face.
 std::vector<std::uint8_t> crossedOddly(const Domain &domain, const DomainGraph &graph, const Faces &faces) {
     std::vector<std::uint32_t> starts(faces.count + 1, 0);
     for (std::size_t e = 0; e < graph.edges.size(); ++e) {

@@ -9,8 +9,8 @@
 
 namespace forefront {
 
-/// What of a domain can take part in geometry: finite nodes that sound segments or constraint points refer to, sound
-/// segments (indices in range, ends at different places), and finite markers. Of a valid domain, all of it.
+/// The parts of a domain that have a geometry: segments with valid indices and distinct finite ends, the nodes they and
+/// constraint points refer to, and finite markers. For a valid domain, all of it.
 struct DomainGraph {
     std::vector<Vec2> points;               ///< nodes, then hole markers, then region markers
     std::vector<std::uint32_t> node;        ///< per point that is a node: its index in the domain
@@ -18,20 +18,21 @@ struct DomainGraph {
     std::vector<PlaneEdge> edges;
     std::vector<std::uint32_t> segment;      ///< per edge: its index in the domain
     std::vector<std::uint32_t> holeMarker;   ///< per hole marker of the domain: its point, or kNoIndex
-    std::vector<std::uint32_t> regionMarker; ///< likewise
+    std::vector<std::uint32_t> regionMarker; ///< likewise per region marker
 };
 
+/// Extracts the graph of a domain, which need not be valid.
 DomainGraph graphOf(const Domain &domain);
 
-/// What the faces of a domain are.
+/// Attributes of the faces of a domain.
 struct FaceLabels {
     std::vector<std::uint8_t> inside;  ///< per face
     std::vector<std::int32_t> tag;     ///< per face, by region markers; 1 where there is none
     std::vector<std::uint32_t> marker; ///< per face: the first region marker in it, or kNoIndex
 };
 
-/// Inside by the domain's rule, tags by its markers. Under EvenOdd an even number of boundary segments must meet in
-/// every node.
+/// Labels faces by the domain's inside rule and region markers. With EvenOdd, an even number of boundary segments must
+/// meet at every node.
 FaceLabels labelFaces(const Domain &domain, const DomainGraph &graph, const Faces &faces);
 
 } // namespace forefront

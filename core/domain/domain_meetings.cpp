@@ -21,10 +21,10 @@ class MeetingFinder {
   public:
     MeetingFinder(const DomainGraph &graph, const PlaneSweepResult &sweep) : graph_(graph), sweep_(sweep) {}
 
-    DomainMeetings run(std::size_t most) {
+    DomainMeetings run(std::size_t limit) {
         if (sweep_.droppedCount > 0) {
             findDuplicates();
-            findPairs(most);
+            findPairs(limit);
         }
         for (std::uint32_t point = 0; point < graph_.node.size(); ++point) { // markers may lie anywhere
             if (sweep_.on[point] != kNoIndex) {
@@ -60,8 +60,9 @@ class MeetingFinder {
                   [](const auto &s, const auto &t) { return s.second < t.second; });
     }
 
-    /// Pairs of dropped edges with any other and with constraint points that have no segments; repeated edges left out.
-    void findPairs(std::size_t most) {
+    /// Finds meetings of dropped edges with other edges and with constraint points without segments. Ignores repeated
+    /// edges.
+    void findPairs(std::size_t limit) {
         std::vector<PlaneEdge> edges;
         std::vector<std::uint32_t> edgeOf, queries;
         for (std::uint32_t e = 0; e < graph_.edges.size(); ++e) {
@@ -73,7 +74,8 @@ class MeetingFinder {
                 edgeOf.push_back(e);
             }
         }
-        // A duplicate may have stayed in the sweep in place of the first one: then that one is simply asked in vain.
+        // If a duplicate stayed in the sweep instead of the first edge, that edge is queried needlessly, which is
+        // harmless.
         std::vector<std::uint8_t> hasEdges(graph_.points.size(), 0);
         for (std::uint32_t e = 0; e < graph_.edges.size(); ++e) {
             hasEdges[ends(e)[0]] = hasEdges[ends(e)[1]] = 1;
@@ -83,7 +85,7 @@ class MeetingFinder {
                 edges.push_back({point, point});
             }
         }
-        EdgeMeetings found = findMeetings(graph_.points, edges, queries, most);
+        EdgeMeetings found = findMeetings(graph_.points, edges, queries, limit);
         result_.complete = found.complete;
         for (EdgeMeeting &meeting : found.list) {
             if (meeting.second >= edgeOf.size()) {
@@ -112,7 +114,7 @@ class MeetingFinder {
         }
     }
 
-    /// Ends of one edge that lie in the interior of the other.
+    /// Adds the ends of one edge that lie in the interior of the other.
     void addTouch(std::uint32_t edge, std::uint32_t other, std::vector<Touch> &touches) const {
         const auto [a, b] = ends(other);
         for (const std::uint32_t point : ends(edge)) {
@@ -122,7 +124,7 @@ class MeetingFinder {
         }
     }
 
-    /// Each once, and without those that an overlap says already.
+    /// Keeps each touch once, and none that an overlap implies.
     void sortTouches() {
         std::sort(covered_.begin(), covered_.end(), touchLess);
         std::vector<Touch> &touches = result_.touches;
@@ -142,8 +144,8 @@ class MeetingFinder {
 
 } // namespace
 
-DomainMeetings findDomainMeetings(const DomainGraph &graph, const PlaneSweepResult &sweep, std::size_t most) {
-    return MeetingFinder(graph, sweep).run(most);
+DomainMeetings findDomainMeetings(const DomainGraph &graph, const PlaneSweepResult &sweep, std::size_t limit) {
+    return MeetingFinder(graph, sweep).run(limit);
 }
 
 } // namespace forefront

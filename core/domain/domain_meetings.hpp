@@ -7,11 +7,11 @@
 
 namespace forefront {
 
-/// All that keeps the segments of a domain from being simple; edges and points are those of the graph.
+/// Everything that makes the segments of a domain not simple. Edges and points are indices into the graph.
 struct DomainMeetings {
     struct Duplicate {
-        std::uint32_t first = 0;  ///< the edge of least index between these ends
-        std::uint32_t second = 0; ///< one that repeats it
+        std::uint32_t first = 0;  ///< the first edge between these ends
+        std::uint32_t second = 0; ///< an edge that repeats it
     };
     struct Touch {
         std::uint32_t point = 0; ///< canonical; lies in the interior of the edge
@@ -20,12 +20,13 @@ struct DomainMeetings {
     std::vector<Duplicate> duplicates;
     std::vector<EdgeMeeting> crossings;
     std::vector<EdgeMeeting> overlaps;
-    std::vector<Touch> touches; ///< also of constraint points
-    bool complete = true;       ///< false: more than `most`, the search was given up
+    std::vector<Touch> touches; ///< of nodes and constraint points; without those implied by an overlap
+    bool complete = true;       ///< false if the search stopped at its limit
 
     bool empty() const { return duplicates.empty() && crossings.empty() && overlaps.empty() && touches.empty(); }
 };
 
-DomainMeetings findDomainMeetings(const DomainGraph &graph, const PlaneSweepResult &sweep, std::size_t most);
+/// Finds all meetings, but at most `limit` crossings and overlaps. `sweep` is that of the graph.
+DomainMeetings findDomainMeetings(const DomainGraph &graph, const PlaneSweepResult &sweep, std::size_t limit);
 
 } // namespace forefront

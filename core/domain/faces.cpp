@@ -10,7 +10,7 @@ namespace forefront {
 
 namespace {
 
-/// Half-edge 2e runs from a to b of edge e, half-edge 2e + 1 back.
+/// Half-edge 2e runs from a to b of edge e, half-edge 2e + 1 in the opposite direction.
 class FaceFinder {
   public:
     FaceFinder(std::span<const Vec2> points, std::span<const PlaneEdge> edges, const PlaneSweepResult &sweep)
@@ -38,13 +38,13 @@ class FaceFinder {
         return sweep_.canonical[half % 2 == 0 ? edge.a : edge.b];
     }
     Vec2 target(std::uint32_t half) const { return points_[origin(half ^ 1U)]; }
-    /// True if the half-edge leads to a point that comes later in the sweep.
+    /// Returns true if the half-edge leads to a point that comes later in the sweep.
     bool rightward(std::uint32_t half) const {
         const Vec2 from = points_[origin(half)], to = target(half);
         return from.x != to.x ? from.x < to.x : from.y < to.y;
     }
 
-    /// Half-edges by origin, counter-clockwise, from straight down on.
+    /// Sorts the half-edges by origin, then counter-clockwise starting straight down.
     void collectStars() {
         starts_.assign(points_.size() + 1, 0);
         for (std::uint32_t half = 0; half < face_.size(); ++half) {
@@ -67,7 +67,7 @@ class FaceFinder {
         }
     }
 
-    /// next_: the half-edge that follows on the boundary of the face to the left.
+    /// Sets next_: the half-edge that follows along the boundary of the face to the left.
     void linkBoundaries() {
         next_.resize(face_.size());
         for (std::size_t point = 0; point < points_.size(); ++point) {
@@ -94,7 +94,7 @@ class FaceFinder {
         return point;
     }
 
-    /// The face above the edge below a point; earlier points have labelled it.
+    /// Returns the face around a point: the one above the edge below it, which earlier points have labelled.
     std::uint32_t faceAround(std::uint32_t point) const {
         const std::uint32_t below = sweep_.below[point];
         if (below == kNoIndex) {
@@ -115,8 +115,8 @@ class FaceFinder {
         }
         std::uint8_t &reached = reached_[rootOf(point)];
         if (reached == 0) {
-            // Least point of its component: all its edges lead to the right, and left of the uppermost is the face
-            // around.
+            // The leftmost point of its component: all its edges lead to the right, and the face around it lies left of
+            // the uppermost one.
             reached = 1;
             label(star_[last - 1], faceAround(point));
         }
@@ -150,7 +150,7 @@ Faces findFaces(std::span<const Vec2> points, std::span<const PlaneEdge> edges, 
     FOREFRONT_ASSERT(sweep.droppedCount == 0);
     Faces faces = FaceFinder(points, edges, sweep).run();
     faces.ofPoint.resize(points.size(), kNoIndex);
-    for (std::size_t point = 0; point < points.size(); ++point) { // duplicates as their first one
+    for (std::size_t point = 0; point < points.size(); ++point) { // duplicates get the face of the first one
         faces.ofPoint[point] = faces.ofPoint[sweep.canonical[point]];
     }
     return faces;

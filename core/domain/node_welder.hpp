@@ -11,20 +11,21 @@
 
 namespace forefront {
 
-/// Makes nodes at crossings, but takes a node that is there already where rounding alone tells them apart: otherwise
-/// three lines through one point would leave a triangle of a few last digits.
+/// Creates nodes at crossings, and reuses an existing node within rounding error. Otherwise three lines through one
+/// point would leave a triangle the size of the rounding error.
 class NodeWelder {
   public:
-    /// Appends to `nodes`. `bounds` is the box of all nodes.
+    /// New nodes are appended to `nodes`, which must outlive this object. `bounds` is the box of all nodes.
     NodeWelder(std::vector<Vec2> &nodes, const Box2 &bounds) : nodes_(nodes), bounds_(bounds) {
         const double magnitude = std::max(
             {std::fabs(bounds.min.x), std::fabs(bounds.max.x), std::fabs(bounds.min.y), std::fabs(bounds.max.y)});
         tolerance_ = std::max({1e-12 * bounds.diagonal(), 4e-15 * magnitude, std::numeric_limits<double>::min()});
     }
 
+    /// Returns the distance within which nodes count as one: 1e-12 of the extent, or a few units in the last place.
     double tolerance() const { return tolerance_; }
 
-    /// Notes that one of two nodes shall move onto the other one (of lesser index); false if they are too far apart.
+    /// Records that the node of greater index moves onto the other one. Returns false if they are too far apart.
     bool weld(std::uint32_t m, std::uint32_t n) {
         if (distance(nodes_[m], nodes_[n]) > tolerance_) {
             return false;
@@ -34,14 +35,14 @@ class NodeWelder {
         }
         return true;
     }
-    /// Pairs of nodes to weld, each once: the one that moves and where to.
+    /// Returns the recorded pairs: a node that moves, at most once, and the one it moves onto.
     const std::vector<std::pair<std::uint32_t, std::uint32_t>> &welds() {
         std::sort(welds_.begin(), welds_.end());
         welds_.erase(std::unique(welds_.begin(), welds_.end(), [](auto s, auto t) { return s.first == t.first; }),
                      welds_.end());
         return welds_;
     }
-    /// Moves them, and forgets the pairs.
+    /// Moves the recorded nodes and clears the record.
     void move() {
         for (const auto &[node, into] : welds()) {
             nodes_[node] = nodes_[into];
@@ -49,17 +50,17 @@ class NodeWelder {
         welds_.clear();
     }
 
-    /// One of `ends` or a node made before, if within the tolerance; else a new node.
+    /// Returns one of `ends` or an earlier node within the tolerance of `at`, else a new node there.
     std::uint32_t nodeAt(Vec2 at, std::initializer_list<std::uint32_t> ends) {
         std::uint32_t best = 0;
-        double least = std::numeric_limits<double>::infinity();
+        double nearest = std::numeric_limits<double>::infinity();
         for (const std::uint32_t node : ends) {
-            if (const double gap = distance(nodes_[node], at); gap < least) {
-                least = gap;
+            if (const double gap = distance(nodes_[node], at); gap < nearest) {
+                nearest = gap;
                 best = node;
             }
         }
-        if (least <= tolerance_) {
+        if (nearest <= tolerance_) {
             return best;
         }
         const auto [column, row] = cellOf(at);

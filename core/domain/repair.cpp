@@ -11,9 +11,9 @@ namespace forefront {
 
 namespace {
 
-constexpr int kMostRounds = 40;
-constexpr std::size_t kMostMeetings = 1'000'000; // of all rounds
-constexpr std::size_t kMostNotes = 1000;
+constexpr int kMaxRounds = 40;
+constexpr std::size_t kMaxMeetings = 1'000'000; // of all rounds
+constexpr std::size_t kMaxNotes = 1000;
 
 std::string number(std::size_t value) {
     return std::to_string(value);
@@ -36,7 +36,8 @@ class Repairer {
     Result<Repaired> run() {
         const Box2 box = given_.bounds();
         if (!box.empty() && (tooLarge(box.min) || tooLarge(box.max) || tooSmall(box) || tooFarAway(box))) {
-            return error("out-of-range", "the coordinates are too large, too small, or too far from the origin",
+            return error("out-of-range",
+                         "the coordinates are beyond 1e60, smaller than 1e-60, or too far from the origin",
                          "scale and move the domain first");
         }
         NodeWelder welder(nodes_, box);
@@ -48,18 +49,19 @@ class Repairer {
             mergeParts();
             const DomainGraph graph = graphOf(assembled());
             const PlaneSweepResult sweep = sweepPlane(graph.points, graph.edges);
-            const DomainMeetings meetings = findDomainMeetings(graph, sweep, kMostMeetings);
+            const DomainMeetings meetings = findDomainMeetings(graph, sweep, kMaxMeetings);
             if (meetings.empty()) {
                 break;
             }
             count += meetings.crossings.size() + meetings.touches.size() + meetings.overlaps.size();
-            if (!meetings.complete || count > kMostMeetings) {
-                return error("too-many-faults", "the segments meet in too many places to be repaired",
-                             "correct the file the domain comes from");
+            if (!meetings.complete || count > kMaxMeetings) {
+                return error("too-many-faults",
+                             "more than " + number(kMaxMeetings) + " places where segments meet; expected fewer",
+                             "correct the source of the domain");
             }
-            if (round == kMostRounds) {
+            if (round == kMaxRounds) {
                 return error("repair-failed",
-                             "the segments still meet after " + number(kMostRounds) + " rounds of splitting",
+                             "segments still meet after " + number(kMaxRounds) + " rounds of splitting",
                              "move apart the nodes that nearly coincide");
             }
             split(graph, meetings, welder);
@@ -71,7 +73,7 @@ class Repairer {
 
   private:
     void note(const char *code, std::string message, std::optional<Vec2> at, std::initializer_list<DomainPart> parts) {
-        if (++noteCount_ <= kMostNotes) {
+        if (++noteCount_ <= kMaxNotes) {
             Diagnostic change;
             change.severity = Severity::Note;
             change.code = code;
@@ -82,7 +84,7 @@ class Repairer {
         }
     }
 
-    /// Segments whose indices or coordinates are unsound are put aside as they are.
+    /// Sets aside segments whose indices or coordinates are invalid; they stay as they are.
     void collectParts() {
         for (std::uint32_t s = 0; s < given_.segments.size(); ++s) {
             const DomainSegment &segment = given_.segments[s];
@@ -111,7 +113,7 @@ class Repairer {
         return domain;
     }
 
-    /// Nodes in the same place become the first of them.
+    /// Replaces nodes at the same place by the first of them.
     void mergeNodes(bool report) {
         std::vector<std::uint32_t> order;
         for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
@@ -132,7 +134,8 @@ class Repairer {
         }
         for (std::uint32_t n = 0; n < nodes_.size() && report; ++n) {
             if (kept[n] != n) {
-                note("duplicate-node", "merged two nodes in the same place", nodes_[n], {aNode(kept[n]), aNode(n)});
+                note("duplicate-node", "merged two nodes with the same coordinates", nodes_[n],
+                     {aNode(kept[n]), aNode(n)});
             }
         }
         for (Part &part : parts_) {
@@ -155,13 +158,13 @@ class Repairer {
             const bool empty = part.a == part.b;
             const DomainSegment &source = given_.segments[part.source];
             if (empty && (source.a == source.b || given_.nodes[source.a] == given_.nodes[source.b])) {
-                note("zero-length", "dropped a segment that has no length", nodes_[part.a], {aSegment(part.source)});
+                note("zero-length", "removed a segment of zero length", nodes_[part.a], {aSegment(part.source)});
             }
             return empty;
         });
     }
 
-    /// Parts between the same nodes become one that counts its boundary segments.
+    /// Merges parts between the same nodes into one that counts its boundary segments.
     void mergeParts() {
         std::vector<std::size_t> order(parts_.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
@@ -179,12 +182,12 @@ class Repairer {
             }
             Part &kept = parts_[order[first]];
             const Part &other = parts_[order[i]];
-            if (kept.boundaries == 0 && other.boundaries > 0) { // the boundary's tag counts
+            if (kept.boundaries == 0 && other.boundaries > 0) { // the tag of the boundary wins
                 kept.source = other.source;
             }
             kept.boundaries += other.boundaries;
             gone[order[i]] = 1;
-            note("duplicate-segment", "kept what two segments have in common once",
+            note("duplicate-segment", "kept the common part of two segments once",
                  midpoint(nodes_[kept.a], nodes_[kept.b]), {aSegment(kept.source), aSegment(other.source)});
         }
         std::size_t i = 0;
@@ -221,15 +224,15 @@ class Repairer {
             cuts.emplace_back(crossing.second, place);
         }
         for (const auto &[from, into] : welder.welds()) {
-            note("duplicate-node", "merged two nodes no farther apart than rounding errors", nodes_[into],
+            note("duplicate-node", "merged two nodes within rounding error of each other", nodes_[into],
                  {aNode(into), aNode(from)});
         }
         welder.move();
         cutParts(cuts);
     }
 
-    /// Where an end of one part all but touches the other one, the crossing goes through that end: a node beside it
-    /// would only make more such places, without end where segments lie nearly on one another.
+    /// Routes a crossing through an end of one part that almost touches the other. A new node beside that end would
+    /// only create more such places, without end where segments nearly coincide.
     bool splitNearEnds(const EdgeMeeting &crossing, NodeWelder &welder, Cuts &cuts) {
         bool near = false;
         for (const auto &[p, q] :
@@ -241,7 +244,7 @@ class Repairer {
                 }
                 near = true;
                 if (!welder.weld(end, other.a) && !welder.weld(end, other.b)) {
-                    note("touching-segments", "split a segment at a node all but on it", nodes_[end],
+                    note("touching-segments", "split a segment at a node within rounding error of it", nodes_[end],
                          {aSegment(other.source)});
                     cuts.emplace_back(q, end);
                 }
@@ -276,9 +279,9 @@ class Repairer {
         parts_ = std::move(pieces);
     }
 
-    /// Where several boundary segments run together. If the boundary is closed with each of them kept once, that is
-    /// what was meant (a loop or segment given twice). If it is closed only by counting all, an even number does not
-    /// change from inside to outside: neighbours share their boundary, and it stays as a constraint.
+    /// Decides what several coinciding boundary segments mean. If the boundary is closed with each kept once, a loop or
+    /// segment was given twice. If it is closed only when all count, an even number of them does not separate inside
+    /// from outside: neighbours share that boundary, and it stays as a constraint.
     void resolveRepeats() {
         if (given_.insideRule != InsideRule::EvenOdd) {
             return;
@@ -290,7 +293,7 @@ class Repairer {
                 oddCounted[end] ^= part.boundaries % 2;
             }
         }
-        // Connected runs of parts with even counts share one fate.
+        // Connected runs of parts with even counts are treated alike.
         std::vector<std::uint32_t> root(nodes_.size());
         std::iota(root.begin(), root.end(), 0U);
         const auto rootOf = [&](std::uint32_t n) {
@@ -317,13 +320,13 @@ class Repairer {
             if (repeated(part) && brokenOnce[run] != 0 && brokenCounted[run] == 0) {
                 part.boundaries = 0;
                 folded_.push_back({part.a, part.b});
-                note("overlapping-segments", "made a constraint of the boundary that neighbours share",
+                note("overlapping-segments", "turned the boundary shared by neighbours into a constraint",
                      midpoint(nodes_[part.a], nodes_[part.b]), {aSegment(part.source)});
             }
         }
     }
 
-    /// Boundaries folded onto themselves outside of the domain bound nothing.
+    /// Drops boundaries that are folded onto themselves outside the domain and bound nothing.
     void dropFoldsOutside() {
         if (folded_.empty()) {
             return;
@@ -337,7 +340,7 @@ class Repairer {
             odd[part.b] ^= part.boundaries > 0 ? 1 : 0;
         }
         if (std::find(odd.begin(), odd.end(), 1) != odd.end()) {
-            return; // open: inside is not known
+            return; // not closed: inside is undefined
         }
         const Faces faces = findFaces(graph.points, graph.edges, sweep);
         const FaceLabels labels = labelFaces(domain, graph, faces);
@@ -348,14 +351,14 @@ class Repairer {
             const bool outside = std::binary_search(folded_.begin(), folded_.end(), std::pair{part.a, part.b}) &&
                                  labels.inside[faces.left[e]] == 0 && labels.inside[faces.right[e]] == 0;
             if (outside) {
-                note("segment-outside", "dropped a fold of a segment outside of the domain",
+                note("segment-outside", "removed a folded segment outside the domain",
                      midpoint(nodes_[part.a], nodes_[part.b]), {aSegment(part.source)});
             }
             return outside;
         });
     }
 
-    /// Puts the domain together without the nodes that nothing refers to.
+    /// Assembles the result without unreferenced nodes.
     Repaired finish() {
         std::vector<std::uint8_t> used(nodes_.size(), 0);
         for (const Part &part : parts_) {
@@ -382,7 +385,7 @@ class Repairer {
                 renumbered[n] = static_cast<std::uint32_t>(domain.nodes.size());
                 domain.nodes.push_back(nodes_[n]);
             } else if (n < given_.nodes.size() && merged_[n] == n) {
-                note("unreferenced-node", "dropped a node that nothing refers to", nodes_[n], {aNode(n)});
+                note("unreferenced-node", "removed an unreferenced node", nodes_[n], {aNode(n)});
             }
         }
         const auto renumber = [&](std::uint32_t node) { return node < nodes_.size() ? renumbered[node] : kNoIndex; };
@@ -401,22 +404,22 @@ class Repairer {
         for (ConstraintPoint &point : domain.points) {
             point.node = renumber(point.node);
         }
-        if (noteCount_ > kMostNotes) {
+        if (noteCount_ > kMaxNotes) {
             Diagnostic rest;
             rest.severity = Severity::Note;
             rest.code = "more-changes";
-            rest.message = number(noteCount_ - kMostNotes) + " more changes are not listed";
+            rest.message = number(noteCount_ - kMaxNotes) + " more changes are not listed";
             result_.changes.push_back(std::move(rest));
         }
         return std::move(result_);
     }
 
     const Domain &given_;
-    std::vector<Vec2> nodes_; // the given ones, then those of crossings
+    std::vector<Vec2> nodes_; // the given nodes, then those of crossings
     std::vector<ConstraintPoint> points_;
     std::vector<Part> parts_;
     std::vector<std::uint32_t> aside_;
-    std::vector<std::uint32_t> merged_; // per node: the one it was merged into in the last round
+    std::vector<std::uint32_t> merged_; // per node: the node it was merged into in the last round
     std::vector<std::pair<std::uint32_t, std::uint32_t>> folded_;
     std::size_t noteCount_ = 0;
     Repaired result_;

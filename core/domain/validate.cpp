@@ -10,8 +10,8 @@ namespace forefront {
 
 namespace {
 
-/// Pairs looked for beyond those listed, so that the rest can be counted.
-constexpr std::size_t kMostPairs = 100'000;
+/// Meetings searched for, so that those not listed can be counted.
+constexpr std::size_t kMaxPairs = 100'000;
 
 std::string number(std::size_t value) {
     return std::to_string(value);
@@ -29,14 +29,14 @@ class Validator {
         checkReferences();
         const DomainGraph graph = graphOf(domain_);
         if (graph.edges.empty()) {
-            add("empty-domain", "the domain has no sound boundary segment", "draw or import a closed boundary");
+            add("empty-domain", "the domain has no valid boundary segment", "draw or import a closed boundary");
             return take();
         }
         const PlaneSweepResult sweep = sweepPlane(graph.points, graph.edges);
         checkDuplicateNodes(graph, sweep);
         checkMeetings(graph, sweep);
         checkChains(graph, sweep);
-        // Inside and outside are known only of simple, closed segments.
+        // Inside and outside are defined only if the segments are simple and closed.
         if (sweep.droppedCount == 0 && !incomplete_ && !open_) {
             checkFaces(graph, sweep);
         }
@@ -63,7 +63,7 @@ class Validator {
             rest.severity = faults_.empty() ? Severity::Error : Severity::Note;
             rest.code = "more-faults";
             const std::size_t more = count_ - faults_.size();
-            rest.message = more == 0 ? "there are more faults than could be searched for"
+            rest.message = more == 0 ? "the search for faults was stopped at its limit; there are more"
                                      : (allMeetings_ ? "" : "at least ") + number(more) + " more faults are not listed";
             faults_.push_back(std::move(rest));
         }
@@ -74,30 +74,32 @@ class Validator {
         for (std::uint32_t n = 0; n < domain_.nodes.size(); ++n) {
             if (!isFinite(domain_.nodes[n])) {
                 incomplete_ = true;
-                add("non-finite", "a node has a coordinate that is not finite", "give it finite coordinates",
+                add("non-finite", "a node has a coordinate that is not a finite number", "correct its coordinates",
                     finitePart(domain_.nodes[n]), {aNode(n)});
             }
         }
     }
-    /// Squares of lengths and products of areas must neither overflow nor vanish.
+    /// Squares of lengths and products of areas must neither overflow nor underflow.
     void checkMagnitude() {
         const Box2 box = domain_.bounds();
         for (std::uint32_t n = 0; n < domain_.nodes.size(); ++n) {
             const Vec2 p = domain_.nodes[n];
             if (isFinite(p) && tooLarge(p)) {
                 incomplete_ = true;
-                add("out-of-range", "a node has a coordinate beyond 1e60", "scale the domain down", p, {aNode(n)});
+                add("out-of-range", "a node has a coordinate beyond 1e60; expected at most that",
+                    "scale the domain down", p, {aNode(n)});
             }
         }
         if (tooSmall(box)) {
-            add("out-of-range", "the domain is smaller than 1e-60", "scale the domain up", box.min);
+            add("out-of-range", "the domain is smaller than 1e-60; expected at least that", "scale the domain up",
+                box.min);
         } else if (tooFarAway(box)) {
-            add("out-of-range", "the domain is so far from the origin that its coordinates keep fewer than 4 digits",
-                "move it nearer to the origin", box.min);
+            add("out-of-range", "the domain is too far from the origin; its coordinates keep fewer than 4 digits",
+                "move it closer to the origin", box.min);
         }
     }
 
-    /// A place one can go to, with what is finite of the coordinates.
+    /// A place the view can zoom to: coordinates that are not finite become 0.
     static Vec2 finitePart(Vec2 p) { return {std::isfinite(p.x) ? p.x : 0.0, std::isfinite(p.y) ? p.y : 0.0}; }
 
     void checkSegments() {
@@ -109,7 +111,7 @@ class Validator {
                 const std::uint32_t bad = segment.a >= nodeCount ? segment.a : segment.b;
                 const std::uint32_t good = segment.a >= nodeCount ? segment.b : segment.a;
                 add("bad-index",
-                    "a segment refers to the node of index " + number(bad) + ", but there are " + number(nodeCount),
+                    "a segment refers to node " + number(bad) + "; expected an index below " + number(nodeCount),
                     "correct the node's index", good < nodeCount ? domain_.nodes[good] : domain_.bounds().min,
                     {aSegment(s)});
                 continue;
@@ -117,14 +119,15 @@ class Validator {
             const Vec2 a = domain_.nodes[segment.a], b = domain_.nodes[segment.b];
             checkTag("a segment", aSegment(s), segment.tag, midpoint(a, b));
             if (a == b) {
-                add("zero-length", "a segment has no length", "remove it, or use repair", a, {aSegment(s)});
+                add("zero-length", "a segment has zero length", "remove it, or repair the domain", a, {aSegment(s)});
             }
         }
     }
 
     void checkTag(const char *what, const DomainPart &part, std::int32_t tag, Vec2 at) {
         if (tag < 1) {
-            add("bad-tag", std::string(what) + " has the tag " + std::to_string(tag), "tags start at 1", at, {part});
+            add("bad-tag", std::string(what) + " has the tag " + std::to_string(tag) + "; expected at least 1",
+                "give it a tag of 1 or more", at, {part});
         }
     }
 
@@ -134,7 +137,7 @@ class Validator {
             const DomainPart part{DomainPartKind::ConstraintPoint, i};
             if (point.node >= domain_.nodes.size()) {
                 add("bad-index",
-                    "a constraint point refers to the node of index " + number(point.node) + ", but there are " +
+                    "a constraint point refers to node " + number(point.node) + "; expected an index below " +
                         number(domain_.nodes.size()),
                     "correct the node's index", domain_.bounds().min, {part});
             } else {
@@ -152,8 +155,8 @@ class Validator {
     }
     void checkMarker(const char *what, const DomainPart &part, Vec2 at) {
         if (!isFinite(at)) {
-            add("non-finite", std::string(what) + " has a coordinate that is not finite", "give it finite coordinates",
-                finitePart(at), {part});
+            add("non-finite", std::string(what) + " has a coordinate that is not a finite number",
+                "correct its coordinates", finitePart(at), {part});
         }
     }
 
@@ -173,8 +176,8 @@ class Validator {
         }
         for (std::uint32_t n = 0; n < used.size(); ++n) {
             if (used[n] == 0 && isFinite(domain_.nodes[n])) {
-                add("unreferenced-node", "a node belongs to no segment and is no constraint point",
-                    "remove it, make it a constraint point, or use repair", domain_.nodes[n], {aNode(n)});
+                add("unreferenced-node", "a node belongs to no segment and is not a constraint point",
+                    "remove it, make it a constraint point, or repair the domain", domain_.nodes[n], {aNode(n)});
             }
         }
     }
@@ -183,42 +186,43 @@ class Validator {
         for (std::uint32_t point = 0; point < graph.node.size(); ++point) {
             const std::uint32_t first = sweep.canonical[point];
             if (first != point) {
-                add("duplicate-node", "two nodes lie in the same place", "merge them, or use repair",
+                add("duplicate-node", "two nodes have the same coordinates", "merge them, or repair the domain",
                     graph.points[point], {aNode(graph.node[first]), aNode(graph.node[point])});
             }
         }
     }
 
     void checkMeetings(const DomainGraph &graph, const PlaneSweepResult &sweep) {
-        const DomainMeetings meetings = findDomainMeetings(graph, sweep, std::max(limit_, kMostPairs));
+        const DomainMeetings meetings = findDomainMeetings(graph, sweep, std::max(limit_, kMaxPairs));
         allMeetings_ = meetings.complete;
         const auto a = [&](std::uint32_t edge) { return graph.points[graph.edges[edge].a]; };
         const auto b = [&](std::uint32_t edge) { return graph.points[graph.edges[edge].b]; };
         const auto part = [&](std::uint32_t edge) { return aSegment(graph.segment[edge]); };
         for (const auto &[first, second] : meetings.duplicates) {
-            add("duplicate-segment", "two segments join the same nodes", "remove one of them, or use repair",
+            add("duplicate-segment", "two segments join the same nodes", "remove one of them, or repair the domain",
                 midpoint(a(first), b(first)), {part(first), part(second)});
         }
         for (const EdgeMeeting &m : meetings.crossings) {
             add("crossing-segments", "two segments cross",
-                "move a node, or split both where they cross (repair does that)",
+                "move a node, or repair the domain to split both where they cross",
                 crossingPoint(a(m.first), b(m.first), a(m.second), b(m.second)), {part(m.first), part(m.second)});
         }
         for (const DomainMeetings::Touch &touch : meetings.touches) {
             add("touching-segments", "a node lies on a segment",
-                "move the node, or split the segment there (repair does that)", graph.points[touch.point],
+                "move the node, or repair the domain to split the segment there", graph.points[touch.point],
                 {aNode(graph.node[touch.point]), part(touch.edge)});
         }
         for (const EdgeMeeting &m : meetings.overlaps) {
             std::array<Vec2, 4> p{a(m.first), b(m.first), a(m.second), b(m.second)};
             std::sort(p.begin(), p.end(), [](Vec2 s, Vec2 t) { return s.x != t.x ? s.x < t.x : s.y < t.y; });
-            add("overlapping-segments", "two segments overlap", "keep the common part only once (repair does that)",
-                midpoint(p[1], p[2]), {part(m.first), part(m.second)});
+            add("overlapping-segments", "two segments overlap",
+                "remove one of them, or repair the domain to keep the common part once", midpoint(p[1], p[2]),
+                {part(m.first), part(m.second)});
         }
     }
 
-    /// Under EvenOdd an even number of boundary segments must meet in every node. Segments with one sound end count
-    /// there; repeated ones and nodes in the same place count once, as they are faults of their own.
+    /// With EvenOdd, an even number of boundary segments must meet at every node. Segments with one valid end count
+    /// there; repeated segments and nodes at the same place count once, since they are reported as faults of their own.
     void checkChains(const DomainGraph &graph, const PlaneSweepResult &sweep) {
         if (domain_.insideRule != InsideRule::EvenOdd) {
             return;
@@ -229,9 +233,9 @@ class Validator {
         };
         std::vector<std::array<std::uint32_t, 2>> spans;
         for (const DomainSegment &segment : domain_.segments) {
-            const bool soundA = segment.a < domain_.nodes.size(), soundB = segment.b < domain_.nodes.size();
-            if (segment.role == SegmentRole::Boundary && (soundA || soundB)) {
-                const std::uint32_t a = soundA ? place(segment.a) : kNoIndex, b = soundB ? place(segment.b) : kNoIndex;
+            const bool validA = segment.a < domain_.nodes.size(), validB = segment.b < domain_.nodes.size();
+            if (segment.role == SegmentRole::Boundary && (validA || validB)) {
+                const std::uint32_t a = validA ? place(segment.a) : kNoIndex, b = validB ? place(segment.b) : kNoIndex;
                 if (a != b) {
                     spans.push_back({std::min(a, b), std::max(a, b)});
                 }
@@ -250,9 +254,9 @@ class Validator {
             if (degree[n] % 2 != 0) {
                 open_ = true;
                 add("open-chain",
-                    degree[n] == 1 ? "the boundary ends at a node"
-                                   : "an odd number of boundary segments (" + number(degree[n]) + ") meets in a node",
-                    "close the chain, or make the segments that are not boundary constraints", domain_.nodes[n],
+                    degree[n] == 1 ? "the boundary ends at a node; expected a closed loop"
+                                   : number(degree[n]) + " boundary segments meet at a node; expected an even number",
+                    "close the loop, or turn segments that are not boundary into constraints", domain_.nodes[n],
                     {aNode(n)});
             }
         }
@@ -262,7 +266,7 @@ class Validator {
         const Faces faces = findFaces(graph.points, graph.edges, sweep);
         const FaceLabels labels = labelFaces(domain_, graph, faces);
         if (std::none_of(labels.inside.begin(), labels.inside.end(), [](std::uint8_t inside) { return inside != 0; })) {
-            if (!checkOpenEnds(graph, sweep, faces, labels)) { // else they say why
+            if (!checkOpenEnds(graph, sweep, faces, labels)) { // those already explain it
                 addEmpty(graph, sweep);
             }
             return;
@@ -283,8 +287,8 @@ class Validator {
     void addEmpty(const DomainGraph &graph, const PlaneSweepResult &sweep) {
         if (std::any_of(domain_.segments.begin(), domain_.segments.end(),
                         [](const DomainSegment &segment) { return segment.role == SegmentRole::Boundary; })) {
-            add("empty-domain", "no part of the plane is inside the boundary",
-                "draw a closed boundary, and keep hole markers out of the part to mesh",
+            add("empty-domain", "nothing is inside the boundary",
+                "draw a closed boundary, and keep hole markers out of the faces to mesh",
                 graph.points[graph.edges[0].a]);
             return;
         }
@@ -293,17 +297,17 @@ class Validator {
             ++degree[sweep.canonical[edge.a]];
             ++degree[sweep.canonical[edge.b]];
         }
-        std::size_t e = 0; // one with a free end, if there is any
+        std::size_t e = 0; // an edge with a free end, if there is one
         const auto isFree = [&](std::uint32_t end) { return degree[sweep.canonical[end]] == 1; };
         while (e + 1 < graph.edges.size() && !isFree(graph.edges[e].a) && !isFree(graph.edges[e].b)) {
             ++e;
         }
-        add("empty-domain", "there are only lines that bound nothing, and none that is a boundary",
-            "close the outline: it must end where it begins",
+        add("empty-domain", "the domain has only constraint lines and no boundary",
+            "draw a closed outline, or turn a closed line into a boundary",
             graph.points[isFree(graph.edges[e].b) ? graph.edges[e].b : graph.edges[e].a], {aSegment(graph.segment[e])});
     }
 
-    /// Free ends of boundary segments that bound nothing, where the rule allows free ends inside.
+    /// Reports free ends of boundary segments that bound nothing, where the rule allows free ends inside.
     bool checkOpenEnds(const DomainGraph &graph, const PlaneSweepResult &sweep, const Faces &faces,
                        const FaceLabels &labels) {
         if (domain_.insideRule == InsideRule::EvenOdd) {
@@ -322,8 +326,8 @@ class Validator {
             if (degree[point] == 1 && domain_.segments[graph.segment[e]].role == SegmentRole::Boundary &&
                 labels.inside[faces.left[e]] == 0 && labels.inside[faces.right[e]] == 0) {
                 any = true;
-                add("open-chain", "the boundary ends at a node", "close the chain", graph.points[point],
-                    {aNode(graph.node[point])});
+                add("open-chain", "the boundary ends at a node; expected a closed loop", "close the loop",
+                    graph.points[point], {aNode(graph.node[point])});
             }
         }
         return any;
@@ -351,7 +355,7 @@ class Validator {
             const std::uint32_t face = point != kNoIndex ? faces.ofPoint[point] : kNoIndex;
             if (point != kNoIndex && (face == kNoIndex || face == 0)) {
                 add("hole-outside",
-                    face == 0 ? "a hole marker lies in no bounded part" : "a hole marker lies on a segment",
+                    face == 0 ? "a hole marker lies outside every closed loop" : "a hole marker lies on a segment",
                     "move it into the hole, or remove it", domain_.holeMarkers[i], {{DomainPartKind::HoleMarker, i}});
             }
         }
@@ -364,7 +368,7 @@ class Validator {
             if (face == kNoIndex || labels.inside[face] == 0) {
                 add("region-marker-outside",
                     face == kNoIndex ? "a region marker lies on a segment" : "a region marker lies outside the domain",
-                    "move it into the region it names, or remove it", domain_.regionMarkers[i].at,
+                    "move it into its region, or remove it", domain_.regionMarkers[i].at,
                     {{DomainPartKind::RegionMarker, i}});
             } else if (const std::uint32_t first = labels.marker[face];
                        domain_.regionMarkers[first].tag != domain_.regionMarkers[i].tag) {
@@ -379,8 +383,8 @@ class Validator {
     std::size_t limit_;
     std::size_t count_ = 0;
     Diagnostics faults_;
-    bool incomplete_ = false; // some segment takes no part in the geometry though it should
-    bool open_ = false;       // some chain is open
+    bool incomplete_ = false; // a segment is missing from the geometry because it is faulty
+    bool open_ = false;       // a loop is not closed
     bool allMeetings_ = true;
 };
 

@@ -9,7 +9,7 @@
 namespace forefront {
 namespace {
 
-/// Exact coordinates as a key; 0.0 and -0.0 are one place.
+/// Exact coordinates as a key; 0.0 and -0.0 are equal.
 struct PlaceHash {
     std::size_t operator()(Vec2 p) const {
         const auto x = std::bit_cast<std::uint64_t>(p.x + 0.0), y = std::bit_cast<std::uint64_t>(p.y + 0.0);
@@ -19,7 +19,7 @@ struct PlaceHash {
     }
 };
 
-/// Gives coinciding nodes one index. Coordinates that are not finite never coincide: validation reports each.
+/// Gives coinciding nodes the same index. Coordinates that are not finite never coincide; validation reports each.
 class NodeMerger {
   public:
     explicit NodeMerger(std::vector<Vec2> &nodes) : nodes_(nodes) {}

@@ -7,14 +7,14 @@
 namespace forefront {
 namespace {
 
-/// A walk along segments that meet two by two.
+/// A chain of segments.
 struct Chain {
-    std::vector<std::uint32_t> nodes; ///< a closed one does not repeat its first node
+    std::vector<std::uint32_t> nodes; ///< a closed chain does not repeat its first node
     std::vector<std::int32_t> tags;   ///< one per segment
     bool closed = false;
 };
 
-/// Chains the segments of one role: at every node where exactly two of them meet the walk goes on.
+/// Chains the segments of one role: a chain continues through every node where exactly two of them meet.
 class Chainer {
   public:
     Chainer(const Domain &domain, SegmentRole role) : domain_(domain), role_(role) {
@@ -39,7 +39,7 @@ class Chainer {
         used_.assign(domain.segments.size(), false);
     }
 
-    /// Open chains first (from ends and junctions), then the loops; each in order of its first segment.
+    /// Finds open chains first (from ends and junctions), then loops, both in the order of their first segments.
     std::vector<Chain> chains() {
         std::vector<Chain> result;
         for (std::uint32_t s = 0; s < domain_.segments.size(); ++s) {
@@ -142,7 +142,7 @@ void addPoints(const Domain &domain, Document &document) {
                 pointShape(domain.nodes[point.node], ShapeUse::Constraint, point.tag, document.nextId++));
         }
     }
-    // A node that nothing uses stays visible (and is reported by validation) instead of being dropped silently.
+    // An unreferenced node stays visible, and validation reports it; it is not dropped in silence.
     for (std::size_t node = 0; node < used.size(); ++node) {
         if (!used[node]) {
             document.shapes.push_back(pointShape(domain.nodes[node], ShapeUse::Boundary, 1, document.nextId++));

@@ -4,11 +4,10 @@
 
 namespace forefront {
 
-/// The same inside and outside by the even-odd rule: of a domain under InsideRule::HoleMarkers, a segment with the
-/// inside on exactly one side becomes Boundary, one with the inside on both sides a Constraint; one with the outside on
-/// both sides bounds nothing and is left out. Nodes, tags, points, names and region markers stay; hole markers are
-/// used up. Where segments cross there are no faces to tell: then every segment keeps its role, for validation to
-/// report.
+/// Converts a domain with hole markers to the even-odd rule with the same inside: a segment with the inside on one side
+/// becomes Boundary, on both sides Constraint; a segment with the outside on both sides is removed. Nodes, tags,
+/// points, names and region markers stay; hole markers are removed. If segments cross there are no faces: all segments
+/// keep their roles, and validation reports the crossings.
 Domain withEvenOddRoles(const Domain &domain);
 
 } // namespace forefront

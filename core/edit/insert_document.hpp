@@ -5,8 +5,8 @@
 
 namespace forefront {
 
-/// `document` with the shapes, region markers and names of another one, scaled about the origin. Names of `document`
-/// win where both have one. `added`, if not null, becomes the selection of what was added.
+/// Returns `document` with the shapes, region markers and names of another one, scaled about the origin. Where both
+/// name a tag, the name in `document` wins. `added`, if not null, becomes the selection of everything added.
 Document insertDrawing(const Document &document, const Document &other, double scale, Selection *added);
 
 } // namespace forefront

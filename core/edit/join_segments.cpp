@@ -24,7 +24,7 @@ Document joinToSegments(const Document &document, std::uint32_t id) {
             meetings.emplace_back(hit->ref, hit->t, node);
         }
     }
-    // From the last segment to the first, and along each backwards: no insertion moves a place still to come.
+    // From the last segment to the first, and backwards along each, so that insertions do not shift later places.
     std::sort(meetings.begin(), meetings.end(), [](const auto &a, const auto &b) {
         return std::tie(std::get<0>(b), std::get<1>(b)) < std::tie(std::get<0>(a), std::get<1>(a));
     });

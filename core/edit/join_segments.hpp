@@ -4,9 +4,9 @@
 
 namespace forefront {
 
-/// Where nodes of a shape lie on segments of other shapes (within 1e-9 of the drawing's size), those segments get a
-/// node there too, so that the shapes meet properly; a rectangle met so becomes a polygon. Circles cannot be met. A
-/// document without the shape, or where nothing meets, comes back as it is.
+/// Inserts nodes into segments of other shapes where nodes of `shape` lie on them (within 1e-9 of the drawing's size),
+/// so that the shapes share these nodes. Rectangles that get a node become polygons; circles are left alone. Returns
+/// the document unchanged if the shape does not exist or touches nothing.
 Document joinToSegments(const Document &document, std::uint32_t shape);
 
 } // namespace forefront

@@ -34,7 +34,7 @@ std::uint64_t checksum(std::uint64_t kind, std::string_view payload) {
     return hash.value();
 }
 
-/// False where the delta does not fit the text.
+/// Returns false if the delta does not fit the text.
 bool applyDelta(std::string &text, std::string_view payload) {
     if (payload.size() < 16) {
         return false;

@@ -7,31 +7,31 @@
 
 namespace forefront {
 
-/// First bytes of a recovery journal.
+/// The first bytes of a recovery journal.
 inline constexpr std::string_view kJournalMagic = "FFJOURN1";
 
+/// Kind of a journal record.
 enum class JournalRecord : std::uint8_t {
-    Path = 1,  ///< where the document is saved, UTF-8; empty: never saved
+    Path = 1,  ///< path of the saved document, UTF-8; empty: never saved
     Whole = 2, ///< the text of the document
-    Delta = 3, ///< the text as a change of the text before
-    Saved = 4  ///< the document is what its file holds: nothing to recover
+    Delta = 3, ///< change of the previous text
+    Saved = 4  ///< the document is saved: nothing to recover
 };
 
-/// A record with its length and checksum, as appended to a journal: kind, 3 bytes 0, 4 bytes 0, length and checksum of
-/// 8 bytes each (little-endian), payload.
+/// Encodes a record for a journal: kind, 7 zero bytes, length and checksum of 8 bytes each (little-endian), payload.
 std::string encodeRecord(JournalRecord kind, std::string_view payload);
-/// Payload of a Delta: the lengths of the common beginning and end, and what stands between them now.
+/// Encodes the payload of a Delta: the lengths of the common beginning and end, and the new text between them.
 std::string encodeDelta(std::string_view before, std::string_view after);
 
-/// What a journal says at its end.
+/// The state at the end of a journal.
 struct JournalContent {
     std::string path;                ///< of the document
-    std::optional<std::string> text; ///< newest text; none where there is nothing to recover
-    std::size_t records = 0;         ///< sound ones
-    std::size_t soundBytes = 0;      ///< what follows is cut off or spoilt
+    std::optional<std::string> text; ///< newest text; empty if there is nothing to recover
+    std::size_t records = 0;         ///< number of valid records
+    std::size_t soundBytes = 0;      ///< length of the valid part; the rest is truncated or corrupt
 };
 
-/// Reads as far as the journal is sound: a record cut off by a crash, or spoilt, ends it. No count in it is trusted.
+/// Reads a journal up to the first record that is truncated by a crash or corrupt. No count in it is trusted.
 JournalContent readJournal(std::string_view bytes);
 
 } // namespace forefront

@@ -25,7 +25,7 @@ std::string readAll(int descriptor) {
     }
 }
 
-/// True if the descriptor still is what the name stands for: the journal may have been replaced or removed since.
+/// Returns true if the descriptor still belongs to the file of that name, which may have been replaced or removed.
 bool stillNamed(int descriptor, const std::filesystem::path &file, struct stat &status) {
     struct stat named {};
     return ::fstat(descriptor, &status) == 0 && ::stat(file.c_str(), &named) == 0 && S_ISREG(status.st_mode) &&

@@ -142,7 +142,7 @@ std::optional<PickIndex::SourceHit> PickIndex::source(Vec2 p, double tolerance) 
         }
     }
     const bool onEnd = best.has_value();
-    // Ends and centres win over what lies between or around them.
+    // Ends and centres win over lines and rims.
     for (std::uint32_t k = 0; k < sources.size() && !onEnd; ++k) {
         if (sources[k].shape == SourceShape::Line) {
             take(distanceToSegment(sources[k].a, sources[k].b, p), {k, SourceHit::Part::Whole});

@@ -10,47 +10,49 @@
 
 namespace forefront {
 
+/// A handle near a point.
 struct NodeHit {
     NodeRef ref;
     Vec2 at;
     double distance = 0.0;
 };
 
+/// A segment or circle near a point.
 struct SegmentHit {
     SegmentRef ref;
-    Vec2 a, b;      ///< ends; of a circle both are the nearest point
+    Vec2 a, b;      ///< ends; for a circle, both are the nearest point
     Vec2 at;        ///< nearest point on the segment or circle
-    double t = 0.0; ///< place of `at` between a and b
+    double t = 0.0; ///< position of `at` between a and b, in [0, 1]
     double distance = 0.0;
 };
 
-/// Answers what is near a point of a document, in O(log n). Built once per document; holds it.
+/// Finds the parts of a document near a point, in O(log n). Built once per document, which it keeps alive.
 class PickIndex {
   public:
     explicit PickIndex(std::shared_ptr<const Document> document);
 
     const Document &document() const { return *document_; }
 
-    /// Judges a shape of the document: false leaves it out of a search (the one being dragged, for example).
+    /// Returns false for shapes that a search must ignore, such as the one being dragged.
     using Filter = std::function<bool(const Shape &)>;
 
-    /// The handle nearest to p, not farther than `tolerance` (domain units); of equally near ones, the one drawn last.
+    /// Returns the handle nearest to p within `tolerance` (domain units); of equally near ones, the one drawn last.
     std::optional<NodeHit> node(Vec2 p, double tolerance, const Filter &filter = {}) const;
-    /// The segment or circle nearest to p.
+    /// Returns the segment or circle nearest to p within the tolerance.
     std::optional<SegmentHit> segment(Vec2 p, double tolerance, const Filter &filter = {}) const;
-    /// The shape under p: the one whose line or point is within the tolerance, else the smallest closed one that
-    /// contains p. kNoIndex: none.
+    /// Returns the shape under p: one whose line or point is within the tolerance, else the smallest closed shape that
+    /// contains p, else kNoIndex.
     std::uint32_t shape(Vec2 p, double tolerance) const;
-    /// The size source whose drawn shape is within the tolerance (index), and the handle meant.
+    /// A size source near a point (by index), and the part of it that was hit.
     struct SourceHit {
         std::uint32_t source = 0;
         enum class Part : std::uint8_t { A, B, Whole, Rim } part = Part::A;
     };
     std::optional<SourceHit> source(Vec2 p, double tolerance) const;
-    /// The region marker within the tolerance.
+    /// Returns the nearest region marker within the tolerance.
     std::optional<std::uint32_t> marker(Vec2 p, double tolerance) const;
 
-    /// What lies wholly inside a box; `handles`: nodes instead of shapes.
+    /// Returns everything entirely inside a box; with `handles`, nodes instead of shapes.
     Selection inBox(const Box2 &box, bool handles) const;
 
   private:

@@ -15,10 +15,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Shortest and longest time between two writes; a write that takes long is followed by a longer rest.
+/// Minimum and maximum time between two writes; slow writes are followed by longer pauses.
 constexpr auto kShortestRest = 200ms;
 constexpr auto kLongestRest = 700ms;
-/// A journal is begun anew when it is this much larger than the text of its document.
+/// A journal is rewritten when it exceeds the text of its document by this factor.
 constexpr std::uint64_t kCompactFactor = 4, kCompactSlack = 1U << 20;
 
 bool writeAll(int descriptor, std::string_view bytes) {
@@ -35,7 +35,7 @@ bool writeAll(int descriptor, std::string_view bytes) {
     return ::fdatasync(descriptor) == 0 || errno == EINVAL;
 }
 
-/// A new locked file, not yet visible to findOrphanedJournals(). -1: errno says why.
+/// Creates a locked file that findOrphanedJournals() does not see yet. Returns -1 and sets errno on failure.
 int createLocked(const std::filesystem::path &path) {
     const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
     if (descriptor >= 0 && ::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
@@ -160,7 +160,7 @@ bool RecoveryJournal::create() {
         fail(std::strerror(errno));
         return false;
     }
-    // The lock is held before the file gets its name: a journal seen by another program is locked or an orphan.
+    // Lock before naming the file, so that another program sees only locked journals and orphans.
     std::filesystem::path file;
     int linked = -1;
     for (int k = 0; k < 10000 && linked != 0; ++k) {
@@ -188,7 +188,7 @@ bool RecoveryJournal::append(const std::string &bytes) {
     const std::string whole = size_ == 0 ? std::string(kJournalMagic) + bytes : bytes;
     if (!writeAll(descriptor_, whole)) {
         fail(std::strerror(errno));
-        // A record written in part would hide all that follow: go back to the last whole one.
+        // A partial record would hide all that follow, so return to the end of the last complete one.
         if (::ftruncate(descriptor_, static_cast<off_t>(size_)) != 0 ||
             ::lseek(descriptor_, static_cast<off_t>(size_), SEEK_SET) < 0) {
             fail(std::strerror(errno));
@@ -222,8 +222,9 @@ void RecoveryJournal::fail(const std::string &what) {
     if (std::exchange(failed_, true)) {
         return;
     }
-    Diagnostics fault = error("journal-failed", "changes cannot be kept safe in " + folder_.string() + ": " + what,
-                              "save the document; a crash would lose what is not saved");
+    Diagnostics fault =
+        error("journal-failed", "cannot write the recovery journal in " + folder_.string() + ": " + what,
+              "save the document; a crash would lose unsaved changes");
     fault.front().severity = Severity::Warning;
     const std::lock_guard lock(mutex_);
     faults_.insert(faults_.end(), fault.begin(), fault.end());

@@ -17,32 +17,32 @@
 
 namespace forefront {
 
-/// $XDG_STATE_HOME/forefront, or ~/.local/state/forefront; where there is no home, a folder among the temporary files.
+/// Returns $XDG_STATE_HOME/forefront, or ~/.local/state/forefront; without a home directory, a temporary folder.
 std::filesystem::path stateFolder();
 
-/// Keeps the open document safe from a crash. Every change handed to record() is in a file within a second, appended
-/// by a thread of its own as the difference to the text before; kill -9 loses no more than that. The file is locked
-/// while the program lives, so that another one never takes it for an orphan, and removed when the journal is
+/// Protects the open document against a crash. Every change passed to record() is written within a second, by a
+/// separate thread, as a difference to the previous text; a crash loses no more than that second. The file is locked
+/// while the program runs, so that another one does not take it for an orphan, and removed when the journal is
 /// destroyed. Nothing is written before the first change.
 class RecoveryJournal {
   public:
     using Serialise = std::function<std::string(const Document &)>;
 
-    /// `serialise` gives the text of a document (projectText); it is called on the journal's thread.
+    /// `serialise` returns the text of a document (projectText); it is called on the journal's thread.
     RecoveryJournal(std::filesystem::path folder, Serialise serialise);
     ~RecoveryJournal();
     RecoveryJournal(const RecoveryJournal &) = delete;
     RecoveryJournal &operator=(const RecoveryJournal &) = delete;
 
-    /// The document as it is now, and where it is saved (empty: nowhere). Returns at once.
+    /// Records the current document and the path it was saved at (empty: never saved). Returns immediately.
     void record(std::shared_ptr<const Document> document, std::filesystem::path savedAt);
-    /// The document is what its file holds, or was given up: there is nothing to recover until the next record().
+    /// Records that the document was saved or discarded: there is nothing to recover until the next record().
     void recordSaved();
-    /// Waits until everything recorded is on the disc.
+    /// Waits until everything recorded is on disk.
     void flush();
-    /// What went wrong since the last call: code "journal-failed", at most once until writing works again.
+    /// Returns the faults since the last call: code "journal-failed", at most once until writing works again.
     Diagnostics takeFaults();
-    /// The journal file; empty before anything was written.
+    /// Returns the path of the journal file; empty before anything was written.
     std::filesystem::path file() const;
 
   private:
@@ -67,9 +67,9 @@ class RecoveryJournal {
     Diagnostics faults_;
     std::filesystem::path file_;
 
-    // The thread's own.
+    // Used only by the thread.
     int descriptor_ = -1;
-    std::string text_; ///< as the journal says at its end
+    std::string text_; ///< the text that the journal encodes
     std::filesystem::path savedAt_;
     bool hasText_ = false, failed_ = false;
     std::uint64_t size_ = 0;
@@ -77,7 +77,7 @@ class RecoveryJournal {
     std::jthread thread_; ///< last: it uses all of the above
 };
 
-/// A journal whose program is gone. Holds its lock: no other program offers it meanwhile.
+/// A journal whose program has ended. Holds its lock, so that no other program offers it.
 class OrphanedJournal {
   public:
     OrphanedJournal(std::filesystem::path file, int descriptor, std::string savedAt, std::string text,
@@ -87,13 +87,13 @@ class OrphanedJournal {
     OrphanedJournal &operator=(OrphanedJournal &&other) noexcept;
 
     const std::filesystem::path &file() const { return file_; }
-    /// Where the document is saved; empty: it never was.
+    /// Returns the path the document was saved at; empty if never.
     const std::filesystem::path &savedAt() const { return savedAt_; }
-    /// Text of the newest document.
+    /// Returns the text of the newest document.
     const std::string &text() const { return text_; }
-    /// When it was written last.
+    /// Returns the time of the last write.
     std::time_t written() const { return written_; }
-    /// Removes the journal, once its document is safe elsewhere or not wanted.
+    /// Removes the journal, once its document is saved elsewhere or no longer needed.
     void discard();
 
   private:
@@ -103,7 +103,7 @@ class OrphanedJournal {
     std::time_t written_ = 0;
 };
 
-/// Journals of programs that ended without cleaning up, newest first. Those with nothing to recover are removed.
+/// Finds the journals of programs that ended without cleaning up, newest first. Removes those with nothing to recover.
 std::vector<OrphanedJournal> findOrphanedJournals(const std::filesystem::path &folder);
 
 } // namespace forefront

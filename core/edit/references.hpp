@@ -15,7 +15,7 @@ struct NodeRef {
     friend auto operator<=>(const NodeRef &, const NodeRef &) = default;
 };
 
-/// A segment of a shape: see outlineOf(); of a circle always 0.
+/// A segment of a shape: see outlineOf(); always 0 for a circle.
 struct SegmentRef {
     std::uint32_t shape = 0;
     std::uint32_t segment = 0;
@@ -23,7 +23,8 @@ struct SegmentRef {
     friend auto operator<=>(const SegmentRef &, const SegmentRef &) = default;
 };
 
-/// What is selected. References are by id, so they outlive edits; prune() drops those that no longer point anywhere.
+/// The selected items. Shapes are referred to by id, so a selection survives edits; prune() drops items that no longer
+/// exist.
 struct Selection {
     std::set<std::uint32_t> shapes;
     std::set<NodeRef> nodes;
@@ -36,7 +37,7 @@ struct Selection {
     }
     void clear() { *this = {}; }
     void prune(const Document &document);
-    /// Number of things selected.
+    /// Returns the number of selected items.
     std::size_t size() const {
         return shapes.size() + nodes.size() + segments.size() + sources.size() + markers.size();
     }
@@ -44,11 +45,11 @@ struct Selection {
     friend bool operator==(const Selection &, const Selection &) = default;
 };
 
-/// The shape of an id, or null.
+/// Returns the shape with an id, or null.
 const Shape *findShape(const Document &document, std::uint32_t id);
-/// Every shape, source and region marker.
+/// Selects every shape, source and region marker.
 Selection selectAll(const Document &document);
-/// Bounds of what is selected; empty if nothing is.
+/// Returns the box of the selected items; empty if there are none.
 Box2 boundsOf(const Document &document, const Selection &selection);
 
 } // namespace forefront

@@ -6,12 +6,12 @@
 namespace forefront {
 namespace {
 
-Diagnostics badTag() {
-    return error("bad-tag", "a tag must be 1 or more");
+Diagnostics badTag(std::int32_t tag) {
+    return error("bad-tag", "invalid tag " + std::to_string(tag) + "; expected 1 or more");
 }
 
 Diagnostics noSuchMarker() {
-    return error("no-such-marker", "there is no such region marker");
+    return error("no-such-marker", "region marker not found");
 }
 
 void setName(std::map<std::int32_t, std::string> &names, std::int32_t tag, std::string name) {
@@ -26,10 +26,10 @@ void setName(std::map<std::int32_t, std::string> &names, std::int32_t tag, std::
 
 Result<Document> addRegionMarker(const Document &document, RegionMarker marker) {
     if (marker.tag < 1) {
-        return badTag();
+        return badTag(marker.tag);
     }
     if (!isFinite(marker.at)) {
-        return error("bad-number", "a coordinate is not a finite number");
+        return error("bad-number", "invalid coordinate; expected a finite number");
     }
     if (!(marker.maxArea >= 0.0) || !std::isfinite(marker.maxArea)) {
         return error("bad-number", "invalid maximum area; expected a number of at least 0");
@@ -44,7 +44,7 @@ Result<Document> moveRegionMarker(const Document &document, std::size_t index, V
         return noSuchMarker();
     }
     if (!isFinite(to)) {
-        return error("bad-number", "a coordinate is not a finite number");
+        return error("bad-number", "invalid coordinate; expected a finite number");
     }
     Document next = document;
     next.regionMarkers[index].at = to;
@@ -56,7 +56,7 @@ Result<Document> setRegionTag(const Document &document, std::size_t index, std::
         return noSuchMarker();
     }
     if (tag < 1) {
-        return badTag();
+        return badTag(tag);
     }
     Document next = document;
     next.regionMarkers[index].tag = tag;
@@ -74,7 +74,7 @@ Result<Document> removeRegionMarker(const Document &document, std::size_t index)
 
 Result<Document> setBoundaryName(const Document &document, std::int32_t tag, std::string name) {
     if (tag < 1) {
-        return badTag();
+        return badTag(tag);
     }
     Document next = document;
     setName(next.boundaryNames, tag, std::move(name));
@@ -83,7 +83,7 @@ Result<Document> setBoundaryName(const Document &document, std::int32_t tag, std
 
 Result<Document> setRegionName(const Document &document, std::int32_t tag, std::string name) {
     if (tag < 1) {
-        return badTag();
+        return badTag(tag);
     }
     Document next = document;
     setName(next.regionNames, tag, std::move(name));
@@ -98,7 +98,7 @@ Document setOptions(const Document &document, MeshingOptions options) {
 
 Result<Document> setCircleTolerance(const Document &document, double tolerance) {
     if (!(tolerance > 0.0 && tolerance <= 0.5)) {
-        return error("bad-tolerance", "the tolerance of circles must be above 0 and at most 0.5");
+        return error("bad-tolerance", "invalid tolerance of circles; expected a number above 0 and at most 0.5");
     }
     Document next = document;
     next.circleTolerance = tolerance;

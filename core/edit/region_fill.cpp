@@ -12,7 +12,7 @@ Result<Document> fillRegion(const Document &document, Vec2 at, std::int32_t tag)
     const DomainGraph graph = graphOf(domain);
     const PlaneSweepResult sweep = sweepPlane(graph.points, graph.edges);
     if (sweep.droppedCount > 0) {
-        return error("not-possible", "segments cross or overlap, so there are no faces to fill",
+        return error("not-possible", "cannot fill a region while segments cross or overlap",
                      "repair the drawing first");
     }
     const Faces faces = findFaces(graph.points, graph.edges, sweep);
@@ -23,8 +23,7 @@ Result<Document> fillRegion(const Document &document, Vec2 at, std::int32_t tag)
     };
     const std::uint32_t face = faceOf(document.regionMarkers.size());
     if (face == kNoIndex || labels.inside[face] == 0) {
-        Diagnostics fault =
-            error("region-marker-outside", "there is no domain here", "click into a face of the domain");
+        Diagnostics fault = error("region-marker-outside", "outside the domain", "click inside a face of the domain");
         fault.front().at = at;
         return fault;
     }

@@ -5,9 +5,9 @@
 
 namespace forefront {
 
-/// Makes the face at p a region: markers that lie in the face go, and one with the tag is put at p. Refused with
-/// "region-marker-outside" where p is outside of the domain or on a line, "bad-tag", and "not-possible" while segments
-/// cross, for then there are no faces to fill.
+/// Makes the face at p a region: replaces the markers in it by one with the tag at p; a maximum area is kept. Errors:
+/// region-marker-outside (p is outside the domain or on a line), bad-tag, not-possible (segments cross, so there are no
+/// faces).
 Result<Document> fillRegion(const Document &document, Vec2 at, std::int32_t tag);
 
 } // namespace forefront

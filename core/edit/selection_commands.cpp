@@ -7,7 +7,7 @@
 namespace forefront {
 namespace {
 
-/// Handles to move or delete, by shape; shapes that are selected whole are left out.
+/// Returns the handles to move or delete by shape, without those of shapes selected as a whole.
 std::map<std::uint32_t, std::set<std::uint32_t>> handlesOfSelection(const Document &document,
                                                                     const Selection &selection, bool withSegments) {
     std::map<std::uint32_t, std::set<std::uint32_t>> handles;
@@ -40,21 +40,21 @@ void moveWhole(Shape &shape, Vec2 by) {
 
 Status moveHandles(Shape &shape, const std::set<std::uint32_t> &handles, Vec2 by) {
     const std::vector<Vec2> before = handlesOf(shape);
-    // With its centre selected a circle moves whole; its point then moves along with it.
+    // A selected centre moves the whole circle, including its point.
     if (shape.kind == ShapeKind::Circle && handles.contains(0)) {
         moveWhole(shape, by);
         return {};
     }
     for (const std::uint32_t handle : handles) {
         if (handle >= before.size()) {
-            return error("no-such-node", "there is no such node");
+            return error("no-such-node", "node not found");
         }
         placeHandle(shape, handle, before[handle] + by);
     }
     return {};
 }
 
-/// Removes nodes, joining their neighbours; a removed node takes along the segment that starts at it.
+/// Removes nodes and joins their neighbours; the segment that starts at a removed node goes with it.
 void removeNodes(Shape &shape, const std::set<std::uint32_t> &handles) {
     if (shape.kind == ShapeKind::Rectangle) {
         shape.nodes = outlineOf(shape, 1.0).nodes;
@@ -76,13 +76,13 @@ void removeNodes(Shape &shape, const std::set<std::uint32_t> &handles) {
     }
 }
 
-/// What is left of a shape without some of its segments: polylines; nothing of a circle.
+/// Returns the polylines that remain of a shape without some of its segments; none for a circle.
 std::vector<Shape> withoutSegments(const Shape &shape, const std::set<SegmentRef> &gone) {
     std::vector<Shape> pieces;
     const auto removed = [&](std::size_t k) { return gone.contains({shape.id, static_cast<std::uint32_t>(k)}); };
     const Outline outline = outlineOf(shape, 1.0);
     const std::size_t count = shape.kind == ShapeKind::Circle ? 0 : outline.segmentCount();
-    // Around a closed outline the walk starts behind a removed segment, so that no piece is cut at its first node.
+    // In a closed outline, start after a removed segment, so that no piece is cut at its first node.
     std::size_t start = 0;
     while (outline.closed && start < count && !removed(start)) {
         ++start;
@@ -118,7 +118,7 @@ SizeSource moved(SizeSource source, Vec2 by) {
 
 Result<Document> moveSelection(const Document &document, const Selection &selection, Vec2 by) {
     if (!isFinite(by)) {
-        return error("bad-number", "a distance is not a finite number");
+        return error("bad-number", "invalid distance; expected a finite number");
     }
     Document next = document;
     const auto handles = handlesOfSelection(document, selection, true);

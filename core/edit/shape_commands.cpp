@@ -4,15 +4,16 @@
 
 #include <algorithm>
 #include <functional>
+#include <numeric>
 
 namespace forefront {
 namespace {
 
 Diagnostics noSuch(const char *what) {
-    return error(std::string("no-such-") + what, std::string("there is no such ") + what);
+    return error(std::string("no-such-") + what, std::string(what) + " not found");
 }
 
-/// Keeps one entry for each segment, and none at all when all segments have the tag of the shape.
+/// Keeps one tag per segment, or none if all segments have the tag of the shape.
 void tidyTags(Shape &shape) {
     if (!shape.segmentTags.empty()) {
         shape.segmentTags.resize(taggedSegments(shape), shape.tag);
@@ -25,7 +26,7 @@ void tidyTags(Shape &shape) {
 
 using Change = std::function<Status(Shape &)>;
 
-/// Applies `change` to a copy of each shape and puts it in place, if all of them are sound.
+/// Applies `change` to a copy of each shape and replaces the originals, if all copies are valid.
 Result<Document> changeShapes(const Document &document, const std::set<std::uint32_t> &ids, const Change &change) {
     Document next = document;
     std::size_t found = 0;
@@ -68,12 +69,13 @@ Status becomePolygon(Shape &shape, double circleTolerance) {
 Diagnostics checkShape(const Shape &shape) {
     for (const Vec2 node : shape.nodes) {
         if (!isFinite(node)) {
-            return error("bad-number", "a coordinate is not a finite number", "enter a number such as 12.5");
+            return error("bad-number", "invalid coordinate; expected a finite number", "enter a number such as 12.5");
         }
     }
-    if (shape.tag < 1 ||
-        std::any_of(shape.segmentTags.begin(), shape.segmentTags.end(), [](std::int32_t tag) { return tag < 1; })) {
-        return error("bad-tag", "a tag must be 1 or more");
+    const std::int32_t smallest = std::accumulate(shape.segmentTags.begin(), shape.segmentTags.end(), shape.tag,
+                                                  [](std::int32_t a, std::int32_t b) { return std::min(a, b); });
+    if (smallest < 1) {
+        return error("bad-tag", "invalid tag " + std::to_string(smallest) + "; expected 1 or more");
     }
     const std::size_t n = shape.nodes.size();
     bool sound = true;
@@ -95,8 +97,8 @@ Diagnostics checkShape(const Shape &shape) {
         break;
     }
     if (!sound) {
-        return error("bad-shape", std::string("a ") + kindName(shape.kind) + " needs more extent than this",
-                     "a polygon has at least three nodes, a polyline two, a rectangle two sides, a circle a radius");
+        return error("bad-shape", std::string(wordOf(shape.kind)) + " is degenerate",
+                     "a polygon needs three nodes, a polyline two, a rectangle two sides, a circle a radius");
     }
     return {};
 }
@@ -144,7 +146,7 @@ Result<Document> setHandle(const Document &document, NodeRef node, Vec2 to) {
 void placeHandle(Shape &shape, std::uint32_t handle, Vec2 to) {
     std::vector<Vec2> &nodes = shape.nodes;
     if (shape.kind == ShapeKind::Rectangle) {
-        // Corners 0..3 run around: 0 and 2 are kept as nodes, 1 shares y with 0 and x with 2, 3 the other way.
+        // Of the corners 0..3 in order, 0 and 2 are the nodes; 1 shares y with 0 and x with 2, corner 3 the reverse.
         nodes[handle == 1 || handle == 2 ? 1 : 0].x = to.x;
         nodes[handle == 2 || handle == 3 ? 1 : 0].y = to.y;
     } else if (shape.kind == ShapeKind::Circle && handle == 0) {
@@ -161,7 +163,7 @@ Result<Document> setRadius(const Document &document, std::uint32_t circle, doubl
             return error("not-possible", displayName(shape) + " is not a circle");
         }
         if (!(radius > 0.0) || !std::isfinite(radius)) {
-            return error("bad-number", "a radius must be positive");
+            return error("bad-number", "invalid radius; expected a number above 0");
         }
         const Vec2 arm = shape.nodes[1] - shape.nodes[0];
         shape.nodes[1] = shape.nodes[0] + (radius / length(arm)) * arm;
@@ -177,7 +179,7 @@ Result<Document> setSegmentLength(const Document &document, SegmentRef segment, 
         }
         const Vec2 from = outline.from(segment.segment), arm = outline.to(segment.segment) - from;
         if (!(wanted > 0.0) || !std::isfinite(wanted) || !(length(arm) > 0.0)) {
-            return error("bad-number", "a length must be positive");
+            return error("bad-number", "invalid length; expected a number above 0");
         }
         const auto end = static_cast<std::uint32_t>((segment.segment + 1) % outline.nodes.size());
         placeHandle(shape, end, from + (wanted / length(arm)) * arm);
@@ -218,9 +220,10 @@ Result<Document> toggleClosed(const Document &document, std::uint32_t id) {
             return {};
         }
         if (shape.kind != ShapeKind::Polyline) {
-            return error("not-possible", "only a polygon can be opened and a polyline closed");
+            return error("not-possible",
+                         displayName(shape) + " can be neither opened nor closed; expected a polygon or polyline");
         }
-        // A polyline that ends where it began closes there; else it gets one more segment.
+        // A polyline that ends at its start closes there; another one gets one more segment.
         if (shape.nodes.size() > 3 && shape.nodes.front() == shape.nodes.back()) {
             shape.nodes.pop_back();
         }

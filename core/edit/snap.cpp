@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-/// Unit vector; exact along the axes.
+/// Returns a unit vector; exact along the axes.
 Vec2 direction(double degrees) {
     const double turn = std::remainder(degrees, 360.0);
     if (turn == 0.0) {
@@ -27,7 +27,7 @@ Vec2 alongAngle(Vec2 anchor, Vec2 p, double degrees) {
     return anchor + std::max(0.0, dot(p - anchor, ray)) * ray;
 }
 
-/// Applies the locks to a place that has snapped already.
+/// Applies the locks to a place that has already snapped.
 Vec2 applyLocks(const SnapQuery &query, Vec2 p) {
     const SnapLocks &locks = query.locks;
     if (query.anchor) {
@@ -64,7 +64,7 @@ std::optional<Vec2> gridPoint(const SnapQuery &query) {
 
 Snapped snap(const PickIndex &index, const SnapQuery &query) {
     if (query.locks.any()) {
-        // What is not locked still snaps: a number typed goes exactly towards the node under the pointer.
+        // Coordinates that are not locked still snap: a typed distance points exactly at the node under the pointer.
         SnapQuery free = query;
         free.locks = {};
         return {applyLocks(query, snap(index, free).at), SnapKind::Locked, {}};
@@ -90,8 +90,8 @@ Snapped snap(const PickIndex &index, const SnapQuery &query) {
     return {query.at, SnapKind::None, {}};
 }
 
-double gridPitch(double unitsPerPixel, double leastPixels) {
-    const double least = unitsPerPixel * leastPixels;
+double gridPitch(double unitsPerPixel, double minPixels) {
+    const double least = unitsPerPixel * minPixels;
     if (!(least > 0.0) || !std::isfinite(least)) {
         return 0.0;
     }

@@ -6,7 +6,7 @@
 
 namespace forefront {
 
-/// What a point was drawn to.
+/// The thing that a point snapped to.
 enum class SnapKind : std::uint8_t {
     None,
     Node,
@@ -16,7 +16,7 @@ enum class SnapKind : std::uint8_t {
     Locked ///< a typed or locked coordinate
 };
 
-/// Coordinates held fixed while drawing, as typed: each that is set takes away freedom before anything snaps.
+/// Coordinates fixed by typing while drawing. They are applied before anything snaps.
 struct SnapLocks {
     std::optional<double> x, y;
     std::optional<double> distance; ///< from the anchor, > 0
@@ -25,29 +25,31 @@ struct SnapLocks {
     bool any() const { return x || y || distance || angle; }
 };
 
+/// A point to snap and the rules for it.
 struct SnapQuery {
     Vec2 at;                    ///< the pointer, in domain units
     double tolerance = 0.0;     ///< reach of nodes and segments, domain units
     double gridPitch = 0.0;     ///< 0: no grid
-    std::optional<Vec2> anchor; ///< the last node drawn, or where a drag began
-    bool off = false;           ///< ctrl: nothing snaps (locks still hold)
+    std::optional<Vec2> anchor; ///< the last node drawn, or the start of a drag
+    bool off = false;           ///< ctrl: nothing snaps, but locks apply
     bool angle = false;         ///< shift: directions from the anchor in steps of 15 degrees
     SnapLocks locks;
     PickIndex::Filter filter; ///< shapes to snap to; empty: all
 };
 
+/// The result of snapping.
 struct Snapped {
     Vec2 at;
     SnapKind kind = SnapKind::None;
-    std::optional<SegmentHit> segment; ///< where kind is Segment
+    std::optional<SegmentHit> segment; ///< set if kind is Segment
 };
 
-/// Where a point goes: to an angle, node, segment or the grid, in this order; what is locked holds. The grid is weak:
-/// it draws to its nearest crossing within the tolerance only.
+/// Snaps a point to an angle, node, segment or the grid, in this order of preference, within the locks. The grid
+/// attracts only within the smaller of the tolerance and 0.35 of its pitch.
 Snapped snap(const PickIndex &index, const SnapQuery &query);
 
-/// Pitch of the drawing grid: 1, 2 or 5 times a power of ten, so that lines are at least `leastPixels` apart.
-double gridPitch(double unitsPerPixel, double leastPixels = 18.0);
+/// Returns the pitch of the drawing grid: 1, 2 or 5 times a power of ten, with lines at least `minPixels` apart.
+double gridPitch(double unitsPerPixel, double minPixels = 18.0);
 
 inline constexpr double kSnapAngle = 15.0; ///< degrees
 

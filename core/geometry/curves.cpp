@@ -13,17 +13,16 @@ void append(Vec2 p, Vec2 previous, std::vector<Vec2> &nodes) {
 }
 
 int clampedCount(double count, int least) {
-    return count <= least               ? least
-           : count < kMostCurveSegments ? static_cast<int>(std::ceil(count))
-                                        : kMostCurveSegments;
+    return count <= least ? least : count < kMaxCurveSegments ? static_cast<int>(std::ceil(count)) : kMaxCurveSegments;
 }
 
-/// A polyline over n equal parameter steps leaves the curve by at most max|second derivative| / (8 n²).
+/// Returns the number of segments n for a tolerance: n equal parameter steps deviate from the curve by at most
+/// max|second derivative| / (8 n²).
 int stepsFor(double secondDerivative, double tolerance) {
     return clampedCount(std::sqrt(secondDerivative / (8.0 * tolerance)), 1);
 }
 
-/// Greatest angle per segment so that its sagitta radius·(1 - cos(angle/2)) stays within the tolerance.
+/// Returns the maximum angle per segment so that its sagitta radius·(1 - cos(angle/2)) stays within the tolerance.
 double anglePerSegment(double radius, double tolerance) {
     const double ratio = tolerance / radius;
     // acos(1 - ratio) loses all digits for small ratios: 1 - cos u = 2 sin²(u/2).
@@ -95,10 +94,10 @@ void flattenArc(Vec2 start, const EllipticalArc &arc, Vec2 end, double tolerance
     append(end, start, nodes);
 }
 
-std::vector<Vec2> circlePolygon(Vec2 centre, Vec2 onCircle, double tolerance, int leastSegments) {
+std::vector<Vec2> circlePolygon(Vec2 centre, Vec2 onCircle, double tolerance, int minSegments) {
     const Vec2 arm = onCircle - centre;
     const double full = 2.0 * std::numbers::pi;
-    const int count = clampedCount(full / anglePerSegment(length(arm), tolerance), std::max(3, leastSegments));
+    const int count = clampedCount(full / anglePerSegment(length(arm), tolerance), std::max(3, minSegments));
     std::vector<Vec2> polygon{onCircle};
     for (int i = 1; i < count; ++i) {
         const double angle = full * i / count, cosine = std::cos(angle), sine = std::sin(angle);

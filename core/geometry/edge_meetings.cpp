@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kMaxTests = 20'000'000; // a second or so
 
-/// True if a box meets the segment ab. Exact.
+/// Returns true if a box meets the segment ab. Exact.
 bool meetsSegment(const Box2 &box, Vec2 a, Vec2 b) {
     if (!box.overlaps(boxOf(a, b))) {
         return false;
@@ -32,7 +32,7 @@ BoxTree treeOf(std::span<const Vec2> points, std::span<const PlaneEdge> edges) {
 } // namespace
 
 EdgeMeetings findMeetings(std::span<const Vec2> points, std::span<const PlaneEdge> edges,
-                          std::span<const std::uint32_t> queries, std::size_t most) {
+                          std::span<const std::uint32_t> queries, std::size_t limit) {
     EdgeMeetings result;
     if (queries.empty()) {
         return result;
@@ -54,7 +54,7 @@ EdgeMeetings findMeetings(std::span<const Vec2> points, std::span<const PlaneEdg
             if (kind != SegmentMeeting::Apart && kind != SegmentMeeting::SharedEnd) {
                 result.list.push_back({std::min(e, f), std::max(e, f), kind});
             }
-            return ++tests < kMaxTests && result.list.size() < most;
+            return ++tests < kMaxTests && result.list.size() < limit;
         });
         if (!result.complete) {
             break;
@@ -71,7 +71,7 @@ Vec2 crossingPoint(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
     const double determinant = cross(u, v);
     const double t = determinant != 0.0 ? cross(c - a, v) / determinant : 0.5;
     const Vec2 p = lerp(a, b, std::isfinite(t) ? std::clamp(t, 0.0, 1.0) : 0.5);
-    // Never outside of what both segments cover, however ill-conditioned the crossing is.
+    // Clamped to the boxes of both segments, however ill-conditioned the crossing is.
     const Box2 first = boxOf(a, b), second = boxOf(c, d);
     return {std::clamp(p.x, std::max(first.min.x, second.min.x), std::min(first.max.x, second.max.x)),
             std::clamp(p.y, std::max(first.min.y, second.min.y), std::min(first.max.y, second.max.y))};

@@ -9,7 +9,7 @@
 
 namespace forefront {
 
-/// Two edges, first < second, that meet in another way than in a common end.
+/// Two edges, first < second, that meet other than in a common end.
 struct EdgeMeeting {
     std::uint32_t first = 0;
     std::uint32_t second = 0;
@@ -18,15 +18,15 @@ struct EdgeMeeting {
 
 struct EdgeMeetings {
     std::vector<EdgeMeeting> list; ///< by (first, second)
-    bool complete = true;          ///< false: the search was given up at the limit
+    bool complete = true;          ///< false if the search stopped at its limit
 };
 
-/// All meetings of the edges in `queries` with any edge (exact). Edges without length stand for points. At most `most`
-/// are listed, and no more than 2·10⁷ pairs are tested.
+/// Finds all meetings of the edges in `queries` with any edge. Exact. An edge of zero length stands for a point. Stops
+/// at `limit` meetings or after testing 2·10⁷ pairs.
 EdgeMeetings findMeetings(std::span<const Vec2> points, std::span<const PlaneEdge> edges,
-                          std::span<const std::uint32_t> queries, std::size_t most);
+                          std::span<const std::uint32_t> queries, std::size_t limit);
 
-/// The common point of two edges that cross, rounded.
+/// Returns the common point of two edges that cross, rounded.
 Vec2 crossingPoint(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
 
 } // namespace forefront

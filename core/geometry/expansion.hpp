@@ -5,10 +5,11 @@
 
 namespace forefront {
 
-/// An exact sum of at most `Capacity` doubles, non-overlapping, by increasing magnitude, zeros left out. Algorithms and
-/// names: J. R. Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates, 1997.
-/// Exact as long as no partial result overflows or underflows: the caller guards the range of the input. The length
-/// follows the data, so easy input is cheap.
+/// An exact sum of at most `Capacity` doubles: non-overlapping, by increasing magnitude, without zeros.
+///
+/// Algorithms and names: J. R. Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
+/// Predicates, 1997. Exact as long as no partial result overflows or underflows; callers guard the range of the input.
+/// The length depends on the data, so easy input is cheap.
 template <int Capacity>
 struct Expansion {
     std::array<double, Capacity> part;
@@ -20,7 +21,7 @@ struct Expansion {
         }
     }
     double operator[](int i) const { return part[static_cast<std::size_t>(i)]; }
-    /// The largest component carries the sign of the whole.
+    /// Returns the sign of the sum, which is that of its largest component.
     int sign() const { return size == 0 ? 0 : ((*this)[size - 1] > 0.0 ? 1 : -1); }
 };
 
@@ -35,7 +36,7 @@ inline RoundedPair twoSum(double a, double b) {
     return {sum, (a - (sum - bVirtual)) + (b - bVirtual)};
 }
 
-/// Dekker's product with Veltkamp's split.
+/// Returns the product with its error (Dekker's product with Veltkamp's split).
 inline RoundedPair twoProduct(double a, double b) {
     constexpr double kSplitter = 134217729.0; // 2^27 + 1
     const double product = a * b;

@@ -107,7 +107,7 @@ class Sweeper {
         const Vec2 p = points_[point];
         const auto first = outgoing_.begin() + starts_[rank], last = outgoing_.begin() + starts_[rank + 1];
         std::uint32_t below = kNoIndex;
-        std::uint32_t spare = kNoIndex; // an ended edge whose place in the tree can be taken over
+        std::uint32_t spare = kNoIndex; // an ended edge whose place in the tree can be reused
         const std::uint32_t ended = endingAt(rank);
         if (ended != kNoIndex) {
             below = removeEnded(ended, rank, spare, first != last);
@@ -132,23 +132,23 @@ class Sweeper {
         }
         sortByAngle(p, first, last);
         insertStarting(p, first, last, below, spare);
-        if (below != kNoIndex && result_.dropped[below] == 0) { // else all above it was dropped and settled before
+        if (below != kNoIndex && result_.dropped[below] == 0) { // otherwise everything above it was settled before
             settle(below);
         }
     }
 
-    /// An edge in the status that ends at the point of this rank, or kNoIndex.
+    /// Returns an edge in the status that ends at the point of this rank, or kNoIndex.
     std::uint32_t endingAt(std::uint32_t rank) const {
         const std::uint32_t edge = ending_[rank];
         if (edge == kNoIndex || result_.dropped[edge] == 0) {
             return edge;
         }
-        // The remembered one was dropped since: look for another one, which lies where the point does.
+        // The remembered edge was dropped since; another one is found by the position of the point.
         const SweepStatus::Place place = status_.find(points_[result_.order[rank]]);
         return place.hit != kNoIndex && high_[place.hit] == rank ? place.hit : kNoIndex;
     }
 
-    /// Removes all edges that end at the point (they are neighbours); one stays as `spare` if it is wanted.
+    /// Removes all edges that end at the point, which are neighbours; keeps one as `spare` on request.
     std::uint32_t removeEnded(std::uint32_t edge, std::uint32_t rank, std::uint32_t &spare, bool keepSpare) {
         const auto ends = [&](std::uint32_t e) { return e != kNoIndex && high_[e] == rank; };
         while (ends(status_.previous(edge))) {
@@ -198,8 +198,8 @@ class Sweeper {
         settle(lower);
     }
 
-    /// Tests `lower` (kNoIndex: nothing to test) and its upper neighbour against each other; drops one if they meet and
-    /// goes on with the neighbours that then arise.
+    /// Tests `lower` (kNoIndex: nothing to test) against its upper neighbour. If they meet, drops one and continues
+    /// with the new neighbours.
     void settle(std::uint32_t lower) {
         while (lower != kNoIndex) {
             const std::uint32_t upper = status_.next(lower);
@@ -216,7 +216,7 @@ class Sweeper {
         }
     }
 
-    /// For neighbours in the right order at the sweep line, one test tells whether they meet to the right of it.
+    /// Returns true if neighbours, ordered correctly at the sweep line, meet to the right of it. One test decides that.
     bool meetAhead(std::uint32_t lower, std::uint32_t upper) const {
         if (high_[lower] == high_[upper]) {
             return false;

@@ -16,27 +16,27 @@ struct PlaneEdge {
     std::uint32_t b = 0;
 };
 
-/// What a sweep over points and edges found.
+/// The result of a sweep over points and edges.
 struct PlaneSweepResult {
-    /// Per point: the least index of a point with the same coordinates.
+    /// Per point: the first point with the same coordinates.
     std::vector<std::uint32_t> canonical;
     /// Canonical points by x, then y.
     std::vector<std::uint32_t> order;
-    /// Per canonical point: the edge directly below it (kNoIndex: none), edges that end at the point left aside. A
-    /// point is above an edge when it lies left of it, seen from that end of the edge that is least by x, then y.
+    /// Per canonical point: the edge directly below it that does not end there (kNoIndex: none). A point is above an
+    /// edge if it lies to its left, seen from the edge's leftmost (then lowest) end.
     std::vector<std::uint32_t> below;
     /// Per canonical point without edges: the edge it lies on (kNoIndex: none).
     std::vector<std::uint32_t> on;
-    /// Per edge: true if it was left out because it meets another one elsewhere than in a common end. The edges not
-    /// dropped are free of such meetings; none is dropped exactly when the whole set is.
+    /// Per edge: true if it was dropped because it meets another edge other than in a common end. The remaining edges
+    /// have no such meetings; no edge is dropped if and only if there are none at all.
     std::vector<std::uint8_t> dropped;
     std::size_t droppedCount = 0;
 };
 
-/// Sweeps the plane from left to right after M. I. Shamos and D. Hoey, Geometric intersection problems (1976), with
-/// exact predicates. O((n + m) log(n + m)) for any input: an edge found to meet another one is dropped and the sweep
-/// goes on. All points finite; an edge between equal points and a second edge between the same points are dropped.
-/// Given up when asked to stop: the result then means nothing.
+/// Sweeps the plane from left to right with exact predicates, after M. I. Shamos and D. Hoey, Geometric intersection
+/// problems (1976). O((n + m) log(n + m)) for any input: an edge found to meet another one is dropped and the sweep
+/// continues. All points must be finite. Edges between equal points and repeated edges are dropped. After a stop
+/// request the result is meaningless.
 PlaneSweepResult sweepPlane(std::span<const Vec2> points, std::span<const PlaneEdge> edges, std::stop_token stop = {});
 
 } // namespace forefront

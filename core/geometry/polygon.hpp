@@ -7,7 +7,7 @@
 
 namespace forefront {
 
-/// Adds doubles with the error of each addition carried along (Neumaier's variant of Kahan's summation).
+/// A compensated sum of doubles (Neumaier's variant of Kahan's summation).
 class CompensatedSum {
   public:
     void add(double value) {
@@ -22,20 +22,20 @@ class CompensatedSum {
     double rest_ = 0.0;
 };
 
-/// Area of the closed polygon, positive when counter-clockwise. Summed from the first node as local origin, so an
-/// offset of the whole polygon costs no digits.
+/// Returns the area of the closed polygon, positive if counter-clockwise. Coordinates are taken relative to the first
+/// node, so a polygon far from the origin loses no digits.
 double signedArea(std::span<const Vec2> polygon);
 
-/// Length of the closed polygon.
+/// Returns the length of the closed polygon.
 double perimeter(std::span<const Vec2> polygon);
 
 enum class PointPlace : std::uint8_t { Outside, OnBoundary, Inside };
 
-/// Where p lies relative to a closed polygon by the even-odd rule (exact; the polygon may be of either orientation and
-/// may cross itself).
+/// Returns where p lies relative to a closed polygon by the even-odd rule. Exact; the polygon may have either
+/// orientation and may cross itself.
 PointPlace locate(std::span<const Vec2> polygon, Vec2 p);
 
-/// Distance from p to the closed segment ab.
+/// Returns the distance from p to the closed segment ab.
 double distanceToSegment(Vec2 a, Vec2 b, Vec2 p);
 
 } // namespace forefront

@@ -9,11 +9,11 @@ namespace forefront {
 
 namespace {
 
-/// True if every coordinate is zero or has its magnitude in [least, greatest].
-bool within(std::initializer_list<Vec2> points, double least, double greatest) {
+/// Returns true if every coordinate is zero or has its magnitude in [low, high].
+bool within(std::initializer_list<Vec2> points, double low, double high) {
     for (const Vec2 p : points) {
         for (const double value : {std::fabs(p.x), std::fabs(p.y)}) {
-            if (value != 0.0 && (value < least || value > greatest)) {
+            if (value != 0.0 && (value < low || value > high)) {
                 return false;
             }
         }
@@ -49,11 +49,11 @@ Expansion<16> squareExpansion(const Difference &x, const Difference &y) {
     return sum(product(x, x), product(y, y));
 }
 
-/// Differences and products of degree 4 of such numbers, and the errors of the products, stay normal.
-constexpr double kLeastDegree4 = 0x1p-200, kGreatestDegree4 = 0x1p+240;
+/// Range of coordinates for which differences, products of degree 4 and their errors stay normal.
+constexpr double kMinDegree4 = 0x1p-200, kMaxDegree4 = 0x1p+240;
 
 int inCircleExact(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-    if (!within({a, b, c, d}, kLeastDegree4, kGreatestDegree4)) {
+    if (!within({a, b, c, d}, kMinDegree4, kMaxDegree4)) {
         return inCircleBig(a, b, c, d);
     }
     const Difference ax = difference(a.x, d.x), ay = difference(a.y, d.y);
@@ -77,8 +77,8 @@ int orientationExact(Vec2 a, Vec2 b, Vec2 c) {
 }
 
 int inCircle(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-    // Shewchuk's bound A. Where the squares stay below 2^480 all that underflows adds up to less than 2^-500; larger or
-    // non-finite intermediate results go to the exact evaluation.
+    // Shewchuk's bound A. Where squares stay below 2^480, everything that underflows adds up to less than 2^-500;
+    // larger or non-finite intermediate results go to the exact evaluation.
     constexpr double kHalfUlp = 0.5 * std::numeric_limits<double>::epsilon();
     constexpr double kRelative = (10.0 + 96.0 * kHalfUlp) * kHalfUlp;
     const Vec2 p = a - d, q = b - d, r = c - d;
@@ -105,7 +105,7 @@ bool onSegment(Vec2 a, Vec2 b, Vec2 p) {
 
 namespace {
 
-/// For four collinear points: the segments as intervals of the coordinate in which ab (or cd) extends.
+/// Compares collinear segments as intervals of the coordinate in which ab (or cd) extends.
 SegmentMeeting meetCollinear(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
     const bool alongX = a.x != b.x || c.x != d.x;
     const auto position = [alongX](Vec2 p) { return alongX ? p.x : p.y; };

@@ -7,13 +7,15 @@
 
 namespace forefront {
 
-/// The evaluation behind the filter; call `orientation`.
+/// Evaluates what the filter of `orientation` cannot decide; call that instead.
 int orientationExact(Vec2 a, Vec2 b, Vec2 c);
 
-/// Exact sign (-1, 0, +1) of the orientation of the triangle abc: +1 counter-clockwise, 0 collinear.
-/// Correct for all finite doubles, whatever overflows or underflows on the way. A floating-point filter answers nearly
-/// all calls; the rest are evaluated with expansions (J. R. Shewchuk, Adaptive Precision Floating-Point Arithmetic and
-/// Fast Robust Geometric Predicates, 1997), and with big integers where an expansion would leave the range of doubles.
+/// Returns the exact orientation of the triangle abc: +1 counter-clockwise, 0 collinear, -1 clockwise.
+///
+/// Correct for all finite doubles, including intermediate overflow and underflow. A floating-point filter decides
+/// nearly all calls; the rest are evaluated with expansions (J. R. Shewchuk, Adaptive Precision Floating-Point
+/// Arithmetic and Fast Robust Geometric Predicates, 1997), or with big integers where an expansion would overflow or
+/// underflow.
 inline int orientation(Vec2 a, Vec2 b, Vec2 c) {
     // Shewchuk's bound A, and the least normal number for what underflows; NaN and infinity fail both comparisons.
     constexpr double kRelative =
@@ -31,14 +33,14 @@ inline int orientation(Vec2 a, Vec2 b, Vec2 c) {
     return orientationExact(a, b, c);
 }
 
-/// Exact sign: +1 if d lies inside the circle through a, b, c (counter-clockwise), 0 on it, -1 outside. With a, b, c
-/// clockwise the sign is opposite. Correct for all finite doubles.
+/// Returns +1 if d lies inside the circle through a, b, c (counter-clockwise), 0 on it, -1 outside; the opposite if a,
+/// b, c are clockwise. Exact for all finite doubles.
 int inCircle(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
 
-/// True if p lies on the closed segment ab (exact).
+/// Returns true if p lies on the closed segment ab. Exact.
 bool onSegment(Vec2 a, Vec2 b, Vec2 p);
 
-/// How two closed segments meet (exact).
+/// The ways in which two closed segments can meet.
 enum class SegmentMeeting {
     Apart,      ///< no common point
     Crossing,   ///< one common point, interior to both
@@ -46,6 +48,7 @@ enum class SegmentMeeting {
     SharedEnd,  ///< one common point, an end of both
     Overlapping ///< infinitely many common points
 };
+/// Returns how the segments ab and cd meet. Exact.
 SegmentMeeting meet(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
 
 } // namespace forefront

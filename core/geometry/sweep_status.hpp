@@ -13,11 +13,11 @@ namespace forefront {
 /// searches, both in flat arrays indexed by edge.
 class SweepStatus {
   public:
-    /// Ends of an edge, lexicographically ordered.
+    /// The ends of an edge, lexicographically ordered.
     struct Ends {
         Vec2 low, high;
     };
-    /// Neighbours of a point in the status; `hit` is an edge the point lies on, then the others are not set.
+    /// The neighbours of a point in the status. If the point lies on an edge, only `hit` is set.
     struct Place {
         std::uint32_t below = kNoIndex, above = kNoIndex, hit = kNoIndex;
     };
@@ -40,7 +40,7 @@ class SweepStatus {
         return place;
     }
 
-    /// Puts `edge` directly above `below` (kNoIndex: at the bottom).
+    /// Inserts `edge` directly above `below` (kNoIndex: at the bottom).
     void insertAbove(std::uint32_t below, std::uint32_t edge) {
         const std::uint32_t above = next(below);
         Link &link = links_[edge];
@@ -77,7 +77,7 @@ class SweepStatus {
         (link.next == kNoIndex ? last_ : links_[link.next].previous) = link.previous;
     }
 
-    /// `fresh` takes the place of `old`.
+    /// Replaces `old` by `fresh`.
     void replace(std::uint32_t old, std::uint32_t fresh) {
         const Link &link = links_[fresh] = links_[old];
         if (link.left != kNoIndex) {
@@ -97,7 +97,7 @@ class SweepStatus {
         std::uint32_t priority = 0;
     };
 
-    /// Where the parent (or the root) refers to `child`.
+    /// Returns the link of the parent (or the root) that refers to `child`.
     std::uint32_t &childSlot(std::uint32_t parent, std::uint32_t child) {
         if (parent == kNoIndex) {
             return root_;
@@ -121,7 +121,7 @@ class SweepStatus {
         above.parent = edge;
     }
 
-    /// A fixed sequence (G. Marsaglia's xorshift): the shape of the tree never depends on chance.
+    /// Returns the next priority of a fixed sequence (G. Marsaglia's xorshift), so that the tree is always the same.
     std::uint32_t nextPriority() {
         random_ ^= random_ << 13;
         random_ ^= random_ >> 17;

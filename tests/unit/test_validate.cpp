@@ -217,7 +217,7 @@ TEST_CASE("validate: an empty domain is refused") {
     line.nodes = {{0, 0}, {1, 1}};
     line.segments = {{0, 1, 1, SegmentRole::Constraint}};
     checkOne(line, "empty-domain", {1, 1}, {0});
-    CHECK(validate(line).front().advice.find("close the outline") == 0);
+    CHECK(validate(line).front().advice.find("draw a closed outline") == 0);
 }
 
 TEST_CASE("validate: faults of different kinds are all reported at once") {
