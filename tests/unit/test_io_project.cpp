@@ -4,6 +4,7 @@
 #include "core/io/names.hpp"
 #include "core/io/project/tile_code.hpp"
 #include "core/io/text/base64.hpp"
+#include "core/spacing/part_list.hpp"
 #include "tests/unit/io_samples.hpp"
 
 #include <doctest/doctest.h>
@@ -36,6 +37,22 @@ TEST_CASE("Project: a document that uses every field survives the way through te
     CHECK(back->nextId == 12);
     CHECK(back->circleTolerance == 0.01);
     CHECK(projectText(*back) == text);
+}
+
+TEST_CASE("Project: every kind of spacing part is written, and read back") {
+    const Document full = fullDocument();
+    const std::string text = projectText(full);
+    for (const SpacingPartKind &kind : spacingPartKinds()) {
+        if (!kind.word.empty()) { // else it belongs to the domain
+            CAPTURE(kind.word);
+            REQUIRE(kind.given(full.spacing, {})); // add a new kind to fullDocument()
+            CHECK(text.find("\"" + std::string(kind.word) + "\": ") != std::string::npos);
+            const auto back = parseProject(text, "full.json");
+            REQUIRE(back.ok());
+            CHECK(kind.same(full.spacing, back->spacing));
+            CHECK_FALSE(kind.same(full.spacing, SpacingSpec{}));
+        }
+    }
 }
 
 TEST_CASE("Project: an empty document survives, too") {
