@@ -5,7 +5,9 @@
 #include "core/geometry/polygon.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
+#include <string_view>
 
 namespace forefront {
 
@@ -429,6 +431,17 @@ class Repairer {
 
 Result<Repaired> repair(const Domain &domain) {
     return Repairer(domain).run();
+}
+
+bool repairable(const Diagnostic &fault) {
+    static constexpr std::array<std::string_view, 7> kCodes{
+        "zero-length",       "unreferenced-node", "duplicate-node",      "duplicate-segment",
+        "crossing-segments", "touching-segments", "overlapping-segments"};
+    return std::find(kCodes.begin(), kCodes.end(), fault.code) != kCodes.end();
+}
+
+bool anyRepairable(const Diagnostics &faults) {
+    return std::any_of(faults.begin(), faults.end(), repairable);
 }
 
 } // namespace forefront

@@ -29,4 +29,9 @@ struct Repaired {
 /// units in the last place. Errors: out-of-range, too-many-faults, repair-failed.
 Result<Repaired> repair(const Domain &domain);
 
+/// Returns true if `repair` removes faults of this kind.
+bool repairable(const Diagnostic &fault);
+/// Returns true if any of the faults is repairable.
+bool anyRepairable(const Diagnostics &faults);
+
 } // namespace forefront

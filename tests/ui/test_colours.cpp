@@ -1,8 +1,8 @@
 #include "core/base/vec2.hpp"
 #include "tests/ui/edit_driver.hpp"
 #include "ui/canvas/legend.hpp"
-#include "ui/layers/quality_range.hpp"
 #include "ui/style/colour_map.hpp"
+#include "ui/style/quality_range.hpp"
 
 #include <doctest/doctest.h>
 

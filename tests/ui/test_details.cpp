@@ -3,7 +3,6 @@
 #include "tests/ui/edit_driver.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/dialogs/file_list.hpp"
-#include "ui/dialogs/repair.hpp"
 #include "ui/editor/settings.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"

@@ -6,7 +6,7 @@
 #include "ui/canvas/legend.hpp"
 #include "ui/editor/app_context.hpp"
 #include "ui/gl/gl_kit.hpp"
-#include "ui/layers/quality_range.hpp"
+#include "ui/style/quality_range.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <glad/gl.h>

@@ -1,3 +1,4 @@
+#include "core/domain/validate.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
 #include "core/edit/spacing_commands.hpp"

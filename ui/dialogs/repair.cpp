@@ -3,23 +3,7 @@
 #include "core/domain/validate.hpp"
 #include "ui/editor/app_context.hpp"
 
-#include <algorithm>
-#include <array>
-#include <string_view>
-
 namespace forefront {
-
-bool repairable(const Diagnostic &fault) {
-    // Those that repair() in core/domain treats.
-    static constexpr std::array<std::string_view, 7> kCodes{
-        "zero-length",       "unreferenced-node", "duplicate-node",      "duplicate-segment",
-        "crossing-segments", "touching-segments", "overlapping-segments"};
-    return std::find(kCodes.begin(), kCodes.end(), fault.code) != kCodes.end();
-}
-
-bool anyRepairable(const Diagnostics &faults) {
-    return std::any_of(faults.begin(), faults.end(), repairable);
-}
 
 void repairDrawing(AppContext &context) {
     const std::shared_ptr<const Document> before = context.document().current();

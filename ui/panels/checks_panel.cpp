@@ -1,4 +1,4 @@
-#include "ui/dialogs/repair.hpp"
+#include "core/domain/validate.hpp"
 #include "ui/editor/app_context.hpp"
 #include "ui/panels/edit_panels.hpp"
 #include "ui/widgets/text_wrap.hpp"

@@ -1,6 +1,6 @@
-#include "ui/layers/quality_range.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/style/colour_map.hpp"
+#include "ui/style/quality_range.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>

@@ -1,4 +1,4 @@
-#include "ui/layers/quality_range.hpp"
+#include "ui/style/quality_range.hpp"
 
 #include <algorithm>
 
