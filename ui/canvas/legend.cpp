@@ -78,9 +78,12 @@ void drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &font
 
 std::vector<LegendTick> linearTicks(const ColourRange &range) {
     std::vector<LegendTick> ticks{{0.0, "\xe2\x89\xa4" + ui::number(range.from, 3)}};
-    const double least = (range.to - range.from) / 4.0;
-    const double power = std::pow(10.0, std::floor(std::log10(least)));
-    const double step = power * (least <= power ? 1.0 : least <= 2.0 * power ? 2.0 : least <= 5.0 * power ? 5.0 : 10.0);
+    const double minStep = (range.to - range.from) / 4.0;
+    const double power = std::pow(10.0, std::floor(std::log10(minStep)));
+    const double step = power * (minStep <= power         ? 1.0
+                                 : minStep <= 2.0 * power ? 2.0
+                                 : minStep <= 5.0 * power ? 5.0
+                                                          : 10.0);
     for (double value = step * std::ceil(range.from / step); value < range.to; value += step) {
         const double at = range.position(value);
         if (at > 0.1 && at < 0.92) { // else too near to the ends
@@ -91,36 +94,36 @@ std::vector<LegendTick> linearTicks(const ColourRange &range) {
     return ticks;
 }
 
-std::vector<LegendTick> logarithmicTicks(double least, double greatest, std::size_t most) {
+std::vector<LegendTick> logarithmicTicks(double minimum, double maximum, std::size_t limit) {
     std::vector<LegendTick> ticks;
-    if (!(least > 0.0) || !(greatest > least)) {
-        return {{0.5, ui::number(least, 3)}};
+    if (!(minimum > 0.0) || !(maximum > minimum)) {
+        return {{0.5, ui::number(minimum, 3)}};
     }
-    const double span = std::log(greatest / least);
+    const double span = std::log(maximum / minimum);
     for (const std::vector<double> &digits : {std::vector<double>{1, 2, 5}, {1, 3}, {1}}) {
         ticks.clear();
-        const int first = static_cast<int>(std::floor(std::log10(least)));
-        for (int power = first; power < first + 40 && std::pow(10.0, power) <= greatest; ++power) {
+        const int first = static_cast<int>(std::floor(std::log10(minimum)));
+        for (int power = first; power < first + 40 && std::pow(10.0, power) <= maximum; ++power) {
             for (const double digit : digits) {
                 const double value = digit * std::pow(10.0, power);
-                if (value >= least * 0.999 && value <= greatest * 1.001) {
-                    ticks.push_back({std::clamp(std::log(value / least) / span, 0.0, 1.0), ui::number(value, 3)});
+                if (value >= minimum * 0.999 && value <= maximum * 1.001) {
+                    ticks.push_back({std::clamp(std::log(value / minimum) / span, 0.0, 1.0), ui::number(value, 3)});
                 }
             }
         }
-        if (ticks.size() <= most) {
+        if (ticks.size() <= limit) {
             break;
         }
     }
-    while (ticks.size() > most) {
+    while (ticks.size() > limit) {
         for (std::size_t i = 1; i < ticks.size(); ++i) {
             ticks.erase(ticks.begin() + static_cast<std::ptrdiff_t>(i));
         }
     }
-    // The ends are always told; round numbers beside them are not.
+    // The ends are always labelled; round numbers close to them are not.
     std::erase_if(ticks, [](const LegendTick &tick) { return tick.at < 0.16 || tick.at > 0.84; });
-    ticks.insert(ticks.begin(), {0.0, ui::number(least, 2)});
-    ticks.push_back({1.0, ui::number(greatest, 2)});
+    ticks.insert(ticks.begin(), {0.0, ui::number(minimum, 2)});
+    ticks.push_back({1.0, ui::number(maximum, 2)});
     return ticks;
 }
 

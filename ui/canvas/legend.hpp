@@ -45,7 +45,7 @@ void drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &font
 /// smaller values have its colour.
 std::vector<LegendTick> linearTicks(const ColourRange &range);
 
-/// Ticks of a logarithmic scale: the ends, and at most `most` round numbers (1, 2, 5 · 10ⁿ) between them.
-std::vector<LegendTick> logarithmicTicks(double least, double greatest, std::size_t most);
+/// Ticks of a logarithmic scale: the ends, and at most `limit` round numbers (1, 2, 5 · 10ⁿ) between them.
+std::vector<LegendTick> logarithmicTicks(double minimum, double maximum, std::size_t limit);
 
 } // namespace forefront

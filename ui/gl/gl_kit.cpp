@@ -101,7 +101,7 @@ void GlKit::drawField(const Domain &domain, std::uint64_t revision, const Camera
         const Vec2 least = middle + camera.zoom * (tint->box.min - camera.centre);
         program.set("rasterLeast", least.x, least.y);
         program.set("rasterSize", tint->box.size().x * camera.zoom, tint->box.size().y * camera.zoom);
-        program.set("range", tint->least, tint->greatest);
+        program.set("range", tint->minimum, tint->maximum);
         glActiveTexture(GL_TEXTURE0);
     }
     glBindVertexArray(emptyArray_);

@@ -14,8 +14,8 @@ struct FieldTint {
     Box2 box;
     int columns = 0, rows = 0;
     const std::vector<float> *logRho = nullptr;
-    std::uint64_t version = 0;          ///< changes when the numbers do
-    double least = 0.0, greatest = 1.0; ///< ln ρ at the ends of the map
+    std::uint64_t version = 0;           ///< changes when the numbers do
+    double minimum = 0.0, maximum = 1.0; ///< ln ρ at the ends of the map
 };
 
 /// Programs and textures shared by the layers. One per OpenGL context.

@@ -31,8 +31,8 @@ class SpacingLayer final : public Layer {
                              .rows = shown_->rows,
                              .logRho = &logRho_,
                              .version = version_,
-                             .least = std::log(least_),
-                             .greatest = std::log(greatest_)};
+                             .minimum = std::log(minimum_),
+                             .maximum = std::log(maximum_)};
         frame.gl.drawField(frame.domain, frame.revision, frame.camera, frame.theme.domain, &tint);
     }
 
@@ -43,8 +43,8 @@ class SpacingLayer final : public Layer {
             return false;
         }
         drawColourBar(painter, frame.theme, frame.fonts, corner, "node spacing \xcf\x81", spacingColour,
-                      uniform_ ? std::vector<LegendTick>{{0.5, ui::number(0.5 * greatest_, 3)}}
-                               : logarithmicTicks(least_, greatest_, 5));
+                      uniform_ ? std::vector<LegendTick>{{0.5, ui::number(0.5 * maximum_, 3)}}
+                               : logarithmicTicks(minimum_, maximum_, 5));
         return true;
     }
 
@@ -62,12 +62,12 @@ class SpacingLayer final : public Layer {
             return false;
         }
         // The scale is of the whole domain, not of the part in view, so that colours keep their meaning while panning.
-        least_ = frame.preview.spacing->minimum();
-        greatest_ = frame.preview.spacing->maximum();
-        uniform_ = greatest_ < 1.02 * least_;
+        minimum_ = frame.preview.spacing->minimum();
+        maximum_ = frame.preview.spacing->maximum();
+        uniform_ = maximum_ < 1.02 * minimum_;
         if (uniform_) {
-            least_ *= 0.5; // one colour, from the middle of the map
-            greatest_ *= 2.0;
+            minimum_ *= 0.5; // one colour, from the middle of the map
+            maximum_ *= 2.0;
         }
         return true;
     }
@@ -75,7 +75,7 @@ class SpacingLayer final : public Layer {
     std::shared_ptr<const SpacingRaster> shown_;
     std::vector<float> logRho_;
     std::uint64_t version_ = 0;
-    double least_ = 1.0, greatest_ = 2.0;
+    double minimum_ = 1.0, maximum_ = 2.0;
     bool uniform_ = false; ///< ρ is the same everywhere
 };
 

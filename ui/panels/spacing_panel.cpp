@@ -106,16 +106,16 @@ void SpacingPanel::drawSources(AppContext &context) {
 
 void SpacingPanel::drawLimits(AppContext &context) {
     const std::shared_ptr<const Document> document = context.document().current();
-    std::optional<double> least = document->spacing.minimum, greatest = document->spacing.maximum;
+    std::optional<double> minimum = document->spacing.minimum, maximum = document->spacing.maximum;
     form::label(context, "Limits");
     const float half = form::halfWidth(context);
-    const bool low = form::optionalField(context, "spacing/minimum", least, "min", half);
+    const bool low = form::optionalField(context, "spacing/minimum", minimum, "min", half);
     ui::rowTooltip(context, "Minimum node spacing");
     ImGui::SameLine(0, context.px(6));
-    const bool high = form::optionalField(context, "spacing/maximum", greatest, "max", half);
+    const bool high = form::optionalField(context, "spacing/maximum", maximum, "max", half);
     ui::tooltip(context, "Maximum node spacing");
     if (low || high) {
-        EditState::apply(context, setLimits(*document, least, greatest), "Limit spacing");
+        EditState::apply(context, setLimits(*document, minimum, maximum), "Limit spacing");
     }
     std::optional<double> gradation = document->spacing.gradation;
     form::label(context, "Gradation");

@@ -11,7 +11,7 @@ namespace forefront::shell {
 namespace {
 
 constexpr double kMenuHeight = 34, kTimelineHeight = 78, kStatusHeight = 27;
-constexpr double kLeastColumn = 250; ///< narrower, its fields cannot be read
+constexpr double kMinColumn = 250; ///< narrower, its fields cannot be read
 
 } // namespace
 
@@ -27,7 +27,7 @@ Layout layOut(const AppContext &context) {
     const double top = layout.menu.height, middle = std::max(0.0, layout.timeline.y - top);
     const double tools = px(stripOf(context, middle).width());
     // In a narrow window the canvas keeps more than half of the remaining width.
-    const double widest = std::max(px(kLeastColumn), 0.45 * (width - tools));
+    const double widest = std::max(px(kMinColumn), 0.45 * (width - tools));
     const double column =
         context.view.panels ? std::min({px(context.settings.panelWidth), widest, std::max(0.0, 0.6 * (width - tools))})
                             : 0.0;

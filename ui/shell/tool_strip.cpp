@@ -11,7 +11,7 @@ namespace forefront::shell {
 
 namespace {
 
-constexpr double kGap = 3.0, kPadX = 6.0, kPadY = 8.0, kButton = 34.0, kLeastButton = 30.0; // design pixels
+constexpr double kGap = 3.0, kPadX = 6.0, kPadY = 8.0, kButton = 34.0, kMinButton = 30.0; // design pixels
 
 } // namespace
 
@@ -26,8 +26,8 @@ Strip stripOf(const AppContext &context, double height) {
     for (;; ++strip.columns) {
         strip.rows = (count + strip.columns - 1) / strip.columns;
         strip.button = std::min(kButton, std::floor(room / strip.rows - kGap));
-        if (strip.button >= kLeastButton || strip.rows == 1) {
-            strip.button = std::max(strip.button, kLeastButton);
+        if (strip.button >= kMinButton || strip.rows == 1) {
+            strip.button = std::max(strip.button, kMinButton);
             return strip;
         }
     }

@@ -223,12 +223,12 @@ bool combo(AppContext &context, std::string_view name, std::span<const char *con
     return changed;
 }
 
-bool slider(AppContext &context, std::string_view name, double &value, double least, double greatest,
+bool slider(AppContext &context, std::string_view name, double &value, double minimum, double maximum,
             const char *pattern, bool logarithmic, float width) {
     const Id id(name);
     ImGui::SetNextItemWidth(widthOf(context, width));
     const bool changed =
-        ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &least, &greatest, pattern,
+        ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &minimum, &maximum, pattern,
                             ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0));
     mark(context, name);
     return changed;

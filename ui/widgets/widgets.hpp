@@ -37,7 +37,7 @@ bool segmented(AppContext &context, std::string_view name, std::span<const char 
 bool combo(AppContext &context, std::string_view name, std::span<const char *const> labels, int &choice,
            float width = -1.0F);
 /// Draws a linear or logarithmic slider. `format` is a printf format for a double.
-bool slider(AppContext &context, std::string_view name, double &value, double least, double greatest,
+bool slider(AppContext &context, std::string_view name, double &value, double minimum, double maximum,
             const char *format, bool logarithmic = false, float width = -1.0F);
 /// Draws a thin slider with `shown` to its right; `t` in [0, 1]. Widths in design pixels.
 bool thinSlider(AppContext &context, std::string_view name, double &t, std::string_view shown, float width,
