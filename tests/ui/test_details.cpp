@@ -87,7 +87,7 @@ TEST_CASE("Export: the suggested name is the name of the document, be it saved o
     CHECK(std::filesystem::exists(place.path / "bay.msh"));
 }
 
-TEST_CASE("Faults: they are marked on the canvas as soon as they are drawn, without meshing") {
+TEST_CASE("Faults: are marked on the canvas as soon as they are drawn, without meshing") {
     Draughtsman driver;
     driver.polygon({{1, 1}, {9, 8}, {9, 1}, {1, 8}}); // crosses itself in the middle
     driver.key('V');
@@ -135,7 +135,7 @@ TEST_CASE("Checks: repair is offered only where there is something to repair") {
     CHECK_FALSE(driver.context().actions.find("edit.repair")->enabled(driver.context()));
 }
 
-TEST_CASE("Import: what was imported is in view") {
+TEST_CASE("Import: the imported drawing is in view") {
     const TemporaryFolder place;
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
@@ -187,7 +187,7 @@ TEST_CASE("Settings: the place of the window is remembered, and nonsense is not"
     }
 }
 
-TEST_CASE("Numbers: they are written plainly, and means of counts with about three digits") {
+TEST_CASE("Numbers: are written plainly, means of counts with about three digits") {
     CHECK(ui::number(140.0, 2) == "140");
     CHECK(ui::number(1234567.0, 4) == "1234567");
     CHECK(ui::number(0.05, 4) == "0.05");
@@ -218,7 +218,7 @@ TEST_CASE("Statistics: the tooltip of a row shows over its label and over its va
     }
 }
 
-TEST_CASE("Forms: the tooltip of a field shows over its label, too") {
+TEST_CASE("Forms: the tooltip of a field also shows over its label") {
     Draughtsman driver;
     driver.rectangle({0, 0}, {8, 8});
     driver.key(key::kEscape);
@@ -232,7 +232,7 @@ TEST_CASE("Forms: the tooltip of a field shows over its label, too") {
     }
 }
 
-TEST_CASE("Inspector: no field moves, wherever the pointer is and however much there is to say of the place") {
+TEST_CASE("Inspector: no field moves, wherever the pointer is and however long the text") {
     Draughtsman driver;
     driver.rectangle({0, 0}, {8, 8});
     Document wordy = driver.document();

@@ -33,7 +33,7 @@ void askForExport(Draughtsman &driver) {
 
 } // namespace
 
-TEST_CASE("Files: what is drawn and painted is saved, and opened again it is the same") {
+TEST_CASE("Files: a drawing with paint is the same after saving and opening") {
     const TemporaryFolder place;
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
@@ -63,7 +63,7 @@ TEST_CASE("Files: what is drawn and painted is saved, and opened again it is the
     CHECK(driver.context().settings.recentFiles.front() == (place.path / "bay.forefront").string());
 }
 
-TEST_CASE("Files: opened again after its changes were saved, a file is shown with them") {
+TEST_CASE("Files: reopening a file after saving shows the saved changes") {
     const TemporaryFolder place;
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
@@ -82,7 +82,7 @@ TEST_CASE("Files: opened again after its changes were saved, a file is shown wit
     CHECK(readDocument(place.path / "bay.forefront")->shapes.size() == 2);
 }
 
-TEST_CASE("Files: an existing file is replaced only when asked twice, and what cannot be written is reported") {
+TEST_CASE("Files: replacing a file needs a confirmation, and write errors are reported") {
     const TemporaryFolder place;
     std::ofstream(place.path / "old.forefront") << "keep me";
     Draughtsman driver;
@@ -109,7 +109,7 @@ TEST_CASE("Files: an existing file is replaced only when asked twice, and what c
     CHECK_FALSE(driver.has("dialog/save/ok"));
 }
 
-TEST_CASE("Files: a file that is no drawing is refused with a message and changes nothing") {
+TEST_CASE("Files: a file without a drawing is refused with a message and changes nothing") {
     const TemporaryFolder place;
     std::ofstream(place.path / "bad.forefront") << "{\"this is\": [no json";
     Draughtsman driver;
@@ -165,7 +165,7 @@ TEST_CASE("Export: edges inside the domain are left out where that is chosen") {
     CHECK(edges[1] < edges[0]);
 }
 
-TEST_CASE("Files: in a small window the dialog holds its fields, and the sheet of shortcuts its columns") {
+TEST_CASE("Files: the file dialog and the shortcut sheet fit into a small window") {
     Draughtsman driver;
     driver.platform().resize({1280, 800}, 2.0);
     driver.key('O', {Modifiers::kControl});
@@ -199,7 +199,7 @@ TEST_CASE("Files: in a small window the dialog holds its fields, and the sheet o
     }
 }
 
-TEST_CASE("Export: what was written is told on the canvas with its size, and so is what could not be") {
+TEST_CASE("Export: a message on the canvas reports the file and its size, or the error") {
     const TemporaryFolder place;
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
@@ -219,7 +219,7 @@ TEST_CASE("Export: what was written is told on the canvas with its size, and so 
     CHECK_FALSE(driver.has("canvas/note"));
 }
 
-TEST_CASE("Export: that there is no such folder is said in the dialog, which stays until another is named") {
+TEST_CASE("Export: a missing folder is reported in the dialog, which stays open") {
     const TemporaryFolder place;
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
@@ -237,7 +237,7 @@ TEST_CASE("Export: that there is no such folder is said in the dialog, which sta
     CHECK(readMesh(place.path / "bay.msh").ok());
 }
 
-TEST_CASE("Open: what cannot be read is said in the dialog, until another file is chosen; the drawing stays") {
+TEST_CASE("Open: an unreadable file is reported in the dialog, and the drawing stays") {
     const TemporaryFolder place;
     std::ofstream(place.path / "points.geojson") << R"({"type": "Point", "coordinates": [1, 2]})";
     std::ofstream(place.path / "square.geojson")
@@ -267,7 +267,7 @@ TEST_CASE("Open: what cannot be read is said in the dialog, until another file i
     CHECK(driver.context().log.entries().back().diagnostic.message.find("GeoJSON") != std::string::npos);
 }
 
-TEST_CASE("Open: a GeoJSON that goes by .json is not saved over") {
+TEST_CASE("Open: saving does not overwrite a GeoJSON file named .json") {
     const TemporaryFolder place;
     std::ofstream(place.path / "square.json")
         << R"({"type": "Polygon", "coordinates": [[[0, 0], [4, 0], [4, 3], [0, 3], [0, 0]]]})";
@@ -279,7 +279,7 @@ TEST_CASE("Open: a GeoJSON that goes by .json is not saved over") {
     CHECK(driver.has("dialog/save/ok"));
 }
 
-TEST_CASE("Import: a drawing joins this one, scaled by the unit that is chosen") {
+TEST_CASE("Import: a drawing is added to the current one, scaled by the chosen unit") {
     const TemporaryFolder place;
     {
         Draughtsman driver;
@@ -300,7 +300,7 @@ TEST_CASE("Import: a drawing joins this one, scaled by the unit that is chosen")
     CHECK(driver.undoLabel() == "Import drawing");
 }
 
-TEST_CASE("Quit: unsaved changes are asked about; Cancel stays, Don't save leaves") {
+TEST_CASE("Quit: asks about unsaved changes; Cancel stays, Don't save leaves") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.editor().input().push({.kind = InputKind::Close});

@@ -107,7 +107,7 @@ TEST_CASE("Spacing panel: a size, limits, and an expression; a wrong one says wh
     CHECK(driver.logHas("bad-number"));
 }
 
-TEST_CASE("Inspector: the fields below stay put while the pointer goes from the canvas to them") {
+TEST_CASE("Inspector: fields do not move while the pointer travels to them") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.polygon({{3, 3}, {3.5, 3}, {3.5, 3.5}, {3, 3.5}});
@@ -122,7 +122,7 @@ TEST_CASE("Inspector: the fields below stay put while the pointer goes from the 
     CHECK(driver.context().widgets.find("spacing/size")->rect.y == over);
 }
 
-TEST_CASE("Inspector: of a spacing with a fault it says so, of an empty drawing it does not") {
+TEST_CASE("Inspector: reports an error of the spacing, but none of an empty drawing") {
     Draughtsman driver;
     REQUIRE(driver.has("inspector/here"));
     CHECK_FALSE(driver.has("inspector/fault"));

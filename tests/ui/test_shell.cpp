@@ -56,7 +56,7 @@ TEST_CASE("Editor: every sample of the gallery opens without a fault") {
     }
 }
 
-TEST_CASE("Editor: the hint strip goes when closed and is not shown again") {
+TEST_CASE("Editor: a closed hint strip stays closed") {
     const testing::TemporaryFolder place;
     const std::filesystem::path &folder = place.path;
     {
@@ -70,7 +70,7 @@ TEST_CASE("Editor: the hint strip goes when closed and is not shown again") {
     CHECK(again.context().theme.kind == ThemeKind::Light);
 }
 
-TEST_CASE("Settings: a spoilt file gives the defaults and says so, numbers out of range are brought in") {
+TEST_CASE("Settings: a damaged file gives the defaults and a warning, and numbers are clamped") {
     const testing::TemporaryFolder place;
     const std::filesystem::path file = place / "settings.json";
     Diagnostics faults;
@@ -191,7 +191,7 @@ TEST_CASE("Editor: the view stays fitted while window and panels change their si
     CHECK(fits());
 }
 
-TEST_CASE("Editor: what is shown whole stands clear of legends, hints and the options of the tool") {
+TEST_CASE("Editor: legends, hints and tool options do not cover a fitted drawing") {
     const std::pair<PixelSize, double> sizes[] = {
         {{1280, 800}, 1.0}, {{1920, 1080}, 1.0}, {{2560, 1600}, 2.0}, {{1024, 700}, 1.0}};
     Driver driver;
@@ -226,7 +226,7 @@ TEST_CASE("Editor: what is shown whole stands clear of legends, hints and the op
     }
 }
 
-TEST_CASE("Editor: in a small window nothing lies over anything else") {
+TEST_CASE("Editor: nothing overlaps in a small window") {
     const std::pair<PixelSize, double> sizes[] = {{{800, 500}, 1.0}, {{1280, 800}, 2.0}, {{1100, 700}, 1.5}};
     Driver driver;
     driver.key(key::k2);
@@ -303,7 +303,7 @@ TEST_CASE("Editor: the splitter of the right column can be dragged, within bound
     CHECK(driver.canvas().width <= 1280.0 - 240.0 - 40.0);
 }
 
-TEST_CASE("Editor: the shortcut sheet opens by ? and closes by Esc") {
+TEST_CASE("Editor: the shortcut sheet opens with ? and closes with Esc") {
     Driver driver;
     driver.key(key::kSlash, {Modifiers::kShift});
     driver.frames(3);
@@ -396,7 +396,7 @@ TEST_CASE("Legend: ticks of a logarithmic scale lie in order between the ends") 
     }
 }
 
-TEST_CASE("Legend: no label lies over another, and the ends are always told") {
+TEST_CASE("Legend: labels do not overlap, and the ends are always labelled") {
     Driver driver;
     ImFont *font = driver.context().fonts.small;
     constexpr double kBar = 192.0;

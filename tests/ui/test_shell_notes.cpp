@@ -52,7 +52,7 @@ struct LongRun : Draughtsman {
 
 } // namespace
 
-TEST_CASE("Notes: the progress of a long run stands clear of the options of the tool") {
+TEST_CASE("Notes: the progress of a long run does not cover the tool options") {
     LongRun driver;
     REQUIRE(framesUntil(driver, [&] { return driver.has("canvas/progress") && driver.run().advance > 5000; }));
     driver.frames(2);
@@ -82,7 +82,7 @@ TEST_CASE("SnapshotPace: what is costly to draw is drawn seldom while the run wo
     CHECK(pace.due(201.0, true));
 }
 
-TEST_CASE("Timeline: where the last move comes with the release, the place of the release counts") {
+TEST_CASE("Timeline: a move and a release in one frame seek to the place of the release") {
     Driver driver;
     driver.key(key::k2);
     REQUIRE(driver.settle());
@@ -97,7 +97,7 @@ TEST_CASE("Timeline: where the last move comes with the release, the place of th
     CHECK(std::abs(part - 0.25) < 0.03);
 }
 
-TEST_CASE("Status: the hash of the mesh stands only where that mesh is shown") {
+TEST_CASE("Status: the mesh hash is shown only with its mesh") {
     Driver driver;
     driver.key(key::k2);
     REQUIRE(driver.settle());
@@ -126,7 +126,7 @@ TEST_CASE("Notes: a crossing is repaired from the message that reports it") {
     CHECK(driver.run().state == RunState::Finished);
 }
 
-TEST_CASE("Notes: a fault is told no longer once an undo has mended it, and told again where it is drawn again") {
+TEST_CASE("Notes: undo hides a reported fault, and drawing it again reports it again") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.rectangle({4, 4}, {12, 6});
@@ -154,7 +154,7 @@ TEST_CASE("Notes: a fault is told no longer once an undo has mended it, and told
     CHECK(driver.has("canvas/error"));
 }
 
-TEST_CASE("MessageLog: what was told is told of a revision of the document") {
+TEST_CASE("MessageLog: an entry belongs to a revision of the document") {
     MessageLog log;
     std::uint64_t revision = 7;
     log.follow([&revision] { return revision; });
@@ -187,7 +187,7 @@ TEST_CASE("Notes: of several faults the message shows the first and says how man
     CHECK(distance(driver.context().view.camera.centre, *driver.run().diagnostics.front().at) < 1e-9);
 }
 
-TEST_CASE("Timeline: a step is an advance by the fast method, an element by the classic one") {
+TEST_CASE("Timeline: a step is an advance in the fast method and an element in the classic one") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     CHECK(driver.has("timeline/granularity/Advance"));
@@ -209,7 +209,7 @@ TEST_CASE("Timeline: a step is an advance by the fast method, an element by the 
     CHECK(driver.run().quality.elements == 1);
 }
 
-TEST_CASE("Tooltips: they wait until the pointer rests, and at the lower edge stand above what they explain") {
+TEST_CASE("Tooltips: appear once the pointer rests, and above their widget at the lower edge") {
     Driver driver;
     driver.hover("timeline/granularity/Event");
     driver.frames(8);
@@ -231,7 +231,7 @@ TEST_CASE("Tooltips: they wait until the pointer rests, and at the lower edge st
     CHECK(late.differences(early, neighbour) == 0);
 }
 
-TEST_CASE("Tooltips: of a field in a panel they hide no field") {
+TEST_CASE("Tooltips: those of a panel cover none of its fields") {
     Draughtsman driver;
     driver.rectangle({0, 0}, {8, 8});
     driver.key(key::kEscape);
@@ -260,7 +260,7 @@ TEST_CASE("Tooltips: of a field in a panel they hide no field") {
         overlap(driver.context().widgets.find("tooltip")->rect, driver.context().widgets.find("options")->rect));
 }
 
-TEST_CASE("Tooltips: they stand outside of the window of their widget and inside of the display") {
+TEST_CASE("Tooltips: lie outside the window of their widget and inside the display") {
     const PixelSize display{1280, 800};
     const Vec2 size{250, 44};
     const auto check = [&](const PixelRect &window, const PixelRect &widget) {
@@ -282,7 +282,7 @@ TEST_CASE("Tooltips: they stand outside of the window of their widget and inside
     CHECK_FALSE(overlap(ui::placeTooltip(button, wide, size, display, 740, 6.0), button));
 }
 
-TEST_CASE("Notes: that a run is being cancelled is shown in the next frame, before the mesh of that moment") {
+TEST_CASE("Notes: cancelling is shown in the next frame, before the partial mesh") {
     LongRun driver;
     REQUIRE(framesUntil(driver, [&] { return driver.run().advance > 20000; }));
     const std::uint64_t before = driver.run().sequence;
@@ -325,7 +325,7 @@ TEST_CASE("Text: lines end between words, never within a number, and none is too
     }
 }
 
-TEST_CASE("Meshing panel: its options belong to the document, and undo brings them back") {
+TEST_CASE("Meshing panel: the options are part of the document, and undo restores them") {
     Draughtsman driver;
     driver.rectangle({0, 0}, {8, 8});
     driver.key(key::kEscape);
@@ -348,7 +348,7 @@ TEST_CASE("Meshing panel: its options belong to the document, and undo brings th
     CHECK(driver.context().run().outOfDate());
 }
 
-TEST_CASE("Panels: what the empty ones say is not cut off at the edge of the column, however narrow") {
+TEST_CASE("Panels: the hints of empty panels fit into the narrowest column") {
     Draughtsman driver;
     for (const double width : {304.0, 240.0}) {
         CAPTURE(width);
