@@ -21,7 +21,7 @@ class CanvasPainter {
 
     void line(Vec2 a, Vec2 b, Colour colour, double width = 1.5);
     void dashed(Vec2 a, Vec2 b, Colour colour, double width = 1.5, double dash = 6.0);
-    /// A line with a filled head at b.
+    /// Draws a line with a filled arrowhead at b.
     void arrow(Vec2 a, Vec2 b, Colour colour, double width = 2.0, double head = 9.0);
     void polyline(std::span<const Vec2> points, bool closed, Colour colour, double width = 1.5);
     void triangle(Vec2 a, Vec2 b, Vec2 c, Colour fill);
@@ -30,21 +30,21 @@ class CanvasPainter {
     /// Radius in design pixels.
     void dot(Vec2 centre, double radius, Colour fill);
     void ring(Vec2 centre, double radius, Colour colour, double width = 1.5);
-    /// Square node handle, `radius` its half side in design pixels.
+    /// Draws a square node handle; `radius` is half its side in design pixels.
     void handle(Vec2 centre, double radius, Colour fill, Colour border);
     void cross(Vec2 centre, double radius, Colour colour, double width = 1.5);
     /// Radius in domain units.
     void circle(Vec2 centre, double radius, Colour colour, double width = 1.5);
     void disc(Vec2 centre, double radius, Colour fill);
     void dashedCircle(Vec2 centre, double radius, Colour colour, double width = 1.5);
-    /// Text on a rounded plate; `offset` in design pixels from the place. Returns its rectangle in pixels.
+    /// Draws text on a rounded plate, `offset` design pixels from the place. Returns its rectangle in pixels.
     PixelRect label(Vec2 at, Vec2 offset, std::string_view text, Colour colour, Colour plate, ImFont *font = nullptr);
     /// Draws a label where it covers no other label and no reserved place: at `offset`, or else to the other side of
     /// the place, or above or below. Returns false, and draws nothing, where all of these are taken.
     bool freeLabel(Vec2 at, Vec2 offset, std::string_view text, Colour colour, Colour plate, ImFont *font = nullptr);
     /// Keeps free labels out of a rectangle of pixels.
     void reserve(const PixelRect &rect) { taken_.push_back(rect); }
-    /// Bare text centred on the place.
+    /// Draws text without a plate, centred on the place.
     void text(Vec2 at, std::string_view text, Colour colour, ImFont *font = nullptr);
 
     const Camera &camera() const { return camera_; }

@@ -162,7 +162,7 @@ void addSelectionActions(ActionRegistry &actions) {
                  .enabled = [](const AppContext &c) { return !c.document().current()->spacing.paint.tiles.empty(); }});
 }
 
-/// Tools by name for the palette; their keys belong to the tools themselves.
+/// Adds the tools to the command palette; their keys are defined by the tools.
 void addToolActions(ActionRegistry &actions) {
     for (const auto &tool : makeTools()) {
         actions.add({.id = std::string("tool.") + tool->id(),

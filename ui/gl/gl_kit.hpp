@@ -9,7 +9,7 @@
 
 namespace forefront {
 
-/// ln ρ on a raster over a box, and how to colour it.
+/// A raster of ln ρ over a box, and the range of its colours.
 struct FieldTint {
     Box2 box;
     int columns = 0, rows = 0;
@@ -18,7 +18,7 @@ struct FieldTint {
     double minimum = 0.0, maximum = 1.0; ///< ln ρ at the ends of the map
 };
 
-/// Programs and textures shared by the layers. One per OpenGL context.
+/// Shader programs and textures that the layers share, one set per OpenGL context.
 class GlKit {
   public:
     GlKit();
@@ -33,11 +33,11 @@ class GlKit {
     /// Fills the domain with one colour, or with the colours of ρ if `tint` is not null.
     void drawField(const Domain &domain, std::uint64_t revision, const Camera &camera, Colour plain,
                    const FieldTint *tint);
-    /// Uniforms "centre" (split), "zoom", "viewport" of a program in use.
+    /// Sets the uniforms "centre" (split), "zoom" and "viewport" of the program in use.
     void setCamera(const ShaderProgram &program, const Camera &camera) const;
     /// Textures of 256 x 1 colours.
     unsigned cividis() const { return cividis_; }
-    /// A vertex array without attributes, for shaders that make their own corners.
+    /// A vertex array without attributes, for shaders that compute their own corners.
     unsigned emptyArray() const { return emptyArray_; }
 
   private:

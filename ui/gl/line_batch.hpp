@@ -11,14 +11,14 @@ namespace forefront {
 
 class GlKit;
 
-/// Looks of a batch of segments; lengths in pixels.
+/// How a batch of segments is drawn; lengths in pixels.
 struct LineStyle {
     double width = 1.5;
     double glow = 0.0;  ///< a fading band of this width to the left of each segment: the unmeshed side of Γ
-    double arrow = 0.0; ///< size of a head in the middle of segments long enough to bear it
+    double arrow = 0.0; ///< size of an arrowhead in the middle of segments that are long enough
 };
 
-/// Thick anti-aliased segments with round ends, one instanced quad each; a segment of no length is a round dot.
+/// A batch of thick anti-aliased segments with round ends, one instanced quad each. A segment without length is a dot.
 class LineBatch {
   public:
     LineBatch();
@@ -42,7 +42,7 @@ class LineBatch {
     bool dirty_ = false;
 };
 
-/// Axis-parallel boxes, filled and framed.
+/// A batch of axis-parallel boxes, filled and framed.
 class BoxBatch {
   public:
     BoxBatch();

@@ -23,12 +23,12 @@ struct MeshStyle {
     ColourRange range;      ///< of α on the map
     double badBelow = -1.0; ///< elements with α below it are hatched
     Colour hatch = 0;
-    double isolateFrom = 1.0, isolateTo = 0.0; ///< elements with α in [from, to) shown alone; from > to: all
+    double isolateFrom = 1.0, isolateTo = 0.0; ///< shows only elements with α in [from, to); from > to: all
 };
 
-/// A mesh on the GPU: triangles without index, drawn with their edges in one pass. Divided into chunks with an origin
-/// of their own (precision at any offset and zoom) that are left out where they are not in view. A mesh that grows at
-/// its end, as while the front advances, or shrinks there, is updated in place.
+/// A mesh on the GPU: triangles without index, drawn with their edges in one pass. It is divided into chunks, each with
+/// its own origin for precision at any offset and zoom; chunks out of view are skipped. A mesh that grows or shrinks at
+/// its end, as while the front advances, is updated in place.
 class MeshBatch {
   public:
     MeshBatch();
@@ -36,13 +36,13 @@ class MeshBatch {
     MeshBatch(const MeshBatch &) = delete;
     MeshBatch &operator=(const MeshBatch &) = delete;
 
-    /// Cheap where the version is known. `atRest`: the mesh will be looked at for a while, so its chunks are worth
-    /// sorting by place.
+    /// Uploads what has changed; cheap if the version is the same. `atRest`: the mesh stays on show for a while, so
+    /// sorting its chunks by place pays off.
     void update(const std::shared_ptr<const MeshView> &view, bool atRest);
     std::size_t elements() const { return uploaded_; }
-    /// Elements sent to the GPU so far, all updates together; for tests.
+    /// Number of elements sent to the GPU by all updates together; for tests.
     std::size_t sent() const { return sent_; }
-    /// Chunks drawn by the last draw(); for tests.
+    /// Number of chunks drawn by the last draw(); for tests.
     std::size_t chunksDrawn() const { return chunksDrawn_; }
     void draw(const GlKit &gl, const Camera &camera, const MeshStyle &style);
 

@@ -6,11 +6,11 @@
 
 namespace forefront {
 
-/// Text of shaders/NAME.glsl, embedded at build time; null if there is none.
+/// Returns the text of shaders/NAME.glsl, embedded at build time, or null if there is none.
 const char *shaderText(std::string_view name);
 
-/// A linked program of shaders/NAME_vertex.glsl and shaders/NAME_fragment.glsl. A fault in a shader is a broken
-/// invariant of ours: it is printed and ends the program.
+/// A program linked from shaders/NAME_vertex.glsl and shaders/NAME_fragment.glsl. A fault in a shader is a bug: it is
+/// printed and ends the program.
 class ShaderProgram {
   public:
     explicit ShaderProgram(std::string_view name);

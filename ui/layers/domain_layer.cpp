@@ -18,7 +18,7 @@ class DomainLayer final : public Layer {
 
     void drawStill(const LayerFrame &frame) override {
         if (frame.visible("size") && frame.preview.spacing && frame.raster && !frame.raster->rho.empty()) {
-            return; // the tint of the spacing lies over all of it
+            return; // the colours of the spacing cover all of it
         }
         frame.gl.drawField(frame.domain, frame.revision, frame.camera, frame.theme.domain, nullptr);
     }

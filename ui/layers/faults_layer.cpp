@@ -22,7 +22,7 @@ class FaultsLayer final : public Layer {
 
     void drawOverlay(CanvasPainter &painter, const LayerFrame &frame) override {
         if (frame.document.shapes.empty()) {
-            return; // the preview may still know the faults of what was there
+            return; // the preview may still hold the faults of the old drawing
         }
         const Box2 visible = frame.camera.visible();
         const Diagnostic *pointed = nullptr;

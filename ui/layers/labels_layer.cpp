@@ -25,8 +25,8 @@ class LabelsLayer final : public Layer {
     }
 
   private:
-    /// Writes its name beside each run of segments that share a tag: not in the middle of the run, where the direction
-    /// arrow is.
+    /// Writes the name of each run of segments with the same tag beside the run, but not at its middle, where the arrow
+    /// of the front is.
     static void drawNames(CanvasPainter &painter, const LayerFrame &frame, const Shape &shape) {
         if (shape.kind == ShapeKind::Circle && shape.nodes.size() >= 2) {
             const double radius = distance(shape.nodes[0], shape.nodes[1]);

@@ -49,7 +49,7 @@ class ElementPainter {
         style.face = tinted ? Colour{0} : frame.theme.element;
         style.edge = !edges ? Colour{0} : quality || tinted ? kEdgeOnColour : frame.theme.mesh;
         style.edgeWidth = 1.0 * frame.scale;
-        style.veil = tinted ? 0.2 : 0.0; // nothing else tells what is meshed while the front advances
+        style.veil = tinted ? 0.2 : 0.0; // shows what is meshed while the front advances
         style.coloured = quality;
         style.range = frame.qualityRange;
         style.badBelow = quality ? kBad : -2.0;

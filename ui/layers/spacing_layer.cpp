@@ -17,7 +17,7 @@ class SpacingLayer final : public Layer {
     const char *name() const override { return "Spacing \xcf\x81"; }
 
     std::uint64_t stillVersion(const LayerFrame &frame) const override {
-        // The preview, whose spacing sets the scale, may come a frame later than its raster.
+        // The preview, whose spacing sets the range, may arrive a frame later than its raster.
         return reinterpret_cast<std::uintptr_t>(frame.raster.get()) ^ (frame.revision << 1) ^
                (frame.preview.revision << 32);
     }
@@ -49,7 +49,7 @@ class SpacingLayer final : public Layer {
     }
 
   private:
-    /// Takes over a new raster. False if there is none.
+    /// Takes over a new raster. Returns false if there is none.
     bool take(const LayerFrame &frame) {
         if (frame.raster != shown_) {
             shown_ = frame.raster;
@@ -61,7 +61,7 @@ class SpacingLayer final : public Layer {
         if (shown_->rho.empty() || !frame.preview.spacing) {
             return false;
         }
-        // The scale is of the whole domain, not of the part in view, so that colours keep their meaning while panning.
+        // The range is that of the whole domain, not of the part in view, so that colours do not change while panning.
         minimum_ = frame.preview.spacing->minimum();
         maximum_ = frame.preview.spacing->maximum();
         uniform_ = maximum_ < 1.02 * minimum_;

@@ -11,7 +11,7 @@
 namespace forefront {
 namespace {
 
-/// Lists the faults of the drawing, which are found anew a moment after every edit.
+/// Lists the faults of the drawing. They are updated a moment after every edit.
 class ChecksPanel final : public Panel {
   public:
     const char *id() const override { return "checks"; }

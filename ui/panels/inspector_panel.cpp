@@ -71,7 +71,7 @@ void useRow(AppContext &context, const std::set<std::uint32_t> &ids, ShapeUse us
     }
 }
 
-/// The node spacing under the pointer and the part that gives it, or why there is none.
+/// Describes the node spacing under the pointer and the part that gives it, or says why there is none.
 std::string spacingHere(const AppContext &context) {
     const std::shared_ptr<const SpacingField> &spacing = context.preview->spacing;
     const std::shared_ptr<const Domain> &domain = context.preview->domain;
@@ -86,8 +86,8 @@ std::string spacingHere(const AppContext &context) {
     return "\xcf\x81 here = " + ui::number(sample.rho, 3) + ": " + sample.describe;
 }
 
-/// Always takes the room of two lines, however long the text: the fields below must not move under the pointer. What
-/// does not fit is shown in a tooltip.
+/// Draws spacingHere() in exactly two lines, so that the fields below do not move under the pointer. A tooltip shows
+/// text that does not fit.
 void InspectorPanel::drawHere(AppContext &context) const {
     const float top = ImGui::GetCursorPosY();
     const std::string text = spacingHere(context);

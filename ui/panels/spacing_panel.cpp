@@ -25,7 +25,7 @@ class SpacingPanel final : public Panel {
     static void drawLimits(AppContext &context);
 };
 
-/// The fault of the expression, if the preview found one.
+/// Returns the fault of the expression if the preview found one, else null.
 const Diagnostic *expressionFault(const AppContext &context) {
     for (const Diagnostic &fault : context.preview->faults) {
         if (fault.code.starts_with("expression")) {
@@ -38,7 +38,7 @@ const Diagnostic *expressionFault(const AppContext &context) {
 void drawExpressionFault(AppContext &context, const Diagnostic &fault, const std::string &expression) {
     ImGui::PushFont(context.fonts.small);
     if (fault.column > 0 && static_cast<std::size_t>(fault.column) <= expression.size() + 1) {
-        // The part of the expression before the fault, then what follows it in the colour of faults.
+        // Show the expression around the fault, the part from the fault on in the colour of errors.
         const auto cut = static_cast<std::size_t>(fault.column - 1);
         const std::size_t from = cut > 24 ? cut - 24 : 0;
         ImGui::PushFont(context.fonts.mono);

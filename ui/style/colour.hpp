@@ -5,22 +5,22 @@
 
 namespace forefront {
 
-/// Colour with straight alpha; red in the lowest byte, as Dear ImGui packs it.
+/// A colour with straight alpha, packed as in Dear ImGui: red in the lowest byte.
 using Colour = std::uint32_t;
 
-/// 0xRRGGBB and opacity in [0, 1].
+/// Packs a colour given as 0xRRGGBB and an opacity in [0, 1].
 constexpr Colour rgb(std::uint32_t hex, double alpha = 1.0) {
     const auto a = static_cast<std::uint32_t>(alpha * 255.0 + 0.5);
     return ((hex >> 16) & 0xffU) | (hex & 0xff00U) | ((hex & 0xffU) << 16) | (a << 24);
 }
 
-/// The same colour, `alpha` times as opaque.
+/// Multiplies the opacity of a colour by `alpha`.
 constexpr Colour fade(Colour colour, double alpha) {
     const auto a = static_cast<std::uint32_t>(static_cast<double>(colour >> 24) * alpha + 0.5);
     return (colour & 0x00ffffffU) | (std::min<std::uint32_t>(a, 255U) << 24);
 }
 
-/// a at t = 0, b at t = 1, channel by channel.
+/// Interpolates channel by channel from a at t = 0 to b at t = 1.
 constexpr Colour mix(Colour a, Colour b, double t) {
     Colour result = 0;
     for (unsigned shift = 0; shift < 32; shift += 8) {

@@ -4,8 +4,8 @@
 
 namespace forefront {
 
-/// Perceptually even colour maps for t in [0, 1]; interpolated between tabulated support colours of the published maps
-/// (viridis: N. Smith and S. van der Walt; cividis: J. Nuñez, C. Anderton, R. Renslow).
+/// Perceptually uniform colour maps for t in [0, 1], interpolated between tabulated support colours of the published
+/// maps (viridis: N. Smith and S. van der Walt; cividis: J. Nuñez, C. Anderton, R. Renslow).
 Colour viridis(double t);
 Colour cividis(double t);
 /// Colour of the node spacing, the same in both themes: bright yellow where it is finest (t = 0), blue where it is

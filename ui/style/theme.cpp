@@ -133,7 +133,7 @@ Theme makeTheme(ThemeKind kind) {
 }
 
 void applyTheme(const Theme &theme, float scale) {
-    ImGuiStyle style; // a fresh one: ScaleAllSizes must not add up
+    ImGuiStyle style; // start from the defaults: ScaleAllSizes accumulates
     style.WindowPadding = {12, 10};
     style.FramePadding = {9, 5};
     style.CellPadding = {6, 3};

@@ -13,7 +13,7 @@ struct Theme {
     ThemeKind kind = ThemeKind::Dark;
 
     // surfaces
-    Colour canvas = 0;  ///< outside of the domain
+    Colour canvas = 0;  ///< outside the domain
     Colour domain = 0;  ///< inside of it
     Colour panel = 0;   ///< panels, bars
     Colour raised = 0;  ///< fields, buttons
@@ -40,7 +40,7 @@ struct Theme {
     Colour constraint = 0; ///< constraint segments and points
     Colour selection = 0;
     Colour mesh = 0;      ///< edges of the mesh
-    Colour element = 0;   ///< faces of the mesh where nothing else colours them
+    Colour element = 0;   ///< faces of the mesh without a colouring
     Colour front = 0;     ///< generation front Γ
     Colour base = 0;      ///< base segment AB
     Colour candidate = 0; ///< candidate nodes and segments not yet judged
@@ -51,7 +51,7 @@ struct Theme {
 };
 
 Theme makeTheme(ThemeKind kind);
-/// Colours, rounding and spacing of Dear ImGui at `scale` pixels per design pixel.
+/// Sets colours, rounding and spacing of Dear ImGui at `scale` pixels per design pixel.
 void applyTheme(const Theme &theme, float scale);
 
 } // namespace forefront
