@@ -139,7 +139,7 @@ TEST_CASE("Export: a drawing is meshed and written as MSH, which is a valid mesh
 }
 
 TEST_CASE("Export: edges inside the domain are left out where that is chosen") {
-    const Workplace place;
+    const TemporaryFolder place;
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.key('L');
