@@ -81,7 +81,7 @@ void addMesh(Cells &cells, AppContext &context) {
                   theme.muted, 100);
     }
     if (run.complete && run.meshHash != 0 && run.advance == run.known) {
-        cells.add("hash", "hash " + toHex(run.meshHash).substr(0, 8), theme.muted);
+        cells.add("hash", "hash " + toHex(run.meshHash).substr(0, 8), theme.muted, 92);
         if (cells.clicked("hash")) {
             context.platform.setClipboard(toHex(run.meshHash));
             context.log.tell("Copied mesh hash " + toHex(run.meshHash));
