@@ -58,6 +58,7 @@ need() { # a step that the others depend on
     step "$@"
     [ -z "$failed" ] || finish
 }
+# shellcheck disable=SC2317  # called by step
 run_tests() { # run_tests PRESET [CTEST OPTION...]
     preset=$1
     shift
