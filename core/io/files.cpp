@@ -1,13 +1,14 @@
 #include "core/io/files.hpp"
 
-#include "core/io/atomic_file.hpp"
 #include "core/io/format.hpp"
-#include "core/io/readers.hpp"
+#include "core/io/text/atomic_file.hpp"
+#include "core/io/triangle/triangle.hpp"
 #include "core/mesh/mesh_domain.hpp"
 
 #include <algorithm>
 #include <fstream>
 #include <new>
+#include <utility>
 
 namespace forefront {
 
@@ -48,29 +49,65 @@ std::string extensions(bool (*wanted)(const Format &)) {
     return list;
 }
 
+/// Names the formats that `wanted` accepts, for an advice.
+std::string formatIds(bool (*wanted)(const Format &)) {
+    std::string list;
+    for (const Format &format : formats()) {
+        if (wanted(format)) {
+            list += (list.empty() ? "" : ", ") + std::string(format.about.id);
+        }
+    }
+    return list;
+}
+
+Result<const Format *> chooseFormat(const std::filesystem::path &path, std::string_view bytes,
+                                    const ImportOptions &options, bool (*wanted)(const Format &)) {
+    if (!options.formatId.empty()) {
+        const Format *const given = formatOfId(options.formatId);
+        if (given == nullptr || !wanted(*given)) {
+            return error("unknown-format",
+                         given == nullptr ? "unknown format '" + options.formatId + "'"
+                                          : "the format '" + options.formatId + "' cannot be read here",
+                         "expected one of " + formatIds(wanted));
+        }
+        return given;
+    }
+    const Format *const found = formatOf(path, bytes);
+    if (found == nullptr) {
+        return error("unknown-format", "unknown file format", "formats that can be read: " + extensions(wanted));
+    }
+    if (!wanted(*found)) {
+        return error("unknown-format", std::string(found->about.name) + " cannot be read here",
+                     "formats that can be read: " + extensions(wanted));
+    }
+    return found;
+}
+
 /// Loads a file, finds its format and hands both to `read`. Memory that runs out is a fault like any other.
 template <class T, class Read>
-Result<T> readFile(const std::filesystem::path &path, const ImportOptions &options, bool (*wanted)(const Format &),
-                   Read read) {
+Result<T> readFile(const std::filesystem::path &path, const ImportOptions &options, ImportNotes *notes,
+                   bool (*wanted)(const Format &), Read read) {
     try {
-        const auto bytes = readFileBytes(path, options.maxBytes);
-        if (!bytes) {
-            return bytes.faults();
+        std::string loaded;
+        if (options.content == nullptr) {
+            Result<std::string> bytes = readFileBytes(path, options.maxBytes);
+            if (!bytes) {
+                return bytes.faults();
+            }
+            loaded = std::move(*bytes);
         }
-        const Format *format = formatOf(path, *bytes);
-        if (format == nullptr || !wanted(*format)) {
-            return named(error("unknown-format",
-                               format == nullptr
-                                   ? "the format of the file is not known"
-                                   : std::string("the format is ") + format->about.name + ", which cannot serve here",
-                               "files that can be read: " + extensions(wanted)),
-                         path);
+        const std::string &bytes = options.content != nullptr ? *options.content : loaded;
+        const Result<const Format *> format = chooseFormat(path, bytes, options, wanted);
+        if (!format) {
+            return named(format.faults(), path);
         }
-        Result<T> result = read(*format, SourceText{*bytes, path.string(), path, options});
+        SourceText source{bytes, path.string(), options.content != nullptr ? std::filesystem::path() : path, options};
+        source.notes = notes;
+        Result<T> result = read(**format, source);
         if (!result) {
             Diagnostics faults = named(result.faults(), path);
             if (!faults.empty() && faults.front().advice.empty()) {
-                faults.front().advice = std::string("the file was read as ") + format->about.name;
+                faults.front().advice = std::string("the file was read as ") + (*format)->about.name;
             }
             return faults;
         }
@@ -105,12 +142,16 @@ const FileFormat *fileFormatOf(const std::filesystem::path &path) {
     std::ifstream stream(path, std::ios::binary);
     stream.read(head.data(), static_cast<std::streamsize>(head.size()));
     head.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream.gcount())));
-    const Format *const format = formatOf(path, head);
+    return fileFormatOf(path, head);
+}
+
+const FileFormat *fileFormatOf(const std::filesystem::path &path, std::string_view content) {
+    const Format *const format = formatOf(path, content);
     return format == nullptr ? nullptr : &format->about;
 }
 
-Result<Document> readDocument(const std::filesystem::path &path, const ImportOptions &options) {
-    return readFile<Document>(path, options, canReadDomain,
+Result<Document> readDocument(const std::filesystem::path &path, const ImportOptions &options, ImportNotes *notes) {
+    return readFile<Document>(path, options, notes, canReadDomain,
                               [](const Format &format, const SourceText &source) -> Result<Document> {
                                   if (format.readDocument != nullptr) {
                                       return format.readDocument(source);
@@ -123,45 +164,46 @@ Result<Document> readDocument(const std::filesystem::path &path, const ImportOpt
                               });
 }
 
-Result<Domain> readDomain(const std::filesystem::path &path, const ImportOptions &options) {
-    return readFile<Domain>(path, options, canReadDomain, domainFrom);
+Result<Domain> readDomain(const std::filesystem::path &path, const ImportOptions &options, ImportNotes *notes) {
+    return readFile<Domain>(path, options, notes, canReadDomain, domainFrom);
 }
 
 Diagnostics locateFaults(const std::filesystem::path &path, Diagnostics faults, const ImportOptions &options) {
     std::error_code none;
     const auto wanting = [](const Diagnostic &f) { return f.file.empty() && !f.parts.empty(); };
-    const bool anew = std::filesystem::is_regular_file(path, none) && // a pipe has been emptied
-                      std::any_of(faults.begin(), faults.end(), wanting);
-    if (anew) {
-        const auto read = readFile<Domain>(path, options, canReadDomain, [&](const Format &format, SourceText source) {
-            DomainOrigin origin;
-            source.origin = &origin;
-            Result<Domain> domain = domainFrom(format, source);
-            if (domain) {
-                addPlaces(faults, origin, source.text);
-            }
-            return domain;
-        });
+    const bool readable = options.content != nullptr || std::filesystem::is_regular_file(path, none); // a pipe is empty
+    if (readable && std::any_of(faults.begin(), faults.end(), wanting)) {
+        const auto read =
+            readFile<Domain>(path, options, nullptr, canReadDomain, [&](const Format &format, SourceText source) {
+                DomainOrigin origin;
+                source.origin = &origin;
+                Result<Domain> domain = domainFrom(format, source);
+                if (domain) {
+                    addPlaces(faults, origin, source.text);
+                }
+                return domain;
+            });
         static_cast<void>(read); // it was readable before; if it no longer is, the faults go without places
     }
     return named(std::move(faults), path);
 }
 
-Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &options) {
+Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &options, ImportNotes *notes) {
     return readFile<Mesh>(
-        path, options, [](const Format &format) { return format.readMesh != nullptr; },
+        path, options, notes, [](const Format &format) { return format.readMesh != nullptr; },
         [](const Format &format, const SourceText &source) { return format.readMesh(source); });
 }
 
-Result<MeshField> readField(const std::filesystem::path &path, std::string_view name, const ImportOptions &options) {
+Result<MeshField> readField(const std::filesystem::path &path, std::string_view name, const ImportOptions &options,
+                            ImportNotes *notes) {
     return readFile<MeshField>(
-        path, options, [](const Format &format) { return format.readField != nullptr; },
+        path, options, notes, [](const Format &format) { return format.readField != nullptr; },
         [name](const Format &format, const SourceText &source) { return format.readField(source, name); });
 }
 
-Result<SpacingSpec> readSpacing(const std::filesystem::path &path, const ImportOptions &options) {
+Result<SpacingSpec> readSpacing(const std::filesystem::path &path, const ImportOptions &options, ImportNotes *notes) {
     return readFile<SpacingSpec>(
-        path, options, [](const Format &format) { return format.readSpacing != nullptr; },
+        path, options, notes, [](const Format &format) { return format.readSpacing != nullptr; },
         [](const Format &format, const SourceText &source) { return format.readSpacing(source); });
 }
 
@@ -169,12 +211,12 @@ Status writeMesh(const std::filesystem::path &path, const Mesh &mesh, std::strin
                  const Progress &progress) {
     const Format *format = meshFormat(path, formatId);
     if (format == nullptr) {
-        return named(error("unknown-format",
-                           formatId.empty()
-                               ? "no mesh format goes by the extension '" + path.extension().string() + "'"
-                               : "'" + std::string(formatId) + "' is not a mesh format that can be written",
-                           "extensions that can be written: " + extensions(canWriteMesh)),
-                     path);
+        return named(
+            error("unknown-format",
+                  formatId.empty() ? "unknown extension '" + path.extension().string() + "' of a mesh file"
+                                   : "unknown mesh format '" + std::string(formatId) + "'",
+                  "expected one of " + (formatId.empty() ? extensions(canWriteMesh) : formatIds(canWriteMesh))),
+            path);
     }
     try {
         if (format->writeFiles != nullptr) {
@@ -188,6 +230,19 @@ Status writeMesh(const std::filesystem::path &path, const Mesh &mesh, std::strin
     } catch (const std::bad_alloc &) {
         return named(error("out-of-memory", "there is not enough memory to write the file"), path);
     }
+}
+
+Status writeMesh(ByteSink &sink, const Mesh &mesh, std::string_view formatId) {
+    const Format *const format = formatOfId(formatId);
+    if (format == nullptr || format->writeMesh == nullptr) {
+        return error("unknown-format",
+                     format == nullptr ? "unknown mesh format '" + std::string(formatId) + "'"
+                                       : std::string(format->about.name) + " cannot be written to a stream",
+                     "expected one of " + formatIds([](const Format &f) { return f.writeMesh != nullptr; }));
+    }
+    TextWriter out(sink);
+    format->writeMesh(mesh, out);
+    return out.flush() ? Status{} : error("cannot-write", "cannot write to the stream");
 }
 
 std::vector<std::filesystem::path> filesOfMesh(const std::filesystem::path &path, std::string_view formatId) {
@@ -228,27 +283,10 @@ Status checkPlace(const std::filesystem::path &path) {
         return error("cannot-write", "cannot write the file: it is a folder", "name a file in it");
     }
     if (!folder.empty() && !std::filesystem::is_directory(folder, none)) {
-        return error("cannot-write", "cannot write the file: there is no folder " + folder.string(),
-                     "make it, or choose another");
+        return error("cannot-write", "cannot write the file: folder " + folder.string() + " not found",
+                     "create it, or choose another");
     }
     return {};
-}
-
-Result<std::unique_ptr<Companion>> readCompanion(const SourceText &source, const char *extension) {
-    std::filesystem::path path = source.path;
-    if (path.empty()) {
-        return Diagnostics{
-            faultAt(source, 0, "cannot-read", std::string("a ") + extension + " file is needed beside it")};
-    }
-    path.replace_extension(extension);
-    auto bytes = readFileBytes(path, source.options.maxBytes);
-    if (!bytes) {
-        return bytes.faults();
-    }
-    auto companion = std::make_unique<Companion>();
-    companion->bytes = std::move(*bytes);
-    companion->source = {companion->bytes, path.string(), path, source.options};
-    return companion;
 }
 
 } // namespace forefront

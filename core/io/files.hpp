@@ -5,20 +5,20 @@
 #include "core/base/result.hpp"
 #include "core/domain/domain.hpp"
 #include "core/edit/document.hpp"
+#include "core/io/common/mesh_field.hpp"
+#include "core/io/project/project.hpp"
+#include "core/io/source/import_notes.hpp"
+#include "core/io/source/import_options.hpp"
+#include "core/io/text/atomic_file.hpp"
 #include "core/mesh/mesh.hpp"
 
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace FOREFRONT_API forefront {
-
-struct ImportOptions {
-    double curveTolerance =
-        0.0; ///< greatest distance between a curve and its polyline, in file units; 0: 1/2000 of the drawing's size
-    std::size_t maxBytes = std::size_t{2} << 30; ///< larger files are refused
-};
 
 /// A file format the program reads or writes.
 struct FileFormat {
@@ -27,56 +27,53 @@ struct FileFormat {
     const char *extension; ///< with the dot, ".msh"
     bool readsDomain, readsMesh, writesMesh;
 };
+/// Returns all formats, in the order of menus.
 std::span<const FileFormat> fileFormats();
-/// The formats that go by the extension of a path, in the order of preference.
+/// Returns the formats with the extension of a path, in the order of preference.
 std::vector<const FileFormat *> fileFormatsNamed(const std::filesystem::path &path);
-/// The format of a file by its first bytes, else by its extension; null where neither tells.
+/// Returns the format of a file by its first bytes, else by its extension; null where neither tells.
 const FileFormat *fileFormatOf(const std::filesystem::path &path);
+/// Returns the format of a file with that content; else as above.
+const FileFormat *fileFormatOf(const std::filesystem::path &path, std::string_view content);
 
-/// Own project file or any domain format, by extension and content: .json/.forefront project, GeoJSON, .poly/.node,
-/// .svg, .msh (its boundary). Faults carry file and line (or byte) and never depend on trusting a count in the file.
-Result<Document> readDocument(const std::filesystem::path &path, const ImportOptions &options = {});
-/// Domain of any file that readDocument reads.
-Result<Domain> readDomain(const std::filesystem::path &path, const ImportOptions &options = {});
-/// Faults of the domain that readDomain gave of this file, as its author wants them: with the file's name and, where
-/// the format has such places (.poly, GeoJSON, SVG), with line and number of the parts. Reads the file once more.
-/// Faults that name a file already stay as they are.
+/// Reads a project file or any domain format, by extension and content: .json/.forefront project, GeoJSON, .poly, .svg,
+/// or the outline of a mesh. Faults carry file and line (or byte) and never depend on trusting a count in the file.
+/// `notes`: where to report what of the file is not used; null: nowhere.
+Result<Document> readDocument(const std::filesystem::path &path, const ImportOptions &options = {},
+                              ImportNotes *notes = nullptr);
+/// Reads the domain of any file that readDocument reads.
+Result<Domain> readDomain(const std::filesystem::path &path, const ImportOptions &options = {},
+                          ImportNotes *notes = nullptr);
+/// Adds the file's name to faults of the domain that readDomain gave of it and, where the format has such places
+/// (.poly, GeoJSON, SVG, project), line and number of the parts. Reads the file once more. Faults that name a file
+/// already stay as they are.
 Diagnostics locateFaults(const std::filesystem::path &path, Diagnostics faults, const ImportOptions &options = {});
-/// A mesh: MSH 2.2 (ASCII) or 4.1, VTU, VTK legacy, MEDIT, Abaqus, SU2, Triangle .node/.ele, OBJ.
-Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &options = {});
-/// A mesh with one value per node.
-struct MeshField {
-    Mesh mesh;
-    std::vector<double> values;
-};
-/// A mesh and the nodal values of that name on it: point data of VTU and VTK legacy files, $NodeData of MSH.
-Result<MeshField> readField(const std::filesystem::path &path, std::string_view name,
-                            const ImportOptions &options = {});
-/// Spacing from a background mesh file with nodal values (MSH $NodeData), or the spacing of a project file.
-Result<SpacingSpec> readSpacing(const std::filesystem::path &path, const ImportOptions &options = {});
+/// Reads a mesh: MSH 2.2 (ASCII) or 4.1, VTU, VTK legacy, MEDIT, Abaqus, SU2, Triangle .node/.ele, OBJ.
+Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &options = {},
+                      ImportNotes *notes = nullptr);
+/// Reads a mesh and the nodal values of that name on it: point data of VTU and VTK legacy files, $NodeData of MSH.
+Result<MeshField> readField(const std::filesystem::path &path, std::string_view name, const ImportOptions &options = {},
+                            ImportNotes *notes = nullptr);
+/// Reads the spacing of a background mesh with nodal values (MSH $NodeData), or that of a project file.
+Result<SpacingSpec> readSpacing(const std::filesystem::path &path, const ImportOptions &options = {},
+                                ImportNotes *notes = nullptr);
 
 /// Writes a mesh; the format by id, or by extension when empty (.msh is MSH 2.2). Atomic: a temporary file beside it,
 /// then renamed. Triangle: PATH.node, PATH.ele and PATH.edge. SVG draws the mesh. The result holds errors, else notes
 /// on names that the format cannot hold as they are.
 Status writeMesh(const std::filesystem::path &path, const Mesh &mesh, std::string_view formatId = {},
                  const Progress &progress = {});
+/// Writes a mesh in the format of that id to a sink, such as standard output. Faults: unknown-format, also for formats
+/// of several files; cannot-write.
+Status writeMesh(ByteSink &sink, const Mesh &mesh, std::string_view formatId);
 
-/// The files that writeMesh writes under a name: that one, or those of Triangle side by side. `formatId` as there.
+/// Returns the files that writeMesh writes under a name: that one, or those of Triangle side by side.
 std::vector<std::filesystem::path> filesOfMesh(const std::filesystem::path &path, std::string_view formatId = {});
-/// The files that reading one may look into: that one, those of Triangle side by side, and the .node file that a .poly
-/// file without nodes takes them from.
+/// Returns the files that reading one may look into: that one, those of Triangle side by side, and the .node file that
+/// a .poly file without nodes takes them from.
 std::vector<std::filesystem::path> filesRead(const std::filesystem::path &path);
-/// Why no file can be written in this place, as far as it shows without trying: it has no name, is a folder, or lies in
-/// one that does not exist. The fault does not name the file.
+/// Returns why no file can be written in this place, as far as it shows without trying: it has no name, is a folder, or
+/// lies in one that does not exist. The fault does not name the file.
 Status checkPlace(const std::filesystem::path &path);
-
-/// Own project file, versioned JSON. Atomic.
-Status writeProject(const std::filesystem::path &path, const Document &document);
-/// The JSON text of a project and back; for the recovery journal and tests.
-std::string projectText(const Document &document);
-Result<Document> parseProject(std::string_view text, const std::string &fileName);
-
-/// Writes bytes atomically: temporary file in the same folder, flushed, renamed.
-Status writeFileAtomically(const std::filesystem::path &path, std::string_view bytes);
 
 } // namespace forefront

@@ -2,7 +2,7 @@
 
 #include "core/base/progress.hpp"
 #include "core/io/files.hpp"
-#include "core/io/source.hpp"
+#include "core/io/source/source.hpp"
 #include "core/io/text/text_writer.hpp"
 
 #include <filesystem>
@@ -40,12 +40,5 @@ std::span<const Format> formats();
 const Format *formatOf(const std::filesystem::path &path, std::string_view content);
 const Format *formatOfExtension(const std::filesystem::path &path, bool (*wanted)(const Format &));
 const Format *formatOfId(std::string_view id);
-
-/// A text file beside the source with another extension, for formats of several files.
-struct Companion {
-    std::string bytes;
-    SourceText source; ///< views `bytes`
-};
-Result<std::unique_ptr<Companion>> readCompanion(const SourceText &source, const char *extension);
 
 } // namespace forefront

@@ -1,5 +1,14 @@
+#include "core/io/abaqus/abaqus.hpp"
 #include "core/io/format.hpp"
-#include "core/io/readers.hpp"
+#include "core/io/geojson/geojson.hpp"
+#include "core/io/gmsh/gmsh.hpp"
+#include "core/io/medit/medit.hpp"
+#include "core/io/obj/obj.hpp"
+#include "core/io/project/project.hpp"
+#include "core/io/su2/su2.hpp"
+#include "core/io/svg/svg.hpp"
+#include "core/io/triangle/triangle.hpp"
+#include "core/io/vtk/vtk.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,11 @@
 #include "core/mesh/mesh_domain.hpp"
 
-#include "core/base/ids.hpp"
+#include "core/domain/unused_tag.hpp"
 #include "core/mesh/topology.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <tuple>
 
 namespace forefront {
@@ -17,6 +18,7 @@ class MeshOutline {
 
     Domain run() {
         collectTags();
+        chooseTagsOfUnnamed();
         if (!mesh_.elements.empty()) {
             elementEdges();
         }
@@ -54,6 +56,20 @@ class MeshOutline {
                                 [](const Tagged &a, const Tagged &b) { return a.key() == b.key(); }),
                     tags_.end());
         used_.assign(tags_.size(), false);
+    }
+
+    /// Parts without a tag must not take the tag, and with it the name, of another part.
+    void chooseTagsOfUnnamed() {
+        std::set<std::int32_t> taken;
+        for (const Tagged &tag : tags_) {
+            taken.insert(tag.tag);
+        }
+        for (const TaggedNode &point : mesh_.points) {
+            taken.insert(point.tag);
+        }
+        outerTag_ = unusedTag(taken, mesh_.boundaryNames, TagKind::Boundary);
+        taken.insert(outerTag_);
+        interfaceTag_ = unusedTag(taken, mesh_.boundaryNames, TagKind::Boundary);
     }
 
     /// Index of the tag of an edge, or tags_.size().
@@ -99,7 +115,11 @@ class MeshOutline {
         } else if (!outer && index(neighbour) < e) {
             return;
         }
-        addSegment(a, b, tagged ? tags_[found].tag : 1, outer ? SegmentRole::Boundary : SegmentRole::Constraint);
+        addSegment(a, b,
+                   tagged  ? tags_[found].tag
+                   : outer ? outerTag_
+                           : interfaceTag_,
+                   outer ? SegmentRole::Boundary : SegmentRole::Constraint);
     }
 
     /// One marker in every face, in its largest element.
@@ -153,6 +173,8 @@ class MeshOutline {
     std::vector<std::uint32_t> numbers_; ///< of the mesh's nodes in the domain
     std::vector<Tagged> tags_;
     std::vector<bool> used_;
+    std::int32_t outerTag_ = 1;     ///< of outer edges without a tag
+    std::int32_t interfaceTag_ = 2; ///< of edges between regions without a tag
     std::vector<std::array<ElementId, 3>> neighbours_;
     std::vector<std::array<bool, 3>> divides_;
     Domain domain_;

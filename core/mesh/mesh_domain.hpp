@@ -7,7 +7,8 @@
 namespace forefront {
 
 /// Returns the domain that a mesh covers: its boundary edges, the interfaces between its regions and its tagged edges
-/// and points, with tags and names, and a marker in every face. Errors: empty-domain (neither elements nor edges).
+/// and points, with tags and names, and a marker in every face. Outer edges without a tag share the lowest unused tag,
+/// interfaces without a tag the next one. Errors: empty-domain.
 Result<Domain> domainOfMesh(const Mesh &mesh);
 
 } // namespace forefront

@@ -229,8 +229,8 @@ TEST_CASE("Export: a missing folder is reported in the dialog, which stays open"
     CHECK(driver.context().widgets.find("dialog/export/warning")->rect.width > 100.0);
     CHECK_FALSE(driver.has("canvas/error"));
     const Diagnostic &fault = driver.context().log.entries().back().diagnostic;
-    CHECK(fault.message.find("there is no folder " + (place.path / "no-such-folder").string()) != std::string::npos);
-    CHECK(fault.advice == "make it, or choose another");
+    CHECK(fault.message.find("folder " + (place.path / "no-such-folder").string() + " not found") != std::string::npos);
+    CHECK(fault.advice == "create it, or choose another");
     CHECK_FALSE(std::filesystem::exists(place.path / "no-such-folder"));
     typeName(driver, "export", place.path / "bay.msh");
     CHECK_FALSE(driver.has("dialog/export/ok"));

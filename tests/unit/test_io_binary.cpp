@@ -1,5 +1,5 @@
 #include "core/io/files.hpp"
-#include "core/io/readers.hpp"
+#include "core/io/gmsh/gmsh.hpp"
 #include "core/mesh/verify.hpp"
 #include "tests/unit/io_samples.hpp"
 #include "tests/unit/mesh_samples.hpp"

@@ -1,4 +1,5 @@
-#include "core/io/readers.hpp"
+#include "core/io/gmsh/gmsh.hpp"
+#include "core/io/vtk/vtk.hpp"
 #include "tests/unit/io_samples.hpp"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
+#include "core/io/common/names.hpp"
+#include "core/io/common/node_table.hpp"
 #include "core/io/format.hpp"
-#include "core/io/names.hpp"
-#include "core/io/node_table.hpp"
 #include "core/io/text/text_scanner.hpp"
 #include "core/mesh/verify.hpp"
 #include "tests/unit/io_samples.hpp"

@@ -1,5 +1,5 @@
-#include "core/io/domain_builder.hpp"
-#include "core/io/readers.hpp"
+#include "core/io/common/domain_builder.hpp"
+#include "core/io/geojson/geojson.hpp"
 #include "tests/unit/io_samples.hpp"
 
 #include <doctest/doctest.h>

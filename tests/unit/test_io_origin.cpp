@@ -1,4 +1,6 @@
-#include "core/io/readers.hpp"
+#include "core/io/geojson/geojson.hpp"
+#include "core/io/svg/svg.hpp"
+#include "core/io/triangle/triangle.hpp"
 #include "tests/unit/io_samples.hpp"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
 #include "core/io/files.hpp"
-#include "core/io/readers.hpp"
+#include "core/io/triangle/triangle.hpp"
 #include "tests/unit/io_samples.hpp"
 
 #include <doctest/doctest.h>

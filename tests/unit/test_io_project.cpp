@@ -1,7 +1,7 @@
 #include "core/edit/equality.hpp"
+#include "core/io/common/names.hpp"
 #include "core/io/files.hpp"
 #include "core/io/json/json.hpp"
-#include "core/io/names.hpp"
 #include "core/io/project/tile_code.hpp"
 #include "core/io/text/base64.hpp"
 #include "core/spacing/part_list.hpp"

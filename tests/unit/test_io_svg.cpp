@@ -1,6 +1,6 @@
 #include "core/geometry/polygon.hpp"
 #include "core/io/files.hpp"
-#include "core/io/readers.hpp"
+#include "core/io/svg/svg.hpp"
 #include "core/io/svg/svg_pen.hpp"
 #include "core/io/svg/svg_transform.hpp"
 #include "tests/unit/io_samples.hpp"

@@ -1,5 +1,5 @@
-#include "core/io/names.hpp"
-#include "core/io/readers.hpp"
+#include "core/io/abaqus/abaqus.hpp"
+#include "core/io/common/names.hpp"
 #include "core/mesh/edge_table.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
+#include "core/io/gmsh/gmsh.hpp"
 #include "core/io/gmsh/msh_model.hpp"
-#include "core/io/readers.hpp"
 
 #include <array>
 #include <bit>

@@ -1,7 +1,7 @@
 #include "core/io/gmsh/msh_groups.hpp"
 
-#include "core/io/names.hpp"
-#include "core/io/readers.hpp"
+#include "core/io/common/names.hpp"
+#include "core/io/gmsh/gmsh.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/result.hpp"
-#include "core/io/source.hpp"
+#include "core/io/source/source.hpp"
 
 #include <cstdint>
 #include <optional>

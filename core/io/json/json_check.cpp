@@ -1,6 +1,6 @@
 #include "core/io/json/json_check.hpp"
 
-#include "core/io/names.hpp"
+#include "core/io/common/names.hpp"
 
 #include <limits>
 

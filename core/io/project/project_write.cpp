@@ -1,8 +1,8 @@
-#include "core/io/atomic_file.hpp"
-#include "core/io/files.hpp"
 #include "core/io/json/json.hpp"
+#include "core/io/project/project.hpp"
 #include "core/io/project/project_words.hpp"
 #include "core/io/project/tile_code.hpp"
+#include "core/io/text/atomic_file.hpp"
 
 #include <cmath>
 

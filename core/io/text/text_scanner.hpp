@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/source.hpp"
+#include "core/io/source/source.hpp"
 
 #include <cstdint>
 #include <limits>

@@ -1,9 +1,9 @@
-#include "core/io/atomic_file.hpp"
-#include "core/io/format.hpp"
-#include "core/io/names.hpp"
-#include "core/io/node_labels.hpp"
-#include "core/io/planar_mesh.hpp"
-#include "core/io/readers.hpp"
+#include "core/io/common/names.hpp"
+#include "core/io/common/node_labels.hpp"
+#include "core/io/common/planar_mesh.hpp"
+#include "core/io/source/companion.hpp"
+#include "core/io/text/atomic_file.hpp"
+#include "core/io/triangle/triangle.hpp"
 #include "core/io/triangle/triangle_nodes.hpp"
 
 #include <cmath>

@@ -1,7 +1,7 @@
-#include "core/io/mesh_field.hpp"
-#include "core/io/planar_mesh.hpp"
-#include "core/io/readers.hpp"
+#include "core/io/common/mesh_field.hpp"
+#include "core/io/common/planar_mesh.hpp"
 #include "core/io/text/base64.hpp"
+#include "core/io/vtk/vtk.hpp"
 #include "core/io/vtk/vtk_cells.hpp"
 
 #include <pugixml.hpp>

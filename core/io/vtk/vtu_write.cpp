@@ -1,5 +1,5 @@
-#include "core/io/names.hpp"
-#include "core/io/readers.hpp"
+#include "core/io/common/names.hpp"
+#include "core/io/vtk/vtk.hpp"
 #include "core/io/vtk/vtk_cells.hpp"
 
 #include <bit>

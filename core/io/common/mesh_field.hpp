@@ -1,13 +1,21 @@
 #pragma once
 
-#include "core/io/files.hpp"
-#include "core/io/source.hpp"
+#include "core/base/result.hpp"
+#include "core/io/source/source.hpp"
+#include "core/mesh/mesh.hpp"
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace forefront {
+
+/// A mesh with one value per node.
+struct MeshField {
+    Mesh mesh;
+    std::vector<double> values;
+};
 
 /// Nodal values with one component by name, as a file holds them; NaN where it says nothing.
 using NamedFields = std::map<std::string, std::vector<double>>;

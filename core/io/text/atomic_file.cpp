@@ -1,6 +1,4 @@
-#include "core/io/atomic_file.hpp"
-
-#include "core/io/files.hpp"
+#include "core/io/text/atomic_file.hpp"
 
 #include <algorithm>
 #include <cerrno>

@@ -1,4 +1,4 @@
-#include "core/io/names.hpp"
+#include "core/io/common/names.hpp"
 
 #include "core/domain/domain.hpp"
 

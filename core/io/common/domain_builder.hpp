@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/domain/domain.hpp"
-#include "core/io/domain_origin.hpp"
+#include "core/io/source/domain_origin.hpp"
 
 #include <cstdint>
 #include <optional>

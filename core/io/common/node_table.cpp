@@ -1,4 +1,4 @@
-#include "core/io/node_table.hpp"
+#include "core/io/common/node_table.hpp"
 
 #include <algorithm>
 #include <numeric>

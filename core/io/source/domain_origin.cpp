@@ -1,4 +1,4 @@
-#include "core/io/domain_origin.hpp"
+#include "core/io/source/domain_origin.hpp"
 
 #include <algorithm>
 

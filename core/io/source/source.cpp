@@ -1,4 +1,4 @@
-#include "core/io/source.hpp"
+#include "core/io/source/source.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -38,9 +38,9 @@ std::string inQuotes(std::string_view token) {
 
 namespace {
 
-Diagnostics readFault(const std::filesystem::path &path, const std::string &why) {
+Diagnostics readFault(const std::string &name, const std::string &why) {
     Diagnostics faults = error("cannot-read", "cannot read the file: " + why);
-    faults.front().file = path.string();
+    faults.front().file = name;
     return faults;
 }
 
@@ -60,20 +60,18 @@ class OpenFile {
     int descriptor_;
 };
 
-} // namespace
-
-Result<std::string> readFileBytes(const std::filesystem::path &path, std::size_t maxBytes) {
-    const OpenFile file(path);
+/// Reads an open file up to its end; `name` appears in faults.
+Result<std::string> readDescriptor(int descriptor, const std::string &name, std::size_t maxBytes) {
     struct stat status {};
-    if (file.descriptor() < 0 || ::fstat(file.descriptor(), &status) != 0) {
-        return readFault(path, std::strerror(errno));
+    if (descriptor < 0 || ::fstat(descriptor, &status) != 0) {
+        return readFault(name, std::strerror(errno));
     }
     if (S_ISDIR(status.st_mode)) {
-        return readFault(path, "it is a folder");
+        return readFault(name, "it is a folder");
     }
     const auto tooLarge = [&] {
         Diagnostics faults = error("too-large", "the file is larger than " + std::to_string(maxBytes) + " bytes");
-        faults.front().file = path.string();
+        faults.front().file = name;
         return faults;
     };
     const auto promised = static_cast<std::size_t>(std::max<off_t>(status.st_size, 0));
@@ -85,12 +83,12 @@ Result<std::string> readFileBytes(const std::filesystem::path &path, std::size_t
     std::size_t size = 0;
     bytes.resize(S_ISREG(status.st_mode) ? promised + 1 : kChunk);
     while (true) {
-        const ssize_t got = ::read(file.descriptor(), bytes.data() + size, bytes.size() - size);
+        const ssize_t got = ::read(descriptor, bytes.data() + size, bytes.size() - size);
         if (got < 0) {
             if (errno == EINTR) {
                 continue;
             }
-            return readFault(path, std::strerror(errno));
+            return readFault(name, std::strerror(errno));
         }
         if (got == 0) {
             break;
@@ -109,6 +107,17 @@ Result<std::string> readFileBytes(const std::filesystem::path &path, std::size_t
         bytes.erase(0, kByteOrderMark.size());
     }
     return bytes;
+}
+
+} // namespace
+
+Result<std::string> readFileBytes(const std::filesystem::path &path, std::size_t maxBytes) {
+    const OpenFile file(path);
+    return readDescriptor(file.descriptor(), path.string(), maxBytes);
+}
+
+Result<std::string> readStandardInput(std::size_t maxBytes) {
+    return readDescriptor(STDIN_FILENO, "standard input", maxBytes);
 }
 
 } // namespace forefront

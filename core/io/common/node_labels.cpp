@@ -1,4 +1,4 @@
-#include "core/io/node_labels.hpp"
+#include "core/io/common/node_labels.hpp"
 
 namespace forefront {
 

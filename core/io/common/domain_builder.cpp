@@ -1,4 +1,4 @@
-#include "core/io/domain_builder.hpp"
+#include "core/io/common/domain_builder.hpp"
 
 #include "core/base/hash.hpp"
 

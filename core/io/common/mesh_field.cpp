@@ -1,4 +1,4 @@
-#include "core/io/mesh_field.hpp"
+#include "core/io/common/mesh_field.hpp"
 
 #include <cmath>
 

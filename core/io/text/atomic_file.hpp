@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 
 namespace forefront {
 
@@ -42,5 +43,8 @@ class AtomicFile final : public ByteSink {
 /// Writes one file through `fill`, atomically.
 Status writeTextFile(const std::filesystem::path &path, const std::function<void(TextWriter &)> &fill,
                      const Progress &progress = {}, std::size_t expectedBytes = 0);
+
+/// Writes bytes atomically: to a temporary file in the same folder, which is flushed and renamed.
+Status writeFileAtomically(const std::filesystem::path &path, std::string_view bytes);
 
 } // namespace forefront

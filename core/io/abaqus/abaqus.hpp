@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/io/source/source.hpp"
+#include "core/io/text/text_writer.hpp"
+#include "core/mesh/mesh.hpp"
+
+#include <string_view>
+
+namespace forefront {
+
+/// Reads Abaqus and CalculiX input (.inp). Every fault carries its place in the source.
+Result<Mesh> readAbaqus(const SourceText &source);
+/// Returns true if the first bytes of a file show that it is of this format.
+bool looksLikeAbaqus(std::string_view head);
+/// Writes Abaqus and CalculiX input (.inp).
+void writeAbaqus(const Mesh &mesh, TextWriter &out);
+/// Returns notes on names and numbers that the file has in another form than the mesh.
+Diagnostics noteAbaqusChanges(const Mesh &mesh);
+
+} // namespace forefront

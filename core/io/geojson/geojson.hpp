@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/domain/domain.hpp"
+#include "core/io/source/source.hpp"
+
+#include <string_view>
+
+namespace forefront {
+
+/// Reads GeoJSON (RFC 7946) as a drawing in the plane. Neighbouring polygons share interfaces; a polygon inside another
+/// one is a region of its own; lines and points are constraints. "name" and "tag" of a feature's properties name its
+/// boundary and region.
+Result<Domain> readGeoJson(const SourceText &source);
+/// Returns true if the first bytes of a file show that it is GeoJSON; a project may show the same words.
+bool looksLikeGeoJson(std::string_view head);
+
+} // namespace forefront

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/io/common/mesh_field.hpp"
+#include "core/io/source/source.hpp"
+#include "core/io/text/text_writer.hpp"
+#include "core/mesh/mesh.hpp"
+#include "core/spacing/spacing_spec.hpp"
+
+#include <string_view>
+
+namespace forefront {
+
+/// Reads Gmsh MSH 2.2 (ASCII) and 4.1 (ASCII and binary). Every fault carries its place in the source.
+Result<Mesh> readMsh(const SourceText &source);
+/// Reads the first scalar $NodeData as the spacing on a background mesh. Faults: no-values, bad-values.
+Result<SpacingSpec> readMshSpacing(const SourceText &source);
+/// Reads the mesh and the nodal values of that name. Faults as those of meshWithField.
+Result<MeshField> readMshField(const SourceText &source, std::string_view name);
+/// Returns true if the first bytes of a file show that it is MSH.
+bool looksLikeMsh(std::string_view head);
+
+/// Writes MSH 2.2, ASCII.
+void writeMsh2(const Mesh &mesh, TextWriter &out);
+/// Writes MSH 4.1, ASCII.
+void writeMsh4(const Mesh &mesh, TextWriter &out);
+/// Writes MSH 4.1, binary.
+void writeMsh4Binary(const Mesh &mesh, TextWriter &out);
+/// Returns notes on names and numbers that the file has in another form than the mesh.
+Diagnostics noteMshChanges(const Mesh &mesh);
+
+} // namespace forefront

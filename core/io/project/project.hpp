@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/edit/document.hpp"
+#include "core/io/source/source.hpp"
+#include "core/spacing/spacing_spec.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace forefront {
+
+/// Reads Forefront's own project file. Every fault carries its place in the source.
+Result<Document> readProjectText(const SourceText &source);
+/// Reads the spacing of a project.
+Result<SpacingSpec> readProjectSpacing(const SourceText &source);
+/// Returns true if the first bytes of a file show that it is a project.
+bool looksLikeProject(std::string_view head);
+
+/// Writes a project file, versioned JSON, atomically.
+Status writeProject(const std::filesystem::path &path, const Document &document);
+/// Returns the JSON text of a project; for the recovery journal and tests.
+std::string projectText(const Document &document);
+/// Reads the JSON text of a project; `fileName` appears in faults.
+Result<Document> parseProject(std::string_view text, const std::string &fileName);
+
+} // namespace forefront

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/base/diagnostic.hpp"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace forefront {
+
+/// Something that a reader did not use, or decided for its user.
+struct ImportNote {
+    std::string code;    ///< short stable identifier, such as "svg-text"
+    std::string message; ///< "text is ignored: it has no outline"
+    std::size_t count = 0;
+    std::string file; ///< where it occurs first
+    int line = 0;
+    int column = 0;
+};
+
+/// Collects what readers leave out of a file, each kind once with its count, in the order of first occurrence.
+class ImportNotes {
+  public:
+    /// Counts `count` more of the note with this code and message; `text`, `offset` and `file` give the first place.
+    void add(std::string_view code, const std::string &message, const std::string &file, std::string_view text,
+             std::size_t offset, std::size_t count = 1);
+    const std::vector<ImportNote> &entries() const { return entries_; }
+    bool empty() const { return entries_.empty(); }
+    /// Returns the notes for a log: "... (3 times)" with file, line and column of the first.
+    Diagnostics diagnostics() const;
+
+  private:
+    std::vector<ImportNote> entries_;
+};
+
+} // namespace forefront

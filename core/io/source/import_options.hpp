@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+
+namespace forefront {
+
+/// How a file is read.
+struct ImportOptions {
+    /// Maximum distance between a curve and its polyline, in file units; 0: 1/2000 of the drawing's size.
+    double curveTolerance = 0.0;
+    std::size_t maxBytes = std::size_t{2} << 30; ///< larger files are refused
+    /// Format by its id, such as "geojson"; empty: by content, then by extension.
+    std::string formatId = {};
+    /// The bytes of the file where they have been read already, such as those of standard input; null: read the file.
+    std::shared_ptr<const std::string> content = {};
+};
+
+} // namespace forefront

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/io/source/domain_origin.hpp"
+#include "core/io/source/import_notes.hpp"
+#include "core/io/source/import_options.hpp"
+#include "core/io/source/text_place.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace forefront {
+
+/// The bytes of an input file and where they come from. Readers work on this alone, so that tests and fuzzers feed them
+/// from memory; `path` is empty there, and companion files (.node beside .poly) are then out of reach.
+struct SourceText {
+    std::string_view text;
+    std::string name;           ///< as shown in messages
+    std::filesystem::path path; ///< of the file itself, for finding its companions; may be empty
+    ImportOptions options;
+    DomainOrigin *origin = nullptr; ///< where a reader of domains records the places of the parts; null: nowhere
+    ImportNotes *notes = nullptr;   ///< where a reader reports what it does not use; null: nowhere
+
+    /// Reports something that is not used, found at byte `offset`.
+    void note(std::string_view code, const std::string &message, std::size_t offset, std::size_t count = 1) const {
+        if (notes != nullptr) {
+            notes->add(code, message, name, text, offset, count);
+        }
+    }
+};
+
+/// Returns one error that carries file, line and column of `offset`.
+Diagnostic faultAt(const SourceText &source, std::size_t offset, std::string code, std::string message,
+                   std::string advice = {});
+
+/// Returns a token as quoted in a message: printable, shortened.
+std::string inQuotes(std::string_view token);
+
+/// Returns the whole content of a file without the byte order mark that some editors put before UTF-8. Faults:
+/// cannot-read with the text of errno, too-large.
+Result<std::string> readFileBytes(const std::filesystem::path &path, std::size_t maxBytes);
+/// Returns what standard input holds, up to its end; otherwise as above.
+Result<std::string> readStandardInput(std::size_t maxBytes);
+
+} // namespace forefront

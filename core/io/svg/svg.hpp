@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/domain/domain.hpp"
+#include "core/io/source/source.hpp"
+#include "core/io/text/text_writer.hpp"
+#include "core/mesh/mesh.hpp"
+
+#include <string_view>
+
+namespace forefront {
+
+/// Reads the shapes of an SVG drawing. Closed outlines bound the domain by the even-odd rule, open ones are
+/// constraints.
+Result<Domain> readSvg(const SourceText &source);
+/// Returns true if the first bytes of a file show that it is SVG.
+bool looksLikeSvg(std::string_view head);
+/// Writes a drawing of the mesh: one path per region, one per boundary tag, named by titles.
+void writeSvg(const Mesh &mesh, TextWriter &out);
+
+} // namespace forefront

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/io/common/mesh_field.hpp"
+#include "core/io/source/source.hpp"
+#include "core/io/text/text_writer.hpp"
+#include "core/mesh/mesh.hpp"
+
+#include <string_view>
+
+namespace forefront {
+
+/// Reads a VTK XML unstructured grid (.vtu). Every fault carries its place in the source.
+Result<Mesh> readVtu(const SourceText &source);
+/// Reads the mesh and the point data of that name. Faults as those of meshWithField.
+Result<MeshField> readVtuField(const SourceText &source, std::string_view name);
+/// Returns true if the first bytes of a file show that it is VTU.
+bool looksLikeVtu(std::string_view head);
+/// Writes a VTK XML unstructured grid (.vtu).
+void writeVtu(const Mesh &mesh, TextWriter &out);
+
+/// Reads a VTK legacy file (.vtk), ASCII. Every fault carries its place in the source.
+Result<Mesh> readVtk(const SourceText &source);
+/// Reads the mesh and the point data of that name. Faults as those of meshWithField.
+Result<MeshField> readVtkField(const SourceText &source, std::string_view name);
+/// Returns true if the first bytes of a file show that it is VTK legacy.
+bool looksLikeVtk(std::string_view head);
+/// Writes a VTK legacy file, ASCII.
+void writeVtk(const Mesh &mesh, TextWriter &out);
+
+} // namespace forefront
