@@ -1,6 +1,6 @@
 #include "tests/unit/io_samples.hpp"
 
-#include "core/io/names.hpp"
+#include "core/io/common/names.hpp"
 #include "tests/unit/mesh_samples.hpp"
 
 #include <algorithm>

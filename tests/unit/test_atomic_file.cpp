@@ -1,0 +1,105 @@
+#include "core/io/text/atomic_file.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstddef>
+#include <fstream>
+#include <iterator>
+#include <stop_token>
+#include <string>
+
+using namespace forefront;
+using forefront::testing::TemporaryFolder;
+
+namespace {
+
+std::string contentOf(const std::filesystem::path &file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::ptrdiff_t filesIn(const TemporaryFolder &folder) {
+    return std::distance(std::filesystem::directory_iterator(folder.path), {});
+}
+
+} // namespace
+
+TEST_CASE("AtomicFile: the file appears with commit, complete and alone") {
+    const TemporaryFolder folder;
+    AtomicFile file(folder / "a.txt");
+    CHECK(file.write("first "));
+    CHECK_FALSE(std::filesystem::exists(folder / "a.txt"));
+    CHECK(file.write("second"));
+    CHECK(file.commit().empty());
+    CHECK(contentOf(folder / "a.txt") == "first second");
+    CHECK(filesIn(folder) == 1);
+}
+
+TEST_CASE("AtomicFile: without commit the old content stays and nothing is left behind") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "a.txt") << "old";
+    {
+        AtomicFile file(folder / "a.txt");
+        CHECK(file.write("new"));
+        CHECK(filesIn(folder) == 2);
+    }
+    CHECK(contentOf(folder / "a.txt") == "old");
+    CHECK(filesIn(folder) == 1);
+}
+
+TEST_CASE("AtomicFile: two files to one name do not mix, and the last commit wins") {
+    const TemporaryFolder folder;
+    AtomicFile first(folder / "a.txt"), second(folder / "a.txt");
+    CHECK(first.write("first"));
+    CHECK(second.write("second"));
+    CHECK(second.commit().empty());
+    CHECK(first.commit().empty());
+    CHECK(contentOf(folder / "a.txt") == "first");
+    CHECK(filesIn(folder) == 1);
+}
+
+TEST_CASE("AtomicFile: permissions of the file before are kept, links are followed") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "a.txt") << "old";
+    const auto wanted = std::filesystem::perms::owner_read | std::filesystem::perms::owner_write;
+    std::filesystem::permissions(folder / "a.txt", wanted);
+    std::filesystem::create_symlink("a.txt", folder / "link");
+    CHECK(writeFileAtomically(folder / "link", "new").empty());
+    CHECK(std::filesystem::is_symlink(folder / "link"));
+    CHECK(contentOf(folder / "a.txt") == "new");
+    CHECK(std::filesystem::status(folder / "a.txt").permissions() == wanted);
+}
+
+TEST_CASE("AtomicFile: cancelling stops the writing and leaves the old file") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "a.txt") << "old";
+    std::stop_source stop;
+    Progress progress;
+    progress.stop = stop.get_token();
+    {
+        AtomicFile file(folder / "a.txt", progress);
+        CHECK(file.write("some"));
+        stop.request_stop();
+        CHECK_FALSE(file.write("more"));
+        const Status status = file.commit();
+        REQUIRE(status.size() == 1);
+        CHECK(status[0].code == "cancelled");
+    }
+    CHECK(contentOf(folder / "a.txt") == "old");
+    CHECK(filesIn(folder) == 1);
+}
+
+TEST_CASE("AtomicFile: folders and missing folders are refused with path and reason") {
+    const TemporaryFolder folder;
+    for (const auto &path : {folder.path, folder / "missing/a.txt"}) {
+        AtomicFile file(path);
+        CHECK_FALSE(file.write("text"));
+        const Status status = file.commit();
+        REQUIRE(status.size() == 1);
+        CHECK(status[0].code == "cannot-write");
+        CHECK(status[0].file == path.string());
+        CHECK(status[0].message.find(path.string()) != std::string::npos);
+    }
+    CHECK(filesIn(folder) == 0);
+}
