@@ -172,8 +172,7 @@ void MshFile::restoreOrder() {
 
 std::int32_t MshFile::tagOf(int dimension, std::int64_t entity) const {
     const auto physical = physical_.find({dimension, entity});
-    return physical != physical_.end() ? physical->second
-                                       : static_cast<std::int32_t>(std::clamp<std::int64_t>(entity, 1, kGreatestTag));
+    return physical != physical_.end() ? physical->second : ungrouped(entity);
 }
 
 bool MshFile::readElementBlock4(std::size_t &left) {

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "core/io/common/planar_mesh.hpp"
 #include "core/io/gmsh/msh_groups.hpp"
-#include "core/io/planar_mesh.hpp"
 #include "core/io/text/byte_scanner.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -15,6 +17,10 @@ namespace forefront {
 
 /// Types of elements as MSH numbers them.
 inline constexpr std::int32_t kMshLine = 1, kMshTriangle = 2, kMshPoint = 15;
+
+/// Returns the mark of an entity without a physical group that stands for its tag until all groups are known: a number
+/// below 1.
+std::int32_t ungrouped(std::int64_t entity);
 
 /// Nodal values of a $NodeData section with one component.
 struct MshValues {
@@ -79,8 +85,13 @@ class MshFile {
 
     /// Nodes in the order of their numbers.
     bool takeNodes(std::vector<NumberedNode> nodes);
-    /// The tag of what lies on an entity: its first physical group, else its own number.
+    /// Returns the tag of what lies on an entity: its first physical group, else a mark that resolveTags() replaces.
     std::int32_t tagOf(int dimension, std::int64_t entity) const;
+    /// Gives parts without a physical group, and points whose number is that of a curve, tags of their own.
+    void resolveTags();
+    void resolveRegions();
+    void resolveEdgesAndPoints();
+    void placePoints(class MshTags &tags, bool groupedEdges);
 
     /// Nodes of a point, line or triangle; other types are refused.
     bool failType(const std::string &what, std::int64_t type, std::size_t place);
@@ -92,6 +103,8 @@ class MshFile {
     std::vector<MshGroup> origins_; ///< of groups that our writer renumbered or renamed
     bool version4_ = false, binary_ = false, formatRead_ = false, nodesRead_ = false, elementsRead_ = false;
     std::map<std::pair<int, std::int64_t>, std::int32_t> physical_; ///< by dimension and entity
+    std::array<std::map<std::int32_t, std::string>, 4> names_;      ///< of physical groups, by dimension
+    std::size_t elementsOffset_ = 0;                                ///< of $Elements
     std::vector<std::int64_t> edgeNumbers_, elementNumbers_;        ///< MSH 4.1: as in the file
 };
 

@@ -1,7 +1,7 @@
+#include "core/io/common/mesh_field.hpp"
+#include "core/io/common/names.hpp"
+#include "core/io/gmsh/gmsh.hpp"
 #include "core/io/gmsh/msh_file.hpp"
-#include "core/io/mesh_field.hpp"
-#include "core/io/names.hpp"
-#include "core/io/readers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +34,7 @@ bool MshFile::read() {
         return scanner_.fail(scanner_.offset(), "bad-syntax", "the file has no $Nodes");
     }
     if (scanner_.ok()) {
+        resolveTags();
         restoreTags(origins_, builder_.mesh);
     }
     return scanner_.ok();
@@ -52,6 +53,7 @@ bool MshFile::readSection(std::string_view name) {
         if (!nodesRead_) {
             return scanner_.fail(scanner_.offset(), "bad-syntax", "$Elements come before $Nodes");
         }
+        elementsOffset_ = scanner_.offset();
         done = binary_ ? readElementsBinary() : version4_ ? readElements4() : readElements2();
         elementsRead_ = true;
     } else if (name == "Entities" && version4_) {
@@ -79,6 +81,9 @@ bool MshFile::readComments() {
 
 bool MshFile::skipSection(std::string_view name) {
     const std::size_t place = scanner_.offset();
+    if (name != "Comments" && name != "Entities") {
+        scanner_.source().note("section", "section $" + std::string(name) + " is ignored", place);
+    }
     const std::string end = "$End" + std::string(name);
     const std::size_t found = scanner_.source().text.find("\n" + end, place);
     if (found == std::string_view::npos) {
@@ -123,9 +128,8 @@ bool MshFile::readNames() {
             !scanner_.quotedWord(name, expect)) {
             return false;
         }
-        const bool region = dimension == 2;
-        addName(region ? builder_.mesh.regionNames : builder_.mesh.boundaryNames,
-                static_cast<std::int32_t>(std::abs(tag)), std::string(name), region);
+        addName(names_[static_cast<std::size_t>(dimension)], static_cast<std::int32_t>(std::abs(tag)),
+                std::string(name), dimension == 2);
     }
     return true;
 }
@@ -169,18 +173,17 @@ bool MshFile::readElement2(std::size_t number) {
     if (!scanner_.integer(type, 1, 1000, expect) || !scanner_.integer(tags, 0, 1000, {"the tags of element", number})) {
         return false;
     }
-    // Physical group, then geometry; without physical groups the geometry tells parts apart.
-    std::int64_t chosen = 0;
+    // The physical group, then the entity of the model.
+    std::int64_t group = 0, entity = 0;
     for (std::int64_t t = 0; t < tags; ++t) {
         std::int64_t tag = 0;
         if (!scanner_.integer(tag, -kGreatestTag, kGreatestTag, {"a tag of element", number})) {
             return false;
         }
-        if (t < 2 && chosen == 0) {
-            chosen = std::abs(tag);
-        }
+        (t == 0 ? group : entity) = t < 2 ? std::abs(tag) : entity;
     }
-    return readConnection(type, static_cast<std::int32_t>(std::max<std::int64_t>(chosen, 1)), typeOffset, expect);
+    const std::int32_t tag = group > 0 ? static_cast<std::int32_t>(group) : ungrouped(entity);
+    return readConnection(type, tag, typeOffset, expect);
 }
 
 bool MshFile::readConnection(std::int64_t type, std::int32_t tag, std::size_t typeOffset, Expect expect) {
@@ -240,7 +243,8 @@ bool MshFile::readNodeData() {
         }
         components = k == 1 ? tag : components;
     }
-    if (components != 1) { // vectors and tensors: of no use here
+    if (components != 1) {
+        scanner_.source().note("vector-values", "nodal values with several components are ignored", place);
         const std::size_t end = scanner_.source().text.find("\n$EndNodeData", scanner_.offset());
         scanner_.seek(end == std::string_view::npos ? scanner_.source().text.size() : end);
         return true;

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+
+namespace forefront {
+
+/// Whether a tag belongs to a part of the boundary or to a region.
+enum class TagKind : std::uint8_t { Boundary, Region };
+
+/// Returns the lowest tag that is not in `taken`, has no entry in `names`, and whose default name names no other tag.
+std::int32_t unusedTag(const std::set<std::int32_t> &taken, const std::map<std::int32_t, std::string> &names,
+                       TagKind kind);
+
+} // namespace forefront

@@ -1,0 +1,73 @@
+#include "core/io/boundary_parts.hpp"
+
+#include "core/io/gmsh/gmsh.hpp"
+#include "core/io/gmsh/msh_parts.hpp"
+#include "core/io/source/source.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace forefront {
+
+namespace {
+
+std::string shown(double length) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.6g", length);
+    return text;
+}
+
+Diagnostics compare(const Mesh &mesh, const std::map<std::int32_t, MshCurveGroup> &groups, double tolerance) {
+    std::map<std::int32_t, double> lengths;
+    for (const TaggedEdge &edge : mesh.edges) {
+        lengths[edge.tag] += distance(mesh.nodes[index(edge.a)], mesh.nodes[index(edge.b)]);
+    }
+    Diagnostics faults;
+    const auto fault = [&](const std::string &message) {
+        faults.push_back(std::move(error("wrong-part", message).front()));
+    };
+    for (const auto &[tag, group] : groups) {
+        const std::string name = "boundary part " + inQuotes(group.name) + " (tag " + std::to_string(tag) + ')';
+        if (!(std::abs(lengths[tag] - group.length) <= tolerance)) {
+            fault(name + " is " + shown(lengths[tag]) + " long in the mesh, but " + shown(group.length) +
+                  " in the file of the domain");
+        }
+        for (const auto &[other, given] : mesh.boundaryNames) {
+            if (other != tag && !group.name.empty() && given == group.name && lengths.count(other) > 0 &&
+                groups.count(other) == 0) {
+                fault("the mesh gives the name of " + name + " to tag " + std::to_string(other));
+            }
+        }
+    }
+    return faults;
+}
+
+} // namespace
+
+Diagnostics checkBoundaryParts(const Mesh &mesh, const std::filesystem::path &domainFile,
+                               const ImportOptions &options) {
+    if (mesh.edges.empty()) {
+        return {};
+    }
+    std::string loaded;
+    if (options.content == nullptr) {
+        Result<std::string> bytes = readFileBytes(domainFile, options.maxBytes);
+        if (!bytes) {
+            return bytes.faults();
+        }
+        loaded = std::move(*bytes);
+    }
+    const std::string &text = options.content != nullptr ? *options.content : loaded;
+    constexpr std::size_t kHeadBytes = 4096;
+    if (!looksLikeMsh(std::string_view(text).substr(0, kHeadBytes))) {
+        return {};
+    }
+    const auto groups = mshCurveGroups(text);
+    return groups ? compare(mesh, *groups, 1e-9 * static_cast<double>(mesh.edges.size()) * mesh.bounds().diagonal())
+                  : Diagnostics{};
+}
+
+} // namespace forefront

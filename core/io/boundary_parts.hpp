@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/base/diagnostic.hpp"
+#include "core/io/source/import_options.hpp"
+#include "core/mesh/mesh.hpp"
+
+#include <filesystem>
+
+namespace forefront {
+
+/// Compares the boundary parts of a mesh with those that the file of its domain names, without the domain's reader:
+/// each physical group of curves of an ASCII MSH file must be as long in the mesh as in the file, and the mesh must not
+/// call another part by its name. Files of other formats, and meshes without tags, are not judged. Fault: wrong-part.
+Diagnostics checkBoundaryParts(const Mesh &mesh, const std::filesystem::path &domainFile,
+                               const ImportOptions &options = {});
+
+} // namespace forefront
