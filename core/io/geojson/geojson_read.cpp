@@ -1,11 +1,15 @@
 #include "core/geometry/box_tree.hpp"
 #include "core/geometry/polygon.hpp"
-#include "core/io/domain_builder.hpp"
+#include "core/io/common/domain_builder.hpp"
+#include "core/io/common/line_outline.hpp"
+#include "core/io/common/names.hpp"
+#include "core/io/geojson/geojson.hpp"
 #include "core/io/json/json_check.hpp"
-#include "core/io/names.hpp"
-#include "core/io/readers.hpp"
 
+#include <algorithm>
+#include <initializer_list>
 #include <limits>
+#include <set>
 
 namespace forefront {
 
@@ -37,20 +41,18 @@ struct GeoLabel {
     std::optional<std::int32_t> tag;
 };
 
-/// GeoJSON (RFC 7946) as a plane drawing. Neighbouring polygons share interfaces; a polygon that lies inside another
-/// one is a region of its own; lines are constraints, and name the polygon sides they coincide with; points are
-/// constraint points. properties.name names boundary and region, properties.tag sets their tag.
 class GeoJsonReader {
   public:
     explicit GeoJsonReader(const SourceText &source)
-        : check_(source), noted_(source.origin != nullptr), builder_(source.origin) {
-        if (noted_) {
+        : source_(source), check_(source), located_(source.origin != nullptr), builder_(source.origin) {
+        if (located_) {
             source.origin->showsColumns = true;
         }
     }
 
     Result<Domain> read(const JsonValue &root) {
         reserveTags(root);
+        noteReferenceSystem(root);
         anything(root, {});
         if (!check_.faults().empty()) {
             return check_.faults();
@@ -69,16 +71,86 @@ class GeoJsonReader {
             builder_.addPoint(point.place, point.tag);
         }
         Domain domain = builder_.finish();
+        if (const std::size_t segments = polygons_.empty() ? boundByLines(domain) : 0; segments > 0) {
+            source_.note("lines-as-outline",
+                         "the file has no polygon: its lines that form closed loops are the outline (" +
+                             std::to_string(segments) + " segments)",
+                         lines_.front().from.offset());
+        }
+        noteUnused();
         domain.boundaryNames = boundaries_.names();
         domain.regionNames = regions_.names();
         return domain;
     }
 
   private:
+    /// RFC 7946 knows only longitude and latitude; older files name other systems. Either way the numbers are used as
+    /// they are, as coordinates in the plane.
+    void noteReferenceSystem(const JsonValue &root) {
+        const auto crs = root.find("crs");
+        if (!crs || crs->is(JsonKind::Null)) {
+            return;
+        }
+        const auto properties = crs->find("properties");
+        const auto name = properties ? properties->find("name") : std::nullopt;
+        source_.note("crs",
+                     "the coordinate reference system" + (name ? ' ' + inQuotes(name->string()) : std::string()) +
+                         " is ignored: coordinates are used as they are",
+                     crs->offset());
+    }
+
+    /// Reports the members that are not used, once for the whole file.
+    void noteUnused() {
+        const auto note = [&](const Unused &unused, const char *code, const std::string &start) {
+            if (unused.count == 0) {
+                return;
+            }
+            constexpr std::size_t kShown = 8;
+            std::string keys;
+            std::size_t shown = 0;
+            for (const std::string &key : unused.keys) {
+                if (shown++ < kShown) {
+                    keys += (shown > 1 ? ", " : "") + inQuotes(key);
+                }
+            }
+            if (shown > kShown) {
+                keys += " and " + std::to_string(shown - kShown) + " more";
+            }
+            source_.note(code, start + keys, unused.first, unused.count);
+        };
+        if (heights_.count > 0) {
+            source_.note("height", "third coordinates are ignored: the domain is planar", heights_.first,
+                         heights_.count);
+        }
+        note(properties_, "properties", "properties other than \"name\" and \"tag\" are ignored: ");
+        note(members_, "members", "members that GeoJSON does not define are ignored: ");
+    }
+
+    struct Unused {
+        std::set<std::string> keys;
+        std::size_t first = 0, count = 0;
+        void add(const std::string &key, std::size_t offset) {
+            keys.insert(key);
+            first = count++ == 0 ? offset : first;
+        }
+    };
+
+    static bool oneOf(std::string_view key, std::initializer_list<std::string_view> known) {
+        return std::find(known.begin(), known.end(), key) != known.end();
+    }
+    void noteMembers(const JsonValue &object, std::initializer_list<std::string_view> known) {
+        for (auto member = object.begin(); member != object.end(); ++member) {
+            const std::string key = member.key();
+            if (!oneOf(key, known) && !oneOf(key, {"type", "bbox", "crs"})) {
+                members_.add(key, member.keyValue().offset());
+            }
+        }
+    }
+
     /// What is built next stands at this value, or at the items of this list.
     void buildFrom(const JsonValue &value) { builder_.from({value.offset()}); }
     void buildFromItems(const JsonValue &list) {
-        if (noted_) {
+        if (located_) {
             std::vector<std::size_t> offsets;
             for (const JsonValue item : list) {
                 offsets.push_back(item.offset());
@@ -93,12 +165,19 @@ class GeoJsonReader {
             return;
         }
         for (const JsonValue feature : *features) {
-            const GeoLabel given = label(feature);
-            if (given.tag) {
-                boundaries_.reserve(*given.tag);
-                regions_.reserve(*given.tag);
+            const auto properties = feature.find("properties");
+            if (const auto tag = properties ? tagIn(*properties) : std::nullopt) {
+                boundaries_.reserve(*tag);
+                regions_.reserve(*tag);
             }
         }
+    }
+
+    static std::optional<std::int32_t> tagIn(const JsonValue &properties) {
+        const auto tag = properties.find("tag");
+        const auto number = tag ? tag->integer() : std::nullopt;
+        const bool sound = number && *number >= 1 && *number <= std::numeric_limits<std::int32_t>::max();
+        return sound ? std::optional(static_cast<std::int32_t>(*number)) : std::nullopt;
     }
 
     GeoLabel label(const JsonValue &feature) {
@@ -113,10 +192,16 @@ class GeoJsonReader {
                 label.name = cleanName(name->string());
             }
         }
+        label.tag = tagIn(*properties);
         const auto tag = properties->find("tag");
-        const auto number = tag ? tag->integer() : std::nullopt;
-        if (number && *number >= 1 && *number <= std::numeric_limits<std::int32_t>::max()) {
-            label.tag = static_cast<std::int32_t>(*number);
+        if (tag && !label.tag) {
+            source_.note("bad-tag", "tags that are not integers of at least 1 are ignored", tag->offset());
+        }
+        for (auto member = properties->begin(); member != properties->end(); ++member) {
+            const std::string key = member.key();
+            if (!oneOf(key, {"name", "Name", "NAME", "tag"})) {
+                properties_.add(key, member.keyValue().offset());
+            }
         }
         return label;
     }
@@ -139,15 +224,21 @@ class GeoJsonReader {
         }
         const std::string word = type->string();
         if (word == "FeatureCollection") {
+            noteMembers(value, {"features"});
             each(value, "features", {});
         } else if (word == "GeometryCollection") {
+            noteMembers(value, {"geometries"});
             each(value, "geometries", label);
         } else if (word == "Feature") {
+            noteMembers(value, {"geometry", "properties"});
             const auto geometry = check_.member(value, "geometry", "the feature");
-            if (geometry && !geometry->is(JsonKind::Null)) {
+            if (geometry && geometry->is(JsonKind::Null)) {
+                source_.note("no-geometry", "features without a geometry are ignored", value.offset());
+            } else if (geometry) {
                 anything(*geometry, this->label(value));
             }
         } else {
+            noteMembers(value, {"coordinates"});
             geometry(*type, word, value, label);
         }
     }
@@ -192,7 +283,7 @@ class GeoJsonReader {
         }
     }
 
-    /// Longitude and latitude, or x and y; further numbers, such as a height, are passed over.
+    /// Longitude and latitude, or x and y.
     Vec2 position(const JsonValue &value) {
         Vec2 place;
         std::size_t count = 0;
@@ -200,6 +291,9 @@ class GeoJsonReader {
             const double coordinate = check_.number(number, "a coordinate");
             (count == 0 ? place.x : place.y) = count < 2 ? coordinate : place.y;
             ++count;
+        }
+        if (count > 2) {
+            heights_.add("z", value.offset());
         }
         if (!value.is(JsonKind::Array) || count < 2) {
             check_.fault(value, "bad-number", "expected a position, [x, y]");
@@ -298,12 +392,14 @@ class GeoJsonReader {
         return inside;
     }
 
+    const SourceText &source_;
     JsonCheck check_;
     TagAllocator boundaries_, regions_;
     std::vector<GeoPolygon> polygons_;
     std::vector<GeoLine> lines_;
     std::vector<GeoPoint> points_;
-    bool noted_; ///< places of the parts are asked for
+    const bool located_; ///< places of the parts are asked for
+    Unused properties_, members_, heights_;
     DomainBuilder builder_;
 };
 
@@ -312,10 +408,9 @@ class GeoJsonReader {
 bool looksLikeGeoJson(std::string_view head) {
     const bool object =
         head.find_first_not_of(" \t\r\n") != std::string_view::npos && head[head.find_first_not_of(" \t\r\n")] == '{';
-    return object && !looksLikeProject(head) &&
-           (head.find("\"FeatureCollection\"") != std::string_view::npos ||
-            head.find("\"Feature\"") != std::string_view::npos ||
-            head.find("\"coordinates\"") != std::string_view::npos);
+    return object && (head.find("\"FeatureCollection\"") != std::string_view::npos ||
+                      head.find("\"Feature\"") != std::string_view::npos ||
+                      head.find("\"coordinates\"") != std::string_view::npos);
 }
 
 Result<Domain> readGeoJson(const SourceText &source) {
