@@ -1,0 +1,45 @@
+#pragma once
+
+#include <pugixml.hpp>
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace forefront {
+
+/// The style of SVG elements: presentation attributes, <style> blocks with simple selectors (element, .class, #id, *
+/// and compounds of them) and the attribute `style`, in the order of precedence of CSS.
+class SvgStyles {
+  public:
+    /// Reads the text of a <style> block. `unsupported` is called with each selector or rule that is left out.
+    void addSheet(std::string_view css, const std::function<void(const std::string &)> &unsupported);
+
+    /// Returns the value of a property as given for this element itself, in lower case; empty: not given.
+    std::string value(const pugi::xml_node &node, std::string_view property) const;
+
+  private:
+    struct Selector {
+        std::string element; ///< empty: any
+        std::string id;      ///< empty: any
+        std::vector<std::string> classes;
+        int specificity() const;
+        bool matches(const pugi::xml_node &node) const;
+    };
+    struct Declaration {
+        std::string property, value;
+        bool important = false;
+    };
+    struct Rule {
+        Selector selector;
+        std::vector<Declaration> declarations;
+    };
+
+    static std::vector<Declaration> declarationsOf(std::string_view text);
+    static bool parseSelector(std::string_view text, Selector &selector);
+
+    std::vector<Rule> rules_;
+};
+
+} // namespace forefront

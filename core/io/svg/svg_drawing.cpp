@@ -1,0 +1,524 @@
+#include "core/io/svg/svg_drawing.hpp"
+
+#include "core/io/common/names.hpp"
+#include "core/io/svg/svg_css.hpp"
+#include "core/io/svg/svg_pen.hpp"
+#include "core/io/svg/svg_viewport.hpp"
+
+#include <pugixml.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace forefront {
+
+namespace {
+
+/// Elements that draw nothing themselves: definitions, which other elements refer to, and words about the drawing.
+bool isDefinition(std::string_view name) {
+    constexpr std::array kDefinitions = {"defs",     "symbol",       "clipPath",       "mask",           "pattern",
+                                         "marker",   "style",        "linearGradient", "radialGradient", "filter",
+                                         "metadata", "title",        "desc",           "view",           "cursor",
+                                         "font",     "meshgradient", "hatch",          "solidColor"};
+    return std::find(kDefinitions.begin(), kDefinitions.end(), name) != kDefinitions.end();
+}
+
+bool isShape(std::string_view name) {
+    constexpr std::array kShapes = {"path", "polygon", "polyline", "line", "rect", "circle", "ellipse"};
+    return std::find(kShapes.begin(), kShapes.end(), name) != kShapes.end();
+}
+
+/// Why an element that other programs show is left out.
+std::string whyIgnored(std::string_view name) {
+    if (name == "text" || name == "tspan" || name == "textPath") {
+        return ": text has no outline; convert it to paths in the drawing program";
+    }
+    return name == "image"           ? ": pictures have no outline; trace them in the drawing program"
+           : name == "foreignObject" ? ": it holds no SVG"
+                                     : ": it is not a shape";
+}
+
+class SvgDrawer {
+  public:
+    explicit SvgDrawer(const SourceText &source) : source_(source) {}
+
+    Result<SvgPaths> run() {
+        const pugi::xml_parse_result parsed = xml_.load_buffer(source_.text.data(), source_.text.size());
+        if (!parsed) {
+            return Diagnostics{faultAt(source_, static_cast<std::size_t>(std::max<std::ptrdiff_t>(parsed.offset, 0)),
+                                       "xml-syntax", std::string("the XML is malformed: ") + parsed.description())};
+        }
+        root_ = xml_.document_element();
+        if (local(root_) != "svg") {
+            return Diagnostics{faultAt(source_, 0, "not-svg", "the file is not an SVG drawing")};
+        }
+        collect();
+        placeAxes();
+        walk(std::nullopt);
+        Box2 box;
+        for (const SvgPath &path : paths_) {
+            for (const Vec2 node : path.nodes) {
+                box.add(node);
+            }
+        }
+        paths_.clear();
+        const double size = box.diagonal();
+        constexpr double kFineness = 2000.0;
+        const double wanted = source_.options.curveTolerance;
+        const double tolerance = wanted > 0.0 ? wanted : size / kFineness;
+        if (faults_.empty() && (!std::isfinite(size) || !(size > 0.0))) {
+            fail(root_, "", 0, "empty-domain", "the drawing holds no path that could bound a domain");
+        }
+        if (faults_.empty()) {
+            walk(tolerance);
+        }
+        if (!faults_.empty()) {
+            return faults_;
+        }
+        return SvgPaths{std::move(paths_), size};
+    }
+
+  private:
+    /// An element to visit, with what it inherits.
+    struct Visit {
+        pugi::xml_node node;
+        AffineMap map;
+        Vec2 viewport;
+        bool visible = true;
+        std::size_t use = kNoUse;      ///< the innermost <use> it is drawn by, in uses_
+        std::optional<Vec2> size = {}; ///< of a <symbol> or <svg> drawn by a <use>
+        pugi::xml_node named = {};     ///< the <use> that draws this very element
+    };
+    /// A <use> being drawn: what it draws, and the one around it.
+    struct Use {
+        pugi::xml_node target;
+        std::size_t outer;
+    };
+    static constexpr auto kNoUse = static_cast<std::size_t>(-1);
+
+    static std::string_view local(const pugi::xml_node &node) {
+        const std::string_view name = node.name();
+        const std::size_t colon = name.find(':');
+        return colon == std::string_view::npos ? name : name.substr(colon + 1);
+    }
+
+    static std::string_view prefixOf(const pugi::xml_node &node) {
+        const std::string_view name = node.name();
+        const std::size_t colon = name.find(':');
+        return colon == std::string_view::npos ? std::string_view() : name.substr(0, colon);
+    }
+
+    static std::size_t offsetOf(const pugi::xml_node &node) {
+        return static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug(), 0));
+    }
+
+    /// Records a fault at byte `within` of an attribute's value, as far as that can be found in the text.
+    void fail(const pugi::xml_node &node, const char *attribute, std::size_t within, std::string code,
+              std::string message, std::string advice = {}) {
+        if (!faults_.empty()) {
+            return;
+        }
+        std::size_t offset = offsetOf(node);
+        const std::string_view text = source_.text;
+        const std::string_view tag = text.substr(std::min(offset, text.size()));
+        const std::string start = std::string(attribute) + '=';
+        for (std::size_t at = tag.find(start); *attribute != '\0' && at < tag.find('>'); at = tag.find(start, at + 1)) {
+            if (at > 0 && static_cast<unsigned char>(tag[at - 1]) <= ' ') {
+                offset += at + start.size() + 1 + within;
+                break;
+            }
+        }
+        faults_.push_back(faultAt(source_, offset, std::move(code), std::move(message), std::move(advice)));
+    }
+
+    void note(const pugi::xml_node &node, std::string_view code, const std::string &message) const {
+        source_.note(code, message, offsetOf(node));
+    }
+
+    /// Finds the style sheets and the elements that others refer to.
+    void collect() {
+        struct Walker : pugi::xml_tree_walker {
+            SvgDrawer *reader = nullptr;
+            bool for_each(pugi::xml_node &node) override {
+                if (node.type() == pugi::node_element) {
+                    if (local(node) == "style") {
+                        reader->addSheet(node);
+                    }
+                    if (const pugi::xml_attribute id = node.attribute("id")) {
+                        reader->byId_.emplace(id.value(), node);
+                    }
+                }
+                return true;
+            }
+        } walker;
+        walker.reader = this;
+        xml_.traverse(walker);
+    }
+
+    void addSheet(const pugi::xml_node &node) {
+        std::string css;
+        for (const pugi::xml_node part : node.children()) {
+            css += part.value();
+        }
+        styles_.addSheet(css, [&](const std::string &rule) {
+            note(node, "svg-style", "CSS rules for " + inQuotes(rule) + " are ignored: only element, .class and #id");
+        });
+    }
+
+    /// The y axis of a domain points up: the drawing is turned over within its view box. Where the document's size is
+    /// given in millimetres or the like, so are the coordinates.
+    void placeAxes() {
+        const auto width = parseLength(root_.attribute("width").value());
+        const auto height = parseLength(root_.attribute("height").value());
+        const auto physical = [](const std::optional<SvgLength> &length) {
+            return length && length->value > 0.0 && length->unit != "px" && length->unit != "" &&
+                   pixelsPer(length->unit);
+        };
+        const auto pixels = [](const std::optional<SvgLength> &length) {
+            return length ? length->value * pixelsPer(length->unit).value_or(0.0) : 0.0;
+        };
+        axes_ = AffineMap{1, 0, 0, -1, 0, 0};
+        Vec2 scale{1.0, 1.0};
+        if (const auto box = parseViewBox(root_.attribute("viewBox").value())) {
+            axes_.f = 2.0 * box->corner.y + box->size.y;
+            viewport_ = box->size;
+            if (physical(width)) {
+                const double unit = *pixelsPer(width->unit);
+                scale.x = width->value / box->size.x;
+                scale.y = physical(height) ? pixels(height) / unit / box->size.y : scale.x;
+                const std::string_view keep = root_.attribute("preserveAspectRatio").value();
+                if (keep.find("none") == std::string_view::npos) {
+                    const bool slice = keep.find("slice") != std::string_view::npos;
+                    scale.x = scale.y = slice ? std::max(scale.x, scale.y) : std::min(scale.x, scale.y);
+                }
+            }
+        } else {
+            viewport_ = {pixels(width), pixels(height)};
+            axes_.f = viewport_.y;
+            scale.x = physical(width) ? 1.0 / *pixelsPer(width->unit) : 1.0;
+            scale.y = scale.x;
+        }
+        axes_ = AffineMap{scale.x, 0, 0, scale.y, 0, 0} * axes_;
+        if (scale.x != 1.0) {
+            note(root_, "svg-units",
+                 "coordinates are in " + std::string(width->unit) + ", the unit of the document's size");
+        }
+    }
+
+    /// Visits all shapes; without a tolerance only to measure.
+    void walk(std::optional<double> tolerance) {
+        uses_.clear();
+        std::size_t visited = 0;
+        std::vector<Visit> open = {{root_, axes_, viewport_}};
+        while (!open.empty() && faults_.empty()) {
+            Visit visit = open.back();
+            open.pop_back();
+            if (visit.node.type() != pugi::node_element) {
+                continue;
+            }
+            if (++visited > kSpareElements + source_.text.size()) {
+                fail(visit.node, "", 0, "too-large", "copies of copies (<use>) make more elements than can be held");
+                return;
+            }
+            element(visit, open, tolerance);
+        }
+    }
+
+    void element(Visit &visit, std::vector<Visit> &open, std::optional<double> tolerance) {
+        const std::string_view name = local(visit.node);
+        const bool drawn = visit.size.has_value() || !isDefinition(name);
+        const bool told = tolerance.has_value();
+        if (!drawn ||
+            std::string_view(visit.node.name()).find(':') < std::string_view(visit.node.name()).find("svg:")) {
+            return; // definitions, and what editors store for themselves
+        }
+        if (hidden(visit, told)) {
+            return;
+        }
+        if (told) {
+            noteUnusedStyle(visit.node);
+        }
+        if (const pugi::xml_attribute text = visit.node.attribute("transform")) {
+            const auto own = parseTransform(text.value());
+            if (!own) {
+                fail(visit.node, "transform", 0, "bad-transform",
+                     "invalid transform " + inQuotes(text.value()) +
+                         "; expected functions such as translate(1 2) or matrix(1 0 0 1 5 5)");
+                return;
+            }
+            visit.map = visit.map * *own;
+        }
+        if (name == "svg" || name == "symbol") {
+            enterViewport(visit, name);
+        }
+        if (name == "svg" || name == "symbol" || name == "g" || name == "a") {
+            for (pugi::xml_node child = visit.node.last_child(); child; child = child.previous_sibling()) {
+                open.push_back(inside(visit, child));
+            }
+        } else if (name == "switch") {
+            chosen(visit, open);
+        } else if (name == "use") {
+            use(visit, open, told);
+        } else if (isShape(name)) {
+            if (visit.visible) {
+                shape(visit, name, tolerance);
+            } else if (told) {
+                note(visit.node, "svg-hidden", "hidden shapes are ignored (visibility)");
+            }
+        } else if (told) {
+            note(visit.node, "svg-element", '<' + std::string(name) + "> is ignored" + whyIgnored(name));
+        }
+    }
+
+    static Visit inside(const Visit &outer, const pugi::xml_node &child) {
+        return {child, outer.map, outer.viewport, outer.visible, outer.use};
+    }
+
+    /// Takes over the visibility; true if the element and all it holds is not displayed.
+    bool hidden(Visit &visit, bool told) {
+        if (styles_.value(visit.node, "display") == "none") {
+            if (told) {
+                note(visit.node, "svg-hidden", "hidden elements are ignored (display: none)");
+            }
+            return true;
+        }
+        const std::string own = styles_.value(visit.node, "visibility");
+        if (!own.empty() && own != "inherit") {
+            visit.visible = own != "hidden" && own != "collapse";
+        }
+        return false;
+    }
+
+    /// Reports what would change the outline in a browser.
+    void noteUnusedStyle(const pugi::xml_node &node) const {
+        const auto given = [&](const char *property) {
+            const std::string value = styles_.value(node, property);
+            return !value.empty() && value != "none";
+        };
+        if (given("clip-path")) {
+            note(node, "svg-clip-path", "clip paths are ignored: what they clip is taken whole");
+        }
+        if (given("mask")) {
+            note(node, "svg-mask", "masks are ignored: what they mask is taken whole");
+        }
+        // The attribute is read; the property of CSS, which overrides it, is not.
+        const std::string transform = styles_.value(node, "transform");
+        const bool attribute = !node.attribute("transform").empty();
+        if (!transform.empty() && transform != "none" &&
+            (!attribute || std::string_view(node.attribute("style").value()).find("transform") != std::string::npos)) {
+            note(node, "svg-css-transform", "CSS transforms are ignored; use the attribute transform");
+        }
+        for (pugi::xml_node child : node.children()) {
+            const std::string_view name = local(child);
+            if (name.starts_with("animate") || name == "set") {
+                note(child, "svg-animation", "animations are ignored: the drawing is read as it begins");
+            }
+        }
+    }
+
+    void enterViewport(Visit &visit, std::string_view name) {
+        if (visit.node == root_) {
+            return;
+        }
+        if (name == "svg") {
+            visit.map =
+                visit.map *
+                AffineMap{1, 0, 0, 1, length(visit, "x", SvgExtent::Width), length(visit, "y", SvgExtent::Height)};
+        }
+        const auto extent = [&](const char *attribute, double given, SvgExtent kind) {
+            if (given > 0.0) {
+                return given;
+            }
+            const bool own = name == "svg" && !visit.node.attribute(attribute).empty();
+            return own                        ? length(visit, attribute, kind)
+                   : kind == SvgExtent::Width ? visit.viewport.x
+                                              : visit.viewport.y;
+        };
+        const Vec2 given = visit.size.value_or(Vec2{});
+        const Vec2 size{extent("width", given.x, SvgExtent::Width), extent("height", given.y, SvgExtent::Height)};
+        const auto box = parseViewBox(visit.node.attribute("viewBox").value());
+        if (box && size.x > 0.0 && size.y > 0.0) {
+            visit.map = visit.map * viewBoxMap(*box, size, visit.node.attribute("preserveAspectRatio").value());
+            visit.viewport = box->size;
+        } else if (size.x > 0.0 && size.y > 0.0) {
+            visit.viewport = size;
+        }
+    }
+
+    /// Of a <switch>, the first child that a program without extensions draws.
+    void chosen(const Visit &visit, std::vector<Visit> &open) const {
+        for (const pugi::xml_node child : visit.node.children()) {
+            const std::string_view language = child.attribute("systemLanguage").value();
+            const bool understood = child.attribute("systemLanguage").empty() || language.find("en") != language.npos;
+            if (child.type() == pugi::node_element && local(child) != "foreignObject" && understood &&
+                std::string_view(child.attribute("requiredExtensions").value()).empty()) {
+                open.push_back(inside(visit, child));
+                return;
+            }
+        }
+    }
+
+    void use(Visit &visit, std::vector<Visit> &open, bool told) {
+        const char *plain = visit.node.attribute("href").value();
+        const std::string_view href = *plain != '\0' ? plain : visit.node.attribute("xlink:href").value();
+        const auto found = href.starts_with('#') ? byId_.find(std::string(href.substr(1))) : byId_.end();
+        if (found == byId_.end()) {
+            if (told) {
+                note(visit.node, "svg-use",
+                     "<use> of " + inQuotes(href) + " is ignored: the drawing has no element of that id");
+            }
+            return;
+        }
+        const pugi::xml_node target = found->second;
+        for (std::size_t outer = visit.use; outer != kNoUse; outer = uses_[outer].outer) {
+            if (uses_[outer].target == target) {
+                fail(visit.node, "", 0, "use-cycle", "<use> draws the element that it is part of: " + inQuotes(href),
+                     "refer to another element");
+                return;
+            }
+        }
+        uses_.push_back({target, visit.use});
+        Visit drawn = inside(visit, target);
+        drawn.map = visit.map *
+                    AffineMap{1, 0, 0, 1, length(visit, "x", SvgExtent::Width), length(visit, "y", SvgExtent::Height)};
+        drawn.use = uses_.size() - 1;
+        drawn.named = visit.node;
+        if (local(target) == "symbol" || local(target) == "svg") {
+            drawn.size = Vec2{length(visit, "width", SvgExtent::Width), length(visit, "height", SvgExtent::Height)};
+        }
+        open.push_back(drawn);
+    }
+
+    /// A length in user units; absent: 0.
+    double length(const Visit &visit, const char *attribute, SvgExtent extent) {
+        const std::string_view text = visit.node.attribute(attribute).value();
+        if (text.find_first_not_of(" \t\r\n") == std::string_view::npos || text == "auto") {
+            return 0.0;
+        }
+        const auto value = userLength(text, extent, visit.viewport);
+        if (!value) {
+            fail(visit.node, attribute, 0, "bad-number",
+                 "invalid length " + inQuotes(text) + " for " + attribute +
+                     "; expected a number with px, mm, cm, in, pt, pc, % or no unit");
+        }
+        return value.value_or(0.0);
+    }
+
+    void shape(const Visit &visit, std::string_view name, std::optional<double> tolerance) {
+        const pugi::xml_node &node = visit.node;
+        const double stretch = visit.map.stretch();
+        SvgPen pen(tolerance && stretch > 0.0 ? std::optional(*tolerance / stretch) : std::nullopt);
+        std::optional<SvgFault> fault;
+        const char *attribute = "";
+        if (name == "path") {
+            attribute = "d";
+            fault = drawPath(node.attribute("d").value(), pen);
+        } else if (name == "polygon" || name == "polyline") {
+            attribute = "points";
+            std::vector<Vec2> points;
+            fault = readPoints(node.attribute("points").value(), points);
+            for (const Vec2 p : points) {
+                pen.down() ? pen.lineTo(p) : pen.moveTo(p);
+            }
+            if (name == "polygon") {
+                pen.close();
+            }
+        } else if (name == "line") {
+            pen.moveTo({length(visit, "x1", SvgExtent::Width), length(visit, "y1", SvgExtent::Height)});
+            pen.lineTo({length(visit, "x2", SvgExtent::Width), length(visit, "y2", SvgExtent::Height)});
+        } else {
+            roundShape(visit, name, pen);
+        }
+        if (fault) {
+            fail(node, attribute, fault->offset, "bad-path", fault->message);
+            return;
+        }
+        for (SvgSubpath &subpath : pen.take()) {
+            keep(visit, std::move(subpath));
+        }
+    }
+
+    void roundShape(const Visit &visit, std::string_view name, SvgPen &pen) {
+        const auto across = [&](const char *attribute) { return length(visit, attribute, SvgExtent::Width); };
+        const auto down = [&](const char *attribute) { return length(visit, attribute, SvgExtent::Height); };
+        if (name == "rect") {
+            const Vec2 size{across("width"), down("height")};
+            const bool hasX = !visit.node.attribute("rx").empty(), hasY = !visit.node.attribute("ry").empty();
+            const double rx = hasX ? across("rx") : down("ry"), ry = hasY ? down("ry") : across("rx");
+            if (size.x > 0.0 && size.y > 0.0) {
+                pen.rectangle({across("x"), down("y")}, size, rx, ry);
+            }
+        } else if (name == "circle" || name == "ellipse") {
+            const bool circle = name == "circle";
+            const double rx = circle ? length(visit, "r", SvgExtent::Diagonal) : across("rx");
+            const double ry = circle ? rx : down("ry");
+            if (rx > 0.0 && ry > 0.0) {
+                pen.ellipse({across("cx"), down("cy")}, rx, ry);
+            }
+        }
+    }
+
+    /// The name of a shape: its label or id; that of the <use> which draws it comes first.
+    static std::string nameOf(const Visit &visit) {
+        for (const pugi::xml_node &node : {visit.named, visit.node}) {
+            for (const char *attribute : {"inkscape:label", "id"}) {
+                if (const pugi::xml_attribute name = node.attribute(attribute); *name.value() != '\0') {
+                    return cleanName(name.value());
+                }
+            }
+        }
+        return {};
+    }
+
+    void keep(const Visit &visit, SvgSubpath subpath) {
+        SvgPath path;
+        path.closed = subpath.closed;
+        path.nodes = std::move(subpath.nodes);
+        for (Vec2 &p : path.nodes) {
+            p = visit.map(p);
+            if (!isFinite(p)) {
+                fail(visit.node, "", 0, "non-finite", "the path leaves the range of numbers");
+                return;
+            }
+        }
+        nodeCount_ += path.nodes.size();
+        if (nodeCount_ > kSpareNodes + kNodesPerByte * source_.text.size()) {
+            fail(visit.node, "", 0, "too-large", "the curves need more nodes than can be held",
+                 "give a larger tolerance");
+            return;
+        }
+        path.name = nameOf(visit);
+        path.offset = offsetOf(visit.named ? visit.named : visit.node);
+        paths_.push_back(std::move(path));
+    }
+
+    static constexpr std::size_t kSpareNodes = 2'000'000;
+    static constexpr std::size_t kNodesPerByte = 8;
+    static constexpr std::size_t kSpareElements = 100'000;
+
+    const SourceText &source_;
+    pugi::xml_document xml_;
+    pugi::xml_node root_;
+    SvgStyles styles_;
+    std::map<std::string, pugi::xml_node> byId_;
+    std::vector<Use> uses_;
+    AffineMap axes_;
+    Vec2 viewport_;
+    std::size_t nodeCount_ = 0;
+    std::vector<SvgPath> paths_;
+    Diagnostics faults_;
+};
+
+} // namespace
+
+Result<SvgPaths> drawnPaths(const SourceText &source) {
+    return SvgDrawer(source).run();
+}
+
+} // namespace forefront

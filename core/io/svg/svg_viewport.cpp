@@ -1,0 +1,84 @@
+#include "core/io/svg/svg_viewport.hpp"
+
+#include "core/io/svg/svg_pen.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace forefront {
+
+std::optional<SvgLength> parseLength(std::string_view text) {
+    SvgNumbers numbers(text);
+    SvgLength length;
+    if (!numbers.number(length.value)) {
+        return std::nullopt;
+    }
+    length.unit = text.substr(numbers.offset());
+    length.unit = length.unit.substr(0, length.unit.find_last_not_of(" \t\r\n") + 1);
+    return length;
+}
+
+std::optional<double> pixelsPer(std::string_view unit) {
+    constexpr double kInch = 96.0;
+    constexpr std::pair<std::string_view, double> kUnits[] = {{"", 1.0},
+                                                              {"px", 1.0},
+                                                              {"in", kInch},
+                                                              {"mm", kInch / 25.4},
+                                                              {"cm", kInch / 2.54},
+                                                              {"pt", kInch / 72.0},
+                                                              {"pc", kInch / 6.0}};
+    for (const auto &[name, factor] : kUnits) {
+        if (unit == name) {
+            return factor;
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<double> userLength(std::string_view text, SvgExtent extent, Vec2 viewport) {
+    const auto length = parseLength(text);
+    if (!length) {
+        return std::nullopt;
+    }
+    if (length->unit == "%") {
+        const double whole = extent == SvgExtent::Width    ? viewport.x
+                             : extent == SvgExtent::Height ? viewport.y
+                                                           : std::sqrt(0.5 * lengthSquared(viewport));
+        return whole > 0.0 ? std::optional(length->value / 100.0 * whole) : std::nullopt;
+    }
+    const auto factor = pixelsPer(length->unit);
+    return factor ? std::optional(*factor * length->value) : std::nullopt;
+}
+
+std::optional<ViewBox> parseViewBox(std::string_view text) {
+    SvgNumbers numbers(text);
+    ViewBox box;
+    const bool sound = numbers.point(box.corner) && numbers.point(box.size) && box.size.x > 0.0 && box.size.y > 0.0;
+    return sound ? std::optional(box) : std::nullopt;
+}
+
+AffineMap viewBoxMap(const ViewBox &box, Vec2 size, std::string_view preserveAspectRatio) {
+    Vec2 scale{size.x / box.size.x, size.y / box.size.y};
+    Vec2 share{0.5, 0.5}; // of the room left, before the box
+    const bool keeps = preserveAspectRatio.find("none") == std::string_view::npos;
+    if (keeps) {
+        const bool slice = preserveAspectRatio.find("slice") != std::string_view::npos;
+        const double factor = slice ? std::max(scale.x, scale.y) : std::min(scale.x, scale.y);
+        scale = {factor, factor};
+        const auto part = [&](std::string_view least, std::string_view greatest) {
+            return preserveAspectRatio.find(least) != std::string_view::npos      ? 0.0
+                   : preserveAspectRatio.find(greatest) != std::string_view::npos ? 1.0
+                                                                                  : 0.5;
+        };
+        share = {part("xMin", "xMax"), part("YMin", "YMax")};
+    }
+    return {scale.x,
+            0.0,
+            0.0,
+            scale.y,
+            share.x * (size.x - scale.x * box.size.x) - scale.x * box.corner.x,
+            share.y * (size.y - scale.y * box.size.y) - scale.y * box.corner.y};
+}
+
+} // namespace forefront

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/io/svg/svg_transform.hpp"
+
+#include <optional>
+#include <string_view>
+
+namespace forefront {
+
+/// A length as SVG writes it.
+struct SvgLength {
+    double value = 0.0;
+    std::string_view unit; ///< as written: "", "px", "mm", "%", ...
+};
+
+/// Returns the number and unit of a length; nothing where it is malformed. The view of the unit is one of `text`.
+std::optional<SvgLength> parseLength(std::string_view text);
+
+/// Returns how many user units (pixels at 96 to the inch) one of that unit has; nothing for "%" and unknown units.
+std::optional<double> pixelsPer(std::string_view unit);
+
+/// Which extent of the viewport a percentage refers to.
+enum class SvgExtent { Width, Height, Diagonal };
+
+/// Returns a length in user units, percentages being of the viewport; nothing where it is malformed or its unit
+/// unknown.
+std::optional<double> userLength(std::string_view text, SvgExtent extent, Vec2 viewport);
+
+/// The rectangle of user space that an attribute `viewBox` names.
+struct ViewBox {
+    Vec2 corner, size;
+};
+/// Returns the view box; nothing where it is absent, malformed or empty.
+std::optional<ViewBox> parseViewBox(std::string_view text);
+
+/// Returns the map from a view box to the rectangle from the origin to `size`, by the rules of `preserveAspectRatio`.
+AffineMap viewBoxMap(const ViewBox &box, Vec2 size, std::string_view preserveAspectRatio);
+
+} // namespace forefront

@@ -1,0 +1,173 @@
+#include "core/io/svg/svg.hpp"
+#include "core/io/svg/svg_css.hpp"
+#include "tests/unit/io_samples.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+using namespace forefront;
+using namespace forefront::testing;
+
+namespace {
+
+std::string drawing(const std::string &content, const std::string &attributes = "viewBox=\"0 0 10 10\"") {
+    return "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" " + attributes +
+           ">\n" + content + "\n</svg>\n";
+}
+
+Domain domainOf(const std::string &text, ImportNotes *notes = nullptr) {
+    SourceText source = sourceOf(text, "drawing.svg");
+    source.notes = notes;
+    const auto domain = readSvg(source);
+    REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
+    return *domain;
+}
+
+std::set<std::string> namesIn(const Domain &domain) {
+    std::set<std::string> names;
+    for (const DomainSegment &segment : domain.segments) {
+        names.insert(boundaryName(domain.boundaryNames, segment.tag));
+    }
+    return names;
+}
+
+/// Names of the squares that are read of a drawing with the squares a to f.
+std::set<std::string> visible(const std::string &style, const std::string &attributes) {
+    std::string content = "<style>" + style + "</style>\n";
+    for (const char id : {'a', 'b', 'c'}) {
+        content += std::string("<g ") + (id == 'b' ? attributes : "") + "><rect id=\"" + id + "\" class=\"part x-" +
+                   id + "\" x=\"" + std::to_string(3 * (id - 'a')) + "\" width=\"2\" height=\"2\"/></g>\n";
+    }
+    return namesIn(domainOf(drawing(content)));
+}
+
+Vec2 sizeOf(const Domain &domain) {
+    return domain.bounds().size();
+}
+
+} // namespace
+
+TEST_CASE("SVG: what is hidden by attribute, style or style sheet is left out") {
+    const std::set<std::string> all{"a", "b", "c"}, withoutB{"a", "c"};
+    CHECK(visible("", "") == all);
+    for (const char *attributes :
+         {"display=\"none\"", "style=\"display: none\"", "style=\"fill:red; DISPLAY : none ;\"",
+          "visibility=\"hidden\"", "style=\"visibility: collapse\""}) {
+        CAPTURE(attributes);
+        CHECK(visible("", attributes) == withoutB);
+    }
+    for (const char *style :
+         {".x-b { display: none }", "#b{visibility:hidden}", "rect.part.x-b, #none { display:none; }",
+          "/* all */ rect { display: none } .x-a, .x-c { display: inline }",
+          "<![CDATA[ #b { display: none !important } ]]>",
+          "@media print { #a { display: none } } "
+          "#b{display:none}"}) {
+        CAPTURE(style);
+        CHECK(visible(style, "") == withoutB);
+    }
+    CHECK(visible("g rect { display: none } rect:hover { display: none } part { display: none }", "") == all);
+    CHECK(visible("rect { visibility: visible }", "visibility=\"hidden\"") == all);
+}
+
+TEST_CASE("SVG: the attribute style wins over a style sheet, and !important over both") {
+    const auto shown = [](const std::string &sheet, const std::string &style) {
+        return namesIn(domainOf(drawing("<style>" + sheet +
+                                        "</style><rect id=\"a\" width=\"1\" height=\"1\"/>"
+                                        "<rect id=\"b\" x=\"2\" width=\"1\" height=\"1\" style=\"" +
+                                        style + "\"/>")))
+                   .count("b") == 1;
+    };
+    CHECK(shown("#b { display: none }", "display: block"));
+    CHECK_FALSE(shown("#b { display: none !important }", "display: block"));
+    CHECK(shown("#b { display: block } rect { }", ""));
+    CHECK(shown("rect { display: none } #a, #b { display: block }", ""));
+}
+
+TEST_CASE("SVG: <use> draws copies at their places, of shapes, groups and symbols, also of copies") {
+    const Domain copies = domainOf(drawing("<defs><g id=\"pair\"><rect id=\"one\" width=\"1\" height=\"1\"/>"
+                                           "<use href=\"#one\" x=\"2\"/></g></defs>"
+                                           "<use xlink:href=\"#pair\" y=\"2\"/>"
+                                           "<use href=\"#pair\" transform=\"scale(2)\" x=\"1\" y=\"2\"/>"));
+    CHECK(copies.segments.size() == 16);
+    CHECK(sizeOf(copies) == Vec2{8, 4}); // from (0, 2) to (8, 6)
+    const Domain symbol =
+        domainOf(drawing("<symbol id=\"s\" viewBox=\"0 0 4 4\"><rect width=\"4\" height=\"2\"/></symbol>"
+                         "<use id=\"left\" href=\"#s\" width=\"2\" height=\"2\"/>"));
+    CHECK(sizeOf(symbol) == Vec2{2, 1});
+    const Domain named = domainOf(drawing("<defs><rect id=\"r\" width=\"1\" height=\"1\"/></defs>"
+                                          "<use id=\"inlet\" href=\"#r\"/><use href=\"#r\" x=\"3\"/>"));
+    CHECK(namesIn(named) == std::set<std::string>{"inlet", "r"});
+}
+
+TEST_CASE("SVG: copies that contain themselves are refused, and so are copies without end") {
+    for (const char *content : {"<g id=\"a\"><use href=\"#a\"/><rect width=\"1\" height=\"1\"/></g>",
+                                "<g id=\"a\"><use href=\"#b\"/></g><g id=\"b\"><use href=\"#a\"/></g>"}) {
+        const auto domain = readSvg(sourceOf(drawing(content)));
+        REQUIRE_FALSE(domain.ok());
+        CHECK(hasCode(domain.faults(), "use-cycle"));
+        CHECK(allLocated(domain.faults()));
+    }
+    std::string bomb = "<defs><rect id=\"a0\" width=\"1\" height=\"1\"/>";
+    for (int k = 1; k < 40; ++k) {
+        const std::string below = "<use href=\"#a" + std::to_string(k - 1) + "\"/>";
+        bomb += "<g id=\"a" + std::to_string(k) + "\">" + below + below + "</g>";
+    }
+    const auto domain = readSvg(sourceOf(drawing(bomb + "</defs><use href=\"#a39\"/>")));
+    REQUIRE_FALSE(domain.ok());
+    CHECK(hasCode(domain.faults(), "too-large"));
+}
+
+TEST_CASE("SVG: of a <switch> the first understood child is drawn") {
+    const Domain domain = domainOf(drawing("<switch><foreignObject/><g requiredExtensions=\"http://example.org\">"
+                                           "<rect width=\"9\" height=\"9\"/></g><g systemLanguage=\"de\">"
+                                           "<rect width=\"8\" height=\"8\"/></g><rect width=\"2\" height=\"3\"/>"
+                                           "<rect width=\"7\" height=\"7\"/></switch>"));
+    CHECK(sizeOf(domain) == Vec2{2, 3});
+}
+
+TEST_CASE("SVG: a document measured in millimetres gives millimetres, whatever its view box") {
+    const std::string rect = "<rect width=\"200\" height=\"100\"/>";
+    const auto size = [&](const std::string &attributes) { return sizeOf(domainOf(drawing(rect, attributes))); };
+    CHECK(size("width=\"50mm\" height=\"25mm\" viewBox=\"0 0 200 100\"") == Vec2{50, 25});
+    CHECK(size("width=\"5cm\" viewBox=\"0 0 200 100\"") == Vec2{5, 2.5});
+    CHECK(size("width=\"400\" height=\"200\" viewBox=\"0 0 200 100\"") == Vec2{200, 100}); // pixels are no measure
+    CHECK(size("width=\"100%\" viewBox=\"0 0 200 100\"") == Vec2{200, 100});
+    CHECK(size("width=\"50mm\" height=\"50mm\" viewBox=\"0 0 200 100\"") == Vec2{50, 25});
+    CHECK(size("width=\"50mm\" height=\"50mm\" preserveAspectRatio=\"none\" viewBox=\"0 0 200 100\"") == Vec2{50, 50});
+    // Without a view box a user unit is 1/96 of an inch.
+    const Domain plain = domainOf(drawing("<rect width=\"30mm\" height=\"1cm\"/>", "width=\"60mm\" height=\"60mm\""));
+    CHECK(sizeOf(plain).x == doctest::Approx(30.0));
+    CHECK(sizeOf(plain).y == doctest::Approx(10.0));
+    // A percentage is one of the view box.
+    CHECK(sizeOf(domainOf(drawing("<rect width=\"50%\" height=\"10%\"/>", "viewBox=\"0 0 40 20\""))) == Vec2{20, 2});
+}
+
+TEST_CASE("SVG: what is not used is reported once per kind with its count") {
+    ImportNotes notes;
+    domainOf(drawing("<style>g > rect { fill: red }</style>\n<text>Lake</text>\n<text>Sea</text>\n<image/>\n"
+                     "<rect width=\"2\" height=\"2\" clip-path=\"url(#c)\" style=\"transform: rotate(3deg)\"/>\n"
+                     "<rect x=\"3\" width=\"2\" height=\"2\" display=\"none\"/>\n<use href=\"other.svg#a\"/>"),
+             &notes);
+    std::map<std::string, std::size_t> counts;
+    for (const ImportNote &note : notes.entries()) {
+        counts[note.code] += note.count;
+        CHECK(note.file == "drawing.svg");
+        CHECK(note.line > 1);
+    }
+    CHECK(counts == std::map<std::string, std::size_t>{{"svg-style", 1},
+                                                       {"svg-element", 3},
+                                                       {"svg-clip-path", 1},
+                                                       {"svg-css-transform", 1},
+                                                       {"svg-hidden", 1},
+                                                       {"svg-use", 1}});
+    const Diagnostics list = notes.diagnostics();
+    const auto text = std::find_if(list.begin(), list.end(),
+                                   [](const Diagnostic &d) { return d.message.find("<text>") != std::string::npos; });
+    REQUIRE(text != list.end());
+    CHECK(toString(*text) ==
+          "drawing.svg:3:2: note: <text> is ignored: text has no outline; convert it to paths in the "
+          "drawing program (2 times) [svg-element]");
+}
