@@ -1,7 +1,7 @@
-#include "core/io/domain_builder.hpp"
-#include "core/io/names.hpp"
-#include "core/io/planar_mesh.hpp"
-#include "core/io/readers.hpp"
+#include "core/io/abaqus/abaqus.hpp"
+#include "core/io/common/domain_builder.hpp"
+#include "core/io/common/names.hpp"
+#include "core/io/common/planar_mesh.hpp"
 
 #include <algorithm>
 #include <array>
@@ -129,6 +129,9 @@ class AbaqusReader {
         } else if (keyword.name == "*INCLUDE") {
             scanner_.fail(keyword.offset, "unknown-section", "included files are not read");
         } else {
+            if (keyword.name != "*HEADING" && keyword.name != "*NSET") {
+                scanner_.source().note("keyword", "keyword " + inQuotes(keyword.name) + " is ignored", keyword.offset);
+            }
             while (more()) {
                 line();
             }
@@ -275,6 +278,7 @@ class AbaqusReader {
         const std::string type = upper(parameter(keyword, "TYPE"));
         const bool sides = type.empty() || type == "ELEMENT";
         if (!sides) {
+            scanner_.source().note("node-surface", "surfaces of nodes are ignored", keyword.offset);
             while (more()) {
                 line();
             }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <span>
 
 namespace forefront {
 
@@ -202,6 +203,10 @@ bool MshFile::readElementBlockBinary(ByteScanner &bytes, std::size_t &left) {
             if (!findNode(numberAt<std::int64_t>(rows, item), nodes[corner], place + item * kSize)) {
                 return false;
             }
+        }
+        if (!requireDistinct(scanner_, place + k * (1 + corners) * kSize, std::span(nodes).first(corners),
+                             {"element", static_cast<std::uint64_t>(number)})) {
+            return false;
         }
         addConnection(type, nodes, tag, number);
     }

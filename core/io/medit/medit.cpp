@@ -1,6 +1,7 @@
-#include "core/io/names.hpp"
-#include "core/io/planar_mesh.hpp"
-#include "core/io/readers.hpp"
+#include "core/io/medit/medit.hpp"
+
+#include "core/io/common/names.hpp"
+#include "core/io/common/planar_mesh.hpp"
 
 #include <limits>
 
@@ -94,6 +95,9 @@ class MeditReader {
         }
         if (!scanner_.count(count, 2 * items, {"the number of items"})) {
             return false;
+        }
+        if (word != "Edges" && word != "Triangles" && word != "RequiredVertices") {
+            scanner_.source().note("section", "section " + std::string(word) + " is ignored", place);
         }
         for (std::size_t k = 0; k < count; ++k) {
             if (!item(word, items, k + 1)) {

@@ -1,9 +1,11 @@
-#include "core/io/domain_builder.hpp"
-#include "core/io/names.hpp"
-#include "core/io/planar_mesh.hpp"
-#include "core/io/readers.hpp"
+#include "core/io/obj/obj.hpp"
+
+#include "core/io/common/domain_builder.hpp"
+#include "core/io/common/names.hpp"
+#include "core/io/common/planar_mesh.hpp"
 
 #include <limits>
+#include <span>
 
 namespace forefront {
 
@@ -111,6 +113,7 @@ class ObjReader {
     };
 
     bool statement(TextScanner &line) {
+        const std::size_t place = line.offset();
         const std::string_view word = line.word();
         if (word == "v") {
             return builder_.readNode(line, static_cast<std::int64_t>(builder_.mesh.nodes.size()) + 1, 3);
@@ -125,6 +128,8 @@ class ObjReader {
             line.word();
             return line.integer(groups_.back().tag, 1, std::numeric_limits<std::int32_t>::max(),
                                 {"the tag of a group"});
+        } else if (!word.starts_with('#')) {
+            scanner_.source().note("statement", "statement " + inQuotes(word) + " is ignored", place);
         }
         return true;
     }
@@ -169,6 +174,9 @@ class ObjReader {
                     return false;
                 }
             }
+            if (!requireDistinct(scanner_, item.offset, std::span(nodes).first(wanted), expect)) {
+                return false;
+            }
             const std::int32_t tag = tagOf(item);
             if (item.kind == Kind::Face) {
                 if (!line.atEnd()) {
@@ -188,7 +196,8 @@ class ObjReader {
         builder_.mesh.edges.push_back({nodes[0], nodes[1], tag});
         while (!line.atEnd()) {
             nodes[0] = nodes[1];
-            if (!node(line, item, nodes[1], expect)) {
+            if (!node(line, item, nodes[1], expect) ||
+                !requireDistinct(scanner_, item.offset, std::span(nodes).first(2), expect)) {
                 return false;
             }
             builder_.mesh.edges.push_back({nodes[0], nodes[1], tag});

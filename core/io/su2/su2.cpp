@@ -1,7 +1,8 @@
-#include "core/io/domain_builder.hpp"
-#include "core/io/names.hpp"
-#include "core/io/planar_mesh.hpp"
-#include "core/io/readers.hpp"
+#include "core/io/su2/su2.hpp"
+
+#include "core/io/common/domain_builder.hpp"
+#include "core/io/common/names.hpp"
+#include "core/io/common/planar_mesh.hpp"
 
 #include <limits>
 
@@ -119,6 +120,7 @@ class Su2Reader {
             return itemCount(line, count, 5, "the number of marker elements") && connections(count, markerTag_);
         }
         if (word == "SEND_RECV" || word == "FFD_NBOX" || word == "NZONE" || word == "IZONE" || word == "NCHUNK") {
+            scanner_.source().note("keyword", "keyword " + std::string(word) + " is ignored", place);
             return true;
         }
         return line.fail(place, "bad-syntax", "expected a keyword such as NELEM=, found " + inQuotes(word));

@@ -1,8 +1,8 @@
-#include "core/io/format.hpp"
-#include "core/io/names.hpp"
-#include "core/io/node_table.hpp"
-#include "core/io/readers.hpp"
+#include "core/io/common/names.hpp"
+#include "core/io/common/node_table.hpp"
+#include "core/io/source/companion.hpp"
 #include "core/io/text/text_scanner.hpp"
+#include "core/io/triangle/triangle.hpp"
 #include "core/io/triangle/triangle_nodes.hpp"
 
 #include <charconv>
@@ -51,6 +51,9 @@ class PolyReader {
                 faults_ = scanner.faults();
                 return false;
             }
+        }
+        if (nodes.attributes > 0) {
+            source_.note("node-attributes", "attributes of nodes are ignored", 0, nodes.places.size());
         }
         domain_.nodes = std::move(nodes.places);
         nodeMarkers_ = std::move(nodes.markers);
@@ -112,8 +115,8 @@ class PolyReader {
         return true;
     }
 
-    /// Regional attributes are numbers; whole ones >= 1 are tags, others get the next free tag and their digits as
-    /// name.
+    /// Reads "number x y attribute [maximum area]". Attributes are numbers: whole ones from 1 are tags, others get the
+    /// next free tag and their digits as name.
     bool regions() {
         if (scanner_.atEnd()) {
             return true;
@@ -215,7 +218,9 @@ class PolyReader {
             ++degrees_[segment.a];
             ++degrees_[segment.b];
         }
+        std::size_t unusedMarkers = 0;
         for (std::uint32_t n = 0; n < degrees_.size(); ++n) {
+            unusedMarkers += degrees_[n] > 0 && nodeMarkers_[n] > 1 ? 1 : 0;
             if (degrees_[n] == 0) {
                 domain_.points.push_back({n, nodeMarkers_[n]});
                 if (source_.origin != nullptr) {
@@ -223,6 +228,10 @@ class PolyReader {
                         .push_back(source_.origin->of(DomainPartKind::Node)[n]);
                 }
             }
+        }
+        if (unusedMarkers > 0) {
+            source_.note("node-markers", "markers of nodes on segments are ignored: the segments' markers are the tags",
+                         0, unusedMarkers);
         }
     }
 

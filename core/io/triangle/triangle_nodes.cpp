@@ -1,6 +1,6 @@
 #include "core/io/triangle/triangle_nodes.hpp"
 
-#include "core/io/planar_mesh.hpp"
+#include "core/io/common/planar_mesh.hpp"
 
 #include <limits>
 
@@ -12,7 +12,7 @@ bool TriangleNodes::read(TextScanner &scanner, bool mayBeEmpty) {
         return scanner.fail(scanner.offset(), "bad-syntax", "expected the number of nodes, the file ends here");
     }
     std::size_t count = 0;
-    std::int64_t dimension = 2, attributes = 0, markerCount = 0;
+    std::int64_t dimension = 2, markerCount = 0;
     TextScanner whole = scanner.part(line.offset(), scanner.source().text.size());
     if (!whole.count(count, 6, {"the number of nodes"})) {
         return scanner.fail(whole);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/vec2.hpp"
-#include "core/io/node_table.hpp"
+#include "core/io/common/node_table.hpp"
 #include "core/io/text/text_scanner.hpp"
 
 #include <cstdint>
@@ -14,6 +14,7 @@ struct TriangleNodes {
     std::vector<Vec2> places;
     std::vector<std::int32_t> markers; ///< >= 1
     NodeTable table;
+    std::int64_t attributes = 0;      ///< of each node, which are read but not kept
     std::vector<std::size_t> offsets; ///< of their lines; filled where the source asks for origins
 
     /// Failures are recorded in the scanner. An empty list is allowed where the nodes may be in another file.

@@ -1,9 +1,11 @@
 #include "core/io/vtk/vtk_cells.hpp"
 
-#include "core/io/names.hpp"
+#include "core/io/common/names.hpp"
+#include "core/io/common/planar_mesh.hpp"
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 namespace forefront {
 
@@ -88,6 +90,10 @@ bool meshOfVtk(const VtkGrid &grid, TextScanner &scanner, Mesh &mesh) {
             nodes[k - begin] = NodeId{static_cast<std::uint32_t>(node)};
         }
         begin = end;
+        if (!requireDistinct(scanner, grid.offset, std::span(nodes).first(static_cast<std::size_t>(wanted)),
+                             {"cell", c})) {
+            return false;
+        }
         if (type == kVtkTriangle) {
             mesh.elements.push_back({nodes[0], nodes[1], nodes[2]});
             mesh.regions.push_back(tagAt(regions, c));

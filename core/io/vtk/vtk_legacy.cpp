@@ -1,8 +1,8 @@
 #include "core/domain/domain.hpp"
-#include "core/io/mesh_field.hpp"
-#include "core/io/names.hpp"
-#include "core/io/planar_mesh.hpp"
-#include "core/io/readers.hpp"
+#include "core/io/common/mesh_field.hpp"
+#include "core/io/common/names.hpp"
+#include "core/io/common/planar_mesh.hpp"
+#include "core/io/vtk/vtk.hpp"
 #include "core/io/vtk/vtk_cells.hpp"
 
 #include <charconv>
@@ -263,6 +263,8 @@ class VtkReader {
             grid_.pointArrays[name] = std::move(reals);
         } else if (!ofPoints && (components == 1 || items_ == 0)) {
             (items_ == 0 ? grid_.fields : grid_.cellArrays)[name] = std::move(tags);
+        } else {
+            scanner_.source().note("vector-values", "arrays with several components are ignored", place);
         }
         return true;
     }

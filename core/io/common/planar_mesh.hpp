@@ -1,0 +1,57 @@
+#pragma once
+
+#include "core/io/common/node_table.hpp"
+#include "core/io/text/text_scanner.hpp"
+#include "core/mesh/mesh.hpp"
+
+#include <cstdint>
+#include <span>
+
+namespace forefront {
+
+/// Puts a mesh together while it is read: node numbers of the file to indices, bounds of indices, the third coordinate.
+/// Every function returns false after recording a located failure in the scanner it was given.
+class PlanarMeshBuilder {
+  public:
+    Mesh mesh;
+    NodeTable table;
+
+    void reserveNodes(std::size_t count) {
+        mesh.nodes.reserve(count);
+        table.reserve(count);
+    }
+    /// Reads x, y and, where `dimension` is 3, z, which must be the same for all nodes.
+    bool readNode(TextScanner &scanner, std::int64_t number, int dimension);
+    /// Coordinates of a node whose number was added before (formats that list numbers and places apart).
+    bool readPlace(TextScanner &scanner, std::int64_t number, int dimension, Vec2 &place);
+    /// Notes the third coordinate of a node at a place of the file.
+    void noteHeight(double z, std::size_t offset);
+    /// After the last node: refuses numbers given twice and nodes out of one plane.
+    bool finishNodes(TextScanner &scanner);
+
+    /// Reads the number of a known node.
+    bool readNodeId(TextScanner &scanner, NodeId &id, Expect expect);
+    bool readElement(TextScanner &scanner, std::int32_t region, Expect expect);
+    bool readEdge(TextScanner &scanner, std::int32_t tag, Expect expect);
+    bool readPoint(TextScanner &scanner, std::int32_t tag, Expect expect);
+    void addElement(const Element &element, std::int32_t region) {
+        mesh.elements.push_back(element);
+        mesh.regions.push_back(region);
+    }
+    /// The mesh; region tags that are all 1 are left out.
+    Mesh finish();
+
+  private:
+    double leastZ_ = 0.0, greatestZ_ = 0.0;
+    std::size_t outOfPlane_ = 0; ///< place of the first node off the plane of the first
+    bool anyNode_ = false, anyOutOfPlane_ = false;
+};
+
+/// Refuses an element or edge that names a node twice: it has no area or length, and its sides have no neighbours.
+/// Records the failure at `offset` and returns false.
+bool requireDistinct(TextScanner &scanner, std::size_t offset, std::span<const NodeId> nodes, Expect expect);
+
+/// Reads a tag: an integer >= 1; 0 and negative ones, which other programs write for "none", become 1.
+bool readTag(TextScanner &scanner, std::int32_t &tag, Expect expect);
+
+} // namespace forefront

@@ -1,0 +1,141 @@
+#include "core/domain/validate.hpp"
+#include "core/io/abaqus/abaqus.hpp"
+#include "core/io/files.hpp"
+#include "core/io/geojson/geojson.hpp"
+#include "core/io/gmsh/gmsh.hpp"
+#include "core/io/medit/medit.hpp"
+#include "core/io/obj/obj.hpp"
+#include "core/io/su2/su2.hpp"
+#include "core/io/triangle/triangle.hpp"
+#include "core/io/vtk/vtk.hpp"
+#include "tests/unit/io_samples.hpp"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <string>
+
+using namespace forefront;
+using namespace forefront::testing;
+
+namespace {
+
+std::string codesOf(const ImportNotes &notes) {
+    std::string codes;
+    for (const ImportNote &note : notes.entries()) {
+        codes += note.code + ' ' + std::to_string(note.count) + ' ';
+    }
+    return codes;
+}
+
+/// The fault for an element that names a node twice.
+Diagnostic refusalOf(const Result<Mesh> &mesh) {
+    REQUIRE_FALSE(mesh.ok());
+    CHECK(allLocated(mesh.faults()));
+    return mesh.faults()[0];
+}
+
+} // namespace
+
+TEST_CASE("Import notes: GeoJSON reports reference system, heights, properties and unknown members") {
+    const std::string text = R"({"type": "FeatureCollection", "title": "lake",
+ "crs": {"type": "name", "properties": {"name": "EPSG:32632"}},
+ "features": [
+  {"type": "Feature", "id": 7, "properties": {"name": "lake", "depth": 3, "tag": "x"}, "geometry":
+   {"type": "Polygon", "coordinates": [[[0,0,1],[4,0,1],[4,3,1],[0,0,1]]]}},
+  {"type": "Feature", "properties": {"depth": 4}, "geometry": null}]})";
+    ImportNotes notes;
+    SourceText source = sourceOf(text, "lake.geojson");
+    source.notes = &notes;
+    REQUIRE(readGeoJson(source).ok());
+    CHECK(codesOf(notes) == "crs 1 bad-tag 1 no-geometry 1 height 4 properties 1 members 2 ");
+    const Diagnostics list = notes.diagnostics();
+    CHECK(toString(list[0]) == "lake.geojson:2:9: note: the coordinate reference system 'EPSG:32632' is ignored: "
+                               "coordinates are used as they are [crs]");
+    CHECK(list[4].message == "properties other than \"name\" and \"tag\" are ignored: 'depth'");
+    CHECK(list[5].message == "members that GeoJSON does not define are ignored: 'id', 'title' (2 times)");
+}
+
+TEST_CASE("Import notes: mesh formats report what they skip, and own files need none") {
+    const ScratchFolder folder;
+    const Mesh mesh = twoRegionMesh();
+    for (const FileFormat &format : fileFormats()) {
+        if (format.writesMesh && format.readsMesh) {
+            CAPTURE(format.id);
+            const auto file = folder / (std::string(format.id) + format.extension);
+            REQUIRE(writeMesh(file, mesh, format.id).empty());
+            ImportNotes notes;
+            CHECK(readMesh(file, {}, &notes).ok());
+            CHECK(codesOf(notes).empty());
+        }
+    }
+    ImportNotes notes;
+    const std::string msh = written(writeMsh2, mesh) + "$Periodic\n0\n$EndPeriodic\n";
+    SourceText source = sourceOf(msh);
+    source.notes = &notes;
+    CHECK(readMsh(source).ok());
+    const std::string obj = written(writeObj, mesh) + "vn 0 0 1\nvn 0 0 1\n";
+    source.text = obj;
+    CHECK(readObj(source).ok());
+    CHECK(codesOf(notes) == "section 1 statement 2 ");
+}
+
+TEST_CASE("Readers refuse an element that names a node twice, with its place") {
+    const Diagnostic obj = refusalOf(readObj(sourceOf("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 1\n")));
+    CHECK(obj.line == 5);
+    CHECK(obj.message == "face 2 names a node twice");
+    const std::string medit =
+        "MeshVersionFormatted 2\nDimension 2\nVertices 3\n0 0 0\n1 0 0\n0 1 0\nTriangles 1\n1 2 2 1\n";
+    CHECK(refusalOf(readMedit(sourceOf(medit))).line == 8);
+    const std::string nodes = "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n";
+    const std::string elements = "1 3 0\n1 3 2 3\n";
+    CHECK(refusalOf(readTriangleParts(sourceOf(nodes), sourceOf(elements), nullptr)).line == 2);
+    const std::string msh = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n$EndNodes\n"
+                            "$Elements\n2\n1 2 2 1 1 1 2 3\n2 1 2 1 1 3 3\n$EndElements\n";
+    CHECK(refusalOf(readMsh(sourceOf(msh))).line == 13);
+    const std::string su2 = "NDIME= 2\nNELEM= 1\n5 0 1 0 0\nNPOIN= 3\n0 0\n1 0\n0 1\nNMARK= 0\n";
+    CHECK(refusalOf(readSu2(sourceOf(su2))).line == 3);
+    const std::string inp = "*NODE\n1, 0, 0\n2, 1, 0\n3, 0, 1\n*ELEMENT, TYPE=CPS3\n1, 2, 3, 2\n";
+    CHECK(refusalOf(readAbaqus(sourceOf(inp))).line == 6);
+    const std::string vtk = "# vtk DataFile Version 3.0\nmesh\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 double\n"
+                            "0 0 0 1 0 0 0 1 0\nCELLS 1 4\n3 0 1 1\nCELL_TYPES 1\n5\n";
+    CHECK(refusalOf(readVtk(sourceOf(vtk))).code == "degenerate-element");
+    Mesh mesh = twoRegionMesh();
+    mesh.elements[3][2] = mesh.elements[3][0];
+    CHECK(refusalOf(readMsh(sourceOf(written(writeMsh4Binary, mesh)))).code == "degenerate-element");
+    CHECK(refusalOf(readVtu(sourceOf(written(writeVtu, mesh)))).code == "degenerate-element");
+}
+
+TEST_CASE("Project: faults of its domain carry the line and column of the nodes") {
+    const ScratchFolder folder;
+    std::ofstream(folder / "bow.forefront") << R"({"format": "forefront", "version": 1, "shapes": [
+  {"id": 1, "kind": "polygon", "nodes": [[0, 0],
+    [4, 3], [4, 0], [0, 3]]}]})";
+    const auto domain = readDomain(folder / "bow.forefront");
+    REQUIRE(domain.ok());
+    const Diagnostics faults = locateFaults(folder / "bow.forefront", validate(*domain));
+    REQUIRE(!faults.empty());
+    CHECK(faults[0].code == "crossing-segments");
+    REQUIRE(faults[0].parts.size() == 2);
+    CHECK(faults[0].line == 2);
+    CHECK(faults[0].column == 42);
+    CHECK(faults[0].parts[1].line == 3);
+    CHECK(faults[0].parts[1].column == 13);
+}
+
+TEST_CASE("Files: bytes read before are taken as the file, in a format by content or as given") {
+    ImportOptions options;
+    options.content =
+        std::make_shared<const std::string>("{\"type\": \"Polygon\", \"coordinates\": [[[0,0],[1,0],[0,1]]]}");
+    const auto domain = readDomain("standard input", options);
+    REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
+    CHECK(domain->segments.size() == 3);
+    options.formatId = "poly";
+    const auto wrong = readDomain("standard input", options);
+    REQUIRE_FALSE(wrong.ok());
+    CHECK(wrong.faults()[0].file == "standard input");
+    options.formatId = "dxf";
+    const auto unknown = readDomain("standard input", options);
+    REQUIRE_FALSE(unknown.ok());
+    CHECK(unknown.faults()[0].message == "unknown format 'dxf'");
+}
