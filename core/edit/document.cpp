@@ -1,6 +1,7 @@
 #include "core/edit/document.hpp"
 
 #include "core/base/ids.hpp"
+#include "core/edit/domain_sources.hpp"
 #include "core/edit/shape_geometry.hpp"
 
 #include <bit>
@@ -41,37 +42,57 @@ class NodeMerger {
     std::unordered_map<Vec2, std::uint32_t, PlaceHash> places_;
 };
 
-void addShape(const Shape &shape, double circleTolerance, NodeMerger &merger, Domain &domain) {
-    const Outline outline = outlineOf(shape, circleTolerance);
+/// Adds the segments or the point of shape `number`; `sources` may be null.
+void addShape(const Document &document, std::uint32_t number, NodeMerger &merger, Domain &domain,
+              DomainSources *sources) {
+    const Shape &shape = *document.shapes[number];
+    const Outline outline = outlineOf(shape, document.circleTolerance);
     std::vector<std::uint32_t> ids;
     ids.reserve(outline.nodes.size());
-    for (const Vec2 node : outline.nodes) {
-        ids.push_back(merger.add(node));
+    for (std::uint32_t k = 0; k < outline.nodes.size(); ++k) {
+        ids.push_back(merger.add(outline.nodes[k]));
+        if (sources != nullptr && sources->nodes.size() < domain.nodes.size()) {
+            sources->nodes.push_back({number, k});
+        }
     }
     if (shape.kind == ShapeKind::Point) {
         if (!ids.empty() && shape.use == ShapeUse::Constraint) {
             domain.points.push_back({ids.front(), shape.tag});
+            if (sources != nullptr) {
+                sources->points.push_back({number, 0});
+            }
         }
         return;
     }
     const SegmentRole role = shape.use == ShapeUse::Boundary ? SegmentRole::Boundary : SegmentRole::Constraint;
     for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
         domain.segments.push_back({ids[k], ids[k + 1 == ids.size() ? 0 : k + 1], segmentTag(shape, k), role});
+        if (sources != nullptr) {
+            sources->segments.push_back({number, static_cast<std::uint32_t>(k)});
+        }
     }
 }
 
-} // namespace
-
-Domain toDomain(const Document &document) {
+Domain domainOf(const Document &document, DomainSources *sources) {
     Domain domain;
     NodeMerger merger(domain.nodes);
-    for (const auto &shape : document.shapes) {
-        addShape(*shape, document.circleTolerance, merger, domain);
+    for (std::uint32_t number = 0; number < document.shapes.size(); ++number) {
+        addShape(document, number, merger, domain, sources);
     }
     domain.regionMarkers = document.regionMarkers;
     domain.boundaryNames = document.boundaryNames;
     domain.regionNames = document.regionNames;
     return domain;
+}
+
+} // namespace
+
+Domain toDomain(const Document &document) {
+    return domainOf(document, nullptr);
+}
+
+Domain toDomain(const Document &document, DomainSources &sources) {
+    return domainOf(document, &sources);
 }
 
 } // namespace forefront

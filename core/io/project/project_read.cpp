@@ -1,8 +1,8 @@
-#include "core/io/files.hpp"
+#include "core/edit/domain_sources.hpp"
 #include "core/io/json/json_check.hpp"
+#include "core/io/project/project.hpp"
 #include "core/io/project/project_words.hpp"
 #include "core/io/project/tile_code.hpp"
-#include "core/io/readers.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -19,7 +19,7 @@ constexpr std::int64_t kGreatestId = std::numeric_limits<std::uint32_t>::max() -
 
 class ProjectReader {
   public:
-    explicit ProjectReader(const SourceText &source) : check_(source) {}
+    explicit ProjectReader(const SourceText &source) : source_(source), check_(source) {}
 
     Result<Document> read(const JsonValue &root) {
         if (!header(root)) {
@@ -47,14 +47,40 @@ class ProjectReader {
         if (!check_.faults().empty()) {
             return check_.faults();
         }
+        if (source_.origin != nullptr) {
+            recordOrigins();
+        }
         return std::move(document_);
     }
 
   private:
+    /// Records where the parts of the document's domain stand in the text. The corners of a rectangle and of a circle
+    /// are at the list of its two nodes.
+    void recordOrigins() {
+        DomainSources sources;
+        toDomain(document_, sources);
+        const auto record = [&](DomainPartKind kind, const std::vector<ShapeNode> &parts) {
+            for (const ShapeNode &part : parts) {
+                const std::vector<std::size_t> &offsets = offsets_[part.shape];
+                const ShapeKind shape = document_.shapes[part.shape]->kind;
+                const bool listed = shape != ShapeKind::Rectangle && shape != ShapeKind::Circle;
+                const std::size_t k = listed ? part.node + std::size_t{1} : 0;
+                source_.origin->of(kind).push_back({k < offsets.size() ? offsets[k] : PartOrigin::kNowhere, {}});
+            }
+        };
+        source_.origin->showsColumns = true;
+        record(DomainPartKind::Node, sources.nodes);
+        record(DomainPartKind::Segment, sources.segments);
+        record(DomainPartKind::ConstraintPoint, sources.points);
+        for (const std::size_t offset : markerOffsets_) {
+            source_.origin->of(DomainPartKind::RegionMarker).push_back({offset, {}});
+        }
+    }
+
     bool header(const JsonValue &root) {
         const auto format = root.find("format");
         if (!format || format->string() != "forefront") {
-            check_.fault(format.value_or(root), "not-a-project", "this is no Forefront project",
+            check_.fault(format.value_or(root), "not-a-project", "not a Forefront project",
                          "a project begins with {\"format\": \"forefront\", \"version\": 1");
             return false;
         }
@@ -90,6 +116,7 @@ class ProjectReader {
 
     Shape shape(const JsonValue &item) {
         Shape shape;
+        offsets_.emplace_back();
         if (const auto id = check_.member(item, "id", "the shape")) {
             shape.id = static_cast<std::uint32_t>(check_.integer(*id, 1, kGreatestId, "the id of a shape"));
             if (!ids_.insert(shape.id).second) {
@@ -111,6 +138,12 @@ class ProjectReader {
         if (const auto nodes = check_.member(item, "nodes", "the shape");
             nodes && check_.expect(*nodes, JsonKind::Array, "the nodes of a shape")) {
             shape.nodes = points(*nodes, "a node of a shape");
+            offsets_.back().push_back(nodes->offset());
+            for (const JsonValue node : *nodes) {
+                if (source_.origin != nullptr) {
+                    offsets_.back().push_back(node.offset());
+                }
+            }
             nodeCount(shape, *nodes);
         }
         if (const auto tags = item.find("segmentTags");
@@ -178,6 +211,7 @@ class ProjectReader {
                 marker.maxArea = check_.notNegative(*area, "the maximum area of a region marker");
             }
             document_.regionMarkers.push_back(marker);
+            markerOffsets_.push_back(item.offset());
         }
     }
 
@@ -398,8 +432,11 @@ class ProjectReader {
     static constexpr std::int64_t kMostCells = 1 << 20;
     static constexpr std::int64_t kMostThreads = 4096;
 
+    const SourceText &source_;
     JsonCheck check_;
     Document document_;
+    std::vector<std::vector<std::size_t>> offsets_; ///< per shape: of its list of nodes, then of each node
+    std::vector<std::size_t> markerOffsets_;
     std::set<std::uint32_t> ids_;
 };
 

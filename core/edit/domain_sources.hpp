@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/edit/document.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace forefront {
+
+/// The node of a shape's outline that a part of a domain comes from, or begins at.
+struct ShapeNode {
+    std::uint32_t shape = 0; ///< index into Document::shapes
+    std::uint32_t node = 0;  ///< index into the nodes of its outline
+};
+
+/// Which shapes the parts of a domain come from: lists in the order of the domain's.
+struct DomainSources {
+    std::vector<ShapeNode> nodes, segments, points;
+};
+
+/// Returns the domain of a document as toDomain does, and where its parts come from.
+Domain toDomain(const Document &document, DomainSources &sources);
+
+} // namespace forefront
