@@ -1,5 +1,6 @@
 #include "app/batch/commands.hpp"
 #include "app/batch/exit_code.hpp"
+#include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
 #include "app/batch/options.hpp"
 #include "app/batch/outputs.hpp"
@@ -22,68 +23,76 @@ namespace forefront {
 namespace {
 
 constexpr const char *kExamples = R"help(
-The error is that of the gradient, estimated after Zienkiewicz and Zhu and divided by the norm of the gradient: 0.05 is
-5 %. A field of a file is known on that mesh alone: one new mesh is made; solve on it again and repeat. An expression is
-evaluated on each new mesh until the estimate meets the wanted error.
+The error is that of the gradient, estimated by the method of Zienkiewicz and Zhu and divided by the norm of the
+gradient: 0.05 means 5 %. A field in a file is known only on its own mesh, so one new mesh is made: solve on it and
+repeat. An expression is evaluated on each new mesh until the estimate meets the requested error.
 
 Examples:
   forefront adapt plate.vtu --field temperature --error 0.05 -o finer.msh
-        a mesh on which the error of the point data "temperature" should be 5 %
+        a mesh on which the error of the point data "temperature" is expected to be 5 %
   forefront adapt plate.msh --expression "atan(20*(x*x+y*y-1))" --error 0.02 --size-min 0.001 -o adapted.msh
-        round after round until the interpolation of the formula is within 2 %
+        repeats until the interpolation error of the formula is within 2 %
 
 Exit codes: 0 done, 1 the input is refused (faults on stderr, one a line), 2 wrong usage, 3 cancelled.)help";
 
 struct AdaptArguments {
-    std::filesystem::path mesh;
+    std::filesystem::path mesh; ///< "-": standard input
+    std::string inputFormat;
     std::optional<std::string> field, expression;
     AdaptTarget target;
     int rounds = 8;
     std::optional<std::filesystem::path> domain;
     std::vector<std::filesystem::path> outputs;
+    std::vector<std::string> formats; ///< ids, of the outputs in their order; the rest by extension
     InnerEdges innerEdges = InnerEdges::Keep;
     bool quiet = false;
+
+    /// Where progress is reported: not where a mesh is written.
+    std::FILE *messages() const { return usesStandardOutput(outputs) ? stderr : stdout; }
 };
 
 void printRound(const AdaptArguments &arguments, std::size_t round, std::size_t nodes, std::size_t elements,
                 std::optional<double> error) {
     if (!arguments.quiet) {
-        std::printf("mesh %zu: %zu nodes, %zu elements", round, nodes, elements);
+        std::FILE *const out = arguments.messages();
+        std::fprintf(out, "mesh %zu: %zu nodes, %zu elements", round, nodes, elements);
         if (error) {
-            std::printf(", estimated error %.4f", *error);
+            std::fprintf(out, ", estimated error %.4f", *error);
         }
-        std::printf("\n");
-        std::fflush(stdout); // minutes may pass until the next
+        std::fputs("\n", out);
+        std::fflush(out); // minutes may pass until the next
     }
 }
 
-/// Mesh and, with --field, its values; refused where it is no valid mesh.
-Result<MeshField> readInput(const AdaptArguments &arguments) {
+/// Reads the mesh and, with --field, its values; an invalid mesh is refused.
+Result<MeshField> readInput(const AdaptArguments &arguments, const Input &file) {
     MeshField input;
+    ImportNotes notes;
     if (arguments.field) {
-        Result<MeshField> read = readField(arguments.mesh, *arguments.field);
+        Result<MeshField> read = readField(file.path, *arguments.field, file.options, &notes);
         if (!read) {
             return read.faults();
         }
         input = std::move(*read);
     } else {
-        Result<Mesh> read = readMesh(arguments.mesh);
+        Result<Mesh> read = readMesh(file.path, file.options, &notes);
         if (!read) {
             return read.faults();
         }
         input.mesh = std::move(*read);
     }
+    printNotes(notes, arguments.quiet);
     if (input.mesh.elements.empty()) {
-        return locateFaults(arguments.mesh, error("empty-mesh", "the file holds no triangles"));
+        return locateFaults(file.path, error("empty-mesh", "the file has no triangles"), file.options);
     }
     Diagnostics faults = verify(input.mesh);
     if (hasErrors(faults)) {
-        return locateFaults(arguments.mesh, std::move(faults));
+        return locateFaults(file.path, std::move(faults), file.options);
     }
     return input;
 }
 
-/// One round: what the solver says of the next mesh is not known here.
+/// Makes one new mesh; the field on it is for the solver to find.
 Result<Mesh> adaptToField(const AdaptArguments &arguments, const Domain &domain, const MeshField &input,
                           const Progress &progress) {
     const Result<ErrorEstimate> estimate = estimateError(input.mesh, input.values, progress);
@@ -102,7 +111,8 @@ Result<Mesh> adaptToField(const AdaptArguments &arguments, const Domain &domain,
     }
     printRound(arguments, 1, outcome->mesh.nodes.size(), outcome->mesh.elements.size(), std::nullopt);
     if (!arguments.quiet) {
-        std::printf("now solve on the new mesh; if the error is still too large there, adapt again\n");
+        std::fputs("now solve on the new mesh; if the error is still too large there, adapt again\n",
+                   arguments.messages());
     }
     return std::move(outcome->mesh);
 }
@@ -124,11 +134,12 @@ Result<Mesh> adaptToExpression(const AdaptArguments &arguments, const Domain &do
         return outcome.faults();
     }
     if (outcome->stalled) {
-        std::fputs("warning: the wanted error is not met, and finer meshes do not lower it: does the field jump, or do "
-                   "its values depend on the mesh?\n",
-                   stderr);
+        std::fputs(
+            "warning: the requested error is not met, and finer meshes do not reduce it; check whether the field "
+            "is discontinuous or depends on the mesh\n",
+            stderr);
     } else if (!outcome->met) {
-        std::fprintf(stderr, "warning: the wanted error is not met; allow more rounds%s\n",
+        std::fprintf(stderr, "warning: the requested error is not met; allow more --rounds%s\n",
                      arguments.target.sizeMin > 0.0 ? " or a smaller --size-min" : "");
     }
     return std::move(outcome->mesh);
@@ -141,100 +152,121 @@ int runAdapt(const AdaptArguments &arguments) {
     progress.stop = interrupt.token();
     progress.report = [&bar](std::string_view stage, double fraction) { bar.show(stage, fraction); };
     bar.show("reading", 0.0);
-    Result<MeshField> input = readInput(arguments);
+    const Result<Input> file = openInput(arguments.mesh, arguments.inputFormat);
+    const Result<Input> domainFile = arguments.domain ? openInput(*arguments.domain) : Input{};
+    if (!file || !domainFile) {
+        bar.clear();
+        return refuse(file ? domainFile.faults() : file.faults(), interrupt);
+    }
+    Result<MeshField> input = readInput(arguments, *file);
     if (!input) {
         bar.clear();
         return refuse(input.faults(), interrupt);
     }
-    const Result<Domain> domain = arguments.domain ? readDomain(*arguments.domain) : outlineOf(input->mesh);
+    ImportNotes notes;
+    const Result<Domain> domain =
+        arguments.domain ? readDomain(domainFile->path, domainFile->options, &notes) : outlineOf(input->mesh);
     bar.clear();
     if (!domain) {
         return refuse(domain.faults(), interrupt);
     }
-    interrupt.askFromNowOn();
+    printNotes(notes, arguments.quiet);
+    interrupt.deferToStop();
     const Result<Mesh> mesh = arguments.field
                                   ? adaptToField(arguments, *domain, *input, progress)
                                   : adaptToExpression(arguments, *domain, std::move(input->mesh), progress, bar);
     bar.clear();
     if (!mesh) {
-        const std::filesystem::path &file = arguments.domain.value_or(arguments.mesh);
         const bool mistyped = hasCode(mesh.faults(), "expression-syntax");
         const int code =
-            refuse(mistyped ? mesh.faults() : meshingFaults(mesh.faults(), *domain, file, true), interrupt);
+            refuse(mistyped ? mesh.faults()
+                            : meshingFaults(mesh.faults(), *domain, arguments.domain ? *domainFile : *file, true),
+                   interrupt);
         return code == kRefused && mistyped ? static_cast<int>(kUsage) : code;
     }
     const bool drops = arguments.innerEdges == InnerEdges::Drop;
     const Mesh outline = drops ? withoutInnerEdges(*mesh) : Mesh();
-    for (const std::filesystem::path &path : arguments.outputs) {
-        const Status written = writeMesh(path, drops ? outline : *mesh, {}, progress);
+    for (const Output &output : pairFormats(arguments.outputs, arguments.formats)) {
+        const Status written = writeOutput(output, drops ? outline : *mesh, progress);
         bar.clear();
         if (hasErrors(written)) {
             return refuse(written, interrupt);
         }
         if (!arguments.quiet) {
             printFaults(written);
-            std::printf("wrote %s\n", path.string().c_str());
+        }
+        if (!arguments.quiet && !isStandardStream(output.path)) {
+            std::fprintf(arguments.messages(), "wrote %s\n", output.path.string().c_str());
         }
     }
     return kDone;
+}
+
+void addAdaptOptions(CLI::App &app, AdaptArguments &arguments) {
+    app.add_option("MESH", arguments.mesh,
+                   "mesh file; with --field one with nodal values: .vtu, .vtk, .msh; -: standard input")
+        ->required();
+    app.add_option("--input-format", arguments.inputFormat,
+                   "format of MESH if content and name do not tell: " + inputFormatIds())
+        ->type_name("ID");
+    auto *field = app.add_option_group("Field", "exactly one");
+    field->add_option("--field", arguments.field, "name of nodal values in the file")->type_name("NAME");
+    field->add_option("--expression", arguments.expression, "a field as an expression in x and y")->type_name("EXPR");
+    field->require_option(1);
+    app.add_option("--error", arguments.target.error, "error of the gradient to reach, as a fraction of its norm")
+        ->required()
+        ->check(numberWithin(1e-9, 1.0))
+        ->type_name("E");
+    app.add_option("-o,--output", arguments.outputs,
+                   "mesh to write; its extension sets the format; -: standard output; repeatable")
+        ->required()
+        ->allow_extra_args(false)
+        ->type_name("OUT");
+    app.add_option("--format", arguments.formats, "format of the outputs in their order: " + formatIds())
+        ->allow_extra_args(false)
+        ->type_name("ID");
+    addInnerEdgesOption(app, arguments.innerEdges);
+    app.add_option("--rounds", arguments.rounds, "with --expression: maximum number of new meshes (default 8)")
+        ->check(wholeNumberWithin(1, 100))
+        ->type_name("N");
+    app.add_option("--size-min", arguments.target.sizeMin, "minimum edge length")
+        ->check(positiveNumber())
+        ->type_name("H");
+    app.add_option("--size-max", arguments.target.sizeMax, "maximum edge length")
+        ->check(positiveNumber())
+        ->type_name("H");
+    app.add_option("--gradation", arguments.target.gradation,
+                   "maximum change of edge length per unit of distance (default 0.3)")
+        ->check(positiveNumber())
+        ->type_name("G");
+    app.add_option("--domain", arguments.domain, "domain to mesh; default: what the mesh covers, with its tags")
+        ->type_name("IN");
+    app.add_flag("-q,--quiet", arguments.quiet, "print only warnings and errors");
 }
 
 } // namespace
 
 int adaptCommand(int argc, const char *const *argv) {
     AdaptArguments arguments;
-    CLI::App app("Makes a mesh on which a field is as exact as wanted, with as few elements as possible.",
+    CLI::App app("Remeshes until a field is represented with a requested accuracy, with as few elements as possible.",
                  "forefront adapt");
     app.footer(kExamples);
-    app.add_option("MESH", arguments.mesh, "mesh file; with --field one that holds nodal values: .vtu, .vtk, .msh")
-        ->required();
-    auto *field = app.add_option_group("Field", "exactly one");
-    field->add_option("--field", arguments.field, "nodal values of the file by their name")->type_name("NAME");
-    field->add_option("--expression", arguments.expression, "a field as an expression in x and y")->type_name("EXPR");
-    field->require_option(1);
-    app.add_option("--error", arguments.target.error, "wanted error of the gradient, as a part of its norm: 0 to 1")
-        ->required()
-        ->check(numberWithin(1e-9, 1.0))
-        ->type_name("E");
-    app.add_option("-o,--output", arguments.outputs, "mesh to write; the extension tells the format; repeatable")
-        ->required()
-        ->allow_extra_args(false)
-        ->type_name("OUT");
-    addInnerEdgesOption(app, arguments.innerEdges);
-    app.add_option("--rounds", arguments.rounds, "with --expression: at most so many new meshes (default 8)")
-        ->check(wholeNumberWithin(1, 100))
-        ->type_name("N");
-    app.add_option("--size-min", arguments.target.sizeMin, "no edges much shorter than this")
-        ->check(positiveNumber())
-        ->type_name("H");
-    app.add_option("--size-max", arguments.target.sizeMax, "nor longer than this")
-        ->check(positiveNumber())
-        ->type_name("H");
-    app.add_option("--gradation", arguments.target.gradation,
-                   "greatest change of edge length per unit of distance (default 0.3)")
-        ->check(positiveNumber())
-        ->type_name("G");
-    app.add_option("--domain", arguments.domain, "domain to mesh; else what the mesh covers, with its tags")
-        ->type_name("IN");
-    app.add_flag("-q,--quiet", arguments.quiet, "print nothing but warnings and errors");
+    addAdaptOptions(app, arguments);
     if (const auto code = parseOptions(app, argc, argv)) {
         return *code;
     }
-    for (const std::filesystem::path &path : arguments.outputs) {
-        const std::string wrong = checkFormat(path, {});
-        if (!wrong.empty()) {
-            return wrongUsage(app.get_name(), wrong);
-        }
+    std::string wrong = checkFormats(arguments.outputs, arguments.formats);
+    if (wrong.empty()) {
+        wrong = checkInputs({arguments.mesh, arguments.domain}, arguments.inputFormat);
+    }
+    if (!wrong.empty()) {
+        return wrongUsage(app.get_name(), wrong);
     }
     std::vector<std::filesystem::path> inputs{arguments.mesh};
     if (arguments.domain) {
         inputs.push_back(*arguments.domain);
     }
-    std::vector<Output> files;
-    for (const std::filesystem::path &path : arguments.outputs) {
-        files.push_back({path, {}});
-    }
-    const Diagnostics faults = checkOutputs(files, inputs);
+    const Diagnostics faults = checkOutputs(pairFormats(arguments.outputs, arguments.formats), inputs);
     printFaults(faults);
     return faults.empty() ? runAdapt(arguments) : static_cast<int>(kRefused);
 }

@@ -1,7 +1,9 @@
 #include "app/batch/commands.hpp"
 #include "app/batch/exit_code.hpp"
+#include "app/batch/inputs.hpp"
 #include "app/batch/options.hpp"
 #include "core/base/hash.hpp"
+#include "core/io/boundary_parts.hpp"
 #include "core/io/files.hpp"
 #include "core/mesh/quality.hpp"
 #include "core/mesh/verify.hpp"
@@ -22,20 +24,21 @@ Examples:
   forefront check plate.msh
         is the mesh conforming, oriented and free of overlaps?
   forefront check plate.msh --domain plate.poly
-        and does it fill exactly that domain, with its tags, regions, constraints and area?
+        does it also fill exactly that domain, with its tags, regions, constraints and area?
   forefront check plate.msh --spacing "max(0.05, 0.2*x)"
-        and how well do its edges keep that spacing?
+        how well do its edges keep that spacing?
 
 Exit codes: 0 valid, 1 not valid or not readable (faults on stderr, one a line), 2 wrong usage.)help";
 
 struct CheckArguments {
-    std::filesystem::path mesh;
+    std::filesystem::path mesh; ///< "-": standard input
+    std::string inputFormat;
     std::optional<std::filesystem::path> domain;
     std::optional<double> size;
     std::optional<std::string> expression;
 };
 
-/// The node spacing that was asked for; null when none is given.
+/// Builds the requested node spacing; null when none is given.
 Result<std::shared_ptr<const SpacingField>> readWanted(const CheckArguments &arguments, const Mesh &mesh) {
     if (!arguments.size && !arguments.expression) {
         return std::shared_ptr<const SpacingField>();
@@ -48,26 +51,41 @@ Result<std::shared_ptr<const SpacingField>> readWanted(const CheckArguments &arg
     return SpacingField::build(spec, extent);
 }
 
+/// Returns what does not fit between a mesh and the domain that it was made of.
+Diagnostics checkAgainst(const Mesh &mesh, const std::filesystem::path &file) {
+    const Result<Input> input = openInput(file);
+    if (!input) {
+        return input.faults();
+    }
+    const Result<Domain> domain = readDomain(input->path, input->options);
+    if (!domain) {
+        return domain.faults();
+    }
+    Diagnostics faults = verifyAgainst(mesh, *domain);
+    if (!hasErrors(faults)) {
+        return checkBoundaryParts(mesh, input->path, input->options);
+    }
+    return meshingFaults(faults, *domain, *input, true);
+}
+
 int check(const CheckArguments &arguments) {
-    const Result<Mesh> mesh = readMesh(arguments.mesh);
+    const Result<Input> input = openInput(arguments.mesh, arguments.inputFormat);
+    if (!input) {
+        printFaults(input.faults());
+        return kRefused;
+    }
+    ImportNotes notes;
+    const Result<Mesh> mesh = readMesh(input->path, input->options, &notes);
     if (!mesh) {
         printFaults(mesh.faults());
         return kRefused;
     }
-    Diagnostics faults;
-    if (arguments.domain) {
-        const Result<Domain> domain = readDomain(*arguments.domain);
-        faults = domain ? verifyAgainst(*mesh, *domain) : domain.faults();
-        if (domain && hasErrors(faults)) {
-            faults = meshingFaults(faults, *domain, *arguments.domain, true);
-        }
-    } else {
-        faults = verify(*mesh);
-    }
+    printNotes(notes, false);
+    Diagnostics faults = arguments.domain ? checkAgainst(*mesh, *arguments.domain) : verify(*mesh);
     if (mesh->elements.empty()) {
         faults = error("empty-mesh", "the mesh has no elements");
     }
-    printFaults(locateFaults(arguments.mesh, faults));
+    printFaults(locateFaults(input->path, faults, input->options));
     if (hasErrors(faults)) {
         return kRefused;
     }
@@ -78,7 +96,7 @@ int check(const CheckArguments &arguments) {
     }
     const MeshQuality quality = measure(*mesh, spacing->get());
     std::printf("valid%s: %zu nodes, %zu elements, hash %s\n"
-                "shape factor: mean %.4f, geometric mean %.4f, least %.4f; angles %.1f to %.1f degrees\n",
+                "shape factor: mean %.4f, geometric mean %.4f, minimum %.4f; angles %.1f to %.1f degrees\n",
                 arguments.domain ? " for the domain" : "", quality.nodes, quality.elements,
                 toHex(meshHash(*mesh)).c_str(), quality.alphaMean, quality.alphaGeometricMean, quality.alphaMin,
                 quality.minAngle, quality.maxAngle);
@@ -94,16 +112,21 @@ int checkCommand(int argc, const char *const *argv) {
     CheckArguments arguments;
     CLI::App app("Checks a mesh, alone or against its domain.", "forefront check");
     app.footer(kExamples);
-    app.add_option("MESH", arguments.mesh, "mesh file: .msh, .vtu, .vtk, .mesh, .inp, .su2, .node, .ele, .obj")
+    app.add_option("MESH", arguments.mesh,
+                   "mesh file: .msh, .vtu, .vtk, .mesh, .inp, .su2, .node, .ele, .obj; -: standard input")
         ->required();
-    app.add_option("--domain", arguments.domain, "domain or project it was made of")->type_name("IN");
-    auto *spacing = app.add_option_group("Spacing", "to tell how well the mesh keeps it; at most one");
+    app.add_option("--input-format", arguments.inputFormat,
+                   "format of MESH if content and name do not tell: " + inputFormatIds())
+        ->type_name("ID");
+    app.add_option("--domain", arguments.domain, "domain or project that the mesh was made of")->type_name("IN");
+    auto *spacing = app.add_option_group("Spacing", "report how well the mesh keeps this spacing; at most one");
     addSpacingOptions(*spacing, arguments.size, arguments.expression);
     spacing->require_option(0, 1);
     if (const auto code = parseOptions(app, argc, argv)) {
         return *code;
     }
-    return check(arguments);
+    const std::string wrong = checkInputs({arguments.mesh, arguments.domain}, arguments.inputFormat);
+    return wrong.empty() ? check(arguments) : wrongUsage(app.get_name(), wrong);
 }
 
 } // namespace forefront

@@ -18,10 +18,9 @@ bool hasCode(const Diagnostics &faults, std::string_view code) {
     return std::any_of(faults.begin(), faults.end(), [code](const Diagnostic &d) { return d.code == code; });
 }
 
-Diagnostics meshingFaults(const Diagnostics &faults, const Domain &domain, const std::filesystem::path &file,
-                          bool asRead) {
+Diagnostics meshingFaults(const Diagnostics &faults, const Domain &domain, const Input &input, bool asRead) {
     if (hasCode(faults, "cancelled")) {
-        return faults; // nobody waits for more
+        return faults;
     }
     Diagnostics own = validate(domain);
     for (Diagnostic &fault : own) {
@@ -29,7 +28,7 @@ Diagnostics meshingFaults(const Diagnostics &faults, const Domain &domain, const
             fault.parts.clear(); // the file does not have them
         }
     }
-    return own.empty() ? faults : locateFaults(file, std::move(own));
+    return own.empty() ? faults : locateFaults(input.path, std::move(own), input.options);
 }
 
 } // namespace forefront

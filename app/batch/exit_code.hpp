@@ -1,9 +1,9 @@
 #pragma once
 
+#include "app/batch/inputs.hpp"
 #include "core/base/diagnostic.hpp"
 #include "core/domain/domain.hpp"
 
-#include <filesystem>
 #include <string_view>
 
 namespace forefront {
@@ -16,14 +16,14 @@ enum ExitCode : int {
     kCancelled = 3
 };
 
-/// Prints each fault on a line of stderr.
+/// Prints faults to stderr, one a line.
 void printFaults(const Diagnostics &faults);
 
+/// Returns true if one of the faults has that code.
 bool hasCode(const Diagnostics &faults, std::string_view code);
 
-/// Why a domain was not meshed, or a mesh does not fit it: its own faults if it has any, with the name of its file and,
-/// where the domain is as it was read, their places in it; else `faults`.
-Diagnostics meshingFaults(const Diagnostics &faults, const Domain &domain, const std::filesystem::path &file,
-                          bool asRead);
+/// Returns why a domain was not meshed, or a mesh does not fit it: the domain's own faults if it has any, with the name
+/// of its file and, where the domain is `asRead`, their places in it; else `faults`.
+Diagnostics meshingFaults(const Diagnostics &faults, const Domain &domain, const Input &input, bool asRead);
 
 } // namespace forefront

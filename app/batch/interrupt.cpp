@@ -21,7 +21,7 @@ InterruptWatch::InterruptWatch() {
             if (sigtimedwait(&signals, nullptr, &patience) <= 0) {
                 continue;
             }
-            if (!asks_) {
+            if (!defers_) {
                 std::fputs(isatty(STDERR_FILENO) == 1 ? "\r\x1b[Kcancelled\n" : "cancelled\n", stderr);
                 std::_Exit(kCancelled);
             }

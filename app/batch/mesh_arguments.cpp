@@ -1,5 +1,6 @@
 #include "app/batch/mesh_arguments.hpp"
 
+#include "app/batch/inputs.hpp"
 #include "app/batch/options.hpp"
 #include "app/batch/outputs.hpp"
 
@@ -21,10 +22,12 @@ Examples:
         edges that grow with the distance to the origin; Gmsh MSH 4.1
   forefront mesh coast.svg -o coast.vtu --repair --stats coast.json
         splits crossing lines first; statistics as JSON
+  cat lake.geojson | forefront mesh - -o - --format vtu > lake.vtu
+        from standard input to standard output
 
 Exit codes: 0 done, 1 the input is refused (faults on stderr, one a line), 2 wrong usage, 3 cancelled.)help";
 
-/// "none", "uniform", "uniform:COLSxROWS" or "hierarchical"; an error message when it is none of these.
+/// Parses "none", "uniform", "uniform:COLSxROWS" or "hierarchical"; returns an error message for anything else.
 std::string parseGrid(const std::string &text, MeshArguments &arguments) {
     if (text == "none") {
         arguments.grid = GridKind::None;
@@ -52,21 +55,7 @@ std::string parseGrid(const std::string &text, MeshArguments &arguments) {
             }
         }
     }
-    return "--grid: '" + text + "' is none of none, uniform, uniform:COLSxROWS, hierarchical";
-}
-
-/// Formats are known before anything is computed.
-std::string checkFormats(const MeshArguments &arguments) {
-    if (arguments.formats.size() > arguments.outputs.size()) {
-        return "--format is given more often than -o; formats go to the outputs in their order";
-    }
-    for (std::size_t i = 0; i < arguments.outputs.size(); ++i) {
-        const std::string wrong = checkFormat(arguments.outputs[i], arguments.format(i));
-        if (!wrong.empty()) {
-            return wrong;
-        }
-    }
-    return {};
+    return "--grid: unknown grid '" + text + "'; expected none, uniform, uniform:COLSxROWS or hierarchical";
 }
 
 /// Options as they are written.
@@ -77,23 +66,24 @@ struct Words {
 
 void addFrontOptions(CLI::App &app, MeshArguments &arguments, Words &words) {
     app.add_option("--method", words.method,
-                   "fast (default), or classic: the ten steps after Lo, shortest segment first")
+                   "fast (default), or classic: the ten steps after S. H. Lo, shortest segment first")
         ->check(oneOf({"fast", "classic"}))
         ->type_name("METHOD");
     app.add_option("--grid", words.grid, "background grid: none, uniform[:COLSxROWS], hierarchical (default)")
         ->type_name("KIND");
-    app.add_flag("--keep-boundary", arguments.keepBoundary, "use the given segments as they are, without cutting them");
+    app.add_flag("--keep-boundary", arguments.keepBoundary,
+                 "keep the given segments as mesh edges; do not subdivide them");
     app.add_flag("--repair", arguments.repair,
-                 "merge duplicate nodes and segments and split at crossings first, and say so");
+                 "merge duplicate nodes and segments and split crossings first, and report every change");
     auto *improve = app.add_option("--improve", words.level,
-                                   "work on the shapes: none (and the quickest front), default, best "
-                                   "(slower, adds and removes inner nodes, too)")
+                                   "improve the shapes: none (fastest; the front is left as it is), default, best "
+                                   "(slower; also adds and removes inner nodes)")
                         ->check(oneOf({"none", "default", "best"}))
                         ->type_name("LEVEL");
     app.add_flag("--no-improve", words.noImprove, "the same as --improve none")->excludes(improve);
 }
 
-/// What is wrong with the words; empty: nothing.
+/// Returns what is wrong with the words; empty: nothing.
 std::string takeWords(const Words &words, MeshArguments &arguments) {
     if (!words.method.empty()) {
         arguments.method = words.method == "classic" ? Method::Classic : Method::Fast;
@@ -113,39 +103,52 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     Words words;
     CLI::App app("Meshes a planar domain with triangles by the advancing front technique.", "forefront mesh");
     app.footer(kExamples);
-    app.add_option("IN", arguments.input, "project (.json, .forefront) or domain: .poly, .node, .geojson, .svg, .msh")
+    app.add_option("IN", arguments.input,
+                   "project (.json, .forefront) or domain (.poly, .geojson, .svg, .msh, ...); -: standard input")
         ->required();
-    app.add_option("-o,--output", arguments.outputs, "mesh to write; the extension tells the format; repeatable")
+    app.add_option("--input-format", arguments.inputFormat,
+                   "format of IN if content and name do not tell: " + inputFormatIds())
+        ->type_name("ID");
+    app.add_option("-o,--output", arguments.outputs,
+                   "mesh to write; its extension sets the format; -: standard output; repeatable")
         ->allow_extra_args(false)
         ->type_name("OUT");
     app.add_option("--format", arguments.formats, "format of the outputs in their order: " + formatIds())
         ->allow_extra_args(false)
         ->type_name("ID");
     addInnerEdgesOption(app, arguments.innerEdges);
-    auto *spacing = app.add_option_group("Spacing", "at most one; else that of the project, or automatic");
+    auto *spacing = app.add_option_group("Spacing", "at most one; default: that of the project, or automatic");
     addSpacingOptions(*spacing, arguments.size, arguments.expression);
-    spacing->add_option("--spacing-file", arguments.spacingFile, "spacing of a project, or a background mesh (.msh)")
+    spacing
+        ->add_option("--spacing-file", arguments.spacingFile,
+                     "take the spacing of a project, or of a background mesh (.msh)")
         ->type_name("FILE");
     spacing->require_option(0, 1);
-    app.add_option("--gradation", arguments.gradation, "greatest change of edge length per unit of distance")
+    app.add_option("--gradation", arguments.gradation, "maximum change of edge length per unit of distance")
         ->check(positiveNumber())
         ->type_name("G");
     addFrontOptions(app, arguments, words);
-    app.add_option("--threads", arguments.threads, "threads, 1 to 256; the mesh does not depend on it")
+    app.add_option("--threads", arguments.threads, "number of threads, 1 to 256; the mesh does not depend on it")
         ->check(wholeNumberWithin(1, 256))
         ->type_name("N");
     app.add_option("--stats", arguments.statistics, "write statistics as JSON; -: print them instead of the summary")
         ->type_name("FILE.json");
-    app.add_flag("-q,--quiet", arguments.quiet, "print nothing but warnings and errors");
+    app.add_flag("-q,--quiet", arguments.quiet, "print only warnings and errors");
     if (const auto code = parseOptions(app, argc, argv)) {
         return *code;
     }
     std::string wrong = takeWords(words, arguments);
     if (wrong.empty()) {
-        wrong = checkFormats(arguments);
+        wrong = checkFormats(arguments.outputs, arguments.formats);
+    }
+    if (wrong.empty()) {
+        wrong = checkInputs({arguments.input, arguments.spacingFile}, arguments.inputFormat);
+    }
+    if (wrong.empty() && arguments.printsStatistics() && usesStandardOutput(arguments.outputs)) {
+        wrong = "-o - and --stats - both write to standard output; give one of them a file";
     }
     if (wrong.empty() && arguments.outputs.empty() && !arguments.statistics) {
-        wrong = "nothing to write: give -o OUT or --stats FILE.json";
+        wrong = "no output; add -o OUT or --stats FILE.json";
     }
     if (!wrong.empty()) {
         return wrongUsage(app.get_name(), wrong);

@@ -11,11 +11,12 @@
 
 namespace forefront {
 
-/// What the command line of `forefront mesh` asks for.
+/// The command line of `forefront mesh`.
 struct MeshArguments {
-    std::filesystem::path input;
+    std::filesystem::path input; ///< "-": standard input
+    std::string inputFormat;     ///< id; empty: by content and extension
     std::vector<std::filesystem::path> outputs;
-    std::vector<std::string> formats; ///< of the outputs in their order; the rest by extension
+    std::vector<std::string> formats; ///< ids, of the outputs in their order; the rest by extension
     InnerEdges innerEdges = InnerEdges::Keep;
     std::optional<double> size;
     std::optional<std::string> expression;
@@ -31,12 +32,12 @@ struct MeshArguments {
     std::optional<std::filesystem::path> statistics;
     bool quiet = false;
 
-    /// The statistics go to the standard output, which then holds nothing else.
+    /// True if the statistics go to standard output, which then holds nothing else.
     bool printsStatistics() const { return statistics && *statistics == "-"; }
-    std::string format(std::size_t output) const { return output < formats.size() ? formats[output] : std::string(); }
 };
 
-/// The arguments, or the exit code with which to leave (help was shown: 0; wrong usage, said on stderr: 2).
+/// Parses the command line: the arguments, or the exit code with which to leave (help shown: 0; usage error printed:
+/// 2).
 std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const *argv);
 
 } // namespace forefront

@@ -1,5 +1,6 @@
 #include "app/batch/commands.hpp"
 #include "app/batch/exit_code.hpp"
+#include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
 #include "app/batch/mesh_arguments.hpp"
 #include "app/batch/outputs.hpp"
@@ -18,42 +19,39 @@ namespace forefront {
 
 namespace {
 
-/// By content; of what can be read only once, such as a pipe, by name.
-bool isProject(const std::filesystem::path &file) {
-    constexpr std::string_view kProject = "project";
-    std::error_code none;
-    if (std::filesystem::is_regular_file(file, none)) {
-        const FileFormat *const format = fileFormatOf(file);
-        return format != nullptr && format->id == kProject;
-    }
-    const std::vector<const FileFormat *> named = fileFormatsNamed(file);
-    return !named.empty() && named.front()->id == kProject;
-}
-
-/// Domain of any file; spacing and options too where it is a project.
-Result<MeshingJob> readJob(const MeshArguments &arguments) {
-    if (isProject(arguments.input)) {
-        const Result<Document> document = readDocument(arguments.input);
+/// Reads the domain of any file; spacing and options too where it is a project.
+Result<MeshingJob> readJob(const MeshArguments &arguments, const Input &input) {
+    ImportNotes notes;
+    if (input.isProject()) {
+        const Result<Document> document = readDocument(input.path, input.options, &notes);
         if (!document) {
             return document.faults();
         }
+        printNotes(notes, arguments.quiet);
         return MeshingJob{toDomain(*document), document->spacing, document->options};
     }
-    Result<Domain> domain = readDomain(arguments.input);
+    Result<Domain> domain = readDomain(input.path, input.options, &notes);
     if (!domain) {
         return domain.faults();
     }
+    printNotes(notes, arguments.quiet);
     return MeshingJob{std::move(*domain), {}, {}};
 }
 
-/// The command line wins over the project.
+/// Replaces the spacing of a project by that of the command line.
 Diagnostics applySpacing(const MeshArguments &arguments, SpacingSpec &spacing) {
     if (arguments.size || arguments.expression) {
         spacing = {};
         spacing.size = arguments.size;
         spacing.expression = arguments.expression;
     } else if (arguments.spacingFile) {
-        Result<SpacingSpec> read = readSpacing(*arguments.spacingFile);
+        const Result<Input> file = openInput(*arguments.spacingFile);
+        if (!file) {
+            return file.faults();
+        }
+        ImportNotes notes;
+        Result<SpacingSpec> read = readSpacing(file->path, file->options, &notes);
+        printNotes(notes, arguments.quiet);
         if (!read) {
             return read.faults();
         }
@@ -77,13 +75,13 @@ void applyOptions(const MeshArguments &arguments, MeshingOptions &options) {
     options.threads = arguments.threads.value_or(options.threads);
 }
 
-Diagnostics repairDomain(const MeshArguments &arguments, Domain &domain) {
+Diagnostics repairDomain(const MeshArguments &arguments, const Input &input, Domain &domain) {
     Result<Repaired> repaired = repair(domain);
     if (!repaired) {
-        return locateFaults(arguments.input, repaired.faults());
+        return locateFaults(input.path, repaired.faults(), input.options);
     }
     if (!arguments.quiet) {
-        printFaults(locateFaults(arguments.input, std::move(repaired->changes)));
+        printFaults(locateFaults(input.path, std::move(repaired->changes), input.options));
     }
     domain = std::move(repaired->domain);
     return {};
@@ -95,9 +93,8 @@ Diagnostics writeOutputs(const MeshArguments &arguments, const Mesh &mesh, const
     const bool drops = arguments.innerEdges == InnerEdges::Drop && !arguments.outputs.empty();
     const Mesh outline = drops ? withoutInnerEdges(mesh) : Mesh();
     Diagnostics notes;
-    for (std::size_t i = 0; i < arguments.outputs.size(); ++i) {
-        const Diagnostics faults =
-            writeMesh(arguments.outputs[i], drops ? outline : mesh, arguments.format(i), progress);
+    for (const Output &output : pairFormats(arguments.outputs, arguments.formats)) {
+        const Diagnostics faults = writeOutput(output, drops ? outline : mesh, progress);
         if (hasErrors(faults)) {
             return faults;
         }
@@ -114,37 +111,17 @@ void printResult(const MeshArguments &arguments, const RunReport &report) {
     if (arguments.printsStatistics()) {
         std::fputs(statisticsJson(report).c_str(), stdout);
     } else if (!arguments.quiet) {
+        std::FILE *const out = usesStandardOutput(arguments.outputs) ? stderr : stdout;
         for (const auto &path : arguments.outputs) {
-            std::printf("wrote %s\n", path.string().c_str());
+            if (!isStandardStream(path)) {
+                std::fprintf(out, "wrote %s\n", path.string().c_str());
+            }
         }
-        std::fputs(summary(report).c_str(), stdout);
+        std::fputs(summary(report).c_str(), out);
     }
 }
 
-} // namespace
-
-int meshCommand(int argc, const char *const *argv) {
-    const auto parsed = parseMeshArguments(argc, argv);
-    if (const int *code = std::get_if<int>(&parsed)) {
-        return *code;
-    }
-    const MeshArguments &arguments = std::get<MeshArguments>(parsed);
-    std::vector<Output> files;
-    for (std::size_t k = 0; k < arguments.outputs.size(); ++k) {
-        files.push_back({arguments.outputs[k], arguments.format(k)});
-    }
-    if (arguments.statistics && !arguments.printsStatistics()) {
-        files.push_back({*arguments.statistics, {}});
-    }
-    std::vector<std::filesystem::path> inputs{arguments.input};
-    if (arguments.spacingFile) {
-        inputs.emplace_back(*arguments.spacingFile);
-    }
-    Diagnostics faults = checkOutputs(files, inputs);
-    if (!faults.empty()) {
-        printFaults(faults);
-        return kRefused;
-    }
+int runMesh(const MeshArguments &arguments) {
     InterruptWatch interrupt;
     ProgressBar bar(!arguments.quiet);
     Progress progress;
@@ -152,12 +129,17 @@ int meshCommand(int argc, const char *const *argv) {
     progress.report = [&bar](std::string_view stage, double fraction) { bar.show(stage, fraction); };
 
     bar.show("reading", 0.0);
-    Result<MeshingJob> job = readJob(arguments);
-    faults = job ? applySpacing(arguments, job->spacing) : job.faults();
+    const Result<Input> input = openInput(arguments.input, arguments.inputFormat);
+    if (!input) {
+        bar.clear();
+        return refuse(input.faults(), interrupt);
+    }
+    Result<MeshingJob> job = readJob(arguments, *input);
+    Diagnostics faults = job ? applySpacing(arguments, job->spacing) : job.faults();
     bar.clear();
-    interrupt.askFromNowOn();
+    interrupt.deferToStop();
     if (faults.empty() && arguments.repair) {
-        faults = repairDomain(arguments, job->domain);
+        faults = repairDomain(arguments, *input, job->domain);
     }
     if (!faults.empty()) {
         return refuse(faults, interrupt);
@@ -167,8 +149,7 @@ int meshCommand(int argc, const char *const *argv) {
     const Result<MeshingOutcome> outcome = meshDomain(*job, progress);
     bar.clear();
     if (!outcome) {
-        const int code =
-            refuse(meshingFaults(outcome.faults(), job->domain, arguments.input, !arguments.repair), interrupt);
+        const int code = refuse(meshingFaults(outcome.faults(), job->domain, *input, !arguments.repair), interrupt);
         const bool mistyped = arguments.expression && hasCode(outcome.faults(), "expression-syntax");
         return code == kRefused && mistyped ? static_cast<int>(kUsage) : code;
     }
@@ -183,6 +164,27 @@ int meshCommand(int argc, const char *const *argv) {
     }
     printResult(arguments, report);
     return kDone;
+}
+
+} // namespace
+
+int meshCommand(int argc, const char *const *argv) {
+    const auto parsed = parseMeshArguments(argc, argv);
+    if (const int *code = std::get_if<int>(&parsed)) {
+        return *code;
+    }
+    const MeshArguments &arguments = std::get<MeshArguments>(parsed);
+    std::vector<Output> files = pairFormats(arguments.outputs, arguments.formats);
+    if (arguments.statistics && !arguments.printsStatistics()) {
+        files.push_back({*arguments.statistics, {}});
+    }
+    std::vector<std::filesystem::path> inputs{arguments.input};
+    if (arguments.spacingFile) {
+        inputs.emplace_back(*arguments.spacingFile);
+    }
+    const Diagnostics faults = checkOutputs(files, inputs);
+    printFaults(faults);
+    return faults.empty() ? runMesh(arguments) : static_cast<int>(kRefused);
 }
 
 } // namespace forefront

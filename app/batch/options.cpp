@@ -12,7 +12,7 @@ namespace forefront {
 
 namespace {
 
-/// The whole text as a number of that type, with or without a sign.
+/// Returns the whole text as a number of that type, with or without a sign.
 template <class Number>
 std::optional<Number> parse(std::string_view text) {
     if (text.starts_with('+') && !text.starts_with("+-")) {
@@ -29,13 +29,23 @@ std::string shown(double value) {
     return text;
 }
 
-/// Refuses what `accepts` does not take; `wanted` is said of it.
+/// Refuses what `accepts` does not take.
 template <class Accepts>
-CLI::Validator check(std::string wanted, Accepts accepts) {
-    return {[wanted = std::move(wanted), accepts](const std::string &text) {
-                return accepts(text) ? std::string() : wanted + " is wanted, not '" + text + '\'';
+CLI::Validator check(std::string expected, Accepts accepts) {
+    return {[expected = std::move(expected), accepts](const std::string &text) {
+                return accepts(text) ? std::string() : "expected " + expected + ", got '" + text + '\'';
             },
             ""};
+}
+
+/// Names the arguments that no option or input takes, in the order given.
+std::string unexpectedArguments(const std::vector<std::string> &arguments) {
+    std::string options, others;
+    for (const std::string &argument : arguments) {
+        std::string &list = argument.size() > 1 && argument.front() == '-' ? options : others;
+        list += (list.empty() ? "'" : ", '") + argument + '\'';
+    }
+    return options.empty() ? "unexpected argument " + others : "unknown option " + options;
 }
 
 } // namespace
@@ -65,17 +75,17 @@ CLI::Validator wholeNumberWithin(int least, int greatest) {
 }
 
 CLI::Validator oneOf(std::vector<std::string> words) {
-    std::string wanted = "one of ";
+    std::string expected = "one of ";
     for (std::size_t i = 0; i < words.size(); ++i) {
-        wanted += (i == 0 ? "" : ", ") + words[i];
+        expected += (i == 0 ? "" : ", ") + words[i];
     }
-    return check(std::move(wanted), [words = std::move(words)](const std::string &text) {
+    return check(std::move(expected), [words = std::move(words)](const std::string &text) {
         return std::find(words.begin(), words.end(), text) != words.end();
     });
 }
 
 void addSpacingOptions(CLI::App &group, std::optional<double> &size, std::optional<std::string> &expression) {
-    group.add_option("--size", size, "the same edge length everywhere")->check(positiveNumber())->type_name("H");
+    group.add_option("--size", size, "uniform edge length")->check(positiveNumber())->type_name("H");
     group
         .add_option("--spacing", expression,
                     "edge length as an expression in x and y, with min, max, sqrt, exp, sin, ... "
@@ -101,6 +111,8 @@ std::optional<int> parseOptions(CLI::App &app, int argc, const char *const *argv
         return std::nullopt;
     } catch (const CLI::CallForHelp &help) {
         return app.exit(help);
+    } catch (const CLI::ExtrasError &) {
+        return wrongUsage(app.get_name(), unexpectedArguments(app.remaining()));
     } catch (const CLI::ParseError &error) {
         return wrongUsage(app.get_name(), error.what());
     }

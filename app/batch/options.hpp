@@ -11,23 +11,23 @@
 
 namespace forefront {
 
-/// Checks of option values. A fault reads "--size: a positive number is wanted, not 'abc'".
+/// Checks of option values. A fault reads "--size: expected a positive number, got 'abc'".
 CLI::Validator positiveNumber();
 CLI::Validator numberWithin(double least, double greatest);
 CLI::Validator wholeNumberWithin(int least, int greatest);
 CLI::Validator oneOf(std::vector<std::string> words);
 
-/// The options --size and --spacing, which several commands have.
+/// Adds the options --size and --spacing, which several commands share.
 void addSpacingOptions(CLI::App &group, std::optional<double> &size, std::optional<std::string> &expression);
 
 /// Adds the option --inner-edges of the commands that write meshes.
 void addInnerEdgesOption(CLI::App &app, InnerEdges &innerEdges);
 
-/// Parses the command line. The exit code with which to leave (help was shown: 0; wrong usage, said on stderr: 2), or
-/// nothing to go on.
+/// Parses the command line. Returns the exit code with which to leave (help shown: 0; usage error printed: 2), or
+/// nothing to continue.
 std::optional<int> parseOptions(CLI::App &app, int argc, const char *const *argv);
 
-/// Says on stderr what is wrong with the command line of `command` ("forefront mesh") and returns the exit code.
+/// Prints the usage error of `command` ("forefront mesh") to stderr and returns the exit code.
 int wrongUsage(const std::string &command, std::string_view message);
 
 } // namespace forefront

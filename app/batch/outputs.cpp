@@ -1,5 +1,6 @@
 #include "app/batch/outputs.hpp"
 
+#include "app/batch/inputs.hpp"
 #include "core/io/files.hpp"
 
 #include <algorithm>
@@ -9,7 +10,7 @@ namespace forefront {
 
 namespace {
 
-/// A word of each format that can be written, each once.
+/// Returns a word of each format that can be written, each once.
 std::string listOf(const char *FileFormat::*word) {
     std::string list;
     for (const FileFormat &format : fileFormats()) {
@@ -34,22 +35,73 @@ std::string formatIds() {
 std::string checkFormat(const std::filesystem::path &output, const std::string &id) {
     const std::vector<const FileFormat *> named = fileFormatsNamed(output);
     if (id.empty()) {
+        if (isStandardStream(output)) {
+            return "-o -: the format of standard output is missing; add --format with one of " + formatIds();
+        }
         const bool known = std::any_of(named.begin(), named.end(), [](const FileFormat *f) { return f->writesMesh; });
         return known ? ""
-                     : "-o " + output.string() + ": no format has the extension '" + output.extension().string() +
-                           "'; extensions: " + listOf(&FileFormat::extension);
+                     : "-o " + output.string() + ": unknown extension '" + output.extension().string() +
+                           "'; expected one of " + listOf(&FileFormat::extension);
     }
     const auto formats = fileFormats();
     const auto wanted =
         std::find_if(formats.begin(), formats.end(), [&](const FileFormat &f) { return f.writesMesh && id == f.id; });
     if (wanted == formats.end()) {
-        return "--format: unknown format '" + id + "'; formats: " + formatIds();
+        return "--format: unknown format '" + id + "'; expected one of " + formatIds();
+    }
+    if (isStandardStream(output) && filesOfMesh("x", id).size() > 1) {
+        return "-o -: format " + id + " needs several files; name a file, or choose another format";
     }
     if (!named.empty() && std::find(named.begin(), named.end(), &*wanted) == named.end()) {
-        return "-o " + output.string() + " is named as " + named.front()->name + ", but --format " + id + " is " +
-               wanted->name + " (" + wanted->extension + "); formats go to the outputs in their order";
+        return "-o " + output.string() + ": the name is that of " + named.front()->name + ", but --format " + id +
+               " is " + wanted->name + " (" + wanted->extension + "); formats go to the outputs in their order";
     }
     return {};
+}
+
+std::vector<Output> pairFormats(const std::vector<std::filesystem::path> &outputs,
+                                const std::vector<std::string> &formats) {
+    std::vector<Output> pairs;
+    for (std::size_t k = 0; k < outputs.size(); ++k) {
+        pairs.push_back({outputs[k], k < formats.size() ? formats[k] : std::string()});
+    }
+    return pairs;
+}
+
+std::string checkFormats(const std::vector<std::filesystem::path> &outputs, const std::vector<std::string> &formats) {
+    if (formats.size() > outputs.size()) {
+        return "--format is given more often than -o; formats go to the outputs in their order";
+    }
+    if (std::count_if(outputs.begin(), outputs.end(), isStandardStream) > 1) {
+        return "-o -: standard output is given twice";
+    }
+    for (const Output &output : pairFormats(outputs, formats)) {
+        const std::string wrong = checkFormat(output.path, output.format);
+        if (!wrong.empty()) {
+            return wrong;
+        }
+    }
+    return {};
+}
+
+bool usesStandardOutput(const std::vector<std::filesystem::path> &outputs) {
+    return std::any_of(outputs.begin(), outputs.end(), isStandardStream);
+}
+
+Status writeOutput(const Output &output, const Mesh &mesh, const Progress &progress) {
+    if (!isStandardStream(output.path)) {
+        return writeMesh(output.path, mesh, output.format, progress);
+    }
+    struct StandardOutput final : ByteSink {
+        bool write(std::string_view bytes) override {
+            return std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size();
+        }
+    } sink;
+    Status status = writeMesh(sink, mesh, output.format);
+    if (status.empty() && std::fflush(stdout) != 0) {
+        status = error("cannot-write", "cannot write to standard output");
+    }
+    return status;
 }
 
 Diagnostics checkOutputs(const std::vector<Output> &outputs, const std::vector<std::filesystem::path> &inputs) {
@@ -67,9 +119,14 @@ Diagnostics checkOutputs(const std::vector<Output> &outputs, const std::vector<s
         return added;
     };
     for (const std::filesystem::path &path : inputs) {
-        addTo(read, filesRead(path));
+        if (!isStandardStream(path)) {
+            addTo(read, filesRead(path));
+        }
     }
     for (const Output &output : outputs) {
+        if (isStandardStream(output.path)) {
+            continue;
+        }
         const std::vector<std::filesystem::path> files = filesOfMesh(output.path, output.format);
         Diagnostics wrong = checkPlace(output.path);
         if (wrong.empty() && std::any_of(files.begin(), files.end(), [&](const std::filesystem::path &file) {
@@ -77,7 +134,7 @@ Diagnostics checkOutputs(const std::vector<Output> &outputs, const std::vector<s
             })) {
             wrong = error("cannot-write", "cannot write the file: it is an input", "choose another name");
         } else if (wrong.empty() && !addTo(written, files)) {
-            wrong = error("cannot-write", "cannot write two outputs to one file", "give each a name of its own");
+            wrong = error("cannot-write", "cannot write two outputs to one file", "give each its own name");
         }
         for (Diagnostic &fault : wrong) {
             fault.file = output.path.string();

@@ -1,29 +1,44 @@
 #pragma once
 
 #include "core/base/diagnostic.hpp"
+#include "core/base/progress.hpp"
+#include "core/mesh/mesh.hpp"
 
+#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace forefront {
 
-/// Formats of meshes that can be written, as --format has them, separated by commas.
+/// Returns the ids of the mesh formats that can be written, as --format takes them, separated by commas.
 std::string formatIds();
 
-/// What is wrong with an output's format; empty: nothing. `id`: from --format; empty: by the extension. A name that
-/// says one format for the content of another would mislead whoever reads the file; extensions that no format has may
-/// hold any.
+/// Returns what is wrong with an output's format; empty: nothing. `id`: from --format; empty: by the extension. A name
+/// that promises one format for the content of another would mislead whoever reads the file; extensions that no format
+/// has may hold any.
 std::string checkFormat(const std::filesystem::path &output, const std::string &id);
 
 /// A file to be written.
 struct Output {
-    std::filesystem::path path;
-    std::string format; ///< of a mesh, an id; empty: by the extension
+    std::filesystem::path path; ///< "-": standard output
+    std::string format;         ///< id of a mesh format; empty: by the extension
 };
 
-/// What can be said of the places of outputs before hours of work are spent: folders that do not exist, paths that are
-/// folders, files that are given twice or are inputs.
+/// Returns what is wrong with all outputs of meshes and the formats given for them in their order; empty: nothing.
+std::string checkFormats(const std::vector<std::filesystem::path> &outputs, const std::vector<std::string> &formats);
+/// Pairs the outputs with the formats given for them in their order.
+std::vector<Output> pairFormats(const std::vector<std::filesystem::path> &outputs,
+                                const std::vector<std::string> &formats);
+
+/// Returns what can be said of the places of outputs before hours of work are spent: folders that do not exist, paths
+/// that are folders, files that are given twice or are inputs.
 Diagnostics checkOutputs(const std::vector<Output> &outputs, const std::vector<std::filesystem::path> &inputs = {});
+
+/// True if one of the outputs is standard output, which then holds nothing else.
+bool usesStandardOutput(const std::vector<std::filesystem::path> &outputs);
+
+/// Writes a mesh to a file or to standard output.
+Status writeOutput(const Output &output, const Mesh &mesh, const Progress &progress);
 
 } // namespace forefront

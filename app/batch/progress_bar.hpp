@@ -6,7 +6,7 @@
 
 namespace forefront {
 
-/// A line on a terminal (stderr) that shows the stage and the part done; silent elsewhere.
+/// A progress line on a terminal (stderr) with the stage and the fraction done; silent elsewhere.
 class ProgressBar {
   public:
     /// `wanted` false: silent even on a terminal.

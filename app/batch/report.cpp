@@ -24,7 +24,7 @@ std::string sharpCornerLines(const SharpCorners &sharp) {
     }
     char text[200];
     std::snprintf(text, sizeof text,
-                  "%zu corner%s of the domain below %.0f degrees; least angle elsewhere %.1f degrees\n",
+                  "%zu corner%s of the domain below %.0f degrees; minimum angle elsewhere %.1f degrees\n",
                   sharp.corners.size(), sharp.corners.size() == 1 ? "" : "s", kSharpCorner, sharp.minAngleElsewhere);
     std::string lines = text;
     for (std::size_t i = 0; i < std::min(kShown, sharp.corners.size()); ++i) {
@@ -94,7 +94,7 @@ std::string summary(const RunReport &report) {
     char text[600];
     std::snprintf(text, sizeof text,
                   "%zu nodes, %zu elements, hash %s\n"
-                  "shape factor: mean %.4f, geometric mean %.4f, least %.4f; angles %.1f to %.1f degrees\n"
+                  "shape factor: mean %.4f, geometric mean %.4f, minimum %.4f; angles %.1f to %.1f degrees\n"
                   "spacing conformity: mean %.4f\n"
                   "%.3f s for the mesh (%.3f prepare, %.3f front, %.3f improve), %.0f elements/s, peak %.1f MB\n",
                   q.nodes, q.elements, toHex(report.hash).c_str(), q.alphaMean, q.alphaGeometricMean, q.alphaMin,

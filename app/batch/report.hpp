@@ -9,7 +9,7 @@
 
 namespace forefront {
 
-/// Corners sharper than this, in degrees, are named: no mesh has greater angles there.
+/// Corners of the domain below this angle, in degrees, are reported: no mesh has larger angles there.
 inline constexpr double kSharpCorner = 20.0;
 
 /// Figures of a finished run.
@@ -20,16 +20,18 @@ struct RunReport {
     ImproveLevel improve = ImproveLevel::None;
     double secondsPrepare = 0.0, secondsMesh = 0.0, secondsImprove = 0.0;
     std::uint64_t hash = 0;
-    std::uint64_t peakBytes = 0; ///< greatest resident memory of the program so far
+    std::uint64_t peakBytes = 0; ///< maximum resident memory of the program so far
 
-    /// CPU seconds of meshing and improvement, with validation, spacing and discretisation; no reading or writing.
+    /// Returns the CPU seconds of meshing and improvement, with validation, spacing and discretisation but without
+    /// reading and writing.
     double meshCpu() const { return secondsPrepare + secondsMesh + secondsImprove; }
 };
 
+/// Measures the mesh of a finished run.
 RunReport reportOf(const MeshingOutcome &outcome, const MeshingOptions &options);
-/// The JSON object that --stats writes.
+/// Returns the JSON object that --stats writes.
 std::string statisticsJson(const RunReport &report);
-/// A few lines for people.
+/// Returns a few lines for people.
 std::string summary(const RunReport &report);
 
 } // namespace forefront

@@ -21,15 +21,15 @@ namespace {
 constexpr const char *kExamples = R"(
 Examples:
   forefront tables
-        every row with every grid, published figures beside ours; several minutes, most of them without grid
+        every row with every grid, published figures beside ours; takes minutes, most of them without a grid
   forefront tables --rows 1A,2A --grids none,60x40,hierarchical
         two small rows
   forefront tables --rows 3,4 --grids none,hierarchical
-        adaptive refinement: the domains and fields are ours, those of the publication are not known
+        adaptive refinement; domains and fields are ours, since the published ones are unknown
   forefront tables --csv tables.csv --svg times.svg
-        the same figures as CSV, and a drawing of time against elements
+        the same figures as CSV, and a plot of time against elements
 
-Exit codes: 0 done, 1 a grid has changed a mesh or a file cannot be written, 2 wrong usage, 3 cancelled.)";
+Exit codes: 0 done, 1 a grid changed a mesh or a file cannot be written, 2 wrong usage, 3 cancelled.)";
 
 struct TablesArguments {
     std::vector<TableCase> rows;
@@ -37,24 +37,24 @@ struct TablesArguments {
     std::optional<std::filesystem::path> csv, svg;
 };
 
-/// What is wrong with the lists; empty if nothing.
+/// Returns what is wrong with the lists; empty: nothing.
 std::string parseLists(const std::vector<std::string> &rows, const std::vector<std::string> &grids,
                        TablesArguments &arguments) {
     for (const std::string &name : rows) {
         const TableCase *row = tableCase(name);
         if (row == nullptr) {
-            return "--rows: '" + name + "' is none of 1A to 1E, 2A to 2E, 3*, 4*";
+            return "--rows: unknown row '" + name + "'; expected 1A to 1E, 2A to 2E, 3* or 4*";
         }
         arguments.rows.push_back(*row);
     }
     for (const std::string &name : grids) {
         const auto grid = parseTableGrid(name);
         if (!grid) {
-            return "--grids: '" + name + "' is none of none, COLUMNSxROWS, hierarchical";
+            return "--grids: unknown grid '" + name + "'; expected none, COLUMNSxROWS or hierarchical";
         }
         const auto same = [&](const TableGrid &other) { return other.name == grid->name; };
         if (std::any_of(arguments.grids.begin(), arguments.grids.end(), same)) {
-            return "--grids: '" + name + "' is given twice";
+            return "--grids: grid '" + name + "' is given twice";
         }
         arguments.grids.push_back(*grid);
     }
@@ -66,7 +66,7 @@ std::string parseLists(const std::vector<std::string> &rows, const std::vector<s
 
 int runTables(const TablesArguments &arguments) {
     InterruptWatch interrupt;
-    interrupt.askFromNowOn();
+    interrupt.deferToStop();
     ProgressBar bar(true);
     Progress progress;
     progress.stop = interrupt.token();
@@ -104,15 +104,15 @@ int tablesCommand(int argc, const char *const *argv) {
                  "forefront tables");
     app.footer(kExamples);
     app.add_option("--rows", rows,
-                   "rows to run, separated by commas: 1A to 1E, 2A to 2E, 3*, 4* (* cases of our own); else all")
+                   "rows to run, separated by commas: 1A to 1E, 2A to 2E, 3*, 4* (*: our own cases); default all")
         ->delimiter(',')
         ->type_name("ROWS");
     app.add_option("--grids", grids,
-                   "background grids: none, COLUMNSxROWS, hierarchical; else none,30x20,60x40,hierarchical")
+                   "background grids: none, COLUMNSxROWS, hierarchical; default none,30x20,60x40,hierarchical")
         ->delimiter(',')
         ->type_name("GRIDS");
     app.add_option("--csv", arguments.csv, "write the figures as CSV")->type_name("FILE");
-    app.add_option("--svg", arguments.svg, "draw time against elements")->type_name("FILE");
+    app.add_option("--svg", arguments.svg, "write a plot of time against elements")->type_name("FILE");
     if (const auto code = parseOptions(app, argc, argv)) {
         return *code;
     }

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "core/base/diagnostic.hpp"
+#include "core/base/result.hpp"
+#include "core/io/source/import_notes.hpp"
+#include "core/io/source/import_options.hpp"
+
+#include <filesystem>
+#include <initializer_list>
+#include <optional>
+#include <string>
+
+namespace forefront {
+
+/// The name that stands for standard input and output on the command line.
+inline constexpr const char *kStandardStream = "-";
+
+/// True if a path on the command line names standard input or output.
+inline bool isStandardStream(const std::filesystem::path &path) {
+    return path == kStandardStream;
+}
+
+/// An input of a command, ready for the functions of core/io/files.hpp.
+struct Input {
+    std::filesystem::path path; ///< as shown in messages
+    ImportOptions options;      ///< with the content of standard input
+
+    bool isProject() const;
+};
+
+/// Reads standard input if `path` is "-"; other files are left to their readers. `formatId`: from --input-format.
+/// Faults: cannot-read, too-large.
+Result<Input> openInput(const std::filesystem::path &path, const std::string &formatId = {});
+
+/// Returns what is wrong with --input-format and with the inputs of a command, of which only one can be standard input;
+/// empty: nothing.
+std::string checkInputs(std::initializer_list<std::optional<std::filesystem::path>> inputs,
+                        const std::string &formatId = {});
+
+/// Returns the ids of the formats that can be read, as --input-format takes them, separated by commas.
+std::string inputFormatIds();
+
+/// Prints the notes of a reader to stderr, one a line; nothing where `quiet`.
+void printNotes(const ImportNotes &notes, bool quiet);
+
+} // namespace forefront
