@@ -16,23 +16,24 @@ namespace {
 
 constexpr const char *kUsageText = R"(Forefront: planar triangle meshes by the advancing front technique.
 
-  forefront [FILE]          open the editor, on a project or domain file
+  forefront [FILE]          open the editor with a project or domain file
   forefront mesh IN -o OUT  mesh a file in batch           (forefront mesh --help)
   forefront check MESH      check a mesh                   (forefront check --help)
-  forefront adapt MESH      remesh to a wanted error       (forefront adapt --help)
+  forefront adapt MESH      remesh to a requested error    (forefront adapt --help)
   forefront tables          run the published tables       (forefront tables --help)
   forefront --version       print the version
   forefront --help          print this
 
 Examples:
-  forefront                                        the editor, on the sample
+  forefront                                        open the editor with the sample
   forefront mesh lake.geojson -o lake.msh          mesh with automatic spacing
   forefront mesh plate.poly -o plate.vtu --size 1  mesh with edges of length 1
-  forefront check lake.msh --domain lake.geojson   prove that the mesh fits
+  forefront check lake.msh --domain lake.geojson   prove that the mesh fits its domain
 )";
 
 #if defined(FOREFRONT_WITH_EDITOR)
-/// Beside FILE it takes, for tests: --frames N, to close by itself, and --state-file FILE, to write what it shows.
+/// Opens the editor. For tests it also takes --frames N, to close after N frames, and --state-file FILE, to write what it
+/// shows.
 int editorCommand(int argc, const char *const *argv) {
     EditorArguments arguments;
     CLI::App app("Forefront", "forefront");
@@ -76,8 +77,8 @@ int dispatch(int argc, const char *const *argv) {
     }
     std::error_code none;
     if (!command.empty() && !command.starts_with('-') && !std::filesystem::exists(command, none)) {
-        return wrongUsage("forefront", "'" + std::string(command) +
-                                           "' is neither a command (mesh, check, adapt, tables) nor a file");
+        return wrongUsage("forefront", "unknown command or file '" + std::string(command) +
+                                           "'; expected mesh, check, adapt, tables or an existing file");
     }
     return editorCommand(argc, argv);
 }

@@ -2,6 +2,7 @@
 
 #include "core/base/diagnostic.hpp"
 #include "core/base/progress.hpp"
+#include "core/base/result.hpp"
 #include "core/mesh/mesh.hpp"
 
 #include <cstdio>

@@ -249,6 +249,102 @@ class Meshing(Case):
         self.assertEqual([p.name for p in self.path.iterdir()], ["plate.poly"])
 
 
+class Streams(Case):
+    def pipe(self, *words, text, code=0):
+        done = subprocess.run([PROGRAM, *words], cwd=self.path, input=text.encode(), capture_output=True, timeout=300)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done.stdout, done.stderr.decode()
+
+    def test_standard_input_and_output_stand_for_files(self):
+        self.call("mesh", "plate.poly", "-o", "plate.msh", "--size", "0.3")
+        domain = self.read("plate.poly")
+        out, messages = self.pipe("mesh", "-", "--input-format", "poly", "-o", "-", "--format", "msh2", "--size", "0.3",
+                                  text=domain)
+        self.assertEqual(out, (self.path / "plate.msh").read_bytes())
+        self.assertRegex(messages, r"\d+ nodes, \d+ elements, hash [0-9a-f]{16}")
+        out, messages = self.pipe("mesh", "-", "--input-format", "poly", "-o", "-", "--format", "msh41-binary", "-q",
+                                  text=domain)
+        self.assertTrue(out.startswith(b"$MeshFormat\n4.1 1 8\n"))
+        self.assertEqual(messages, "")
+        out, _ = self.pipe("check", "-", "--domain", "plate.poly", text=self.read("plate.msh"))
+        self.assertIn(b"valid for the domain", out)
+        out, _ = self.pipe("check", "plate.msh", "--domain", "-", text=self.read("plate.msh"))
+        self.assertIn(b"valid for the domain", out)
+        out, _ = self.pipe("mesh", "-", "--stats", "-", text=PROJECT)
+        self.assertGreater(json.loads(out)["elements"], 100)
+        out, messages = self.pipe("adapt", "-", "--expression", "x*x", "--error", "0.3", "-o", "-", "--format", "vtu",
+                                  text=self.read("plate.msh"))
+        self.assertTrue(out.startswith(b"<?xml"))
+        self.assertIn("mesh 0:", messages)
+        self.assertEqual({p.name for p in self.path.iterdir()}, {"plate.poly", "plate.msh"})
+
+    def test_faults_of_standard_input_are_located(self):
+        _, messages = self.pipe("mesh", "-", "--input-format", "poly", "-o", "a.msh", text=poly([BOW]), code=1)
+        self.assertRegex(messages, r"^standard input:\d+: error: two segments cross")
+        _, messages = self.pipe("mesh", "-", "-o", "a.msh", text="nothing", code=1)
+        self.assertIn("standard input: error: unknown file format", messages)
+
+    def test_wrong_use_of_streams_is_refused(self):
+        for words, message in ((["mesh", "plate.poly", "-o", "-"], "--format"),
+                               (["mesh", "plate.poly", "-o", "-", "--format", "triangle"], "several files"),
+                               (["mesh", "plate.poly", "-o", "-", "--format", "vtu", "--stats", "-"], "--stats"),
+                               (["mesh", "-", "--input-format", "dxf", "-o", "a.msh"], "unknown format 'dxf'"),
+                               (["check", "-", "--domain", "-"], "only once"),
+                               (["mesh", "plate.poly", "-o", "-", "-o", "-", "--format", "vtu", "--format", "vtu"],
+                                "given twice")):
+            self.assertIn(message, self.call(*words, code=2).stderr)
+
+
+class Imports(Case):
+    MSH = ("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n1 1 \"inlet\"\n$EndPhysicalNames\n"
+           "$Nodes\n4\n1 0 0 0\n2 4 0 0\n3 4 4 0\n4 0 4 0\n$EndNodes\n"
+           "$Elements\n3\n1 1 2 1 1 1 2\n2 2 2 1 1 1 2 3\n3 2 2 1 1 1 3 4\n$EndElements\n")
+
+    @staticmethod
+    def lengths(text):
+        """Length of the boundary by physical name in an ASCII MSH 2.2 file, read without the program."""
+        names = {int(t): n for d, t, n in re.findall(r'^(\d) (\d+) "(.*)"$', text, re.M) if d == "1"}
+        nodes = {int(line.split()[0]): tuple(map(float, line.split()[1:3]))
+                 for line in text.split("$Nodes\n")[1].split("$EndNodes")[0].splitlines()[1:]}
+        sums = {}
+        for tag, a, b in re.findall(r"^\d+ 1 2 (\d+) \d+ (\d+) (\d+)$", text, re.M):
+            name = names[int(tag)]
+            sums[name] = sums.get(name, 0) + math.dist(nodes[int(a)], nodes[int(b)])
+        return sums
+
+    def test_an_inlet_of_one_edge_stays_one_edge(self):
+        self.write("part.msh", self.MSH)
+        self.call("mesh", "part.msh", "-o", "out.msh", "--size", "1")
+        sums = self.lengths(self.read("out.msh"))
+        self.assertEqual(len(sums), 2)
+        self.assertAlmostEqual(sums["inlet"], 4)
+        self.assertAlmostEqual(sum(sums.values()), 16)
+        self.call("check", "out.msh", "--domain", "part.msh")
+
+    def test_what_is_not_used_is_reported_unless_quiet(self):
+        self.write("a.geojson", '{"type": "Feature", "properties": {"depth": 3}, "geometry": {"type": "Polygon", '
+                   '"coordinates": [[[0,0,1],[4,0,1],[4,3,1],[0,3,1],[0,0,1]]]}}')
+        notes = self.call("mesh", "a.geojson", "-o", "a.msh").stderr.splitlines()
+        self.assertEqual(notes, [
+            "a.geojson:1:98: note: third coordinates are ignored: the domain is planar (5 times) [height]",
+            'a.geojson:1:36: note: properties other than "name" and "tag" are ignored: \'depth\' [properties]'])
+        self.assertEqual(self.call("mesh", "a.geojson", "-o", "a.msh", "-q").stderr, "")
+
+    def test_lines_that_close_are_an_outline(self):
+        self.write("a.geojson", '{"type": "LineString", "coordinates": [[0,0],[4,0],[4,3],[0,3],[0,0]]}')
+        self.assertIn("[lines-as-outline]", self.call("mesh", "a.geojson", "-o", "a.msh").stderr)
+        self.call("check", "a.msh", "--domain", "a.geojson")
+
+    def test_the_maximum_area_of_a_region_is_kept(self):
+        text = poly([SQUARE]).rstrip() + "\n1\n1 2 1 1 "
+        counts = []
+        for area in (0.05, 0.005):
+            self.write("area.poly", text + f"{area}\n")
+            counts.append(self.stats("area.poly")["elements"])
+        self.assertGreater(counts[0], 0.9 * 12 / 0.05)
+        self.assertGreater(counts[1], 0.9 * 12 / 0.005)
+
+
 class Refusing(Case):
     def test_faults_are_told_with_their_place_one_a_line(self):
         self.write("bow.poly", poly([BOW]))
@@ -424,7 +520,7 @@ class Refusing(Case):
             self.assertNotEqual(self.call(*words, code=2).stderr, "", words)
         self.assertEqual([p.name for p in self.path.iterdir()], ["plate.poly"])
 
-    def test_numbers_that_are_none_are_told_in_one_short_line(self):
+    def test_invalid_numbers_are_reported_on_one_line(self):
         mesh, check = ["mesh", "plate.poly", "-o", "a.msh"], ["check", "plate.poly"]
         adapt = ["adapt", "plate.msh", "--expression", "x", "-o", "a.msh"]
         options = [(mesh, "--size", "a positive number"), (mesh, "--gradation", "a positive number"),
@@ -435,15 +531,29 @@ class Refusing(Case):
         for command, option, wanted in options:
             for value in ("abc", "0", "inf", "nan", "-1", "1e400", "", "1x", "0x10", "1,5", "+-1"):
                 line, hint = self.call(*command, option, value, code=2).stderr.splitlines()
-                self.assertEqual(line, f"forefront {command[0]}: {option}: {wanted} is wanted, not '{value}'")
+                self.assertEqual(line, f"forefront {command[0]}: {option}: expected {wanted}, got '{value}'")
                 self.assertIn("--help", hint)
         self.call(*mesh, "--size", "+.5e0")
         self.call(*mesh, "--threads", "+2")
         for octal in ("010", "08", "+002"):
-            self.assertIn(f"not '{octal}'", self.call(*mesh, "--threads", octal, code=2).stderr)
+            self.assertIn(f"got '{octal}'", self.call(*mesh, "--threads", octal, code=2).stderr)
 
-    def test_a_word_that_is_neither_command_nor_file_is_named(self):
-        self.assertIn("'mash' is neither a command", self.call("mash", "plate.poly", code=2).stderr)
+    def test_an_unknown_command_is_named(self):
+        self.assertIn("unknown command or file 'mash'", self.call("mash", "plate.poly", code=2).stderr)
+
+    def test_unknown_options_are_listed_in_the_order_given(self):
+        errors = self.call("mesh", "plate.poly", "-o", "a.msh", "--first", "--second", "third", code=2).stderr
+        self.assertEqual(errors.splitlines()[0], "forefront mesh: unknown option '--first', '--second'")
+        errors = self.call("check", "plate.poly", "one", "two", code=2).stderr
+        self.assertEqual(errors.splitlines()[0], "forefront check: unexpected argument 'one', 'two'")
+
+    def test_an_unknown_extension_of_an_output_is_refused_with_the_known_ones(self):
+        for words in (["mesh", "plate.poly", "-o", "pic.abc"],
+                      ["adapt", "plate.poly", "--expression", "x", "--error", "0.1", "-o", "pic.abc"]):
+            line = self.call(*words, code=2).stderr.splitlines()[0]
+            self.assertEqual(line, f"forefront {words[0]}: -o pic.abc: unknown extension '.abc'; expected one of .svg, "
+                             ".msh, .vtu, .vtk, .mesh, .inp, .su2, .node, .obj")
+        self.assertEqual([p.name for p in self.path.iterdir()], ["plate.poly"])
 
     def test_help_and_version(self):
         self.assertRegex(self.call("--version").stdout, r"^forefront \d+\.\d+\.\d+\n$")

@@ -124,3 +124,13 @@ TEST_CASE("Triangle .poly: the collection of real domains is read") {
     }
     CHECK(files > 0);
 }
+
+TEST_CASE("Triangle .poly: the maximum area of a region is read, and -1 means no limit") {
+    const auto domain = readPoly(sourceOf("4 2\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n4\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n"
+                                          "3\n1 1 1 7 0.01\n2 2 2 8 -1\n3 3 3 9\n"));
+    REQUIRE_MESSAGE(domain.ok(), messages(domain.faults()));
+    REQUIRE(domain->regionMarkers.size() == 3);
+    CHECK(domain->regionMarkers[0].maxArea == 0.01);
+    CHECK(domain->regionMarkers[1].maxArea == 0.0);
+    CHECK(domain->regionMarkers[2].maxArea == 0.0);
+}

@@ -55,11 +55,12 @@ Status save(AppContext &context, const std::filesystem::path &file) {
 
 /// Opens a file after asking about unsaved changes. Returns the faults of a file that cannot be read.
 Diagnostics openChosen(AppContext &context, const std::filesystem::path &file) {
-    const auto read = std::make_shared<Result<Document>>(readDocument(file));
+    const auto notes = std::make_shared<ImportNotes>();
+    const auto read = std::make_shared<Result<Document>>(readDocument(file, {}, notes.get()));
     if (!*read) {
         return read->faults();
     }
-    afterUnsaved(context, [file, read, asked = context.document().dirty()](AppContext &c) {
+    afterUnsaved(context, [file, read, notes, asked = context.document().dirty()](AppContext &c) {
         if (asked && !c.document().dirty()) {
             *read = readDocument(file); // it may be what has just been saved
         }
@@ -68,6 +69,7 @@ Diagnostics openChosen(AppContext &context, const std::filesystem::path &file) {
             return;
         }
         c.showDocument(**read, file);
+        c.log.add(notes->diagnostics());
         rememberFile(c, file);
     });
     return {};
@@ -165,11 +167,12 @@ void importDrawing(AppContext &context) {
     request.filters = drawings();
     request.folder = startFolder(context);
     request.chosen = [](AppContext &c, const std::filesystem::path &file, const FileFilter &) -> Diagnostics {
-        Result<Document> drawing = readDocument(file);
+        ImportNotes notes;
+        Result<Document> drawing = readDocument(file, {}, &notes);
         if (!drawing) {
             return drawing.faults();
         }
-        c.dialogs.open(std::make_unique<ImportDialog>(file, std::move(drawing).value()));
+        c.dialogs.open(std::make_unique<ImportDialog>(file, std::move(drawing).value(), std::move(notes)));
         return {};
     };
     context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));

@@ -19,6 +19,7 @@ void ImportDialog::insert(AppContext &context) const {
     const std::size_t count = drawing_.shapes.size();
     context.log.tell(ui::count(count) + (count == 1 ? " shape" : " shapes") + " imported from " +
                      file_.filename().string());
+    context.log.add(notes_.diagnostics());
 }
 
 bool ImportDialog::draw(AppContext &context) {
@@ -62,6 +63,9 @@ bool ImportDialog::draw(AppContext &context) {
     }
     ImGui::NewLine();
     ui::field(context, "Size after import", extent(box, scale_), 130.0F);
+    for (const ImportNote &note : notes_.entries()) {
+        ui::small(context, note.message + (note.count > 1 ? " (" + ui::count(note.count) + " times)" : ""), true);
+    }
     ImGui::Dummy({0, context.px(8)});
     ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - context.px(258));
     if (ui::button(context, "dialog/importoptions/cancel", "Cancel", ui::ButtonKind::Plain, true, 124.0F)) {

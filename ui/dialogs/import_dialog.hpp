@@ -1,16 +1,20 @@
 #pragma once
 
 #include "core/edit/document.hpp"
+#include "core/io/source/import_notes.hpp"
 #include "ui/dialogs/dialog.hpp"
 
 #include <filesystem>
+#include <utility>
 
 namespace forefront {
 
 /// Shows the size of a drawing read from a file, and asks for its unit, before adding it to the current drawing.
 class ImportDialog final : public Dialog {
   public:
-    ImportDialog(std::filesystem::path file, Document drawing) : file_(std::move(file)), drawing_(std::move(drawing)) {}
+    /// `notes`: what of the file is not used.
+    ImportDialog(std::filesystem::path file, Document drawing, ImportNotes notes)
+        : file_(std::move(file)), drawing_(std::move(drawing)), notes_(std::move(notes)) {}
 
     const char *id() const override { return "importoptions"; }
     std::string title() const override { return "Import " + file_.filename().string(); }
@@ -21,6 +25,7 @@ class ImportDialog final : public Dialog {
 
     std::filesystem::path file_;
     Document drawing_;
+    ImportNotes notes_;
     double scale_ = 1.0;
 };
 

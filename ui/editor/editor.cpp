@@ -177,12 +177,14 @@ bool Editor::needsFrame() const {
 }
 
 bool Editor::open(const std::filesystem::path &file) {
-    const Result<Document> document = readDocument(file);
+    ImportNotes notes;
+    const Result<Document> document = readDocument(file, {}, &notes);
     if (!document) {
         parts_->context.log.add(document.faults());
         return false;
     }
     show(*document, file);
+    parts_->context.log.add(notes.diagnostics());
     return true;
 }
 

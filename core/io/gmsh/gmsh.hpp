@@ -5,7 +5,7 @@
 #include "core/io/source/source.hpp"
 #include "core/io/text/text_writer.hpp"
 #include "core/mesh/mesh.hpp"
-#include "core/spacing/spacing_spec.hpp"
+#include "core/spacing/spec/spacing_spec.hpp"
 
 #include <string_view>
 

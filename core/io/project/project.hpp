@@ -3,7 +3,7 @@
 #include "core/base/result.hpp"
 #include "core/edit/document.hpp"
 #include "core/io/source/source.hpp"
-#include "core/spacing/spacing_spec.hpp"
+#include "core/spacing/spec/spacing_spec.hpp"
 
 #include <filesystem>
 #include <string>

@@ -191,7 +191,10 @@ class SvgDrawer {
             if (physical(width)) {
                 const double unit = *pixelsPer(width->unit);
                 scale.x = width->value / box->size.x;
-                scale.y = physical(height) ? pixels(height) / unit / box->size.y : scale.x;
+                const double tall = !physical(height)             ? scale.x * box->size.y
+                                    : height->unit == width->unit ? height->value
+                                                                  : pixels(height) / unit;
+                scale.y = tall / box->size.y;
                 const std::string_view keep = root_.attribute("preserveAspectRatio").value();
                 if (keep.find("none") == std::string_view::npos) {
                     const bool slice = keep.find("slice") != std::string_view::npos;

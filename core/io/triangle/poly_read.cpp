@@ -5,6 +5,7 @@
 #include "core/io/triangle/triangle.hpp"
 #include "core/io/triangle/triangle_nodes.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -131,9 +132,11 @@ class PolyReader {
             RegionMarker marker;
             double attribute = 0.0;
             if (!numberedPlace(line, marker.at, DomainPartKind::RegionMarker, {"region", k + 1}) ||
-                !line.real(attribute, {"the attribute of region", k + 1})) {
+                !line.real(attribute, {"the attribute of region", k + 1}) ||
+                (!line.atEnd() && !line.real(marker.maxArea, {"the maximum area of region", k + 1}))) {
                 return scanner_.fail(line);
             }
+            marker.maxArea = std::max(marker.maxArea, 0.0); // Triangle writes -1 for "no limit"
             domain_.regionMarkers.push_back(marker);
             attributes.push_back(attribute);
         }
