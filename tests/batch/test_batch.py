@@ -435,12 +435,12 @@ class Refusing(Case):
         self.call("mesh", "plate.poly", "-o", "plate.msh")
         (self.path / "folder.msh").mkdir()
         for command in (["mesh", "missing.poly"], ["adapt", "missing.msh", "--expression", "x", "--error", "0.1"]):
-            for path, why in (("no/such/folder/a.msh", "no folder no/such/folder"), ("folder.msh", "it is a folder")):
+            for path, why in (("no/such/folder/a.msh", "folder no/such/folder not found"), ("folder.msh", "it is a folder")):
                 [line] = self.call(*command, "-o", path, code=1).stderr.splitlines()  # before the input is read
                 self.assertTrue(line.startswith(f"{path}: error: ") and why in line, line)
-        self.assertIn("no folder gone", self.call("mesh", "plate.poly", "--stats", "gone/s.json", code=1).stderr)
+        self.assertIn("folder gone not found", self.call("mesh", "plate.poly", "--stats", "gone/s.json", code=1).stderr)
         tables = self.call("tables", "--rows", "1A", "--svg", "gone/t.svg", code=1)
-        self.assertIn("no folder gone", tables.stderr)
+        self.assertIn("folder gone not found", tables.stderr)
         self.assertEqual(tables.stdout, "")
 
     def test_two_outputs_do_not_go_to_one_file(self):
