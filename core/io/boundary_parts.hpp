@@ -1,12 +1,13 @@
 #pragma once
 
+#include "core/base/api.hpp"
 #include "core/base/diagnostic.hpp"
 #include "core/io/source/import_options.hpp"
 #include "core/mesh/mesh.hpp"
 
 #include <filesystem>
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 /// Compares the boundary parts of a mesh with those that the file of its domain names, without the domain's reader:
 /// each physical group of curves of an ASCII MSH file must be as long in the mesh as in the file, and the mesh must not

@@ -11,13 +11,13 @@
 
 namespace forefront {
 
-/// What the program can do with a format. A new format is one source file with these functions and one line in
-/// formats.cpp. Readers work from memory and never throw; a null function is a thing the format does not do.
+/// The functions of a file format. A new format is a folder with these functions and one line in formats.cpp. Readers
+/// work from memory and never throw; a null function means that the format does not support it.
 struct Format {
     FileFormat about;
-    /// Further extensions it goes by, separated by blanks, such as ".node .ele".
+    /// Further extensions, separated by blanks, such as ".node .ele".
     const char *otherExtensions = "";
-    /// True if the first bytes of a file (at most kHeadBytes) show that it is of this format.
+    /// Returns true if the first bytes of a file (at most kHeadBytes) show that it is of this format.
     bool (*recognise)(std::string_view head) = nullptr;
     Result<Document> (*readDocument)(const SourceText &) = nullptr; ///< where a format holds more than a domain
     Result<Domain> (*readDomain)(const SourceText &) = nullptr;     ///< null: the domain of its mesh, if it has one
@@ -33,12 +33,14 @@ struct Format {
 
 inline constexpr std::size_t kHeadBytes = 4096;
 
-/// All formats, in the order of menus and, among those of one extension, of preference.
+/// Returns all formats, in the order of menus and, among those of one extension, of preference.
 std::span<const Format> formats();
 
-/// The format of a file by its content, else by its extension; null when neither tells.
+/// Returns the format of a file by its content, else by its extension; null when neither tells.
 const Format *formatOf(const std::filesystem::path &path, std::string_view content);
+/// Returns the first format with the extension of a path that `wanted` accepts; null if there is none.
 const Format *formatOfExtension(const std::filesystem::path &path, bool (*wanted)(const Format &));
+/// Returns the format of that id; null if there is none.
 const Format *formatOfId(std::string_view id);
 
 } // namespace forefront

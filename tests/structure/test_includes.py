@@ -10,6 +10,7 @@ ORDERS = {
     "core": ["base", "geometry", "domain", "arrangement", "spacing", "boundary", "front", "grid", "mesh", "improve", "mesher",
              "adapt edit session", "io", "."],
     "core/spacing": ["spec", "sites", "parts", "."],
+    "core/io": ["source", "text", "common", "json", "abaqus geojson gmsh medit obj project su2 svg triangle vtk", "."],
     "ui": ["platform input style", "widgets", "canvas gl", "layers tools panels dialogs", "shell", "editor", "."],
 }
 FORBIDDEN = {"core/": r"(ui|app)/|GL/|GLES|EGL|GLFW|imgui|implot|glad", "ui/": r"app/"}
@@ -17,8 +18,7 @@ FORBIDDEN = {"core/": r"(ui|app)/|GL/|GLES|EGL|GLFW|imgui|implot|glad", "ui/": r
 EXCEPTIONS = {tuple(pair.split()) for pair in """
 ui/canvas ui/editor, ui/canvas ui/gl, ui/dialogs ui/editor, ui/dialogs ui/tools, ui/gl ui/canvas, ui/layers ui/editor,
 ui/panels ui/editor, ui/panels ui/layers, ui/panels ui/tools, ui/platform ui/input, ui/shell ui/editor,
-ui/tools ui/editor, ui/widgets ui/canvas, ui/widgets ui/editor, ui/widgets ui/tools,
-core/io core/io/text""".split(",")}
+ui/tools ui/editor, ui/widgets ui/canvas, ui/widgets ui/editor, ui/widgets ui/tools""".split(",")}
 
 
 def includes(root):

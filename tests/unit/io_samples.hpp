@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/edit/document.hpp"
-#include "core/io/source.hpp"
+#include "core/io/source/source.hpp"
 #include "core/io/text/text_writer.hpp"
 #include "core/mesh/mesh.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -102,7 +102,7 @@ TEST_CASE("Curve groups: a scanner of its own finds names and lengths in MSH 2.2
 }
 
 TEST_CASE("Boundary parts: a mesh whose inlet is longer than in the file of its domain is found") {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     std::ofstream(folder / "domain.msh") << twoSquares(kInlet, "1 1 2 1 1 4 1\n", 1);
     Mesh mesh = meshOf(twoSquares(kInlet, "1 1 2 1 1 4 1\n", 1));
     CHECK(checkBoundaryParts(mesh, folder / "domain.msh").empty());

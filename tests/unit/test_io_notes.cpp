@@ -57,7 +57,7 @@ TEST_CASE("Import notes: GeoJSON reports reference system, heights, properties a
 }
 
 TEST_CASE("Import notes: mesh formats report what they skip, and own files need none") {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     const Mesh mesh = twoRegionMesh();
     for (const FileFormat &format : fileFormats()) {
         if (format.writesMesh && format.readsMesh) {
@@ -107,7 +107,7 @@ TEST_CASE("Readers refuse an element that names a node twice, with its place") {
 }
 
 TEST_CASE("Project: faults of its domain carry the line and column of the nodes") {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     std::ofstream(folder / "bow.forefront") << R"({"format": "forefront", "version": 1, "shapes": [
   {"id": 1, "kind": "polygon", "nodes": [[0, 0],
     [4, 3], [4, 0], [0, 3]]}]})";

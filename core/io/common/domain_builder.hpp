@@ -13,19 +13,19 @@
 
 namespace forefront {
 
-/// Puts a domain together from loops and chains given by coordinates, as drawings hold them: equal coordinates are one
-/// node, consecutive equal ones are passed over, and a segment that an even number of loops share becomes an interface
+/// Builds a domain from loops and chains given by coordinates, as drawings hold them. Equal coordinates are one node,
+/// repeated consecutive ones are skipped, and a segment that an even number of loops share becomes an interface
 /// (role Constraint), because crossing it does not leave the domain.
 class DomainBuilder {
   public:
-    /// `origin`: where to note the places of the parts; null: nowhere.
+    /// `origin`: where to record the places of the parts; null: nowhere.
     explicit DomainBuilder(DomainOrigin *origin) : origin_(origin) {}
 
-    /// Bytes of the text where the nodes of what is added next stand; the last one serves for all that follow.
+    /// Sets the offsets in the text of the nodes of what is added next; the last one serves for all that follow.
     void from(std::vector<std::size_t> offsets) { offsets_ = std::move(offsets); }
-    /// A closed loop, its first node not repeated.
+    /// Adds a closed loop, its first node not repeated.
     void addLoop(std::span<const Vec2> nodes, std::int32_t tag, SegmentRole role);
-    /// An open chain; where it lies on a segment of a loop, it gives that its tag.
+    /// Adds an open chain; where it lies on a segment of a loop, that segment takes the tag of the chain.
     void addChain(std::span<const Vec2> nodes, std::int32_t tag);
     void addPoint(Vec2 place, std::int32_t tag);
     void addRegion(Vec2 at, std::int32_t tag);
@@ -38,9 +38,9 @@ class DomainBuilder {
         bool tagged = false;     ///< by a chain
     };
 
-    /// `k`: which one of the loop or chain.
+    /// `k`: number of the node in its loop or chain.
     std::uint32_t node(Vec2 place, std::size_t k);
-    /// `k`: which node it begins at.
+    /// `k`: number of the node that it begins at.
     std::pair<DomainSegment &, Use &> segment(std::uint32_t a, std::uint32_t b, std::int32_t tag, std::size_t k);
     void note(DomainPartKind kind, std::size_t k);
 
@@ -55,11 +55,11 @@ class DomainBuilder {
     std::unordered_map<Vec2, std::uint32_t, PlaceHash> nodes_; ///< only looked up
 };
 
-/// Hands out tags to names: the same name, the same tag; tags that are given as numbers are kept free.
+/// Assigns tags to names: equal names share a tag; tags that are given as numbers are kept free.
 class TagAllocator {
   public:
     void reserve(std::int32_t tag) { taken_.insert(tag); }
-    /// The empty name has a tag, too, without an entry in names().
+    /// Returns the tag of a name. The empty name has a tag too, without an entry in names().
     std::int32_t of(const std::string &name);
     const std::map<std::int32_t, std::string> &names() const { return names_; }
     void name(std::int32_t tag, const std::string &name) { names_.emplace(tag, name); }
@@ -70,7 +70,7 @@ class TagAllocator {
     std::map<std::int32_t, std::string> names_;
 };
 
-/// A point well inside the face that rings bound by the even-odd rule, or nothing when they bound none.
+/// Returns a point well inside the face that rings bound by the even-odd rule; nothing when they bound none.
 std::optional<Vec2> pointInside(std::span<const std::vector<Vec2>> rings);
 
 } // namespace forefront

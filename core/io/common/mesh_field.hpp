@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/api.hpp"
 #include "core/base/result.hpp"
 #include "core/io/source/source.hpp"
 #include "core/mesh/mesh.hpp"
@@ -9,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 /// A mesh with one value per node.
 struct MeshField {
@@ -17,11 +18,11 @@ struct MeshField {
     std::vector<double> values;
 };
 
-/// Nodal values with one component by name, as a file holds them; NaN where it says nothing.
+/// Scalar nodal values by name, as a file holds them; NaN where it has no value.
 using NamedFields = std::map<std::string, std::vector<double>>;
 
-/// The mesh with the field of that name. Faults: "no-field", which lists the fields there are, and "bad-values" where
-/// there is not one finite value for each node of an element.
+/// Returns the mesh with the field of that name. Faults: "no-field", which lists the fields of the file, and
+/// "bad-values" where a node of an element has no finite value.
 Result<MeshField> meshWithField(Mesh mesh, NamedFields fields, std::string_view name, const SourceText &source);
 
 } // namespace forefront

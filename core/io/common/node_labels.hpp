@@ -7,8 +7,8 @@
 
 namespace forefront {
 
-/// One number per node for formats that label nodes: the tag of the point there, else the least tag of the tagged
-/// edges that meet there, else 0.
+/// Returns one number per node for formats that label nodes: the tag of the point there, else the lowest tag of the
+/// tagged edges that meet there, else 0.
 std::vector<std::int32_t> nodeLabels(const Mesh &mesh);
 
 } // namespace forefront

@@ -7,17 +7,18 @@
 
 namespace forefront {
 
-/// From the node numbers of a file, which may have gaps or come in any order, to indices 0, 1, 2, ... in the order of
-/// their coming. Numbers without large gaps cost four bytes each; others are looked up in a sorted list.
+/// Maps the node numbers of a file, which may have gaps and come in any order, to indices 0, 1, 2, ... in the order of
+/// the file. Numbers without large gaps cost four bytes each; others are looked up in a sorted list.
 class NodeTable {
   public:
     void reserve(std::size_t count) { numbers_.reserve(count); }
     void add(std::int64_t number) { numbers_.push_back(number); }
     std::size_t size() const { return numbers_.size(); }
     std::int64_t number(std::size_t index) const { return numbers_[index]; }
-    /// To be called when all are known. Index of a node whose number was there before, or kNoIndex if all differ.
+    /// Prepares for find() once all numbers are added. Returns the index of a node whose number was given before, or
+    /// kNoIndex if all differ.
     std::uint32_t finish();
-    /// Index of a node, or kNoIndex.
+    /// Returns the index of a node, or kNoIndex.
     std::uint32_t find(std::int64_t number) const {
         if (sorted_.empty()) {
             const auto slot = static_cast<std::uint64_t>(number) - static_cast<std::uint64_t>(least_);

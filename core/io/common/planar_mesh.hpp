@@ -9,7 +9,7 @@
 
 namespace forefront {
 
-/// Puts a mesh together while it is read: node numbers of the file to indices, bounds of indices, the third coordinate.
+/// Builds a mesh while it is read: maps node numbers to indices and checks indices and the third coordinate.
 /// Every function returns false after recording a located failure in the scanner it was given.
 class PlanarMeshBuilder {
   public:
@@ -22,11 +22,11 @@ class PlanarMeshBuilder {
     }
     /// Reads x, y and, where `dimension` is 3, z, which must be the same for all nodes.
     bool readNode(TextScanner &scanner, std::int64_t number, int dimension);
-    /// Coordinates of a node whose number was added before (formats that list numbers and places apart).
+    /// Reads the coordinates of a node whose number was added before (formats that list numbers and places apart).
     bool readPlace(TextScanner &scanner, std::int64_t number, int dimension, Vec2 &place);
-    /// Notes the third coordinate of a node at a place of the file.
+    /// Records the third coordinate of a node, found at byte `offset`.
     void noteHeight(double z, std::size_t offset);
-    /// After the last node: refuses numbers given twice and nodes out of one plane.
+    /// Refuses numbers given twice and nodes that do not lie in one plane; to be called after the last node.
     bool finishNodes(TextScanner &scanner);
 
     /// Reads the number of a known node.
@@ -38,7 +38,7 @@ class PlanarMeshBuilder {
         mesh.elements.push_back(element);
         mesh.regions.push_back(region);
     }
-    /// The mesh; region tags that are all 1 are left out.
+    /// Returns the mesh; region tags that are all 1 are left out.
     Mesh finish();
 
   private:

@@ -18,8 +18,7 @@ namespace forefront {
 /// Types of elements as MSH numbers them.
 inline constexpr std::int32_t kMshLine = 1, kMshTriangle = 2, kMshPoint = 15;
 
-/// Returns the mark of an entity without a physical group that stands for its tag until all groups are known: a number
-/// below 1.
+/// Returns a number below 1 that stands for the tag of an entity without a physical group until all groups are known.
 std::int32_t ungrouped(std::int64_t entity);
 
 /// Nodal values of a $NodeData section with one component.
@@ -37,17 +36,17 @@ struct MshValues {
     }
 };
 
-/// Reader of Gmsh MSH 2.2, ASCII, and 4.1, ASCII and binary. Sections it has no use for are skipped.
+/// Reads Gmsh MSH 2.2, ASCII, and 4.1, ASCII and binary. Sections that are not used are skipped and reported.
 class MshFile {
   public:
     explicit MshFile(const SourceText &source) : scanner_(source) {}
 
-    /// False after a failure, then see faults().
+    /// Reads the whole file. Returns false after a failure; then see faults().
     bool read();
     const Diagnostics &faults() const { return scanner_.faults(); }
     TextScanner &scanner() { return scanner_; }
     PlanarMeshBuilder &builder() { return builder_; }
-    /// In the order of the file.
+    /// Returns the nodal values in the order of the file.
     const std::vector<MshValues> &values() const { return values_; }
 
   private:
@@ -83,7 +82,7 @@ class MshFile {
     bool readElementBlockBinary(ByteScanner &bytes, std::size_t &left);
     bool readValuesBinary(std::size_t count, MshValues &field);
 
-    /// Nodes in the order of their numbers.
+    /// Takes the nodes in the order of their numbers.
     bool takeNodes(std::vector<NumberedNode> nodes);
     /// Returns the tag of what lies on an entity: its first physical group, else a mark that resolveTags() replaces.
     std::int32_t tagOf(int dimension, std::int64_t entity) const;
@@ -93,7 +92,7 @@ class MshFile {
     void resolveEdgesAndPoints();
     void placePoints(class MshTags &tags, bool groupedEdges);
 
-    /// Nodes of a point, line or triangle; other types are refused.
+    /// Reads the nodes of a point, line or triangle; refuses other types.
     bool failType(const std::string &what, std::int64_t type, std::size_t place);
     bool readConnection(std::int64_t type, std::int32_t tag, std::size_t typeOffset, Expect expect);
 

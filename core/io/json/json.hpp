@@ -13,9 +13,16 @@ namespace forefront {
 
 enum class JsonKind : std::uint8_t { Null, False, True, Number, String, Array, Object };
 
-/// A parsed JSON text as a flat tape of 16 bytes a value, in the order of the text. Every value knows its byte, so that
-/// a fault found later still has line and column; numbers and strings are decoded when asked for. The text must outlive
+/// A parsed JSON text as a flat tape of 16 bytes per value, in the order of the text. Every value knows its byte, so
+/// that a fault found later still has line and column; numbers and strings are decoded on demand. The text must outlive
 /// it.
+///
+/// Judged against simdjson's on-demand parser (Debian's 3.0.1) on a GeoJSON file of 70 MB with 4 million coordinates:
+/// 0.27 s of CPU time for parsing and decoding here, 0.10 s there (-O2, minimum of five runs). Reading the file into a
+/// domain takes 4.1 s, of which the library could save 4 %. The tape stays for what it can do: the whole text is
+/// validated before any of it is used, whereas on-demand parsing accepts malformed text in members that nobody visits;
+/// members can be looked up in any order and visited again, as readers do that report all faults of a file at once; and
+/// values keep their places after parsing.
 class JsonDocument {
   public:
     struct Entry {
@@ -45,7 +52,7 @@ class JsonValue {
         Iterator(const JsonDocument *document, std::uint32_t index, bool keyed)
             : document_(document), index_(index), keyed_(keyed) {}
         JsonValue operator*() const { return {document_, keyed_ ? index_ + 1 : index_}; }
-        /// Name of the member.
+        /// Returns the name of the member.
         std::string key() const { return JsonValue(document_, index_).string(); }
         JsonValue keyValue() const { return {document_, index_}; }
         Iterator &operator++() {
@@ -64,20 +71,20 @@ class JsonValue {
 
     JsonKind kind() const { return entry().kind; }
     bool is(JsonKind kind) const { return entry().kind == kind; }
-    /// Byte of the text where the value begins.
+    /// Returns the byte of the text where the value begins.
     std::size_t offset() const { return entry().offset; }
+    /// Iterates over items or members; values without content are empty ranges.
     Iterator begin() const { return {document_, index_ + 1, is(JsonKind::Object)}; }
-    /// Values without content are empty ranges.
     Iterator end() const { return {document_, entry().next, is(JsonKind::Object)}; }
     std::size_t count() const;
-    /// First member of that name, or nothing (also when this is no object).
+    /// Returns the first member of that name; nothing if there is none or this is not an object.
     std::optional<JsonValue> find(std::string_view name) const;
 
-    /// The number, or nothing when it is none or beyond the range of a double.
+    /// Returns the number; nothing if this is not one or it is beyond the range of a double.
     std::optional<double> number() const;
-    /// The number where it is written as an integer within [-2^63, 2^63).
+    /// Returns the number if it is written as an integer within [-2^63, 2^63).
     std::optional<std::int64_t> integer() const;
-    /// The decoded string; empty when it is none.
+    /// Returns the decoded string; empty if this is not one.
     std::string string() const;
 
   private:
@@ -91,7 +98,7 @@ inline JsonValue JsonDocument::root() const {
     return {this, 0};
 }
 
-/// "text" with quotes and escapes, as JSON wants it.
+/// Returns the text as a JSON string, with quotes and escapes.
 std::string jsonString(std::string_view text);
 
 } // namespace forefront

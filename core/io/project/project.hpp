@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/api.hpp"
 #include "core/base/result.hpp"
 #include "core/edit/document.hpp"
 #include "core/io/source/source.hpp"
@@ -9,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 /// Reads Forefront's own project file. Every fault carries its place in the source.
 Result<Document> readProjectText(const SourceText &source);

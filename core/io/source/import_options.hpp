@@ -1,10 +1,12 @@
 #pragma once
 
+#include "core/base/api.hpp"
+
 #include <cstddef>
 #include <memory>
 #include <string>
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 /// How a file is read.
 struct ImportOptions {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/api.hpp"
 #include "core/base/result.hpp"
 #include "core/io/source/domain_origin.hpp"
 #include "core/io/source/import_notes.hpp"
@@ -10,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 /// The bytes of an input file and where they come from. Readers work on this alone, so that tests and fuzzers feed them
 /// from memory; `path` is empty there, and companion files (.node beside .poly) are then out of reach.

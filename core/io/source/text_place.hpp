@@ -1,9 +1,11 @@
 #pragma once
 
+#include "core/base/api.hpp"
+
 #include <cstddef>
 #include <string_view>
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 /// Line and column (in bytes) of a byte of a text, both counted from 1.
 struct TextPlace {

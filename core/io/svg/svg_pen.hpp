@@ -16,7 +16,7 @@ struct SvgSubpath {
     bool closed = false;
 };
 
-/// Draws what path data and basic shapes say as polylines. In a first pass, which only measures the drawing, curves are
+/// Turns path data and basic shapes into polylines. In a first pass, which only measures the drawing, curves are
 /// replaced by points that bound them.
 class SvgPen {
   public:
@@ -46,18 +46,18 @@ class SvgPen {
     bool closedLast_ = false; ///< the next drawing command begins a new subpath at the start of the closed one
 };
 
-/// What is wrong with a text and at which byte.
+/// A fault in a text and its byte.
 struct SvgFault {
     std::size_t offset = 0;
     std::string message;
 };
 
-/// Path data, all commands of SVG 1.1.
+/// Draws path data: all commands of SVG 1.1.
 std::optional<SvgFault> drawPath(std::string_view data, SvgPen &pen);
-/// The attribute `points` of polygon and polyline.
+/// Reads the attribute `points` of polygon and polyline.
 std::optional<SvgFault> readPoints(std::string_view data, std::vector<Vec2> &points);
 
-/// Numbers as SVG writes them: "1.5.5-3e2,4" is 1.5, .5, -300, 4.
+/// Reads numbers as SVG writes them: "1.5.5-3e2,4" is 1.5, .5, -300, 4.
 class SvgNumbers {
   public:
     explicit SvgNumbers(std::string_view text) : text_(text) {}
@@ -68,7 +68,7 @@ class SvgNumbers {
     bool number(double &value);
     bool point(Vec2 &p) { return number(p.x) && number(p.y); }
     bool flag(bool &value);
-    /// True if another number follows.
+    /// Returns true if another number follows.
     bool more();
 
   private:

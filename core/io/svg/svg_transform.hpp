@@ -7,18 +7,18 @@
 
 namespace forefront {
 
-/// x' = a·x + c·y + e, y' = b·x + d·y + f, in the letters of SVG.
+/// An affine map, x' = a·x + c·y + e, y' = b·x + d·y + f, in the letters of SVG.
 struct AffineMap {
     double a = 1.0, b = 0.0, c = 0.0, d = 1.0, e = 0.0, f = 0.0;
 
     Vec2 operator()(Vec2 p) const { return {a * p.x + c * p.y + e, b * p.x + d * p.y + f}; }
-    /// First `inner`, then this.
+    /// Returns the map that applies `inner` first, then this.
     AffineMap operator*(const AffineMap &inner) const;
-    /// The greatest factor by which it stretches a length.
+    /// Returns the maximum factor by which it stretches a length.
     double stretch() const;
 };
 
-/// The attribute `transform`: a list of matrix, translate, scale, rotate, skewX, skewY; nothing where it is malformed.
+/// Parses the attribute `transform`: a list of matrix, translate, scale, rotate, skewX, skewY; nothing if malformed.
 std::optional<AffineMap> parseTransform(std::string_view text);
 
 } // namespace forefront

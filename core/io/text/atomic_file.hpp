@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/api.hpp"
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
 #include "core/io/text/text_writer.hpp"
@@ -9,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
 /// A file that appears under its name only when it is complete: bytes go to a temporary file in the same folder, which
 /// commit() flushes to the disc and renames. Destroyed without commit, it leaves nothing behind. A link is followed; a
@@ -24,7 +25,7 @@ class AtomicFile final : public ByteSink {
     AtomicFile &operator=(const AtomicFile &) = delete;
 
     bool write(std::string_view bytes) override;
-    /// Faults: cannot-write with path and the text of errno, cancelled.
+    /// Flushes and renames the file. Faults: cannot-write with path and the text of errno, cancelled.
     Status commit();
 
   private:

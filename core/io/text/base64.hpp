@@ -6,9 +6,9 @@
 
 namespace forefront {
 
-/// RFC 4648 with padding.
+/// Encodes bytes as base64 (RFC 4648) with padding.
 std::string toBase64(std::string_view bytes);
-/// Nothing where the text is no base64; blanks and line ends are skipped.
+/// Decodes base64; nothing if the text is not valid. Blanks and line ends are skipped.
 std::optional<std::string> fromBase64(std::string_view text);
 
 } // namespace forefront

@@ -8,13 +8,13 @@
 
 namespace forefront {
 
-/// Reads little-endian numbers between the words of a text. Failures are the text scanner's; counts are never believed
-/// beyond what the bytes left can hold. When it ends, the text scanner goes on behind the last number read.
+/// Reads little-endian numbers between the words of a text. Failures are recorded in the text scanner; counts are
+/// checked against the bytes left. When destroyed, the text scanner continues after the last number read.
 class ByteScanner {
   public:
     static_assert(std::endian::native == std::endian::little, "numbers are read in the byte order of the machine");
 
-    /// From the byte behind the line end that follows the last word; bytes may look like blanks.
+    /// Starts at the byte after the line end that follows the last word; bytes may look like blanks.
     explicit ByteScanner(TextScanner &text) : text_(text), bytes_(text.source().text), at_(text.offset()) {
         at_ += bytes_.substr(at_).starts_with('\n') ? 1 : 0;
     }
@@ -36,7 +36,7 @@ class ByteScanner {
         }
         return place != nullptr;
     }
-    /// A 32-bit integer within bounds.
+    /// Reads a 32-bit integer within bounds.
     bool integer(std::int32_t &value, std::int32_t least, std::int32_t greatest, Expect expect) {
         const std::size_t place = at_;
         if (!number(value, expect)) {
@@ -47,7 +47,7 @@ class ByteScanner {
                     "expected an integer from " + std::to_string(least) + " to " + std::to_string(greatest) + " for " +
                         expect.words() + ", found " + std::to_string(value));
     }
-    /// A 64-bit number of items that follow, each at least `size` bytes long.
+    /// Reads a 64-bit number of items that follow, each at least `size` bytes long.
     bool count(std::size_t &value, std::size_t size, Expect expect) {
         const std::size_t place = at_;
         std::uint64_t items = 0;
@@ -81,7 +81,7 @@ class ByteScanner {
     std::size_t at_;
 };
 
-/// Number k of an array in a file, which need not be aligned.
+/// Returns number k of an array in a file, which need not be aligned.
 template <class T>
 T numberAt(const char *array, std::size_t k) {
     T value;

@@ -10,10 +10,10 @@
 
 namespace forefront {
 
-/// The whole of `text` as a finite or infinite number or NaN; a leading '+' and Fortran's D exponent are understood.
+/// Parses the whole of `text` as a finite or infinite number or NaN, also with a leading '+' or Fortran's D exponent.
 std::optional<double> parseReal(std::string_view text);
 
-/// What a number in a file is for; the words of a message, put together only when it is needed.
+/// What a number in a file is for, in the words of a message that is composed only when needed.
 struct Expect {
     const char *what;           ///< "the coordinates of node"
     std::uint64_t number = kNo; ///< appended: "... of node 17"
@@ -23,16 +23,16 @@ struct Expect {
 };
 
 /// Reads words and numbers from a text or one line of it. The first failure is kept with line and column; after it, all
-/// reading fails. Counts in the text are never believed beyond what the bytes left can hold.
+/// reading fails. Counts in the text are checked against the bytes left.
 class TextScanner {
   public:
-    /// `comment`: from this character to the end of the line is skipped; `separator`: taken as a blank, too.
+    /// `comment`: the rest of a line from this character on is skipped; `separator`: treated as a blank.
     explicit TextScanner(const SourceText &source, char comment = '\0', char separator = ' ')
         : TextScanner(source, 0, source.text.size(), comment, separator) {}
 
     bool ok() const { return faults_.empty(); }
     const Diagnostics &faults() const { return faults_; }
-    /// From now on failures tell the byte, too: lines mean little where numbers are not text.
+    /// Makes failures also name the byte: lines mean little where numbers are not text.
     void nameBytes() { namesBytes_ = true; }
     /// Records a failure at a byte of the source; returns false for the caller to pass on.
     bool fail(std::size_t offset, std::string code, std::string message, std::string advice = {});
@@ -42,34 +42,34 @@ class TextScanner {
     std::size_t offset() const { return at_; }
     void seek(std::size_t offset) { at_ = std::min(offset, end_); }
     std::size_t remaining() const { return end_ - at_; }
-    /// True when only blanks and comments are left.
+    /// Returns true if only blanks and comments are left.
     bool atEnd() {
         skipBlanks();
         return at_ == end_;
     }
 
-    /// The next word, without moving; empty at the end.
+    /// Returns the next word without moving; empty at the end.
     std::string_view peek();
     std::string_view word();
-    /// A word in double quotes, or a bare word.
+    /// Reads a word in double quotes, or a bare word.
     bool quotedWord(std::string_view &text, Expect expect);
-    /// Skips the word if it is that one; else a failure.
+    /// Skips the expected word; fails on any other.
     bool literal(std::string_view expected);
 
-    /// A finite number.
+    /// Reads a finite number.
     bool real(double &value, Expect expect);
     bool integer(std::int64_t &value, std::int64_t least, std::int64_t greatest, Expect expect);
-    /// A number of items that follow, each at least `bytes` long.
+    /// Reads a number of items that follow, each at least `bytes` long.
     bool count(std::size_t &value, std::size_t bytes, Expect expect);
 
-    /// The next line that holds more than blanks and comments, as a scanner of its own; its offset is its first word.
-    /// False at the end.
+    /// Passes on the next line that holds more than blanks and comments, as a scanner at its first word. Returns false
+    /// at the end.
     bool nextLine(TextScanner &line);
-    /// What is left of this text, blanks around it dropped.
+    /// Returns the rest of this text without surrounding blanks.
     std::string_view rest();
     /// Skips to the byte after the next line end.
     void skipLine();
-    /// A scanner of a part of the same source.
+    /// Returns a scanner of a part of the same source.
     TextScanner part(std::size_t begin, std::size_t end) const { return {*source_, begin, end, comment_, separator_}; }
     const SourceText &source() const { return *source_; }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/api.hpp"
+
 #include <charconv>
 #include <concepts>
 #include <cstddef>
@@ -8,13 +10,13 @@
 #include <string_view>
 #include <vector>
 
-namespace forefront {
+namespace FOREFRONT_API forefront {
 
-/// Where written bytes go.
+/// A destination of written bytes.
 class ByteSink {
   public:
     virtual ~ByteSink() = default;
-    /// False when the bytes could not be taken; the writer then stops.
+    /// Returns false if the bytes could not be written; the writer then stops.
     virtual bool write(std::string_view bytes) = 0;
 };
 
@@ -27,7 +29,7 @@ class StringSink final : public ByteSink {
     std::string text;
 };
 
-/// Buffered text in front of a sink. Doubles are written with the fewest digits that read back to the same bits.
+/// Writes buffered text to a sink. Doubles are written with the fewest digits that read back to the same bits.
 class TextWriter {
   public:
     explicit TextWriter(ByteSink &sink) : sink_(sink), buffer_(kCapacity) {}
@@ -59,12 +61,12 @@ class TextWriter {
     TextWriter &operator<<(float value) { return number(value); }
     TextWriter &operator<<(bool) = delete;
 
-    /// Raw bytes of a value or array in the byte order of the machine.
+    /// Writes raw bytes of a value or array in the byte order of the machine.
     TextWriter &bytes(const void *data, std::size_t size) {
         return *this << std::string_view(static_cast<const char *>(data), size);
     }
 
-    /// False once the sink has refused bytes; long loops should end then.
+    /// Returns false once the sink has refused bytes; long loops should end then.
     bool ok() const { return ok_; }
     bool flush() {
         if (used_ > 0) {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/base/result.hpp"
 #include "core/base/progress.hpp"
+#include "core/base/result.hpp"
 #include "core/domain/domain.hpp"
 #include "core/io/source/source.hpp"
 #include "core/mesh/mesh.hpp"

@@ -17,7 +17,8 @@ struct TriangleNodes {
     std::int64_t attributes = 0;      ///< of each node, which are read but not kept
     std::vector<std::size_t> offsets; ///< of their lines; filled where the source asks for origins
 
-    /// Failures are recorded in the scanner. An empty list is allowed where the nodes may be in another file.
+    /// Reads the list; failures are recorded in the scanner. An empty list is allowed where the nodes may be in another
+    /// file.
     bool read(TextScanner &scanner, bool mayBeEmpty);
 };
 
