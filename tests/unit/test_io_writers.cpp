@@ -131,7 +131,7 @@ bool isAscii(const std::string &text) {
 } // namespace
 
 TEST_CASE("Formats: random meshes keep elements, tags and names in every format") {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         samples::Random random(seed);
         const Mesh mesh = randomTaggedMesh(random);
@@ -281,7 +281,7 @@ TEST_CASE("withoutInnerEdges: only edges on the boundary of the triangles stay")
 }
 
 TEST_CASE("Abaqus: names of sets are distinct identifiers of at most 80 characters, and changes are told") {
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     Mesh mesh = twoRegionMesh();
     mesh.boundaryNames = {{1, std::string(90, 'a')}, {2, std::string(95, 'a')}, {3, "nall"}, {9, "4th of July"}};
     mesh.regionNames = {{2, "water"}, {5, "Water"}};
