@@ -26,19 +26,18 @@ void Driver::frames(int count) {
     }
 }
 
-bool Driver::settle(double seconds) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+void Driver::settle() {
     frames(3);
-    while (!editor_->settled() || editor_->needsFrame()) {
-        if (std::chrono::steady_clock::now() > end) {
-            return false;
-        }
+    until([this] { return editor_->settled() && !editor_->needsFrame(); });
+}
+
+void Driver::until(const std::function<bool()> &condition) {
+    while (!condition()) {
         if (context().redraw <= 0 && editor_->input().empty()) {
             std::this_thread::sleep_for(std::chrono::milliseconds(1)); // only workers are busy
         }
         editor_->frame();
     }
-    return true;
 }
 
 void Driver::push(const InputEvent &event) {
@@ -146,6 +145,16 @@ void Driver::type(std::string_view text) {
     drain();
 }
 
+void Driver::keys(std::string_view text) {
+    for (const char c : text) {
+        const int code = c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c;
+        push({.kind = InputKind::Key, .code = code, .pressed = true});
+        push({.kind = InputKind::Text, .code = static_cast<unsigned char>(c)});
+        push({.kind = InputKind::Key, .code = code, .pressed = false});
+    }
+    drain();
+}
+
 bool Driver::script(std::string_view commands) {
     std::istringstream lines{std::string(commands)};
     for (std::string line; std::getline(lines, line);) {
@@ -159,7 +168,7 @@ bool Driver::script(std::string_view commands) {
         } else if (verb == "type") {
             type(rest);
         } else if (verb == "settle") {
-            done = settle();
+            settle();
         } else if (verb == "key") {
             Shortcut found;
             for (int code = 32; code < 302 && found.key == 0; ++code) {

