@@ -1,3 +1,4 @@
+#include "core/edit/name_commands.hpp"
 #include "core/edit/region_commands.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
@@ -47,17 +48,20 @@ void heading(AppContext &context, const std::string &text) {
     ui::mark(context, "inspector/what");
 }
 
-/// Draws the tag and name of boundary shapes in one row; new values become commands.
-template <class SetTag>
-void boundaryTagRow(AppContext &context, std::int32_t tag, SetTag setTag) {
+/// Draws tag and name of a part of the boundary in one row; new values become commands on that part alone.
+void boundaryTagRow(AppContext &context, std::int32_t tag, const BoundaryPart &part) {
     const Document &document = *context.document().current();
     std::optional<std::string> rename;
     const std::string name = boundaryName(document.boundaryNames, tag);
     std::int32_t wanted = tag;
     if (form::tag(context, "inspector/tag", "Tag, name", wanted, name, rename)) {
-        EditState::apply(context, setTag(document, wanted), "Change tag");
+        Result<Document> next = setShapeTag(document, part.shapes, wanted);
+        if (next) {
+            next = setSegmentTag(*next, part.segments, wanted);
+        }
+        EditState::apply(context, std::move(next), "Change tag");
     } else if (rename) {
-        EditState::apply(context, setBoundaryName(document, tag, *rename), "Name boundary");
+        EditState::apply(context, nameBoundaryPart(document, part, *rename), "Name boundary");
     }
 }
 
@@ -183,8 +187,7 @@ void InspectorPanel::drawShape(AppContext &context, const Shape &shape) const {
     }
     useRow(context, {shape.id}, shape.use);
     if (shape.segmentTags.empty()) {
-        boundaryTagRow(context, shape.tag,
-                       [&](const Document &d, std::int32_t tag) { return setShapeTag(d, {shape.id}, tag); });
+        boundaryTagRow(context, shape.tag, {.shapes = {shape.id}, .segments = {}});
     } else {
         form::label(context, "Tag");
         ui::muted(context, "several");
@@ -216,8 +219,7 @@ void InspectorPanel::drawSegment(AppContext &context, SegmentRef ref) const {
     const Document &document = *context.document().current();
     const Shape *shape = findShape(document, ref.shape);
     heading(context, "Segment " + std::to_string(ref.segment + 1) + " of " + displayName(*shape));
-    boundaryTagRow(context, segmentTag(*shape, ref.segment),
-                   [&](const Document &d, std::int32_t tag) { return setSegmentTag(d, {ref}, tag); });
+    boundaryTagRow(context, segmentTag(*shape, ref.segment), {.shapes = {}, .segments = {ref}});
     const Outline outline = outlineOf(*shape, document.circleTolerance);
     if (shape->kind != ShapeKind::Circle && ref.segment < outline.segmentCount()) {
         double size = distance(outline.from(ref.segment), outline.to(ref.segment));
@@ -270,7 +272,7 @@ void InspectorPanel::drawMarker(AppContext &context, std::uint32_t index) const 
     if (form::tag(context, "inspector/tag", "Tag, name", tag, regionName(document.regionNames, tag), rename)) {
         EditState::apply(context, setRegionTag(document, index, tag), "Change region");
     } else if (rename) {
-        EditState::apply(context, setRegionName(document, tag, *rename), "Name region");
+        EditState::apply(context, nameRegionOf(document, index, *rename), "Name region");
     }
     if (ui::button(context, "inspector/delete", "Delete")) {
         context.actions.run("edit.delete", context);
@@ -295,12 +297,11 @@ void InspectorPanel::drawMany(AppContext &context) const {
     if (!selection.shapes.empty()) {
         const Shape *first = findShape(document, *selection.shapes.begin());
         useRow(context, selection.shapes, first->use);
-        boundaryTagRow(context, first->tag,
-                       [&](const Document &d, std::int32_t tag) { return setShapeTag(d, selection.shapes, tag); });
+        boundaryTagRow(context, first->tag, {selection.shapes, selection.segments});
     } else if (!selection.segments.empty()) {
         const SegmentRef first = *selection.segments.begin();
         boundaryTagRow(context, segmentTag(*findShape(document, first.shape), first.segment),
-                       [&](const Document &d, std::int32_t tag) { return setSegmentTag(d, selection.segments, tag); });
+                       {.shapes = {}, .segments = selection.segments});
     }
     const Box2 box = boundsOf(document, selection);
     if (!box.empty()) {

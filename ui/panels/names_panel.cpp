@@ -18,7 +18,7 @@ class NamesPanel final : public Panel {
 
     void draw(AppContext &context) override {
         const std::shared_ptr<const Document> document = context.document().current();
-        ui::small(context, "Exported meshes keep these names.", true);
+        ui::small(context, "Renaming a tag here renames it everywhere. Exported meshes keep the names.", true);
         ui::heading(context, "Boundaries");
         if (revision_ != context.document().revision()) {
             revision_ = context.document().revision();
@@ -28,7 +28,7 @@ class NamesPanel final : public Panel {
         for (const std::int32_t tag : boundaries_) {
             row(context, "names/boundary/", tag, boundaryName(document->boundaryNames, tag), [&](std::string name) {
                 EditState::apply(context, setBoundaryName(*context.document().current(), tag, std::move(name)),
-                                 "Name boundary");
+                                 "Rename boundary");
             });
             ImGui::SameLine(0, context.px(6));
             if (ui::iconButton(context, "names/boundary/" + std::to_string(tag) + "/select", icon::kSelect,
@@ -41,7 +41,7 @@ class NamesPanel final : public Panel {
         for (const std::int32_t tag : regions_) {
             row(context, "names/region/", tag, regionName(document->regionNames, tag), [&](std::string name) {
                 EditState::apply(context, setRegionName(*context.document().current(), tag, std::move(name)),
-                                 "Name region");
+                                 "Rename region");
             });
         }
         if (ui::button(context, "names/addregion", "Fill a region\xe2\x80\xa6")) {

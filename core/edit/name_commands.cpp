@@ -1,0 +1,82 @@
+#include "core/edit/name_commands.hpp"
+
+#include "core/edit/region_commands.hpp"
+#include "core/edit/shape_commands.hpp"
+#include "core/edit/shape_geometry.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <optional>
+
+namespace forefront {
+namespace {
+
+using Names = std::map<std::int32_t, std::string>;
+
+/// The tags of a part, and those that something outside of it carries.
+struct TagUse {
+    std::set<std::int32_t> inside, outside;
+};
+
+TagUse tagUse(const Document &document, const BoundaryPart &part) {
+    TagUse use;
+    for (const auto &shape : document.shapes) {
+        const bool whole = part.shapes.contains(shape->id);
+        const std::size_t segments = taggedSegments(*shape);
+        for (std::uint32_t k = 0; k < segments; ++k) {
+            const bool in = whole || part.segments.contains({shape->id, k});
+            (in ? use.inside : use.outside).insert(segmentTag(*shape, k));
+        }
+        if (segments == 0) {
+            (whole ? use.inside : use.outside).insert(shape->tag);
+        }
+    }
+    return use;
+}
+
+std::optional<std::int32_t> tagOf(const Names &names, const std::string &name) {
+    const auto found =
+        std::find_if(names.begin(), names.end(), [&](const auto &entry) { return entry.second == name; });
+    return found != names.end() ? std::optional(found->first) : std::nullopt;
+}
+
+} // namespace
+
+std::int32_t freeBoundaryTag(const Document &document) {
+    const std::vector<std::int32_t> tags = boundaryTags(document);
+    const std::int32_t last = tags.empty() ? 0 : tags.back();
+    return last < std::numeric_limits<std::int32_t>::max() ? last + 1 : last;
+}
+
+Result<Document> nameBoundaryPart(const Document &document, const BoundaryPart &part, const std::string &name) {
+    const TagUse use = tagUse(document, part);
+    if (use.inside.empty()) {
+        return error("not-possible", "nothing is selected that could be named");
+    }
+    const std::int32_t first = *use.inside.begin();
+    const bool ownTag = use.inside.size() == 1 && !use.outside.contains(first);
+    const std::optional<std::int32_t> known = name.empty() ? std::nullopt : tagOf(document.boundaryNames, name);
+    const std::int32_t tag = known ? *known : ownTag ? first : freeBoundaryTag(document);
+    Result<Document> next = setShapeTag(document, part.shapes, tag);
+    if (next) {
+        next = setSegmentTag(*next, part.segments, tag);
+    }
+    return next && !known ? setBoundaryName(*next, tag, name) : next;
+}
+
+Result<Document> nameRegionOf(const Document &document, std::size_t marker, const std::string &name) {
+    if (marker >= document.regionMarkers.size()) {
+        return error("no-such-marker", "there is no such region marker");
+    }
+    const std::int32_t before = document.regionMarkers[marker].tag;
+    const auto sharing = std::count_if(document.regionMarkers.begin(), document.regionMarkers.end(),
+                                       [&](const RegionMarker &other) { return other.tag == before; });
+    const bool ownTag = sharing == 1 && before != 1; // 1 is also the tag of all faces without a marker
+    const std::optional<std::int32_t> known = name.empty() ? std::nullopt : tagOf(document.regionNames, name);
+    const std::int32_t tag = known ? *known : ownTag ? before : freeRegionTag(document);
+    const Result<Document> next = setRegionTag(document, marker, tag);
+    return next && !known ? setRegionName(*next, tag, name) : next;
+}
+
+} // namespace forefront
