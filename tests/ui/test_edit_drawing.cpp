@@ -84,6 +84,41 @@ TEST_CASE("Numeric entry: a distance, an angle, coordinates and pairs give exact
     CHECK(nodes[3] == Vec2{1.25, 6.125});
 }
 
+TEST_CASE("Numeric entry: a rectangle by width Tab height, with a live picture, as a keyboard types it") {
+    Draughtsman driver;
+    driver.key('R');
+    driver.clickPlace({1, 1});
+    driver.moveToPlace({4, 3});
+    driver.keys("6");
+    const auto wide = driver.picture();
+    driver.key(key::kTab);
+    driver.keys("5");
+    CHECK(driver.context().view.panels); // Tab hid no panels
+    CHECK(driver.picture().differences(wide, driver.canvas()) > 100);
+    driver.key(key::kEnter);
+    REQUIRE(driver.document().shapes.size() == 1);
+    CHECK(boundsOf(*driver.document().shapes[0]) == Box2{{1, 1}, {7, 6}});
+}
+
+TEST_CASE("Numeric entry: distance and angle by their letters, and digits before the first node do not mesh") {
+    Draughtsman driver;
+    driver.key('L');
+    driver.keys("2");
+    driver.key(key::kTab);
+    driver.keys("3");
+    driver.key(key::kEnter);
+    driver.keys("d4q90");
+    driver.key(key::kEnter);
+    driver.key(key::kEnter);
+    driver.settle();
+    REQUIRE(driver.document().shapes.size() == 1);
+    const std::vector<Vec2> &nodes = driver.document().shapes[0]->nodes;
+    REQUIRE(nodes.size() == 2);
+    CHECK(nodes[0] == Vec2{2, 3});
+    CHECK(distance(nodes[1], {2, 7}) < 1e-12);
+    CHECK(driver.run().state == RunState::Empty);
+}
+
 TEST_CASE("Snapping: nodes draw the pointer, Ctrl lets it free, Shift keeps to 15 degrees") {
     Draughtsman driver;
     driver.polygon({{1, 1}, {9, 1}, {9, 9}});
@@ -227,6 +262,33 @@ TEST_CASE("Select: a second click on a shape looks at one segment, which can hav
     driver.type("inlet");
     driver.key(key::kEnter);
     CHECK(driver.document().boundaryNames.at(7) == "inlet");
+}
+
+TEST_CASE("Inspector: naming one segment leaves the name of every other shape; the names panel renames everywhere") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.rectangle({3, 3}, {5, 5});
+    driver.key('V');
+    driver.key(key::kEscape);
+    driver.clickPlace({5, 1});
+    driver.clickPlace({5, 1});
+    REQUIRE(driver.context().selection.segments == std::set<SegmentRef>{{1, 0}});
+    driver.click("panel/layers");
+    driver.click("inspector/tag/name");
+    driver.key('A', {Modifiers::kControl});
+    driver.type("inlet");
+    driver.key(key::kEnter);
+    CHECK(driver.document().boundaryNames == std::map<std::int32_t, std::string>{{2, "inlet"}});
+    CHECK(segmentTag(*driver.document().shapes[0], 0) == 2);
+    CHECK(segmentTag(*driver.document().shapes[0], 1) == 1);
+    CHECK(driver.document().shapes[1]->tag == 1);
+    driver.click("panel/names");
+    driver.click("names/boundary/1");
+    driver.key('A', {Modifiers::kControl});
+    driver.type("wall");
+    driver.key(key::kEnter);
+    CHECK(driver.document().boundaryNames.at(1) == "wall");
+    CHECK(driver.document().shapes[1]->tag == 1);
 }
 
 TEST_CASE("Inspector: numbers typed change the shape; a click on the canvas ends the typing first") {

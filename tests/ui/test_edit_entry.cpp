@@ -4,28 +4,35 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <fstream>
+#include <span>
 
 using namespace forefront;
 using Answer = NumericEntry::Answer;
 
 namespace {
 
+constexpr std::array kPlace{EntryField::X, EntryField::Y};
+constexpr std::array kDirection{EntryField::Distance, EntryField::Angle};
+constexpr std::array kSize{EntryField::Width, EntryField::Height};
+using Fields = std::span<const EntryField>;
+
 /// Types as a keyboard does: the key first, then its character.
-Answer type(NumericEntry &entry, std::string_view text, bool anchored = true) {
+Answer type(NumericEntry &entry, std::string_view text, Fields fields = kDirection) {
     Answer last = Answer::Unused;
     for (const char c : text) {
         const int code = c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c;
-        last = entry.handle({.kind = CanvasEvent::Kind::Key, .key = code}, anchored);
+        last = entry.handle({.kind = CanvasEvent::Kind::Key, .key = code}, fields);
         const Answer text_ =
-            entry.handle({.kind = CanvasEvent::Kind::Text, .character = static_cast<char32_t>(c)}, anchored);
+            entry.handle({.kind = CanvasEvent::Kind::Text, .character = static_cast<char32_t>(c)}, fields);
         last = text_ == Answer::Unused ? last : text_;
     }
     return last;
 }
 
-Answer press(NumericEntry &entry, int code, bool anchored = true) {
-    return entry.handle({.kind = CanvasEvent::Kind::Key, .key = code}, anchored);
+Answer press(NumericEntry &entry, int code, Fields fields = kDirection) {
+    return entry.handle({.kind = CanvasEvent::Kind::Key, .key = code}, fields);
 }
 
 } // namespace
@@ -33,47 +40,84 @@ Answer press(NumericEntry &entry, int code, bool anchored = true) {
 TEST_CASE("NumericEntry: a number alone is the distance of the next node") {
     NumericEntry entry;
     CHECK(type(entry, "12.5") == Answer::Used);
-    CHECK(entry.label() == "12.5_");
+    CHECK(entry.label() == "d 12.5_   \xe2\x88\xa0");
     CHECK(press(entry, key::kEnter) == Answer::Place);
     CHECK(entry.locks().distance == 12.5);
     CHECK_FALSE(entry.isOpen());
 }
 
-TEST_CASE("NumericEntry: without a node to measure from, digits are left to the shortcuts") {
+TEST_CASE("NumericEntry: before the first node a digit opens the coordinates; step keys stay shortcuts") {
     NumericEntry entry;
-    CHECK(type(entry, "2", false) == Answer::Unused);
-    CHECK_FALSE(entry.isOpen());
-    CHECK(press(entry, 'D', false) == Answer::Unused);
-    CHECK(press(entry, 'Q', false) == Answer::Unused);
+    for (const int code : {int{key::kPeriod}, int{key::kComma}, int{key::kMinus}, int{'D'}, int{'Q'}}) {
+        CHECK(press(entry, code, kPlace) == Answer::Unused);
+    }
+    CHECK(type(entry, "2", kPlace) == Answer::Used);
+    CHECK(entry.label() == "x 2_   y");
+    press(entry, key::kTab, kPlace);
+    type(entry, "-3", kPlace);
+    CHECK(press(entry, key::kEnter, kPlace) == Answer::Place);
+    CHECK(entry.locks().x == 2.0);
+    CHECK(entry.locks().y == -3.0);
 }
 
 TEST_CASE("NumericEntry: X and Y lock coordinates; both determine the node") {
     NumericEntry entry;
-    CHECK(type(entry, "x-3", false) == Answer::Used);
-    CHECK(press(entry, key::kEnter, false) == Answer::Used);
+    CHECK(type(entry, "x-3", kPlace) == Answer::Used);
+    CHECK(press(entry, key::kEnter, kPlace) == Answer::Used);
     CHECK(entry.locks().x == -3.0);
-    CHECK(type(entry, "y1e2", false) == Answer::Used);
+    CHECK(type(entry, "y1e2", kPlace) == Answer::Used);
     CHECK(entry.label() == "x -3   y 1e2_");
-    CHECK(press(entry, key::kEnter, false) == Answer::Place);
+    CHECK(press(entry, key::kEnter, kPlace) == Answer::Place);
     CHECK(entry.locks().y == 100.0);
-    type(entry, "x", false);
+    type(entry, "x", kPlace);
     CHECK_FALSE(entry.locks().x.has_value()); // the letter again frees it
     CHECK(entry.locks().y == 100.0);
 }
 
-TEST_CASE("NumericEntry: Tab goes on from distance to angle") {
+TEST_CASE("NumericEntry: Tab goes on from distance to angle, Shift+Tab back, and all count at once") {
     NumericEntry entry;
     type(entry, "d4");
+    CHECK(entry.locks().distance == 4.0); // before Enter
     CHECK(press(entry, key::kTab) == Answer::Used);
     CHECK(type(entry, "30") == Answer::Used);
-    CHECK(press(entry, key::kEnter) == Answer::Place);
-    CHECK(entry.locks().distance == 4.0);
     CHECK(entry.locks().angle == 30.0);
+    const CanvasEvent back{.kind = CanvasEvent::Kind::Key, .key = key::kTab, .modifiers = {Modifiers::kShift}};
+    CHECK(entry.handle(back, kDirection) == Answer::Used);
+    CHECK(entry.label() == "d 4_   \xe2\x88\xa0 30");
+    type(entry, "5");
+    CHECK(press(entry, key::kEnter) == Answer::Place);
+    CHECK(entry.locks().distance == 5.0);
+    CHECK(entry.locks().angle == 30.0);
+}
+
+TEST_CASE("NumericEntry: the letter of another field takes what was typed first") {
+    NumericEntry entry;
+    type(entry, "d20q90");
+    CHECK(entry.locks().distance == 20.0);
+    CHECK(entry.locks().angle == 90.0);
+    CHECK(press(entry, key::kEnter) == Answer::Place);
+    CHECK(entry.locks().distance == 20.0);
+    CHECK(entry.locks().angle == 90.0);
+}
+
+TEST_CASE("NumericEntry: width Tab height give both; Tab goes round") {
+    NumericEntry entry;
+    type(entry, "6", kSize);
+    press(entry, key::kTab, kSize);
+    type(entry, "5", kSize);
+    CHECK(entry.value(EntryField::Width) == 6.0);
+    CHECK(entry.value(EntryField::Height) == 5.0);
+    press(entry, key::kTab, kSize);
+    CHECK(entry.label() == "w 6_   h 5");
+    CHECK(press(entry, key::kEnter, kSize) == Answer::Place);
+    CHECK(entry.value(EntryField::Width) == 6.0);
+    CHECK(entry.value(EntryField::Height) == 5.0);
 }
 
 TEST_CASE("NumericEntry: two numbers are a place, relative with @") {
     NumericEntry entry;
     type(entry, "3,-4.5");
+    REQUIRE(entry.pair().has_value()); // before Enter
     CHECK(press(entry, key::kEnter) == Answer::Place);
     REQUIRE(entry.pair().has_value());
     CHECK(entry.pair()->value == Vec2{3, -4.5});
@@ -84,7 +128,7 @@ TEST_CASE("NumericEntry: two numbers are a place, relative with @") {
     CHECK(entry.pair()->relative);
 }
 
-TEST_CASE("NumericEntry: what is no number stays, marked, and Backspace and Esc mend it") {
+TEST_CASE("NumericEntry: text that is not a number stays and is marked; Backspace and Esc correct it") {
     NumericEntry entry;
     type(entry, "1-");
     CHECK(press(entry, key::kEnter) == Answer::Used);

@@ -5,6 +5,8 @@
 #include "ui/tools/tool_options.hpp"
 #include "ui/widgets/widgets.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace forefront {
@@ -14,16 +16,34 @@ const char *BoxTool::icon() const {
 }
 
 Vec2 BoxTool::corner(Vec2 at) const {
-    if (!isRectangle() || !modifiers_.shift() || !first_) {
+    if (!isRectangle() || !first_) {
         return at;
     }
-    const Vec2 arm = at - *first_;
+    Vec2 arm = at - *first_;
+    const std::optional<double> width = entry_.value(EntryField::Width), height = entry_.value(EntryField::Height);
+    if (width || height) {
+        // The pointer chooses the side.
+        arm = {width ? std::copysign(*width, arm.x) : arm.x, height ? std::copysign(*height, arm.y) : arm.y};
+        return *first_ + arm;
+    }
+    if (!modifiers_.shift()) {
+        return at;
+    }
     const double side = std::max(std::abs(arm.x), std::abs(arm.y));
     return *first_ + Vec2{std::copysign(side, arm.x), std::copysign(side, arm.y)};
 }
 
+std::span<const EntryField> BoxTool::entryFields() const {
+    static constexpr std::array kSize{EntryField::Width, EntryField::Height};
+    static constexpr std::array kRadius{EntryField::Radius};
+    if (!first_) {
+        return DrawingTool::entryFields();
+    }
+    return isRectangle() ? std::span<const EntryField>(kSize) : std::span<const EntryField>(kRadius);
+}
+
 Vec2 BoxTool::typedPlace(const TypedPair &pair) const {
-    // Two numbers typed after the first corner are width and height; the centre of a circle is left to coordinates.
+    // A pair typed after the first corner is width and height; for a circle it is a point in absolute coordinates.
     return first_ && (pair.relative || isRectangle()) ? *first_ + pair.value : pair.value;
 }
 
@@ -36,7 +56,7 @@ void BoxTool::place(Vec2 at, AppContext &context) {
     shape.kind = kind_;
     shape.nodes = {*first_, corner(at)};
     if (shape.nodes[0] == shape.nodes[1]) {
-        return; // the second click of a double click
+        return; // second click of a double-click
     }
     commitShape(context, std::move(shape), isRectangle() ? "Draw rectangle" : "Draw circle");
     first_.reset();
@@ -75,11 +95,11 @@ void BoxTool::drawOptions(AppContext &context, ui::Flow &flow) {
 
 std::string BoxTool::statusText(const AppContext &) const {
     if (isRectangle()) {
-        return first_ ? "Click the opposite corner or type width, height; Shift: a square"
-                      : "Drag from corner to corner; inside another shape it is a hole";
+        return first_ ? "Click the opposite corner, or type width, Tab, height. Shift: square"
+                      : "Drag from corner to corner. Inside another shape it becomes a hole";
     }
-    return first_ ? "Click a point of the circle or type its radius"
-                  : "Drag from the centre; inside another shape it is a hole";
+    return first_ ? "Click a point on the circle, or type the radius"
+                  : "Drag from the centre. Inside another shape it becomes a hole";
 }
 
 } // namespace forefront

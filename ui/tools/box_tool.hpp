@@ -25,11 +25,12 @@ class BoxTool final : public DrawingTool {
     void cancel() override { first_.reset(); }
     bool dragPlaces() const override { return true; }
     bool shiftIsAngle() const override { return !isRectangle(); }
+    std::span<const EntryField> entryFields() const override;
     Vec2 typedPlace(const TypedPair &pair) const override;
 
   private:
     bool isRectangle() const { return kind_ == ShapeKind::Rectangle; }
-    /// The corner a click gives: with shift, of a square.
+    /// The corner that a click gives: with the width and height that were typed; with Shift, of a square.
     Vec2 corner(Vec2 at) const;
 
     ShapeKind kind_;

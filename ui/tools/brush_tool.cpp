@@ -16,9 +16,9 @@ namespace forefront {
 namespace {
 
 constexpr double kStep = 1.2;
-/// Dabs of a stroke stand this part of the radius apart.
+/// Distance between the dabs of a stroke, as a fraction of the radius.
 constexpr double kPace = 0.25;
-constexpr int kMostDabs = 200; ///< of one movement of the pointer
+constexpr int kMaxDabs = 200; ///< per movement of the pointer
 
 double spacingAt(const AppContext &context, Vec2 place) {
     return context.preview->spacing ? context.preview->spacing->at(place) : 0.0;
@@ -120,9 +120,9 @@ void BrushTool::stroke(Vec2 to, AppContext &context) {
     const double radius = state_->brushRadius;
     const Vec2 from = last_.value_or(to);
     const double pace = kPace * radius;
-    const int dabs = last_ ? std::clamp(static_cast<int>(distance(from, to) / pace), 0, kMostDabs) : 1;
+    const int dabs = last_ ? std::clamp(static_cast<int>(distance(from, to) / pace), 0, kMaxDabs) : 1;
     if (dabs == 0) {
-        return; // too short a way; the next movement goes on from the same place
+        return; // too short; the next movement continues from the same place
     }
     for (int k = 1; k <= dabs; ++k) {
         const Vec2 at = lerp(from, to, static_cast<double>(k) / dabs);
@@ -153,7 +153,7 @@ void BrushTool::drawOverlay(CanvasPainter &painter, AppContext &context) {
     if (!erases_) {
         text += "  \xcf\x81=" + ui::number(state_->brushSpacing, 3);
     }
-    // Beside the ring, but never farther than the ring is wide on the screen.
+    // Beside the ring, but no farther away than its width on the screen.
     const double beside =
         std::min(0.71 * state_->brushRadius * context.view.camera.zoom / painter.scale(), 160.0) + 8.0;
     painter.label(*pointer_, {beside, beside}, text, theme.text, fade(theme.popup, 0.9), context.fonts.small);
@@ -162,10 +162,10 @@ void BrushTool::drawOverlay(CanvasPainter &painter, AppContext &context) {
 void BrushTool::drawOptions(AppContext &context, ui::Flow &flow) {
     settle(context);
     drawSizeOption(context, flow, "options/brush/radius", "Radius", state_->brushRadius,
-                   "Radius of the brush. Also [ and ], or Ctrl and wheel.");
+                   "Brush radius. Also [ and ], or Ctrl + wheel.");
     if (!erases_) {
         drawSizeOption(context, flow, "options/brush/spacing", "Spacing \xcf\x81", state_->brushSpacing,
-                       "Element size that the brush paints. Also Shift with [ and ], or Shift and wheel.");
+                       "Element size to paint. Also Shift + [ and ], or Shift + wheel.");
     }
     flow.item("clear");
     const bool painted = !context.document().current()->spacing.paint.tiles.empty();
@@ -175,8 +175,8 @@ void BrushTool::drawOptions(AppContext &context, ui::Flow &flow) {
 }
 
 std::string BrushTool::statusText(const AppContext &) const {
-    return erases_ ? "Drag to wipe painted spacing away; [ ] radius"
-                   : "Drag to paint; [ ] or Ctrl+wheel: radius, with Shift: spacing";
+    return erases_ ? "Drag to erase painted spacing. [ ]: radius"
+                   : "Drag to paint. [ ] or Ctrl+wheel: radius; with Shift: spacing";
 }
 
 } // namespace forefront

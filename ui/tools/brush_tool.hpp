@@ -8,7 +8,7 @@
 
 namespace forefront {
 
-/// Paints the node spacing, or wipes paint away. A stroke is one command; the paint is part of the document.
+/// Paints the node spacing or erases paint. A stroke is one command; the paint is part of the document.
 class BrushTool final : public Tool {
   public:
     BrushTool(std::shared_ptr<EditState> state, bool erases) : state_(std::move(state)), erases_(erases) {}
@@ -28,10 +28,10 @@ class BrushTool final : public Tool {
 
   private:
     bool key(const CanvasEvent &event, AppContext &context);
-    /// Paints from the last place to `to`.
+    /// Paints from the previous place to `to`.
     void stroke(Vec2 to, AppContext &context);
     void scale(double factor, bool spacing, AppContext &context);
-    /// Sizes that have never been set follow from what is there.
+    /// Derives radius and spacing that the user has not set from the view and the current spacing.
     void settle(AppContext &context);
 
     std::shared_ptr<EditState> state_;

@@ -5,6 +5,8 @@
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/editor/app_context.hpp"
 
+#include <array>
+
 namespace forefront {
 
 void DrawingTool::follow(const CanvasEvent &event, AppContext &context) {
@@ -14,6 +16,10 @@ void DrawingTool::follow(const CanvasEvent &event, AppContext &context) {
     SnapQuery query = state_->query(context, place_, modifiers_.shift() && shiftIsAngle(), modifiers_.control());
     query.anchor = anchor();
     query.locks = entry_.locks();
+    if (const std::optional<TypedPair> pair = entry_.pair()) {
+        pointer_ = {typedPlace(*pair), SnapKind::Locked, {}};
+        return;
+    }
     const std::optional<Vec2> own = query.locks.any() || query.off ? std::nullopt : ownSnap(place_, context);
     pointer_ = own ? Snapped{*own, SnapKind::Node, {}} : snap(*state_->index(context), query);
 }
@@ -61,16 +67,16 @@ bool DrawingTool::press(const CanvasEvent &event, AppContext &context) {
 }
 
 bool DrawingTool::typed(const CanvasEvent &event, AppContext &context) {
-    const NumericEntry::Answer answer = entry_.handle(event, inProgress());
+    const NumericEntry::Answer answer = entry_.handle(event, entryFields());
     if (answer != NumericEntry::Answer::Unused) {
         CanvasEvent here = event;
         here.place = place_;
         here.kind = CanvasEvent::Kind::Hover;
         follow(here, context);
         if (answer == NumericEntry::Answer::Place) {
-            const Vec2 at = entry_.pair() ? typedPlace(*entry_.pair()) : pointer_.at;
+            place(pointer_.at, context);
             entry_.clear();
-            place(at, context);
+            follow(here, context);
         }
         return true;
     }
@@ -86,7 +92,7 @@ bool DrawingTool::typed(const CanvasEvent &event, AppContext &context) {
         }
         return false;
     case key::kEscape:
-        if (inProgress() || entry_.locks().any()) {
+        if (inProgress() || !entry_.label().empty()) {
             cancel();
             entry_.clear();
             return true;
@@ -97,6 +103,12 @@ bool DrawingTool::typed(const CanvasEvent &event, AppContext &context) {
     default:
         return false;
     }
+}
+
+std::span<const EntryField> DrawingTool::entryFields() const {
+    static constexpr std::array kPlace{EntryField::X, EntryField::Y};
+    static constexpr std::array kDirection{EntryField::Distance, EntryField::Angle};
+    return inProgress() ? std::span<const EntryField>(kDirection) : std::span<const EntryField>(kPlace);
 }
 
 Vec2 DrawingTool::typedPlace(const TypedPair &pair) const {

@@ -10,7 +10,7 @@
 
 namespace forefront {
 
-/// What all drawing tools do alike: snapping with feedback, typed numbers, click or drag, Enter, Esc, Backspace.
+/// Base of all drawing tools: snapping with feedback, typed numbers, click or drag, Enter, Esc, Backspace.
 class DrawingTool : public Tool {
   public:
     explicit DrawingTool(std::shared_ptr<EditState> state) : state_(std::move(state)) {}
@@ -21,30 +21,33 @@ class DrawingTool : public Tool {
     CursorShape cursor() const override { return CursorShape::Crosshair; }
 
   protected:
-    /// A node given by a click, a typed number or the end of a drag.
+    /// Takes a node given by a click, a typed number or the end of a drag.
     virtual void place(Vec2 at, AppContext &context) = 0;
-    /// What is half done.
+    /// Draws the unfinished shape.
     virtual void drawSketch(CanvasPainter &painter, AppContext &context) = 0;
-    /// The last node placed, while something is half done.
+    /// The last node placed, while a shape is unfinished.
     virtual std::optional<Vec2> anchor() const { return std::nullopt; }
-    /// Enter, double click, another tool: makes a shape of what there is, if it is enough for one.
+    /// Enter, double-click or a change of tool: makes a shape of the nodes placed so far, if they suffice.
     virtual void finish(AppContext &) {}
     virtual void cancel() {}
-    /// Backspace. False: there was nothing to remove.
+    /// Removes the last node (Backspace). False if there is none.
     virtual bool removeLast() { return false; }
-    /// The end of a drag is a second click.
+    /// True if releasing a drag places a second node.
     virtual bool dragPlaces() const { return false; }
-    /// Draws the pointer to a place of the tool's own (the first node of a path) before all others.
+    /// A place of the tool's own (the first node of a path) to snap to before all others.
     virtual std::optional<Vec2> ownSnap(Vec2, const AppContext &) const { return std::nullopt; }
-    /// Shift means more than an angle here: false leaves it to the tool.
+    /// Whether Shift constrains the angle; false if the tool gives Shift another meaning.
     virtual bool shiftIsAngle() const { return true; }
-    /// Where a typed pair is.
+    /// The quantities that can be typed now, in the order of Tab: coordinates before the first node, then distance and
+    /// angle.
+    virtual std::span<const EntryField> entryFields() const;
+    /// The place that a typed pair stands for.
     virtual Vec2 typedPlace(const TypedPair &pair) const;
 
     bool inProgress() const { return anchor().has_value(); }
-    /// Adds a shape, selects it, and forgets the numbers typed.
+    /// Adds a shape, selects it and clears the typed numbers.
     bool commitShape(AppContext &context, Shape shape, const std::string &label);
-    /// Chips with length and direction from the anchor beside the pointer.
+    /// Labels the pointer with `text` and with the numbers being typed.
     void drawMeasure(CanvasPainter &painter, AppContext &context, const std::string &text) const;
 
     std::shared_ptr<EditState> state_;

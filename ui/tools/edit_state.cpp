@@ -53,7 +53,7 @@ SnapQuery EditState::query(const AppContext &context, Vec2 place, bool angle, bo
 void EditState::drawSnapOptions(AppContext &context, ui::Flow &flow) {
     flow.item("snap");
     ui::checkbox(context, "options/snap/drawing", "Snap to drawing", snapToDrawing);
-    ui::tooltip(context, "Nodes and segments attract the pointer. Ctrl: not now. Shift: steps of 15\xc2\xb0.");
+    ui::tooltip(context, "Snap to nodes and segments. Hold Ctrl to turn snapping off, Shift for steps of 15\xc2\xb0.");
     ImGui::SameLine(0, context.px(12));
     ui::checkbox(context, "options/snap/grid", "Grid", snapToGrid);
 }

@@ -17,32 +17,32 @@ namespace ui {
 class Flow;
 }
 
-/// What the editing tools share: the index for picking, snapping, and what the user has set in their strips.
+/// State shared by the editing tools: the picking index, snapping, and the options in their strips.
 struct EditState {
     bool snapToGrid = true;
     bool snapToDrawing = true;
-    std::int32_t boundaryTag = 1;   ///< of the next boundary drawn
-    std::int32_t constraintTag = 2; ///< of the next constraint drawn
-    double brushRadius = 0.0;       ///< domain units; 0: from the size of the view, when first used
-    double brushSpacing = 0.0;      ///< painted ρ; 0: from ρ under the pointer, when first used
+    std::int32_t boundaryTag = 1;   ///< for the next boundary drawn
+    std::int32_t constraintTag = 2; ///< for the next constraint drawn
+    double brushRadius = 0.0;       ///< domain units; 0: derived from the view on first use
+    double brushSpacing = 0.0;      ///< painted ρ; 0: derived from the current ρ on first use
     int sourceShape = 0;            ///< SourceShape
-    double sourceSize = 0.0;        ///< 0: from ρ under the pointer, when first used
+    double sourceSize = 0.0;        ///< 0: derived from ρ under the pointer
     double sourceGrowth = 0.2;
 
-    /// Index of the current document; built when the document has changed.
+    /// Returns the index of the current document; rebuilds it if the document has changed.
     const std::shared_ptr<const PickIndex> &index(const AppContext &context);
-    /// A key for DocumentStore::apply() that no stroke had before.
+    /// Returns a new stroke key for DocumentStore::apply().
     std::string newStroke();
-    /// Makes `next` the document; where it was refused, says so in the log. True if it is.
+    /// Makes `next` the document, or logs why it was refused. True if applied.
     static bool apply(AppContext &context, Result<Document> next, const std::string &label,
                       const std::string &merge = {});
-    /// Reach of the pointer in domain units.
+    /// Converts a reach of the pointer from design pixels to domain units.
     static double reach(const AppContext &context, double designPixels);
-    /// Snaps as switched on; `angle` and `off` by the modifiers of the event.
+    /// A snap query with the current options; `angle` and `off` come from the modifiers of the event.
     SnapQuery query(const AppContext &context, Vec2 place, bool angle, bool off) const;
-    /// The same with two digits, for numbers that nobody asked for.
+    /// Rounds a suggested number to two significant digits.
     static double twoDigits(double value);
-    /// Two switches for the strip of a tool.
+    /// Draws the snapping switches in the options strip.
     void drawSnapOptions(AppContext &context, ui::Flow &flow);
 
   private:
@@ -51,7 +51,7 @@ struct EditState {
     std::uint64_t strokes_ = 0;
 };
 
-/// Mark at a place that something was drawn to, in the way of its kind.
+/// Draws the mark of a snapped place; each kind of snap has its own.
 void drawSnapMark(CanvasPainter &painter, const AppContext &context, const Snapped &snapped);
 
 } // namespace forefront

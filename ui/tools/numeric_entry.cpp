@@ -1,5 +1,6 @@
 #include "ui/tools/numeric_entry.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -9,13 +10,35 @@ namespace forefront {
 namespace {
 
 bool isDigitKey(int code) {
-    return (code >= key::k0 && code <= key::k9) || (code >= key::kKeypad0 && code <= key::kKeypadDecimal) ||
-           code == key::kMinus || code == key::kPeriod || code == key::kComma;
+    return (code >= key::k0 && code <= key::k9) || (code >= key::kKeypad0 && code <= key::kKeypad9);
+}
+
+bool isNumberKey(int code) {
+    return isDigitKey(code) || code == key::kKeypadDecimal || code == key::kMinus || code == key::kPeriod ||
+           code == key::kComma;
+}
+
+bool isDigit(char32_t c) {
+    return c >= U'0' && c <= U'9';
 }
 
 bool belongsToNumber(char32_t c) {
-    return (c >= U'0' && c <= U'9') || c == U'.' || c == U'-' || c == U'+' || c == U',' || c == U'@' || c == U'e' ||
-           c == U' ';
+    return isDigit(c) || c == U'.' || c == U'-' || c == U'+' || c == U',' || c == U'@' || c == U'e' || c == U' ';
+}
+
+/// Lengths must be above 0; coordinates and angles may have any sign.
+bool isLength(EntryField field) {
+    return field != EntryField::X && field != EntryField::Y && field != EntryField::Angle;
+}
+
+std::optional<double> read(EntryField field, std::string_view text) {
+    const std::optional<double> number = parseNumber(text);
+    return number && (*number > 0.0 || !isLength(field)) ? number : std::nullopt;
+}
+
+const char *symbol(EntryField field) {
+    static constexpr std::array<const char *, kEntryFields> kSymbols{"x", "y", "d", "\xe2\x88\xa0", "w", "h", "r"};
+    return kSymbols[static_cast<std::size_t>(field)];
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -65,155 +88,204 @@ std::optional<TypedPair> parsePair(std::string_view text) {
     return pair;
 }
 
-std::optional<double> &NumericEntry::lock(Field field) {
-    switch (field) {
-    case Field::X:
-        return locks_.x;
-    case Field::Y:
-        return locks_.y;
-    case Field::Angle:
-        return locks_.angle;
-    case Field::Plain:
-    case Field::Distance:
-        break;
-    }
-    return locks_.distance;
+std::optional<double> NumericEntry::value(EntryField field) const {
+    const std::optional<double> typed = open_ == field ? read(field, text_) : std::nullopt;
+    return typed ? typed : values_[static_cast<std::size_t>(field)];
 }
 
-void NumericEntry::openField(Field field) {
-    // The letter of a coordinate that is locked already frees it.
-    if (lock(field)) {
-        lock(field).reset();
-        open_ = false;
-    } else {
-        field_ = field;
-        open_ = true;
-    }
-    text_.clear();
-    wrong_ = false;
-    skipText_ = true;
+SnapLocks NumericEntry::locks() const {
+    const std::optional<double> radius = value(EntryField::Radius);
+    return {.x = value(EntryField::X),
+            .y = value(EntryField::Y),
+            .distance = radius ? radius : value(EntryField::Distance),
+            .angle = value(EntryField::Angle)};
 }
 
-NumericEntry::Answer NumericEntry::handle(const CanvasEvent &event, bool anchored) {
-    if (event.kind == CanvasEvent::Kind::Key) {
-        return key(event, anchored);
+std::optional<TypedPair> NumericEntry::pair() const {
+    return open_ && byDigit_ ? parsePair(text_) : std::nullopt;
+}
+
+bool NumericEntry::shows(EntryField field) const {
+    return std::find(fields_.begin(), fields_.end(), field) != fields_.end();
+}
+
+/// The fields of the tool, then the others that have a value or are open.
+std::vector<EntryField> NumericEntry::visible() const {
+    std::vector<EntryField> result = fields_;
+    for (std::size_t i = 0; i < kEntryFields; ++i) {
+        const auto field = static_cast<EntryField>(i);
+        if (!shows(field) && (values_[i] || open_ == field)) {
+            result.push_back(field);
+        }
     }
-    if (event.kind != CanvasEvent::Kind::Text) {
+    return result;
+}
+
+NumericEntry::Answer NumericEntry::handle(const CanvasEvent &event, std::span<const EntryField> fields) {
+    fields_.assign(fields.begin(), fields.end());
+    switch (event.kind) {
+    case CanvasEvent::Kind::Key:
+        return key(event);
+    case CanvasEvent::Kind::Text:
+        return text(event.character);
+    default:
         return Answer::Unused;
     }
-    const bool letter = event.character >= U'A' && event.character != U'e';
-    if (std::exchange(skipText_, false) && letter) {
+}
+
+NumericEntry::Answer NumericEntry::text(char32_t character) {
+    const bool isLetter = character >= U'A' && character != U'e';
+    if (std::exchange(skipLetter_, false) && isLetter) {
         return Answer::Used;
     }
-    if (!belongsToNumber(event.character) || (!open_ && !anchored)) {
-        return open_ ? Answer::Used : Answer::Unused;
-    }
     if (!open_) {
-        if (event.character == U' ' || event.character == U'e' || event.character == U'+') {
+        const bool begins =
+            isDigit(character) || (anchored() && (character == U'.' || character == U'-' || character == U'@'));
+        if (!begins || fields_.empty()) {
             return Answer::Unused;
         }
-        open_ = true;
-        field_ = Field::Plain;
+        const auto empty = std::find_if(fields_.begin(), fields_.end(), [this](EntryField f) { return !slot(f); });
+        open_ = empty != fields_.end() ? *empty : fields_.front();
+        byDigit_ = true;
         text_.clear();
     }
-    text_ += static_cast<char>(event.character);
-    wrong_ = false;
+    if (belongsToNumber(character)) {
+        text_ += static_cast<char>(character);
+        wrong_ = false;
+    }
     return Answer::Used;
 }
 
-NumericEntry::Answer NumericEntry::key(const CanvasEvent &event, bool anchored) {
-    skipText_ = false;
+NumericEntry::Answer NumericEntry::letter(EntryField field) {
+    if (open_ && open_ != field && !store()) {
+        return Answer::Used;
+    }
+    // The letter of a field that has a value frees it.
+    if (slot(field) || open_ == field) {
+        slot(field).reset();
+        open_.reset();
+    } else {
+        open_ = field;
+        byDigit_ = false;
+    }
+    text_.clear();
+    skipLetter_ = true;
+    return Answer::Used;
+}
+
+NumericEntry::Answer NumericEntry::key(const CanvasEvent &event) {
+    skipLetter_ = false;
     if (event.modifiers.control() || event.modifiers.alt()) {
         return Answer::Unused;
     }
-    if (open_) {
-        switch (event.key) {
-        case key::kEnter:
-        case key::kKeypadEnter:
-            return accept();
-        case key::kTab: {
-            const Field next = field_ == Field::X ? Field::Y : field_ == Field::Distance ? Field::Angle : field_;
-            const Answer answer = accept();
-            if (answer == Answer::Used && !wrong_ && next != field_ && !lock(next)) {
-                openField(next);
-                skipText_ = false;
-            }
-            return answer;
-        }
-        case key::kEscape:
-            open_ = wrong_ = false;
-            text_.clear();
-            return Answer::Used;
-        case key::kBackspace:
-            if (text_.empty()) {
-                open_ = false;
-            } else {
-                text_.pop_back();
-            }
-            wrong_ = false;
-            return Answer::Used;
-        default:
-            break;
-        }
-    }
     switch (event.key) {
     case 'X':
-        openField(Field::X);
-        return Answer::Used;
+        return letter(EntryField::X);
     case 'Y':
-        openField(Field::Y);
-        return Answer::Used;
+        return letter(EntryField::Y);
     case 'D':
-    case 'Q':
-        if (!anchored) {
-            return open_ ? Answer::Used : Answer::Unused;
+        if (anchored()) {
+            return letter(shows(EntryField::Radius) ? EntryField::Radius : EntryField::Distance);
         }
-        openField(event.key == 'D' ? Field::Distance : Field::Angle);
-        return Answer::Used;
+        break;
+    case 'Q':
+        if (anchored()) {
+            return letter(EntryField::Angle);
+        }
+        break;
     default:
-        // The characters of a number arrive as text; their keys must not run shortcuts meanwhile.
-        return open_ || (anchored && isDigitKey(event.key)) ? Answer::Used : Answer::Unused;
+        break;
     }
+    if (!open_) {
+        // The digits arrive as text; their keys must not run shortcuts meanwhile.
+        return isDigitKey(event.key) || (anchored() && isNumberKey(event.key)) ? Answer::Used : Answer::Unused;
+    }
+    switch (event.key) {
+    case key::kEnter:
+    case key::kKeypadEnter:
+        return accept();
+    case key::kTab:
+        moveOn(event.modifiers.shift());
+        break;
+    case key::kEscape:
+        open_.reset();
+        wrong_ = false;
+        text_.clear();
+        break;
+    case key::kBackspace:
+        wrong_ = false;
+        if (!text_.empty()) {
+            text_.pop_back();
+        } else if (slot(*open_)) {
+            slot(*open_).reset();
+        } else {
+            open_.reset();
+        }
+        break;
+    default:
+        break;
+    }
+    return Answer::Used;
+}
+
+/// Takes the text of the open field; an empty one leaves its value. False, and marked wrong, if it cannot be read.
+bool NumericEntry::store() {
+    if (!text_.empty()) {
+        const std::optional<double> number = read(*open_, text_);
+        wrong_ = !number;
+        if (wrong_) {
+            return false;
+        }
+        slot(*open_) = number;
+        text_.clear();
+    }
+    return true;
+}
+
+void NumericEntry::moveOn(bool back) {
+    if (!store()) {
+        return;
+    }
+    const std::vector<EntryField> shown = visible();
+    const auto at = static_cast<std::size_t>(std::find(shown.begin(), shown.end(), *open_) - shown.begin());
+    open_ = shown[(at + (back ? shown.size() - 1 : 1)) % shown.size()];
+}
+
+bool NumericEntry::determined() const {
+    const auto has = [this](EntryField field) { return values_[static_cast<std::size_t>(field)].has_value(); };
+    return (has(EntryField::X) && has(EntryField::Y)) || (has(EntryField::Width) && has(EntryField::Height)) ||
+           has(EntryField::Radius) || (has(EntryField::Distance) && (has(EntryField::Angle) || byDigit_));
 }
 
 NumericEntry::Answer NumericEntry::accept() {
-    if (field_ == Field::Plain) {
-        if (const auto typed = parsePair(text_)) {
-            pair_ = typed;
-            open_ = false;
-            return Answer::Place;
-        }
+    if (pair()) {
+        return Answer::Place;
     }
-    const auto value = parseNumber(text_);
-    const bool isLength = field_ == Field::Plain || field_ == Field::Distance;
-    if (!value || (isLength && !(*value > 0.0))) {
-        wrong_ = true;
+    if (!store()) {
         return Answer::Used;
     }
-    lock(field_) = *value;
-    open_ = false;
-    text_.clear();
-    const bool determined = field_ == Field::Plain || (locks_.x && locks_.y) || (locks_.distance && locks_.angle);
-    return determined ? Answer::Place : Answer::Used;
+    open_.reset();
+    return determined() ? Answer::Place : Answer::Used;
 }
 
 std::string NumericEntry::label() const {
+    const bool isPair = open_ && byDigit_ && text_.find_first_of(",@ ") != std::string::npos;
+    if (isPair) {
+        return text_ + "_";
+    }
     std::string result;
-    const auto add = [&](const char *name, const std::string &value) {
-        result += (result.empty() ? "" : "   ") + std::string(name) + value;
-    };
-    const auto field = [&](const char *name, Field which, const std::optional<double> &value) {
-        if (open_ && field_ == which) {
-            add(name, text_ + "_");
-        } else if (value) {
-            add(name, shown(*value));
+    for (const EntryField field : visible()) {
+        const std::optional<double> &known = values_[static_cast<std::size_t>(field)];
+        if (!open_ && !known) {
+            continue;
         }
-    };
-    field("x ", Field::X, locks_.x);
-    field("y ", Field::Y, locks_.y);
-    field("d ", Field::Distance, locks_.distance);
-    field("\xe2\x88\xa0 ", Field::Angle, locks_.angle);
-    field("", Field::Plain, std::nullopt);
+        result += (result.empty() ? "" : "   ") + std::string(symbol(field));
+        if (open_ == field) {
+            result += ' ' + (text_.empty() && known ? shown(*known) : text_) + '_';
+        } else if (known) {
+            result += ' ' + shown(*known);
+        }
+    }
     return result;
 }
 

@@ -3,8 +3,11 @@
 #include "core/edit/snap.hpp"
 #include "ui/tools/tool.hpp"
 
+#include <array>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace forefront {
 
@@ -14,12 +17,18 @@ struct TypedPair {
     bool relative = false;
 };
 
-/// Parses one number, or two separated by a comma or blank; "@" in front makes a pair relative. The whole text counts.
+/// Parses one number, or two separated by a comma or a space; "@" in front makes a pair relative. The whole text must
+/// be used up.
 std::optional<double> parseNumber(std::string_view text);
 std::optional<TypedPair> parsePair(std::string_view text);
 
-/// Numbers typed while drawing. X, Y, D or Q, then a number and Enter, lock a coordinate, the distance or the angle
-/// (degrees) of the next node; a number typed alone is its distance along the pointer; two numbers are its place.
+/// A quantity that can be typed while drawing. Lengths in domain units, angles in degrees.
+enum class EntryField : std::uint8_t { X, Y, Distance, Angle, Width, Height, Radius };
+inline constexpr std::size_t kEntryFields = 7;
+
+/// The numbers typed while drawing. A digit opens the first field that the tool shows, Tab and Shift+Tab go through
+/// them, X, Y, D and Q open one by its letter; Enter accepts. What is typed takes effect at once, so that the drawing
+/// shows it before Enter. Two numbers ("3, 4" or "@1, 0") are a place.
 class NumericEntry {
   public:
     enum class Answer : std::uint8_t {
@@ -27,33 +36,43 @@ class NumericEntry {
         Used,
         Place ///< what was typed determines the next node: place it
     };
-    /// `anchored`: there is a last node to measure from; only then digits alone open the entry.
-    Answer handle(const CanvasEvent &event, bool anchored);
+    /// `fields`: those that the tool shows now, in the order of Tab; X first where there is no node to measure from.
+    Answer handle(const CanvasEvent &event, std::span<const EntryField> fields);
 
-    const SnapLocks &locks() const { return locks_; }
-    /// A pair that was typed, until clear().
-    const std::optional<TypedPair> &pair() const { return pair_; }
-    bool isOpen() const { return open_; }
-    /// Last text that could not be read, while it stands in the entry.
+    /// The value of a field, including the number being typed in it.
+    std::optional<double> value(EntryField field) const;
+    /// The values that hold coordinates, distance (or radius) and angle fixed.
+    SnapLocks locks() const;
+    /// The pair being typed, or the one just accepted, until clear().
+    std::optional<TypedPair> pair() const;
+    bool isOpen() const { return open_.has_value(); }
+    /// True while the text cannot be read.
     bool isWrong() const { return wrong_; }
-    /// After a node was placed, or the drawing was given up.
+    /// Forgets everything: a node was placed, or the drawing was given up.
     void clear() { *this = {}; }
-    /// "x 3.5   y 2_": what is locked and what is being typed; empty if nothing is.
+    /// The visible fields in one line: "w 6   h 5_". Empty if nothing is typed.
     std::string label() const;
 
   private:
-    enum class Field : std::uint8_t { Plain, X, Y, Distance, Angle };
-    Answer key(const CanvasEvent &event, bool anchored);
+    Answer key(const CanvasEvent &event);
+    Answer text(char32_t character);
+    Answer letter(EntryField field);
     Answer accept();
-    void openField(Field field);
-    std::optional<double> &lock(Field field);
+    void moveOn(bool back);
+    bool store();
+    bool determined() const;
+    bool anchored() const { return fields_.empty() || fields_.front() != EntryField::X; }
+    bool shows(EntryField field) const;
+    std::vector<EntryField> visible() const;
+    std::optional<double> &slot(EntryField field) { return values_[static_cast<std::size_t>(field)]; }
 
-    Field field_ = Field::Plain;
-    bool open_ = false, wrong_ = false;
-    bool skipText_ = false; ///< the letter that opened a field arrives as text too
+    std::vector<EntryField> fields_;
+    std::array<std::optional<double>, kEntryFields> values_;
+    std::optional<EntryField> open_;
     std::string text_;
-    SnapLocks locks_;
-    std::optional<TypedPair> pair_;
+    bool wrong_ = false;
+    bool byDigit_ = false;    ///< opened by a digit: one number may be enough
+    bool skipLetter_ = false; ///< the letter that opened a field arrives as text too
 };
 
 } // namespace forefront

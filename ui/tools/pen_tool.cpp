@@ -37,7 +37,8 @@ void PenTool::finish(AppContext &context) {
     if (path_.size() >= (kind_ == ShapeKind::Polygon ? 3U : 2U)) {
         commit(context, kind_ == ShapeKind::Polygon);
     } else if (!path_.empty()) {
-        context.log.tell(kind_ == ShapeKind::Polygon ? "A polygon needs three nodes" : "A polyline needs two nodes");
+        context.log.tell(kind_ == ShapeKind::Polygon ? "A polygon needs at least three nodes"
+                                                     : "A polyline needs at least two nodes");
     }
 }
 
@@ -118,12 +119,12 @@ void PenTool::drawOptions(AppContext &context, ui::Flow &flow) {
 std::string PenTool::statusText(const AppContext &) const {
     if (path_.empty()) {
         return kind_ == ShapeKind::Polygon
-                   ? "Click the corners; a polygon inside another is a hole. X Y then a number: exact coordinates"
-                   : "Click the nodes of a line that the mesh must follow";
+                   ? "Click the corners, or type x, Tab, y. A polygon inside another becomes a hole"
+                   : "Click the nodes of a line for the mesh to follow, or type x, Tab, y";
     }
     return kind_ == ShapeKind::Polygon && path_.size() >= 3
-               ? "Enter or click on the first node closes, Backspace takes a node back, Esc gives up"
-               : "Click the next node; a number: its distance, Q: its angle; Enter ends, Backspace takes back";
+               ? "Click the first node or press Enter to close, Backspace to remove the last node, Esc to cancel"
+               : "Click the next node, or type distance, Tab, angle. Enter: finish, Backspace: remove the last node";
 }
 
 } // namespace forefront

@@ -4,7 +4,7 @@
 
 namespace forefront {
 
-/// Draws a polygon (boundary) or a polyline (constraint) corner by corner, as the pen of Inkscape does.
+/// Draws a polygon (boundary) or a polyline (constraint) node by node, like Inkscape's pen.
 class PenTool final : public DrawingTool {
   public:
     PenTool(std::shared_ptr<EditState> state, ShapeKind kind) : DrawingTool(std::move(state)), kind_(kind) {}
@@ -34,7 +34,7 @@ class PenTool final : public DrawingTool {
 
     ShapeKind kind_;
     std::vector<Vec2> path_;
-    std::vector<Vec2> undone_; ///< nodes taken back, the last one on top
+    std::vector<Vec2> undone_; ///< nodes removed by undo, newest last
 };
 
 } // namespace forefront

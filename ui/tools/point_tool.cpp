@@ -72,7 +72,7 @@ void RegionTool::drawOptions(AppContext &context, ui::Flow &flow) {
     if (ui::inputNumber(context, "options/region/tag", value, 44.0F) && value >= 1.0 && value <= 1e9) {
         tag_ = static_cast<std::int32_t>(std::floor(value));
     }
-    ui::tooltip(context, "Tag of the region that a click fills in");
+    ui::tooltip(context, "Tag of the region to fill");
     flow.item("name");
     std::string name = regionName(document->regionNames, tag_);
     if (ui::entry(context, "options/region/name", name, "name", 140.0F)) {

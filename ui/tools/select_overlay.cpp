@@ -12,7 +12,7 @@
 namespace forefront {
 namespace {
 
-/// More handles than this at once are noise, and slow.
+/// Above this number handles are clutter, and slow to draw.
 constexpr std::size_t kMostHandles = 4000;
 
 } // namespace
@@ -125,21 +125,22 @@ void SelectTool::drawOptions(AppContext &context, ui::Flow &flow) {
 std::string SelectTool::statusText(const AppContext &context) const {
     switch (mode_) {
     case Mode::Moving:
-        return "Shift: steps of 15\xc2\xb0, Ctrl: no snapping, Esc: back";
+        return "Shift: steps of 15\xc2\xb0, Ctrl: no snapping, Esc: cancel";
     case Mode::Boxing:
-        return "Shapes in the box, or nodes where no whole shape is in it";
+        return "Selects the shapes inside the box, or its nodes if it holds no whole shape";
     case Mode::Grabbed:
     case Mode::Idle:
         break;
     }
     if (over_ && hover_.kind == Hit::Kind::Segment) {
-        return context.selection.shapes.contains(hover_.shape) ? "Click: this segment alone; double click: a new node"
-                                                               : "Click or drag the shape; double click: a new node";
+        return context.selection.shapes.contains(hover_.shape)
+                   ? "Click to select this segment, double-click to insert a node"
+                   : "Click to select the shape, drag to move it, double-click to insert a node";
     }
     if (over_ && hover_.kind == Hit::Kind::Node) {
-        return "Drag the node; Delete removes it";
+        return "Drag to move the node, Delete to remove it";
     }
-    return "Click or drag a box to select, drag to move, double click on a segment: a new node";
+    return "Click or drag a box to select, drag to move, double-click a segment to insert a node";
 }
 
 } // namespace forefront

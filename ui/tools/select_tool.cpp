@@ -93,7 +93,7 @@ void SelectTool::select(const Hit &hit, bool adds, Selection &selection) const {
     }
     switch (hit.kind) {
     case Hit::Kind::Node: {
-        // A point is its only node.
+        // A point shape has one node.
         const Shape *shape = findShape(*start_, hit.shape);
         if (shape != nullptr && shape->kind == ShapeKind::Point) {
             choose(selection.shapes, hit.shape, adds);
@@ -175,7 +175,7 @@ void SelectTool::insertAt(const Hit &hit, AppContext &context) {
         mode_ = Mode::Idle;
         return;
     }
-    // The new node is in the hand: a drag moves it on.
+    // The button is still down on the new node, so a drag moves it.
     start_ = context.document().current();
     startIndex_ = state_->index(context);
     grabbed_.kind = Hit::Kind::Node;
@@ -193,7 +193,7 @@ void SelectTool::drag(const CanvasEvent &event, AppContext &context) {
     }
     if (mode_ == Mode::Grabbed && distance(event.pixel, pressPixel_) > static_cast<double>(context.px(3))) {
         if (!isSelected(grabbed_, context.selection)) {
-            return; // shift took it out of the selection
+            return; // Shift removed it from the selection
         }
         mode_ = Mode::Moving;
         stroke_ = state_->newStroke();
@@ -205,7 +205,7 @@ void SelectTool::drag(const CanvasEvent &event, AppContext &context) {
     SnapQuery query = state_->query(context, grabbed_.at + (event.place - pressPlace_),
                                     event.modifiers.shift() && !adds_, event.modifiers.control());
     query.anchor = grabbed_.at;
-    // Nothing snaps to what moves along.
+    // Do not snap to what is being moved.
     const auto stands = [this](const Shape &shape) {
         return !moving_.shapes.contains(shape.id) &&
                std::none_of(moving_.nodes.begin(), moving_.nodes.end(),
@@ -254,7 +254,7 @@ void SelectTool::release(const CanvasEvent &event, AppContext &context) {
     const bool moved = distance(event.pixel, pressPixel_) > static_cast<double>(context.px(3));
     if (mode_ == Mode::Boxing && moved) {
         const Box2 box = boxOf(pressPlace_, event.place);
-        // A box around no whole shape takes the nodes in it.
+        // A box that holds no whole shape selects the nodes inside it.
         Selection inside = state_->index(context)->inBox(box, false);
         if (inside.empty()) {
             inside = state_->index(context)->inBox(box, true);
@@ -269,7 +269,7 @@ void SelectTool::release(const CanvasEvent &event, AppContext &context) {
     } else if (mode_ == Mode::Boxing) {
         select(grabbed_, adds_, context.selection);
     } else if (mode_ == Mode::Grabbed && wasSelected_ && !adds_ && event.clicks < 2) {
-        // A second click looks closer: from the shape to one of its segments.
+        // A second click selects the segment instead of the shape.
         const bool closer = grabbed_.kind == Hit::Kind::Segment && clicked_ == grabbed_.shape &&
                             context.selection.shapes.contains(grabbed_.shape) && context.selection.size() == 1;
         select(grabbed_, false, context.selection);
@@ -296,7 +296,7 @@ bool SelectTool::key(const CanvasEvent &event, AppContext &context) {
             mode_ = Mode::Idle;
             return true;
         }
-        // While something is meshed, Esc stops that first.
+        // Esc cancels a running mesh first.
         if (!context.selection.empty() && !context.run().busy()) {
             context.selection.clear();
             return true;
@@ -328,7 +328,7 @@ void SelectTool::nudge(Vec2 direction, bool far, bool repeated, AppContext &cont
     if (!repeated || nudgeStroke_.empty()) {
         nudgeStroke_ = state_->newStroke();
     }
-    // A tenth of the drawing grid; with shift a whole step of it.
+    // A tenth of the drawing grid; with Shift a whole step.
     const double step = gridPitch(EditState::reach(context, 1.0)) * (far ? 1.0 : 0.1);
     EditState::apply(context, moveSelection(*context.document().current(), context.selection, step * direction),
                      "Nudge", nudgeStroke_);

@@ -8,8 +8,8 @@
 
 namespace forefront {
 
-/// Selects by click and box, drags nodes, segments, shapes, sources and markers; a double click on a segment puts a
-/// node there.
+/// Selects by click and box; drags nodes, segments, shapes, sources and markers; inserts a node by a double-click on a
+/// segment.
 class SelectTool final : public Tool {
   public:
     explicit SelectTool(std::shared_ptr<EditState> state) : state_(std::move(state)) {}
@@ -28,7 +28,7 @@ class SelectTool final : public Tool {
 
   private:
     enum class Mode : std::uint8_t { Idle, Grabbed, Moving, Boxing };
-    /// What lies under the pointer, the smallest thing first.
+    /// What is under the pointer; smaller things win.
     struct Hit {
         enum class Kind : std::uint8_t { Nothing, Node, Source, Marker, Segment, Inside } kind = Kind::Nothing;
         NodeRef node;
@@ -56,9 +56,9 @@ class SelectTool final : public Tool {
     Mode mode_ = Mode::Idle;
     Hit hover_, grabbed_;
     bool over_ = false;
-    bool wasSelected_ = false;         ///< what was pressed had been selected before
-    bool adds_ = false;                ///< shift
-    std::uint32_t clicked_ = kNoIndex; ///< shape of the last click that moved nothing
+    bool wasSelected_ = false;         ///< the pressed thing was already selected
+    bool adds_ = false;                ///< Shift was down
+    std::uint32_t clicked_ = kNoIndex; ///< shape under the last click that did not move anything
     Vec2 pressPixel_, pressPlace_, boxPlace_;
     Snapped snapped_;
     std::shared_ptr<const Document> start_; ///< when the drag began

@@ -45,7 +45,7 @@ void SourceTool::add(AppContext &context, Vec2 a, Vec2 b) {
     source.radius = source.shape == SourceShape::Circle ? distance(a, b) : 0.0;
     source.size = size(context, a);
     source.growth = state_->sourceGrowth;
-    // A name of its own, so that the inspector can say which source it was.
+    // A unique name, so that the inspector can tell which source wins.
     const std::size_t number = context.document().current()->spacing.sources.size() + 1;
     source.name = (source.shape == SourceShape::Point  ? "point "
                    : source.shape == SourceShape::Line ? "line "
@@ -56,6 +56,11 @@ void SourceTool::add(AppContext &context, Vec2 a, Vec2 b) {
         const auto count = context.document().current()->spacing.sources.size();
         context.selection.sources.insert(static_cast<std::uint32_t>(count - 1));
     }
+}
+
+std::span<const EntryField> SourceTool::entryFields() const {
+    static constexpr std::array kRadius{EntryField::Radius};
+    return first_ && shape() == SourceShape::Circle ? std::span<const EntryField>(kRadius) : DrawingTool::entryFields();
 }
 
 bool SourceTool::undo(AppContext &) {
@@ -92,23 +97,23 @@ void SourceTool::drawOptions(AppContext &context, ui::Flow &flow) {
         cancel();
     }
     double shown = size(context, context.view.camera.centre);
-    if (drawSizeOption(context, flow, "options/source/size", "Size", shown, "Spacing on the source itself")) {
+    if (drawSizeOption(context, flow, "options/source/size", "Size", shown, "Element size at the source")) {
         state_->sourceSize = shown;
     }
     drawSizeOption(context, flow, "options/source/growth", "Growth", state_->sourceGrowth,
-                   "How much the spacing grows per unit of distance: 0.1 is gentle, 0.3 steep");
+                   "Growth of the spacing per unit of distance: 0.1 is gentle, 0.3 is steep");
     state_->drawSnapOptions(context, flow);
 }
 
 std::string SourceTool::statusText(const AppContext &) const {
     switch (shape()) {
     case SourceShape::Point:
-        return "Click where the mesh shall be fine";
+        return "Click where the mesh should be fine";
     case SourceShape::Line:
-        return first_ ? "Click the other end" : "Drag along the line where the mesh shall be fine";
+        return first_ ? "Click the other end" : "Drag a line along which the mesh should be fine";
     case SourceShape::Circle:
-        return first_ ? "Click the rim or type the radius"
-                      : "Drag from the centre of the disc where the mesh shall be fine";
+        return first_ ? "Click the rim, or type the radius"
+                      : "Drag a disc in which the mesh should be fine, from its centre";
     }
     return {};
 }

@@ -23,6 +23,7 @@ class SourceTool final : public DrawingTool {
     void place(Vec2 at, AppContext &context) override;
     void drawSketch(CanvasPainter &painter, AppContext &context) override;
     std::optional<Vec2> anchor() const override { return first_; }
+    std::span<const EntryField> entryFields() const override;
     void cancel() override { first_.reset(); }
     bool dragPlaces() const override { return true; }
 

@@ -18,15 +18,15 @@ namespace ui {
 class Flow;
 }
 
-/// What happened on the canvas, handed to the active tool in order, none lost.
+/// An input event on the canvas. The active tool gets every event, in order.
 struct CanvasEvent {
     enum class Kind : std::uint8_t {
         Press,   ///< a button went down over the canvas; clicks: 1, 2 (double), ...
         Drag,    ///< the pointer moved with a button held that was pressed on the canvas
-        Release, ///< that button went up, wherever
+        Release, ///< that button went up, anywhere
         Hover,   ///< the pointer moved with no button held
         Leave,   ///< the pointer left the canvas
-        Wheel,   ///< with ctrl or shift only; the bare wheel zooms
+        Wheel,   ///< with Ctrl or Shift only; the plain wheel zooms
         Key,     ///< pressed or repeated
         Text     ///< a character was typed
     };
@@ -42,8 +42,8 @@ struct CanvasEvent {
     Modifiers modifiers;
 };
 
-/// What the pointer does on the canvas. One file a tool, one line in makeTools(). It changes the document by
-/// context.document().apply(...) only; half-finished input lives in the tool.
+/// A canvas tool. One file per tool, one line in makeTools(). A tool changes the document only through
+/// DocumentStore::apply(); unfinished input stays in the tool.
 class Tool {
   public:
     virtual ~Tool() = default;
@@ -52,29 +52,29 @@ class Tool {
     virtual const char *name() const = 0;
     /// From ui/style/icons.hpp.
     virtual const char *icon() const = 0;
-    /// The key that chooses it, a capital letter.
+    /// Its shortcut, a capital letter.
     virtual int key() const = 0;
 
     virtual void activate(AppContext &) {}
-    /// Another tool is chosen: finish or drop what is half done.
+    /// Finishes or drops unfinished input: another tool has been chosen.
     virtual void deactivate(AppContext &) {}
-    /// True if the event is used up. A key that is not goes on to the shortcuts (so a tool in the middle of a path may
-    /// take digits, Enter, Backspace, Esc).
+    /// Handles an event; true if used. Unused keys go to the shortcuts, so that a tool in the middle of a path can take
+    /// digits, Enter, Backspace and Esc.
     virtual bool handle(const CanvasEvent &event, AppContext &context) = 0;
     virtual void drawOverlay(CanvasPainter &, AppContext &) {}
-    /// Whether a strip with options stands over the canvas now.
+    /// Whether to show the options strip now.
     virtual bool hasOptions(const AppContext &) const { return false; }
-    /// Its widgets, each an item of `flow`: brush radius, snapping ...
+    /// Draws the widgets of the options strip, each an item of `flow`.
     virtual void drawOptions(AppContext &, ui::Flow &) {}
     virtual CursorShape cursor() const { return CursorShape::Arrow; }
-    /// One short line for the status bar: what a click does now.
+    /// One line for the status bar: what a click does now.
     virtual std::string statusText(const AppContext &) const { return {}; }
-    /// Undo and redo inside half-finished input (the path being drawn) come first. True if done.
+    /// Undo and redo within unfinished input (the path being drawn). True if there was something to undo or redo.
     virtual bool undo(AppContext &) { return false; }
     virtual bool redo(AppContext &) { return false; }
 };
 
-/// All tools in the order of the strip. The first is active at the start.
+/// Makes all tools in the order of the tool strip. The first one is active at start.
 std::vector<std::unique_ptr<Tool>> makeTools();
 
 } // namespace forefront

@@ -10,9 +10,9 @@ namespace ui {
 class Flow;
 }
 
-/// "Tag [ 1 ]  name", an item of the options of a tool.
+/// Draws the option "Tag [ 1 ]  name".
 void drawTagOption(AppContext &context, ui::Flow &flow, std::int32_t &tag, const char *tooltip);
-/// "LABEL [ 0.5 ]" for a positive number; true when it changed.
+/// Draws the option "LABEL [ 0.5 ]" for a positive number; true if it changed.
 bool drawSizeOption(AppContext &context, ui::Flow &flow, const char *name, const char *label, double &value,
                     const char *tooltip);
 
