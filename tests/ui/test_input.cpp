@@ -1,4 +1,4 @@
-#include "tests/ui/driver.hpp"
+#include "tests/ui/edit_driver.hpp"
 #include "ui/canvas/camera.hpp"
 #include "ui/input/input_queue.hpp"
 
@@ -61,6 +61,36 @@ TEST_CASE("InputQueue: the text of a key comes with it, the next key in the next
     queue.push(keyEvent('A', false));
     CHECK(queue.takeFrame().size() == 2);
     CHECK(queue.takeFrame().size() == 1);
+    CHECK(queue.empty());
+}
+
+TEST_CASE("InputQueue: wheel notches share a frame, with the jitter of the hand between them") {
+    InputQueue queue;
+    queue.push(move(100, 100));
+    for (int i = 0; i < 20; ++i) {
+        queue.push({.kind = InputKind::Scroll, .y = 1.0});
+        queue.push(move(100 + i % 3, 100));
+    }
+    queue.push(move(160, 100)); // somewhere else: what the wheel turned must not be taken from there
+    CHECK(queue.takeFrame().size() == 41);
+    CHECK(queue.takeFrame().size() == 1);
+}
+
+TEST_CASE("InputQueue: keys that the caller names share a frame, other keys and clicks do not") {
+    InputQueue queue;
+    const auto shares = [](const InputEvent &event) { return event.code == key::kPeriod; };
+    for (int i = 0; i < 20; ++i) {
+        queue.push(keyEvent(key::kPeriod, true));
+        queue.push({.kind = InputKind::Text, .code = '.'});
+        queue.push(keyEvent(key::kPeriod, false));
+    }
+    queue.push(keyEvent('A', true));
+    queue.push(keyEvent(key::kPeriod, true));
+    queue.push(button(true));
+    CHECK(queue.takeFrame(shares).size() == 60);
+    CHECK(queue.takeFrame(shares).size() == 1);
+    CHECK(queue.takeFrame(shares).size() == 1);
+    CHECK(queue.takeFrame(shares).size() == 1);
     CHECK(queue.empty());
 }
 
@@ -141,8 +171,51 @@ TEST_CASE("Editor: ten quick clicks on a switch are ten clicks") {
     }
     input.push(button(true));
     input.push(button(false));
-    REQUIRE(driver.settle());
+    driver.settle();
     CHECK(driver.context().layer("labels")->visible != before);
+}
+
+TEST_CASE("Editor: twenty step keys and twenty wheel notches take a frame each, and every one counts") {
+    Driver driver;
+    driver.key(key::k2);
+    driver.settle();
+    driver.key(key::kHome);
+    driver.settle();
+    InputQueue &input = driver.editor().input();
+    for (int i = 0; i < 20; ++i) {
+        input.push(keyEvent(key::kPeriod, true));
+        input.push({.kind = InputKind::Text, .code = '.'});
+        input.push(keyEvent(key::kPeriod, false));
+    }
+    driver.frames(1);
+    CHECK(input.empty());
+    driver.settle();
+    CHECK(driver.run().advance == 20);
+    const double zoom = driver.context().view.camera.zoom;
+    driver.moveTo(driver.canvas().centre());
+    for (int i = 0; i < 20; ++i) {
+        input.push({.kind = InputKind::Scroll, .y = 1.0});
+    }
+    driver.frames(1);
+    CHECK(input.empty());
+    CHECK(driver.context().view.camera.zoom == doctest::Approx(zoom * std::pow(1.18, 20)));
+}
+
+TEST_CASE("Editor: in a text field every key counts, although it is a step key elsewhere") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('V');
+    driver.click("inspector/name");
+    InputQueue &input = driver.editor().input();
+    for (int i = 0; i < 3; ++i) {
+        input.push(keyEvent(key::kPeriod, true));
+        input.push({.kind = InputKind::Text, .code = '.'});
+        input.push(keyEvent(key::kPeriod, false));
+    }
+    driver.settle();
+    driver.key(key::kBackspace);
+    driver.key(key::kEnter);
+    CHECK(driver.document().shapes[0]->name == "..");
 }
 
 TEST_CASE("Editor: a recorded session replays to the same picture") {
@@ -151,7 +224,7 @@ TEST_CASE("Editor: a recorded session replays to the same picture") {
     first.scroll(first.canvas().centre(), 3);
     first.click("layer/size");
     first.click("menu/theme");
-    REQUIRE(first.settle());
+    first.settle();
     first.frames(40); // the tooltip of the hovered button has its delay
     const auto wanted = first.picture();
     const std::string recording = first.editor().input().recording();
@@ -161,7 +234,7 @@ TEST_CASE("Editor: a recorded session replays to the same picture") {
     while (second.editor().input().replaying()) {
         second.frames(1);
     }
-    REQUIRE(second.settle());
+    second.settle();
     second.frames(40);
     CHECK(second.picture().differences(wanted) < 400);
     CHECK(second.context().theme.kind == first.context().theme.kind);

@@ -11,7 +11,7 @@ std::string toString(Shortcut shortcut) {
         return {};
     }
     if (shortcut == Shortcut{key::kSlash, {Modifiers::kShift}}) {
-        return "?"; // as everyone writes it
+        return "?"; // the usual spelling
     }
     std::string text;
     if (shortcut.modifiers.control()) {
@@ -77,6 +77,13 @@ bool ActionRegistry::run(std::string_view id, AppContext &context) const {
 bool ActionRegistry::knows(Shortcut shortcut) const {
     return std::any_of(actions_.begin(), actions_.end(), [&](const Action &a) {
         return std::find(a.shortcuts.begin(), a.shortcuts.end(), shortcut) != a.shortcuts.end();
+    });
+}
+
+bool ActionRegistry::repeats(int key) const {
+    return std::any_of(actions_.begin(), actions_.end(), [key](const Action &a) {
+        return a.repeats && std::any_of(a.shortcuts.begin(), a.shortcuts.end(),
+                                        [key](const Shortcut &shortcut) { return shortcut.key == key; });
     });
 }
 

@@ -16,33 +16,35 @@ struct Shortcut {
     Modifiers modifiers;
     friend bool operator==(Shortcut, Shortcut) = default;
 };
-/// "Ctrl+Shift+Z", "Space", ".".
+/// Returns the text shown for a shortcut: "Ctrl+Shift+Z", "Space", ".".
 std::string toString(Shortcut shortcut);
 
-/// A thing the program can do: an entry of a menu and of the palette, a shortcut, a step of a script.
+/// A command of the program, run from a menu, the palette, a shortcut or a script.
 struct Action {
-    std::string id;                    ///< "file.save"; in menus the widget "menu/file.save"
+    std::string id;                    ///< "file.save"; its menu entry is the widget "menu/file.save"
     std::string menu;                  ///< "File", "Edit", "View", "Mesh", "Learn", "Help"; empty: palette only
     std::string title;                 ///< "Save"
     std::vector<Shortcut> shortcuts{}; ///< the first is shown
     std::function<void(AppContext &)> run;
     std::function<bool(const AppContext &)> enabled{};        ///< absent: always
     std::function<bool(const AppContext &)> checked{};        ///< absent: no check mark
-    std::function<std::string(const AppContext &)> dynamic{}; ///< title that changes, such as "Undo move node"
+    std::function<std::string(const AppContext &)> dynamic{}; ///< a title that changes, such as "Undo move node"
     bool separatorBefore = false;
-    bool repeats = false; ///< its shortcut fires again while held
+    bool repeats = false; ///< its shortcut repeats while held
 };
 
 class ActionRegistry {
   public:
-    /// Order of addition is the order in menus. An action with an id already known replaces it in place.
+    /// Adds an action; menus keep the order of addition. An action with a known id replaces the old one in place.
     void add(Action action);
     const Action *find(std::string_view id) const;
     const std::vector<Action> &all() const { return actions_; }
-    /// Runs the enabled action of a shortcut. False if there is none.
+    /// Runs the enabled action with this shortcut. False if there is none.
     bool runShortcut(Shortcut shortcut, bool repeated, AppContext &context) const;
-    /// Some action has that shortcut, enabled or not.
+    /// True if an action has this shortcut, enabled or not.
     bool knows(Shortcut shortcut) const;
+    /// True if a shortcut with this key repeats while held.
+    bool repeats(int key) const;
     bool run(std::string_view id, AppContext &context) const;
 
   private:

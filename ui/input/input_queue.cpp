@@ -6,22 +6,29 @@ namespace forefront {
 
 namespace {
 
+/// Pixels that the pointer may move between wheel notches of one frame: a hand on the wheel is never quite still.
+constexpr double kWheelJitter = 4.0;
+
 /// What has changed in a frame so far.
 struct FrameChanges {
-    bool moved = false, button = false, scrolled = false, key = false, text = false;
+    bool button = false, scrolled = false, key = false, text = false;
+    bool sharedKey = false; ///< only keys that may share a frame have changed
+    Vec2 pointer;
+    std::optional<Vec2> wheelAt; ///< where the pointer was when the wheel first turned
 
-    /// True if `event` may not share a frame with what has changed already. A move after a button change would shift
-    /// the click; two changes of a button or key would hide each other; text belongs to the key before it.
-    bool conflicts(const InputEvent &event) const {
+    /// True if `event` must not share a frame with what has changed already. A move after a button change would shift
+    /// the click; two changes of a button or key would hide each other; text belongs to the key before it. Wheel
+    /// notches add up, and keys that `shares` go one after the other.
+    bool conflicts(const InputEvent &event, bool shares) const {
         switch (event.kind) {
         case InputKind::MouseMove:
-            return button || scrolled;
+            return button || (scrolled && !(wheelAt && distance(*wheelAt, {event.x, event.y}) <= kWheelJitter));
         case InputKind::MouseButton:
-            return button || scrolled || key;
+            return button || scrolled || key || sharedKey;
         case InputKind::Scroll:
-            return button || scrolled || key;
+            return button || key || sharedKey;
         case InputKind::Key:
-            return key || text || button || scrolled;
+            return shares ? key || button || scrolled : key || sharedKey || text || button || scrolled;
         case InputKind::Text:
             return button || scrolled;
         default:
@@ -29,11 +36,17 @@ struct FrameChanges {
         }
     }
 
-    void note(const InputEvent &event) {
-        moved = moved || event.kind == InputKind::MouseMove;
+    void note(const InputEvent &event, bool shares) {
+        if (event.kind == InputKind::MouseMove) {
+            pointer = Vec2{event.x, event.y};
+        }
+        if (event.kind == InputKind::Scroll && !scrolled) {
+            wheelAt = pointer;
+        }
         button = button || event.kind == InputKind::MouseButton;
         scrolled = scrolled || event.kind == InputKind::Scroll;
-        key = key || event.kind == InputKind::Key;
+        key = key || (event.kind == InputKind::Key && !shares);
+        sharedKey = sharedKey || (event.kind == InputKind::Key && shares);
         text = text || event.kind == InputKind::Text;
     }
 };
@@ -44,19 +57,24 @@ void InputQueue::push(InputEvent event) {
     events_.push_back(std::move(event));
 }
 
-std::vector<InputEvent> InputQueue::takeFrame() {
+std::vector<InputEvent> InputQueue::takeFrame(const SharesFrame &sharesFrame) {
     ++frame_;
     while (!replay_.empty() && replay_.front().frame <= frame_) {
         events_.push_back(std::move(replay_.front().event));
         replay_.pop_front();
     }
     std::vector<InputEvent> taken;
-    FrameChanges changes;
-    while (!events_.empty() && !changes.conflicts(events_.front())) {
-        changes.note(events_.front());
+    FrameChanges changes{.pointer = pointer_};
+    while (!events_.empty()) {
+        const bool shares = sharesFrame && events_.front().kind == InputKind::Key && sharesFrame(events_.front());
+        if (changes.conflicts(events_.front(), shares)) {
+            break;
+        }
+        changes.note(events_.front(), shares);
         taken.push_back(std::move(events_.front()));
         events_.pop_front();
     }
+    pointer_ = changes.pointer;
     if (recordFrom_) {
         for (const InputEvent &event : taken) {
             recorded_.push_back({frame_ - *recordFrom_, event});

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "core/base/vec2.hpp"
 #include "ui/input/keys.hpp"
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,7 +13,7 @@
 namespace forefront {
 
 enum class InputKind : std::uint8_t {
-    MouseMove,   ///< x, y: framebuffer pixels from the upper left corner
+    MouseMove,   ///< x, y: framebuffer pixels from the upper-left corner
     MouseButton, ///< code: MouseButton; pressed
     Scroll,      ///< x, y: wheel steps
     Key,         ///< code: key; pressed; repeated
@@ -31,21 +33,25 @@ struct InputEvent {
     std::vector<std::string> paths;
 };
 
-/// Stands in front of Dear ImGui 1.86, which polls the state of the input once per frame and so loses fast changes: a
-/// click within one frame, ctrl+A. The queue lets one change of a kind through per frame, in order. It is also where
-/// input is recorded and replayed.
+/// Queues input for Dear ImGui 1.86, which polls the state of the input once per frame and so loses fast changes: a
+/// click within one frame, ctrl+A. The queue lets one change of a kind through per frame, in order; wheel notches and
+/// the keys that the caller names share a frame, so that slow frames do not pile up a backlog. It is also where input
+/// is recorded and replayed.
 class InputQueue {
   public:
+    /// True for key events that several may share a frame, since each is handled in order and none needs Dear ImGui.
+    using SharesFrame = std::function<bool(const InputEvent &)>;
+
     void push(InputEvent event);
-    /// The events of this frame: the longest beginning of the queue in which no change would hide another.
-    std::vector<InputEvent> takeFrame();
+    /// Takes the events of this frame: the longest beginning of the queue in which no change would hide another.
+    std::vector<InputEvent> takeFrame(const SharesFrame &sharesFrame = {});
     bool empty() const { return events_.empty(); }
 
-    /// From now on every event taken is kept with the number of its frame.
+    /// Starts recording every event taken, with its frame number.
     void startRecording();
-    /// One event a line, "FRAME KIND ...", as replay() reads it.
+    /// Returns the recording, one event per line: "FRAME KIND ...".
     std::string recording() const;
-    /// Queues a recording: its events appear at the same distance in frames. False if a line is not understood.
+    /// Queues a recording; its events keep their distance in frames. False if a line is invalid.
     bool replay(const std::string &recording);
     bool replaying() const { return !replay_.empty(); }
 
@@ -56,6 +62,7 @@ class InputQueue {
     };
 
     std::deque<InputEvent> events_;
+    Vec2 pointer_; ///< pixels, of the last move taken
     std::uint64_t frame_ = 0;
     std::optional<std::uint64_t> recordFrom_;
     std::vector<Timed> recorded_;

@@ -4,7 +4,7 @@
 
 namespace forefront {
 
-/// Key codes, the same numbers as GLFW's; letters and digits are their ASCII capitals.
+/// Key codes, numbered as in GLFW; letters and digits are ASCII capitals.
 namespace key {
 inline constexpr int kSpace = 32, kApostrophe = 39, kComma = 44, kMinus = 45, kPeriod = 46, kSlash = 47;
 inline constexpr int k0 = 48, k2 = 50, k9 = 57, kEqual = 61;
@@ -18,7 +18,7 @@ inline constexpr int kLeftShift = 340, kLeftControl = 341, kLeftAlt = 342, kLeft
 inline constexpr int kRightShift = 344, kRightControl = 345, kRightAlt = 346, kRightSuper = 347;
 } // namespace key
 
-/// Modifier bits, as GLFW's.
+/// Modifier bits, as in GLFW.
 struct Modifiers {
     static constexpr std::uint8_t kShift = 1, kControl = 2, kAlt = 4;
     std::uint8_t bits = 0;
