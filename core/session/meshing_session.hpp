@@ -17,6 +17,16 @@ enum class Granularity : std::uint8_t {
     Layer    ///< the front once around: as many advances as Γ had segments
 };
 
+/// What a new run does once it is prepared.
+enum class StartMode : std::uint8_t {
+    Pause,   ///< waits before the first advance
+    Run,     ///< meshes to the end at full speed and publishes progress and partial meshes on the way
+    RunQuiet ///< as Run, but publishes nothing before the end, so that the previous mesh stays on show: for a mesh that
+             ///< follows an edit. A run above kQuietElements publishes its progress all the same.
+};
+/// Largest predicted number of elements of a quiet run; a larger one takes long enough for its progress to matter.
+inline constexpr double kQuietElements = 100'000.0;
+
 /// A meshing run on a worker thread, with a timeline that goes forward and back. All members are called from one thread
 /// (the UI's) and return at once; results arrive in latest(). Destruction cancels and joins.
 class MeshingSession {
@@ -27,9 +37,13 @@ class MeshingSession {
     MeshingSession(const MeshingSession &) = delete;
     MeshingSession &operator=(const MeshingSession &) = delete;
 
-    /// Starts a new run; an earlier one is cancelled. `runToEnd`: mesh at full speed to the end; else pause before the
-    /// first advance. The earlier run stays on show until the new one is prepared, and after that where it is refused.
-    void start(std::shared_ptr<const MeshingJob> job, bool runToEnd);
+    /// Starts a new run and cancels the previous one, which stays on show until the new one is prepared, and for good
+    /// if the new one is refused.
+    void start(std::shared_ptr<const MeshingJob> job, StartMode mode);
+    /// As above, with `runToEnd` for StartMode::Run, else StartMode::Pause.
+    void start(std::shared_ptr<const MeshingJob> job, bool runToEnd) {
+        start(std::move(job), runToEnd ? StartMode::Run : StartMode::Pause);
+    }
     /// Runs on to the end at full speed, then improves.
     void finish();
     /// Plays forward (or back, with a negative rate) at a number of advances per second from the position of the

@@ -12,7 +12,7 @@ namespace forefront {
 /// What the UI's thread asks of the worker.
 struct StartCommand {
     std::shared_ptr<const MeshingJob> job;
-    bool runToEnd = false;
+    StartMode mode = StartMode::Pause;
 };
 struct PlayCommand {
     double rate = 0.0;

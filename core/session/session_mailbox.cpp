@@ -18,6 +18,25 @@ bool stops(const SessionCommand &command, SessionMailbox::Blocking kind) {
     return endsTheRun(command) || (kind == SessionMailbox::Blocking::Improving && !movesNothing);
 }
 
+/// Merges a command into the one waiting before it: steps in one direction add up, of two places to seek the later
+/// counts. So a held key or a dragged scrubber never gets ahead of what a large mesh can follow.
+bool mergeInto(SessionCommand &waiting, const SessionCommand &next) {
+    if (const auto *step = std::get_if<StepCommand>(&next)) {
+        auto *before = std::get_if<StepCommand>(&waiting);
+        const bool sameWay =
+            before != nullptr && before->granularity == step->granularity && (before->count > 0) == (step->count > 0);
+        if (sameWay) {
+            before->count += step->count;
+        }
+        return sameWay;
+    }
+    if (std::holds_alternative<SeekCommand>(next) && std::holds_alternative<SeekCommand>(waiting)) {
+        waiting = next;
+        return true;
+    }
+    return false;
+}
+
 } // namespace
 
 void SessionMailbox::push(SessionCommand command) {
@@ -26,7 +45,9 @@ void SessionMailbox::push(SessionCommand command) {
         if (stops(command, blocking_)) {
             stop_.request_stop();
         }
-        commands_.push_back(std::move(command));
+        if (commands_.empty() || !mergeInto(commands_.back(), command)) {
+            commands_.push_back(std::move(command));
+        }
     }
     changed_.notify_all();
 }

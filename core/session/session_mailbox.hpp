@@ -21,7 +21,7 @@ class SessionMailbox {
     /// What the worker computes without looking at the commands, and so must be stopped by the sender of one.
     enum class Blocking : std::uint8_t { Nothing, Preparing, Improving };
 
-    /// The sender's side.
+    /// The sender's side. Steps and seeks that wait one behind the other are merged.
     void push(SessionCommand command);
     std::shared_ptr<const SessionSnapshot> latest() const;
     bool busy() const;

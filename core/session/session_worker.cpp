@@ -31,6 +31,7 @@ void SessionWorker::loop() {
         SessionCommand command = PauseCommand{};
         try {
             if (mailbox_.take(command, travel_ ? travel_->workDue() : std::nullopt)) {
+                quiet_ = quiet_ && std::holds_alternative<WantCommand>(command); // the user takes over
                 std::visit([this](const auto &c) { execute(c); }, command);
             } else if (travel_ && !travel_->resting() && mailbox_.open()) {
                 follow(travel_->work());
@@ -56,6 +57,7 @@ void SessionWorker::execute(const StartCommand &command) {
     const RunState before = state_;
     ++run_;
     diagnostics_.clear();
+    quiet_ = command.mode == StartMode::RunQuiet;
     const Progress progress = progressInto(RunState::Preparing, mailbox_.beginBlocking(Blocking::Preparing));
     progress("validating", 0.0);
     Result<PreparedJob> prepared = prepare(*command.job, progress);
@@ -74,9 +76,10 @@ void SessionWorker::execute(const StartCommand &command) {
     spacing_ = prepared->spacing;
     boundary_ = prepared->boundary;
     estimatedElements_ = prepared->estimatedElements;
+    quiet_ = quiet_ && estimatedElements_ <= kQuietElements;
     travel_.emplace(Mesher::create(boundary_, spacing_, job_->options));
     stage_ = "advancing the front";
-    if (command.runToEnd) {
+    if (command.mode != StartMode::Pause) {
         execute(FinishCommand{});
     } else {
         rest(RunState::Paused);
@@ -244,6 +247,9 @@ void SessionWorker::publishIfDue() {
 }
 
 void SessionWorker::publish(bool resting) {
+    if (quiet_ && !resting) {
+        return;
+    }
     const auto begin = Clock::now();
     auto snapshot = std::make_shared<SessionSnapshot>();
     snapshot->sequence = ++sequence_;

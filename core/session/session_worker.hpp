@@ -67,6 +67,7 @@ class SessionWorker {
     std::uint64_t finalHash_ = 0;
     double estimatedElements_ = 0.0;
     double secondsImprove_ = 0.0;
+    bool quiet_ = false;              ///< publish nothing before the run rests
     bool improvementStopped_ = false; ///< by a command that came meanwhile
 
     RunState state_ = RunState::Empty;

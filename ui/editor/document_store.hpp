@@ -18,6 +18,9 @@ class DocumentStore {
     std::shared_ptr<const Document> current() const { return history_.shared(); }
     /// Differs between any two documents that were ever open here; undo returns to the number from before.
     std::uint64_t revision() const { return (loads_ << 40) + history_.revision(); }
+    /// Names the step of the history that the current document belongs to. Differs between documents opened one after
+    /// the other; stays the same while a stroke goes on.
+    std::string step() const { return std::to_string(loads_) + '/' + std::to_string(history_.position()); }
     /// Makes `next` the current document. Changes that follow one another with the same non-empty `stroke` are one undo
     /// step until endStroke(): a drag, a stroke of the brush. False if nothing changed.
     bool apply(Document next, std::string label, std::string_view stroke = {}) {

@@ -35,7 +35,6 @@ struct Editor::Parts {
     std::string shownTitle;
     double lastFrame = 0.0;
     std::uint64_t frames = 0;
-    std::uint64_t liveRevision = 0;
     std::uint64_t flagRevision = 0; ///< of the document that the flag of the view speaks of
     PixelSize size;
     std::shared_ptr<const SpacingRaster> raster;
@@ -45,10 +44,11 @@ struct Editor::Parts {
     bool toldBusy = false;       ///< the state file says that something is still going on
 
     bool newsDue() const;
+    bool keySharesFrame(const InputEvent &event) const;
     void refreshLook();
     void takeResults(bool cancels);
     void dropFlag();
-    void meshLive();
+    void followDocument();
     void handleEvents(const std::vector<InputEvent> &events);
     void buildInterface();
     void showTitle();
@@ -87,6 +87,15 @@ bool Editor::Parts::newsDue() const {
     return pace.due(steadySeconds(), state == RunState::Running || state == RunState::Improving);
 }
 
+/// Keys that are held down to repeat (steps, zoom, nudges) may be handled several to a frame, unless a field, popup or
+/// dialog could want them.
+bool Editor::Parts::keySharesFrame(const InputEvent &event) const {
+    const bool canvasHasKeys = !ui::typing().active && !context.dialogs.any() && !ImGui::IsAnyItemActive() &&
+                               !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+    const bool isArrow = event.code >= key::kRight && event.code <= key::kUp;
+    return canvasHasKeys && (isArrow || context.actions.repeats(event.code));
+}
+
 Editor::Editor(Platform &platform, EditorSetup options)
     : parts_(std::make_unique<Parts>(platform, std::move(options))) {
     AppContext &c = parts_->context;
@@ -121,7 +130,7 @@ Editor::Editor(Platform &platform, EditorSetup options)
             c.log.add(Diagnostic{.severity = Severity::Warning,
                                  .code = "no-assets",
                                  .message = "the samples were not found",
-                                 .advice = "set FOREFRONT_ASSETS to the folder assets"});
+                                 .advice = "set FOREFRONT_ASSETS to the folder that holds samples/"});
         } else {
             open(gallery.front().path);
         }
@@ -157,7 +166,7 @@ bool Editor::running() const {
 bool Editor::settled() const {
     const AppContext &c = parts_->context;
     return parts_->input.empty() && !parts_->input.replaying() && c.redraw <= 0 && !c.previews->busy() &&
-           !c.run().busy() && !c.run().hasNews();
+           !c.run().busy() && !c.run().hasNews() && !c.run().hasToFollow();
 }
 
 double Editor::sleepSeconds() const {
@@ -165,14 +174,17 @@ double Editor::sleepSeconds() const {
     if (c.redraw > 0 || c.widgets.fields.travelling() || !parts_->input.empty() || parts_->input.replaying()) {
         return 0.0;
     }
-    const double untilNews = c.run().hasNews() ? parts_->pace.next() - steadySeconds() : 0.5;
+    constexpr double kUntilWorkerRests = 0.002; // it reports its result a moment before it takes the next job
+    const double untilNews = c.run().hasNews()       ? parts_->pace.next() - steadySeconds()
+                             : c.run().hasToFollow() ? kUntilWorkerRests
+                                                     : 0.5;
     return std::clamp(std::min(c.nextFrameAt - c.platform.now(), untilNews), 0.001, 0.5);
 }
 
 bool Editor::needsFrame() const {
     const AppContext &c = parts_->context;
     return sleepSeconds() <= 0.0 || c.platform.now() >= c.nextFrameAt || (c.run().hasNews() && parts_->newsDue()) ||
-           c.previews->latest() != c.preview || c.previews->raster() != parts_->raster ||
+           c.run().canFollow() || c.previews->latest() != c.preview || c.previews->raster() != parts_->raster ||
            !(c.platform.framebufferSize() == parts_->size) || (parts_->toldBusy && settled());
 }
 
@@ -199,6 +211,7 @@ void Editor::show(const Document &document, const std::filesystem::path &file) {
     c.document().load(document, own ? file : std::filesystem::path(), false,
                       sample != gallery.end() ? sample->title : file.stem().string());
     c.run().clear();
+    c.previews->abandon();
     c.selection.clear();
     c.view.isolatedBin.reset();
     c.view.fitPending = true;
@@ -206,7 +219,7 @@ void Editor::show(const Document &document, const std::filesystem::path &file) {
     if (!project && format != nullptr) {
         const std::size_t count = document.shapes.size();
         c.log.tell(file.filename().string() + " (" + format->name + ") opened as a new drawing of " + ui::count(count) +
-                   (count == 1 ? " shape" : " shapes") + "; Save keeps it as a project");
+                   (count == 1 ? " shape" : " shapes") + "; save it as a project to keep your changes");
     }
 }
 
@@ -268,15 +281,10 @@ void Editor::Parts::dropFlag() {
     }
 }
 
-void Editor::Parts::meshLive() {
-    const std::uint64_t revision = context.document().revision();
-    const bool ready = context.run().live && revision != liveRevision && context.preview->revision == revision;
-    if (ready) {
-        liveRevision = revision;
-        if (!hasErrors(context.preview->faults) && !context.document().current()->shapes.empty()) {
-            context.run().mesh();
-        }
-    }
+void Editor::Parts::followDocument() {
+    const bool previewed = context.preview->revision == context.document().revision();
+    const bool gestureOver = previewed && !ImGui::IsAnyMouseDown();
+    context.run().follow(gestureOver, hasErrors(context.preview->faults));
 }
 
 void Editor::Parts::handleEvents(const std::vector<InputEvent> &events) {
@@ -367,7 +375,9 @@ void Editor::frame() {
         return; // minimised
     }
     const std::vector<InputEvent> events =
-        c.widgets.fields.travelling() ? std::vector<InputEvent>() : p.input.takeFrame();
+        c.widgets.fields.travelling()
+            ? std::vector<InputEvent>()
+            : p.input.takeFrame([&p](const InputEvent &event) { return p.keySharesFrame(event); });
     p.refreshLook();
     const bool escape = std::any_of(events.begin(), events.end(), [](const InputEvent &event) {
         return event.kind == InputKind::Key && event.code == key::kEscape && event.pressed;
@@ -378,7 +388,7 @@ void Editor::frame() {
     c.widgets.beginFrame();
     p.handleEvents(events);
     p.dropFlag();
-    p.meshLive();
+    p.followDocument();
     const bool cancelling = c.run().cancelling();
     p.buildInterface();
     p.canvasInput.runWaiting(c);

@@ -6,22 +6,25 @@
 #include <deque>
 #include <functional>
 #include <optional>
+#include <string>
+#include <utility>
 
 namespace forefront {
 
-/// What the program has to say, newest last. Entries with a place can be gone to.
+/// The messages of the program, newest last. The user can go to the place of an entry that has one.
 class MessageLog {
   public:
     struct Entry {
         Diagnostic diagnostic;
         double time = 0.0;          ///< Platform::now() when it was added
         std::uint64_t number = 0;   ///< counts up from 1
-        std::uint64_t revision = 0; ///< of the document it speaks of
-        bool told = false;          ///< shown on the canvas for some seconds, too
+        std::uint64_t revision = 0; ///< of the document it is about
+        bool told = false;          ///< also shown on the canvas for some seconds
+        std::string topic;          ///< see note()
     };
     static constexpr std::size_t kLimit = 1000;
 
-    /// A fault of the document of `revision`; none: of the current one.
+    /// Logs a fault of the document with `revision`, by default the current one.
     void add(Diagnostic diagnostic, std::optional<std::uint64_t> revision = {}) {
         const bool told = diagnostic.severity != Severity::Note;
         push(std::move(diagnostic), told, revision);
@@ -31,11 +34,18 @@ class MessageLog {
             add(diagnostic, revision);
         }
     }
-    /// Something the user sees happen anyway: for the log alone.
-    void note(std::string message) { push({.severity = Severity::Note, .message = std::move(message)}, false, {}); }
-    /// The outcome of something the user asked for and cannot see otherwise.
+    /// Logs something the user sees happen anyway, without showing it on the canvas. Where the newest entry has the
+    /// same non-empty `topic`, it is replaced: a gesture that gives many results leaves one line.
+    void note(std::string message, std::string topic = {}) {
+        if (!topic.empty() && !entries_.empty() && entries_.back().topic == topic) {
+            entries_.pop_back();
+        }
+        push({.severity = Severity::Note, .message = std::move(message)}, false, {});
+        entries_.back().topic = std::move(topic);
+    }
+    /// Logs and shows the outcome of a command that the user cannot see otherwise.
     void tell(std::string message) { push({.severity = Severity::Note, .message = std::move(message)}, true, {}); }
-    /// Faults that a dialog shows itself.
+    /// Logs faults that a dialog shows itself.
     void keep(const Diagnostics &diagnostics) {
         for (const Diagnostic &diagnostic : diagnostics) {
             push(diagnostic, false, {});
@@ -44,13 +54,13 @@ class MessageLog {
     void clear() { entries_.clear(); }
     const std::deque<Entry> &entries() const { return entries_; }
     void setTime(double now) { time_ = now; }
-    /// Where to ask for the revision of the current document.
+    /// Sets the source of the current document's revision.
     void follow(std::function<std::uint64_t()> revision) { revision_ = std::move(revision); }
 
   private:
     void push(Diagnostic diagnostic, bool told, std::optional<std::uint64_t> revision) {
         const std::uint64_t current = revision_ ? revision_() : 0;
-        entries_.push_back({std::move(diagnostic), time_, ++count_, revision.value_or(current), told});
+        entries_.push_back({std::move(diagnostic), time_, ++count_, revision.value_or(current), told, {}});
         if (entries_.size() > kLimit) {
             entries_.pop_front();
         }

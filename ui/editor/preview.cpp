@@ -10,7 +10,7 @@ namespace forefront {
 
 namespace {
 
-/// Even-odd spans of a horizontal line: the sorted abscissae at which it crosses boundary segments.
+/// Collects the x coordinates, sorted, at which a horizontal line crosses boundary segments.
 void crossings(const Domain &domain, double y, std::vector<double> &xs) {
     xs.clear();
     for (const DomainSegment &segment : domain.segments) {
@@ -26,7 +26,7 @@ void crossings(const Domain &domain, double y, std::vector<double> &xs) {
     std::sort(xs.begin(), xs.end());
 }
 
-/// ∫ 4/(√3 ρ²) dA over the domain: the number of equilateral triangles of side ρ that fill it.
+/// Returns ∫ 4/(√3 ρ²) dA over the domain: the number of equilateral triangles with side ρ that fill it.
 double estimateElements(const Domain &domain, const SpacingField &spacing) {
     constexpr int kRows = 160, kColumns = 160;
     const Box2 box = domain.bounds();
@@ -76,8 +76,13 @@ void Preview::submit(std::shared_ptr<const Document> document, std::uint64_t rev
     }
     wanted_ = std::move(document);
     wantedRevision_ = revision;
-    examining_.request_stop();
     changed_.notify_all();
+}
+
+void Preview::abandon() {
+    const std::lock_guard lock(mutex_);
+    wantedRevision_ = doneRevision_;
+    examining_.request_stop();
 }
 
 void Preview::submitRaster(const Box2 &box, int columns, int rows) {
@@ -162,7 +167,18 @@ std::shared_ptr<const SpacingRaster> sampleRaster(const SpacingField *field, con
 void Preview::work(const std::stop_token &stop) {
     std::unique_lock lock(mutex_);
     while (!stop.stop_requested()) {
-        if (doneRevision_ != wantedRevision_) {
+        // The raster first: it is to follow the newest finished field even while edits keep coming.
+        if (rasterNumber_ != wantedRaster_.number || rasterRevision_ != doneRevision_) {
+            const RasterRequest request = wantedRaster_;
+            const std::shared_ptr<const SpacingField> field = preview_->spacing;
+            const std::uint64_t revision = doneRevision_;
+            lock.unlock();
+            auto raster = sampleRaster(field.get(), request.box, request.columns, request.rows, revision);
+            lock.lock();
+            raster_ = std::move(raster);
+            rasterNumber_ = request.number;
+            rasterRevision_ = revision;
+        } else if (doneRevision_ != wantedRevision_) {
             const std::shared_ptr<const Document> document = wanted_;
             const std::uint64_t revision = wantedRevision_;
             examining_ = std::stop_source();
@@ -174,16 +190,6 @@ void Preview::work(const std::stop_token &stop) {
                 preview_ = std::move(preview);
                 doneRevision_ = revision;
             }
-        } else if (rasterNumber_ != wantedRaster_.number || rasterRevision_ != doneRevision_) {
-            const RasterRequest request = wantedRaster_;
-            const std::shared_ptr<const SpacingField> field = preview_->spacing;
-            const std::uint64_t revision = doneRevision_;
-            lock.unlock();
-            auto raster = sampleRaster(field.get(), request.box, request.columns, request.rows, revision);
-            lock.lock();
-            raster_ = std::move(raster);
-            rasterNumber_ = request.number;
-            rasterRevision_ = revision;
         } else {
             changed_.wait(lock, stop, [this] {
                 return doneRevision_ != wantedRevision_ || rasterNumber_ != wantedRaster_.number ||

@@ -18,17 +18,17 @@ namespace forefront {
 
 struct Document;
 
-/// What is known of the current document before it is meshed: its domain, the faults in it, its ρ. Worked out on a
-/// thread of its own, so that neither drawing nor painting ever waits; results appear a moment later.
+/// What is known about a document before it is meshed: its domain, faults and spacing. Computed on a separate thread,
+/// so that drawing and painting never wait for it.
 struct DocumentPreview {
     std::uint64_t revision = 0;
     std::shared_ptr<const Domain> domain;
-    std::shared_ptr<const SpacingField> spacing; ///< null where it cannot be built
-    Diagnostics faults;                          ///< of the domain and of the spacing
+    std::shared_ptr<const SpacingField> spacing; ///< null if it cannot be built
+    Diagnostics faults;                          ///< in the domain and the spacing
     double estimatedElements = 0.0;              ///< ∫ 4/(√3 ρ²) over the domain
 };
 
-/// ρ sampled on a lattice of pixel centres over a box, row by row from the bottom; 0 outside of the field.
+/// ρ sampled at the cell centres of a lattice over a box, row by row from the bottom; 0 outside the field.
 struct SpacingRaster {
     std::uint64_t revision = 0;
     Box2 box;
@@ -43,14 +43,17 @@ class Preview {
     Preview(const Preview &) = delete;
     Preview &operator=(const Preview &) = delete;
 
-    /// The document that shall be looked at; cheap when the revision is known.
+    /// Sets the document to examine; cheap when the revision is known. What is being worked out for an earlier revision
+    /// is finished and shown first, so that the preview follows edits that come faster than it can.
     void submit(std::shared_ptr<const Document> document, std::uint64_t revision);
-    /// The raster that shall be made of the newest ρ; cheap when unchanged. Columns 0: none.
+    /// Sets the raster of ρ to compute; cheap when unchanged. No raster for 0 columns.
     void submitRaster(const Box2 &box, int columns, int rows);
+    /// Stops what is being worked out: another document is about to be opened.
+    void abandon();
     /// Never null.
     std::shared_ptr<const DocumentPreview> latest() const;
     std::shared_ptr<const SpacingRaster> raster() const;
-    /// False once everything submitted has been worked out.
+    /// True while anything submitted is not finished.
     bool busy() const;
 
   private:

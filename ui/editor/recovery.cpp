@@ -44,7 +44,7 @@ bool Recovery::recover(OrphanedJournal &orphan, AppContext &context) {
     follow(context);
     journal_.flush();
     orphan.discard();
-    context.log.tell("Recovered what was not saved; save it to keep it");
+    context.log.tell("Recovered unsaved changes; save the document to keep them");
     return true;
 }
 

@@ -10,18 +10,18 @@ namespace forefront {
 
 struct AppContext;
 
-/// Keeps the open document safe from a crash and offers what an earlier crash has left.
+/// Journals the open document and offers to recover what a crash left behind.
 class Recovery {
   public:
-    /// Journals stand in `folder`/recovery.
+    /// Keeps its journals in `folder`/recovery.
     explicit Recovery(const std::filesystem::path &folder);
 
-    /// Asks about journals of programs that are gone, if there are any.
+    /// Opens the recovery dialog if programs that crashed left journals.
     void offer(AppContext &context);
-    /// Hands the document to the journal where it has changed; once per frame.
+    /// Records the document in the journal if it has changed. Called once per frame.
     void follow(AppContext &context);
-    /// Makes the document of a journal the open one, unsaved; the journal goes once it is safe in our own. False if it
-    /// cannot be read.
+    /// Opens the document of a journal, unsaved, and removes that journal once the document is safe in our own. False
+    /// if the journal cannot be read.
     bool recover(OrphanedJournal &orphan, AppContext &context);
 
   private:

@@ -5,6 +5,7 @@
 #include "ui/widgets/widgets.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace forefront {
 
@@ -12,64 +13,122 @@ RunControl::RunControl(DocumentStore &document, MessageLog &log, std::function<v
     : document_(document), log_(log), session_(std::move(wake)), snapshot_(session_.latest()) {}
 
 void RunControl::refresh() {
-    const bool busy = session_.busy(); // asked first: what it does not promise any more has been delivered
+    const bool busy = session_.busy(); // asked first: when the worker is idle, its last snapshot has been delivered
     snapshot_ = session_.latest();
     cancelling_ = cancelling_ && busy;
     const SessionSnapshot &s = *snapshot_;
-    if (s.run == lastStart_ && s.state != RunState::Preparing && s.shownRun > 0) {
+    const auto last = starts_.find(lastStart_);
+    const bool follows = s.run == lastStart_ || (last != starts_.end() && last->second.live);
+    if (follows && s.state != RunState::Preparing && s.shownRun > 0) {
         starts_.erase(starts_.begin(), starts_.lower_bound(s.shownRun));
-        shown_ = starts_[s.shownRun]; // of an earlier run where the last was refused
+        shown_ = starts_[s.shownRun]; // an earlier run if the last one was refused
     }
-    if (s.run == loggedRun_ && s.state == loggedState_) {
-        return;
+    if (s.run != loggedRun_ || s.state != loggedState_) {
+        log(s);
+        loggedRun_ = s.run;
+        loggedState_ = s.state;
     }
+}
+
+namespace {
+
+std::string resultText(const SessionSnapshot &s) {
+    return ui::format("%llu triangles, %llu nodes in %.3g s; minimum \xce\xb1 %.3f, mean %.3f",
+                      static_cast<unsigned long long>(s.quality.elements),
+                      static_cast<unsigned long long>(s.quality.nodes), s.secondsMesh + s.secondsImprove,
+                      s.quality.alphaMin, s.quality.alphaMean);
+}
+
+} // namespace
+
+void RunControl::log(const SessionSnapshot &s) {
+    const auto start = starts_.find(s.run);
+    const bool isLive = start != starts_.end() && start->second.live;
     const bool news = s.run != loggedRun_ || s.state == RunState::Failed || s.state == RunState::Finished ||
                       s.state == RunState::Cancelled;
-    const bool refused = !s.diagnostics.empty() && (s.state == RunState::Failed || s.run != refusalTold_);
+    const bool refused = !s.diagnostics.empty() && (s.state == RunState::Failed || s.run != refusalLogged_);
     if (refused) {
-        log_.add(s.diagnostics, starts_[s.run].revision);
-        refusalTold_ = s.run;
+        refusalLogged_ = s.run;
+        if (isLive) {
+            liveResult_ = {{}, s.diagnostics, start->second.revision};
+        } else {
+            log_.add(s.diagnostics, starts_[s.run].revision);
+        }
     } else if (s.shownRun != s.run) {
-        // The mesh before was told of in its time.
+        // The previous mesh was logged when it was new.
     } else if (news && s.state == RunState::Cancelled && loggedState_ != RunState::Cancelled) {
-        log_.note(ui::format("Cancelled after %llu advances; the partial mesh can be stepped through",
+        log_.note(ui::format("Cancelled after %llu advances; you can step through the partial mesh",
                              static_cast<unsigned long long>(s.known)));
     } else if (news && s.state == RunState::Finished && loggedState_ != RunState::Paused) {
-        log_.note(ui::format("%llu triangles, %llu nodes in %.3g s; least \xce\xb1 %.3f, mean %.3f",
-                             static_cast<unsigned long long>(s.quality.elements),
-                             static_cast<unsigned long long>(s.quality.nodes), s.secondsMesh + s.secondsImprove,
-                             s.quality.alphaMin, s.quality.alphaMean));
+        if (isLive) {
+            liveResult_ = {resultText(s), {}, start->second.revision};
+        } else {
+            log_.note(resultText(s));
+        }
     }
-    loggedRun_ = s.run;
-    loggedState_ = s.state;
+}
+
+bool RunControl::hasToFollow() const {
+    return live && followed_ != document_.revision();
+}
+
+void RunControl::follow(bool gestureOver, bool faulty) {
+    const bool working = session_.busy();
+    const std::shared_ptr<const SessionSnapshot> newest = session_.latest();
+    // A run that shows its progress is too large to be finished for a document that is no longer the newest.
+    const bool large = working && newest->run == lastStart_ &&
+                       (newest->state == RunState::Running || newest->state == RunState::Improving);
+    if (hasToFollow() && (!working || (large && gestureOver))) {
+        if (!document_.current()->shapes.empty()) {
+            start(StartMode::RunQuiet);
+        }
+        followed_ = document_.revision();
+    }
+    if (gestureOver && !working && liveResult_ && liveResult_->revision == document_.revision()) {
+        logLive(faulty);
+    }
+}
+
+void RunControl::logLive(bool faulty) {
+    const LiveResult result = *std::exchange(liveResult_, std::nullopt);
+    if (!result.note.empty()) {
+        log_.note(result.note, "live mesh of step " + document_.step());
+    } else if (!faulty) {
+        log_.add(result.refusal, result.revision);
+    }
 }
 
 void RunControl::want(SnapshotLayers layers) {
     session_.want(layers);
 }
 
-void RunControl::start(bool runToEnd) {
+void RunControl::start(StartMode mode) {
     cancelling_ = false;
     const std::shared_ptr<const Document> document = document_.current();
     auto job = std::make_shared<MeshingJob>();
     job->domain = toDomain(*document);
     job->spacing = document->spacing;
     job->options = document->options;
-    session_.start(std::move(job), runToEnd);
+    session_.start(std::move(job), mode);
     started_ = true;
-    shown_ = starts_[++lastStart_] = {document_.revision(), document->options.method};
+    followed_ = document_.revision();
+    const Start start{document_.revision(), document->options.method, mode == StartMode::RunQuiet};
+    starts_[++lastStart_] = start;
+    if (!start.live) {
+        shown_ = start; // a live run leaves the previous mesh on show until it is finished
+    }
 }
 
 bool RunControl::startIfNeeded() {
     if (hasRun() && !outOfDate()) {
         return false;
     }
-    start(false);
+    start(StartMode::Pause);
     return true;
 }
 
 void RunControl::mesh() {
-    start(true);
+    start(StartMode::Run);
 }
 
 void RunControl::togglePlay() {
@@ -83,21 +142,21 @@ void RunControl::togglePlay() {
 
 void RunControl::step(Granularity granularityOfStep, std::int64_t n) {
     if (!hasRun()) {
-        start(false);
+        start(StartMode::Pause);
     }
     session_.step(granularityOfStep, n);
 }
 
 void RunControl::seek(std::uint64_t advance) {
     if (!hasRun()) {
-        start(false);
+        start(StartMode::Pause);
     }
     session_.seek(advance);
 }
 
 void RunControl::seekEnd() {
     if (!hasRun()) {
-        start(false);
+        start(StartMode::Pause);
     }
     if (snapshot_->complete) {
         session_.seek(snapshot_->known);
@@ -114,6 +173,7 @@ void RunControl::cancel() {
 void RunControl::clear() {
     session_.clear();
     started_ = cancelling_ = false;
+    liveResult_.reset();
 }
 
 bool RunControl::playing() const {
@@ -125,7 +185,8 @@ bool RunControl::hasRun() const {
 }
 
 bool RunControl::outOfDate() const {
-    return started_ && shown_.revision != document_.revision();
+    const bool catchesUp = live && (hasToFollow() || session_.busy() || hasNews());
+    return started_ && shown_.revision != document_.revision() && !catchesUp;
 }
 
 Method RunControl::method() const {

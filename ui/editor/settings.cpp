@@ -45,7 +45,7 @@ Settings loadSettings(const std::filesystem::path &file, Diagnostics *faults) {
     const Json json = there ? Json::parse(stream, nullptr, false) : Json();
     if (!json.is_object()) {
         if (there && faults != nullptr) {
-            *faults = error("bad-settings", file.string() + " cannot be read; the settings are as at first");
+            *faults = error("bad-settings", file.string() + " is not valid JSON; using the default settings");
             faults->front().severity = Severity::Warning;
         }
         return settings;
@@ -86,7 +86,7 @@ void saveSettings(const std::filesystem::path &file, const Settings &settings) {
     }
     std::error_code ignored;
     std::filesystem::create_directories(file.parent_path(), ignored);
-    // Losing a setting is no reason to disturb the user: a fault of the disk shows where documents are saved.
+    // A lost setting is not worth an error message; a full disk is reported when documents are saved.
     static_cast<void>(writeFileAtomically(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"));
 }
 

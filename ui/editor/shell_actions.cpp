@@ -55,7 +55,7 @@ void addCameraActions(ActionRegistry &actions) {
 void addInterfaceActions(ActionRegistry &actions) {
     actions.add({.id = "view.panels",
                  .menu = "View",
-                 .title = "Panels at the right",
+                 .title = "Panels",
                  .shortcuts = {{key::kTab, kNone}},
                  .run =
                      [](AppContext &c) {
@@ -72,10 +72,9 @@ void addInterfaceActions(ActionRegistry &actions) {
                          chooseTheme(c, c.settings.theme == ThemeKind::Dark ? ThemeKind::Light : ThemeKind::Dark);
                      },
                  .checked = [](const AppContext &c) { return c.settings.theme == ThemeKind::Light; }});
-    actions.add(
-        {.id = "view.scale", .menu = "View", .title = "Size of the interface\xe2\x80\xa6", .run = [](AppContext &c) {
-             c.dialogs.open(makeScaleDialog());
-         }});
+    actions.add({.id = "view.scale", .menu = "View", .title = "Interface scale\xe2\x80\xa6", .run = [](AppContext &c) {
+                     c.dialogs.open(makeScaleDialog());
+                 }});
     actions.add({.id = "view.palette",
                  .menu = "View",
                  .title = "Command palette\xe2\x80\xa6",
@@ -84,7 +83,7 @@ void addInterfaceActions(ActionRegistry &actions) {
                  .separatorBefore = true});
     actions.add({.id = "view.hints",
                  .menu = "Help",
-                 .title = "Hint strip",
+                 .title = "Show hints",
                  .run = [](AppContext &c) { c.settings.hints = !c.settings.hints; },
                  .checked = [](const AppContext &c) { return c.settings.hints; }});
 }
@@ -112,7 +111,7 @@ void addRunActions(ActionRegistry &actions) {
                  .enabled = [](const AppContext &c) { return c.run().busy(); }});
     actions.add({.id = "run.live",
                  .menu = "Mesh",
-                 .title = "Mesh after every edit",
+                 .title = "Live meshing",
                  .run = [](AppContext &c) { c.run().live = !c.run().live; },
                  .checked = [](const AppContext &c) { return c.run().live; }});
 }
@@ -133,9 +132,9 @@ void addTimelineActions(ActionRegistry &actions) {
         const char *id, *title;
         Shortcut shortcut;
         std::int64_t steps;
-    } steps[] = {{"run.forward", "Step on", {key::kPeriod, kNone}, 1},
+    } steps[] = {{"run.forward", "Step forward", {key::kPeriod, kNone}, 1},
                  {"run.back", "Step back", {key::kComma, kNone}, -1},
-                 {"run.forward100", "100 steps on", {key::kPeriod, kShift}, 100},
+                 {"run.forward100", "100 steps forward", {key::kPeriod, kShift}, 100},
                  {"run.back100", "100 steps back", {key::kComma, kShift}, -100}};
     for (const auto &step : steps) {
         actions.add({.id = step.id,
@@ -152,13 +151,13 @@ void addTimelineActions(ActionRegistry &actions) {
     }
     actions.add({.id = "run.start",
                  .menu = "Mesh",
-                 .title = "To the start",
+                 .title = "Go to start",
                  .shortcuts = {{key::kHome, kNone}},
                  .run = [](AppContext &c) { c.run().seek(0); },
                  .enabled = canMesh});
     actions.add({.id = "run.end",
                  .menu = "Mesh",
-                 .title = "To the end",
+                 .title = "Go to end",
                  .shortcuts = {{key::kEnd, kNone}},
                  .run = [](AppContext &c) { c.run().seekEnd(); },
                  .enabled = canMesh});

@@ -70,7 +70,7 @@ void writeStateFile(const std::filesystem::path &file, Editor &editor) {
         {"lastMessage", c.log.entries().empty() ? "" : c.log.entries().back().diagnostic.message},
         {"widgets", widgets},
     };
-    // Not writeFileAtomically: that flushes to the disk, which a state written in every frame does not need.
+    // Not writeFileAtomically: it flushes to disk, which is too slow for every frame.
     const std::filesystem::path temporary = file.string() + ".next";
     std::ofstream(temporary) << json.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
     std::error_code ignored;

@@ -6,8 +6,8 @@ namespace forefront {
 
 class Editor;
 
-/// Writes the state that a test of the real window waits for: frame, whether the picture is settled, run, tool, dialog,
-/// document revision, widget rectangles. JSON, atomic.
+/// Writes the state that tests of the real window wait for, as JSON and atomically: frame, settled, run, tool, dialog,
+/// document revision, widget rectangles.
 void writeStateFile(const std::filesystem::path &file, Editor &editor);
 
 } // namespace forefront
