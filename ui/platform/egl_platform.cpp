@@ -31,11 +31,11 @@ namespace {
 bool openContext(EGLDisplay &display, EGLContext &context, std::string &fault) {
     display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
     if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) == EGL_FALSE) {
-        fault = "EGL offers no surfaceless display (is libegl-mesa0 installed?)";
+        fault = "no surfaceless EGL display; install libegl-mesa0";
         return false;
     }
     if (eglBindAPI(EGL_OPENGL_API) == EGL_FALSE) {
-        fault = "EGL offers no desktop OpenGL";
+        fault = "EGL does not support desktop OpenGL; install libgl1-mesa-dri";
         return false;
     }
     const EGLint configAttributes[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_DONT_CARE, EGL_NONE};
@@ -47,7 +47,7 @@ bool openContext(EGLDisplay &display, EGLContext &context, std::string &fault) {
         EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
     context = eglCreateContext(display, count > 0 ? config : nullptr, EGL_NO_CONTEXT, contextAttributes);
     if (context == EGL_NO_CONTEXT || eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_FALSE) {
-        fault = "EGL gives no OpenGL 3.3 core context (is libgl1-mesa-dri installed?)";
+        fault = "no OpenGL 3.3 core context from EGL; install libgl1-mesa-dri";
         return false;
     }
     return true;
@@ -61,7 +61,7 @@ std::unique_ptr<EglPlatform> EglPlatform::create(PixelSize size, double contentS
         return nullptr;
     }
     if (gladLoadGL(reinterpret_cast<GLADloadfunc>(eglGetProcAddress)) == 0) {
-        fault = "the OpenGL functions cannot be loaded";
+        fault = "cannot load the OpenGL 3.3 functions";
         return nullptr;
     }
     return std::unique_ptr<EglPlatform>(new EglPlatform(std::move(context), size, contentScale));

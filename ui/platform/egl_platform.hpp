@@ -6,10 +6,10 @@
 
 namespace forefront {
 
-/// Headless: EGL without a surface, drawing to a framebuffer object, no X server, every frame 1/60 s.
+/// A headless platform: surfaceless EGL, drawing to a framebuffer object, no X server. A frame lasts 1/60 s.
 class EglPlatform final : public Platform {
   public:
-    /// Null, with the reason in `fault`, where EGL gives no OpenGL 3.3 context.
+    /// Returns null, with the reason in `fault`, if EGL provides no OpenGL 3.3 context.
     static std::unique_ptr<EglPlatform> create(PixelSize size, double contentScale, std::string &fault);
     ~EglPlatform() override;
 
@@ -30,7 +30,7 @@ class EglPlatform final : public Platform {
     void resize(PixelSize size, double contentScale);
     const std::string &title() const { return title_; }
     CursorShape cursor() const { return cursor_; }
-    /// The picture last drawn: RGBA, row by row from the top.
+    /// Returns the last frame as RGBA, row by row from the top.
     std::vector<std::uint8_t> pixels() const;
 
   private:

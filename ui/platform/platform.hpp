@@ -23,20 +23,20 @@ struct WindowPlace {
 
 enum class CursorShape : std::uint8_t { Arrow, Hand, Text, Crosshair, ResizeHorizontal, ResizeVertical, Move, Hidden };
 
-/// Where the editor runs: a GLFW window, or headless on EGL with a fixed time step. The editor is the same in both.
+/// The platform the editor runs on: a GLFW window, or headless EGL with a fixed time step.
 class Platform {
   public:
     virtual ~Platform() = default;
     virtual PixelSize framebufferSize() const = 0;
-    /// Makes its OpenGL context the current one of this thread.
+    /// Makes its OpenGL context current on this thread.
     virtual void makeCurrent() = 0;
     /// Pixels per design pixel: Xft.dpi / 96 or the monitor's scale; without the user's own slider.
     virtual double contentScale() const = 0;
-    /// Seconds; headless: frames / 60.
+    /// Seconds since start; headless: frames / 60.
     virtual double now() const = 0;
-    /// Queues what has happened; sleeps at most `waitSeconds` (0: not at all) while nothing does.
+    /// Waits up to `waitSeconds` for input and queues it; 0 returns immediately.
     virtual void poll(InputQueue &queue, double waitSeconds) = 0;
-    /// Ends a sleep in poll(); callable from any thread.
+    /// Ends the wait in poll(). Safe from any thread.
     virtual void wake() = 0;
     /// The framebuffer object to draw to.
     virtual unsigned targetFramebuffer() const = 0;
