@@ -293,6 +293,7 @@ void SessionWorker::fillFromRun(SessionSnapshot &snapshot, bool resting) {
         snapshot.progress = travel_->timeline().complete() ? 1.0 : frontProgress();
     }
     snapshot.rate = travel_->rate();
+    snapshot.playing = travel_->playing();
     snapshot.secondsMesh = travel_->seconds();
     snapshot.meshHash = finalHash_;
 }

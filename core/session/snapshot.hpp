@@ -79,7 +79,8 @@ struct SessionSnapshot {
     /// Moment of the explanation on show: an index into its events, or eventCount for the whole advance.
     std::size_t eventCursor = 0;
     std::size_t eventCount = 0;
-    double rate = 0.0; ///< advances per second of the last batch
+    double rate = 0.0;    ///< advances per second of the last batch
+    bool playing = false; ///< at a pace that the user set, rather than as fast as possible
     WorkCounters work;
     MeshQuality quality; ///< of the mesh shown
     std::size_t frontSegments = 0;

@@ -26,6 +26,8 @@ class TimelineTravel {
 
     const Timeline &timeline() const { return timeline_; }
     bool resting() const { return activity_ == Activity::Resting; }
+    /// Moving at the pace that play() was given, for the eye; not on the way to a place as fast as can be.
+    bool playing() const { return activity_ == Activity::Playing; }
     /// At the end of the whole run, and not inside an advance.
     bool atEnd() const { return eventsDone_ == 0 && timeline_.complete() && timeline_.position() == timeline_.known(); }
     /// When work() has something to do; none at rest.

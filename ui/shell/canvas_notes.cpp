@@ -114,8 +114,7 @@ double topOfNotes(const AppContext &context, const PixelRect &canvas) {
 
 bool working(const SessionSnapshot &run) {
     return run.state == RunState::Preparing || run.state == RunState::Improving ||
-           (run.state == RunState::Running && run.progress > 0.0 &&
-            run.rate > 2.0 * RunControl::kFastest * RunControl::kAdvancesPerSecond);
+           (run.state == RunState::Running && run.progress > 0.0 && !run.playing);
 }
 
 void drawOutOfDate(AppContext &context, const PixelRect &canvas) {
