@@ -38,20 +38,20 @@ struct MeshedSquare : Draughtsman {
         context().document().apply(std::move(sized), "Size");
         key('V');
         key(key::kEscape);
-        key(key::k2);
-        REQUIRE(settle());
+        key(key::kF5);
+        settle();
         for (const char *layer : {"front", "candidates", "tests", "labels", "grid"}) {
             showLayer(context().layers, layer, false);
         }
         moveTo({5, 5});
         context().animate();
-        REQUIRE(settle());
+        settle();
     }
     bool visible(const char *layer) { return context().layer(layer)->visible; }
     /// Redraws and returns the picture.
     Picture redrawn() {
         context().animate();
-        REQUIRE(settle());
+        settle();
         return picture();
     }
     Vec2 middleOf(std::size_t element) {
@@ -132,14 +132,14 @@ TEST_CASE("Colours: the user sets the range of the quality in the histogram, and
     driver.key('A', {Modifiers::kControl});
     driver.type("0.3");
     driver.key(key::kTab);
-    REQUIRE(driver.settle());
+    driver.settle();
     REQUIRE(driver.context().view.qualityRange);
     CHECK(*driver.context().view.qualityRange == ColourRange{0.3, 1.0});
     driver.click("histogram/to");
     driver.key('A', {Modifiers::kControl});
     driver.type("0.2"); // below the other end
     driver.key(key::kTab);
-    REQUIRE(driver.settle());
+    driver.settle();
     CHECK(*driver.context().view.qualityRange == ColourRange{0.3, 1.0});
     CHECK(driver.logHas("bad-range"));
     driver.click("histogram/fit");
@@ -159,7 +159,7 @@ TEST_CASE("Colours: fine spacing is bright and coarse spacing blue, the same in 
     for (const ThemeKind theme : {ThemeKind::Dark, ThemeKind::Light}) {
         driver.context().settings.theme = theme;
         driver.context().animate();
-        REQUIRE(driver.settle());
+        driver.settle();
         const SpacingField &spacing = *driver.context().preview->spacing;
         const Driver::Picture picture = driver.picture();
         const double least = std::log(spacing.minimum()), span = std::log(spacing.maximum()) - least;
@@ -180,8 +180,8 @@ TEST_CASE("Colours: the edges of a dense mesh fade and leave the colours of the 
     driver.context().document().apply(std::move(fine), "Size");
     driver.key('V');
     driver.key(key::kEscape);
-    driver.key(key::k2);
-    REQUIRE(driver.settle());
+    driver.key(key::kF5);
+    driver.settle();
     for (const char *layer : {"front", "candidates", "tests", "labels", "grid", "boundary"}) {
         showLayer(driver.context().layers, layer, false);
     }
@@ -190,11 +190,11 @@ TEST_CASE("Colours: the edges of a dense mesh fade and leave the colours of the 
     view.zoomAt(driver.canvas().centre(), 0.35); // an element is about 1.5 pixels high
     driver.moveTo({5, 5});
     driver.context().animate();
-    REQUIRE(driver.settle());
+    driver.settle();
     const Driver::Picture withEdges = driver.picture();
     showLayer(driver.context().layers, "mesh", false);
     driver.context().animate();
-    REQUIRE(driver.settle());
+    driver.settle();
     const Driver::Picture without = driver.picture();
     const Vec2 from = driver.pixel({1.5, 7.5}), to = driver.pixel({8.5, 1.5});
     CHECK(withEdges.differences(without, {from.x, from.y, to.x - from.x, to.y - from.y}) == 0);
