@@ -41,12 +41,21 @@ void checkFaults(const Diagnostics &faults) {
     }
 }
 
+void checkNotes(const ImportNotes &notes) {
+    for (const ImportNote &note : notes.entries()) {
+        demand(note.count > 0 && note.line > 0 && note.column > 0, "a note has a count, line and column");
+        demand(!note.message.empty() && !note.code.empty(), "a note has a message and a code");
+    }
+}
+
 void checkMesh(const Mesh &mesh) {
     const auto known = [&](NodeId node) { return index(node) < mesh.nodes.size(); };
     demand(std::all_of(mesh.nodes.begin(), mesh.nodes.end(), isFinite), "coordinates are finite");
     demand(mesh.regions.empty() || mesh.regions.size() == mesh.elements.size(), "a region for every element");
     for (const Element &element : mesh.elements) {
         demand(std::all_of(element.begin(), element.end(), known), "elements use nodes that exist");
+        demand(element[0] != element[1] && element[1] != element[2] && element[2] != element[0],
+               "elements have three different nodes");
     }
     for (const TaggedEdge &edge : mesh.edges) {
         demand(known(edge.a) && known(edge.b) && edge.tag >= 1, "edges use nodes that exist and have a tag");
@@ -69,7 +78,11 @@ void checkDomain(const Domain &domain) {
 
 template <Result<Mesh> (*read)(const SourceText &)>
 void mesh(std::string_view bytes) {
-    const auto result = read(sourceOf(bytes));
+    ImportNotes notes;
+    SourceText source = sourceOf(bytes);
+    source.notes = &notes;
+    const auto result = read(source);
+    checkNotes(notes);
     if (!result) {
         checkFaults(result.faults());
         return;
@@ -82,7 +95,11 @@ void mesh(std::string_view bytes) {
 
 template <Result<Domain> (*read)(const SourceText &)>
 void domain(std::string_view bytes) {
-    const auto result = read(sourceOf(bytes));
+    ImportNotes notes;
+    SourceText source = sourceOf(bytes);
+    source.notes = &notes;
+    const auto result = read(source);
+    checkNotes(notes);
     if (result) {
         checkDomain(*result);
     } else {

@@ -83,8 +83,15 @@ TEST_CASE("Project: a newer version is refused with the advice to update") {
     CHECK(faults[0].advice == "update Forefront");
 }
 
-TEST_CASE("Project: unknown fields are passed over") {
-    CHECK(faultsOf(kHead + "], \"colour\": {\"a\": [1, null, true]}}").empty());
+TEST_CASE("Project: unknown members are ignored and reported") {
+    const std::string text = kHead + "], \"colour\": {\"a\": [1, null, true]}}";
+    ImportNotes notes;
+    SourceText source = sourceOf(text, "new.forefront");
+    source.notes = &notes;
+    REQUIRE(readProjectText(source).ok());
+    REQUIRE(notes.entries().size() == 1);
+    CHECK(notes.entries()[0].message == "unknown member 'colour' is ignored");
+    CHECK(notes.entries()[0].line == 2);
 }
 
 TEST_CASE("Project: several wrong fields are all reported, each at its line and column") {

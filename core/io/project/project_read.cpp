@@ -5,6 +5,7 @@
 #include "core/io/project/tile_code.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -47,6 +48,7 @@ class ProjectReader {
         if (!check_.faults().empty()) {
             return check_.faults();
         }
+        noteUnknownMembers(root);
         if (source_.origin != nullptr) {
             recordOrigins();
         }
@@ -54,6 +56,19 @@ class ProjectReader {
     }
 
   private:
+    /// Reports members that a later or another program may have added.
+    void noteUnknownMembers(const JsonValue &root) const {
+        constexpr std::array<std::string_view, 10> kKnown = {
+            "format",      "version", "shapes",  "regionMarkers",   "boundaryNames",
+            "regionNames", "spacing", "options", "circleTolerance", "nextId"};
+        for (auto member = root.begin(); member != root.end(); ++member) {
+            const std::string key = member.key();
+            if (std::find(kKnown.begin(), kKnown.end(), key) == kKnown.end()) {
+                source_.note("members", "unknown member " + inQuotes(key) + " is ignored", member.keyValue().offset());
+            }
+        }
+    }
+
     /// Records where the parts of the document's domain stand in the text. The corners of a rectangle and of a circle
     /// are at the list of its two nodes.
     void recordOrigins() {
