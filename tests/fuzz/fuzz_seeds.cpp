@@ -66,6 +66,15 @@ const char *const kSvg =
     "<svg viewBox=\"0 0 9 9\"><g transform=\"rotate(30 5 5) scale(2) skewX(3) matrix(1 0 0 1 2 2)\">"
     "<path id=\"a\" d=\"M1 1h2v2C3 3 2 4 1 3zM6,6a1 2 30 1 0 1 1Q7 7 8 6t1 1s1 2 3 4z\"/></g>"
     "<circle r=\"2mm\"/><rect width=\"3\" height=\"2\" rx=\".5\"/><polyline points=\"1 2 3 4\"/></svg>";
+const char *const kStyledSvg =
+    "<svg width=\"20mm\" viewBox=\"0 0 9 9\"><style>/* c */ .a, rect#b { display: none } @media x { g { fill: red } }"
+    "</style><symbol id=\"s\" viewBox=\"0 0 2 2\"><path class=\"a\" d=\"M0 0h2v2z\"/><rect width=\"50%\" height=\"1\"/>"
+    "</symbol><use id=\"u\" href=\"#s\" x=\"1\" width=\"3\" height=\"2\"/><g id=\"r\"><use href=\"#u\" y=\"4\"/></g>"
+    "<switch><g requiredExtensions=\"x\"/><line x2=\"3\" style=\"visibility : hidden\"/></switch>"
+    "<line x1=\"5\" x2=\"6\" y2=\"1\"/><text>t</text></svg>";
+const char *const kLines =
+    "{\"type\": \"MultiLineString\", \"crs\": {}, \"coordinates\": [[[0,0],[4,0],[4,3]],[[4,3,1],[0,3],[0,0]],"
+    "[[0,0],[4,3]]]}";
 const char *const kPoly = "4 2 1 1\n0 0 0 7 1\n1 4 0 7 1\n2 4 4 7 1\n3 1 0.5 0 0\n3 1\n0 0 1 3\n1 1 2 0\n2 2 0 2\n"
                           "1\n0 1.5 1.5\n1\n0 0.5 0.5 4.5 0.1\n# boundary 3 \"x\"\n";
 const char *const kVtuAscii =
@@ -108,7 +117,13 @@ std::vector<std::string> seeds(std::string_view name) {
                      : name == "su2"   ? writeSu2
                                        : writeObj)};
     }
-    return {name == "geojson" ? kGeoJson : name == "svg" ? kSvg : name == "poly" ? kPoly : kTriangle};
+    if (name == "geojson") {
+        return {kGeoJson, kLines};
+    }
+    if (name == "svg") {
+        return {kSvg, kStyledSvg};
+    }
+    return {name == "poly" ? kPoly : kTriangle};
 }
 
 } // namespace forefront::fuzz
