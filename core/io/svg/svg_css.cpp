@@ -1,5 +1,7 @@
 #include "core/io/svg/svg_css.hpp"
 
+#include "core/io/svg/svg_elements.hpp"
+
 #include <algorithm>
 
 namespace forefront {
@@ -62,12 +64,6 @@ bool hasClass(std::string_view list, std::string_view name) {
         }
     }
     return false;
-}
-
-std::string_view localName(const pugi::xml_node &node) {
-    const std::string_view name = node.name();
-    const std::size_t colon = name.find(':');
-    return colon == std::string_view::npos ? name : name.substr(colon + 1);
 }
 
 } // namespace

@@ -2,13 +2,13 @@
 
 #include "core/io/common/names.hpp"
 #include "core/io/svg/svg_css.hpp"
+#include "core/io/svg/svg_elements.hpp"
 #include "core/io/svg/svg_pen.hpp"
 #include "core/io/svg/svg_viewport.hpp"
 
 #include <pugixml.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -19,30 +19,6 @@
 namespace forefront {
 
 namespace {
-
-/// Elements that draw nothing themselves: definitions, which other elements refer to, and words about the drawing.
-bool isDefinition(std::string_view name) {
-    constexpr std::array kDefinitions = {"defs",     "symbol",       "clipPath",       "mask",           "pattern",
-                                         "marker",   "style",        "linearGradient", "radialGradient", "filter",
-                                         "metadata", "title",        "desc",           "view",           "cursor",
-                                         "font",     "meshgradient", "hatch",          "solidColor"};
-    return std::find(kDefinitions.begin(), kDefinitions.end(), name) != kDefinitions.end();
-}
-
-bool isShape(std::string_view name) {
-    constexpr std::array kShapes = {"path", "polygon", "polyline", "line", "rect", "circle", "ellipse"};
-    return std::find(kShapes.begin(), kShapes.end(), name) != kShapes.end();
-}
-
-/// Why an element that other programs show is left out.
-std::string whyIgnored(std::string_view name) {
-    if (name == "text" || name == "tspan" || name == "textPath") {
-        return ": text has no outline; convert it to paths in the drawing program";
-    }
-    return name == "image"           ? ": pictures have no outline; trace them in the drawing program"
-           : name == "foreignObject" ? ": it holds no SVG"
-                                     : ": it is not a shape";
-}
 
 class SvgDrawer {
   public:
@@ -55,7 +31,7 @@ class SvgDrawer {
                                        "xml-syntax", std::string("the XML is malformed: ") + parsed.description())};
         }
         root_ = xml_.document_element();
-        if (local(root_) != "svg") {
+        if (localName(root_) != "svg") {
             return Diagnostics{faultAt(source_, 0, "not-svg", "the file is not an SVG drawing")};
         }
         collect();
@@ -102,18 +78,6 @@ class SvgDrawer {
     };
     static constexpr auto kNoUse = static_cast<std::size_t>(-1);
 
-    static std::string_view local(const pugi::xml_node &node) {
-        const std::string_view name = node.name();
-        const std::size_t colon = name.find(':');
-        return colon == std::string_view::npos ? name : name.substr(colon + 1);
-    }
-
-    static std::string_view prefixOf(const pugi::xml_node &node) {
-        const std::string_view name = node.name();
-        const std::size_t colon = name.find(':');
-        return colon == std::string_view::npos ? std::string_view() : name.substr(0, colon);
-    }
-
     static std::size_t offsetOf(const pugi::xml_node &node) {
         return static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug(), 0));
     }
@@ -147,7 +111,7 @@ class SvgDrawer {
             SvgDrawer *reader = nullptr;
             bool for_each(pugi::xml_node &node) override {
                 if (node.type() == pugi::node_element) {
-                    if (local(node) == "style") {
+                    if (localName(node) == "style") {
                         reader->addSheet(node);
                     }
                     if (const pugi::xml_attribute id = node.attribute("id")) {
@@ -234,7 +198,7 @@ class SvgDrawer {
     }
 
     void element(Visit &visit, std::vector<Visit> &open, std::optional<double> tolerance) {
-        const std::string_view name = local(visit.node);
+        const std::string_view name = localName(visit.node);
         const bool drawn = visit.size.has_value() || !isDefinition(name);
         const bool told = tolerance.has_value();
         if (!drawn ||
@@ -318,7 +282,7 @@ class SvgDrawer {
             note(node, "svg-css-transform", "CSS transforms are ignored; use the attribute transform");
         }
         for (pugi::xml_node child : node.children()) {
-            const std::string_view name = local(child);
+            const std::string_view name = localName(child);
             if (name.starts_with("animate") || name == "set") {
                 note(child, "svg-animation", "animations are ignored: the drawing is read as it begins");
             }
@@ -359,7 +323,7 @@ class SvgDrawer {
         for (const pugi::xml_node child : visit.node.children()) {
             const std::string_view language = child.attribute("systemLanguage").value();
             const bool understood = child.attribute("systemLanguage").empty() || language.find("en") != language.npos;
-            if (child.type() == pugi::node_element && local(child) != "foreignObject" && understood &&
+            if (child.type() == pugi::node_element && localName(child) != "foreignObject" && understood &&
                 std::string_view(child.attribute("requiredExtensions").value()).empty()) {
                 open.push_back(inside(visit, child));
                 return;
@@ -392,7 +356,7 @@ class SvgDrawer {
                     AffineMap{1, 0, 0, 1, length(visit, "x", SvgExtent::Width), length(visit, "y", SvgExtent::Height)};
         drawn.use = uses_.size() - 1;
         drawn.named = visit.node;
-        if (local(target) == "symbol" || local(target) == "svg") {
+        if (localName(target) == "symbol" || localName(target) == "svg") {
             drawn.size = Vec2{length(visit, "width", SvgExtent::Width), length(visit, "height", SvgExtent::Height)};
         }
         open.push_back(drawn);

@@ -1,0 +1,42 @@
+#include "core/io/svg/svg_elements.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace forefront {
+
+std::string_view localName(const pugi::xml_node &node) {
+    const std::string_view name = node.name();
+    const std::size_t colon = name.find(':');
+    return colon == std::string_view::npos ? name : name.substr(colon + 1);
+}
+
+std::string_view prefixOf(const pugi::xml_node &node) {
+    const std::string_view name = node.name();
+    const std::size_t colon = name.find(':');
+    return colon == std::string_view::npos ? std::string_view() : name.substr(0, colon);
+}
+
+bool isDefinition(std::string_view name) {
+    constexpr std::array kDefinitions = {"defs",     "symbol",       "clipPath",       "mask",           "pattern",
+                                         "marker",   "style",        "linearGradient", "radialGradient", "filter",
+                                         "metadata", "title",        "desc",           "view",           "cursor",
+                                         "font",     "meshgradient", "hatch",          "solidColor"};
+    return std::find(kDefinitions.begin(), kDefinitions.end(), name) != kDefinitions.end();
+}
+
+bool isShape(std::string_view name) {
+    constexpr std::array kShapes = {"path", "polygon", "polyline", "line", "rect", "circle", "ellipse"};
+    return std::find(kShapes.begin(), kShapes.end(), name) != kShapes.end();
+}
+
+std::string whyIgnored(std::string_view name) {
+    if (name == "text" || name == "tspan" || name == "textPath") {
+        return ": text has no outline; convert it to paths in the drawing program";
+    }
+    return name == "image"           ? ": pictures have no outline; trace them in the drawing program"
+           : name == "foreignObject" ? ": it holds no SVG"
+                                     : ": it is not a shape";
+}
+
+} // namespace forefront
