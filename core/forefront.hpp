@@ -14,7 +14,7 @@
 ///     forefront::addLoop(job.domain, std::vector<forefront::Vec2>{{0, 0}, {4, 0}, {4, 3}, {0, 3}});
 ///     job.spacing.expression = "0.05 + 0.1*x";
 ///     const auto outcome = forefront::meshDomain(job);
-///     return outcome && forefront::writeMesh("rectangle.msh", outcome->mesh).empty() ? 0 : 1;
+///     return outcome && !hasErrors(forefront::writeMesh("rectangle.msh", outcome->mesh)) ? 0 : 1;
 /// }
 /// @endcode
 ///
