@@ -16,13 +16,13 @@ bool before(Vec2 a, Vec2 b) {
 struct SweepEdge {
     Vec2 left, right; ///< ends in the order of the sweep
     NodeId leftNode = kNoNode, rightNode = kNoNode;
-    int rise = 0;  ///< what the winding number gains from below to above: +1 where the mesh lies above, else -1
+    int rise = 0;  ///< change of the winding number from below to above: +1 where the mesh lies above, else -1
     int below = 0; ///< winding number just below the edge
     int above() const { return below + rise; }
 };
 
-/// Order of the edges that the sweep line crosses, from below. Collinear ones that overlap, as on the two sides of a
-/// slit or at a hanging node: first the one with its mesh below.
+/// The order of the edges that the sweep line crosses, from below. Of collinear edges that overlap, as on the two sides
+/// of a slit or at a hanging node, the one with the mesh below it comes first.
 class Below {
   public:
     using is_transparent = void;
@@ -101,7 +101,7 @@ class Sweep {
   private:
     using Active = std::set<std::uint32_t, Below>;
 
-    /// Winding numbers around p, where edges begin or end; any edge already there must fit them.
+    /// Sets the winding numbers around p, where edges begin or end, and checks that edges already there agree.
     void settle(Vec2 p, NodeId node) {
         Active::iterator it = active_.lower_bound(p);
         int winding = it == active_.begin() ? 0 : edges_[*std::prev(it)].above();
@@ -137,7 +137,7 @@ class Sweep {
         }
     }
 
-    /// Edges that cross part four sectors whose winding numbers cannot all be 0 or 1.
+    /// Records an overlap where two edges cross: of the four sectors between them, some winding number is not 0 or 1.
     void checkCrossing(std::uint32_t i, std::uint32_t j) {
         const SweepEdge &a = edges_[i], &b = edges_[j];
         if (found_.overlap || meet(a.left, a.right, b.left, b.right) != SegmentMeeting::Crossing) {

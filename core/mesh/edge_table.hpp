@@ -8,7 +8,7 @@
 
 namespace forefront {
 
-/// Side k of element e as one number, 3·e + k. It runs from node k of the element to node (k+1)%3.
+/// A side k of an element e as one number, 3·e + k. It runs from node k of the element to node (k+1)%3.
 using HalfEdge = std::uint32_t;
 
 constexpr std::size_t elementOf(HalfEdge h) {
@@ -25,13 +25,14 @@ inline NodeId endOf(const Mesh &mesh, HalfEdge h) {
 }
 
 /// All edges of a mesh: its half-edges in rows by their lower node, each row ordered by (upper node, half-edge).
-/// 12 bytes per element and 4 per node; O(n) but for rows of very high valence, which are sorted. The indices of the
-/// elements must be valid and there may be at most 2³²/3 of them.
+/// Takes 12 bytes per element and 4 per node, and time O(n) except for nodes of very high valence, whose rows are
+/// sorted. The indices of the elements must be valid, and there may be at most 2³²/3 elements.
 class EdgeTable {
   public:
     explicit EdgeTable(const Mesh &mesh);
 
-    /// Half-edges of the edge that joins two nodes, in either direction, ascending; empty when there is no such edge.
+    /// Returns the half-edges of the edge that joins two nodes, in either direction, ascending; empty without such an
+    /// edge.
     std::span<const HalfEdge> find(NodeId a, NodeId b) const;
 
     /// Calls visit(lower node, upper node, std::span<const HalfEdge>) for each edge, ordered by its nodes.

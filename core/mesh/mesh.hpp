@@ -12,7 +12,7 @@
 
 namespace FOREFRONT_API forefront {
 
-/// Nodes of an element, counter-clockwise.
+/// The nodes of an element, counter-clockwise.
 using Element = std::array<NodeId, 3>;
 
 /// An edge of the mesh that carries a tag: boundary, interface between regions, or constraint.
@@ -22,6 +22,7 @@ struct TaggedEdge {
     std::int32_t tag = 1;
 };
 
+/// A node of the mesh that carries a tag: a constraint point.
 struct TaggedNode {
     NodeId node = kNoNode;
     std::int32_t tag = 1;
@@ -41,8 +42,8 @@ struct Mesh {
     Box2 bounds() const;
 };
 
-/// Hash of coordinates, elements, regions, edges, points and their tags: equal exactly when the meshes are equal bit
-/// for bit.
+/// Returns a hash of coordinates, elements, regions, edges, points and their tags: equal for meshes that are equal bit
+/// for bit. Names do not count.
 std::uint64_t meshHash(const Mesh &mesh);
 
 } // namespace forefront

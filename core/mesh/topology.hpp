@@ -9,17 +9,18 @@
 
 namespace forefront {
 
-/// neighbours[e][k] is the element across edge k of element e, or kNoElement at the boundary. Edges with more than two
-/// elements keep the first two; `verify` reports them.
+/// Returns for each edge k of each element e the element across it, or kNoElement at the boundary. Edges with more than
+/// two elements keep the first two; `verify` reports them.
 std::vector<std::array<ElementId, 3>> elementNeighbours(const Mesh &mesh);
 
-/// Elements around each node in compressed rows: those of node n are elements[offsets[n] .. offsets[n+1]).
+/// The elements around each node in compressed rows: those of node n are elements[offsets[n] .. offsets[n+1]).
 struct NodeElements {
     std::vector<std::uint32_t> offsets;
     std::vector<ElementId> elements;
 };
+/// Returns the elements around each node.
 NodeElements nodeElements(const Mesh &mesh);
-/// The same; nothing when cancelled.
+/// Returns the elements around each node, or nothing when cancelled.
 std::optional<NodeElements> nodeElements(const Mesh &mesh, const Progress &progress);
 
 } // namespace forefront

@@ -51,7 +51,8 @@ void checkIndices(const Mesh &mesh, FaultList &faults) {
     }
     for (const TaggedNode &point : mesh.points) {
         if (index(point.node) >= n) {
-            faults.add("bad-index", "tagged point " + std::to_string(index(point.node)) + " is no node of the mesh");
+            faults.add("bad-index",
+                       "tagged point " + std::to_string(index(point.node)) + " names a node that does not exist");
         }
     }
 }
@@ -59,13 +60,29 @@ void checkIndices(const Mesh &mesh, FaultList &faults) {
 void checkFinite(const Mesh &mesh, FaultList &faults) {
     for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
         if (!isFinite(mesh.nodes[n])) {
-            faults.add("non-finite", "node " + std::to_string(n) + " has a coordinate that is no finite number",
+            faults.add("non-finite", "node " + std::to_string(n) + " has a coordinate that is not finite",
                        mesh.nodes[n], {static_cast<std::uint32_t>(n)});
         }
     }
 }
 
-void checkElements(const Mesh &mesh, FaultList &faults) {
+/// Elements that name a node twice have no three sides to follow. Returns false where there are any.
+bool checkNodesDistinct(const Mesh &mesh, FaultList &faults) {
+    const std::size_t before = faults.count();
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+        const Element &n = mesh.elements[e];
+        if (n[0] == n[1] || n[1] == n[2] || n[2] == n[0]) {
+            const NodeId twice = n[0] == n[1] ? n[0] : n[2];
+            faults.add("repeated-node",
+                       "element " + std::to_string(e) + " names node " + std::to_string(number(twice)) +
+                           " twice; expected three different nodes",
+                       mesh.nodes[index(twice)], {static_cast<std::uint32_t>(e)});
+        }
+    }
+    return faults.count() == before;
+}
+
+void checkAreas(const Mesh &mesh, FaultList &faults) {
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
         const Element &n = mesh.elements[e];
         const int sign = orientation(mesh.nodes[index(n[0])], mesh.nodes[index(n[1])], mesh.nodes[index(n[2])]);
@@ -76,12 +93,13 @@ void checkElements(const Mesh &mesh, FaultList &faults) {
         if (sign < 0) {
             faults.add("inverted-element", "element " + std::to_string(e) + " is clockwise", centroid(mesh, n), {id});
         } else {
-            faults.add("zero-area", "element " + std::to_string(e) + " has no area", centroid(mesh, n), {id});
+            faults.add("zero-area", "element " + std::to_string(e) + " has zero area", centroid(mesh, n), {id});
         }
     }
 }
 
-/// The half-edges of the boundary; faults where more than two elements meet or two on the same side.
+/// Returns the half-edges of the boundary. Adds a fault for each edge with more than two elements, or with two on one
+/// side.
 std::vector<HalfEdge> checkEdges(const Mesh &mesh, const EdgeTable &table, FaultList &faults) {
     std::vector<HalfEdge> boundary;
     table.forEach([&](NodeId a, NodeId b, std::span<const HalfEdge> sides) {
@@ -104,7 +122,7 @@ void checkTagged(const Mesh &mesh, const EdgeTable &table, FaultList &faults) {
         if (table.find(edge.a, edge.b).empty()) {
             faults.add("missing-tagged-edge",
                        "tagged edge " + name(edge.a, edge.b) + " (tag " + std::to_string(edge.tag) +
-                           ") is no edge of an element",
+                           ") is not an edge of any element",
                        middle(mesh, edge.a, edge.b), {number(edge.a), number(edge.b)});
         }
     }
@@ -133,11 +151,11 @@ void checkCoverage(const Mesh &mesh, const std::vector<HalfEdge> &boundary, Faul
                    mesh.nodes[index(h.node)], {number(h.node), number(h.edgeA), number(h.edgeB)});
     }
     if (found.overlap) {
-        faults.add("overlapping", "elements lie upon each other", *found.overlap);
+        faults.add("overlapping", "elements overlap", *found.overlap);
     }
 }
 
-/// Parts of the mesh joined across edges.
+/// Counts the parts of the mesh that are connected across edges.
 std::int64_t countParts(const Mesh &mesh, const std::vector<std::array<ElementId, 3>> &neighbours) {
     std::vector<bool> seen(mesh.elements.size(), false);
     std::vector<std::uint32_t> open;
@@ -163,7 +181,7 @@ std::int64_t countParts(const Mesh &mesh, const std::vector<std::array<ElementId
     return parts;
 }
 
-/// Closed walks along the boundary, each turning about its nodes through the elements.
+/// Counts the closed loops of the boundary. At each node a loop turns through the elements around it.
 std::int64_t countLoops(const Mesh &mesh, const std::vector<HalfEdge> &boundary,
                         const std::vector<std::array<ElementId, 3>> &neighbours) {
     std::vector<bool> walked(3 * mesh.elements.size(), false);
@@ -188,8 +206,8 @@ std::int64_t countLoops(const Mesh &mesh, const std::vector<HalfEdge> &boundary,
     return loops;
 }
 
-/// Euler's formula for a planar mesh, where a node at which the boundary meets itself counts once for each visit:
-/// V - E + T = 2·parts - boundary loops. It fails for a mesh with handles and for one pinched at an inner node.
+/// Checks Euler's formula for a planar mesh, V - E + T = 2·parts - boundary loops, where a node at which the boundary
+/// meets itself counts once for each visit. The formula fails for a mesh with handles or pinched at an inner node.
 void checkEuler(const Mesh &mesh, const EdgeTable &table, const std::vector<HalfEdge> &boundary, FaultList &faults) {
     std::vector<std::uint32_t> visits(mesh.nodes.size(), 0);
     for (const HalfEdge h : boundary) {
@@ -211,7 +229,7 @@ void checkEuler(const Mesh &mesh, const EdgeTable &table, const std::vector<Half
     const std::int64_t must = 2 * countParts(mesh, neighbours) - countLoops(mesh, boundary, neighbours);
     if (is != must) {
         faults.add("euler",
-                   "nodes - edges + elements is " + std::to_string(is) + " where Euler's formula gives " +
+                   "nodes - edges + elements is " + std::to_string(is) + "; Euler's formula gives " +
                        std::to_string(must),
                    mesh.bounds().centre());
     }
@@ -229,11 +247,14 @@ Diagnostics verify(const Mesh &mesh, std::size_t limit) {
     if (!faults.clean()) {
         return faults.take();
     }
-    checkElements(mesh, faults);
+    if (!checkNodesDistinct(mesh, faults)) {
+        return faults.take(); // walks around nodes would not end
+    }
+    checkAreas(mesh, faults);
     const EdgeTable table(mesh);
-    const std::size_t sofar = faults.count();
+    const std::size_t before = faults.count();
     const std::vector<HalfEdge> boundary = checkEdges(mesh, table, faults);
-    const bool conforming = faults.count() == sofar;
+    const bool conforming = faults.count() == before;
     checkTagged(mesh, table, faults);
     checkNodesUsed(mesh, faults);
     if (conforming) {

@@ -14,18 +14,18 @@ bool before(Vec2 a, Vec2 b) {
     return a.x != b.x ? a.x < b.x : a.y < b.y;
 }
 
-/// An edge of the mesh that the domain asks for, lower node first.
-struct WantedEdge {
+/// An edge of the mesh that the domain requires, lower node first.
+struct RequiredEdge {
     NodeId lower = kNoNode, upper = kNoNode;
     std::int32_t tag = 1;
-    friend bool operator<(const WantedEdge &a, const WantedEdge &b) {
+    friend bool operator<(const RequiredEdge &a, const RequiredEdge &b) {
         return a.lower != b.lower ? a.lower < b.lower : a.upper < b.upper;
     }
 };
-using WantedEdges = std::vector<WantedEdge>;
+using RequiredEdges = std::vector<RequiredEdge>;
 
-const WantedEdge *find(const WantedEdges &sorted, NodeId a, NodeId b) {
-    const WantedEdge key{std::min(a, b), std::max(a, b), 1};
+const RequiredEdge *find(const RequiredEdges &sorted, NodeId a, NodeId b) {
+    const RequiredEdge key{std::min(a, b), std::max(a, b), 1};
     const auto it = std::lower_bound(sorted.begin(), sorted.end(), key);
     return it != sorted.end() && it->lower == key.lower && it->upper == key.upper ? &*it : nullptr;
 }
@@ -34,7 +34,7 @@ std::string segmentName(const DiscreteSegment &s) {
     return std::to_string(s.a) + '-' + std::to_string(s.b) + " (tag " + std::to_string(s.tag) + ')';
 }
 
-/// The elements on both sides of a segment must be there, or not, and of the right region.
+/// Checks that each side of a segment has an element of the right region, or none outside the domain.
 void checkSides(const Mesh &mesh, const DiscreteDomain &domain, const DiscreteSegment &s, NodeId a,
                 std::span<const HalfEdge> sides, FaultList &faults) {
     const Vec2 place = midpoint(domain.nodes[s.a], domain.nodes[s.b]);
@@ -63,35 +63,36 @@ void checkSides(const Mesh &mesh, const DiscreteDomain &domain, const DiscreteSe
     }
 }
 
-WantedEdges checkSegments(const Mesh &mesh, const DiscreteDomain &domain, const EdgeTable &table,
-                          const NodeFinder &nodes, FaultList &faults) {
-    WantedEdges wanted;
-    wanted.reserve(domain.segments.size());
+RequiredEdges checkSegments(const Mesh &mesh, const DiscreteDomain &domain, const EdgeTable &table,
+                            const NodeFinder &nodes, FaultList &faults) {
+    RequiredEdges required;
+    required.reserve(domain.segments.size());
     for (const DiscreteSegment &s : domain.segments) {
         const NodeId a = nodes.find(domain.nodes[s.a]), b = nodes.find(domain.nodes[s.b]);
         const std::span<const HalfEdge> sides =
             a != kNoNode && b != kNoNode ? table.find(a, b) : std::span<const HalfEdge>{};
         if (sides.empty()) {
-            faults.add("missing-segment", "segment " + segmentName(s) + " is no edge of the mesh",
+            faults.add("missing-segment", "segment " + segmentName(s) + " is not an edge of the mesh",
                        midpoint(domain.nodes[s.a], domain.nodes[s.b]), {s.a, s.b});
             continue;
         }
-        wanted.push_back({std::min(a, b), std::max(a, b), s.tag});
+        required.push_back({std::min(a, b), std::max(a, b), s.tag});
         checkSides(mesh, domain, s, a, sides, faults);
     }
-    std::sort(wanted.begin(), wanted.end());
-    return wanted;
+    std::sort(required.begin(), required.end());
+    return required;
 }
 
-/// Each segment's edge is tagged once with the segment's tag, and no other edge is tagged.
-void checkTags(const Mesh &mesh, const WantedEdges &wanted, FaultList &faults) {
-    std::vector<bool> tagged(wanted.size(), false);
+/// Checks that the edge of each segment is tagged once, with the segment's tag, and that no other edge is tagged.
+void checkTags(const Mesh &mesh, const RequiredEdges &required, FaultList &faults) {
+    std::vector<bool> tagged(required.size(), false);
     for (const TaggedEdge &edge : mesh.edges) {
         const Vec2 place = midpoint(mesh.nodes[index(edge.a)], mesh.nodes[index(edge.b)]);
-        const WantedEdge *segment = find(wanted, edge.a, edge.b);
+        const RequiredEdge *segment = find(required, edge.a, edge.b);
         if (segment == nullptr) {
             faults.add("unexpected-tagged-edge",
-                       "a tagged edge (tag " + std::to_string(edge.tag) + ") lies on no segment of the domain", place);
+                       "a tagged edge (tag " + std::to_string(edge.tag) + ") does not lie on any segment of the domain",
+                       place);
             continue;
         }
         if (edge.tag != segment->tag) {
@@ -99,29 +100,29 @@ void checkTags(const Mesh &mesh, const WantedEdges &wanted, FaultList &faults) {
                        "an edge has tag " + std::to_string(edge.tag) + " instead of " + std::to_string(segment->tag),
                        place);
         }
-        const auto rank = static_cast<std::size_t>(segment - wanted.data());
+        const auto rank = static_cast<std::size_t>(segment - required.data());
         if (tagged[rank]) {
             faults.add("duplicate-tagged-edge", "an edge is tagged twice", place);
         }
         tagged[rank] = true;
     }
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
+    for (std::size_t i = 0; i < required.size(); ++i) {
         if (!tagged[i]) {
             faults.add("missing-tagged-edge", "the edge of a segment carries no tag",
-                       midpoint(mesh.nodes[index(wanted[i].lower)], mesh.nodes[index(wanted[i].upper)]));
+                       midpoint(mesh.nodes[index(required[i].lower)], mesh.nodes[index(required[i].upper)]));
         }
     }
 }
 
-/// Away from the segments the mesh has neither a boundary nor a change of region.
-void checkInside(const Mesh &mesh, const WantedEdges &wanted, const EdgeTable &table, FaultList &faults) {
+/// Checks that away from the segments the mesh has neither boundary edges nor changes of region.
+void checkInside(const Mesh &mesh, const RequiredEdges &required, const EdgeTable &table, FaultList &faults) {
     table.forEach([&](NodeId a, NodeId b, std::span<const HalfEdge> sides) {
         const bool open = sides.size() == 1;
         const bool divided = !open && mesh.region(elementOf(sides[0])) != mesh.region(elementOf(sides[1]));
-        if ((open || divided) && find(wanted, a, b) == nullptr) {
+        if ((open || divided) && find(required, a, b) == nullptr) {
             faults.add(open ? "unexpected-boundary" : "wrong-region",
-                       open ? "a boundary edge of the mesh lies on no segment of the domain"
-                            : "the region changes across an edge that lies on no segment of the domain",
+                       open ? "a boundary edge of the mesh does not lie on any segment of the domain"
+                            : "the region changes across an edge that does not lie on any segment of the domain",
                        midpoint(mesh.nodes[index(a)], mesh.nodes[index(b)]),
                        {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)});
         }
@@ -137,7 +138,7 @@ void checkPoints(const Mesh &mesh, const DiscreteDomain &domain, const NodeFinde
         const auto it = std::lower_bound(tagged.begin(), tagged.end(), node,
                                          [](const TaggedNode &a, NodeId key) { return a.node < key; });
         if (node == kNoNode || (!carriesNoTags(mesh) && (it == tagged.end() || it->node != node))) {
-            faults.add("missing-point", "constraint point " + std::to_string(point.node) + " is no node of the mesh",
+            faults.add("missing-point", "constraint point " + std::to_string(point.node) + " is not a node of the mesh",
                        place, {point.node});
         } else if (!carriesNoTags(mesh) && it->tag != point.tag) {
             faults.add("wrong-tag",
@@ -147,7 +148,7 @@ void checkPoints(const Mesh &mesh, const DiscreteDomain &domain, const NodeFinde
     }
 }
 
-/// Both areas are sums of rounded terms over the same nodes: 1e-11 of the terms' size is 10⁵ roundings.
+/// Compares the areas, both sums of rounded terms over the same nodes: 1e-11 of the terms' size is 10⁵ roundings.
 void checkArea(const Mesh &mesh, const DiscreteDomain &domain, FaultList &faults) {
     const EnclosedArea enclosed = enclosedArea(domain);
     const double is = meshArea(mesh);
@@ -222,11 +223,11 @@ EnclosedArea enclosedArea(const DiscreteDomain &domain) {
 void checkAgainst(const Mesh &mesh, const DiscreteDomain &domain, FaultList &faults) {
     const EdgeTable table(mesh);
     const NodeFinder nodes(mesh);
-    const WantedEdges wanted = checkSegments(mesh, domain, table, nodes, faults);
+    const RequiredEdges required = checkSegments(mesh, domain, table, nodes, faults);
     if (!carriesNoTags(mesh)) {
-        checkTags(mesh, wanted, faults);
+        checkTags(mesh, required, faults);
     }
-    checkInside(mesh, wanted, table, faults);
+    checkInside(mesh, required, table, faults);
     checkPoints(mesh, domain, nodes, faults);
     checkArea(mesh, domain, faults);
 }

@@ -9,12 +9,12 @@
 
 namespace forefront {
 
-/// Finds nodes of a mesh by their exact coordinates. 4 bytes per node looked among.
+/// Finds nodes of a mesh by their exact coordinates. Takes 4 bytes for each node it looks among.
 class NodeFinder {
   public:
-    /// Among the nodes of tagged edges and tagged points; among all where the mesh has no tags.
+    /// Looks among the nodes of tagged edges and tagged points, or among all nodes where the mesh has no tags.
     explicit NodeFinder(const Mesh &mesh);
-    /// The node at p, the one of least id where several are, or kNoNode.
+    /// Returns the node at p, the one with the lowest id if there are several, or kNoNode.
     NodeId find(Vec2 p) const;
 
   private:
@@ -22,20 +22,20 @@ class NodeFinder {
     std::vector<NodeId> sorted_;
 };
 
-/// True for a mesh from a file format without tags: then tags and regions are not compared.
+/// Returns true for a mesh from a file format without tags, whose tags and regions are not compared.
 bool carriesNoTags(const Mesh &mesh);
 
-/// The faults of verifyAgainst(mesh, discrete domain), for a mesh whose indices are valid.
+/// Adds the faults of a mesh against a discrete domain. The indices of the mesh must be valid.
 void checkAgainst(const Mesh &mesh, const DiscreteDomain &domain, FaultList &faults);
 
-/// Area enclosed by the segments that have the outside on one side, and the sum of the sizes of its terms, the scale
-/// of the rounding error.
+/// The area enclosed by the segments that have the outside on one side. `magnitude` is the sum of the sizes of its
+/// terms, which scales the rounding error.
 struct EnclosedArea {
     double area = 0.0;
     double magnitude = 0.0;
 };
 EnclosedArea enclosedArea(const DiscreteDomain &domain);
-/// Σ element areas, from differences of coordinates.
+/// Returns the sum of the element areas, from differences of coordinates.
 double meshArea(const Mesh &mesh);
 
 } // namespace forefront

@@ -9,8 +9,8 @@ namespace forefront {
 
 namespace {
 
-/// Edges that may lie along segments of the domain, in rows by node: the tagged ones, or all where a file format
-/// keeps no tags.
+/// The edges that may lie along segments of the domain, in rows by node: the tagged edges, or all edges where the file
+/// format keeps no tags.
 class ChainEdges {
   public:
     explicit ChainEdges(const Mesh &mesh) : offsets_(mesh.nodes.size() + 1, 0) {
@@ -48,18 +48,18 @@ class ChainEdges {
     std::vector<NodeId> others_;
 };
 
-/// Nodes of the mesh from one end of a straight segment to the other along edges that leave it by no more than
-/// `tolerance`; empty when there is no such chain.
+/// Returns the nodes of the mesh from one end of a straight segment to the other, along edges within `tolerance` of it;
+/// empty when there is no such chain.
 std::vector<NodeId> chain(const Mesh &mesh, const ChainEdges &edges, NodeId from, NodeId to, double tolerance) {
     const Vec2 a = mesh.nodes[index(from)];
     const Vec2 along = mesh.nodes[index(to)] - a;
     const double squared = lengthSquared(along);
-    const double greatestCross = tolerance * std::sqrt(squared);
+    const double maxCross = tolerance * std::sqrt(squared);
     std::vector<NodeId> nodes{from};
     double reached = 0.0;
     while (nodes.back() != to) {
         NodeId best = kNoNode;
-        double bestCross = greatestCross, bestAt = 0.0;
+        double bestCross = maxCross, bestAt = 0.0;
         for (const NodeId next : edges.at(nodes.back())) {
             const Vec2 p = mesh.nodes[index(next)] - a;
             const double at = dot(along, p), off = std::abs(cross(along, p));
@@ -79,7 +79,7 @@ std::vector<NodeId> chain(const Mesh &mesh, const ChainEdges &edges, NodeId from
     return nodes;
 }
 
-/// The domain with its segments cut as the mesh has cut them.
+/// Returns the domain with its segments divided as the mesh divides them.
 DiscreteDomain cutAsMeshed(const Mesh &mesh, const DiscreteDomain &given, double tolerance, FaultList &faults) {
     DiscreteDomain cut;
     cut.nodes = mesh.nodes;
@@ -91,7 +91,7 @@ DiscreteDomain cutAsMeshed(const Mesh &mesh, const DiscreteDomain &given, double
         const NodeId from = finder.find(a), to = finder.find(b);
         const std::string name = std::to_string(s.source) + " (tag " + std::to_string(s.tag) + ')';
         if (from == kNoNode || to == kNoNode) {
-            faults.add("missing-node", "an end of domain segment " + name + " is no node of the mesh's boundary",
+            faults.add("missing-node", "an end of domain segment " + name + " is not a boundary node of the mesh",
                        from == kNoNode ? a : b, {s.source});
             continue;
         }
@@ -110,7 +110,7 @@ DiscreteDomain cutAsMeshed(const Mesh &mesh, const DiscreteDomain &given, double
     for (const ConstraintPoint &point : given.points) {
         const NodeId node = finder.find(given.nodes[point.node]);
         if (node == kNoNode) {
-            faults.add("missing-point", "constraint point " + std::to_string(point.node) + " is no node of the mesh",
+            faults.add("missing-point", "constraint point " + std::to_string(point.node) + " is not a node of the mesh",
                        given.nodes[point.node], {point.node});
         } else {
             cut.points.push_back({static_cast<std::uint32_t>(node), point.tag});
@@ -119,17 +119,17 @@ DiscreteDomain cutAsMeshed(const Mesh &mesh, const DiscreteDomain &given, double
     return cut;
 }
 
-/// Nodes put into a straight segment are rounded, so the cut domain's area may differ by that much.
+/// Returns by how much the area may differ because nodes inserted into a straight segment are rounded.
 double areaTolerance(const DiscreteDomain &domain, const EnclosedArea &enclosed) {
-    double perimeter = 0.0, greatest = 0.0;
+    double perimeter = 0.0, maxCoordinate = 0.0;
     for (const DiscreteSegment &s : domain.segments) {
         perimeter += distance(domain.nodes[s.a], domain.nodes[s.b]);
     }
     for (const Vec2 p : domain.nodes) {
-        greatest = std::max({greatest, std::abs(p.x), std::abs(p.y)});
+        maxCoordinate = std::max({maxCoordinate, std::abs(p.x), std::abs(p.y)});
     }
     return 1e-11 * (enclosed.magnitude + std::abs(enclosed.area)) +
-           8.0 * std::numeric_limits<double>::epsilon() * greatest * perimeter;
+           8.0 * std::numeric_limits<double>::epsilon() * maxCoordinate * perimeter;
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <limits>
 #include <map>
 
@@ -108,7 +109,7 @@ TEST_CASE("verify: indices that do not exist are reported before anything follow
     CHECK(codes(verify(mesh)) == Codes{"bad-index"});
 }
 
-TEST_CASE("verify: coordinates that are no finite numbers are reported") {
+TEST_CASE("verify: coordinates that are not finite are reported") {
     for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
         Mesh mesh = twoTriangles();
         mesh.nodes[3].y = bad;
@@ -330,6 +331,32 @@ TEST_CASE("verify: nodes without elements and tagged edges that are no edges are
     faults = verify(mesh);
     CHECK(codes(faults) == Codes{"missing-tagged-edge"});
     CHECK(at(faults, {0.5, 0.5}));
+}
+
+TEST_CASE("verify: reports an element that names a node twice") {
+    for (const Element &bad : {Element{node(0), node(1), node(0)}, Element{node(3), node(3), node(2)},
+                               Element{node(2), node(0), node(0)}, Element{node(1), node(1), node(1)}}) {
+        Mesh alone = twoTriangles();
+        alone.elements = {bad};
+        CHECK(codes(verify(alone)) == Codes{"repeated-node"});
+        Mesh among = twoTriangles();
+        among.elements.push_back(bad);
+        CHECK(codes(verify(among)) == Codes{"repeated-node"});
+    }
+}
+
+TEST_CASE("verify: a kind of fault that occurs often is listed once with its count") {
+    Mesh mesh = samples::square(30, 30);
+    for (Element &e : mesh.elements) {
+        std::swap(e[0], e[1]);
+    }
+    mesh.nodes.push_back({5.0, 5.0});
+    const Diagnostics faults = verify(mesh);
+    const auto inverted =
+        std::count_if(faults.begin(), faults.end(), [](const Diagnostic &d) { return d.code == "inverted-element"; });
+    CHECK(inverted == 1);
+    CHECK(faults.front().message == "element 0 is clockwise (the first of 1800 such faults)");
+    CHECK(codes(faults).count("unreferenced-node") == 1);
 }
 
 TEST_CASE("verify: lists at most `limit` faults and counts the rest") {

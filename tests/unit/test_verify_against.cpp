@@ -64,7 +64,7 @@ TEST_CASE("verifyAgainst: the mesh's own faults come first") {
     CHECK(after([](Case &c) { c.mesh.nodes.push_back({9, 9}); }) == Codes{"unreferenced-node"});
 }
 
-TEST_CASE("verifyAgainst: a segment that is no edge of the mesh is missing, with its place") {
+TEST_CASE("verifyAgainst: a segment that is not an edge of the mesh is missing, with its place") {
     Case c = twoRegions();
     const auto first = static_cast<std::uint32_t>(c.domain.nodes.size());
     c.domain.nodes.insert(c.domain.nodes.end(), {{0.0, 0.0}, {0.25, 0.125}});
