@@ -29,16 +29,8 @@ Exit codes: 0 done, 1 the input is refused (faults on stderr, one a line), 2 wro
 
 /// Parses "none", "uniform", "uniform:COLSxROWS" or "hierarchical"; returns an error message for anything else.
 std::string parseGrid(const std::string &text, MeshArguments &arguments) {
-    if (text == "none") {
-        arguments.grid = GridKind::None;
-        return {};
-    }
-    if (text == "hierarchical") {
-        arguments.grid = GridKind::Hierarchical;
-        return {};
-    }
-    if (text == "uniform") {
-        arguments.grid = GridKind::Uniform;
+    arguments.grid = fromWord<GridKind>(text);
+    if (arguments.grid) {
         return {};
     }
     constexpr std::string_view kUniform = "uniform:";

@@ -2,9 +2,9 @@
 
 #include "core/front/generation_front.hpp"
 #include "core/grid/cell_lists.hpp"
+#include "core/grid/grid_kind.hpp"
 #include "core/grid/lattice.hpp"
 
-#include <string_view>
 #include <vector>
 
 namespace forefront {
@@ -14,7 +14,7 @@ namespace forefront {
 /// flat at any ratio of sizes.
 class HierarchicalGrid {
   public:
-    static constexpr std::string_view kName = "hierarchical";
+    static constexpr GridKind kKind = GridKind::Hierarchical;
 
     /// `slack`: at least gridSlack() of all that will be inserted. A cell splits for a segment shorter than half of
     /// 1/`cellPerLength` of its width, into cells of at least that length times `cellPerLength`.

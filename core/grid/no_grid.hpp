@@ -1,15 +1,14 @@
 #pragma once
 
 #include "core/front/generation_front.hpp"
-
-#include <string_view>
+#include "core/grid/grid_kind.hpp"
 
 namespace forefront {
 
 /// No background grid: every search looks at all of Γ. The oracle for the other grids.
 class NoGrid {
   public:
-    static constexpr std::string_view kName = "none";
+    static constexpr GridKind kKind = GridKind::None;
 
     void insert(const GenerationFront &, SlotId) {}
     void remove(const GenerationFront &, SlotId) {}

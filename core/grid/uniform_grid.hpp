@@ -2,9 +2,9 @@
 
 #include "core/front/generation_front.hpp"
 #include "core/grid/cell_lists.hpp"
+#include "core/grid/grid_kind.hpp"
 #include "core/grid/lattice.hpp"
 
-#include <string_view>
 #include <vector>
 
 namespace forefront {
@@ -13,7 +13,7 @@ namespace forefront {
 /// segments are added to and deleted from the cells along their way as Γ evolves.
 class UniformGrid {
   public:
-    static constexpr std::string_view kName = "uniform";
+    static constexpr GridKind kKind = GridKind::Uniform;
 
     UniformGrid(const Box2 &bounds, int columns, int rows);
 

@@ -1,10 +1,8 @@
 #include "core/mesher/apex_search.hpp"
 
-#include "core/grid/hierarchical_grid.hpp"
-#include "core/grid/no_grid.hpp"
-#include "core/grid/uniform_grid.hpp"
 #include "core/mesh/quality.hpp"
 #include "core/mesher/clearance.hpp"
+#include "core/mesher/instantiate.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -38,12 +36,7 @@ void ApexSearch<Grid, Trace>::evaluateSpacing(Base &base) {
     base.fieldRho = 0.5 * (atMiddle + atIdeal);
     base.rho = clampedToBase(base.fieldRho, base.length);
     base.ideal = idealFor(base.rho);
-    if constexpr (Trace::kRecords) {
-        trace_.out.rho = base.rho;
-        trace_.out.ideal = base.ideal;
-        trace_.event(Step::EvaluateSpacing);
-        trace_.event(Step::IdealPoint);
-    }
+    trace_.evaluateSpacing(base);
 }
 
 template <class Grid, class Trace>
@@ -59,9 +52,7 @@ void ApexSearch<Grid, Trace>::force(const Base &base, double radius, Candidate &
     do { // ends at the latest when the search covers all of Γ: see ClassicAdvancer
         radius *= 2.0;
         FOREFRONT_ASSERT(radius < 1e6 * (base.rho + slack_ / std::numeric_limits<double>::epsilon()));
-        if constexpr (Trace::kRecords) {
-            ++trace_.out.widening;
-        }
+        trace_.widen();
     } while (!find(base, {radius, false}, apex));
 }
 
@@ -70,16 +61,9 @@ bool ApexSearch<Grid, Trace>::find(const Base &base, const Limits &limits, Candi
     gather(reach(base, limits.radius));
     rank(base, limits);
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
-        std::uint32_t number = static_cast<std::uint32_t>(i);
-        if constexpr (Trace::kRecords) {
-            number = firstTraced_ + static_cast<std::uint32_t>(i);
-            trace_.event(Step::Test, number);
-        }
-        const Verdict verdict = test(base, candidates_[i], number);
-        if constexpr (Trace::kRecords) {
-            trace_.out.candidates[number].verdict = verdict;
-            trace_.event(Step::Test, number);
-        }
+        trace_.beginTest(i);
+        const Verdict verdict = test(base, candidates_[i]);
+        trace_.endTest(verdict);
         if (verdict == Verdict::Accepted) {
             apex = candidates_[i];
             return true;
@@ -115,11 +99,7 @@ void ApexSearch<Grid, Trace>::gather(const Box2 &box) {
         },
         [&](const Box2 &cell) {
             ++work_.cells;
-            if constexpr (Trace::kRecords) {
-                trace_.out.cells.push_back(cell);
-            } else {
-                static_cast<void>(cell);
-            }
+            trace_.visitCell(cell);
         });
     std::sort(found_.begin(), found_.end());
     neighbours_.clear();
@@ -156,41 +136,7 @@ void ApexSearch<Grid, Trace>::rank(const Base &base, const Limits &limits) {
         }
         return p.node != q.node ? p.node < q.node : p.slot < q.slot;
     });
-    if constexpr (Trace::kRecords) {
-        describe(base, limits, withdrawn);
-    }
-}
-
-template <class Grid, class Trace>
-void ApexSearch<Grid, Trace>::describe(const Base &base, const Limits &limits, bool withdrawn) {
-    if constexpr (Trace::kRecords) {
-        trace_.out.searchRadius = limits.radius;
-        firstTraced_ = static_cast<std::uint32_t>(trace_.out.candidates.size());
-        const auto add = [&](const Candidate &c, Verdict verdict) {
-            CandidateTrace t;
-            t.position = c.position;
-            t.node = c.node;
-            t.alpha = shapeFactor(base.a, base.b, c.position);
-            t.deltaAC = spacingConformity(distance(base.a, c.position), base.rho);
-            t.deltaCB = spacingConformity(distance(base.b, c.position), base.rho);
-            t.score = c.score;
-            t.verdict = verdict;
-            trace_.out.candidates.push_back(t);
-        };
-        for (const Candidate &c : candidates_) {
-            add(c, Verdict::NotTried);
-        }
-        if (withdrawn) {
-            add({score(base, base.ideal), base.ideal, kNoNode, kNoSlot}, Verdict::Withdrawn);
-        }
-        trace_.event(Step::FindCandidates);
-        trace_.event(Step::Score);
-        trace_.event(Step::Sort, candidates_.empty() ? kNoIndex : firstTraced_);
-    } else {
-        static_cast<void>(base);
-        static_cast<void>(limits);
-        static_cast<void>(withdrawn);
-    }
+    trace_.rank(base, candidates_, limits.radius, withdrawn);
 }
 
 template <class Grid, class Trace>
@@ -214,7 +160,7 @@ double ApexSearch<Grid, Trace>::score(const Base &base, Vec2 p) const {
 
 /// Step 8.
 template <class Grid, class Trace>
-Verdict ApexSearch<Grid, Trace>::test(const Base &base, const Candidate &candidate, std::uint32_t number) {
+Verdict ApexSearch<Grid, Trace>::test(const Base &base, const Candidate &candidate) {
     const GenerationFront &front = state_.front;
     if (orientation(base.a, base.b, candidate.position) <= 0) {
         return Verdict::NotLeft;
@@ -225,11 +171,11 @@ Verdict ApexSearch<Grid, Trace>::test(const Base &base, const Candidate &candida
     const bool known = candidate.slot != kNoSlot;
     const bool existsAC = known && front.prev(base.slotA) == candidate.slot;
     const bool existsCB = known && front.next(base.slotB) == candidate.slot;
-    if ((!existsAC && crosses(base, base.a, base.nodeA, candidate, number)) ||
-        (!existsCB && crosses(base, base.b, base.nodeB, candidate, number))) {
+    if ((!existsAC && crosses(base, base.a, base.nodeA, candidate)) ||
+        (!existsCB && crosses(base, base.b, base.nodeB, candidate))) {
         return Verdict::CrossesFront;
     }
-    return containsNode(base, candidate, number) ? Verdict::ContainsNode : Verdict::Accepted;
+    return containsNode(base, candidate) ? Verdict::ContainsNode : Verdict::Accepted;
 }
 
 /// AC and CB leave A, B and C on the unmeshed side. A side that is a segment of Γ already needs no test at its ends.
@@ -247,8 +193,7 @@ bool ApexSearch<Grid, Trace>::anglesAllow(const Base &base, const Candidate &can
 
 /// Segments of Γ that share an end with the candidate segment are left out: the angle tests have dealt with them.
 template <class Grid, class Trace>
-bool ApexSearch<Grid, Trace>::crosses(const Base &base, Vec2 from, NodeId fromNode, const Candidate &to,
-                                      std::uint32_t number) {
+bool ApexSearch<Grid, Trace>::crosses(const Base &base, Vec2 from, NodeId fromNode, const Candidate &to) {
     const Box2 box = boxOf(from, to.position);
     for (const Neighbour &n : neighbours_) {
         const bool sharesEnd = n.nodeA == fromNode || n.nodeB == fromNode || n.nodeA == to.node || n.nodeB == to.node;
@@ -257,18 +202,9 @@ bool ApexSearch<Grid, Trace>::crosses(const Base &base, Vec2 from, NodeId fromNo
         }
         ++work_.tested;
         const bool meets = segmentsMeet(from, to.position, n.a, n.b);
-        if constexpr (Trace::kRecords) {
-            trace_.out.tests.push_back({from, to.position, n.a, n.b, number, meets});
-            trace_.event(Step::Test, number, static_cast<std::uint32_t>(trace_.out.tests.size() - 1));
-            if (meets) {
-                trace_.out.candidates[number].blocked = true;
-                trace_.out.candidates[number].blockA = n.a;
-                trace_.out.candidates[number].blockB = n.b;
-            }
-        } else {
-            static_cast<void>(number);
-        }
+        trace_.testSegment(from, to.position, n.a, n.b, meets);
         if (meets) {
+            trace_.block(n.a, n.b);
             return true;
         }
     }
@@ -276,7 +212,7 @@ bool ApexSearch<Grid, Trace>::crosses(const Base &base, Vec2 from, NodeId fromNo
 }
 
 template <class Grid, class Trace>
-bool ApexSearch<Grid, Trace>::containsNode(const Base &base, const Candidate &candidate, std::uint32_t number) {
+bool ApexSearch<Grid, Trace>::containsNode(const Base &base, const Candidate &candidate) {
     Box2 box = boxOf(base.a, base.b);
     box.add(candidate.position);
     for (const Neighbour &n : neighbours_) {
@@ -284,23 +220,13 @@ bool ApexSearch<Grid, Trace>::containsNode(const Base &base, const Candidate &ca
             continue;
         }
         if (insideOrOn(base.a, base.b, candidate.position, n.a)) {
-            if constexpr (Trace::kRecords) {
-                trace_.out.candidates[number].blocked = true;
-                trace_.out.candidates[number].blockA = trace_.out.candidates[number].blockB = n.a;
-            } else {
-                static_cast<void>(number);
-            }
+            trace_.block(n.a, n.a);
             return true;
         }
     }
     return false;
 }
 
-template class ApexSearch<NoGrid, NoTrace>;
-template class ApexSearch<NoGrid, Recorder>;
-template class ApexSearch<UniformGrid, NoTrace>;
-template class ApexSearch<UniformGrid, Recorder>;
-template class ApexSearch<HierarchicalGrid, NoTrace>;
-template class ApexSearch<HierarchicalGrid, Recorder>;
+FOREFRONT_INSTANTIATE_FOR_GRIDS_AND_TRACES(ApexSearch)
 
 } // namespace forefront

@@ -63,7 +63,7 @@ class ApexSearch {
         bool newNodes;
     };
 
-    ApexSearch(const FrontState &state, const Grid &grid, const SpacingField &spacing, double slack, Trace trace)
+    ApexSearch(const FrontState &state, const Grid &grid, const SpacingField &spacing, double slack, Trace &trace)
         : state_(state), grid_(grid), spacing_(spacing), slack_(slack), trace_(trace) {}
 
     /// Steps 3 and 4. ρ at the midpoint of AB and again at the ideal point that follows from it; their mean places the
@@ -89,26 +89,24 @@ class ApexSearch {
 
     void gather(const Box2 &box);
     void rank(const Base &base, const Limits &limits);
-    void describe(const Base &base, const Limits &limits, bool withdrawn);
     bool idealIsClear(const Base &base) const;
     double score(const Base &base, Vec2 p) const;
-    Verdict test(const Base &base, const Candidate &candidate, std::uint32_t number);
+    Verdict test(const Base &base, const Candidate &candidate);
     bool anglesAllow(const Base &base, const Candidate &candidate) const;
-    bool crosses(const Base &base, Vec2 from, NodeId fromNode, const Candidate &to, std::uint32_t number);
-    bool containsNode(const Base &base, const Candidate &candidate, std::uint32_t number);
+    bool crosses(const Base &base, Vec2 from, NodeId fromNode, const Candidate &to);
+    bool containsNode(const Base &base, const Candidate &candidate);
 
     const FrontState &state_;
     const Grid &grid_;
     const SpacingField &spacing_;
     double slack_;
-    Trace trace_;
+    Trace &trace_;
 
     std::vector<std::uint32_t> stamps_; ///< per slot: search in which it was last delivered
     std::uint32_t stamp_ = 0;
     std::vector<Neighbour> neighbours_; ///< of the current search, by slot
     std::vector<SlotId> found_;
     std::vector<Candidate> candidates_; ///< by (score, id)
-    std::uint32_t firstTraced_ = 0;     ///< index of the search's first candidate in the explanation
     SearchWork work_;
 };
 

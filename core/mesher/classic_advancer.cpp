@@ -1,8 +1,6 @@
 #include "core/mesher/classic_advancer.hpp"
 
-#include "core/grid/hierarchical_grid.hpp"
-#include "core/grid/no_grid.hpp"
-#include "core/grid/uniform_grid.hpp"
+#include "core/mesher/instantiate.hpp"
 
 namespace forefront {
 
@@ -46,11 +44,6 @@ void ClassicAdvancer<Grid, Trace>::retreat(const AdvanceDelta &delta) {
     FrontUpdate<Grid>::forEachRestored(delta, [&](SlotId id) { state_.order.offer(state_.front, id); });
 }
 
-template class ClassicAdvancer<NoGrid, NoTrace>;
-template class ClassicAdvancer<NoGrid, Recorder>;
-template class ClassicAdvancer<UniformGrid, NoTrace>;
-template class ClassicAdvancer<UniformGrid, Recorder>;
-template class ClassicAdvancer<HierarchicalGrid, NoTrace>;
-template class ClassicAdvancer<HierarchicalGrid, Recorder>;
+FOREFRONT_INSTANTIATE_FOR_GRIDS_AND_TRACES(ClassicAdvancer)
 
 } // namespace forefront

@@ -26,7 +26,9 @@ class ClassicAdvancer {
     static constexpr double kCellPerLength = 3.5;
 
     ClassicAdvancer(FrontState &state, Grid &grid, const SpacingField &spacing, double slack, Trace trace)
-        : state_(state), search_(state, grid, spacing, slack, trace), update_(state, grid, nullptr), trace_(trace) {}
+        : state_(state), trace_(trace), search_(state, grid, spacing, slack, trace_), update_(state, grid, nullptr) {}
+    ClassicAdvancer(const ClassicAdvancer &) = delete; // its parts share one trace
+    ClassicAdvancer &operator=(const ClassicAdvancer &) = delete;
 
     /// Makes the state of a run that begins.
     static void prepare(FrontState &state, const DiscreteDomain &, const SpacingField &) {
@@ -42,9 +44,9 @@ class ClassicAdvancer {
 
   private:
     FrontState &state_;
+    Trace trace_;
     ApexSearch<Grid, Trace> search_;
     FrontUpdate<Grid> update_;
-    Trace trace_;
 };
 
 } // namespace forefront

@@ -1,9 +1,7 @@
 #include "core/mesher/fan.hpp"
 
-#include "core/grid/hierarchical_grid.hpp"
-#include "core/grid/no_grid.hpp"
-#include "core/grid/uniform_grid.hpp"
 #include "core/mesher/clearance.hpp"
+#include "core/mesher/instantiate.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -110,11 +108,7 @@ bool FanBuilder<Grid, Trace>::anglesAllow(const Fan &fan) const {
 template <class Grid, class Trace>
 void FanBuilder<Grid, Trace>::visited(const Box2 &cell, SearchWork &work) {
     ++work.cells;
-    if constexpr (Trace::kRecords) {
-        trace_.out.cells.push_back(cell);
-    } else {
-        static_cast<void>(cell);
-    }
+    trace_.visitCell(cell);
 }
 
 template <class Grid, class Trace>
@@ -191,11 +185,7 @@ bool FanBuilder<Grid, Trace>::meets(Vec2 from, NodeId fromNode, Vec2 to, NodeId 
     }
     ++work.tested;
     const bool met = segmentsMeet(from, to, n.position, end.position);
-    if constexpr (Trace::kRecords) {
-        const auto candidate = static_cast<std::uint32_t>(trace_.out.candidates.size() - 1);
-        trace_.out.tests.push_back({from, to, n.position, end.position, candidate, met});
-        trace_.event(Step::Test, candidate, static_cast<std::uint32_t>(trace_.out.tests.size() - 1));
-    }
+    trace_.testSegment(from, to, n.position, end.position, met);
     return met;
 }
 
@@ -229,11 +219,6 @@ bool FanBuilder<Grid, Trace>::blocksCorner(const Fan &corner, const Box2 &box, c
            meets(corner.at[0], corner.nodes[0], corner.at[2], corner.nodes[2], n, work);
 }
 
-template class FanBuilder<NoGrid, NoTrace>;
-template class FanBuilder<NoGrid, Recorder>;
-template class FanBuilder<UniformGrid, NoTrace>;
-template class FanBuilder<UniformGrid, Recorder>;
-template class FanBuilder<HierarchicalGrid, NoTrace>;
-template class FanBuilder<HierarchicalGrid, Recorder>;
+FOREFRONT_INSTANTIATE_FOR_GRIDS_AND_TRACES(FanBuilder)
 
 } // namespace forefront

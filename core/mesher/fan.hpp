@@ -32,7 +32,7 @@ struct Fan {
 template <class Grid, class Trace>
 class FanBuilder {
   public:
-    FanBuilder(const FrontState &state, const Grid &grid, const SpacingField &spacing, Trace trace)
+    FanBuilder(const FrontState &state, const Grid &grid, const SpacingField &spacing, Trace &trace)
         : state_(state), grid_(grid), spacing_(spacing), trace_(trace) {}
 
     /// The apex: mean of the ideal points of the segments. False where it would make elements of bad shape or, against
@@ -59,7 +59,7 @@ class FanBuilder {
     const FrontState &state_;
     const Grid &grid_;
     const SpacingField &spacing_;
-    Trace trace_;
+    Trace &trace_;
 };
 
 } // namespace forefront

@@ -1,10 +1,7 @@
 #include "core/mesher/fast_advancer.hpp"
 
-#include "core/grid/hierarchical_grid.hpp"
-#include "core/grid/no_grid.hpp"
-#include "core/grid/uniform_grid.hpp"
-#include "core/mesh/quality.hpp"
 #include "core/mesher/classic_advancer.hpp"
+#include "core/mesher/instantiate.hpp"
 
 #include <algorithm>
 
@@ -69,14 +66,10 @@ SlotId FastAdvancer<Grid, Trace>::nextBase() {
     if (state_.walk.base != kNoSlot) {
         const SlotId base = state_.walk.base;
         state_.walk.base = kNoSlot;
-        if constexpr (Trace::kRecords) {
-            trace_.out.walked = true;
-        }
+        trace_.takeBase(true);
         return base;
     }
-    if constexpr (Trace::kRecords) {
-        trace_.out.walked = false;
-    }
+    trace_.takeBase(false);
     SlotId base = state_.walkOrder.take(state_.front);
     while (base == kNoSlot && state_.region + 1 < state_.regionEnd) {
         ++state_.region;
@@ -115,11 +108,6 @@ typename FastAdvancer<Grid, Trace>::Outcome FastAdvancer<Grid, Trace>::tryBase(S
     delta = update_.begin(slotA);
     search_.startCounting();
     const std::size_t segments = front.segments();
-    if constexpr (Trace::kRecords) {
-        const bool walked = trace_.out.walked;
-        trace_.out = {};
-        trace_.out.walked = walked;
-    }
     trace_.begin(state_, base);
     Vec2 apex;
     if (!trySimple(base, delta, apex) && searchApex(base, delta, apex) == Outcome::LeftOver) {
@@ -206,14 +194,13 @@ bool FastAdvancer<Grid, Trace>::tryCorner(const Base &base, SlotId first, Advanc
         return false;
     }
     const unsigned from = first == base.slotA ? 0 : 1; // the base is the first or the second of the two segments
-    const unsigned opposite = 2 - 2 * from;
-    traceFan(corner, corner.nodes[opposite], corner.at[opposite], from);
+    trace_.proposeCorner(state_, corner, from);
     if (!fans_.cornerClear(corner, search_.work())) {
-        traceVerdict(Verdict::CrossesFront);
+        trace_.endTest(Verdict::CrossesFront);
         return false;
     }
-    traceVerdict(Verdict::Accepted);
-    apex = corner.at[opposite];
+    trace_.endTest(Verdict::Accepted);
+    apex = corner.at[2 - 2 * from];
     update_.addElement(baseAt(state_.front, first), {0.0, corner.at[2], corner.nodes[2], corner.last()},
                        delta = update_.begin(first));
     return true;
@@ -233,12 +220,12 @@ bool FastAdvancer<Grid, Trace>::makeFan(const Fan &fan, AdvanceDelta &delta, Vec
         return false;
     }
     ++search_.work().candidates;
-    traceFan(fan, kNoNode, fan.apex);
+    trace_.proposeFan(fan);
     if (!fans_.clear(fan, reach, search_.work())) {
-        traceVerdict(Verdict::Withdrawn);
+        trace_.endTest(Verdict::Withdrawn);
         return false;
     }
-    traceVerdict(Verdict::Accepted);
+    trace_.endTest(Verdict::Accepted);
     apex = fan.apex;
     if (fan.segments == 1) {
         delta = update_.begin(fan.slots[0]);
@@ -314,65 +301,6 @@ void FastAdvancer<Grid, Trace>::retreat(const AdvanceDelta &delta) {
     state_.walk = delta.walk;
 }
 
-template <class Grid, class Trace>
-void FastAdvancer<Grid, Trace>::traceFan(const Fan &fan, NodeId apexNode, Vec2 apex, unsigned from) {
-    if constexpr (Trace::kRecords) {
-        AdvanceExplanation &out = trace_.out;
-        CandidateTrace candidate;
-        if (fan.segments > 1) {
-            candidate.over.assign(fan.at.begin() + from,
-                                  fan.at.begin() + from + fan.segments + (apexNode == kNoNode ? 1 : 0));
-        }
-        candidate.position = apex;
-        candidate.node = apexNode;
-        // A group is as good as its worst element; A and B are the ends of its chain. A corner is one element, over
-        // that of its two segments that is the base.
-        const unsigned bases = apexNode == kNoNode ? fan.segments : 1;
-        candidate.alpha = shapeFactor(fan.at[from], fan.at[from + 1], apex);
-        for (unsigned i = 1; i < bases; ++i) {
-            candidate.alpha = std::min(candidate.alpha, shapeFactor(fan.at[i], fan.at[i + 1], apex));
-        }
-        const FrontSlot &first = state_.front[fan.slots[from]];
-        const double size =
-            apexNode == kNoNode
-                ? fan.size
-                : clampedToBase(0.5 * (first.rho + state_.front[fan.slots[from + 1]].rho), first.length);
-        candidate.deltaAC = spacingConformity(distance(fan.at[from], apex), size);
-        candidate.deltaCB = spacingConformity(distance(fan.at[from + bases], apex), size);
-        out.rho = apexNode == kNoNode ? fan.rho : size;
-        out.ideal = apex;
-        trace_.event(Step::EvaluateSpacing);
-        if (apexNode == kNoNode) {
-            trace_.event(Step::IdealPoint);
-        }
-        candidate.score = candidate.alpha * candidate.deltaAC * candidate.deltaCB;
-        out.candidates.push_back(candidate);
-        trace_.event(Step::FindCandidates);
-        trace_.event(Step::Score);
-        trace_.event(Step::Sort, static_cast<std::uint32_t>(out.candidates.size() - 1));
-    } else {
-        static_cast<void>(fan);
-        static_cast<void>(apexNode);
-        static_cast<void>(apex);
-        static_cast<void>(from);
-    }
-}
-
-template <class Grid, class Trace>
-void FastAdvancer<Grid, Trace>::traceVerdict(Verdict verdict) {
-    if constexpr (Trace::kRecords) {
-        trace_.out.candidates.back().verdict = verdict;
-        trace_.event(Step::Test, static_cast<std::uint32_t>(trace_.out.candidates.size() - 1));
-    } else {
-        static_cast<void>(verdict);
-    }
-}
-
-template class FastAdvancer<NoGrid, NoTrace>;
-template class FastAdvancer<NoGrid, Recorder>;
-template class FastAdvancer<UniformGrid, NoTrace>;
-template class FastAdvancer<UniformGrid, Recorder>;
-template class FastAdvancer<HierarchicalGrid, NoTrace>;
-template class FastAdvancer<HierarchicalGrid, Recorder>;
+FOREFRONT_INSTANTIATE_FOR_GRIDS_AND_TRACES(FastAdvancer)
 
 } // namespace forefront

@@ -19,8 +19,10 @@ class FastAdvancer {
     static constexpr double kCellPerLength = 12.0;
 
     FastAdvancer(FrontState &state, Grid &grid, const SpacingField &spacing, double slack, Trace trace)
-        : state_(state), fans_(state, grid, spacing, trace), search_(state, grid, spacing, slack, trace),
-          update_(state, grid, &spacing), trace_(trace), spacing_(spacing) {}
+        : state_(state), trace_(trace), fans_(state, grid, spacing, trace_),
+          search_(state, grid, spacing, slack, trace_), update_(state, grid, &spacing), spacing_(spacing) {}
+    FastAdvancer(const FastAdvancer &) = delete; // its parts share one trace
+    FastAdvancer &operator=(const FastAdvancer &) = delete;
 
     /// Makes the state of a run that begins: the node spacing at the nodes of Γ and the bases of the first region.
     static void prepare(FrontState &state, const DiscreteDomain &boundary, const SpacingField &spacing,
@@ -47,15 +49,12 @@ class FastAdvancer {
     bool similar(SlotId first, unsigned segments) const;
     void walkOn(const AdvanceDelta &delta);
     const Box2 *limits() const;
-    /// `from`: place in the chain of the base of a corner.
-    void traceFan(const Fan &fan, NodeId apexNode, Vec2 apex, unsigned from = 0);
-    void traceVerdict(Verdict verdict);
 
     FrontState &state_;
+    Trace trace_;
     FanBuilder<Grid, Trace> fans_;
     ApexSearch<Grid, Trace> search_;
     FrontUpdate<Grid> update_;
-    Trace trace_;
     const SpacingField &spacing_;
 };
 

@@ -1,8 +1,6 @@
 #include "core/mesher/front_update.hpp"
 
-#include "core/grid/hierarchical_grid.hpp"
-#include "core/grid/no_grid.hpp"
-#include "core/grid/uniform_grid.hpp"
+#include "core/mesher/instantiate.hpp"
 
 namespace forefront {
 
@@ -231,8 +229,6 @@ void FrontUpdate<Grid>::count(const AdvanceDelta &delta, std::size_t segments, b
     }
 }
 
-template class FrontUpdate<NoGrid>;
-template class FrontUpdate<UniformGrid>;
-template class FrontUpdate<HierarchicalGrid>;
+FOREFRONT_INSTANTIATE_FOR_GRIDS(FrontUpdate)
 
 } // namespace forefront

@@ -2,9 +2,7 @@
 
 #include "core/base/large_pages.hpp"
 #include "core/boundary/estimate.hpp"
-#include "core/grid/hierarchical_grid.hpp"
-#include "core/grid/no_grid.hpp"
-#include "core/grid/uniform_grid.hpp"
+#include "core/grid/all_grids.hpp"
 #include "core/mesher/classic_advancer.hpp"
 #include "core/mesher/fast_advancer.hpp"
 #include "core/mesher/region_runner.hpp"
@@ -90,19 +88,48 @@ class GridMesher final : public Mesher {
     Advancer<Grid, NoTrace> advancer_;
 };
 
-/// Unless the user says how many: cells about three mean node spacings wide, from the number of elements that the
-/// spacing asks for.
-UniformGrid uniformGridFor(const DiscreteDomain &boundary, const SpacingField &spacing, const MeshingOptions &options) {
-    constexpr double kMostCells = 4e6;
-    const Box2 bounds = boundary.bounds();
+/// What a background grid is made for.
+struct GridRequest {
+    const DiscreteDomain &domain;
+    const SpacingField &spacing;
+    const MeshingOptions &options;
+    double cellPerLength; ///< of the advancer
+};
+
+NoGrid makeGrid(std::type_identity<NoGrid>, const GridRequest &) {
+    return {};
+}
+
+/// Unless the options say how many cells: about three mean node spacings wide, from the estimated number of elements.
+UniformGrid makeGrid(std::type_identity<UniformGrid>, const GridRequest &request) {
+    constexpr double kMaxCells = 4e6;
+    const Box2 bounds = request.domain.bounds();
     const Vec2 size = bounds.size();
-    const double elementArea = boundary.area() / estimateElements(boundary, spacing);
+    const double elementArea = request.domain.area() / estimateElements(request.domain, request.spacing);
     const double meanSpacing = std::sqrt(elementArea * 4.0 / std::numbers::sqrt3);
-    const double cell = std::max(3.0 * meanSpacing, std::sqrt(size.x * size.y / kMostCells));
+    const double cell = std::max(3.0 * meanSpacing, std::sqrt(size.x * size.y / kMaxCells));
     const auto cellsAlong = [&](double extent, int given) {
-        return given > 0 ? given : static_cast<int>(std::clamp(std::ceil(extent / cell), 1.0, kMostCells));
+        return given > 0 ? given : static_cast<int>(std::clamp(std::ceil(extent / cell), 1.0, kMaxCells));
     };
-    return {bounds, cellsAlong(size.x, options.gridColumns), cellsAlong(size.y, options.gridRows)};
+    return {bounds, cellsAlong(size.x, request.options.gridColumns), cellsAlong(size.y, request.options.gridRows)};
+}
+
+HierarchicalGrid makeGrid(std::type_identity<HierarchicalGrid>, const GridRequest &request) {
+    const Box2 bounds = request.domain.bounds();
+    return {bounds, gridSlack(bounds), request.cellPerLength};
+}
+
+template <class Grid>
+std::unique_ptr<Mesher> createOn(std::shared_ptr<const DiscreteDomain> boundary,
+                                 std::shared_ptr<const SpacingField> spacing, const MeshingOptions &options) {
+    const auto create = [&]<template <class, class> class Advancer>() -> std::unique_ptr<Mesher> {
+        Grid grid = makeGrid(std::type_identity<Grid>{},
+                             {*boundary, *spacing, options, Advancer<Grid, NoTrace>::kCellPerLength});
+        return std::make_unique<GridMesher<Advancer, Grid>>(std::move(boundary), std::move(spacing),
+                                                            careFor(options.improve), std::move(grid));
+    };
+    return options.method == Method::Classic ? create.template operator()<ClassicAdvancer>()
+                                             : create.template operator()<FastAdvancer>();
 }
 
 void addTags(Mesh &mesh, const DiscreteDomain &boundary, const std::vector<std::uint32_t> &elementRegions) {
@@ -135,28 +162,12 @@ Mesher::Mesher(std::shared_ptr<const DiscreteDomain> boundary, std::shared_ptr<c
 
 std::unique_ptr<Mesher> Mesher::create(std::shared_ptr<const DiscreteDomain> boundary,
                                        std::shared_ptr<const SpacingField> spacing, const MeshingOptions &options) {
-    const DiscreteDomain &domain = *boundary;
-    const FrontCare care = careFor(options.improve);
-    const auto make = [&]<class Grid>(Grid grid) -> std::unique_ptr<Mesher> {
-        if (options.method == Method::Classic) {
-            return std::make_unique<GridMesher<ClassicAdvancer, Grid>>(std::move(boundary), std::move(spacing), care,
-                                                                       std::move(grid));
-        }
-        return std::make_unique<GridMesher<FastAdvancer, Grid>>(std::move(boundary), std::move(spacing), care,
-                                                                std::move(grid));
-    };
-    switch (options.grid) {
-    case GridKind::None:
-        return make(NoGrid{});
-    case GridKind::Uniform:
-        return make(uniformGridFor(domain, *spacing, options));
-    case GridKind::Hierarchical:
-        break;
-    }
-    const double cellPerLength = options.method == Method::Classic
-                                     ? ClassicAdvancer<HierarchicalGrid, NoTrace>::kCellPerLength
-                                     : FastAdvancer<HierarchicalGrid, NoTrace>::kCellPerLength;
-    return make(HierarchicalGrid(domain.bounds(), gridSlack(domain.bounds()), cellPerLength));
+#define FOREFRONT_CREATE_ON(unused, Grid)                                                                              \
+    case Grid::kKind:                                                                                                  \
+        return createOn<Grid>(std::move(boundary), std::move(spacing), options);
+    switch (options.grid) { FOREFRONT_FOR_EACH_GRID(FOREFRONT_CREATE_ON, ) }
+#undef FOREFRONT_CREATE_ON
+    return nullptr;
 }
 
 void Mesher::reserve(std::uint64_t elements) {

@@ -3,6 +3,7 @@
 #include "core/base/api.hpp"
 #include "core/base/enum_words.hpp"
 #include "core/domain/domain.hpp"
+#include "core/grid/grid_kind.hpp"
 #include "core/improve/improve_level.hpp"
 #include "core/spacing/spec/spacing_spec.hpp"
 
@@ -22,15 +23,6 @@ template <>
 struct EnumWords<Method> {
     static constexpr auto kLast = Method::Classic;
     static constexpr std::array<std::string_view, 2> kList = {"fast", "classic"};
-};
-
-/// The background grid that answers the searches of the front. It changes the work, never the mesh.
-enum class GridKind : std::uint8_t { None, Uniform, Hierarchical };
-
-template <>
-struct EnumWords<GridKind> {
-    static constexpr auto kLast = GridKind::Hierarchical;
-    static constexpr std::array<std::string_view, 3> kList = {"none", "uniform", "hierarchical"};
 };
 
 struct MeshingOptions {

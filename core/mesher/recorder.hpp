@@ -1,57 +1,74 @@
 #pragma once
 
+#include "core/base/api.hpp"
 #include "core/mesher/front_state.hpp"
 #include "core/mesher/trace.hpp"
 
-namespace forefront {
+#include <span>
 
-/// Records nothing and costs nothing: every call vanishes at compile time.
+namespace FOREFRONT_API forefront {
+
+struct Base;
+struct Candidate;
+struct Fan;
+
+/// Records nothing and costs nothing: every call compiles to nothing.
 struct NoTrace {
-    static constexpr bool kRecords = false;
-
-    template <class Base>
+    void takeBase(bool) {}
     void begin(const FrontState &, const Base &) {}
+    void evaluateSpacing(const Base &) {}
+    void visitCell(const Box2 &) {}
+    void widen() {}
+    void rank(const Base &, std::span<const Candidate>, double, bool) {}
+    void proposeFan(const Fan &) {}
+    void proposeCorner(const FrontState &, const Fan &, unsigned) {}
+    void beginTest(std::size_t) {}
+    void testSegment(Vec2, Vec2, Vec2, Vec2, bool) {}
+    void block(Vec2, Vec2) {}
+    void endTest(Verdict) {}
     void end(const FrontState &, const AdvanceDelta &, Vec2) {}
 };
 
 /// Records one advance into an AdvanceExplanation.
-struct Recorder {
-    static constexpr bool kRecords = true;
+class Recorder {
+  public:
+    explicit Recorder(AdvanceExplanation &out) : out_(out) {}
 
-    AdvanceExplanation &out;
-
-    void event(Step step, std::uint32_t candidate = kNoIndex, std::uint32_t test = kNoIndex) {
-        out.events.push_back({step, candidate, test, static_cast<std::uint32_t>(out.cells.size()),
-                              static_cast<std::uint32_t>(out.candidates.size())});
-    }
-    /// Step 2, before anything is searched.
-    template <class Base>
-    void begin(const FrontState &state, const Base &base) {
-        out.advance = state.work.advances + 1;
-        out.a = base.a;
-        out.b = base.b;
-        out.nodeA = base.nodeA;
-        out.nodeB = base.nodeB;
-        event(Step::TakeBase);
-    }
+    /// A base has been chosen; `continuesWalk`: it follows the base before along the front.
+    void takeBase(bool continuesWalk) { out_.walked = continuesWalk; }
+    /// Step 2: what was recorded for a base that was then left to a later strip is dropped.
+    void begin(const FrontState &state, const Base &base);
+    /// Steps 3 and 4.
+    void evaluateSpacing(const Base &base);
+    /// The grid has looked into this cell.
+    void visitCell(const Box2 &cell) { out_.cells.push_back(cell); }
+    /// No candidate passed, and the search goes on within a larger radius.
+    void widen() { ++out_.widening; }
+    /// Steps 5 to 7 of a search: its candidates in their order; `withdrawn`: the ideal point is not among them since it
+    /// is too near the front.
+    void rank(const Base &base, std::span<const Candidate> candidates, double radius, bool withdrawn);
+    /// Steps 3 to 7 for a new node over all segments of a fan.
+    void proposeFan(const Fan &fan);
+    /// Steps 3 to 7 for the element of a corner of two segments, of which segment `base` is the base.
+    void proposeCorner(const FrontState &state, const Fan &corner, unsigned base);
+    /// Step 8 begins for candidate `k` of the search ranked last.
+    void beginTest(std::size_t k);
+    /// The candidate segment from–to was tested against the front segment ab.
+    void testSegment(Vec2 from, Vec2 to, Vec2 a, Vec2 b, bool meets);
+    /// The front segment ab, or the front node a = b, rules out the candidate under test.
+    void block(Vec2 a, Vec2 b);
+    /// Step 8 ends for the candidate under test.
+    void endTest(Verdict verdict);
     /// Steps 9 and 10, after Γ has changed.
-    void end(const FrontState &state, const AdvanceDelta &delta, Vec2 apex) {
-        out.deferred = delta.kind == AdvanceDelta::Kind::Deferral;
-        if (!out.deferred) {
-            out.apex = apex;
-            out.elements = delta.elements();
-            const std::size_t first = state.elements.size() - delta.elements();
-            out.element = ElementId{static_cast<std::uint32_t>(first)};
-            for (std::size_t e = first; e < state.elements.size(); ++e) {
-                const auto at = [&](unsigned k) { return state.nodes[index(state.elements[e][k]) - state.firstNode]; };
-                out.made.push_back({at(0), at(1), at(2)});
-            }
-        }
-        event(Step::Update);
-        if (state.front.empty()) {
-            event(Step::Finish);
-        }
-    }
+    void end(const FrontState &state, const AdvanceDelta &delta, Vec2 apex);
+
+  private:
+    void event(Step step, std::uint32_t candidate = kNoIndex, std::uint32_t test = kNoIndex);
+    void propose(CandidateTrace candidate, double rho, bool newNode);
+
+    AdvanceExplanation &out_;
+    std::uint32_t firstOfSearch_ = 0; ///< index of the first candidate of the search ranked last
+    std::uint32_t underTest_ = 0;     ///< index of the candidate under test
 };
 
 } // namespace forefront

@@ -9,6 +9,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -18,7 +19,14 @@ using namespace forefront::testing;
 namespace {
 
 constexpr Method kMethods[] = {Method::Fast, Method::Classic};
-constexpr GridKind kGrids[] = {GridKind::None, GridKind::Uniform, GridKind::Hierarchical};
+/// All kinds of background grid.
+constexpr auto kGrids = [] {
+    std::array<GridKind, wordsOf<GridKind>().size()> grids{};
+    for (std::size_t i = 0; i < grids.size(); ++i) {
+        grids[i] = static_cast<GridKind>(i);
+    }
+    return grids;
+}();
 
 std::unique_ptr<Mesher> mesherOn(std::shared_ptr<const DiscreteDomain> domain, double rho,
                                  GridKind grid = GridKind::Hierarchical, Method method = Method::Classic) {

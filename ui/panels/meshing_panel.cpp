@@ -6,6 +6,9 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <array>
+
 namespace forefront {
 namespace {
 
@@ -44,7 +47,12 @@ class MeshingPanel final : public Panel {
         changed = ui::checkbox(context, "meshing/keepboundary", "Keep segments", options.keepBoundary) || changed;
         ui::rowTooltip(context, "Keep the drawn segments as mesh edges; do not subdivide them.");
         form::label(context, "Grid");
-        static constexpr const char *kGrids[] = {"none", "uniform", "hierarchical"};
+        static constexpr auto kGrids = [] { // literals, so that each ends with a zero
+            std::array<const char *, wordsOf<GridKind>().size()> names{};
+            const auto &words = wordsOf<GridKind>();
+            std::transform(words.begin(), words.end(), names.begin(), [](auto word) { return word.data(); });
+            return names;
+        }();
         int grid = static_cast<int>(options.grid);
         if (ui::combo(context, "meshing/grid", kGrids, grid)) {
             options.grid = static_cast<GridKind>(grid);

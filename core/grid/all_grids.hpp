@@ -1,0 +1,11 @@
+#pragma once
+
+#include "core/grid/grid_kind.hpp"
+#include "core/grid/hierarchical_grid.hpp"
+#include "core/grid/no_grid.hpp"
+#include "core/grid/uniform_grid.hpp"
+
+/// Expands apply(argument, Grid) for every background grid. To add a grid: write its class with the members of NoGrid,
+/// add its kind and word to grid_kind.hpp, add the class to this list, and add a makeGrid() to mesher.cpp.
+#define FOREFRONT_FOR_EACH_GRID(apply, argument)                                                                       \
+    apply(argument, NoGrid) apply(argument, UniformGrid) apply(argument, HierarchicalGrid)
