@@ -1,6 +1,7 @@
 #include "app/tables/table_run.hpp"
 
 #include "app/tables/adaptive_case.hpp"
+#include "core/base/cancelled.hpp"
 #include "core/base/cpu_clock.hpp"
 #include "core/mesh/quality.hpp"
 #include "core/mesher/mesher.hpp"
@@ -30,7 +31,7 @@ Result<GridRun> advanceOnce(const TableGrid &grid, const MeshingJob &job, const 
     const std::unique_ptr<Mesher> mesher = Mesher::create(prepared.boundary, prepared.spacing, options);
     mesher->reserve(static_cast<std::uint64_t>(Mesher::kRoom * prepared.estimatedElements) + 1024);
     if (!advanceToEnd(*mesher, prepared.estimatedElements, stage, progress)) {
-        return cancelled();
+        return cancelled("running the tables");
     }
     run.work = mesher->state().work;
     run.mesh = std::move(*mesher).takeMesh();
@@ -196,7 +197,7 @@ Result<RowFigures> runTableRow(const TableCase &row, const std::vector<TableGrid
         figures.grids.push_back({grid.name, run->seconds, run->work.neighboursMean(), 0.0});
     }
     if (progress.cancelled()) {
-        return cancelled();
+        return cancelled("running the tables");
     }
     fillEfficiencies(figures.grids);
     return figures;

@@ -1,5 +1,6 @@
 #include "core/adapt/adaptive_meshing.hpp"
 
+#include "core/base/cancelled.hpp"
 #include "core/mesher/pipeline.hpp"
 #include "core/spacing/parts/expression/expression.hpp"
 
@@ -56,7 +57,7 @@ Result<NodalField> expressionField(const std::string &expression) {
         std::vector<double> values(mesh.nodes.size());
         for (std::size_t first = 0; first < values.size(); first += kBatch) {
             if (progress.cancelled()) {
-                return error("cancelled", "evaluating the field was cancelled");
+                return cancelled("evaluating the field");
             }
             progress("evaluating the field", static_cast<double>(first) / static_cast<double>(values.size()));
             const std::size_t count = std::min(kBatch, values.size() - first);

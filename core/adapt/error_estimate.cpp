@@ -1,6 +1,7 @@
 #include "core/adapt/error_estimate.hpp"
 
 #include "core/adapt/gradient_recovery.hpp"
+#include "core/base/cancelled.hpp"
 #include "core/base/paced_progress.hpp"
 
 #include <cmath>
@@ -26,7 +27,7 @@ Result<ErrorEstimate> estimateError(const Mesh &mesh, std::span<const double> va
     PacedProgress pace(progress, "estimating the error", mesh.elements.size());
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
         if (!pace.next()) {
-            return error("cancelled", "estimating the error was cancelled");
+            return cancelled("estimating the error");
         }
         const Element &nodes = mesh.elements[e];
         const Vec2 a = mesh.nodes[index(nodes[0])];

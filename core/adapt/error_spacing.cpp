@@ -1,5 +1,6 @@
 #include "core/adapt/error_spacing.hpp"
 
+#include "core/base/cancelled.hpp"
 #include "core/base/paced_progress.hpp"
 #include "core/mesh/topology.hpp"
 
@@ -80,10 +81,6 @@ class SpacingLaw {
     const AdaptTarget &target_;
 };
 
-Diagnostics cancelled() {
-    return error("cancelled", "choosing the node spacing was cancelled");
-}
-
 } // namespace
 
 Result<std::vector<double>> elementSpacing(const Mesh &mesh, const ErrorEstimate &estimate, const AdaptTarget &target,
@@ -92,7 +89,7 @@ Result<std::vector<double>> elementSpacing(const Mesh &mesh, const ErrorEstimate
     const double wanted = target.error * std::hypot(estimate.norm, estimate.total);
     const std::optional<double> elementError = wanted > 0.0 ? law.solve(wanted, progress) : 1.0;
     if (!elementError) {
-        return cancelled();
+        return cancelled("choosing the node spacing");
     }
     std::vector<double> spacing(mesh.elements.size());
     for (std::size_t e = 0; e < spacing.size(); ++e) {
@@ -165,7 +162,7 @@ Result<SpacingSpec> adaptedSpacing(const Mesh &mesh, const ErrorEstimate &estima
     background->nodes = mesh.nodes;
     background->values = nodalSpacing(mesh, *ofElements);
     if (!limitGradation(mesh, target.gradation, background->values, progress)) {
-        return cancelled();
+        return cancelled("choosing the node spacing");
     }
     background->elements.reserve(mesh.elements.size());
     for (const Element &nodes : mesh.elements) {

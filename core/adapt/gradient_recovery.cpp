@@ -1,5 +1,6 @@
 #include "core/adapt/gradient_recovery.hpp"
 
+#include "core/base/cancelled.hpp"
 #include "core/base/paced_progress.hpp"
 #include "core/mesh/topology.hpp"
 
@@ -9,10 +10,6 @@
 namespace forefront {
 
 namespace {
-
-Diagnostics cancelled() {
-    return error("cancelled", "recovering the gradient was cancelled");
-}
 
 /// A fit of three unknowns wants some more elements than that.
 constexpr std::size_t kEnough = 5;
@@ -27,7 +24,7 @@ class PatchRecovery {
         PacedProgress pace(progress, "recovering the gradient", mesh_.nodes.size());
         for (std::uint32_t n = 0; n < mesh_.nodes.size(); ++n) {
             if (!pace.next()) {
-                return cancelled();
+                return cancelled("recovering the gradient");
             }
             const auto elements = elementsAround(NodeId{n});
             std::vector<std::int32_t> done;
@@ -147,7 +144,7 @@ Result<std::vector<Vec2>> elementGradients(const Mesh &mesh, std::span<const dou
     PacedProgress pace(progress, "taking the gradient", mesh.elements.size());
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
         if (!pace.next()) {
-            return cancelled();
+            return cancelled("recovering the gradient");
         }
         const Element &nodes = mesh.elements[e];
         const Vec2 ab = mesh.nodes[index(nodes[1])] - mesh.nodes[index(nodes[0])];
@@ -164,7 +161,7 @@ Result<std::vector<Vec2>> elementGradients(const Mesh &mesh, std::span<const dou
 Result<CornerGradients> recoverGradient(const Mesh &mesh, std::span<const Vec2> gradients, const Progress &progress) {
     std::optional<NodeElements> around = nodeElements(mesh, progress);
     if (!around) {
-        return cancelled();
+        return cancelled("recovering the gradient");
     }
     return PatchRecovery(mesh, std::move(*around), gradients).run(progress);
 }

@@ -1,5 +1,6 @@
 #include "core/boundary/discretise.hpp"
 
+#include "core/base/cancelled.hpp"
 #include "core/base/ids.hpp"
 #include "core/base/number_text.hpp"
 #include "core/boundary/spacing_integral.hpp"
@@ -23,10 +24,6 @@ Diagnostics located(std::string code, std::string message, std::string advice, V
     Diagnostics faults = error(std::move(code), std::move(message), std::move(advice));
     faults[0].at = at;
     return faults;
-}
-
-Diagnostics cancelled() {
-    return error("cancelled", "discretising was cancelled");
 }
 
 Diagnostics notValid() {
@@ -53,7 +50,7 @@ class Discretiser {
         most_.assign(domain_.segments.size(), keepBoundary_ ? 1U : kNoIndex);
         if (!keepBoundary_) {
             if (!sampleNodes()) {
-                return cancelled();
+                return cancelled("discretising the boundary");
             }
             if (Status faults = refuseAbsurd(); !faults.empty()) {
                 return faults;
@@ -68,7 +65,7 @@ class Discretiser {
             progress_("checking the boundary", 0.0);
             const std::vector<std::uint32_t> meeting = sourcesThatMeet();
             if (progress_.cancelled()) {
-                return cancelled();
+                return cancelled("discretising the boundary");
             }
             if (meeting.empty()) {
                 break;
@@ -90,7 +87,7 @@ class Discretiser {
         }
         const PlaneSweepResult sweep = sweepPlane(graph.points, graph.edges, progress_.stop);
         if (progress_.cancelled()) {
-            return cancelled();
+            return cancelled("discretising the boundary");
         }
         if (sweep.droppedCount != 0) {
             return notValid();
@@ -154,7 +151,7 @@ class Discretiser {
         Vec2 worstPlace;
         for (std::size_t s = 0; s < domain_.segments.size(); ++s) {
             if (s % 256 == 0 && progress_.cancelled()) {
-                return cancelled();
+                return cancelled("discretising the boundary");
             }
             const std::uint32_t nodeA = domain_.segments[s].a, nodeB = domain_.segments[s].b;
             const Vec2 a = domain_.nodes[nodeA], b = domain_.nodes[nodeB];
@@ -181,7 +178,7 @@ class Discretiser {
                 progress_("discretising", static_cast<double>(s) / static_cast<double>(domain_.segments.size()));
             }
             if (s % 256 == 0 && progress_.cancelled()) {
-                return cancelled();
+                return cancelled("discretising the boundary");
             }
             if (Status faults = cutSegment(s); !faults.empty()) {
                 return faults;
@@ -210,7 +207,7 @@ class Discretiser {
             case SpacingIntegral::Outcome::TooMany:
                 return tooMany(static_cast<double>(result_.segments.size()) + integral_.total(), midpoint(a, b));
             case SpacingIntegral::Outcome::Cancelled:
-                return cancelled();
+                return cancelled("discretising the boundary");
             }
             count_[s] = std::min(most_[s], static_cast<std::uint32_t>(integral_.pieces()));
             integral_.cut(count_[s], fractions_);

@@ -43,12 +43,12 @@ GenerationFront::GenerationFront(const DiscreteDomain &boundary) {
     std::inclusive_scan(degree.begin(), degree.end(), offset.begin() + 1);
     std::vector<Spoke> spokes(offset.back());
     std::vector<std::uint32_t> fill(offset.begin(), offset.end() - 1);
-    const auto addSlot = [&](std::uint32_t from, std::uint32_t region) {
+    const auto addSlot = [&](std::uint32_t from, std::uint32_t face) {
         const SlotId id = allocate();
         FrontSlot &slot = slots_[index(id)];
         slot.position = boundary.nodes[from];
         slot.node = NodeId{from};
-        slot.region = region;
+        slot.face = face;
         return id;
     };
     for (const DiscreteSegment &s : boundary.segments) {
@@ -105,14 +105,14 @@ void GenerationFront::release(SlotId id) {
     free_.push_back(id);
 }
 
-SlotId GenerationFront::revive(SlotId expected, NodeId node, Vec2 position, std::uint32_t region, SegmentMark mark) {
+SlotId GenerationFront::revive(SlotId expected, NodeId node, Vec2 position, std::uint32_t face, SegmentMark mark) {
     const SlotId id = allocate();
     FOREFRONT_ASSERT(id == expected);
     static_cast<void>(expected);
     FrontSlot &slot = slots_[index(id)];
     slot.node = node;
     slot.position = position;
-    slot.region = region;
+    slot.face = face;
     slot.mark = mark;
     return id;
 }
@@ -138,7 +138,7 @@ SlotId GenerationFront::insertAfter(SlotId a, Vec2 position, NodeId node) {
     FrontSlot &slot = slots_[index(c)];
     slot.position = position;
     slot.node = node;
-    slot.region = slots_[index(a)].region;
+    slot.face = slots_[index(a)].face;
     link(a, c);
     link(c, b);
     renew(a);
@@ -166,7 +166,7 @@ void GenerationFront::cutOut(SlotId x) {
 void GenerationFront::undoCutOut(SlotId x, SlotId p, NodeId node, Vec2 position, SegmentMark mark,
                                  SegmentMark markOfP) {
     const SlotId n = next(p);
-    revive(x, node, position, slots_[index(p)].region, mark);
+    revive(x, node, position, slots_[index(p)].face, mark);
     link(p, x);
     link(x, n);
     restore(p, markOfP);
@@ -200,9 +200,9 @@ void GenerationFront::removeLoop(SlotId a) {
     segments_ -= 3;
 }
 
-void GenerationFront::undoRemoveLoop(const LoopSlot (&loop)[3], std::uint32_t region) {
+void GenerationFront::undoRemoveLoop(const LoopSlot (&loop)[3], std::uint32_t face) {
     for (int k = 2; k >= 0; --k) {
-        revive(loop[k].id, loop[k].node, loop[k].position, region, loop[k].mark);
+        revive(loop[k].id, loop[k].node, loop[k].position, face, loop[k].mark);
     }
     for (int k = 0; k < 3; ++k) {
         link(loop[k].id, loop[(k + 1) % 3].id);
@@ -217,14 +217,14 @@ SlotId GenerationFront::connect(SlotId a, SlotId s) {
     const SlotId b = next(a);
     SlotId t = s;
     if (isolated(s)) {
-        slots_[index(s)].region = slots_[index(a)].region;
+        slots_[index(s)].face = slots_[index(a)].face;
     } else {
         const SlotId before = prev(s);
         t = allocate();
         slots_[index(t)].position = slots_[index(s)].position;
         slots_[index(t)].node = slots_[index(s)].node;
         slots_[index(t)].rho = slots_[index(s)].rho;
-        slots_[index(t)].region = slots_[index(a)].region;
+        slots_[index(t)].face = slots_[index(a)].face;
         link(before, t);
     }
     link(a, s);
@@ -241,7 +241,7 @@ void GenerationFront::undoConnect(SlotId a, SlotId s, SlotId t, SegmentMark base
         link(s, s);
         slots_[index(s)].mark = {};
         slots_[index(s)].length = 0.0;
-        slots_[index(s)].region = 0;
+        slots_[index(s)].face = 0;
     } else {
         link(prev(t), s);
         release(t);

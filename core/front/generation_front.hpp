@@ -30,7 +30,7 @@ struct alignas(64) FrontSlot {
     SlotId next = kNoSlot;    ///< where the outgoing segment ends
     SlotId prev = kNoSlot;    ///< where the incoming segment starts
     SegmentMark mark;         ///< of the outgoing segment
-    std::uint32_t region = 0; ///< index of the face it borders, on its left
+    std::uint32_t face = 0; ///< index of the face it borders, on its left
     bool alive = false;
 };
 
@@ -80,7 +80,7 @@ class GenerationFront {
         Vec2 position;
         SegmentMark mark;
     };
-    void undoRemoveLoop(const LoopSlot (&loop)[3], std::uint32_t region);
+    void undoRemoveLoop(const LoopSlot (&loop)[3], std::uint32_t face);
 
     /// A→B becomes A→C and C→B where C is the node of slot s elsewhere on Γ: one loop becomes two, or two become one. s
     /// keeps its outgoing segment and follows A; the returned new slot of the same node takes the incoming one and
@@ -107,7 +107,7 @@ class GenerationFront {
   private:
     SlotId allocate();
     void release(SlotId id);
-    SlotId revive(SlotId expected, NodeId node, Vec2 position, std::uint32_t region, SegmentMark mark);
+    SlotId revive(SlotId expected, NodeId node, Vec2 position, std::uint32_t face, SegmentMark mark);
     void link(SlotId from, SlotId to);
     void renew(SlotId id);                     ///< its outgoing segment is a new one
     void restore(SlotId id, SegmentMark mark); ///< its outgoing segment is an earlier one again
@@ -118,7 +118,7 @@ class GenerationFront {
     std::uint32_t nextSerial_ = 0;
 };
 
-/// Segments and isolated points of Γ in some region, with the slots of their ends; links that lead out of it are
+/// Segments and isolated points of Γ in some face, with the slots of their ends; links that lead out of it are
 /// kNoSlot.
 struct FrontPart {
     GenerationFront front;

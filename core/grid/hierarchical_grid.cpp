@@ -5,7 +5,7 @@ namespace forefront {
 namespace {
 
 constexpr int kTopCells = 8;
-constexpr int kMostCells = 16; // no more than Place can number
+constexpr int kMaxCells = 16; // no more than Place can number
 
 } // namespace
 
@@ -24,7 +24,7 @@ HierarchicalGrid::HierarchicalGrid(const Box2 &bounds, double slack, double cell
 std::uint32_t HierarchicalGrid::addTable(const Box2 &box, int columns, int rows, std::uint32_t above) {
     const Vec2 size = box.size();
     Table table;
-    table.lattice = {box.min, {size.x / columns, size.y / rows}, columns, rows};
+    table.layout = {box.min, {size.x / columns, size.y / rows}, columns, rows};
     table.inner = box.grown(-slack_);
     table.above = above;
     table.firstCell = static_cast<std::uint32_t>(cells_.size());
@@ -39,9 +39,9 @@ std::uint32_t HierarchicalGrid::tableAround(const Box2 &box) const {
     }
     for (;;) {
         const Table &table = tables_[last_];
-        const int i = table.lattice.column(box.min.x);
-        const int j = table.lattice.row(box.min.y);
-        if (table.lattice.column(box.max.x) != i || table.lattice.row(box.max.y) != j) {
+        const int i = table.layout.column(box.min.x);
+        const int j = table.layout.row(box.min.y);
+        if (table.layout.column(box.max.x) != i || table.layout.row(box.max.y) != j) {
             return last_;
         }
         const std::uint32_t below = cells_[cell(table, i, j)].table;
@@ -52,8 +52,8 @@ std::uint32_t HierarchicalGrid::tableAround(const Box2 &box) const {
     }
 }
 
-bool HierarchicalGrid::tooCoarse(const Lattice &lattice, double length) const {
-    return lattice.cellWidth > 2.0 * cellPerLength_ * length && lattice.cellWidth > 1024.0 * slack_;
+bool HierarchicalGrid::tooCoarse(const CellLayout &layout, double length) const {
+    return layout.cellWidth > 2.0 * cellPerLength_ * length && layout.cellWidth > 1024.0 * slack_;
 }
 
 void HierarchicalGrid::insert(const GenerationFront &front, SlotId id) {
@@ -85,8 +85,8 @@ bool HierarchicalGrid::keeps(SlotId id, Vec2 a, Vec2 b) const {
         return false;
     }
     const Table &table = tables_[place.table];
-    const Box2 box = table.lattice.cellBox(place.i, place.j).grown(-slack_);
-    const double least = table.lattice.cellWidth / (2.0 * cellPerLength_);
+    const Box2 box = table.layout.cellBox(place.i, place.j).grown(-slack_);
+    const double least = table.layout.cellWidth / (2.0 * cellPerLength_);
     return box.contains(a) && box.contains(b) && distanceSquared(a, b) >= least * least &&
            cells_[place.cell].table == kLeaf;
 }
@@ -94,20 +94,20 @@ bool HierarchicalGrid::keeps(SlotId id, Vec2 a, Vec2 b) const {
 void HierarchicalGrid::moved(const GenerationFront &front, SlotId id) {
     const Place &place = places_[index(id)];
     blocks_.move(cells_[place.cell].list, id,
-                 CellScale(tables_[place.table].lattice, place.i, place.j)(boxOf(front.start(id), front.end(id))));
+                 CellScale(tables_[place.table].layout, place.i, place.j)(boxOf(front.start(id), front.end(id))));
 }
 
 void HierarchicalGrid::insertInto(std::uint32_t tableIndex, const GenerationFront &front, SlotId id) {
-    const Lattice lattice = tables_[tableIndex].lattice; // a copy: splitting may move the tables
+    const CellLayout layout = tables_[tableIndex].layout; // a copy: splitting may move the tables
     const double length = front[id].length;
-    const bool splits = tooCoarse(lattice, length) && !front.isolated(id);
-    forEachCrossedCell(lattice, front.start(id), front.end(id), slack_, [&](int i, int j) {
+    const bool splits = tooCoarse(layout, length) && !front.isolated(id);
+    forEachCrossedCell(layout, front.start(id), front.end(id), slack_, [&](int i, int j) {
         const std::uint32_t at = cell(tables_[tableIndex], i, j);
         if (cells_[at].table == kLeaf && splits) {
-            split(tableIndex, at, lattice.cellBox(i, j), length, front);
+            split(tableIndex, at, layout.cellBox(i, j), length, front);
         }
         if (cells_[at].table == kLeaf) {
-            blocks_.push(cells_[at].list, id, CellScale(lattice, i, j)(boxOf(front.start(id), front.end(id))));
+            blocks_.push(cells_[at].list, id, CellScale(layout, i, j)(boxOf(front.start(id), front.end(id))));
             places_[index(id)] = {tableIndex, at, static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j)};
             ++pushed_;
         } else {
@@ -120,7 +120,7 @@ void HierarchicalGrid::split(std::uint32_t above, std::uint32_t cellIndex, const
                              const GenerationFront &front) {
     const double width = box.max.x - box.min.x;
     const int n = static_cast<int>(
-        std::clamp(std::floor(width / (cellPerLength_ * length)), 2.0, static_cast<double>(kMostCells)));
+        std::clamp(std::floor(width / (cellPerLength_ * length)), 2.0, static_cast<double>(kMaxCells)));
     std::vector<SlotId> residents;
     blocks_.forEach(cells_[cellIndex].list, [&](SlotId id) { residents.push_back(id); });
     for (const SlotId id : residents) {
@@ -128,18 +128,18 @@ void HierarchicalGrid::split(std::uint32_t above, std::uint32_t cellIndex, const
     }
     const std::uint32_t table = addTable(box, n, n, above);
     cells_[cellIndex].table = table;
-    const Lattice lattice = tables_[table].lattice;
+    const CellLayout layout = tables_[table].layout;
     for (const SlotId id : residents) {
         const Box2 ends = boxOf(front.start(id), front.end(id));
-        forEachCrossedCell(lattice, front.start(id), front.end(id), slack_, [&](int i, int j) {
-            blocks_.push(cells_[cell(tables_[table], i, j)].list, id, CellScale(lattice, i, j)(ends));
+        forEachCrossedCell(layout, front.start(id), front.end(id), slack_, [&](int i, int j) {
+            blocks_.push(cells_[cell(tables_[table], i, j)].list, id, CellScale(layout, i, j)(ends));
         });
     }
 }
 
 void HierarchicalGrid::removeFrom(std::uint32_t tableIndex, const GenerationFront &front, SlotId id) {
     const Table &table = tables_[tableIndex];
-    forEachCrossedCell(table.lattice, front.start(id), front.end(id), slack_, [&](int i, int j) {
+    forEachCrossedCell(table.layout, front.start(id), front.end(id), slack_, [&](int i, int j) {
         CellContent &content = cells_[cell(table, i, j)];
         if (content.table == kLeaf) {
             blocks_.erase(content.list, id);

@@ -3,7 +3,7 @@
 #include "core/front/generation_front.hpp"
 #include "core/grid/cell_lists.hpp"
 #include "core/grid/grid_kind.hpp"
-#include "core/grid/lattice.hpp"
+#include "core/grid/cell_layout.hpp"
 
 #include <vector>
 
@@ -31,7 +31,7 @@ class HierarchicalGrid {
     template <class Deliver, class Visited>
     void query(const GenerationFront &, const Box2 &box, Deliver &&deliver, Visited &&visited) const {
         const Box2 grown = box.grown(slack_);
-        queryTable(tableAround(grown), box, [&](const CellLists::List &list, const Lattice &in, int i, int j) {
+        queryTable(tableAround(grown), box, [&](const CellLists::List &list, const CellLayout &in, int i, int j) {
             visited(in.cellBox(i, j));
             blocks_.forEach(list, CellScale(in, i, j)(grown), deliver);
         });
@@ -42,7 +42,7 @@ class HierarchicalGrid {
     std::uint32_t queryNear(const GenerationFront &, const Box2 &box, Deliver &&deliver, Visited &&visited) const {
         std::uint32_t looked = 0;
         queryTable(tableAround(box.grown(slack_)), box,
-                   [&](const CellLists::List &list, const Lattice &in, int i, int j) {
+                   [&](const CellLists::List &list, const CellLayout &in, int i, int j) {
                        visited(in.cellBox(i, j));
                        looked += list.size;
                        blocks_.forEachNear(list, CellScale(in, i, j)(box), deliver);
@@ -53,11 +53,11 @@ class HierarchicalGrid {
     template <class Cell>
     void forEachCell(Cell &&visit) const {
         for (const Table &table : tables_) {
-            for (int j = 0; j < table.lattice.rows; ++j) {
-                for (int i = 0; i < table.lattice.columns; ++i) {
+            for (int j = 0; j < table.layout.rows; ++j) {
+                for (int i = 0; i < table.layout.columns; ++i) {
                     const CellContent &content = cells_[cell(table, i, j)];
                     if (content.table == kLeaf) {
-                        visit(table.lattice.cellBox(i, j), content.list.size);
+                        visit(table.layout.cellBox(i, j), content.list.size);
                     }
                 }
             }
@@ -72,7 +72,7 @@ class HierarchicalGrid {
         std::uint32_t table = kLeaf;
     };
     struct Table {
-        Lattice lattice;
+        CellLayout layout;
         std::uint32_t firstCell = 0;
         Box2 inner; ///< its box less a margin: that of the cell above may differ by rounding
         std::uint32_t above = 0;
@@ -86,13 +86,13 @@ class HierarchicalGrid {
     };
 
     static std::uint32_t cell(const Table &table, int i, int j) {
-        return table.firstCell + static_cast<std::uint32_t>(j * table.lattice.columns + i);
+        return table.firstCell + static_cast<std::uint32_t>(j * table.layout.columns + i);
     }
     /// The table to look up a box in: from the last one up until it holds the box, and down while all of the box lies
     /// in one cell.
     std::uint32_t tableAround(const Box2 &box) const;
     std::uint32_t addTable(const Box2 &box, int columns, int rows, std::uint32_t above);
-    bool tooCoarse(const Lattice &lattice, double length) const;
+    bool tooCoarse(const CellLayout &layout, double length) const;
     void insertInto(std::uint32_t table, const GenerationFront &front, SlotId id);
     void removeFrom(std::uint32_t table, const GenerationFront &front, SlotId id);
     void split(std::uint32_t above, std::uint32_t cellIndex, const Box2 &box, double length,
@@ -101,15 +101,15 @@ class HierarchicalGrid {
     template <class Visit>
     void queryTable(std::uint32_t tableIndex, const Box2 &box, const Visit &visit) const {
         const Table &table = tables_[tableIndex];
-        const Lattice &lattice = table.lattice;
-        const int i0 = lattice.column(box.min.x - slack_);
-        const int i1 = lattice.column(box.max.x + slack_);
-        const int j1 = lattice.row(box.max.y + slack_);
-        for (int j = lattice.row(box.min.y - slack_); j <= j1; ++j) {
+        const CellLayout &layout = table.layout;
+        const int i0 = layout.column(box.min.x - slack_);
+        const int i1 = layout.column(box.max.x + slack_);
+        const int j1 = layout.row(box.max.y + slack_);
+        for (int j = layout.row(box.min.y - slack_); j <= j1; ++j) {
             for (int i = i0; i <= i1; ++i) {
                 const CellContent &content = cells_[cell(table, i, j)];
                 if (content.table == kLeaf) {
-                    visit(content.list, lattice, i, j);
+                    visit(content.list, layout, i, j);
                 } else {
                     queryTable(content.table, box, visit);
                 }

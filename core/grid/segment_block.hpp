@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/ids.hpp"
-#include "core/grid/lattice.hpp"
+#include "core/grid/cell_layout.hpp"
 
 #include <algorithm>
 #include <array>
@@ -22,8 +22,8 @@ struct CellBox {
 /// rounding nor the edges can part them.
 class CellScale {
   public:
-    CellScale(const Lattice &lattice, int i, int j)
-        : origin_(lattice.cellBox(i, j).min), perX_(kSteps * lattice.perWidth), perY_(kSteps * lattice.perHeight) {}
+    CellScale(const CellLayout &layout, int i, int j)
+        : origin_(layout.cellBox(i, j).min), perX_(kSteps * layout.perWidth), perY_(kSteps * layout.perHeight) {}
 
     CellBox operator()(const Box2 &box) const {
         return {step((box.min.x - origin_.x) * perX_), step((box.min.y - origin_.y) * perY_),

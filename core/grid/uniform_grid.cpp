@@ -4,7 +4,7 @@ namespace forefront {
 
 namespace {
 
-Lattice latticeOver(const Box2 &bounds, int columns, int rows) {
+CellLayout layoutOver(const Box2 &bounds, int columns, int rows) {
     const Vec2 size = bounds.size();
     const double least = gridSlack(bounds) * 8.0;
     const int c = std::max(columns, 1), r = std::max(rows, 1);
@@ -14,17 +14,17 @@ Lattice latticeOver(const Box2 &bounds, int columns, int rows) {
 } // namespace
 
 UniformGrid::UniformGrid(const Box2 &bounds, int columns, int rows)
-    : lattice_(latticeOver(bounds, columns, rows)), slack_(gridSlack(bounds)),
-      lists_(static_cast<std::size_t>(lattice_.columns) * static_cast<std::size_t>(lattice_.rows)) {}
+    : layout_(layoutOver(bounds, columns, rows)), slack_(gridSlack(bounds)),
+      lists_(static_cast<std::size_t>(layout_.columns) * static_cast<std::size_t>(layout_.rows)) {}
 
 void UniformGrid::insert(const GenerationFront &front, SlotId id) {
     const Box2 box = boxOf(front.start(id), front.end(id));
-    forEachCrossedCell(lattice_, front.start(id), front.end(id), slack_,
-                       [&](int i, int j) { blocks_.push(lists_[cell(i, j)], id, CellScale(lattice_, i, j)(box)); });
+    forEachCrossedCell(layout_, front.start(id), front.end(id), slack_,
+                       [&](int i, int j) { blocks_.push(lists_[cell(i, j)], id, CellScale(layout_, i, j)(box)); });
 }
 
 void UniformGrid::remove(const GenerationFront &front, SlotId id) {
-    forEachCrossedCell(lattice_, front.start(id), front.end(id), slack_,
+    forEachCrossedCell(layout_, front.start(id), front.end(id), slack_,
                        [&](int i, int j) { blocks_.erase(lists_[cell(i, j)], id); });
 }
 

@@ -3,7 +3,7 @@
 #include "core/front/generation_front.hpp"
 #include "core/grid/cell_lists.hpp"
 #include "core/grid/grid_kind.hpp"
-#include "core/grid/lattice.hpp"
+#include "core/grid/cell_layout.hpp"
 
 #include <vector>
 
@@ -28,8 +28,8 @@ class UniformGrid {
     void query(const GenerationFront &, const Box2 &box, Deliver &&deliver, Visited &&visited) const {
         const Box2 grown = box.grown(slack_);
         forEachCellNear(box, [&](const CellLists::List &list, int i, int j) {
-            visited(lattice_.cellBox(i, j));
-            blocks_.forEach(list, CellScale(lattice_, i, j)(grown), deliver);
+            visited(layout_.cellBox(i, j));
+            blocks_.forEach(list, CellScale(layout_, i, j)(grown), deliver);
         });
     }
 
@@ -38,40 +38,40 @@ class UniformGrid {
     std::uint32_t queryNear(const GenerationFront &, const Box2 &box, Deliver &&deliver, Visited &&visited) const {
         std::uint32_t looked = 0;
         forEachCellNear(box, [&](const CellLists::List &list, int i, int j) {
-            visited(lattice_.cellBox(i, j));
+            visited(layout_.cellBox(i, j));
             looked += list.size;
-            blocks_.forEachNear(list, CellScale(lattice_, i, j)(box), deliver);
+            blocks_.forEachNear(list, CellScale(layout_, i, j)(box), deliver);
         });
         return looked;
     }
 
     template <class Cell>
     void forEachCell(Cell &&visit) const {
-        for (int j = 0; j < lattice_.rows; ++j) {
-            for (int i = 0; i < lattice_.columns; ++i) {
-                visit(lattice_.cellBox(i, j), lists_[cell(i, j)].size);
+        for (int j = 0; j < layout_.rows; ++j) {
+            for (int i = 0; i < layout_.columns; ++i) {
+                visit(layout_.cellBox(i, j), lists_[cell(i, j)].size);
             }
         }
     }
 
   private:
     std::size_t cell(int i, int j) const {
-        return static_cast<std::size_t>(j) * static_cast<std::size_t>(lattice_.columns) + static_cast<std::size_t>(i);
+        return static_cast<std::size_t>(j) * static_cast<std::size_t>(layout_.columns) + static_cast<std::size_t>(i);
     }
 
     template <class Visit>
     void forEachCellNear(const Box2 &box, Visit &&visit) const {
-        const int i0 = lattice_.column(box.min.x - slack_);
-        const int i1 = lattice_.column(box.max.x + slack_);
-        const int j1 = lattice_.row(box.max.y + slack_);
-        for (int j = lattice_.row(box.min.y - slack_); j <= j1; ++j) {
+        const int i0 = layout_.column(box.min.x - slack_);
+        const int i1 = layout_.column(box.max.x + slack_);
+        const int j1 = layout_.row(box.max.y + slack_);
+        for (int j = layout_.row(box.min.y - slack_); j <= j1; ++j) {
             for (int i = i0; i <= i1; ++i) {
                 visit(lists_[cell(i, j)], i, j);
             }
         }
     }
 
-    Lattice lattice_;
+    CellLayout layout_;
     double slack_;
     std::vector<CellLists::List> lists_;
     CellLists blocks_;

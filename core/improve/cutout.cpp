@@ -8,16 +8,16 @@ namespace forefront {
 
 namespace {
 
-// What elements and edges lose on average in a smoothed mesh: only what is above counts, so that a change in their
-// number is no gain in itself.
+// The average loss of elements and edges in a smoothed mesh. Only the excess over it counts, so that a change in their
+// numbers is no gain in itself.
 constexpr float kUsualElementLoss = 0.013F, kUsualEdgeLoss = 0.047F;
-/// What 1 − δ of an edge counts against 1 − α of an element. Measured on graded meshes: from 0.15 to 0.4 δ rises by
-/// 0.001, and α does not change; the more, the dearer is a new node.
+/// The weight of 1 − δ of an edge against 1 − α of an element. Measured on graded meshes: from 0.15 to 0.4 δ rises by
+/// 0.001 and α does not change; a higher weight makes new nodes more expensive.
 constexpr float kEdgeWeight = 0.2F;
 
 } // namespace
 
-/// The node's local number, given when it is met for the first time.
+/// Returns the local number of a node and adds the node if it is new.
 Cutout::Local Cutout::add(const ImproveWorkspace &work, std::span<const float> rho, NodeId id, Numbers &numbers) {
     std::size_t slot = (index(id) * 0x9e3779b1U >> 8U) % numbers.size();
     for (; numbers[slot] != kNone; slot = (slot + 1) % numbers.size()) {
@@ -37,10 +37,10 @@ Cutout::Local Cutout::add(const ImproveWorkspace &work, std::span<const float> r
     return n;
 }
 
-/// Makes a free node an inner one.
+/// Makes a free node an inner node. Returns false if there is no room for its ring.
 bool Cutout::addRing(const ImproveWorkspace &work, std::span<const float> rho, Local n, Numbers &numbers) {
     const unsigned valence = nodes_[n].valence;
-    if (valence >= kRing || count_ + valence >= kNodes) { // with room for one more
+    if (valence >= kRing || count_ + valence >= kNodes) { // leaves room for one more
         return false;
     }
     unsigned k = 0;
@@ -88,7 +88,7 @@ Cutout::Local Cutout::before(Local at, Local what) const {
     return kNone;
 }
 
-/// Nodes of the rim have no ring to be changed: true for them.
+/// Inserts a neighbour into a ring. Returns true for nodes of the rim, which have no ring.
 bool Cutout::insertAfter(Local at, Local before, Local what) {
     Node &n = nodes_[at];
     if (n.size == 0) {
@@ -123,7 +123,7 @@ void Cutout::exchange(Local at, Local was, Local is) {
     std::replace(n.ring, n.ring + n.size, was, is);
 }
 
-/// Held nodes have no valence to be changed: true for them.
+/// Changes the valence of a node. Returns true for fixed nodes, which have no valence.
 bool Cutout::changeValence(Local n, int by) {
     Node &node = nodes_[n];
     if (node.valence == 0) {
@@ -134,7 +134,7 @@ bool Cutout::changeValence(Local n, int by) {
     return now >= 3 && now < static_cast<int>(kRing);
 }
 
-/// Finds c on the left of ab and d on the right; false where the cutout has not both elements.
+/// Finds c on the left of ab and d on the right. Returns false unless the cutout has both elements.
 bool Cutout::apexes(Local a, Local b, Local &c, Local &d) const {
     if (inner(a)) {
         c = after(a, b);
@@ -146,7 +146,7 @@ bool Cutout::apexes(Local a, Local b, Local &c, Local &d) const {
     return c != kNone && d != kNone;
 }
 
-bool Cutout::turn(Local a, Local b) {
+bool Cutout::swapEdge(Local a, Local b) {
     Local c, d;
     if (!apexes(a, b, c, d) || (!inner(c) && !inner(d)) || after(c, d) != kNone || after(d, c) != kNone) {
         return false;
@@ -155,7 +155,7 @@ bool Cutout::turn(Local a, Local b) {
            changeValence(b, -1) && changeValence(c, +1) && changeValence(d, +1);
 }
 
-/// Puts the others of the ring of a, from one side of the edge ab round to the other, where a was in the ring of b.
+/// Replaces a in the ring of b by the other neighbours of a, from one side of the edge ab round to the other.
 bool Cutout::mergeRings(Local a, Local b, std::span<const Local> others) {
     const Node &gone = nodes_[a];
     Node &kept = nodes_[b];
@@ -168,7 +168,7 @@ bool Cutout::mergeRings(Local a, Local b, std::span<const Local> others) {
         }
         for (std::size_t i = 1; i + 1 < others.size(); ++i) {
             if (after(b, others[i]) != kNone) {
-                return false; // joined already
+                return false; // already joined
             }
             merged[n++] = others[i];
         }
@@ -202,7 +202,7 @@ bool Cutout::merge(Local a, Local b) {
         }
     } else if (count < 3 ||
                !std::all_of(others.begin() + 1, others.begin() + count - 1, [this](Local n) { return inner(n); })) {
-        return false; // an element would be left without an inner node
+        return false; // would leave an element without an inner node
     }
     for (unsigned k = 1; k + 1 < count; ++k) {
         exchange(others[k], a, b);
@@ -227,7 +227,7 @@ bool Cutout::divide(Local a, unsigned first, unsigned taken) {
     fresh.valence = fresh.size = static_cast<std::uint8_t>(taken + 3);
     fresh.ring[0] = a;
     fresh.ring[1] = c;
-    float x = 0.0F, y = 0.0F; // towards the nodes taken
+    float x = 0.0F, y = 0.0F; // direction of the nodes taken
     for (unsigned k = 0; k < taken; ++k) {
         fresh.ring[2 + k] = at(k);
         exchange(at(k), a, m);
@@ -244,7 +244,8 @@ bool Cutout::divide(Local a, unsigned first, unsigned taken) {
     }
     old.size = old.valence = static_cast<std::uint8_t>(size - taken + 1);
     std::copy_n(left.begin(), old.size, old.ring);
-    const float part = 0.4F * old.rho / std::max(1e-6F, std::sqrt(x * x + y * y)); // they shall lie about ρ apart
+    const float part =
+        0.4F * old.rho / std::max(1e-6F, std::sqrt(x * x + y * y)); // so that the two nodes are about ρ apart
     fresh.x = old.x + part * x;
     fresh.y = old.y + part * y;
     old.x -= part * x;
@@ -252,8 +253,8 @@ bool Cutout::divide(Local a, unsigned first, unsigned taken) {
     return true;
 }
 
-/// What a turn of ab to cd gains in Σ(valence − 6)².
-int Cutout::gainOfTurn(Local a, Local b, Local c, Local d) const {
+/// Returns by how much swapping ab for cd lowers Σ(valence − 6)².
+int Cutout::gainOfSwap(Local a, Local b, Local c, Local d) const {
     const auto gain = [this](Local n, int step) {
         const int off = nodes_[n].valence - 6;
         return nodes_[n].valence == 0 ? 0 : off * off - (off + step) * (off + step);
@@ -261,9 +262,9 @@ int Cutout::gainOfTurn(Local a, Local b, Local c, Local d) const {
     return gain(a, -1) + gain(b, -1) + gain(c, +1) + gain(d, +1);
 }
 
-bool Cutout::tidy() {
-    constexpr int kMostTurns = 6;
-    for (int turns = 0; turns < kMostTurns; ++turns) {
+bool Cutout::balanceValences() {
+    constexpr int kMaxSwaps = 6;
+    for (int swaps = 0; swaps < kMaxSwaps; ++swaps) {
         int best = 0;
         Local from = kNone, to = kNone;
         for (unsigned i = 0; i < count_; ++i) {
@@ -271,7 +272,7 @@ bool Cutout::tidy() {
             for (unsigned k = 0; k < n.size && n.valence > 6; ++k) {
                 const Local j = n.ring[k];
                 const Local c = n.ring[k + 1U < n.size ? k + 1U : 0U], d = n.ring[k > 0 ? k - 1U : n.size - 1U];
-                const int gain = gainOfTurn(static_cast<Local>(i), j, c, d);
+                const int gain = gainOfSwap(static_cast<Local>(i), j, c, d);
                 if (gain > best && nodes_[j].valence != 3 && (inner(c) || inner(d)) && after(c, d) == kNone) {
                     best = gain;
                     from = static_cast<Local>(i);
@@ -282,7 +283,7 @@ bool Cutout::tidy() {
         if (from == kNone) {
             return true;
         }
-        if (!turn(from, to)) {
+        if (!swapEdge(from, to)) {
             return false;
         }
     }
@@ -337,7 +338,7 @@ Cutout::Loss Cutout::loss() const {
                 const Node &c = nodes_[l];
                 const float cx = c.x - n.x, cy = c.y - n.y, ax = cx - bx, ay = cy - by;
                 const float alpha = 3.4641016F * (bx * cy - by * cx) / (bb + cx * cx + cy * cy + ax * ax + ay * ay);
-                loss.least = std::min(loss.least, alpha);
+                loss.minAlpha = std::min(loss.minAlpha, alpha);
                 elements += 1.0F - alpha - kUsualElementLoss;
             }
         }

@@ -10,24 +10,26 @@
 
 namespace forefront {
 
-/// A few dozen nodes of the mesh, copied out to try changes on: the elements around its inner nodes. Inner nodes have
-/// rings of neighbours, counter-clockwise, and may move; those on the rim stay where they are. Nodes are numbered
-/// locally. Lengths are in ρ at the first node, from there on; in floats, so what is put back must be looked at again.
+/// A copy of a few dozen nodes of the mesh to try changes on: the elements around its inner nodes. Inner nodes have
+/// rings of neighbours, counter-clockwise, and may move; nodes on the rim do not move. Nodes have local numbers.
+/// Coordinates are relative to the first node, in units of ρ there and single precision, so the mesh must be checked
+/// when a cutout is put back.
 ///
-/// Changes that a cutout has no room for, that would join two nodes twice, or that would leave an element or a changed
-/// edge without an inner node return false and may leave the cutout in disorder: try them on a copy.
+/// A change returns false if the cutout has no room for it, if it would join two nodes twice, or if it would leave an
+/// element or a changed edge without an inner node. The cutout is then unusable, so try changes on a copy.
 class Cutout {
   public:
     using Local = std::uint8_t;
     static constexpr Local kNone = 0xff;
     static constexpr unsigned kNodes = 72;
-    static constexpr unsigned kRing = 12; ///< nodes with as many elements are not taken in
+    static constexpr unsigned kRing = 12; ///< nodes have fewer elements than this
 
+    /// A node with its ring.
     struct Node {
         float x, y, rho;
-        NodeId id;            ///< none: new
-        std::uint8_t valence; ///< elements around; 0 where the node is held
-        std::uint8_t size;    ///< nodes in the ring; 0 on the rim and where the node has gone
+        NodeId id;            ///< kNoNode: new
+        std::uint8_t valence; ///< elements around it; 0 if the node is fixed
+        std::uint8_t size;    ///< nodes in the ring; 0 on the rim and for removed nodes
         Local ring[kRing];
     };
 
@@ -37,46 +39,47 @@ class Cutout {
         count_ = other.count_;
         origin_ = other.origin_;
         scale_ = other.scale_;
-        std::copy_n(other.nodes_.begin(), count_, nodes_.begin()); // the rest means nothing
+        std::copy_n(other.nodes_.begin(), count_, nodes_.begin()); // the rest is unused
         return *this;
     }
 
-    /// Copies the elements around a free node, around its free neighbours and around theirs. `rho`: per node. False
-    /// where that is too much.
+    /// Copies the elements around a free node, its free neighbours and theirs. `rho`: ρ per node. Returns false if they
+    /// are too many.
     bool take(const ImproveWorkspace &work, std::span<const float> rho, NodeId centre);
 
     unsigned count() const { return count_; }
     const Node &operator[](std::size_t n) const { return nodes_[n]; }
     bool inner(Local n) const { return nodes_[n].size != 0; }
-    /// In the plane of the mesh.
+    /// Returns the position of a node in the mesh.
     Vec2 place(Local n) const { return origin_ + scale_ * Vec2{nodes_[n].x, nodes_[n].y}; }
+    /// Returns ρ at a node.
     float rho(Local n) const { return static_cast<float>(scale_) * nodes_[n].rho; }
-    /// The neighbours after and before one in the ring of an inner node; none where it is no neighbour.
+    /// Return the neighbour after or before `what` in the ring of an inner node, or kNone.
     Local after(Local at, Local what) const;
     Local before(Local at, Local what) const;
 
-    /// Turns the edge ab to the other diagonal of its two elements.
-    bool turn(Local a, Local b);
-    /// Takes the inner node a away: its neighbours are joined to b, which, where it is an inner node, comes to the
-    /// middle of the edge. Two elements fewer.
+    /// Swaps the edge ab for the other diagonal of its two elements.
+    bool swapEdge(Local a, Local b);
+    /// Removes the inner node a and joins its neighbours to b. If b is an inner node, it moves to the middle of the
+    /// edge. Removes two elements.
     bool merge(Local a, Local b);
-    /// Parts the inner node a in two: the new node takes over `taken` of the nodes in the ring of a, from place `first`
-    /// on, and shares the one before and the one after. Two elements more.
+    /// Divides the inner node a in two. The new node takes over `taken` neighbours of a, from position `first` of its
+    /// ring on, and shares the neighbour before and the one after them. Adds two elements.
     bool divide(Local a, unsigned first, unsigned taken);
-    /// Turns edges as long as that brings valences nearer to 6, at most a few times.
-    bool tidy();
-    /// Moves each inner node in turn to where NodeSmoother would, as the others then lie.
+    /// Swaps a few edges as long as that brings valences nearer to 6.
+    bool balanceValences();
+    /// Moves each inner node in turn as NodeSmoother would, from the current positions of the others.
     void relax(int sweeps, const SmoothingAims &aims);
 
-    /// How bad the cutout is.
+    /// A measure of how far the cutout is from the ideal.
     struct Loss {
-        float sum = 0.0F;     ///< Σ (1 − α − its usual value) over elements + a part of the same of δ over edges
-        float least = 1.0F;   ///< α
+        float sum = 0.0F; ///< Σ(1 − α − its usual value) over elements, plus a part of the same for δ over edges
+        float minAlpha = 1.0F;
         float stretch = 0.0F; ///< mean of L/ρ − 1 over edges
     };
     Loss loss() const;
 
-    /// Calls visit(a, b, c) for each element, a being the least of its inner nodes.
+    /// Calls visit(a, b, c) for each element, where a is the lowest of its inner nodes.
     template <class Visit>
     void forEachElement(Visit &&visit) const {
         for (unsigned i = 0; i < count_; ++i) {
@@ -101,7 +104,7 @@ class Cutout {
     bool apexes(Local a, Local b, Local &c, Local &d) const;
     bool mergeRings(Local a, Local b, std::span<const Local> others);
     void balance(Node &n, const SmoothingAims &aims) const;
-    int gainOfTurn(Local a, Local b, Local c, Local d) const;
+    int gainOfSwap(Local a, Local b, Local c, Local d) const;
 
     unsigned count_ = 0;
     Vec2 origin_;

@@ -2,7 +2,7 @@
 
 #include "core/base/cpu_clock.hpp"
 #include "core/base/free_memory.hpp"
-#include "core/improve/repair.hpp"
+#include "core/improve/cleanup.hpp"
 #include "core/improve/restructure.hpp"
 #include "core/improve/smooth.hpp"
 #include "core/improve/swap_pass.hpp"
@@ -16,8 +16,8 @@ namespace forefront {
 
 namespace {
 
-/// Swaps, then sweeps; then, where asked for, nodes come and go. Early rounds let elements fall far, so that the mesh
-/// can flow; the last holds a better floor.
+/// A round swaps edges, then smooths, then may add and remove nodes. Early rounds allow poor elements, so that the mesh
+/// can flow; the last round has a higher floor.
 struct Round {
     int sweeps;
     SmoothingAims aims;
@@ -26,15 +26,14 @@ struct Round {
 };
 
 constexpr double kEarlyFloor = 0.4, kLateFloor = 0.7;
-// Measured on graded meshes of size ratios 30 to 600: the later and the more the aim is spacing, the higher δ and the
-// lower α. Where a mesh is small enough for it to take no time, more sweeps bring coarse graded meshes from δ .947 to
-// .950.
+// Measured on graded meshes of size ratios 30 to 600: more weight on spacing, above all in the last round, raises δ and
+// lowers α. In small meshes, where they take no time, more sweeps raise δ of coarse graded meshes from .947 to .950.
 constexpr std::size_t kSmallMesh = 100'000; ///< elements
 constexpr Round kSmallRounds[] = {{3, {0.5F, 0.9F}, kEarlyFloor}, {5, {0.3F, 1.1F}, kLateFloor}};
 constexpr Round kDefaultRounds[] = {{2, {0.7F, 0.7F}, kEarlyFloor}, {2, {0.5F, 0.9F}, kLateFloor}};
 constexpr Round kBestRounds[] = {
     {1, kBestAims, kEarlyFloor, true}, {1, kBestAims, kEarlyFloor, true}, {10, kBestAims, kLateFloor}};
-constexpr std::size_t kRoom = 32; ///< nodes that may become one more before memory must be asked for anew
+constexpr std::size_t kNodesPerSpare = 32; ///< one spare node is reserved for so many nodes
 constexpr ShapeGoal kDefaultGoal{0.8, 35.0, 6};
 constexpr ShapeGoal kBestGoal{0.85, 39.0, 12};
 
@@ -42,7 +41,8 @@ class Improvement {
   public:
     Improvement(Mesh &mesh, const ImproveOptions &options, const Progress &progress)
         : options_(options), progress_(progress), pool_(options.threads),
-          work_(mesh, pool_, progress.stop, options.level == ImproveLevel::Best ? mesh.nodes.size() / kRoom : 0) {}
+          work_(mesh, pool_, progress.stop,
+                options.level == ImproveLevel::Best ? mesh.nodes.size() / kNodesPerSpare : 0) {}
 
     ImproveReport run() {
         const bool best = options_.level == ImproveLevel::Best;
@@ -56,25 +56,26 @@ class Improvement {
         if (progress_.cancelled()) {
             return report();
         }
-        const double least = work_.measureAlpha(progress_.stop);
-        bool going = !progress_.cancelled();
-        if (going) {
-            report_.alphaMinBefore = report_.alphaMinAfter = least;
+        const double minAlpha = work_.measureAlpha(progress_.stop);
+        bool proceeding = !progress_.cancelled();
+        if (proceeding) {
+            report_.alphaMinBefore = report_.alphaMinAfter = minAlpha;
         }
         std::optional<NodeSmoother> smoother;
         for (const Round &round : rounds) {
-            going = going && swapAndSweep(round, smoother) && (!round.restructures || comeAndGo(round, smoother));
+            proceeding = proceeding && swapAndSmooth(round, smoother) &&
+                         (!round.restructures || restructureRound(round, smoother));
         }
-        smoother.reset(); // its memory
-        if (going) {
-            const RepairCounts repaired =
-                repairWorst(work_, best ? kBestGoal : kDefaultGoal, report_.alphaMinBefore, progress_);
-            report_.swaps += repaired.swaps;
-            report_.moves += repaired.moves;
-            going = next();
+        smoother.reset(); // frees its memory
+        if (proceeding) {
+            const CleanupCounts cleaned =
+                cleanUpWorst(work_, best ? kBestGoal : kDefaultGoal, report_.alphaMinBefore, progress_);
+            report_.swaps += cleaned.swaps;
+            report_.moves += cleaned.moves;
+            proceeding = next();
         }
-        if (going) {
-            report_.alphaMinAfter = work_.leastAlpha();
+        if (proceeding) {
+            report_.alphaMinAfter = work_.minAlpha();
         }
         return report();
     }
@@ -85,20 +86,21 @@ class Improvement {
         return report_;
     }
 
+    /// Reports the end of a stage. Returns false when cancelled.
     bool next() {
         progress_("improving", static_cast<double>(++done_) / static_cast<double>(stages_));
         return !progress_.cancelled();
     }
 
-    bool swapAndSweep(const Round &round, std::optional<NodeSmoother> &smoother) {
-        // No element gets below the floor, unless it was below and rises: so the least α never falls.
+    bool swapAndSmooth(const Round &round, std::optional<NodeSmoother> &smoother) {
+        // Elements below the floor may only rise, and none falls below it, so the minimum α never falls.
         const double floor = std::max(round.floor, report_.alphaMinBefore);
         report_.swaps += swapEdges(work_, {true, floor}, progress_);
         if (!next()) {
             return false;
         }
         if (!smoother) {
-            giveBackFreeMemory(); // of what has been, since now the most is needed
+            giveBackFreeMemory(); // memory use is about to peak
             smoother.emplace(work_, options_.spacing, progress_.stop);
         } else {
             smoother->renewSpacing(progress_.stop);
@@ -107,7 +109,7 @@ class Improvement {
         return next();
     }
 
-    bool comeAndGo(const Round &round, std::optional<NodeSmoother> &smoother) {
+    bool restructureRound(const Round &round, std::optional<NodeSmoother> &smoother) {
         smoother->renewSpacing(progress_.stop);
         RawVector<float> rho = std::move(*smoother).takeSpacing();
         smoother.reset();
@@ -116,7 +118,7 @@ class Improvement {
         }
         const RestructureCounts counts =
             restructure(work_, std::move(rho), std::max(round.floor, report_.alphaMinBefore), progress_);
-        report_.swaps += counts.turned;
+        report_.swaps += counts.swapped;
         report_.merges += counts.merged;
         report_.divisions += counts.divided;
         work_.measureAlpha(progress_.stop);
@@ -132,13 +134,14 @@ class Improvement {
     int stages_ = 1, done_ = 0;
 };
 
-/// The least α, as measure() finds it.
-double leastAlpha(const Mesh &mesh) {
-    double least = mesh.elements.empty() ? 0.0 : 2.0;
+/// Returns the minimum α, exactly as measure() does.
+double minAlpha(const Mesh &mesh) {
+    double minimum = mesh.elements.empty() ? 0.0 : 2.0;
     for (const Element &n : mesh.elements) {
-        least = std::min(least, shapeFactor(mesh.nodes[index(n[0])], mesh.nodes[index(n[1])], mesh.nodes[index(n[2])]));
+        minimum =
+            std::min(minimum, shapeFactor(mesh.nodes[index(n[0])], mesh.nodes[index(n[1])], mesh.nodes[index(n[2])]));
     }
-    return least;
+    return minimum;
 }
 
 } // namespace
@@ -147,10 +150,10 @@ ImproveReport improve(Mesh &mesh, const ImproveOptions &options, const Progress 
     if (progress.cancelled()) {
         return {};
     }
-    if (mesh.elements.empty() || mesh.elements.size() > ImproveWorkspace::kMostElements ||
+    if (mesh.elements.empty() || mesh.elements.size() > ImproveWorkspace::kMaxElements ||
         options.level == ImproveLevel::None) {
         ImproveReport report;
-        report.alphaMinBefore = report.alphaMinAfter = leastAlpha(mesh);
+        report.alphaMinBefore = report.alphaMinAfter = minAlpha(mesh);
         return report;
     }
     return Improvement(mesh, options, progress).run();

@@ -9,28 +9,29 @@ namespace FOREFRONT_API forefront {
 
 class SpacingField;
 
+/// Options of improve().
 struct ImproveOptions {
     ImproveLevel level = ImproveLevel::Default;
-    unsigned threads = 1;                  ///< the result does not depend on it
-    const SpacingField *spacing = nullptr; ///< the node spacing wanted; null: that of the mesh as each round finds it
+    unsigned threads = 1;                  ///< the mesh does not depend on it
+    const SpacingField *spacing = nullptr; ///< target node spacing; null: that of the mesh at each round
 };
 
+/// What improve() did.
 struct ImproveReport {
     std::size_t swaps = 0;
     std::size_t moves = 0;
-    std::size_t merges = 0;    ///< nodes taken away
+    std::size_t merges = 0;    ///< nodes removed
     std::size_t divisions = 0; ///< nodes added
     double alphaMinBefore = 0.0;
-    double alphaMinAfter = 0.0; ///< never less than before; when cancelled, a lower bound, 0 where nothing was measured
-    double seconds = 0.0;       ///< CPU time, of all threads
+    double alphaMinAfter = 0.0; ///< not below alphaMinBefore; a lower bound, or 0, when cancelled
+    double seconds = 0.0;       ///< CPU time of all threads
 };
 
-/// Edge swapping and node smoothing in place; level Best also takes nodes away and adds others where the mesh is not
-/// regular, so that it has some more or fewer nodes and elements after, numbered as it comes. Nodes of tagged edges and
-/// tagged points stay where they are, tagged edges are not swapped, elements keep their region. No element becomes
-/// inverted or flat (exact sign), the least α never falls. Deterministic. Cancelling leaves a valid mesh, within some
-/// 50 ms up to 10⁷ elements. Smoothing works in floats: where lengths lie beyond about 1e±38 it leaves the mesh as it
-/// is.
+/// Improves a mesh in place by swapping edges and smoothing nodes. Level Best also removes and adds nodes where the
+/// mesh is irregular, which changes the numbers of nodes and elements and their order. Nodes of tagged edges and tagged
+/// points do not move, tagged edges are not swapped, and elements keep their regions. No element becomes inverted or
+/// flat (exact sign), and the minimum α never falls. Deterministic. Cancelling leaves a valid mesh and takes some 50 ms
+/// up to 10⁷ elements. Smoothing works in single precision: lengths beyond about 1e±38 leave the mesh as it is.
 ImproveReport improve(Mesh &mesh, const ImproveOptions &options = {}, const Progress &progress = {});
 
 } // namespace forefront

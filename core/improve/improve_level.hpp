@@ -9,9 +9,9 @@
 
 namespace FOREFRONT_API forefront {
 
-/// How much work the mesh is given after the front has closed. Default swaps and smooths in a fraction of the time of
-/// the front; Best takes several times as long for the best shapes and edges nearest to the spacing, and lets nodes
-/// come and go.
+/// How much the mesh is improved once the front is closed. Default swaps edges and smooths, in a fraction of the time
+/// of the front. Best takes several times as long for the best shapes and edge lengths, and also adds and removes
+/// nodes.
 enum class ImproveLevel : std::uint8_t { None, Default, Best };
 
 template <>

@@ -12,7 +12,7 @@ namespace {
 constexpr HalfEdge kWaiting = 0x80000000U;
 constexpr HalfEdge kEnd = 0x7fffffffU;
 
-/// One block's lists of waiting half-edges, by the lower node of their edge.
+/// Lists of the waiting half-edges of a block, by the lower node of their edge.
 class Matcher {
   public:
     explicit Matcher(ImproveWorkspace &work) : work_(work), mesh_(work.mesh), heads_(mesh_.nodes.size(), kEnd) {}
@@ -38,7 +38,7 @@ class Matcher {
         head = h;
     }
 
-    /// Takes the half-edges of the block that still wait out of the lists.
+    /// Moves the half-edges of the block that still wait from the lists to `waiting`.
     void takeWaiting(HalfEdge begin, HalfEdge end, std::vector<HalfEdge> &waiting) {
         for (HalfEdge h = begin; h < end; ++h) {
             if ((work_.twin[h] & kWaiting) != 0) {
@@ -54,15 +54,16 @@ class Matcher {
     std::vector<HalfEdge> heads_;
 };
 
-/// Which element of a node is noted last may depend on the threads; rings are put in an order of their own later.
+/// Notes a half-edge that starts at a node. Which one is noted last may depend on the threads; beginRing() later makes
+/// the start independent of them.
 void noteStart(ImproveWorkspace &work, HalfEdge h) {
     std::atomic_ref(work.start[index(work.from(h))]).store(h, std::memory_order_relaxed);
 }
 
-/// Elements of a block: few blocks, lest much is left over.
+/// Returns the number of elements of a block. There are few blocks, so that little is left to match across them.
 std::size_t blockSize(std::size_t elements) {
-    constexpr std::size_t kLeast = 1U << 16U, kBlocks = 16;
-    return std::max(kLeast, (elements + kBlocks - 1) / kBlocks);
+    constexpr std::size_t kMinBlock = 1U << 16U, kBlocks = 16;
+    return std::max(kMinBlock, (elements + kBlocks - 1) / kBlocks);
 }
 
 void clearNodes(ImproveWorkspace &work, const std::stop_token &stop) {
@@ -75,10 +76,10 @@ void clearNodes(ImproveWorkspace &work, const std::stop_token &stop) {
         stop);
 }
 
-/// Half-edges between looks at the stop token: about a millisecond.
+/// Half-edges between checks for cancellation: about a millisecond.
 constexpr HalfEdge kBatch = 1U << 16U;
 
-/// Those of the block that find no partner in it.
+/// Matches the half-edges of a block and returns those without a partner in it.
 std::vector<HalfEdge> matchBlock(ImproveWorkspace &work, Matcher &matcher, HalfEdge begin, HalfEdge end,
                                  const std::stop_token &stop) {
     std::vector<HalfEdge> waiting;
@@ -130,13 +131,13 @@ void matchAll(ImproveWorkspace &work, const std::stop_token &stop) {
     }
 }
 
-void part(ImproveWorkspace &work, HalfEdge h) {
+void separate(ImproveWorkspace &work, HalfEdge h) {
     const HalfEdge g = work.twin[h];
     work.twin[h] = work.twin[g] = kNoHalfEdge;
     work.fixed[index(work.from(h))] = work.fixed[index(work.to(h))] = 1;
 }
 
-/// Tagged edges, by their nodes; all of these are held.
+/// The tagged edges by their nodes, all of which become fixed.
 class TaggedEdges {
   public:
     explicit TaggedEdges(ImproveWorkspace &work) {
@@ -159,8 +160,8 @@ class TaggedEdges {
     std::vector<std::uint64_t> keys_;
 };
 
-/// Parts the elements at tagged edges and between regions. Only edges whose ends are both held may be tagged.
-void partTagged(ImproveWorkspace &work, const std::stop_token &stop) {
+/// Separates the elements at tagged edges and between regions. Both ends of a tagged edge are fixed.
+void separateTagged(ImproveWorkspace &work, const std::stop_token &stop) {
     const Mesh &mesh = work.mesh;
     const TaggedEdges tagged(work);
     const std::size_t count = mesh.elements.size();
@@ -186,7 +187,7 @@ void partTagged(ImproveWorkspace &work, const std::stop_token &stop) {
         stop);
     for (const std::vector<HalfEdge> &some : found) {
         for (const HalfEdge h : some) {
-            part(work, h);
+            separate(work, h);
         }
     }
 }
@@ -197,7 +198,7 @@ void joinElements(ImproveWorkspace &work, const std::stop_token &stop) {
     clearNodes(work, stop);
     matchAll(work, stop);
     if (!stop.stop_requested()) {
-        partTagged(work, stop);
+        separateTagged(work, stop);
     }
 }
 

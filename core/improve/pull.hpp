@@ -4,17 +4,17 @@
 
 namespace forefront {
 
-/// A node beside one that may move, relative to it.
+/// A neighbour of a node that may move, relative to it.
 struct Spoke {
     float x, y;
-    float rest; ///< wanted length of the edge to it
+    float rest; ///< target length of the edge to it
 };
 
-/// Σ w·(p* − p), Σ w and the pull of the springs.
+/// The sums Σ w·(p* − p) and Σ w, and the pull of the springs; see NodeSmoother.
 struct Pull {
     float x = 0.0F, y = 0.0F, weight = 0.0F, springX = 0.0F, springY = 0.0F;
 
-    /// The element between a spoke and the next, and the spoke's spring.
+    /// Adds the element between a spoke and the next, and the spring of the spoke.
     void add(const Spoke &spoke, const Spoke &next) {
         constexpr float kHeight = 0.8660254F; // of the equilateral triangle
         const float ax = next.x - spoke.x, ay = next.y - spoke.y;

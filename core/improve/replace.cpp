@@ -14,7 +14,7 @@ std::size_t corner(std::uint32_t triple, unsigned k) {
     return triple >> (16U - 8U * k) & 0xffU;
 }
 
-/// Appends without doubling a large array.
+/// Appends to a large array without doubling its memory.
 template <class List, class Value>
 void append(List &list, const Value &value) {
     constexpr std::size_t kShare = 32;
@@ -26,7 +26,7 @@ void append(List &list, const Value &value) {
 
 } // namespace
 
-bool Replacer::mayHold(const Cutout &is, double floor) const {
+bool Replacer::isValid(const Cutout &is, double floor) const {
     std::array<Vec2, Cutout::kNodes> places;
     for (unsigned i = 0; i < is.count(); ++i) {
         const auto local = static_cast<Cutout::Local>(i);
@@ -59,7 +59,7 @@ void Replacer::compare(const Cutout &was, const Cutout &is) {
 }
 
 /// Finds the old elements in the mesh and what lies across their outer sides.
-void Replacer::takeOut(const Cutout &was) {
+void Replacer::removeOld(const Cutout &was) {
     old_.clear();
     rim_.clear();
     for (const Triple triple : before_) {
@@ -118,7 +118,7 @@ void Replacer::writeNodes(const Cutout &was, const Cutout &is) {
     }
 }
 
-/// Finds the other side of a side of a new element: beyond the rim, or of another new element.
+/// Joins a side of a new element to its partner: across the rim, or of another new element.
 void Replacer::joinSide(NodeId from, NodeId to, HalfEdge h) {
     const auto takeFrom = [&](std::vector<Side> &sides, NodeId a, NodeId b) {
         const auto found =
@@ -160,7 +160,7 @@ std::uint32_t Replacer::slotFor(std::size_t added) {
     return e;
 }
 
-void Replacer::putIn() {
+void Replacer::insertNew() {
     open_.clear();
     for (std::size_t n = 0; n < after_.size(); ++n) {
         const std::uint32_t e = slotFor(n);
@@ -191,7 +191,7 @@ void Replacer::putIn() {
     }
 }
 
-/// By Euler's formula, the rim being the same: a change that leaves a gap or an overlap is none.
+/// Checks the numbers of elements by Euler's formula, which a change that leaves a gap or an overlap violates.
 bool Replacer::countsFit(const Cutout &was, const Cutout &is) const {
     const auto innerOf = [](const Cutout &cutout) {
         std::ptrdiff_t sum = 0;
@@ -205,16 +205,16 @@ bool Replacer::countsFit(const Cutout &was, const Cutout &is) const {
 }
 
 bool Replacer::replace(const Cutout &was, const Cutout &is, double floor) {
-    if (work_.mesh.elements.size() + 2 > ImproveWorkspace::kMostElements || !mayHold(is, floor)) {
+    if (work_.mesh.elements.size() + 2 > ImproveWorkspace::kMaxElements || !isValid(is, floor)) {
         return false;
     }
     compare(was, is);
     if (!countsFit(was, is)) {
         return false;
     }
-    takeOut(was);
+    removeOld(was);
     writeNodes(was, is);
-    putIn();
+    insertNew();
     return true;
 }
 
@@ -258,7 +258,7 @@ void Replacer::compactElements() {
 void Replacer::compactNodes() {
     Mesh &mesh = work_.mesh;
     const std::size_t kept = mesh.nodes.size() - freeNodes_.size();
-    std::vector<NodeId> places(freeNodes_.size(), kNoNode); // of the last nodes; none where they have gone
+    std::vector<NodeId> places(freeNodes_.size(), kNoNode); // new ids of the last nodes; kNoNode for removed ones
     std::sort(freeNodes_.begin(), freeNodes_.end());
     auto gap = freeNodes_.begin();
     for (std::size_t n = kept; n < mesh.nodes.size(); ++n) {

@@ -13,26 +13,25 @@ namespace forefront {
 
 namespace {
 
-enum class Change : std::uint8_t { Turn, Merge, Divide };
+enum class Change : std::uint8_t { Swap, Merge, Divide };
 
-/// A change to be tried on a cutout.
+/// A change to try on a cutout.
 struct Trial {
     Change change;
     Cutout::Local a;
-    unsigned b;    ///< Turn, Merge: the other end of the edge; Divide: the first place in the ring
-    float promise; ///< the less, the more it promises
+    unsigned b;    ///< Swap, Merge: the other end of the edge; Divide: the first position in the ring
+    float promise; ///< the lower, the more promising
 };
 
-// Measured on graded meshes and discs: more trials, sweeps and rounds than these raise α by 0.0003 and take twice the
-// time.
+// Measured on graded meshes and discs: twice the time for more trials, sweeps and rounds raises α by 0.0003.
 constexpr std::size_t kTrials = 4;
 constexpr int kSweeps = 2;
 constexpr int kRounds = 4;
-constexpr float kLeastGain = 0.04F;
-/// Places in the ring that a new node takes.
+constexpr float kMinGain = 0.04F;
+/// Number of neighbours that a new node takes over.
 constexpr unsigned kTaken = 2;
 
-/// Lists the changes at the first node of a cutout that do not bring the valences farther from 6.
+/// Lists the most promising changes at the first node of a cutout that do not move valences away from 6.
 class Trials {
   public:
     Trials(const Cutout &cutout, float stretch) : cutout_(cutout), stretch_(stretch) {
@@ -55,22 +54,23 @@ class Trials {
     Cutout::Local ring(unsigned k) const { return cutout_[0].ring[k % cutout_[0].size]; }
     int valence(Cutout::Local n) const { return cutout_[n].valence; }
     static int off(int valence) { return (valence - 6) * (valence - 6); }
-    /// Change of (valence − 6)².
+    /// Returns the change of (valence − 6)² when the valence of n changes.
     int step(Cutout::Local n, int by) const { return valence(n) == 0 ? 0 : off(valence(n) + by) - off(valence(n)); }
     int merged(Cutout::Local a, Cutout::Local b) const {
         return (valence(b) == 0 ? 0 : step(b, valence(a) - 4)) - off(valence(a));
     }
 
-    /// `crowding`: where edges are too short, merging goes before dividing.
+    /// Lists a change unless it increases `disorder`, Σ(valence − 6)². `crowding`: orders equal ones; where edges are
+    /// too short, merging comes before dividing.
     void add(Change change, Cutout::Local a, unsigned b, int disorder, float crowding) {
-        constexpr float kStretchWeight = 10.0F; // only to order what is as good by valences
+        constexpr float kStretchWeight = 10.0F;
         if (disorder <= 0) {
             all_.push_back({change, a, b, static_cast<float>(disorder) + kStretchWeight * crowding});
         }
     }
 
     void addAtSpoke(unsigned k, Cutout::Local b, Cutout::Local c, Cutout::Local d) {
-        add(Change::Turn, 0, b, step(0, -1) + step(b, -1) + step(c, +1) + step(d, +1), 0.0F);
+        add(Change::Swap, 0, b, step(0, -1) + step(b, -1) + step(c, +1) + step(d, +1), 0.0F);
         add(Change::Merge, 0, b, merged(0, b) + step(c, -1) + step(d, -1), stretch_);
         const int size = valence(0), taken = static_cast<int>(kTaken);
         if (size > taken + 2) {
@@ -80,10 +80,10 @@ class Trials {
         }
     }
 
-    /// At the edge bc across from the first node.
+    /// Adds the changes at the edge bc, across from the first node.
     void addAcross(Cutout::Local b, Cutout::Local c) {
         const Cutout::Local beyond = cutout_.before(b, c);
-        add(Change::Turn, b, c, step(b, -1) + step(c, -1) + step(0, +1) + step(beyond, +1), 0.0F);
+        add(Change::Swap, b, c, step(b, -1) + step(c, -1) + step(0, +1) + step(beyond, +1), 0.0F);
         if (cutout_.inner(c)) {
             add(Change::Merge, b, c, merged(b, c) + step(0, -1) + step(beyond, -1), stretch_);
         }
@@ -96,21 +96,21 @@ class Trials {
 
 bool apply(Cutout &cutout, const Trial &trial) {
     switch (trial.change) {
-    case Change::Turn:
-        return cutout.turn(trial.a, static_cast<Cutout::Local>(trial.b));
+    case Change::Swap:
+        return cutout.swapEdge(trial.a, static_cast<Cutout::Local>(trial.b));
     case Change::Merge:
-        return cutout.merge(trial.a, static_cast<Cutout::Local>(trial.b)) && cutout.tidy();
+        return cutout.merge(trial.a, static_cast<Cutout::Local>(trial.b)) && cutout.balanceValences();
     case Change::Divide:
-        return cutout.divide(trial.a, trial.b, kTaken) && cutout.tidy();
+        return cutout.divide(trial.a, trial.b, kTaken) && cutout.balanceValences();
     }
     return false;
 }
 
-/// What pays at a site.
+/// The best change at a site.
 struct Gain {
     float gain = 0.0F;
-    Change change = Change::Turn;
-    std::unique_ptr<std::pair<Cutout, Cutout>> cutouts; ///< before and after; none: nothing pays
+    Change change = Change::Swap;
+    std::unique_ptr<std::pair<Cutout, Cutout>> cutouts; ///< before and after; null: no change improves the site
 };
 
 class Restructuring {
@@ -132,15 +132,15 @@ class Restructuring {
     }
 
   private:
-    /// Of a node: it was looked at in vain and has not been changed since; it was changed in this block.
+    /// Marks of a node: no change was found there since it last changed; it changed in this block.
     static constexpr std::uint8_t kQuiet = 1, kTouched = 2;
 
-    /// Sites at once: so few that they seldom get in each other's way.
+    /// Returns the number of sites of a block, so few that their changes seldom overlap.
     static std::size_t blockFor(std::size_t sites) { return std::clamp<std::size_t>(sites / 16, 128, 512); }
 
     bool isSite(std::size_t n) const { return work_.isFree(n) && work_.valence[n] != 6 && (marks_[n] & kQuiet) == 0; }
 
-    /// In an order in which those of a block seldom lie side by side.
+    /// Returns the sites in an order in which those of a block are seldom adjacent.
     std::vector<NodeId> findSites() const {
         std::vector<NodeId> sites;
         for (std::size_t n = 0; n < work_.mesh.nodes.size(); ++n) {
@@ -148,10 +148,10 @@ class Restructuring {
                 sites.push_back(NodeId{static_cast<std::uint32_t>(n)});
             }
         }
-        // Farther apart, and they would get in each other's way less, but no block would find anything in the caches.
-        constexpr std::size_t kFarthest = 8;
+        // A larger stride avoids more overlaps, but leaves nothing in the caches for the next block.
+        constexpr std::size_t kMaxStride = 8;
         const std::size_t block = blockFor(sites.size());
-        const std::size_t stride = std::clamp<std::size_t>(sites.size() / block, 1, kFarthest);
+        const std::size_t stride = std::clamp<std::size_t>(sites.size() / block, 1, kMaxStride);
         std::vector<NodeId> spread;
         spread.reserve(sites.size());
         for (std::size_t window = 0; window < sites.size(); window += stride * block) {
@@ -166,11 +166,11 @@ class Restructuring {
     }
 
     void changeAt(std::span<const NodeId> sites) {
-        constexpr std::size_t kAtOnce = 16;
+        constexpr std::size_t kTask = 16;
         std::vector<Gain> gains(sites.size());
-        work_.pool.forChunks(sites.size(), kAtOnce, [&](std::size_t begin, std::size_t end, std::size_t) {
+        work_.pool.forChunks(sites.size(), kTask, [&](std::size_t begin, std::size_t end, std::size_t) {
             for (std::size_t i = begin; i < end; ++i) {
-                gains[i] = isSite(index(sites[i])) ? lookAt(sites[i]) : Gain{};
+                gains[i] = isSite(index(sites[i])) ? inspect(sites[i]) : Gain{};
             }
         });
         std::vector<std::size_t> order;
@@ -192,18 +192,18 @@ class Restructuring {
         touched_.clear();
     }
 
-    Gain lookAt(NodeId site) const {
+    Gain inspect(NodeId site) const {
         Gain found;
         Cutout base;
         if (!base.take(work_, rho_, site)) {
             return found;
         }
         const Cutout::Loss before = base.loss();
-        if (!std::isfinite(before.sum) || !std::isfinite(before.stretch)) { // lengths out of the range of floats
+        if (!std::isfinite(before.sum) || !std::isfinite(before.stretch)) { // lengths beyond the range of float
             return found;
         }
         const Trials trials(base, before.stretch);
-        float best = kLeastGain;
+        float best = kMinGain;
         for (const Trial &trial : trials.best()) {
             Cutout changed = base;
             if (!apply(changed, trial)) {
@@ -212,7 +212,7 @@ class Restructuring {
             changed.relax(kSweeps, kBestAims);
             const Cutout::Loss after = changed.loss();
             const float gain = before.sum - after.sum;
-            if (gain > best && static_cast<double>(after.least) >= floor_) {
+            if (gain > best && static_cast<double>(after.minAlpha) >= floor_) {
                 best = gain;
                 found = {gain, trial.change, std::make_unique<std::pair<Cutout, Cutout>>(base, changed)};
             }
@@ -220,7 +220,7 @@ class Restructuring {
         return found;
     }
 
-    /// Makes the change, unless another has come before it in this block: then the site has its turn in the next round.
+    /// Makes the change unless another change of this block overlaps it; the site then comes again in the next round.
     void keep(NodeId site, const Gain &gain) {
         const auto &[was, is] = *gain.cutouts;
         for (unsigned n = 0; n < was.count(); ++n) {
@@ -239,7 +239,7 @@ class Restructuring {
                 touched_.push_back(was[n].id);
             }
         }
-        ++(gain.change == Change::Turn    ? counts_.turned
+        ++(gain.change == Change::Swap    ? counts_.swapped
            : gain.change == Change::Merge ? counts_.merged
                                           : counts_.divided);
     }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/vec2.hpp"
-#include "core/improve/repair.hpp"
+#include "core/improve/cleanup.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 
 namespace forefront {
 
-/// How near a triangle comes to a goal: 1 where it has just the wanted α and angle, negative when inverted. The lesser
-/// of α/α* and sin²θ/sin²θ*, θ the least angle; by the squares of the sides, without roots.
+/// Measures how near a triangle comes to a goal: 1 if it just meets the goal, negative if inverted. The lower of α/α*
+/// and sin²θ/sin²θ*, where θ is the minimum angle; computed from squared sides, without roots.
 class ShapeMeasure {
   public:
     explicit ShapeMeasure(const ShapeGoal &goal)
@@ -19,26 +19,26 @@ class ShapeMeasure {
 
     double operator()(Vec2 a, Vec2 b, Vec2 c) const { return of(b - a, c - a, lengthSquared(c - b)); }
 
-    /// Of the triangle with the sides u and v at a node and the square of the third.
+    /// Returns the measure of the triangle with sides u and v at a node and the square of the third side.
     double of(Vec2 u, Vec2 v, double third) const {
         const double twiceArea = cross(u, v);
         const double uu = lengthSquared(u), vv = lengthSquared(v);
         if (!(twiceArea > 0.0)) {
             return uu + vv + third > 0.0 ? alphaFactor_ * twiceArea / (uu + vv + third) : 0.0;
         }
-        // The sine of the least angle is twice the area by the product of the two longer sides.
+        // The sine of the minimum angle is twice the area divided by the product of the two longer sides.
         const double shortest = std::min({uu, vv, third});
         return twiceArea *
                std::min(alphaFactor_ / (uu + vv + third), sineFactor_ * twiceArea * shortest / (uu * vv * third));
     }
 
-    /// Elements with a greater α fulfil the goal.
+    /// Elements with a higher α meet the goal.
     double surelyGood() const { return surelyGood_; }
 
   private:
     static double square(double s) { return s * s; }
     static double sine(double degrees) { return std::sin(degrees * std::numbers::pi / 180.0); }
-    /// Greatest α of triangles with a least angle θ: that of the isosceles one with θ at the apex.
+    /// Returns the maximum α of triangles with minimum angle θ: that of the isosceles one with θ at the apex.
     static double needleAlpha(double degrees) {
         return std::numbers::sqrt3 * sine(degrees) / (2.0 - sine(90.0 - degrees));
     }

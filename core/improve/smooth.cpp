@@ -36,7 +36,7 @@ void NodeSmoother::renewSpacing(const std::stop_token &stop) {
         stop);
 }
 
-/// An inner edge is met from both of its elements.
+/// Sets ρ to the mean length of the edges of each node. An inner edge counts twice, once for each of its elements.
 void NodeSmoother::meanLengths() {
     const Mesh &mesh = work_.mesh;
     std::fill(rho_.begin(), rho_.end(), 0.0F);
@@ -56,11 +56,11 @@ void NodeSmoother::meanLengths() {
     }
 }
 
-/// Of a free node.
+/// Returns the move of a free node.
 [[gnu::always_inline]] inline NodeSmoother::Move NodeSmoother::moveOf(const Vec2 *places, std::size_t n,
                                                                       const SmoothingAims &aims) const {
     const Vec2 p = places[n];
-    const float rho = rho_[n], scale = 1.0F / rho; // lengths in ρ, whose powers stay in the range of floats
+    const float rho = rho_[n], scale = 1.0F / rho; // lengths in units of ρ, whose powers stay in the range of float
     const auto spokeTo = [&](std::size_t m) {
         const Vec2 q = places[m];
         return Spoke{scale * static_cast<float>(q.x - p.x), scale * static_cast<float>(q.y - p.y),
@@ -88,7 +88,7 @@ void NodeSmoother::meanLengths() {
     return {shape * pull.x + spacing * pull.springX, shape * pull.y + spacing * pull.springY};
 }
 
-/// Calls put(node, its move) for all nodes, and says by a move of nothing that one is held.
+/// Calls put(node, move) for all nodes. The move of a fixed node is zero.
 template <class Put>
 void NodeSmoother::moveAll(const Vec2 *places, const SmoothingAims &aims, const std::stop_token &stop,
                            const Put &put) const {
@@ -103,7 +103,7 @@ void NodeSmoother::moveAll(const Vec2 *places, const SmoothingAims &aims, const 
         stop);
 }
 
-/// From the places in the mesh.
+/// Moves all nodes from their positions in the mesh.
 void NodeSmoother::moveFirst(const SmoothingAims &aims, const std::stop_token &stop) {
     const Vec2 *from = work_.mesh.nodes.data();
     moveAll(from, aims, stop, [this, from](std::size_t n, Move move) {
@@ -111,7 +111,7 @@ void NodeSmoother::moveFirst(const SmoothingAims &aims, const std::stop_token &s
     });
 }
 
-/// From the places now, all at once: the moves wait in the memory of α.
+/// Moves all nodes at once from their current positions. The moves are kept in the memory of α.
 void NodeSmoother::moveAgain(const SmoothingAims &aims, const std::stop_token &stop) {
     RawVector<float> &moves = work_.alpha;
     moves.resize(2 * now_.size());
@@ -136,8 +136,8 @@ double NodeSmoother::alphaNow(const Element &n) const {
     return shapeFactor(now(n[0]), now(n[1]), now(n[2]));
 }
 
-/// An element with all nodes back is as it was, and not spoilt.
-bool NodeSmoother::spoilt(std::size_t e, double alpha, double floor) const {
+/// Returns true if an element fell below the floor and got worse. An element whose nodes are all back is not degraded.
+bool NodeSmoother::degraded(std::size_t e, double alpha, double floor) const {
     if (alpha >= floor && alpha > kCertainAlpha) {
         return false;
     }
@@ -145,8 +145,8 @@ bool NodeSmoother::spoilt(std::size_t e, double alpha, double floor) const {
     return !(alpha >= work_.alphaOf(e) && surelyPositive(alpha, now(n[0]), now(n[1]), now(n[2])));
 }
 
-/// Also brings α up to date.
-std::vector<std::uint32_t> NodeSmoother::findSpoilt(double floor, const std::stop_token &stop) {
+/// Finds the degraded elements and updates α.
+std::vector<std::uint32_t> NodeSmoother::findDegraded(double floor, const std::stop_token &stop) {
     const std::size_t count = work_.mesh.elements.size();
     std::vector<std::vector<std::uint32_t>> found((count + ImproveWorkspace::kChunk - 1) / ImproveWorkspace::kChunk);
     work_.pool.forChunks(
@@ -155,7 +155,7 @@ std::vector<std::uint32_t> NodeSmoother::findSpoilt(double floor, const std::sto
             for (std::size_t e = begin; e < end; ++e) {
                 const double alpha = alphaNow(work_.mesh.elements[e]);
                 work_.alpha[e] = static_cast<float>(alpha);
-                if (spoilt(e, alpha, floor)) {
+                if (degraded(e, alpha, floor)) {
                     found[chunk].push_back(static_cast<std::uint32_t>(e));
                 }
             }
@@ -168,14 +168,14 @@ std::vector<std::uint32_t> NodeSmoother::findSpoilt(double floor, const std::sto
     return list;
 }
 
-std::size_t NodeSmoother::putBack(std::vector<std::uint32_t> list, double floor, const std::stop_token &stop) {
+std::size_t NodeSmoother::restoreDegraded(std::vector<std::uint32_t> list, double floor, const std::stop_token &stop) {
     std::size_t back = 0;
     while (!list.empty() && !stop.stop_requested()) {
         const std::uint32_t e = list.back();
         list.pop_back();
         const double alpha = alphaNow(work_.mesh.elements[e]);
         work_.alpha[e] = static_cast<float>(alpha);
-        if (!spoilt(e, alpha, floor)) {
+        if (!degraded(e, alpha, floor)) {
             continue;
         }
         for (const NodeId n : work_.mesh.elements[e]) {
@@ -206,7 +206,7 @@ std::size_t NodeSmoother::sweep(int count, const SmoothingAims &aims, double flo
     if (count <= 0 || progress.cancelled()) {
         return 0;
     }
-    const std::size_t back = putBack(findSpoilt(floor, progress.stop), floor, progress.stop);
+    const std::size_t back = restoreDegraded(findDegraded(floor, progress.stop), floor, progress.stop);
     if (progress.cancelled()) {
         return 0;
     }

@@ -49,7 +49,7 @@ class SwapPass {
         work_.pool.forChunks(
             count, ImproveWorkspace::kChunk,
             [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-                findWorthTurning(work_, begin, end, rule_, found[chunk]);
+                findWorthSwapping(work_, begin, end, rule_, found[chunk]);
             },
             progress_.stop);
         for (const std::vector<HalfEdge> &some : found) {
@@ -62,7 +62,7 @@ class SwapPass {
             if (i % kBatch == 0 && progress_.cancelled()) {
                 return;
             }
-            if (worthTurning(work_, open_[i], rule_)) {
+            if (worthSwapping(work_, open_[i], rule_)) {
                 swap(open_[i]);
             }
         }
@@ -71,7 +71,7 @@ class SwapPass {
     void swap(HalfEdge h) {
         const HalfEdge g = work_.twin[h];
         touched_.insert(touched_.end(), {work_.from(h), work_.to(h), work_.apex(h), work_.apex(g)});
-        turnEdge(work_, h);
+        swapEdge(work_, h);
         ++swaps_;
         for (const std::size_t e : {elementOf(h), elementOf(g)}) {
             const auto first = static_cast<HalfEdge>(3 * e);

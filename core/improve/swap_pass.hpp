@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/progress.hpp"
-#include "core/improve/swap.hpp"
+#include "core/improve/edge_swap.hpp"
 
 #include <cstddef>
 

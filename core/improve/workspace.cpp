@@ -20,7 +20,7 @@ ImproveWorkspace::ImproveWorkspace(Mesh &improved, ThreadPool &threads, const st
     make(start, nodes, room);
     make(fixed, nodes, room);
     make(valence, nodes, room);
-    alpha.reserve(std::max(elements + 2 * room, 2 * (nodes + room))); // room for what smoothing keeps in it
+    alpha.reserve(std::max(elements + 2 * room, 2 * (nodes + room))); // smoothing keeps its moves here
     alpha.resize(elements);
     rings.reserve(nodes + room);
     joinElements(*this, stop);
@@ -40,13 +40,13 @@ ImproveWorkspace::ImproveWorkspace(Mesh &improved, ThreadPool &threads, const st
 
 void ImproveWorkspace::setRing(std::size_t n, const std::array<NodeId, kRingNodes> &nodes, unsigned count) {
     Ring ring{};
-    bool near = count <= kRingNodes;
-    for (unsigned k = 0; near && k < count; ++k) {
+    bool fits = count <= kRingNodes;
+    for (unsigned k = 0; fits && k < count; ++k) {
         const std::int64_t step = static_cast<std::int64_t>(index(nodes[k])) - static_cast<std::int64_t>(n);
         ring[k] = static_cast<std::int16_t>(step);
-        near = ring[k] == step;
+        fits = ring[k] == step;
     }
-    rings[n] = near ? ring : Ring{};
+    rings[n] = fits ? ring : Ring{};
 }
 
 void ImproveWorkspace::beginRing(std::size_t n) {
@@ -57,25 +57,25 @@ void ImproveWorkspace::beginRing(std::size_t n) {
         return;
     }
     std::array<NodeId, kRingNodes> nodes;
-    unsigned count = 0, leastAt = 0;
+    unsigned count = 0, minAt = 0;
     HalfEdge h = first;
     do {
         if (h < start[n]) {
             start[n] = h;
-            leastAt = count;
+            minAt = count;
         }
         if (count < kRingNodes) {
             nodes[count] = to(h);
         }
         h = twin[previousSide(h)];
-    } while (++count < kMostValence && h != first);
+    } while (++count < kMaxValence && h != first);
     if (h != first) {
         fixed[n] = 1;
         return;
     }
     valence[n] = static_cast<std::uint8_t>(count);
     if (count <= kRingNodes) {
-        std::rotate(nodes.begin(), nodes.begin() + leastAt, nodes.begin() + count);
+        std::rotate(nodes.begin(), nodes.begin() + minAt, nodes.begin() + count);
     }
     setRing(n, nodes, count);
 }
@@ -107,27 +107,27 @@ double ImproveWorkspace::measureAlpha(const std::stop_token &stop) {
             }
         },
         stop);
-    return leastAlpha(stop);
+    return minAlpha(stop);
 }
 
-double ImproveWorkspace::leastAlpha(const std::stop_token &stop) const {
+double ImproveWorkspace::minAlpha(const std::stop_token &stop) const {
     if (alpha.empty()) {
         return 0.0;
     }
-    std::vector<double> least((alpha.size() + kChunk - 1) / kChunk, std::numeric_limits<double>::infinity());
+    std::vector<double> minima((alpha.size() + kChunk - 1) / kChunk, std::numeric_limits<double>::infinity());
     pool.forChunks(
         alpha.size(), kChunk,
         [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-            // Rounding to float keeps the order but for ties.
+            // Rounding to float keeps the order except for ties.
             const float rounded = *std::min_element(alpha.data() + begin, alpha.data() + end);
             for (std::size_t e = begin; e < end; ++e) {
                 if (alpha[e] == rounded) {
-                    least[chunk] = std::min(least[chunk], alphaOf(e));
+                    minima[chunk] = std::min(minima[chunk], alphaOf(e));
                 }
             }
         },
         stop);
-    return *std::min_element(least.begin(), least.end());
+    return *std::min_element(minima.begin(), minima.end());
 }
 
 bool surelyPositive(double a, Vec2 p, Vec2 q, Vec2 r) {

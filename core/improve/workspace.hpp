@@ -14,41 +14,42 @@ namespace forefront {
 
 inline constexpr HalfEdge kNoHalfEdge = kNoIndex;
 
-/// The side after h in its element, counter-clockwise, and the side before it.
+/// Returns the side after h in its element, counter-clockwise.
 constexpr HalfEdge nextSide(HalfEdge h) {
     return sideOf(h) == 2 ? h - 2 : h + 1;
 }
+/// Returns the side before h in its element.
 constexpr HalfEdge previousSide(HalfEdge h) {
     return sideOf(h) == 0 ? h + 2 : h - 1;
 }
 
-/// What improving needs to know beside the mesh: 16 bytes per element and 20 per node.
+/// The data that improvement keeps beside the mesh: 16 bytes per element and 20 per node.
 struct ImproveWorkspace {
-    /// After a stop it is not fit for use. `room`: for how many more nodes memory is asked for, unused until then.
+    /// Unusable after a stop. `room`: number of further nodes to reserve memory for.
     ImproveWorkspace(Mesh &mesh, ThreadPool &pool, const std::stop_token &stop = {}, std::size_t room = 0);
 
-    /// More elements cannot be held: a bit of each half-edge is needed while elements are joined.
-    static constexpr std::size_t kMostElements = 0x7fffffffU / 3U;
-    /// Free nodes with more elements around them are held, too.
-    static constexpr unsigned kMostValence = 64;
-    /// Elements and nodes of a task: fixed, so that results do not depend on the number of threads.
+    /// Maximum number of elements: joining them needs a bit of each half-edge.
+    static constexpr std::size_t kMaxElements = 0x7fffffffU / 3U;
+    /// Nodes with more elements around them are fixed.
+    static constexpr unsigned kMaxValence = 64;
+    /// Elements or nodes of a task. Fixed, so that results do not depend on the number of threads.
     static constexpr std::size_t kChunk = 8192;
-    /// Rings with more nodes are walked each time.
+    /// Maximum number of nodes of a stored ring. Longer rings are walked each time.
     static constexpr unsigned kRingNodes = 7;
 
     Mesh &mesh;
     ThreadPool &pool;
     /// The half-edge across; none on the boundary, between regions, on tagged edges and where the mesh does not
-    /// conform. Kept up to date by swaps.
+    /// conform. Swaps keep it up to date.
     RawVector<HalfEdge> twin;
-    RawVector<HalfEdge> start;       ///< per node: a half-edge that starts there; none at a node without elements
-    RawVector<std::uint8_t> fixed;   ///< per node: 1 where it may not move
-    RawVector<std::uint8_t> valence; ///< elements around each free node; 0 for others
-    RawVector<float> alpha;          ///< per element; smoothing borrows its memory meanwhile
-    /// The nodes around a free node, counter-clockwise from its start on, as differences of indices: neighbours lie
-    /// near in memory. The rest is 0; all is where one lies too far, or where there are more.
+    RawVector<HalfEdge> start;       ///< per node: a half-edge that starts there, if any
+    RawVector<std::uint8_t> fixed;   ///< per node: 1 if it must not move
+    RawVector<std::uint8_t> valence; ///< per node: elements around it if free, else 0
+    RawVector<float> alpha;          ///< per element; smoothing uses its memory meanwhile
+    /// The nodes around a free node, counter-clockwise from its start on, as differences of indices, since neighbours
+    /// lie close in memory; then 0. All 0 where a difference is too large or the ring too long.
     using Ring = std::array<std::int16_t, kRingNodes>;
-    RawVector<Ring> rings; ///< per node; meaningless where it is held
+    RawVector<Ring> rings; ///< per node; undefined for fixed nodes
 
     Vec2 at(NodeId n) const { return mesh.nodes[index(n)]; }
     NodeId from(HalfEdge h) const { return mesh.elements[elementOf(h)][sideOf(h)]; }
@@ -73,7 +74,7 @@ struct ImproveWorkspace {
             h = twin[previousSide(h)];
         } while (h != first);
     }
-    /// Calls visit(node) for the nodes around a free node, counter-clockwise from its start on; the ring must be up to
+    /// Calls visit(node) for the nodes around a free node, counter-clockwise from its start on. The ring must be up to
     /// date.
     template <class Visit>
     void ringOfFree(std::size_t n, Visit &&visit) const {
@@ -87,24 +88,24 @@ struct ImproveWorkspace {
         }
     }
 
-    /// Brings ring and valence of a free node up to date after swaps around it.
+    /// Updates the ring and the valence of a free node after swaps around it.
     void renewRing(NodeId n);
-    /// Makes the ring of a node, beginning at its least half-edge, or holds the node where it has too many elements.
+    /// Makes the ring of a node, from its lowest half-edge on, or fixes the node if it has too many elements.
     void beginRing(std::size_t n);
-    /// Computes all α and returns the least, exactly as shapeFactor gives it; 0 for a mesh without elements.
+    /// Computes α of all elements and returns the minimum, exactly as shapeFactor computes it; 0 without elements.
     double measureAlpha(const std::stop_token &stop = {});
-    /// The least α, from `alpha`, exactly as shapeFactor gives it.
-    double leastAlpha(const std::stop_token &stop = {}) const;
+    /// Returns the minimum α from `alpha`, exactly as shapeFactor computes it.
+    double minAlpha(const std::stop_token &stop = {}) const;
 
   private:
     void setRing(std::size_t n, const std::array<NodeId, kRingNodes> &nodes, unsigned count);
 };
 
-/// Computed α above which the sign of the area is certain: the error of the computed area is below 1e-15 of Σl², since
-/// differences of coordinates are rounded once.
+/// A computed α above this has a certain sign: the error of the computed area is below 1e-15 of Σl², since differences
+/// of coordinates are rounded once.
 inline constexpr double kCertainAlpha = 1e-12;
 
-/// True when abc is counter-clockwise, decided exactly where the computed α leaves it open.
+/// Returns true if abc is counter-clockwise, decided exactly where the computed α is not certain.
 bool surelyPositive(double alpha, Vec2 a, Vec2 b, Vec2 c);
 
 } // namespace forefront

@@ -29,7 +29,7 @@ void ApexSearch<Grid, Trace>::evaluateSpacing(Base &base) {
     const Vec2 normal = (1.0 / base.length) * leftNormal(base.b - base.a);
     const auto idealFor = [&](double rho) {
         const double height = std::sqrt(std::max(0.0, rho * rho - 0.25 * base.length * base.length));
-        return middle + std::max(height, kLeastHeight * base.length) * normal;
+        return middle + std::max(height, kMinHeight * base.length) * normal;
     };
     const double atMiddle = spacing_.at(middle);
     const double atIdeal = spacing_.at(idealFor(clampedToBase(atMiddle, base.length)));
@@ -49,7 +49,7 @@ Box2 ApexSearch<Grid, Trace>::reach(const Base &base, double radius) {
 
 template <class Grid, class Trace>
 void ApexSearch<Grid, Trace>::force(const Base &base, double radius, Candidate &apex) {
-    do { // ends at the latest when the search covers all of Γ: see ClassicAdvancer
+    do { // ends at the latest when the search covers all of Γ, see ClassicAdvancer
         radius *= 2.0;
         FOREFRONT_ASSERT(radius < 1e6 * (base.rho + slack_ / std::numeric_limits<double>::epsilon()));
         trace_.widen();
@@ -72,8 +72,8 @@ bool ApexSearch<Grid, Trace>::find(const Base &base, const Limits &limits, Candi
     return false;
 }
 
-/// The segments of Γ near the box, each once, in the order of their slots: the same whatever the grid delivers beyond
-/// them.
+/// Collects the segments of Γ near the box, each once, in the order of their slots. The result is the same for every
+/// grid.
 template <class Grid, class Trace>
 void ApexSearch<Grid, Trace>::gather(const Box2 &box) {
     const GenerationFront &front = state_.front;
@@ -110,8 +110,8 @@ void ApexSearch<Grid, Trace>::gather(const Box2 &box) {
     }
 }
 
-/// Steps 5 to 7: front nodes within the radius, and the ideal point where it keeps clear of Γ; best score first, ties
-/// by id.
+/// Collects the front nodes within the radius, and the ideal point unless it is too near to Γ; best score first, ties
+/// by id (steps 5 to 7).
 template <class Grid, class Trace>
 void ApexSearch<Grid, Trace>::rank(const Base &base, const Limits &limits) {
     candidates_.clear();
@@ -158,7 +158,7 @@ double ApexSearch<Grid, Trace>::score(const Base &base, Vec2 p) const {
            spacingConformity(distance(base.b, p), base.rho);
 }
 
-/// Step 8.
+/// Tests a candidate (step 8).
 template <class Grid, class Trace>
 Verdict ApexSearch<Grid, Trace>::test(const Base &base, const Candidate &candidate) {
     const GenerationFront &front = state_.front;
@@ -178,7 +178,8 @@ Verdict ApexSearch<Grid, Trace>::test(const Base &base, const Candidate &candida
     return containsNode(base, candidate) ? Verdict::ContainsNode : Verdict::Accepted;
 }
 
-/// AC and CB leave A, B and C on the unmeshed side. A side that is a segment of Γ already needs no test at its ends.
+/// Returns true if AC and CB leave A, B and C on the unmeshed side. A side that is already a segment of Γ needs no
+/// test.
 template <class Grid, class Trace>
 bool ApexSearch<Grid, Trace>::anglesAllow(const Base &base, const Candidate &candidate) const {
     const GenerationFront &front = state_.front;
@@ -191,7 +192,8 @@ bool ApexSearch<Grid, Trace>::anglesAllow(const Base &base, const Candidate &can
            (front.insideAngle(base.slotB, candidate.position) && (!known || front.insideAngle(candidate.slot, base.b)));
 }
 
-/// Segments of Γ that share an end with the candidate segment are left out: the angle tests have dealt with them.
+/// Returns true if a candidate segment meets a segment of Γ. Segments that share an end with it are skipped: the angle
+/// tests have dealt with them.
 template <class Grid, class Trace>
 bool ApexSearch<Grid, Trace>::crosses(const Base &base, Vec2 from, NodeId fromNode, const Candidate &to) {
     const Box2 box = boxOf(from, to.position);

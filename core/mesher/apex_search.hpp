@@ -9,29 +9,30 @@
 
 namespace forefront {
 
-/// Of the ideal point over its base, in lengths of the base.
-inline constexpr double kLeastHeight = 0.5;
+/// Minimum height of the ideal point above AB, in units of |AB|.
+inline constexpr double kMinHeight = 0.5;
 
-/// Step 3: ρ clamped against the length of the base, which keeps neighbouring elements within a factor of two.
+/// Returns ρ clamped against the length of the base (step 3), which keeps neighbouring elements within a factor of two.
 inline double clampedToBase(double rho, double length) {
     return std::clamp(rho, 0.55 * length, 2.0 * length);
 }
 
-/// Below this part of the node spacing a new node counts as small, see FrontState::smallNodesLeft.
+/// A new node closer to Γ than this part of the node spacing counts as small, see FrontState::smallNodesLeft.
 inline constexpr double kSmallNode = 0.5;
 
-/// A base segment AB with what the node spacing function wants there.
+/// A base segment AB with the node spacing there.
 struct Base {
     SlotId slotA, slotB;
     Vec2 a, b;
     NodeId nodeA, nodeB;
     double length;
-    double rho = 0.0;      ///< clamped against the length
-    double fieldRho = 0.0; ///< as the node spacing function says
+    double rho = 0.0;      ///< fieldRho clamped against the length
+    double fieldRho = 0.0; ///< value of the node spacing function
     Vec2 ideal;            ///< the ideal point C
 
     bool small() const { return rho < kSmallNode * fieldRho; }
 };
+/// Returns the base that starts at a slot, without its node spacing.
 Base baseAt(const GenerationFront &front, SlotId slotA);
 
 /// A candidate node for the apex.
@@ -42,7 +43,7 @@ struct Candidate {
     SlotId slot; ///< kNoSlot: the ideal point
 };
 
-/// Work of the searches of one advance.
+/// The work of the searches in one advance.
 struct SearchWork {
     std::uint32_t delivered = 0, tested = 0, cells = 0, candidates = 0;
 
@@ -54,7 +55,7 @@ struct SearchWork {
     }
 };
 
-/// Steps 3 to 8 of the ten: from a base segment to the apex of its element. Changes nothing but its own scratch memory.
+/// Performs steps 3 to 8 of the ten: finds the apex for a base segment. Changes only its own scratch memory.
 template <class Grid, class Trace>
 class ApexSearch {
   public:
@@ -66,14 +67,14 @@ class ApexSearch {
     ApexSearch(const FrontState &state, const Grid &grid, const SpacingField &spacing, double slack, Trace &trace)
         : state_(state), grid_(grid), spacing_(spacing), slack_(slack), trace_(trace) {}
 
-    /// Steps 3 and 4. ρ at the midpoint of AB and again at the ideal point that follows from it; their mean places the
-    /// final one.
+    /// Evaluates ρ and places the ideal point (steps 3 and 4). ρ is the mean of its values at the midpoint of AB and at
+    /// the ideal point that follows from the first.
     void evaluateSpacing(Base &base);
-    /// Where find() looks: all that can bear on the element lies in or meets this box.
+    /// Returns a box that everything find() depends on lies in or meets.
     static Box2 reach(const Base &base, double radius);
-    /// Steps 5 to 8 for one search radius. False if no candidate passes.
+    /// Finds the apex within one search radius (steps 5 to 8). Returns false if no candidate passes.
     bool find(const Base &base, const Limits &limits, Candidate &apex);
-    /// The last search, which cannot fail: existing nodes alone, the radius doubled until it covers all of Γ.
+    /// Finds the apex among existing nodes alone and doubles the radius until one passes, which cannot fail.
     void force(const Base &base, double radius, Candidate &apex);
 
     void startCounting() { work_ = {}; }

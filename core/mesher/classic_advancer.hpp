@@ -4,12 +4,12 @@
 
 namespace forefront {
 
-// Search radii around the ideal point, in ρ.
+// Radii of the first and the second search around the ideal point, in ρ.
 inline constexpr double kFirstRadius = 1.2;
 inline constexpr double kSecondRadius = 1.75;
 
-/// The classic method: the ten steps after Lo, shortest base first (see BaseOrder), one base segment an advance and at
-/// most one element.
+/// The classic method: the ten steps after Lo. Each advance takes the shortest base (see BaseOrder) and makes at most
+/// one element.
 ///
 /// Closing guarantee. A base first looks for the best of the nearby front nodes and a new node. If none passes it is
 /// deferred once; the second time, after a wider search, only existing nodes are taken and the search grows until it
@@ -21,8 +21,8 @@ inline constexpr double kSecondRadius = 1.75;
 template <class Grid, class Trace>
 class ClassicAdvancer {
   public:
-    /// For the HierarchicalGrid: small cells, since all of their segments are looked at, and counted as Nc. Measured:
-    /// flat from 3 to 6.
+    /// Cell width of the HierarchicalGrid, in segment lengths. Small, since searches look at all segments of a cell and
+    /// count them as Nc. Measured: no difference from 3 to 6.
     static constexpr double kCellPerLength = 3.5;
 
     ClassicAdvancer(FrontState &state, Grid &grid, const SpacingField &spacing, double slack, Trace trace)
@@ -30,16 +30,16 @@ class ClassicAdvancer {
     ClassicAdvancer(const ClassicAdvancer &) = delete; // its parts share one trace
     ClassicAdvancer &operator=(const ClassicAdvancer &) = delete;
 
-    /// Makes the state of a run that begins.
+    /// Prepares the state for a new run.
     static void prepare(FrontState &state, const DiscreteDomain &, const SpacingField &) {
         state.order.rebuild(state.front);
     }
 
-    /// Performs steps 2 to 9 once. False when Γ = ∅ (step 10).
+    /// Performs steps 2 to 9 once. Returns false when Γ = ∅ (step 10).
     bool advance(AdvanceDelta &delta);
-    /// Takes back the last advance, exactly.
+    /// Undoes the last advance, exactly.
     void retreat(const AdvanceDelta &delta);
-    /// The order of bases follows from Γ alone and needs no log.
+    /// Does nothing: the order of bases follows from Γ alone and needs no log.
     void keepLog(bool) {}
 
   private:

@@ -4,11 +4,11 @@
 
 namespace forefront {
 
-// The ideal point is withdrawn when a node or a segment of Γ is nearer, in ρ.
+// Minimum distances of the ideal point from nodes and segments of Γ, in ρ; it is withdrawn where one is nearer.
 inline constexpr double kNodeClearance = 0.65;
 inline constexpr double kSegmentClearance = 0.5;
 
-/// True if p is nearer to the segment ab than the root of `distance2`; without a division.
+/// Returns true if p is nearer to the segment ab than the square root of `distance2`. Does not divide.
 inline bool nearSegment(Vec2 p, Vec2 a, Vec2 b, double distance2) {
     const Vec2 d = b - a;
     const Vec2 q = p - a;
@@ -24,7 +24,8 @@ inline bool nearSegment(Vec2 p, Vec2 a, Vec2 b, double distance2) {
     return side * side < distance2 * length2;
 }
 
-/// True if the closed segments pq and ab have a common point (exact); a may equal b.
+/// Returns true if the closed segments pq and ab have a common point (exact). a may equal b; the boxes of the segments
+/// must overlap.
 inline bool segmentsMeet(Vec2 p, Vec2 q, Vec2 a, Vec2 b) {
     const int a1 = orientation(p, q, a);
     const int b1 = orientation(p, q, b);
@@ -36,11 +37,11 @@ inline bool segmentsMeet(Vec2 p, Vec2 q, Vec2 a, Vec2 b) {
     if (p1 * q1 > 0) {
         return false;
     }
-    // Each meets the line of the other. On one line they meet where their boxes do, which the caller has found.
+    // Each meets the line of the other. Collinear segments meet since their boxes overlap.
     return true;
 }
 
-/// True if p lies in or on the triangle abc (exact).
+/// Returns true if p lies in or on the triangle abc (exact).
 inline bool insideOrOn(Vec2 a, Vec2 b, Vec2 c, Vec2 p) {
     return orientation(a, b, p) >= 0 && orientation(b, c, p) >= 0 && orientation(c, a, p) >= 0;
 }

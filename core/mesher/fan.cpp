@@ -10,14 +10,15 @@ namespace forefront {
 
 namespace {
 
-// Distances of the apex, in element sizes: at most from the nodes of the chain and, at least, from other nodes of Γ.
-constexpr double kFarthest = 1.3;
+// Maximum distance of the apex from the nodes of its chain and minimum distance from other nodes of Γ, in element
+// sizes.
+constexpr double kMaxDistance = 1.3;
 constexpr double kFanClearance = 0.8;
 
 Vec2 idealPoint(Vec2 a, Vec2 b, double length, double size) {
     const double rho = clampedToBase(size, length);
     const double height =
-        std::sqrt(std::max(rho * rho - 0.25 * length * length, kLeastHeight * kLeastHeight * length * length));
+        std::sqrt(std::max(rho * rho - 0.25 * length * length, kMinHeight * kMinHeight * length * length));
     return midpoint(a, b) + (height / length) * leftNormal(b - a);
 }
 
@@ -45,13 +46,13 @@ Box2 Fan::box() const {
 template <class Grid, class Trace>
 bool FanBuilder<Grid, Trace>::place(Fan &fan) const {
     const GenerationFront &front = state_.front;
-    std::array<double, Fan::kMost> lengths{}, sizes{};
+    std::array<double, Fan::kMaxSegments> lengths{}, sizes{};
     for (unsigned i = 0; i < fan.segments; ++i) {
         lengths[i] = front[fan.slots[i]].length;
         sizes[i] = 0.5 * (front[fan.slots[i]].rho + front[fan.slots[i + 1]].rho);
     }
     const double share = 1.0 / fan.segments;
-    const auto meanOfIdeals = [&](double pull) { // `pull`: what the spacing at the apex adds to that of the segments
+    const auto meanOfIdeals = [&](double pull) { // `pull`: added to the spacing of the segments
         Vec2 sum;
         for (unsigned i = 0; i < fan.segments; ++i) {
             sum += idealPoint(fan.at[i], fan.at[i + 1], lengths[i], sizes[i] + pull);
@@ -69,18 +70,18 @@ bool FanBuilder<Grid, Trace>::place(Fan &fan) const {
     fan.apex = meanOfIdeals(0.0);
     fan.rho = spacing_.at(fan.apex);
     fan.rhoThere = fan.apex;
-    if (fan.rho != mean) { // the sides of the elements lead from the spacing here to the spacing there
+    if (fan.rho != mean) { // the elements lead from the spacing at the segments to that at the apex
         fan.apex = meanOfIdeals(0.5 * (fan.rho - mean));
         fan.size = clampedToBase(0.5 * (fan.rho + mean), fan.size);
     }
     if (fan.size < kSmallNode * fan.rho) {
         return false;
     }
-    const double nearest = state_.care.nearest * state_.care.nearest * fan.size * fan.size;
-    const double farthest = kFarthest * kFarthest * fan.size * fan.size;
+    const double min2 = state_.care.minDistance * state_.care.minDistance * fan.size * fan.size;
+    const double max2 = kMaxDistance * kMaxDistance * fan.size * fan.size;
     for (unsigned i = 0; i <= fan.segments; ++i) {
         const double d = distanceSquared(fan.apex, fan.at[i]);
-        if (d < nearest || d > farthest) {
+        if (d < min2 || d > max2) {
             return false;
         }
     }
@@ -119,8 +120,8 @@ bool FanBuilder<Grid, Trace>::clear(const Fan &fan, const Box2 &reach, SearchWor
     const GenerationFront &front = state_.front;
     Boxes boxes{reach, fan.box(), boxOf(fan.at[0], fan.apex), boxOf(fan.at[fan.segments], fan.apex)};
     boxes.fan.add(fan.apex);
-    constexpr unsigned kMostNear = 32;
-    std::array<SlotId, kMostNear> near;
+    constexpr unsigned kMaxNear = 32;
+    std::array<SlotId, kMaxNear> near;
     unsigned count = 0;
     bool free = true;
     const auto look = [&] {
@@ -133,10 +134,10 @@ bool FanBuilder<Grid, Trace>::clear(const Fan &fan, const Box2 &reach, SearchWor
     const SlotId third = fan.segments > 2 ? fan.slots[2] : fan.slots[0];
     work.delivered += grid_.queryNear(
         front, reach,
-        [&](SlotId id) { // those of the chain are left out without a branch: it could not be foreseen
+        [&](SlotId id) { // skips the chain without a branch, which could not be predicted
             near[count] = id;
             count += static_cast<unsigned>((id != fan.slots[0]) & (id != second) & (id != third));
-            if (count == kMostNear) {
+            if (count == kMaxNear) {
                 look();
             }
         },
@@ -175,7 +176,8 @@ bool FanBuilder<Grid, Trace>::blocks(const Fan &fan, const Boxes &boxes, const F
            (box.overlaps(boxes.lastSide) && meets(fan.at[last], fan.nodes[last], fan.apex, kNoNode, n, work));
 }
 
-/// Segments that share an end with the new one are left out: the angle tests have dealt with them. The boxes overlap.
+/// Tests a new segment against the front segment n, whose box overlaps. Segments that share an end are skipped: the
+/// angle tests have dealt with them.
 template <class Grid, class Trace>
 bool FanBuilder<Grid, Trace>::meets(Vec2 from, NodeId fromNode, Vec2 to, NodeId toNode, const FrontSlot &n,
                                     SearchWork &work) {

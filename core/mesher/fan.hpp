@@ -7,43 +7,44 @@
 
 namespace forefront {
 
-/// Elements proposed over one, two or three successive segments X0X1, X1X2, ... of Γ with one common apex C: a new
-/// node, or, for one corner X0X1X2 that is closed by the segment X0X2, none.
+/// Elements proposed over one to three successive segments X0X1, X1X2, ... of Γ with a common apex C, a new node. A fan
+/// can also stand for a corner X0X1X2 that the segment X0X2 closes without a new node.
 struct Fan {
-    static constexpr unsigned kMost = 3;
+    static constexpr unsigned kMaxSegments = 3;
 
     unsigned segments = 0;
-    std::array<SlotId, kMost + 1> slots{};
-    std::array<Vec2, kMost + 1> at{};
-    std::array<NodeId, kMost + 1> nodes{};
+    std::array<SlotId, kMaxSegments + 1> slots{};
+    std::array<Vec2, kMaxSegments + 1> at{};
+    std::array<NodeId, kMaxSegments + 1> nodes{};
     Vec2 apex;
     double size = 0.0; ///< element size that the apex was placed with
-    double rho = 0.0;  ///< node spacing at `rhoThere`: the apex or, before its last correction, near it
-    Vec2 rhoThere;
+    double rho = 0.0;  ///< node spacing at `rhoThere`
+    Vec2 rhoThere;     ///< the apex before its last correction, or the apex
 
-    /// The `segments` segments from slot `first` on.
+    /// The fan over `segments` segments from slot `first` on, without its apex.
     Fan(const GenerationFront &front, SlotId first, unsigned segments);
     std::span<const SlotId> chain() const { return {slots.data(), segments}; }
     SlotId last() const { return slots[segments]; }
     Box2 box() const;
 };
 
-/// Places and tests fans: exact answers that depend on Γ alone, never on the grid.
+/// Places and tests fans. The answers are exact and depend on Γ alone, never on the grid.
 template <class Grid, class Trace>
 class FanBuilder {
   public:
     FanBuilder(const FrontState &state, const Grid &grid, const SpacingField &spacing, Trace &trace)
         : state_(state), grid_(grid), spacing_(spacing), trace_(trace) {}
 
-    /// The apex: mean of the ideal points of the segments. False where it would make elements of bad shape or, against
-    /// the node spacing, small ones.
+    /// Places the apex at the mean of the ideal points of the segments. Returns false where that would make badly
+    /// shaped elements, or elements too small for the node spacing.
     bool place(Fan &fan) const;
-    /// All that bears on clear() meets this box.
+    /// Returns a box that everything clear() depends on meets.
     static Box2 reach(const Fan &fan);
-    /// True if the elements keep to the unmeshed side, meet no segment and enclose no node of Γ, and the apex keeps its
-    /// distance from both (as in step 7).
+    /// Returns true if the elements lie on the unmeshed side, meet no segment and enclose no node of Γ, and the apex
+    /// keeps its distance from both (as in step 7).
     bool clear(const Fan &fan, const Box2 &reach, SearchWork &work);
-    /// The same for the element X0X1X2 of a corner, whose third side is to be new.
+    /// Returns true if the element X0X1X2 of a corner lies on the unmeshed side, and neither it nor its new third side
+    /// meets anything of Γ.
     bool cornerClear(const Fan &corner, SearchWork &work);
 
   private:

@@ -9,17 +9,17 @@ namespace forefront {
 
 namespace {
 
-// Cosines of angles of the front. Measured together with the lengths below on discs, a ring of small spacing and a
-// coast: what raises α and δ after the improvement most.
-constexpr double kSharp = 0.05;     ///< 87 degrees: closed by one segment
-constexpr double kWide = -0.94;     ///< 160 degrees: not served by one node with its neighbour
-constexpr double kRoomy = -0.5;     ///< 120 degrees: room for two nodes
-constexpr double kThreeFrom = -0.8; ///< 143 degrees: up to this on both sides three segments share a node
-/// Where segments are shorter than this part of the node spacing, three share a node, so that one fewer remains.
+// Cosines of angles of the front. These and the lengths below were measured together on discs, a ring of small spacing
+// and a coast, for the highest α and δ after improvement.
+constexpr double kSharp = 0.05;     ///< 87 degrees: sharper corners are closed
+constexpr double kWide = -0.94;     ///< 160 degrees: segments at wider corners do not share a node
+constexpr double kRoomy = -0.5;     ///< 120 degrees: wider corners have room for two nodes
+constexpr double kThreeFrom = -0.8; ///< 143 degrees: three segments share a node where both corners are sharper
+/// Segments shorter than this part of the node spacing share a node by three, so that one segment fewer remains.
 constexpr double kShort = 0.85;
-/// Where a segment is longer, it gets a node of its own, so that one more remains.
+/// Segments longer than this part of the node spacing get a node each, so that one segment more remains.
 constexpr double kLong = 1.2;
-/// Segments served by one node differ in length by less than this.
+/// Segments that share a node differ in length by less than this factor.
 constexpr double kSimilar = 2.0;
 
 } // namespace
@@ -44,23 +44,23 @@ void offerAll(WalkOrder &order, const GenerationFront &front, const Box2 &box) {
 template <class Grid, class Trace>
 void FastAdvancer<Grid, Trace>::prepare(FrontState &state, const DiscreteDomain &boundary, const SpacingField &spacing,
                                         double perStrip) {
-    state.regions = std::make_shared<const FrontRegions>(boundary, spacing, perStrip);
+    state.strips = std::make_shared<const FrontStrips>(boundary, spacing, perStrip);
     GenerationFront &front = state.front;
     for (std::uint32_t i = 0; i < front.capacity(); ++i) {
         front.setRho(SlotId{i}, spacing.at(front.start(SlotId{i})));
     }
-    state.regionEnd = static_cast<std::uint32_t>(state.regions->boxes.size());
+    state.stripEnd = static_cast<std::uint32_t>(state.strips->boxes.size());
     state.walkOrder.clear(state.care.fineClasses);
-    offerAll(state.walkOrder, front, state.regions->boxes.front());
+    offerAll(state.walkOrder, front, state.strips->boxes.front());
 }
 
-/// Where the present region confines all that is touched; null in the last one.
+/// Returns the box that advances must stay in; null in the last strip.
 template <class Grid, class Trace>
 const Box2 *FastAdvancer<Grid, Trace>::limits() const {
-    return state_.regions->last(state_.region) ? nullptr : &state_.regions->boxes[state_.region];
+    return state_.strips->last(state_.strip) ? nullptr : &state_.strips->boxes[state_.strip];
 }
 
-/// The base to go on with, else the next of the order, else the first of the next region.
+/// Returns the base that continues the walk, else the next of the order, else the first of the next strip.
 template <class Grid, class Trace>
 SlotId FastAdvancer<Grid, Trace>::nextBase() {
     if (state_.walk.base != kNoSlot) {
@@ -71,9 +71,9 @@ SlotId FastAdvancer<Grid, Trace>::nextBase() {
     }
     trace_.takeBase(false);
     SlotId base = state_.walkOrder.take(state_.front);
-    while (base == kNoSlot && state_.region + 1 < state_.regionEnd) {
-        ++state_.region;
-        offerAll(state_.walkOrder, state_.front, state_.regions->boxes[state_.region]);
+    while (base == kNoSlot && state_.strip + 1 < state_.stripEnd) {
+        ++state_.strip;
+        offerAll(state_.walkOrder, state_.front, state_.strips->boxes[state_.strip]);
         base = state_.walkOrder.take(state_.front);
     }
     if (base != kNoSlot) {
@@ -86,12 +86,12 @@ template <class Grid, class Trace>
 bool FastAdvancer<Grid, Trace>::advance(AdvanceDelta &delta) {
     const Walk walk = state_.walk;
     const auto logged = static_cast<std::uint32_t>(state_.walkOrder.logSize());
-    const std::uint32_t region = state_.region;
+    const std::uint32_t strip = state_.strip;
     for (SlotId base = nextBase(); base != kNoSlot; base = nextBase()) {
         if (tryBase(base, delta) == Outcome::Done) {
             delta.walk = walk;
             delta.logged = logged;
-            delta.region = region;
+            delta.strip = strip;
             return true;
         }
     }
@@ -102,25 +102,25 @@ template <class Grid, class Trace>
 typename FastAdvancer<Grid, Trace>::Outcome FastAdvancer<Grid, Trace>::tryBase(SlotId slotA, AdvanceDelta &delta) {
     const GenerationFront &front = state_.front;
     Base base = baseAt(front, slotA);
-    if (state_.regions->tooFine(state_.region, midpoint(base.a, base.b), base.length)) {
-        return Outcome::LeftOver;
+    if (state_.strips->tooFine(state_.strip, midpoint(base.a, base.b), base.length)) {
+        return Outcome::LeftToLaterStrip;
     }
     delta = update_.begin(slotA);
     search_.startCounting();
     const std::size_t segments = front.segments();
     trace_.begin(state_, base);
     Vec2 apex;
-    if (!trySimple(base, delta, apex) && searchApex(base, delta, apex) == Outcome::LeftOver) {
-        return Outcome::LeftOver;
+    if (!trySimple(base, delta, apex) && searchApex(base, delta, apex) == Outcome::LeftToLaterStrip) {
+        return Outcome::LeftToLaterStrip;
     }
-    walkOn(delta);
+    continueWalk(delta);
     trace_.end(state_, delta, apex);
     search_.work().store(delta);
     update_.count(delta, segments, true);
     return Outcome::Done;
 }
 
-/// Cosine of the free angle at a node of Γ; -1 from 180 degrees on.
+/// Returns the cosine of the free angle at a node of Γ; -1 from 180 degrees on.
 template <class Grid, class Trace>
 double FastAdvancer<Grid, Trace>::cosine(SlotId corner) const {
     const GenerationFront &front = state_.front;
@@ -142,14 +142,14 @@ bool FastAdvancer<Grid, Trace>::similar(SlotId first, unsigned segments) const {
     return greatest < kSimilar * least;
 }
 
-/// A corner closed, or a new node over one to three segments.
+/// Closes a corner, or makes a new node over one to three segments. Returns false where neither is possible.
 template <class Grid, class Trace>
 bool FastAdvancer<Grid, Trace>::trySimple(const Base &base, AdvanceDelta &delta, Vec2 &apex) {
     const GenerationFront &front = state_.front;
     const SlotId before = front.prev(base.slotA), after = front.next(base.slotB);
     const Box2 *limit = limits();
     if (limit != nullptr && !(holds(*limit, front.start(before)) && holds(*limit, front.start(after)))) {
-        return false; // beyond the nodes of a region its part of Γ may end
+        return false; // the part of Γ in a strip may end beyond these nodes
     }
     const bool nearlyClosed = after == before || front.next(after) == before; // three or four segments are left
     if (nearlyClosed || front[base.slotA].mark.failureClass > 0) {
@@ -236,8 +236,8 @@ bool FastAdvancer<Grid, Trace>::makeFan(const Fan &fan, AdvanceDelta &delta, Vec
     return true;
 }
 
-/// Steps 3 to 9 as in the ClassicAdvancer. In a region that confines them they are left for later where they do not
-/// pass at once.
+/// Performs steps 3 to 9 as the ClassicAdvancer does. In all strips but the last, a base is left to a later strip if
+/// the first search fails.
 template <class Grid, class Trace>
 typename FastAdvancer<Grid, Trace>::Outcome FastAdvancer<Grid, Trace>::searchApex(Base &base, AdvanceDelta &delta,
                                                                                   Vec2 &apex) {
@@ -249,7 +249,7 @@ typename FastAdvancer<Grid, Trace>::Outcome FastAdvancer<Grid, Trace>::searchApe
     if (limit != nullptr) {
         if (base.small() || !holds(*limit, ApexSearch<Grid, Trace>::reach(base, radius)) ||
             !search_.find(base, {radius, true}, found) || !mayConnect(found)) {
-            return Outcome::LeftOver;
+            return Outcome::LeftToLaterStrip;
         }
     } else if (!search_.find(base, {radius, true}, found)) {
         if (!secondTime) {
@@ -264,16 +264,16 @@ typename FastAdvancer<Grid, Trace>::Outcome FastAdvancer<Grid, Trace>::searchApe
     return Outcome::Done;
 }
 
-/// A connection elsewhere changes a link of the slot before its apex: that, too, must lie in the region.
+/// Returns true if the slot before the apex, whose link a connection changes, lies in the strip as well.
 template <class Grid, class Trace>
 bool FastAdvancer<Grid, Trace>::mayConnect(const Candidate &apex) const {
     return apex.slot == kNoSlot || holds(*limits(), state_.front.start(state_.front.prev(apex.slot)));
 }
 
-/// The walk, if there is to be one, goes on with the new segment that follows along the loop, unless it is of a greater
-/// class of length; all other new ones are put into the order.
+/// Continues the walk with the last new segment along the loop unless its length class is higher than that of the walk,
+/// and offers all other new segments to the order.
 template <class Grid, class Trace>
-void FastAdvancer<Grid, Trace>::walkOn(const AdvanceDelta &delta) {
+void FastAdvancer<Grid, Trace>::continueWalk(const AdvanceDelta &delta) {
     const GenerationFront &front = state_.front;
     SlotId last = kNoSlot;
     FrontUpdate<Grid>::forEachNew(delta, [&](SlotId id) {
@@ -296,7 +296,7 @@ void FastAdvancer<Grid, Trace>::walkOn(const AdvanceDelta &delta) {
 template <class Grid, class Trace>
 void FastAdvancer<Grid, Trace>::retreat(const AdvanceDelta &delta) {
     update_.undo(delta);
-    state_.region = delta.region;
+    state_.strip = delta.strip;
     state_.walkOrder.rollBack(delta.logged);
     state_.walk = delta.walk;
 }

@@ -5,17 +5,18 @@
 
 namespace forefront {
 
-/// The fast method: takes bases by classes of length and walks from each along the loop. Where a base and its
-/// neighbours on the loop make ordinary angles, one new node serves two or three of them at once; a sharp corner is
-/// closed; all else goes through the search of the ten steps, and so does whatever these simple cases do not pass. Its
-/// closing guarantee is that of the ClassicAdvancer: fans are as far from Γ as its ideal points, and never small.
+/// The fast method: takes bases by length class and walks from each along its loop. Where a base and its neighbours on
+/// the loop make ordinary angles, one new node serves two or three of them at once. A sharp corner is closed. All other
+/// bases, and those for which these simple cases fail, go through the search of the ten steps. The closing guarantee is
+/// that of the ClassicAdvancer: fans keep as far from Γ as its ideal points, and their nodes are never small.
 ///
-/// It works region by region, see FrontRegions. A base that needs more room than its region has is left to a later one.
+/// It works strip by strip, see FrontStrips. A base whose search leaves its strip is left to a later strip.
 template <class Grid, class Trace>
 class FastAdvancer {
   public:
-    /// For the HierarchicalGrid: large cells, since its queries sort out what is not near at little cost, and segments
-    /// that stay in one cell cost less to change. Measured: graded meshes are 3 % faster than with 10, and flat beyond.
+    /// Cell width of the HierarchicalGrid, in segment lengths. Large, since its queries skip distant segments at little
+    /// cost, and segments that stay in one cell are cheaper to change. Measured: graded meshes are 3 % faster than with
+    /// 10; more makes no difference.
     static constexpr double kCellPerLength = 12.0;
 
     FastAdvancer(FrontState &state, Grid &grid, const SpacingField &spacing, double slack, Trace trace)
@@ -24,18 +25,19 @@ class FastAdvancer {
     FastAdvancer(const FastAdvancer &) = delete; // its parts share one trace
     FastAdvancer &operator=(const FastAdvancer &) = delete;
 
-    /// Makes the state of a run that begins: the node spacing at the nodes of Γ and the bases of the first region.
+    /// Prepares the state for a new run: the node spacing at the nodes of Γ and the bases of the first strip.
     static void prepare(FrontState &state, const DiscreteDomain &boundary, const SpacingField &spacing,
-                        double perStrip = FrontRegions::kPerStrip);
+                        double perStrip = FrontStrips::kPerStrip);
 
-    /// Makes one to three elements, or puts a base back. False when there is no base left in any region: Γ = ∅.
+    /// Makes one to three elements, or defers a base. Returns false when no strip has a base left: Γ = ∅.
     bool advance(AdvanceDelta &delta);
-    /// Takes back the last advance, exactly; the log must have been kept.
+    /// Undoes the last advance, exactly. The log must have been kept.
     void retreat(const AdvanceDelta &delta);
+    /// Starts or stops keeping the log that retreat() needs.
     void keepLog(bool keep) { state_.walkOrder.keepLog(keep); }
 
   private:
-    enum class Outcome : std::uint8_t { Done, LeftOver };
+    enum class Outcome : std::uint8_t { Done, LeftToLaterStrip };
 
     SlotId nextBase();
     Outcome tryBase(SlotId slotA, AdvanceDelta &delta);
@@ -47,7 +49,7 @@ class FastAdvancer {
     bool mayConnect(const Candidate &apex) const;
     double cosine(SlotId corner) const;
     bool similar(SlotId first, unsigned segments) const;
-    void walkOn(const AdvanceDelta &delta);
+    void continueWalk(const AdvanceDelta &delta);
     const Box2 *limits() const;
 
     FrontState &state_;
@@ -58,7 +60,7 @@ class FastAdvancer {
     const SpacingField &spacing_;
 };
 
-/// Puts the segments of Γ that lie in the box into the order, by their nodes: whatever their slots.
+/// Offers the segments of Γ that lie in the box to the order, sorted by their nodes so that slots do not matter.
 void offerAll(WalkOrder &order, const GenerationFront &front, const Box2 &box);
 
 } // namespace forefront

@@ -4,18 +4,19 @@
 
 namespace forefront {
 
-/// How much the fast method cares for the mesh that it leaves; better ones take up to a quarter more time.
+/// Speed/quality trade-off of the fast method. Better meshes take up to a quarter more time.
 struct FrontCare {
-    bool fineClasses = false; ///< bases by 64 classes of length to the octave; else by two
-    bool walks = true;        ///< from each base on along the loop
-    /// Least distance of an apex from the nodes of the chain that it is to serve, in element sizes: nearer ones would
-    /// squeeze the segments that come after them.
-    double nearest = 0.78;
+    bool fineClasses = false; ///< take bases by 64 length classes per octave; else by two
+    bool walks = true;        ///< continue from each base along its loop
+    /// Minimum distance of an apex from the nodes of its chain, in element sizes. A closer apex squeezes the segments
+    /// that follow it.
+    double minDistance = 0.78;
 };
 
-/// What pays: where nodes are not going to move, the quickest front. Measured on graded domains and discs after the
-/// improvement: fine classes raise δ by 0.005 to 0.012, and let it no longer depend on the domain by chance; without
-/// walks, which lay rings along round boundaries, discs of 10,000 elements rise from α 0.995 to 0.996.
+/// Returns the care that pays at a level of improvement. Where nodes will not move, the fastest front is as good.
+/// Measured on graded domains and discs after improvement: fine classes raise δ by 0.005 to 0.012 and make it depend
+/// less on the domain; without walks, which lay rings along round boundaries, discs of 10,000 elements rise from α
+/// 0.995 to 0.996.
 constexpr FrontCare careFor(ImproveLevel level) {
     switch (level) {
     case ImproveLevel::None:

@@ -4,14 +4,14 @@
 
 namespace forefront {
 
-FrontState::FrontState(const DiscreteDomain &boundary, const FrontCare &howCareful)
-    : front(boundary), care(howCareful), regions(std::make_shared<const FrontRegions>()), nodes(boundary.nodes),
-      manyRegions(boundary.regions.size() > 1),
+FrontState::FrontState(const DiscreteDomain &boundary, const FrontCare &frontCare)
+    : front(boundary), care(frontCare), strips(std::make_shared<const FrontStrips>()), nodes(boundary.nodes),
+      manyFaces(boundary.regions.size() > 1),
       smallNodesLeft(16 * static_cast<std::uint64_t>(boundary.nodes.size()) + 1000) {}
 
-FrontState::FrontState(const FrontState &whole, GenerationFront part, std::uint32_t onlyRegion, std::uint32_t firstNew)
-    : front(std::move(part)), care(whole.care), regions(whole.regions), region(onlyRegion), regionEnd(onlyRegion + 1),
-      firstNode(firstNew), manyRegions(whole.manyRegions), smallNodesLeft(whole.smallNodesLeft) {}
+FrontState::FrontState(const FrontState &whole, GenerationFront part, std::uint32_t onlyStrip, std::uint32_t firstNew)
+    : front(std::move(part)), care(whole.care), strips(whole.strips), strip(onlyStrip), stripEnd(onlyStrip + 1),
+      firstNode(firstNew), manyFaces(whole.manyFaces), smallNodesLeft(whole.smallNodesLeft) {}
 
 std::uint64_t FrontState::hash() const {
     Hash64 hash;
@@ -29,10 +29,10 @@ std::uint64_t FrontState::hash() const {
     }
     walkOrder.addTo(hash);
     hash.add((static_cast<std::uint64_t>(index(walk.base)) << 32) | walk.level);
-    hash.add(static_cast<std::uint64_t>(region));
+    hash.add(static_cast<std::uint64_t>(strip));
     for (const std::uint64_t value : {work.advances, work.elements, work.frontSum, work.candidates, work.newNodes,
                                       work.deferrals, work.forced, smallNodesLeft}) {
-        hash.add(value); // the work that depends on the grid and on the order in which it delivers is left out
+        hash.add(value); // without the work that depends on the grid
     }
     return hash.value();
 }

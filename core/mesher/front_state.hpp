@@ -6,7 +6,7 @@
 #include "core/front/walk_order.hpp"
 #include "core/mesh/mesh.hpp"
 #include "core/mesher/front_care.hpp"
-#include "core/mesher/front_regions.hpp"
+#include "core/mesher/front_strips.hpp"
 #include "core/mesher/statistics.hpp"
 
 #include <cstdint>
@@ -15,41 +15,43 @@
 
 namespace forefront {
 
-/// Where the fast method stands in its walk along the loops of Γ.
+/// The position of the fast method in its walk along the loops of Γ.
 struct Walk {
-    SlotId base = kNoSlot;   ///< the segment to go on with: in no queue; kNoSlot: take one from the order
-    std::uint32_t level = 0; ///< class of length of the segment that the walk began with: it ends at longer ones
+    SlotId base = kNoSlot;   ///< the segment to continue with, in no queue; kNoSlot: take one from the order
+    std::uint32_t level = 0; ///< length class of the first segment of the walk, which ends at longer ones
 };
 
-/// Everything a run consists of besides the background grid: Γ, the order of bases, nodes and elements so far.
+/// The state of a run without its background grid: Γ, the order of bases, and the nodes and elements so far.
 struct FrontState {
-    explicit FrontState(const DiscreteDomain &boundary, const FrontCare &howCareful = {});
-    /// For a part of Γ that is advanced alone, in one region: new nodes get the ids from `firstNew` on. Reads neither
-    /// nodes nor elements of `whole`.
-    FrontState(const FrontState &whole, GenerationFront part, std::uint32_t onlyRegion, std::uint32_t firstNew);
+    explicit FrontState(const DiscreteDomain &boundary, const FrontCare &frontCare = {});
+    /// The state of a part of Γ that advances alone, in one strip. New nodes get ids from `firstNew` on. Reads neither
+    /// the nodes nor the elements of `whole`.
+    FrontState(const FrontState &whole, GenerationFront part, std::uint32_t onlyStrip, std::uint32_t firstNew);
 
     GenerationFront front;
-    BaseOrder order; ///< of the classic method
-    FrontCare care;  ///< of the fast method, as what follows
+    BaseOrder order; ///< classic method
+    FrontCare care;  ///< fast method, also what follows
     WalkOrder walkOrder;
     Walk walk;
-    std::shared_ptr<const FrontRegions> regions; ///< never null
-    std::uint32_t region = 0;                    ///< the present one
-    std::uint32_t regionEnd = 1;                 ///< after the last to be worked on
-    std::uint32_t firstNode = 0;                 ///< id of nodes[0]
+    std::shared_ptr<const FrontStrips> strips; ///< never null
+    std::uint32_t strip = 0;                   ///< the current one
+    std::uint32_t stripEnd = 1;                ///< one past the last strip of this run
+    std::uint32_t firstNode = 0;               ///< id of nodes[0]
     std::vector<Vec2> nodes;
     std::vector<Element> elements;
-    std::vector<std::uint32_t> elementRegions; ///< index of the face; kept only where there are several
-    bool manyRegions = false;
+    std::vector<std::uint32_t> elementFaces; ///< index of each element's face; only where there are several
+    bool manyFaces = false;
     WorkCounters work;
-    /// New nodes that may still be made with a size far below the node spacing; keeps the closing guarantee, see
+    /// How many more new nodes may be far closer to Γ than the node spacing; keeps the closing guarantee, see
     /// ClassicAdvancer.
     std::uint64_t smallNodesLeft = 0;
 
+    /// Returns a hash of the state: equal for states that are equal bit for bit. Work that depends on the grid is left
+    /// out.
     std::uint64_t hash() const;
 };
 
-/// What one advance did, enough to take it back.
+/// The changes of one advance, enough to undo it.
 struct AdvanceDelta {
     enum class Kind : std::uint8_t {
         Deferral,   ///< base put back with a higher failure class
@@ -63,20 +65,20 @@ struct AdvanceDelta {
     };
     Kind kind = Kind::Deferral;
     bool forced = false;      ///< made by the closing stage
-    bool smallNode = false;   ///< took one from smallNodesLeft
+    bool smallNode = false;   ///< counted against smallNodesLeft
     SlotId a = kNoSlot;       ///< slot of A
     SlotId b = kNoSlot;       ///< slot of B
-    SlotId s = kNoSlot;       ///< slot of the apex: new, before, after or chosen
+    SlotId s = kNoSlot;       ///< slot of the apex: new, previous, next or elsewhere
     SlotId t = kNoSlot;       ///< Connection: the slot that leads to B
-    SegmentMark markA;        ///< of AB before
-    SegmentMark markB;        ///< of B's outgoing segment before (Next, Loop, Two, Three)
-    SegmentMark markS;        ///< of the outgoing segment of s before (Previous, Loop, Three)
-    Walk walk;                ///< before
-    std::uint32_t region = 0; ///< before
-    std::uint32_t logged = 0; ///< size of the log of the order before
+    SegmentMark markA;        ///< mark of AB before the advance
+    SegmentMark markB;        ///< mark of the segment from B before the advance (Next, Loop, Two, Three)
+    SegmentMark markS;        ///< mark of the segment from s before the advance (Previous, Loop, Three)
+    Walk walk;                ///< before the advance
+    std::uint32_t strip = 0;  ///< before the advance
+    std::uint32_t logged = 0; ///< size of the log of the order before the advance
     std::uint32_t delivered = 0, tested = 0, cells = 0, candidates = 0;
 
-    /// Elements made.
+    /// The number of elements made.
     unsigned elements() const {
         return kind == Kind::Deferral ? 0U : kind == Kind::Two ? 2U : kind == Kind::Three ? 3U : 1U;
     }

@@ -14,10 +14,10 @@ AdvanceDelta FrontUpdate<Grid>::begin(SlotId slotA) const {
 }
 
 template <class Grid>
-void FrontUpdate<Grid>::pushElement(NodeId a, NodeId b, NodeId c, std::uint32_t region) {
+void FrontUpdate<Grid>::pushElement(NodeId a, NodeId b, NodeId c, std::uint32_t face) {
     state_.elements.push_back({a, b, c});
-    if (state_.manyRegions) {
-        state_.elementRegions.push_back(region);
+    if (state_.manyFaces) {
+        state_.elementFaces.push_back(face);
     }
 }
 
@@ -31,10 +31,10 @@ NodeId FrontUpdate<Grid>::pushNode(Vec2 position) {
 template <class Grid>
 void FrontUpdate<Grid>::addElement(const Base &base, const Candidate &apex, AdvanceDelta &delta) {
     GenerationFront &front = state_.front;
-    const std::uint32_t region = front[base.slotA].region;
+    const std::uint32_t face = front[base.slotA].face;
     delta.s = apex.slot;
     NodeId apexNode = apex.node;
-    SlotId kept = kNoSlot; // its new segment lies in the cell of its old one
+    SlotId kept = kNoSlot; // slot whose new segment lies in the same cell as the old one
     const auto removeUnlessKept = [&](SlotId id, Vec2 a, Vec2 b) {
         if (grid_.keeps(id, a, b)) {
             kept = id;
@@ -85,7 +85,7 @@ void FrontUpdate<Grid>::addElement(const Base &base, const Candidate &apex, Adva
             insert(id);
         }
     });
-    pushElement(base.nodeA, base.nodeB, apexNode, region);
+    pushElement(base.nodeA, base.nodeB, apexNode, face);
 }
 
 template <class Grid>
@@ -97,10 +97,10 @@ void FrontUpdate<Grid>::addFan(std::span<const SlotId> chain, Vec2 position, dou
     delta.b = chain[1];
     delta.markA = front[delta.a].mark;
     delta.markB = front[delta.b].mark;
-    const std::uint32_t region = front[delta.a].region;
+    const std::uint32_t face = front[delta.a].face;
     const NodeId node = pushNode(position);
     for (const SlotId id : chain) {
-        pushElement(front[id].node, front[front.next(id)].node, node, region);
+        pushElement(front[id].node, front[front.next(id)].node, node, face);
     }
     const bool keepA = grid_.keeps(delta.a, front.start(delta.a), position);
     const bool keepB = grid_.keeps(delta.b, position, front.end(chain.back()));
@@ -118,7 +118,7 @@ void FrontUpdate<Grid>::addFan(std::span<const SlotId> chain, Vec2 position, dou
     }
     front.replace(delta.b, position, node);
     front.setRho(delta.b, rho);
-    if (keepA) { // before any is inserted, which may split their cell
+    if (keepA) { // before any insertion, which may split the cell
         grid_.moved(front, delta.a);
     }
     if (keepB) {
@@ -159,8 +159,8 @@ void FrontUpdate<Grid>::undo(const AdvanceDelta &delta) {
         });
         const std::size_t left = state_.elements.size() - delta.elements();
         state_.elements.resize(left);
-        if (state_.manyRegions) {
-            state_.elementRegions.resize(left);
+        if (state_.manyFaces) {
+            state_.elementFaces.resize(left);
         }
     }
     count(delta, state_.front.segments(), false);
@@ -189,7 +189,7 @@ void FrontUpdate<Grid>::undoTopology(const AdvanceDelta &delta) {
         front.undoRemoveLoop({{delta.a, element[0], position(element[0]), delta.markA},
                               {delta.b, element[1], position(element[1]), delta.markB},
                               {delta.s, element[2], position(element[2]), delta.markS}},
-                             state_.manyRegions ? state_.elementRegions.back() : 0);
+                             state_.manyFaces ? state_.elementFaces.back() : 0);
         break;
     case Kind::Connection:
         front.undoConnect(delta.a, delta.s, delta.t, delta.markA);

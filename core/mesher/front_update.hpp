@@ -6,37 +6,36 @@
 
 namespace forefront {
 
-/// Step 9 of the ten and its reverse: the elements, Γ and the grid, whatever the order of bases. Γ only ever changes
-/// here.
+/// Performs and undoes step 9 of the ten: adds elements and updates Γ and the grid. Nothing else changes Γ.
 template <class Grid>
 class FrontUpdate {
   public:
-    /// `slotSpacing`: where the slots carry the node spacing, its field; else null.
+    /// `slotSpacing`: the spacing field if the slots of the front carry the node spacing; else null.
     FrontUpdate(FrontState &state, Grid &grid, const SpacingField *slotSpacing)
         : state_(state), grid_(grid), slotSpacing_(slotSpacing) {}
 
-    /// A delta for an advance from this base.
+    /// Returns the delta for an advance from this base, before any change.
     AdvanceDelta begin(SlotId slotA) const;
-    /// The element ABC.
+    /// Adds the element ABC.
     void addElement(const Base &base, const Candidate &apex, AdvanceDelta &delta);
-    /// Elements over the segments that start at the slots of `chain` (two or three, successive), with a new node.
+    /// Adds elements with a new node over the two or three successive segments that start at the slots of `chain`.
     void addFan(std::span<const SlotId> chain, Vec2 node, double rho, AdvanceDelta &delta);
-    /// The base is put back with a higher failure class.
+    /// Defers the base: puts it back with a higher failure class.
     void defer(SlotId slotA, AdvanceDelta &delta);
-    /// Takes back the advance done last, exactly.
+    /// Undoes the last advance, exactly.
     void undo(const AdvanceDelta &delta);
-    /// Adds the advance to the work counters, or takes it off. `segments`: of Γ before the advance.
+    /// Adds the advance to the work counters or, unless `forward`, subtracts it. `segments`: of Γ before the advance.
     void count(const AdvanceDelta &delta, std::size_t segments, bool forward);
 
-    /// Calls visit(slot) for each segment that the advance has put into Γ.
+    /// Calls visit(slot) for each segment that the advance added to Γ.
     template <class Visit>
     static void forEachNew(const AdvanceDelta &delta, Visit &&visit);
-    /// Calls visit(slot) for each segment that undo() has put back.
+    /// Calls visit(slot) for each segment that undo() restored.
     template <class Visit>
     static void forEachRestored(const AdvanceDelta &delta, Visit &&visit);
 
   private:
-    void pushElement(NodeId a, NodeId b, NodeId c, std::uint32_t region);
+    void pushElement(NodeId a, NodeId b, NodeId c, std::uint32_t face);
     NodeId pushNode(Vec2 position);
     void undoTopology(const AdvanceDelta &delta);
     void insert(SlotId id) { grid_.insert(state_.front, id); }

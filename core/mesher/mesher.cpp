@@ -5,7 +5,7 @@
 #include "core/grid/all_grids.hpp"
 #include "core/mesher/classic_advancer.hpp"
 #include "core/mesher/fast_advancer.hpp"
-#include "core/mesher/region_runner.hpp"
+#include "core/mesher/strip_runner.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,11 +39,11 @@ class GridMesher final : public Mesher {
         return done;
     }
 
-    bool advanceTogether(unsigned threads, const Progress &progress, double estimatedElements) override {
+    bool advanceInParallel(unsigned threads, const Progress &progress, double estimatedElements) override {
         if constexpr (std::is_same_v<Grid, HierarchicalGrid> &&
                       std::is_same_v<Advancer<Grid, NoTrace>, FastAdvancer<Grid, NoTrace>>) {
-            if (state_.regions->boxes.size() > 1) {
-                if (!runRegions(state_, *spacing_, slack_, threads, progress, estimatedElements)) {
+            if (state_.strips->boxes.size() > 1) {
+                if (!runStrips(state_, *spacing_, slack_, threads, progress, estimatedElements)) {
                     return false;
                 }
                 grid_ = HierarchicalGrid(boundary_->bounds(), slack_, Advancer<Grid, NoTrace>::kCellPerLength);
@@ -132,10 +132,10 @@ std::unique_ptr<Mesher> createOn(std::shared_ptr<const DiscreteDomain> boundary,
                                              : create.template operator()<FastAdvancer>();
 }
 
-void addTags(Mesh &mesh, const DiscreteDomain &boundary, const std::vector<std::uint32_t> &elementRegions) {
-    if (!elementRegions.empty()) {
-        mesh.regions.reserve(elementRegions.size());
-        for (const std::uint32_t region : elementRegions) {
+void addTags(Mesh &mesh, const DiscreteDomain &boundary, const std::vector<std::uint32_t> &elementFaces) {
+    if (!elementFaces.empty()) {
+        mesh.regions.reserve(elementFaces.size());
+        for (const std::uint32_t region : elementFaces) {
             mesh.regions.push_back(boundary.regions[region].tag);
         }
     } else if (boundary.regions.size() == 1 && boundary.regions.front().tag != 1) {
@@ -173,10 +173,10 @@ std::unique_ptr<Mesher> Mesher::create(std::shared_ptr<const DiscreteDomain> bou
 void Mesher::reserve(std::uint64_t elements) {
     state_.elements.reserve(elements);
     state_.nodes.reserve(state_.nodes.size() + elements / 2);
-    if (state_.manyRegions) {
-        state_.elementRegions.reserve(elements);
+    if (state_.manyFaces) {
+        state_.elementFaces.reserve(elements);
     }
-    // Half of the room will be used for certain; large pages farther on might be touched in vain.
+    // Half of the reserved memory is certain to be used; large pages beyond it might be touched for nothing.
     preferLargePages(state_.elements.data(), elements / 2 * sizeof(Element));
     preferLargePages(state_.nodes.data(), elements / 4 * sizeof(Vec2));
 }
@@ -185,7 +185,7 @@ Mesh toMesh(const FrontState &state, const DiscreteDomain &boundary) {
     Mesh mesh;
     mesh.nodes = state.nodes;
     mesh.elements = state.elements;
-    addTags(mesh, boundary, state.elementRegions);
+    addTags(mesh, boundary, state.elementFaces);
     return mesh;
 }
 
@@ -193,7 +193,7 @@ Mesh Mesher::takeMesh() && {
     Mesh mesh;
     mesh.nodes = std::move(state_.nodes);
     mesh.elements = std::move(state_.elements);
-    addTags(mesh, *boundary_, state_.elementRegions);
+    addTags(mesh, *boundary_, state_.elementFaces);
     return mesh;
 }
 

@@ -12,25 +12,25 @@
 
 namespace forefront {
 
-/// A run of the front over a discretised domain, whatever its background grid; pauses between advances. One virtual
-/// call a batch.
+/// A run of the front over a discretised domain, independent of its method and background grid. It pauses between
+/// advances and costs one virtual call for each batch of advances.
 class Mesher {
   public:
-    /// The domain and the spacing are shared and must be behind the door of `validate`.
+    /// Creates a run. `boundary` and `spacing` must come from prepare() or from a validated domain.
     static std::unique_ptr<Mesher> create(std::shared_ptr<const DiscreteDomain> boundary,
                                           std::shared_ptr<const SpacingField> spacing, const MeshingOptions &options);
     virtual ~Mesher() = default;
 
-    /// Up to `count` advances; fewer only when Γ = ∅. Returns how many. Each is appended to `deltas` where given.
+    /// Performs `count` advances, or fewer when Γ becomes empty, and returns their number. Appends a delta for each to
+    /// `deltas` unless it is null.
     virtual std::uint64_t advance(std::uint64_t count, std::vector<AdvanceDelta> *deltas = nullptr) = 0;
-    /// Performs, before the first advance, as many of them as can be shared by threads: the mesh is the same, but they
-    /// cannot be taken back. None with the classic method, with another grid than the hierarchical one, or where the
-    /// mesh will be small. False when cancelled; the run is then of no use any
-    /// more.
-    virtual bool advanceTogether(unsigned threads, const Progress &progress, double estimatedElements) = 0;
-    /// Takes back the advance done last.
+    /// Performs, before the first advance, all advances that threads can share. The mesh is the same, but these
+    /// advances cannot be undone. Does nothing with the classic method, without the hierarchical grid, or where the
+    /// mesh will be small. Returns false when cancelled; the run is then unusable.
+    virtual bool advanceInParallel(unsigned threads, const Progress &progress, double estimatedElements) = 0;
+    /// Undoes the last advance.
     virtual void retreat(const AdvanceDelta &delta) = 0;
-    /// The next advance with everything that happens in it; the state stays as it is. Γ must not be empty.
+    /// Returns an explanation of the next advance and leaves the state as it is. Γ must not be empty.
     virtual AdvanceExplanation explainNext() = 0;
     /// Calls visit(box, entries) for each cell of the background grid.
     virtual void forEachCell(const std::function<void(const Box2 &, std::uint32_t)> &visit) const = 0;
@@ -39,13 +39,13 @@ class Mesher {
     bool finished() const { return state_.front.empty(); }
     const DiscreteDomain &boundary() const { return *boundary_; }
     const SpacingField &spacing() const { return *spacing_; }
-    /// Ends the run and hands out its arrays as a mesh.
+    /// Ends the run and moves its arrays into a mesh.
     Mesh takeMesh() &&;
-    /// Makes room for about as many elements: growth without copies and without their passing double memory.
+    /// Reserves memory for this many elements, so that growth copies nothing and never doubles the memory.
     void reserve(std::uint64_t elements);
-    /// Room to make for each element of an estimate, which may be a fifth too low. What is not needed is never touched
-    /// and costs nothing.
-    static constexpr double kRoom = 1.5;
+    /// How much to reserve for each estimated element. The estimate may be a fifth too low, and memory that is never
+    /// touched costs nothing.
+    static constexpr double kReserve = 1.5;
 
   protected:
     Mesher(std::shared_ptr<const DiscreteDomain> boundary, std::shared_ptr<const SpacingField> spacing,
@@ -56,7 +56,7 @@ class Mesher {
     FrontState state_;
 };
 
-/// The mesh made so far with regions, tags and names; nodes of the boundary are all in it, also those not yet reached.
+/// Returns the mesh made so far with regions, tags and names. It has all nodes of the boundary, used or not.
 Mesh toMesh(const FrontState &state, const DiscreteDomain &boundary);
 
 } // namespace forefront

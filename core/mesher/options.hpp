@@ -13,9 +13,9 @@
 
 namespace FOREFRONT_API forefront {
 
-/// How the front advances.
+/// The method that advances the front.
 enum class Method : std::uint8_t {
-    Fast,   ///< walks along the front; one new node makes up to three elements
+    Fast,   ///< walks along the front; a new node makes up to three elements
     Classic ///< the ten steps after Lo: shortest segment first, one element an advance
 };
 
@@ -25,20 +25,21 @@ struct EnumWords<Method> {
     static constexpr std::array<std::string_view, 2> kList = {"fast", "classic"};
 };
 
+/// How a domain is meshed.
 struct MeshingOptions {
     Method method = Method::Fast;
     GridKind grid = GridKind::Hierarchical;
-    int gridColumns = 0; ///< uniform grid only; 0: chosen from the domain and the spacing
+    int gridColumns = 0; ///< uniform grid only; 0: automatic
     int gridRows = 0;
-    bool keepBoundary = false; ///< domain segments are edges of the mesh exactly as given
-    /// After the front has closed. The fast method advances with more care where there is more of it: see FrontCare.
+    bool keepBoundary = false; ///< the given segments become edges of the mesh and are not subdivided
+    /// Improvement once the front is closed. The fast method advances more carefully at higher levels, see FrontCare.
     ImproveLevel improve = ImproveLevel::Default;
     unsigned threads = 1; ///< the mesh does not depend on it
 
     friend bool operator==(const MeshingOptions &, const MeshingOptions &) = default;
 };
 
-/// All that a meshing run depends on.
+/// The complete input of a meshing run.
 struct MeshingJob {
     Domain domain;
     SpacingSpec spacing;

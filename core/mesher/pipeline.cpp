@@ -1,5 +1,6 @@
 #include "core/mesher/pipeline.hpp"
 
+#include "core/base/cancelled.hpp"
 #include "core/base/cpu_clock.hpp"
 #include "core/base/free_memory.hpp"
 #include "core/boundary/estimate.hpp"
@@ -16,8 +17,8 @@ namespace forefront {
 
 namespace {
 
-/// Advances between looks at the stop token and at the progress bar: some milliseconds, also where each advance looks
-/// at all of Γ.
+/// Returns the number of advances between checks for cancellation, which take a few milliseconds even where each
+/// advance looks at all of Γ.
 std::uint64_t batchFor(const Mesher &mesher) {
     return std::clamp<std::uint64_t>(10'000'000 / (mesher.state().front.segments() + 1), 16, 4096);
 }
@@ -31,7 +32,7 @@ Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress) {
         return faults;
     }
     if (progress.cancelled()) {
-        return cancelled();
+        return cancelled("meshing");
     }
     progress("building the node spacing", 0.0);
     SpacingSpec spec = job.spacing;
@@ -51,13 +52,11 @@ Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress) {
     prepared.spacing = *spacing;
     prepared.estimatedElements = boundary->estimatedElements = estimateElements(*boundary, *prepared.spacing);
     prepared.boundary = std::make_shared<const DiscreteDomain>(std::move(*boundary));
-    if (!(prepared.estimatedElements < kMostElements)) {
-        char wanted[32];
-        std::snprintf(wanted, sizeof wanted, "%.2g", prepared.estimatedElements);
-        return error("too-many-elements",
-                     std::string("the node spacing asks for about ") + wanted +
-                         " elements, more than the program can hold",
-                     "choose a larger size");
+    if (!(prepared.estimatedElements < kMaxElements)) {
+        char text[96];
+        std::snprintf(text, sizeof text, "the node spacing needs about %.2g elements; expected fewer than %.2g",
+                      prepared.estimatedElements, kMaxElements);
+        return error("too-many-elements", text, "choose a larger element size");
     }
     return prepared;
 }
@@ -77,13 +76,13 @@ Result<MeshingOutcome> runJob(const MeshingJob &job, const Progress &progress) {
     const auto begin = std::chrono::steady_clock::now();
 
     std::unique_ptr<Mesher> mesher = Mesher::create(outcome.boundary, outcome.spacing, job.options);
-    mesher->reserve(static_cast<std::uint64_t>(Mesher::kRoom * prepared->estimatedElements) + 1024);
+    mesher->reserve(static_cast<std::uint64_t>(Mesher::kReserve * prepared->estimatedElements) + 1024);
     if (job.options.threads > 1 &&
-        !mesher->advanceTogether(job.options.threads, progress, prepared->estimatedElements)) {
-        return cancelled();
+        !mesher->advanceInParallel(job.options.threads, progress, prepared->estimatedElements)) {
+        return cancelled("meshing");
     }
     if (!advanceToEnd(*mesher, prepared->estimatedElements, "advancing the front", progress)) {
-        return cancelled();
+        return cancelled("meshing");
     }
     outcome.work = mesher->state().work;
     outcome.mesh = std::move(*mesher).takeMesh();
@@ -100,7 +99,7 @@ Result<MeshingOutcome> runJob(const MeshingJob &job, const Progress &progress) {
     }
     outcome.secondsWall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     if (progress.cancelled()) {
-        return cancelled();
+        return cancelled("meshing");
     }
     return outcome;
 }
@@ -119,12 +118,8 @@ bool advanceToEnd(Mesher &mesher, double estimatedElements, std::string_view sta
     return true;
 }
 
-Diagnostics cancelled() {
-    return error("cancelled", "cancelled");
-}
-
 Diagnostics outOfMemory() {
-    return error("out-of-memory", "there is not enough memory for this mesh", "choose a larger size");
+    return error("out-of-memory", "not enough memory for this mesh", "choose a larger element size");
 }
 
 Result<MeshingOutcome> meshDomain(const MeshingJob &job, const Progress &progress) {

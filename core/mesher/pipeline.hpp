@@ -16,20 +16,21 @@ namespace FOREFRONT_API forefront {
 
 class Mesher;
 
-/// More elements than this are refused: half-edges, three an element, have ids of 31 bits while elements are joined.
-inline constexpr double kMostElements = 7e8;
+/// Maximum number of elements: half-edges, three an element, have ids of 31 bits.
+inline constexpr double kMaxElements = 7e8;
 
-/// A job behind the door: validated, discretised, with its node spacing.
+/// A job that passed validation, with its discretised boundary and spacing field.
 struct PreparedJob {
     std::shared_ptr<const DiscreteDomain> boundary;
     std::shared_ptr<const SpacingField> spacing;
     double estimatedElements = 0.0;
 };
 
-/// Validates, builds the spacing, discretises. Faults of each of these, "too-many-elements", or "cancelled".
+/// Validates the domain, builds the spacing and discretises the boundary. Errors: those of each step,
+/// "too-many-elements", "cancelled".
 Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress = {});
 
-/// A finished run.
+/// The result of a run.
 struct MeshingOutcome {
     Mesh mesh;
     std::shared_ptr<const DiscreteDomain> boundary;
@@ -38,20 +39,17 @@ struct MeshingOutcome {
     ImproveReport improvement;
     double secondsMesh = 0.0;    ///< CPU time: the front, from discretised boundary to Γ = ∅
     double secondsImprove = 0.0; ///< CPU time of the improvement
-    double secondsWall = 0.0;    ///< of both on the clock: less than their sum where threads share the work
+    double secondsWall = 0.0;    ///< wall clock time of both; less than their sum where threads share the work
     double secondsPrepare = 0.0; ///< CPU time of validation, spacing and discretisation
 };
 
-/// The code "out-of-memory".
+/// Returns the error "out-of-memory".
 Diagnostics outOfMemory();
-/// The code "cancelled".
-Diagnostics cancelled();
-
-/// Advances until Γ = ∅, reporting as `stage` how much of the estimate is done. False when cancelled.
+/// Advances until Γ = ∅ and reports progress as `stage`. Returns false when cancelled.
 bool advanceToEnd(Mesher &mesher, double estimatedElements, std::string_view stage, const Progress &progress);
 
-/// The whole chain: validate, build the spacing, discretise, advance the front to its end, improve. The error code
-/// "cancelled" says that progress.stop was requested.
+/// Runs the whole pipeline: validates, builds the spacing, discretises, advances the front to its end, improves.
+/// Errors: those of prepare(), "out-of-memory", "cancelled".
 Result<MeshingOutcome> meshDomain(const MeshingJob &job, const Progress &progress = {});
 
 } // namespace forefront

@@ -6,7 +6,7 @@
 
 namespace FOREFRONT_API forefront {
 
-/// Work counters of a run: sums.
+/// Work counters of a run, all of them sums.
 struct WorkCounters {
     std::uint64_t advances = 0; ///< elements made plus deferrals
     std::uint64_t elements = 0;
@@ -17,7 +17,7 @@ struct WorkCounters {
     std::uint64_t candidates = 0;
     std::uint64_t newNodes = 0;
     std::uint64_t deferrals = 0; ///< advances without an element
-    std::uint64_t forced = 0;    ///< elements made by the closing stage (existing nodes only)
+    std::uint64_t forced = 0;    ///< elements made by the closing stage, from existing nodes alone
 
     void add(const WorkCounters &other) {
         advances += other.advances;
@@ -32,11 +32,11 @@ struct WorkCounters {
         forced += other.forced;
     }
 
-    /// Nb: mean number of segments of Γ, over the advances.
+    /// Returns Nb, the mean number of segments of Γ per advance.
     double frontMean() const { return mean(frontSum, advances); }
-    /// Nc: segments delivered by the grid per element.
+    /// Returns Nc, the segments delivered by the grid per element.
     double neighboursMean() const { return mean(delivered, elements); }
-    /// Ns: segments really tested for intersection per element.
+    /// Returns Ns, the segments tested for intersection per element.
     double testsMean() const { return mean(tested, elements); }
 
   private:

@@ -6,7 +6,7 @@ namespace forefront {
 
 namespace {
 
-/// Change of the number of segments of Γ.
+/// Returns the change in the number of segments of Γ.
 int growth(AdvanceDelta::Kind kind) {
     switch (kind) {
     case AdvanceDelta::Kind::Deferral:
@@ -33,8 +33,8 @@ Timeline::Timeline(std::unique_ptr<Mesher> mesher)
 
 std::uint64_t Timeline::forward(std::uint64_t count) {
     std::uint64_t done = 0;
-    if (position_ < deltas_.size()) { // known ground: the same advances again, by determinism
-        // But where the grid has split since, they cost other work; only the latest can be taken back.
+    if (position_ < deltas_.size()) { // the same advances again, by determinism
+        // Where the grid has split since, their work differs, and only the new deltas can be undone.
         again_.clear();
         done = mesher_->advance(std::min<std::uint64_t>(count, deltas_.size() - position_), &again_);
         std::copy(again_.begin(), again_.end(), deltas_.begin() + static_cast<std::ptrdiff_t>(position_));

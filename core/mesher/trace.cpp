@@ -112,7 +112,7 @@ std::string outcome(const AdvanceExplanation &explanation) {
             text += ", " + std::to_string(explanation.elements) + " elements at once";
         }
         if (accepted != explanation.candidates.end()) {
-            text += (several ? " (least α " : " (α ") + format("%.3f", accepted->alpha) + ')';
+            text += (several ? " (minimum α " : " (α ") + format("%.3f", accepted->alpha) + ')';
         }
     }
     return text + rejections(explanation);
@@ -145,7 +145,7 @@ std::string caption(const AdvanceExplanation &explanation, std::size_t cursor) {
         return text + (explanation.walked ? "next along the front, taken as base AB"
                                           : "one of the shortest segments of the front, taken as base AB");
     case Step::EvaluateSpacing:
-        return text + "node spacing ρ = " + format("%.4g", explanation.rho) + " wanted here";
+        return text + "node spacing ρ = " + format("%.4g", explanation.rho) + " here";
     case Step::IdealPoint:
         return text + "ideal point C at (" + format("%.4g", explanation.ideal.x) + ", " +
                format("%.4g", explanation.ideal.y) + ')';

@@ -11,7 +11,7 @@
 
 namespace FOREFRONT_API forefront {
 
-/// The ten steps of the advancing front technique after S. H. Lo, in the terms of this program.
+/// The ten steps of the advancing front technique after S. H. Lo.
 enum class Step : std::uint8_t {
     BoundaryToFront = 1, ///< 1  Γ := boundary segments
     TakeBase,            ///< 2  take a base segment AB from Γ, the shortest first
@@ -25,10 +25,10 @@ enum class Step : std::uint8_t {
     Finish               ///< 10 stop when Γ = ∅
 };
 inline constexpr int kStepCount = 10;
-/// "Evaluate the node spacing at AB": one line for each of the ten.
+/// Returns the title of a step, such as "Evaluate the node spacing at AB".
 const char *stepTitle(Step step);
 
-/// What became of a candidate node.
+/// The result of testing a candidate node.
 enum class Verdict : std::uint8_t {
     NotTried, ///< a better one was accepted first
     Accepted,
@@ -38,22 +38,24 @@ enum class Verdict : std::uint8_t {
     CrossesFront, ///< AC or CB meets a segment of Γ
     ContainsNode  ///< a front node lies in or on ABC
 };
+/// Returns a verdict as text, such as "crosses the front".
 const char *verdictText(Verdict verdict);
 
+/// A candidate node with its score and verdict.
 struct CandidateTrace {
     Vec2 position;
     NodeId node = kNoNode;               ///< kNoNode: the ideal point itself
-    double alpha = 0.0;                  ///< of element ABC; of several elements at once the least
-    double deltaAC = 0.0, deltaCB = 0.0; ///< of the outer sides
+    double alpha = 0.0;                  ///< α of ABC; the minimum where several elements are made at once
+    double deltaAC = 0.0, deltaCB = 0.0; ///< δ of the outer sides
     double score = 0.0;                  ///< product of the three
     Verdict verdict = Verdict::NotTried;
-    /// Fast method: the nodes of the front, in order, whose segments this candidate would serve; empty: AB alone.
+    /// Fast method: the front nodes whose segments share this candidate, in order; empty: AB alone.
     std::vector<Vec2> over;
-    bool blocked = false; ///< by the front segment blockA-blockB
+    bool blocked = false; ///< ruled out by the front segment blockA-blockB
     Vec2 blockA, blockB;
 };
 
-/// One candidate segment tested against one segment of Γ.
+/// A test of a candidate segment against a segment of Γ.
 struct TestTrace {
     Vec2 candidateFrom, candidateTo;
     Vec2 frontA, frontB;
@@ -61,16 +63,17 @@ struct TestTrace {
     bool meets = false;
 };
 
-/// A moment inside an advance that the timeline can rest on.
+/// A moment within an advance at which the timeline can pause.
 struct TraceEvent {
     Step step = Step::TakeBase;
-    std::uint32_t candidate = kNoIndex; ///< candidate concerned
-    std::uint32_t test = kNoIndex;      ///< segment test concerned
-    std::uint32_t cellsSeen = 0;        ///< visited cells so far: cells[0 .. cellsSeen)
-    std::uint32_t candidatesSeen = 0;   ///< proposed so far: candidates[0 .. candidatesSeen)
+    std::uint32_t candidate = kNoIndex; ///< the candidate involved
+    std::uint32_t test = kNoIndex;      ///< the segment test involved
+    std::uint32_t cellsSeen = 0;        ///< cells visited so far: cells[0 .. cellsSeen)
+    std::uint32_t candidatesSeen = 0;   ///< candidates proposed so far: candidates[0 .. candidatesSeen)
 };
 
-/// Everything that happened in one front advance: re-derived by running it again with recording, exact by determinism.
+/// Everything that happened in one advance. It is derived by running the advance again with recording, which is exact
+/// because advances are deterministic.
 struct AdvanceExplanation {
     std::uint64_t advance = 0; ///< number of the advance, from 1
     Vec2 a, b;                 ///< base segment AB
@@ -78,21 +81,21 @@ struct AdvanceExplanation {
     double rho = 0.0; ///< spacing used, after clamping
     Vec2 ideal;       ///< ideal point C
     double searchRadius = 0.0;
-    int widening = 0;                       ///< 0: first search; then how often it was widened
+    int widening = 0;                       ///< how often the search was widened
     bool deferred = false;                  ///< no candidate passed: the base was put back
-    std::vector<CandidateTrace> candidates; ///< search by search, by (score, id); a withdrawn ideal point last
+    std::vector<CandidateTrace> candidates; ///< by search, then by (score, id); a withdrawn ideal point last
     std::vector<TestTrace> tests;
-    std::vector<Box2> cells; ///< cells of the background grid visited, in order
+    std::vector<Box2> cells; ///< visited cells of the background grid, in order
     std::vector<TraceEvent> events;
-    Vec2 apex;                             ///< of the elements made (when not deferred)
-    ElementId element = kNoElement;        ///< the first of them
-    unsigned elements = 0;                 ///< how many
-    std::vector<std::array<Vec2, 3>> made; ///< those elements
-    bool walked = false;                   ///< fast method: the base follows the one before along the front
+    Vec2 apex;                             ///< apex of the elements made, unless deferred
+    ElementId element = kNoElement;        ///< first element made
+    unsigned elements = 0;                 ///< number of elements made
+    std::vector<std::array<Vec2, 3>> made; ///< corners of the elements made
+    bool walked = false;                   ///< fast method: the base continues the walk along the front
 };
 
-/// The moment in words, for the caption: "Edge 41-42: ideal point accepted; 3 candidates rejected: 2 cross the front, 1
-/// too near". `cursor` is an index into events; past the end: the whole advance.
+/// Returns a moment as a caption: "Edge 41-42: ideal point accepted; 3 candidates rejected: 2 cross the front, 1 too
+/// near". `cursor` is an index into events; past the end, the caption sums up the advance.
 std::string caption(const AdvanceExplanation &explanation, std::size_t cursor);
 
 } // namespace forefront

@@ -46,7 +46,7 @@ Mesh uniformMesh(const Domain &domain, double size) {
 
 } // namespace
 
-TEST_CASE("recoverGradient: the gradient of a linear field comes back exactly, also at the boundary") {
+TEST_CASE("recoverGradient: recovers the gradient of a linear field exactly, at the boundary as well") {
     const Mesh mesh = samples::square(7, 5, 0.2);
     const std::vector<double> values = valuesOf(mesh, [](Vec2 p) { return 3.0 * p.x - 2.0 * p.y + 1.0; });
     const Result<CornerGradients> recovered = recoverGradient(mesh, *elementGradients(mesh, values));
@@ -59,7 +59,7 @@ TEST_CASE("recoverGradient: the gradient of a linear field comes back exactly, a
     CHECK(estimateError(mesh, values)->relative() < 1e-10);
 }
 
-TEST_CASE("recoverGradient: a field that bends is recovered better than by its elements") {
+TEST_CASE("recoverGradient: a curved field is recovered better than by its elements") {
     const Mesh mesh = samples::square(20, 20, 0.15);
     const std::vector<double> values = valuesOf(mesh, [](Vec2 p) { return std::sin(3.0 * p.x) * std::exp(p.y); });
     const CornerGradients recovered = *recoverGradient(mesh, *elementGradients(mesh, values));
@@ -76,7 +76,7 @@ TEST_CASE("recoverGradient: a field that bends is recovered better than by its e
     CHECK(best < 0.02 * plain);
 }
 
-TEST_CASE("estimateError: a gradient may jump where regions meet, and nowhere else") {
+TEST_CASE("estimateError: a gradient may jump only where regions meet") {
     Mesh mesh = samples::square(8, 8);
     const std::vector<double> values = valuesOf(mesh, [](Vec2 p) { return std::abs(p.x - 0.5); });
     CHECK(estimateError(mesh, values)->relative() > 0.1);
@@ -90,7 +90,7 @@ TEST_CASE("estimateError: a gradient may jump where regions meet, and nowhere el
     CHECK(estimateError(mesh, values)->relative() < 1e-10);
 }
 
-TEST_CASE("estimateError: a constant field has no error and asks for no refinement") {
+TEST_CASE("estimateError: a constant field has no error and needs no refinement") {
     const Mesh mesh = samples::square(6, 6, 0.1);
     const ErrorEstimate estimate = *estimateError(mesh, std::vector<double>(mesh.nodes.size(), 4.0));
     CHECK(estimate.relative() == 0.0);
@@ -101,7 +101,7 @@ TEST_CASE("estimateError: a constant field has no error and asks for no refineme
     }
 }
 
-TEST_CASE("elementSpacing: equal errors are scaled alike, and the total meets the target") {
+TEST_CASE("elementSpacing: equal errors get equal spacing, and the total meets the target") {
     const Mesh mesh = samples::square(10, 10);
     ErrorEstimate estimate;
     estimate.elements.assign(mesh.elements.size(), 0.01);
@@ -119,7 +119,7 @@ TEST_CASE("elementSpacing: equal errors are scaled alike, and the total meets th
     }
 }
 
-TEST_CASE("elementSpacing: where a limit from below binds, the rest is not refined without measure") {
+TEST_CASE("elementSpacing: elements at the minimum size do not make the rest ever finer") {
     const Mesh mesh = samples::square(20, 20);
     ErrorEstimate estimate;
     estimate.elements.assign(mesh.elements.size(), 1e-4);
@@ -134,7 +134,7 @@ TEST_CASE("elementSpacing: where a limit from below binds, the rest is not refin
     }
 }
 
-TEST_CASE("limitGradation: the largest spacing below the given one that grows slowly enough along every edge") {
+TEST_CASE("limitGradation: gives the largest spacing, not above the given one, within the gradation along every edge") {
     const Mesh mesh = samples::square(12, 9, 0.2);
     samples::Random random(5);
     std::vector<double> given(mesh.nodes.size());
@@ -163,7 +163,7 @@ TEST_CASE("limitGradation: the largest spacing below the given one that grows sl
     CHECK(limited != given);
 }
 
-TEST_CASE("outlineOf: nodes that only divide a straight side are dropped, tags and names stay") {
+TEST_CASE("outlineOf: drops nodes that only divide a straight side, keeps tags and names") {
     const Mesh mesh = samples::square(9, 4, 0.1, {3.0, 7.0});
     const Result<Domain> domain = outlineOf(mesh);
     REQUIRE(domain);
@@ -180,7 +180,7 @@ TEST_CASE("outlineOf: nodes that only divide a straight side are dropped, tags a
     CHECK(outlineOf(pinned)->nodes.size() == 5);
 }
 
-TEST_CASE("adapt: an expression is met round after round, within the limits that are set") {
+TEST_CASE("adapt: rounds approach the target for an expression, within the limits") {
     const Result<NodalField> field = expressionField("atan(30*(hypot(x,y)-1))");
     REQUIRE(field);
     const Domain square = squareOf(2.0);
@@ -200,7 +200,7 @@ TEST_CASE("adapt: an expression is met round after round, within the limits that
     CHECK(infinite.faults().front().code == "expression-value");
 }
 
-TEST_CASE("adapt: tells of each round, and gives up where finer meshes do not lower the error") {
+TEST_CASE("adapt: reports each round and stops when finer meshes do not lower the error") {
     const auto field = expressionField("atan(1e9*(x-0.5-0.1*y))"); // as good as a jump
     REQUIRE(field);
     const Domain square = squareOf(1.0);
@@ -221,7 +221,7 @@ TEST_CASE("adapt: tells of each round, and gives up where finer meshes do not lo
     }
 }
 
-TEST_CASE("adapt: every stage of a round reports and can be cancelled at each of its reports") {
+TEST_CASE("adapt: every stage of a round can be cancelled at each of its reports") {
     const Mesh mesh = samples::square(90, 90, 0.2); // 16,200 elements: several reports a stage
     const std::vector<double> values = valuesOf(mesh, [](Vec2 p) { return std::atan(20.0 * (length(p) - 0.7)); });
     const AdaptTarget target{0.02, 0.0, 0.2, 0.3};
@@ -282,7 +282,7 @@ TEST_CASE("adapt: every stage of a round reports and can be cancelled at each of
     }
 }
 
-TEST_CASE("adapt: cancelled within any round, with the round in the name of the stage") {
+TEST_CASE("adapt: can be cancelled in any round, and names the round in each stage") {
     const Result<NodalField> field = expressionField("atan(30*(hypot(x,y)-1))");
     REQUIRE(field);
     const Domain square = squareOf(2.0);

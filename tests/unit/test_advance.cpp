@@ -69,7 +69,7 @@ TEST_CASE("Advance: a slit, a hole and an isolated point are all in the mesh") {
     }
 }
 
-TEST_CASE("Advance: closes by existing nodes alone when the budget of small nodes is spent") {
+TEST_CASE("Advance: closes with existing nodes alone once no more small nodes are allowed") {
     // The node spacing is far above the lengths of the boundary, so every new node counts as small and none is left.
     // A small hole far from the outline, its segments first, as if they had been deferred already: they find no partner
     // nearby.
@@ -104,7 +104,7 @@ TEST_CASE("Advance: closes by existing nodes alone when the budget of small node
     }
 }
 
-TEST_CASE("Advance: closes however far the spacing lies from the lengths of the boundary") {
+TEST_CASE("Advance: closes however much the spacing differs from the boundary lengths") {
     auto mesher = mesherOn(discretePlate(0.2), 1e9);
     mesher->advance(~std::uint64_t{0});
     REQUIRE(mesher->finished());
@@ -133,7 +133,7 @@ TEST_CASE("Advance: the caption never names a withdrawn ideal point as the best 
     CHECK(withdrawn > 0);
 }
 
-TEST_CASE("Timeline: the work counters come back to nothing after going to and fro") {
+TEST_CASE("Timeline: the work counters return to zero after moving back and forth") {
     for (const Method method : kMethods) {
         Timeline timeline(mesherOn(discretePlate(0.05), 0.05, GridKind::Hierarchical, method));
         timeline.forward(~std::uint64_t{0});
@@ -216,7 +216,7 @@ TEST_CASE("Advance: N advances forward and N back lead to the same state") {
         }
 }
 
-TEST_CASE("Advance: explaining an advance leaves the run as it is and tells what will happen") {
+TEST_CASE("Advance: explaining an advance predicts it and leaves the run unchanged") {
     for (const Method method : kMethods) {
         auto mesher = mesherOn(discretePlate(0.08), 0.08, GridKind::Hierarchical, method);
         while (!mesher->finished()) {
@@ -238,7 +238,7 @@ TEST_CASE("Advance: explaining an advance leaves the run as it is and tells what
     }
 }
 
-TEST_CASE("Advance: the α told of an accepted candidate is the least of the elements that it makes") {
+TEST_CASE("Advance: the α of an accepted candidate is the minimum of the elements it makes") {
     for (const Method method : kMethods) {
         auto mesher = mesherOn(discretePlate(0.08), 0.08, GridKind::Hierarchical, method);
         std::size_t groups = 0;
@@ -265,14 +265,14 @@ TEST_CASE("Advance: the α told of an accepted candidate is the least of the ele
             REQUIRE((accepted->node == kNoNode || (accepted->node != e.nodeA && accepted->node != e.nodeB)));
             REQUIRE(accepted->score == doctest::Approx(accepted->alpha * accepted->deltaAC * accepted->deltaCB));
             const bool several = e.elements > 1;
-            REQUIRE((caption(e, e.events.size()).find("least α") != std::string::npos) == several);
+            REQUIRE((caption(e, e.events.size()).find("minimum α") != std::string::npos) == several);
             groups += several ? 1 : 0;
         }
         CHECK((groups > 0) == (method == Method::Fast));
     }
 }
 
-TEST_CASE("Advance: the work for an element does not grow with the mesh") {
+TEST_CASE("Advance: the work per element does not grow with the mesh") {
     double tests[2];
     double neighbours[2];
     int k = 0;
@@ -289,7 +289,7 @@ TEST_CASE("Advance: the work for an element does not grow with the mesh") {
     CHECK(neighbours[0] < 60.0);
 }
 
-TEST_CASE("Timeline: a layer is the front once around") {
+TEST_CASE("Timeline: a layer is once around the front") {
     Timeline timeline(mesherOn(discreteDisc(0.1), 0.1));
     const std::size_t boundary = timeline.mesher().state().front.segments();
     timeline.forward(~std::uint64_t{0});

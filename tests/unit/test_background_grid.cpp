@@ -104,7 +104,7 @@ void checkAgainstAll(Grid grid, const GenerationFront &front, const Box2 &bounds
 
 } // namespace
 
-TEST_CASE("Background grids: deliver every segment near a box, whatever its length, and forget removed ones") {
+TEST_CASE("Background grids: deliver every segment near a box, of any length, and no removed one") {
     for (const Vec2 offset : {Vec2{0, 0}, Vec2{1e5, -3e5}}) {
         const auto domain = nest(offset);
         const GenerationFront front(*domain);
@@ -126,7 +126,7 @@ TEST_CASE("Background grids: deliver every segment near a box, whatever its leng
     }
 }
 
-TEST_CASE("HierarchicalGrid: the number of segments delivered stays flat when sizes differ by a factor of 1e5") {
+TEST_CASE("HierarchicalGrid: the number of delivered segments does not grow when sizes differ by a factor of 1e5") {
     DiscreteBuilder builder;
     double radius = 1.0;
     for (int ring = 0; ring < 24; ++ring, radius *= 0.6) {
@@ -147,23 +147,23 @@ TEST_CASE("HierarchicalGrid: the number of segments delivered stays flat when si
     }
 }
 
-TEST_CASE("Lattice: cells crossed by a segment contain every point of it") {
-    const Lattice lattice({-1, -1}, {0.1, 0.07}, 20, 30);
+TEST_CASE("CellLayout: cells crossed by a segment contain every point of it") {
+    const CellLayout layout({-1, -1}, {0.1, 0.07}, 20, 30);
     std::mt19937_64 random(3);
     const auto unit = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
     for (int round = 0; round < 3000; ++round) {
         const Vec2 a{unit() * 3 - 1.5, unit() * 3 - 1.5};
         const Vec2 b = round % 3 == 0 ? Vec2{a.x, unit()} : Vec2{unit() * 3 - 1.5, unit() * 3 - 1.5};
         std::set<std::pair<int, int>> cells;
-        forEachCrossedCell(lattice, a, b, 1e-12, [&](int i, int j) { cells.insert({i, j}); });
+        forEachCrossedCell(layout, a, b, 1e-12, [&](int i, int j) { cells.insert({i, j}); });
         for (int k = 0; k <= 200; ++k) {
             const Vec2 p = lerp(a, b, k / 200.0);
-            REQUIRE(cells.count({lattice.column(p.x), lattice.row(p.y)}) == 1);
+            REQUIRE(cells.count({layout.column(p.x), layout.row(p.y)}) == 1);
         }
     }
 }
 
-TEST_CASE("HierarchicalGrid: a segment that moves within its cell is found where it is, and no longer where it was") {
+TEST_CASE("HierarchicalGrid: a segment that moves within its cell is found only at its new position") {
     DiscreteBuilder builder;
     builder.loop({{0, 0}, {8, 0}, {8, 8}, {0, 8}});
     const auto domain = builder.region(1, 1.0).build();

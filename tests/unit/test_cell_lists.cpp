@@ -27,7 +27,7 @@ std::set<std::uint32_t> nearOf(const CellLists &lists, const CellLists::List &li
 
 TEST_CASE("CellLists: pushing, erasing and moving in two lists agrees with a map") {
     CellLists lists;
-    const CellScale scale(Lattice({0, 0}, {1, 1}, 1, 1), 0, 0);
+    const CellScale scale(CellLayout({0, 0}, {1, 1}, 1, 1), 0, 0);
     std::array<CellLists::List, 2> list;
     std::array<std::map<std::uint32_t, Box2>, 2> expected;
     std::mt19937_64 random(11);
@@ -63,15 +63,15 @@ TEST_CASE("CellLists: pushing, erasing and moving in two lists agrees with a map
     }
 }
 
-TEST_CASE("CellScale: boxes that overlap do so in every cell, however far they leave it") {
+TEST_CASE("CellScale: boxes that overlap do so in every cell, however far they extend beyond it") {
     for (const double size : {1e-60, 1e-30, 1.0, 1e30, 1e60}) {
         for (const Vec2 corner : {Vec2{0, 0}, Vec2{-3, 7}}) {
-            const Lattice lattice(size * corner, {size / 3.0, size / 7.0}, 3, 7);
+            const CellLayout layout(size * corner, {size / 3.0, size / 7.0}, 3, 7);
             std::mt19937_64 random(5);
             const auto unit = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
             const auto box = [&] {
                 const double extent = size * std::pow(10.0, 5.0 * unit() - 3.0);
-                const Vec2 a = lattice.origin + Vec2{size * (3.0 * unit() - 1.0), size * (3.0 * unit() - 1.0)};
+                const Vec2 a = layout.origin + Vec2{size * (3.0 * unit() - 1.0), size * (3.0 * unit() - 1.0)};
                 return boxOf(a, a + Vec2{extent * (unit() - 0.5), extent * (unit() - 0.5)});
             };
             int overlapping = 0;
@@ -82,8 +82,8 @@ TEST_CASE("CellScale: boxes that overlap do so in every cell, however far they l
                     continue;
                 }
                 overlapping += round % 3 == 0 ? 0 : 1;
-                for (int cell = 0; cell < lattice.columns * lattice.rows; ++cell) {
-                    const CellScale scale(lattice, cell % lattice.columns, cell / lattice.columns);
+                for (int cell = 0; cell < layout.columns * layout.rows; ++cell) {
+                    const CellScale scale(layout, cell % layout.columns, cell / layout.columns);
                     CellLists lists;
                     CellLists::List list;
                     lists.push(list, SlotId{7}, scale(p));

@@ -60,7 +60,7 @@ TEST_CASE("GenerationFront: both sides of a constraint inside the domain are seg
     CHECK(front.start(front.prev(tip)) == Vec2{2, 2});
 }
 
-TEST_CASE("GenerationFront: loops that touch at a node keep to their own free angles") {
+TEST_CASE("GenerationFront: loops that touch at a node keep their own free angles") {
     // Two triangles that share the node (1, 1), both holes of a large square.
     const auto domain = DiscreteBuilder()
                             .loop(rectangleNodes({-4, -4}, {6, 6}, 10))
@@ -105,7 +105,7 @@ TEST_CASE("GenerationFront: a connection splits a loop in two and merges two loo
     CHECK(front.next(front.next(front.next(front.next(opposite)))) == opposite);
 }
 
-TEST_CASE("GenerationFront: every change is taken back exactly") {
+TEST_CASE("GenerationFront: every change can be undone exactly") {
     const auto domain = discretePlate(0.2);
     GenerationFront front(*domain);
     const std::uint64_t start = hashOf(front);
@@ -191,7 +191,7 @@ TEST_CASE("BaseOrder: shortest first, ties by serial, deferred segments last") {
     CHECK(order.take(front) == kNoSlot);
 }
 
-TEST_CASE("BaseOrder: about equal lengths come in portions of age, the shortest of a portion first") {
+TEST_CASE("BaseOrder: similar lengths come in batches, oldest batch first, the shortest of a batch first") {
     // Segments of some portions in a row, their lengths spread over two octaves.
     constexpr std::uint32_t kSegments = 40'000;
     GenerationFront front(*DiscreteBuilder().loop({{0, 0}, {3e5, 0}, {3e5, 1}}).region(1, 1.5e5).build());

@@ -1,8 +1,8 @@
 #include "core/base/cpu_clock.hpp"
 #include "core/domain/domain.hpp"
+#include "core/improve/cleanup.hpp"
+#include "core/improve/cleanup_batches.hpp"
 #include "core/improve/improve.hpp"
-#include "core/improve/patches.hpp"
-#include "core/improve/repair.hpp"
 #include "core/improve/smooth.hpp"
 #include "core/improve/workspace.hpp"
 #include "core/mesh/edge_table.hpp"
@@ -35,7 +35,7 @@ std::map<std::int32_t, double> areasByRegion(const Mesh &mesh) {
 
 } // namespace
 
-TEST_CASE("improve: keeps a mesh valid, its tags, held nodes, regions and least α, whatever it starts from") {
+TEST_CASE("improve: keeps validity, tags, fixed nodes, regions and minimum α of any mesh") {
     std::uint64_t seed = 0;
     for (const double jitter : {0.0, 0.1, 0.24}) {
         for (const Vec2 offset : {Vec2{}, Vec2{1e5, -1e5}}) {
@@ -73,7 +73,7 @@ TEST_CASE("improve: keeps a mesh valid, its tags, held nodes, regions and least 
     }
 }
 
-TEST_CASE("improve: a distorted lattice with diagonals by chance becomes a good mesh") {
+TEST_CASE("improve: a distorted square grid with random diagonals becomes a good mesh") {
     for (const ImproveLevel level : {ImproveLevel::Default, ImproveLevel::Best}) {
         Mesh mesh = samples::square(60, 60, 0.24);
         CHECK(measure(mesh, nullptr).alphaGeometricMean < 0.82);
@@ -84,7 +84,7 @@ TEST_CASE("improve: a distorted lattice with diagonals by chance becomes a good 
     }
 }
 
-TEST_CASE("improve: improving again does not lower the least α") {
+TEST_CASE("improve: improving again does not lower the minimum α") {
     Mesh mesh = samples::square(30, 30, 0.24, {}, 5);
     improve(mesh);
     for (int i = 0; i < 4; ++i) {
@@ -102,7 +102,7 @@ TEST_CASE("improve: the same mesh gives the same result bit for bit") {
     CHECK(meshHash(a) == meshHash(b));
 }
 
-TEST_CASE("improve: nearly flat elements along a line are mended without any sign going wrong") {
+TEST_CASE("improve: nearly flat elements along a line improve and none becomes inverted") {
     // Inner nodes lie 1e-13 above the bottom edge: elements with α near 0 whose sign only exact arithmetic tells.
     Mesh mesh = samples::square(10, 10);
     for (std::size_t i = 1; i < 10; ++i) {
@@ -136,7 +136,7 @@ TEST_CASE("improve: a cancelled improvement leaves a valid mesh") {
     }
 }
 
-TEST_CASE("improve: cancelled from outside at any moment it leaves a valid mesh whose least α has not fallen") {
+TEST_CASE("improve: cancelled by another thread at any moment it leaves a valid mesh with no lower minimum α") {
     const Mesh raw = samples::square(250, 250, 0.24, {}, 5);
     const double least = measure(raw, nullptr).alphaMin;
     std::size_t stopped = 0;
@@ -167,7 +167,7 @@ TEST_CASE("improve: reports the CPU time of all its threads") {
     CHECK(report.seconds <= program);
 }
 
-TEST_CASE("improve: an empty mesh and a single element are left as they are") {
+TEST_CASE("improve: does not change an empty mesh or a single element") {
     Mesh empty;
     improve(empty);
     CHECK(empty.elements.empty());
@@ -179,7 +179,7 @@ TEST_CASE("improve: an empty mesh and a single element are left as they are") {
     CHECK(meshHash(one) == before);
 }
 
-TEST_CASE("improve: a node with more elements than can be counted stays in place and the mesh valid") {
+TEST_CASE("improve: a node with more elements than can be counted does not move and the mesh stays valid") {
     Mesh mesh;
     mesh.nodes.push_back({0.3, 0.2});
     constexpr std::size_t kSpokes = 400;
@@ -192,7 +192,7 @@ TEST_CASE("improve: a node with more elements than can be counted stays in place
     CHECK_MESSAGE(verify(mesh).empty(), samples::list(verify(mesh)));
 }
 
-TEST_CASE("NodeSmoother: no element falls below the floor unless it was below and does not lose") {
+TEST_CASE("NodeSmoother: no element falls below the floor, and none below it gets worse") {
     ThreadPool pool(1);
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         Mesh mesh = samples::square(15, 15, 0.24, {}, seed);
@@ -209,7 +209,7 @@ TEST_CASE("NodeSmoother: no element falls below the floor unless it was below an
     }
 }
 
-TEST_CASE("NodeSmoother: edges take the lengths that the spacing wants") {
+TEST_CASE("NodeSmoother: edges take the lengths of the spacing") {
     // A lattice of equal columns, wanted twice as wide on the right as on the left.
     Mesh mesh = samples::square(24, 24);
     SpacingSpec spec;
@@ -228,14 +228,14 @@ TEST_CASE("NodeSmoother: edges take the lengths that the spacing wants") {
     CHECK(measure(mesh, field->get()).deltaMean > before + 0.02);
 }
 
-TEST_CASE("repairWorst: brings elements to the least α and angle asked for where smoothing has left them") {
+TEST_CASE("cleanUpWorst: brings elements that smoothing leaves poor to the minimum α and angle") {
     for (const unsigned threads : {1U, 3U}) {
         Mesh mesh = samples::square(30, 30, 0.24, {}, 11);
         ThreadPool pool(threads);
         ImproveWorkspace work(mesh, pool);
         const double least = work.measureAlpha();
         const MeshQuality before = measure(mesh, nullptr);
-        const RepairCounts counts = repairWorst(work, {0.75, 32.0, 6}, least, {});
+        const CleanupCounts counts = cleanUpWorst(work, {0.75, 32.0, 6}, least, {});
         const MeshQuality after = measure(mesh, nullptr);
         CHECK(counts.moves > 0);
         CHECK(counts.swaps > 0);
@@ -249,7 +249,7 @@ TEST_CASE("repairWorst: brings elements to the least α and angle asked for wher
     }
 }
 
-TEST_CASE("RepairBatches: each element is in one batch; in a batch no two may touch the same nodes") {
+TEST_CASE("CleanupBatches: each element is in one batch, and no two of a batch touch the same nodes") {
     Mesh mesh = samples::square(20, 20, 0.2);
     ThreadPool pool(1);
     const ImproveWorkspace work(mesh, pool);
@@ -275,7 +275,7 @@ TEST_CASE("RepairBatches: each element is in one batch; in a batch no two may to
         }
         return nodes;
     };
-    RepairBatches batches(work, all);
+    CleanupBatches batches(work, all);
     std::vector<int> seen(all.size(), 0);
     for (auto batch = batches.next(); !batch.empty(); batch = batches.next()) {
         std::set<NodeId> nodes;

@@ -1,5 +1,5 @@
 #include "core/geometry/predicates.hpp"
-#include "core/improve/swap.hpp"
+#include "core/improve/edge_swap.hpp"
 #include "core/improve/swap_pass.hpp"
 #include "core/improve/workspace.hpp"
 #include "core/mesh/edge_table.hpp"
@@ -45,7 +45,7 @@ Mesh shuffled(Mesh mesh, std::uint64_t seed) {
 
 } // namespace
 
-TEST_CASE("ImproveWorkspace: neighbours are those of the mesh, but for edges that are held") {
+TEST_CASE("ImproveWorkspace: neighbours are those of the mesh except across fixed edges") {
     Mesh mesh = samples::constrainedSquare(12, 0.2, {}, 3);
     ThreadPool pool(1);
     const ImproveWorkspace work(mesh, pool);
@@ -89,7 +89,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("turnEdge: neighbours, valences and rings stay those of the mesh") {
+TEST_CASE("swapEdge: keeps neighbours, valences and rings up to date") {
     Mesh mesh = samples::square(12, 12, 0.2);
     mesh.edges.push_back({mesh.elements[100][0], mesh.elements[100][1], 5});
     ThreadPool pool(1);
@@ -113,7 +113,7 @@ TEST_CASE("turnEdge: neighbours, valences and rings stay those of the mesh") {
     }
 }
 
-TEST_CASE("ImproveWorkspace: rings are the same where neighbours lie too far in memory to be noted") {
+TEST_CASE("ImproveWorkspace: rings are the same where neighbours lie too far apart in memory to be stored") {
     const Mesh near = samples::square(300, 300, 0.2), far = shuffled(near, 1);
     Mesh meshes[2] = {near, far};
     ThreadPool pool(1);
@@ -136,7 +136,7 @@ TEST_CASE("ImproveWorkspace: rings are the same where neighbours lie too far in 
     CHECK(walked > 0);
 }
 
-TEST_CASE("swapEdges: several threads turn the same edges in the same order as one") {
+TEST_CASE("swapEdges: several threads swap the same edges in the same order as one") {
     // In seeds 13 and 30 swaps near the edges of blocks of elements depend on each other in chains.
     for (const std::uint64_t seed : {1U, 2U, 13U, 30U}) {
         Mesh raw = samples::square(150, 150, 0.24, {}, seed);
@@ -162,7 +162,7 @@ TEST_CASE("swapEdges: several threads turn the same edges in the same order as o
     }
 }
 
-TEST_CASE("swapEdges: of the two diagonals of a kite the short one is taken, unless it is tagged") {
+TEST_CASE("swapEdges: takes the short diagonal of a kite unless the long one is tagged") {
     Mesh mesh;
     mesh.nodes = {{-2, 0}, {0, -0.5}, {2, 0}, {0, 0.5}};
     mesh.elements = {{node(0), node(1), node(2)}, {node(0), node(2), node(3)}};
@@ -178,13 +178,13 @@ TEST_CASE("swapEdges: of the two diagonals of a kite the short one is taken, unl
     CHECK(swapEdges(held, {}, {}) == 0);
 }
 
-TEST_CASE("turnBack: after a turn it leaves elements, neighbours and α as they were") {
+TEST_CASE("undoSwap: restores elements, neighbours and α after a swap") {
     Mesh mesh = samples::square(6, 6, 0.2);
     ThreadPool pool(1);
     ImproveWorkspace work(mesh, pool);
     work.measureAlpha();
     for (HalfEdge h = 0; h < work.twin.size(); ++h) {
-        if (!mayTurn(work, h)) {
+        if (!canSwap(work, h)) {
             continue;
         }
         const std::size_t e = elementOf(h), f = elementOf(work.twin[h]);
@@ -192,9 +192,9 @@ TEST_CASE("turnBack: after a turn it leaves elements, neighbours and α as they 
         const auto twin = work.twin;
         const auto valence = work.valence;
         const auto alpha = work.alpha;
-        turnWithRings(work, h);
+        swapEdgeAndRings(work, h);
         CHECK(mesh.elements != elements);
-        turnBack(work, e, f, {elements[e], elements[f]});
+        undoSwap(work, e, f, {elements[e], elements[f]});
         CHECK(mesh.elements == elements);
         CHECK(work.twin == twin);
         CHECK(work.valence == valence);

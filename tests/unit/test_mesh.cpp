@@ -89,7 +89,7 @@ TEST_CASE("elementNeighbours: agrees with a comparison of all pairs of elements"
     CHECK(elementNeighbours(mesh) == neighboursByPairs(mesh));
 }
 
-TEST_CASE("elementNeighbours: a node of very high valence in any order is joined right") {
+TEST_CASE("elementNeighbours: joins the elements of a node of very high valence in any order") {
     const Mesh mesh = fan(500);
     CHECK(elementNeighbours(mesh) == neighboursByPairs(mesh));
     const Mesh large = fan(200'000);
@@ -100,7 +100,7 @@ TEST_CASE("elementNeighbours: a node of very high valence in any order is joined
     CHECK(open == 200'000);
 }
 
-TEST_CASE("elementNeighbours: of an edge with three elements the first two are joined") {
+TEST_CASE("elementNeighbours: joins the first two elements of an edge with three") {
     Mesh mesh;
     mesh.nodes = {{0, 0}, {1, 0}, {0, 1}, {0, -1}, {1, 1}};
     mesh.elements = {{node(0), node(1), node(2)}, {node(1), node(0), node(3)}, {node(0), node(1), node(4)}};
@@ -159,7 +159,7 @@ TEST_CASE("shapeFactor: 1 equilateral, √3/2 right isosceles, 0 flat, negative 
     CHECK(shapeFactor({3, 3}, {3, 3}, {3, 3}) == 0.0);
 }
 
-TEST_CASE("spacingConformity: 1 at the wanted length, alike for too long and too short") {
+TEST_CASE("spacingConformity: 1 at the target length, symmetric for too long and too short") {
     CHECK(spacingConformity(0.5, 0.5) == 1.0);
     CHECK(spacingConformity(1.0, 4.0) == 0.25);
     CHECK(spacingConformity(4.0, 1.0) == 0.25);
@@ -184,7 +184,7 @@ class ConstantSpacing : public SpacingField {
 
 } // namespace
 
-TEST_CASE("measure: a lattice of right triangles has known figures") {
+TEST_CASE("measure: a grid of right triangles has known figures") {
     const Mesh mesh = samples::square(20, 20, 0.0, {1e5, -1e5});
     const MeshQuality q = measure(mesh, nullptr);
     CHECK(q.nodes == 441);
@@ -212,7 +212,7 @@ TEST_CASE("measure: conformity is the mean over all segments") {
     CHECK(measure(mesh, &spacing).deltaMean == doctest::Approx(expected).epsilon(1e-12));
 }
 
-TEST_CASE("measure: means, least and percentiles agree with their definitions") {
+TEST_CASE("measure: means, minimum and percentiles agree with their definitions") {
     const Mesh mesh = samples::square(30, 30, 0.24);
     const MeshQuality q = measure(mesh, nullptr);
     std::vector<float> alpha = shapeFactors(mesh);
@@ -232,7 +232,7 @@ TEST_CASE("measure: means, least and percentiles agree with their definitions") 
     CHECK(q.alpha50 == static_cast<double>(alpha[static_cast<std::size_t>(0.50 * (count - 1))]));
 }
 
-TEST_CASE("measure: a flat element makes the least angle 0 and the geometric mean 0; an empty mesh measures nothing") {
+TEST_CASE("measure: a flat element makes minimum angle and geometric mean 0; an empty mesh has no figures") {
     Mesh mesh;
     mesh.nodes = {{0, 0}, {1, 0}, {2, 0}, {1, 1}};
     mesh.elements = {{node(0), node(1), node(2)}, {node(0), node(2), node(3)}};

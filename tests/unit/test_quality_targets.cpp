@@ -42,7 +42,7 @@ TEST_CASE("Quality: a steeply graded mesh has better shapes and keeps the spacin
     }
 }
 
-TEST_CASE("Quality: an even mesh of a disc is nearly regular on the best level") {
+TEST_CASE("Quality: a uniform mesh of a disc is nearly regular on the best level") {
     for (const double elements : {1e4, 1e5}) {
         CAPTURE(elements);
         const MeshQuality q = qualityOf("disc", elements, ImproveLevel::Best);

@@ -144,7 +144,7 @@ void checkFits(const ImproveWorkspace &work) {
 
 } // namespace
 
-TEST_CASE("Cutout: holds the elements around three rings of free nodes; held nodes lie on the rim") {
+TEST_CASE("Cutout: has the elements around three rings of free nodes, with fixed nodes on the rim") {
     Sample made = sample(14, 5);
     ThreadPool pool(1);
     const ImproveWorkspace work(made.mesh, pool);
@@ -177,7 +177,7 @@ TEST_CASE("Cutout: holds the elements around three rings of free nodes; held nod
     CHECK_FALSE(Cutout().take(work, made.rho, node(0))); // a corner
 }
 
-TEST_CASE("Cutout: each change keeps the rim and the rings and changes the number of elements as it says") {
+TEST_CASE("Cutout: each change keeps the rim and the rings and changes the number of elements as documented") {
     std::map<int, std::size_t> done;
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
         Sample made = sample(12, seed);
@@ -201,13 +201,13 @@ TEST_CASE("Cutout: each change keeps the rim and the rings and changes the numbe
                     Cutout is = was;
                     if (change(is)) {
                         look(was, is, more);
-                        if (is.tidy()) {
+                        if (is.balanceValences()) {
                             look(was, is, more);
                         }
                     }
                 };
-                attempt(0, [&](Cutout &is) { return is.turn(0, b); });
-                attempt(0, [&](Cutout &is) { return is.turn(b, c); });
+                attempt(0, [&](Cutout &is) { return is.swapEdge(0, b); });
+                attempt(0, [&](Cutout &is) { return is.swapEdge(b, c); });
                 attempt(-2, [&](Cutout &is) { return is.merge(0, b); });
                 attempt(-2, [&](Cutout &is) { return is.merge(b, c); });
                 attempt(+2, [&](Cutout &is) { return is.divide(0, k, 2); });
@@ -219,7 +219,7 @@ TEST_CASE("Cutout: each change keeps the rim and the rings and changes the numbe
     CHECK(done[+2] > 500);
 }
 
-TEST_CASE("Cutout: a regular piece of a lattice has no loss over the usual, and stays as it is when relaxed") {
+TEST_CASE("Cutout: a regular piece of a mesh has no loss above the usual, and relaxing does not change it") {
     // Equilateral elements with side 1 in a rhombus.
     constexpr std::size_t kSide = 9;
     Mesh mesh;
@@ -245,7 +245,7 @@ TEST_CASE("Cutout: a regular piece of a lattice has no loss over the usual, and 
     CHECK(elementsOf(cutout).size() == 54);
     const Cutout::Loss loss = cutout.loss();
     CHECK(loss.sum < 0.0F);
-    CHECK(loss.least == doctest::Approx(1.0));
+    CHECK(loss.minAlpha == doctest::Approx(1.0));
     CHECK(loss.stretch == doctest::Approx(0.0).epsilon(1e-5));
     cutout.relax(3, {0.5F, 0.9F});
     for (unsigned n = 0; n < cutout.count(); ++n) {
@@ -253,7 +253,7 @@ TEST_CASE("Cutout: a regular piece of a lattice has no loss over the usual, and 
     }
 }
 
-TEST_CASE("Replacer: many changes leave neighbours, valences and rings those of the mesh") {
+TEST_CASE("Replacer: keeps neighbours, valences and rings up to date over many changes") {
     Sample made = sample(20, 9);
     const Mesh before = made.mesh;
     ThreadPool pool(1);
@@ -269,7 +269,7 @@ TEST_CASE("Replacer: many changes leave neighbours, valences and rings those of 
         }
         Cutout is = was;
         const auto k = static_cast<unsigned>(random.below(was[0].size));
-        const bool possible = i % 3 == 0   ? is.turn(0, was[0].ring[k])
+        const bool possible = i % 3 == 0   ? is.swapEdge(0, was[0].ring[k])
                               : i % 3 == 1 ? is.merge(0, was[0].ring[k])
                                            : is.divide(0, k, 2);
         if (!possible) {
@@ -297,7 +297,7 @@ TEST_CASE("Replacer: many changes leave neighbours, valences and rings those of 
     CHECK(measure(made.mesh, nullptr).alphaMin >= 0.05);
 }
 
-TEST_CASE("Replacer: an element below the floor refuses the change") {
+TEST_CASE("Replacer: refuses a change that leaves an element below the floor") {
     Sample made = sample(10, 2);
     ThreadPool pool(1);
     ImproveWorkspace work(made.mesh, pool);
@@ -309,11 +309,11 @@ TEST_CASE("Replacer: an element below the floor refuses the change") {
     const std::uint64_t hash = meshHash(made.mesh);
     CHECK_FALSE(replacer.replace(was, is, 0.999));
     CHECK(meshHash(made.mesh) == hash);
-    CHECK(replacer.replace(was, is, static_cast<double>(is.loss().least) - 1e-4));
+    CHECK(replacer.replace(was, is, static_cast<double>(is.loss().minAlpha) - 1e-4));
     CHECK(meshHash(made.mesh) != hash);
 }
 
-TEST_CASE("restructure: fewer irregular nodes, shapes better, what is held stays, the least α does not fall") {
+TEST_CASE("restructure: fewer irregular nodes, better shapes, fixed parts unchanged, no lower minimum α") {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         Sample made = sample(40, seed);
         improve(made.mesh); // as smooth as it can be with the nodes it has
@@ -323,7 +323,7 @@ TEST_CASE("restructure: fewer irregular nodes, shapes better, what is held stays
         const double least = work.measureAlpha();
         const RestructureCounts counts = restructure(work, made.rho, least, {});
         checkFits(work);
-        CHECK(counts.turned > 0);
+        CHECK(counts.swapped > 0);
         CHECK(counts.merged + counts.divided > 0);
         CHECK(made.mesh.nodes.size() == before.nodes.size() - counts.merged + counts.divided);
         CHECK(made.mesh.elements.size() == before.elements.size() - 2 * counts.merged + 2 * counts.divided);
@@ -347,7 +347,7 @@ TEST_CASE("restructure: one, two, three and eight threads make the same mesh bit
     CHECK(hashes.size() == 1);
 }
 
-TEST_CASE("restructure: lengths out of the range of floats leave the mesh as it is") {
+TEST_CASE("restructure: lengths beyond the range of float leave the mesh as it is") {
     for (const float rho : {0.0F, 1e-45F, std::numeric_limits<float>::infinity()}) {
         Sample made = sample(12, 1);
         const std::uint64_t hash = meshHash(made.mesh);
@@ -358,7 +358,7 @@ TEST_CASE("restructure: lengths out of the range of floats leave the mesh as it 
     }
 }
 
-TEST_CASE("improve: the best level, cancelled at any stage, leaves a valid mesh and what is held") {
+TEST_CASE("improve: the best level, cancelled at any stage, leaves a valid mesh and fixed parts unchanged") {
     const Sample raw = sample(24, 6);
     int stages = 0;
     for (int stopAt = 0; stopAt <= stages; ++stopAt) {
@@ -385,7 +385,7 @@ TEST_CASE("improve: the best level, cancelled at any stage, leaves a valid mesh 
     CHECK(stages >= 9);
 }
 
-TEST_CASE("restructure: stopped in the midst of a round it leaves a valid mesh") {
+TEST_CASE("restructure: leaves a valid mesh when stopped within a round") {
     Sample made = sample(60, 8);
     const Mesh before = made.mesh;
     std::stop_source stop;
@@ -395,11 +395,11 @@ TEST_CASE("restructure: stopped in the midst of a round it leaves a valid mesh")
     ThreadPool pool(1);
     ImproveWorkspace work(made.mesh, pool);
     const RestructureCounts counts = restructure(work, made.rho, 0.01, progress);
-    CHECK(counts.turned + counts.merged + counts.divided == 0);
+    CHECK(counts.swapped + counts.merged + counts.divided == 0);
     CHECK(meshHash(made.mesh) == meshHash(before));
 }
 
-TEST_CASE("restructure: stopped by another thread between two changes it leaves a valid mesh") {
+TEST_CASE("restructure: leaves a valid mesh when another thread stops it between two changes") {
     const Sample made = sample(150, 8);
     ThreadPool pool(1);
     const auto changesUntil = [&](std::chrono::steady_clock::duration delay) {
@@ -417,7 +417,7 @@ TEST_CASE("restructure: stopped by another thread between two changes it leaves 
         });
         const RestructureCounts counts = restructure(work, made.rho, 0.01, progress);
         checkKept(mesh, made.mesh);
-        return counts.turned + counts.merged + counts.divided;
+        return counts.swapped + counts.merged + counts.divided;
     };
     const auto begin = std::chrono::steady_clock::now();
     const std::size_t all = changesUntil(std::chrono::hours(1));
@@ -435,7 +435,7 @@ TEST_CASE("restructure: stopped by another thread between two changes it leaves 
     CHECK(cutOff);
 }
 
-TEST_CASE("improve: the best level of tiny meshes, with one free node or few, covers what it covered") {
+TEST_CASE("improve: the best level keeps the area of tiny meshes with few free nodes") {
     for (int corners = 3; corners <= 12; ++corners) {
         for (const double shift : {0.0, 0.2, 0.45}) {
             Mesh mesh; // a fan of held nodes around a free one
@@ -465,7 +465,7 @@ TEST_CASE("improve: the best level of tiny meshes, with one free node or few, co
     }
 }
 
-TEST_CASE("Cutout: the last free node of a triangle stays") {
+TEST_CASE("Cutout: keeps the last free node of a triangle") {
     Mesh mesh;
     mesh.nodes = {{0, 0}, {1, 0}, {0.4, 0.9}, {0.45, 0.3}};
     mesh.elements = {{node(0), node(1), node(3)}, {node(1), node(2), node(3)}, {node(2), node(0), node(3)}};

@@ -47,7 +47,7 @@ SnapshotPtr settled(const MeshingSession &session) {
 
 } // namespace
 
-TEST_CASE("MeshingSession: meshes to the end and hands out the improved mesh") {
+TEST_CASE("MeshingSession: meshes to the end and publishes the improved mesh") {
     std::atomic<int> wakes = 0;
     MeshingSession session([&] { ++wakes; });
     const auto job = squareWithHole(0.1);
@@ -105,7 +105,7 @@ TEST_CASE("MeshingSession: stepped, played or run, the mesh is the same") {
     CHECK(hashes[0] == hashes[2]);
 }
 
-TEST_CASE("MeshingSession: steps by events walk through one advance and back") {
+TEST_CASE("MeshingSession: event steps move through one advance and back") {
     MeshingSession session;
     session.want({true, true, true, true});
     session.start(squareWithHole(0.2), false);
@@ -153,7 +153,7 @@ TEST_CASE("MeshingSession: layers lead forward and back over the same positions"
     CHECK(settled(session)->advance == 0);
 }
 
-TEST_CASE("MeshingSession: cancelling stops soon and keeps the partial mesh") {
+TEST_CASE("MeshingSession: cancelling stops promptly and keeps the partial mesh") {
     MeshingSession session;
     session.want({false, false, false, false});
     session.start(squareWithHole(0.004), true);
@@ -170,7 +170,7 @@ TEST_CASE("MeshingSession: cancelling stops soon and keeps the partial mesh") {
     CHECK_FALSE(back->mesh->mesh.elements.empty());
 }
 
-TEST_CASE("MeshingSession: a refused domain says why and a new start works") {
+TEST_CASE("MeshingSession: reports why a domain is refused, and can start again") {
     auto crossing = std::make_shared<MeshingJob>(*squareWithHole(0.1));
     std::swap(crossing->domain.nodes[1], crossing->domain.nodes[2]);
     MeshingSession session;
@@ -182,7 +182,7 @@ TEST_CASE("MeshingSession: a refused domain says why and a new start works") {
     waitFor(session, [](const SessionSnapshot &s) { return s.state == RunState::Finished && s.run == 2; });
 }
 
-TEST_CASE("MeshingSession: what is refused leaves the run before as it stood") {
+TEST_CASE("MeshingSession: a refused start leaves the previous run unchanged") {
     auto crossing = std::make_shared<MeshingJob>(*squareWithHole(0.1));
     std::swap(crossing->domain.nodes[1], crossing->domain.nodes[2]);
     MeshingSession session;
@@ -206,7 +206,7 @@ TEST_CASE("MeshingSession: what is refused leaves the run before as it stood") {
     CHECK(next->diagnostics.empty());
 }
 
-TEST_CASE("MeshingSession: any order of commands leaves a session that still works") {
+TEST_CASE("MeshingSession: still works after any order of commands") {
     MeshingSession session;
     std::uint64_t random = 12345;
     const auto next = [&random] {

@@ -29,7 +29,7 @@ void travelOn(TimelineTravel &travel) {
 
 } // namespace
 
-TEST_CASE("SnapshotBuilder: a moving run has the shape figures of its partial mesh, forward and back") {
+TEST_CASE("SnapshotBuilder: shape figures are those of the partial mesh, moving forward and back") {
     Timeline timeline(mesherOfSquare(0.08));
     SnapshotBuilder builder(1);
     const auto check = [&] {
@@ -59,7 +59,7 @@ TEST_CASE("SnapshotBuilder: a moving run has the shape figures of its partial me
     check();
 }
 
-TEST_CASE("TimelineTravel: playing from the end goes back in batches, then plays") {
+TEST_CASE("TimelineTravel: playing from the end first returns to the start in batches") {
     TimelineTravel travel(mesherOfSquare(0.03));
     travel.reachEnd();
     travelOn(travel);
@@ -85,7 +85,7 @@ TEST_CASE("TimelineTravel: playing from the end goes back in batches, then plays
     CHECK_FALSE(travel.workDue());
 }
 
-TEST_CASE("TimelineTravel: a step on the way back to the beginning takes the place of playing") {
+TEST_CASE("TimelineTravel: a step on the way back to the start cancels playing") {
     TimelineTravel travel(mesherOfSquare(0.1));
     travel.reachEnd();
     travelOn(travel);

@@ -19,7 +19,7 @@ Mesh needle() {
 
 } // namespace
 
-TEST_CASE("sharpCorners: the tip of a needle is named with its place and angle") {
+TEST_CASE("sharpCorners: reports the tip of a needle with its position and angle") {
     const SharpCorners sharp = sharpCorners(needle(), 20.0);
     REQUIRE(sharp.corners.size() == 1);
     CHECK(sharp.corners[0].node == node(0));
@@ -30,7 +30,7 @@ TEST_CASE("sharpCorners: the tip of a needle is named with its place and angle")
     CHECK(sharpCorners(needle(), 9.0).minAngleElsewhere == doctest::Approx(10.0));
 }
 
-TEST_CASE("sharpCorners: the strip along a needle belongs to its tip, a needle elsewhere does not") {
+TEST_CASE("sharpCorners: elements along a needle belong to its tip, a needle elsewhere does not") {
     // Two lines 2 degrees apart with nodes at 1, 2, 3; beyond them a flat element that has an edge of its own.
     Mesh mesh;
     const double slope = std::tan(2.0 * 0.017453292519943295);
@@ -51,7 +51,7 @@ TEST_CASE("sharpCorners: the strip along a needle belongs to its tip, a needle e
     CHECK(both.minAngleElsewhere == doctest::Approx(5.71).epsilon(0.01));
 }
 
-TEST_CASE("sharpCorners: a wedge outside the mesh is none, one between inner lines is") {
+TEST_CASE("sharpCorners: a wedge outside the mesh does not count, one between inner lines does") {
     Mesh mesh = needle();
     mesh.elements.erase(mesh.elements.begin()); // what is left lies beyond the tip
     CHECK(sharpCorners(mesh, 20.0).corners.empty());

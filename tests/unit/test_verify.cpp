@@ -61,7 +61,7 @@ bool at(const Diagnostics &faults, Vec2 place) {
 
 } // namespace
 
-TEST_CASE("verify: good meshes have no fault, at the origin and far from it") {
+TEST_CASE("verify: valid meshes have no faults, at the origin and far from it") {
     for (const Vec2 offset : {Vec2{}, Vec2{1e5, -1e5}, Vec2{-3e5, 1e-3}}) {
         const Mesh mesh = samples::square(20, 15, 0.24, offset);
         CHECK_MESSAGE(verify(mesh).empty(), samples::list(verify(mesh)));
@@ -70,7 +70,7 @@ TEST_CASE("verify: good meshes have no fault, at the origin and far from it") {
     CHECK(verify(Mesh{}).empty());
 }
 
-TEST_CASE("verify: holes, several parts, parts in holes and parts that share one node are no fault") {
+TEST_CASE("verify: accepts holes, several parts, parts in holes and parts that share one node") {
     const Mesh ring = squareRing();
     Mesh parts = ring;
     Mesh island = twoTriangles();
@@ -87,14 +87,14 @@ TEST_CASE("verify: holes, several parts, parts in holes and parts that share one
     CHECK_MESSAGE(verify(pinched).empty(), samples::list(verify(pinched)));
 }
 
-TEST_CASE("verify: the two sides of a slit with nodes of their own are no fault") {
+TEST_CASE("verify: accepts a slit with separate nodes on its two sides") {
     Mesh mesh = twoTriangles();
     mesh.nodes = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}, {1, 1}};
     mesh.elements = {{node(0), node(1), node(2)}, {node(4), node(5), node(3)}};
     CHECK_MESSAGE(verify(mesh).empty(), samples::list(verify(mesh)));
 }
 
-TEST_CASE("verify: indices that do not exist are reported before anything follows them") {
+TEST_CASE("verify: reports indices that do not exist before using them") {
     Mesh mesh = twoTriangles();
     mesh.elements[1][2] = node(4);
     CHECK(codes(verify(mesh)) == Codes{"bad-index"});
@@ -119,7 +119,7 @@ TEST_CASE("verify: coordinates that are not finite are reported") {
     }
 }
 
-TEST_CASE("verify: a clockwise element is inverted; alone it breaks nothing else") {
+TEST_CASE("verify: a clockwise element is inverted and causes no other fault") {
     Mesh mesh;
     mesh.nodes = {{0, 0}, {3, 0}, {0, 3}};
     mesh.elements = {{node(0), node(2), node(1)}};
@@ -134,7 +134,7 @@ TEST_CASE("verify: an inner node moved over the opposite side inverts elements a
     CHECK(codes(verify(mesh)) == Codes{"inverted-element"});
 }
 
-TEST_CASE("verify: an element without area is reported by the exact sign only") {
+TEST_CASE("verify: reports an element with zero area by the exact sign") {
     Mesh mesh;
     mesh.nodes = {{0.1, 0.1}, {0.3, 0.3}, {0.7, 0.7}}; // rounded, but all on the line x = y
     mesh.elements = {{node(0), node(1), node(2)}};
@@ -160,7 +160,7 @@ TEST_CASE("verify: an edge with three elements and two elements on one side of a
     CHECK(at(faults, {0.5, 0.0}));
 }
 
-TEST_CASE("verify: a node inside an edge it does not belong to hangs") {
+TEST_CASE("verify: a node inside an edge of another element is a hanging node") {
     Mesh mesh;
     mesh.nodes = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 1}};
     // 0-2 is one edge below, two edges above.
@@ -192,7 +192,7 @@ TEST_CASE("verify: parts that cross, cover or contain each other overlap") {
     CHECK(codes(verify(mesh)) == Codes{"overlapping"});
 }
 
-TEST_CASE("verify: a strip that winds upon itself overlaps") {
+TEST_CASE("verify: a band that winds onto itself overlaps") {
     // A strip of quadrilaterals around the origin, a bit more than one turn at constant radius.
     Mesh mesh;
     const std::size_t steps = 36;
@@ -320,7 +320,7 @@ TEST_CASE("verify: a handle contradicts Euler's formula") {
     CHECK(codes(verify(mesh)) == Codes{"euler", "overlapping"});
 }
 
-TEST_CASE("verify: nodes without elements and tagged edges that are no edges are reported") {
+TEST_CASE("verify: reports nodes without elements and tagged edges that are not edges") {
     Mesh mesh = twoTriangles();
     mesh.nodes.push_back({5, 5});
     Diagnostics faults = verify(mesh);

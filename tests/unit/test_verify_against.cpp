@@ -89,7 +89,7 @@ TEST_CASE("verifyAgainst: regions must be right on both sides of segments and un
     CHECK(after([](Case &c) { c.mesh.regions[2 * 9 + 1] = 7; }) == Codes{"wrong-region"});
 }
 
-TEST_CASE("verifyAgainst: elements must not lie outside nor lack inside") {
+TEST_CASE("verifyAgainst: elements must cover the inside and nothing else") {
     CHECK(after([](Case &c) { c.domain.segments[0].leftRegion = kOutside; }).count("element-outside") == 1);
     CHECK(after([](Case &c) { c.domain.segments[0].rightRegion = 0; }).count("missing-element") == 1);
     // A mesh with a hole the domain does not know.

@@ -54,7 +54,7 @@ Codes after(Change &&change) {
 
 } // namespace
 
-TEST_CASE("verifyAgainst domain: a mesh that cuts its segments has no fault, turned and far from the origin") {
+TEST_CASE("verifyAgainst domain: accepts a mesh that divides segments, rotated and far from the origin") {
     for (const double turn : {0.0, 0.3, 2.0}) {
         for (const Vec2 offset : {Vec2{}, Vec2{1e5, -1e5}, Vec2{123456.7, 1e5 + 0.3}}) {
             const Case c = turnedSquare(turn, offset);
@@ -64,7 +64,7 @@ TEST_CASE("verifyAgainst domain: a mesh that cuts its segments has no fault, tur
     }
 }
 
-TEST_CASE("verifyAgainst domain: a faulty domain is refused as validation refuses it") {
+TEST_CASE("verifyAgainst domain: reports the faults of an invalid domain") {
     CHECK(after([](Case &c) { c.domain.segments.pop_back(), c.domain.segments.pop_back(); }).count("open-chain") == 1);
 }
 
@@ -79,7 +79,7 @@ TEST_CASE("verifyAgainst domain: inserted nodes must lie on their segment") {
     CHECK(after([](Case &c) { c.mesh.nodes[3].y -= 1e-6; }) == Codes{"missing-segment"});
 }
 
-TEST_CASE("verifyAgainst domain: segments that the mesh lacks are named with their place") {
+TEST_CASE("verifyAgainst domain: reports missing segments with their position") {
     Case c = turnedSquare();
     c.domain.segments.push_back({0, 6, 1, SegmentRole::Constraint});
     const Diagnostics faults = verifyAgainst(c.mesh, c.domain);
@@ -132,7 +132,7 @@ TEST_CASE("verifyAgainst domain: a mesh from a format without tags is compared b
           }) == Codes{"missing-node"});
 }
 
-TEST_CASE("verifyAgainst domain: neighbouring segments at a needle's angle are told apart") {
+TEST_CASE("verifyAgainst domain: distinguishes adjacent segments at the angle of a needle") {
     // Two constraints leave node 0 at an angle of 1e-8 and are cut at different places.
     Mesh mesh;
     const double h = 1e-8;

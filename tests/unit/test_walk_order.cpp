@@ -41,7 +41,7 @@ std::vector<SlotId> all(const GenerationFront &front) {
 
 } // namespace
 
-TEST_CASE("WalkOrder: classes follow the lengths, from the least double to the greatest") {
+TEST_CASE("WalkOrder: classes follow the lengths, from the smallest double to the largest") {
     for (const bool fine : {false, true}) {
         CAPTURE(fine);
         WalkOrder order;
@@ -100,7 +100,7 @@ TEST_CASE("WalkOrder: shorter classes first, first in first out within a class, 
     }
 }
 
-TEST_CASE("WalkOrder: segments that are gone or were deferred since are skipped") {
+TEST_CASE("WalkOrder: skips segments that are gone or were deferred since") {
     GenerationFront front = saw(40, 9);
     WalkOrder order;
     order.clear(true);
@@ -119,7 +119,7 @@ TEST_CASE("WalkOrder: segments that are gone or were deferred since are skipped"
     CHECK(taken.count(deferred) == 0);
 }
 
-TEST_CASE("WalkOrder: goes back over its log exactly") {
+TEST_CASE("WalkOrder: rolls back its log exactly") {
     for (const bool fine : {false, true}) {
         const GenerationFront front = saw(200, 3);
         WalkOrder order;

@@ -49,7 +49,7 @@ constexpr Bounds kBounds[] = {
 
 } // namespace
 
-TEST_CASE("Work counters: the standard scenes cost no more work per element than they did") {
+TEST_CASE("Work counters: the standard scenes cost no more work per element than recorded") {
     for (const Bounds &bounds : kBounds) {
         const std::string scene =
             std::string(bounds.scene) +

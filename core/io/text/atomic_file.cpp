@@ -1,5 +1,7 @@
 #include "core/io/text/atomic_file.hpp"
 
+#include "core/base/cancelled.hpp"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -82,7 +84,7 @@ AtomicFile::~AtomicFile() {
 bool AtomicFile::write(std::string_view bytes) {
     while (status_.empty() && !bytes.empty()) {
         if (progress_.cancelled()) {
-            status_ = error("cancelled", "writing was cancelled");
+            status_ = cancelled("writing");
             status_.front().file = path_.string();
             break;
         }

@@ -1,4 +1,4 @@
-#include "core/improve/swap.hpp"
+#include "core/improve/edge_swap.hpp"
 
 #include "core/mesh/quality.hpp"
 
@@ -8,7 +8,7 @@ namespace forefront {
 
 namespace {
 
-/// The two elements at an edge ab: abc on its left and bad on its right.
+/// The two elements at an edge ab: abc on the left and bad on the right.
 struct Diamond {
     Diamond(const ImproveWorkspace &work, HalfEdge side)
         : h(side), g(work.twin[side]), a(work.from(h)), b(work.to(h)), c(work.apex(h)), d(work.apex(g)) {}
@@ -17,7 +17,7 @@ struct Diamond {
 };
 
 struct Shapes {
-    double before, after; ///< lesser α of the two elements; after: negative where a new element is not positive
+    double before, after; ///< lower α of the two elements; `after` is negative if a new element is not positive
 };
 
 Shapes shapes(const ImproveWorkspace &work, const Diamond &q) {
@@ -28,7 +28,7 @@ Shapes shapes(const ImproveWorkspace &work, const Diamond &q) {
     return {before, positive ? std::min(left, right) : -1.0};
 }
 
-/// What the swap gains in Σ(valence − 6)²; nodes that are held count nothing.
+/// Returns by how much a swap lowers Σ(valence − 6)² over the free nodes.
 int valenceGain(const ImproveWorkspace &work, const Diamond &q) {
     const auto change = [&work](NodeId n, int step) {
         if (!work.isFree(n)) {
@@ -40,16 +40,16 @@ int valenceGain(const ImproveWorkspace &work, const Diamond &q) {
     return change(q.a, -1) + change(q.b, -1) + change(q.c, +1) + change(q.d, +1);
 }
 
-/// Swaps must gain a little, lest rounding turns an edge to and fro.
+/// Minimum gain of a swap, so that rounding does not swap an edge back and forth.
 constexpr double kGain = 1e-9;
-/// A swap for the valences alone may lower the lesser α to this part of it.
+/// A swap for the sake of valences may lower the lower α to this part of it.
 constexpr double kNearlyAsGood = 0.6;
-/// α of half a square: where both elements are better, the other diagonal is worse.
+/// α of half a square. Where both elements are better, the other diagonal is worse.
 constexpr float kHalfSquare = 0.8661F;
 
 bool hasRoom(const ImproveWorkspace &work, const Diamond &q) {
     const auto full = [&work](NodeId n) {
-        return work.isFree(n) && work.valence[index(n)] + 1U >= ImproveWorkspace::kMostValence;
+        return work.isFree(n) && work.valence[index(n)] + 1U >= ImproveWorkspace::kMaxValence;
     };
     const auto poor = [&work](NodeId n) { return work.isFree(n) && work.valence[index(n)] <= 3; };
     return !full(q.c) && !full(q.d) && !poor(q.a) && !poor(q.b);
@@ -57,11 +57,11 @@ bool hasRoom(const ImproveWorkspace &work, const Diamond &q) {
 
 bool worthwhile(const ImproveWorkspace &work, HalfEdge h, const SwapRule &rule) {
     const bool good = std::min(work.alpha[elementOf(h)], work.alpha[elementOf(work.twin[h])]) > kHalfSquare;
-    if (good && !rule.mindValence) {
+    if (good && !rule.improveValence) {
         return false;
     }
     const Diamond q(work, h);
-    const int gain = rule.mindValence ? valenceGain(work, q) : 0;
+    const int gain = rule.improveValence ? valenceGain(work, q) : 0;
     if ((good && gain <= 0) || !hasRoom(work, q)) {
         return false;
     }
@@ -73,22 +73,22 @@ bool worthwhile(const ImproveWorkspace &work, HalfEdge h, const SwapRule &rule) 
            (gain > 0 && s.after >= rule.floor && s.after > kNearlyAsGood * s.before);
 }
 
-/// Finds the sides of an element that are worth turning. A glance at the element alone sorts out most: where its α is
-/// good the edge must gain in valence (or be found from the other side), and the gain is 2(a + b − c − d) − 4 in the
-/// excesses over 6 of free nodes, with d seldom below −2; where it is, α is poor. Held nodes have valence 0.
-void lookAt(const ImproveWorkspace &work, std::size_t e, const SwapRule &rule, std::vector<HalfEdge> &found) {
+/// Finds the sides of an element that are worth swapping. Most are ruled out by the element alone: where its α is good,
+/// a swap must gain in valence (or be found from the other side). The gain is 2(a + b − c − d) − 4 in the excesses over
+/// 6 of free nodes, and d is seldom below −2 unless α is poor. Fixed nodes have valence 0.
+void inspect(const ImproveWorkspace &work, std::size_t e, const SwapRule &rule, std::vector<HalfEdge> &found) {
     const bool poor = work.alpha[e] <= kHalfSquare;
-    if (!poor && !rule.mindValence) {
+    if (!poor && !rule.improveValence) {
         return;
     }
     const Element &n = work.mesh.elements[e];
     const int valence[3] = {work.valence[index(n[0])], work.valence[index(n[1])], work.valence[index(n[2])]};
     const int sum = valence[0] + valence[1] + valence[2];
-    const bool held = valence[0] == 0 || valence[1] == 0 || valence[2] == 0;
+    const bool anyFixed = valence[0] == 0 || valence[1] == 0 || valence[2] == 0;
     for (unsigned k = 0; k < 3; ++k) {
         const auto h = static_cast<HalfEdge>(3 * e + k);
         const HalfEdge g = work.twin[h];
-        const bool mayGain = held || sum - 2 * valence[(k + 2) % 3] > 6;
+        const bool mayGain = anyFixed || sum - 2 * valence[(k + 2) % 3] > 6;
         if ((poor || (mayGain && h < g)) && g != kNoHalfEdge && worthwhile(work, h, rule)) {
             found.push_back(h);
         }
@@ -104,7 +104,7 @@ void join(ImproveWorkspace &work, HalfEdge h, HalfEdge g) {
 
 } // namespace
 
-void turnEdge(ImproveWorkspace &work, HalfEdge h) {
+void swapEdge(ImproveWorkspace &work, HalfEdge h) {
     const Diamond q(work, h);
     const HalfEdge bc = work.twin[nextSide(q.h)], ca = work.twin[previousSide(q.h)];
     const HalfEdge ad = work.twin[nextSide(q.g)], db = work.twin[previousSide(q.g)];
@@ -129,13 +129,13 @@ void turnEdge(ImproveWorkspace &work, HalfEdge h) {
     work.alpha[f] = static_cast<float>(work.alphaOf(f));
 }
 
-bool mayTurn(const ImproveWorkspace &work, HalfEdge h) {
+bool canSwap(const ImproveWorkspace &work, HalfEdge h) {
     return work.twin[h] != kNoHalfEdge && hasRoom(work, Diamond(work, h));
 }
 
-void turnWithRings(ImproveWorkspace &work, HalfEdge h) {
+void swapEdgeAndRings(ImproveWorkspace &work, HalfEdge h) {
     const Diamond q(work, h);
-    turnEdge(work, h);
+    swapEdge(work, h);
     for (const NodeId n : {q.a, q.b, q.c, q.d}) {
         if (work.isFree(n)) {
             work.renewRing(n);
@@ -143,7 +143,7 @@ void turnWithRings(ImproveWorkspace &work, HalfEdge h) {
     }
 }
 
-void turnBack(ImproveWorkspace &work, std::size_t e, std::size_t f, const std::array<Element, 2> &before) {
+void undoSwap(ImproveWorkspace &work, std::size_t e, std::size_t f, const std::array<Element, 2> &before) {
     const auto rotateTo = [&work](std::size_t element, const Element &nodes) {
         const auto h = static_cast<HalfEdge>(3 * element);
         while (work.mesh.elements[element] != nodes) {
@@ -158,9 +158,9 @@ void turnBack(ImproveWorkspace &work, std::size_t e, std::size_t f, const std::a
             work.start[index(nodes[k])] = h + k;
         }
     };
-    // A turn puts the new diagonal at side 1 of the first element; four turns bring each element back.
-    for (int turn = 0; turn < 3; ++turn) {
-        turnEdge(work, static_cast<HalfEdge>(3 * e + 1));
+    // A swap puts the new diagonal at side 1 of the first element; four swaps restore each element.
+    for (int swap = 0; swap < 3; ++swap) {
+        swapEdge(work, static_cast<HalfEdge>(3 * e + 1));
     }
     rotateTo(e, before[0]);
     rotateTo(f, before[1]);
@@ -175,14 +175,14 @@ void turnBack(ImproveWorkspace &work, std::size_t e, std::size_t f, const std::a
     }
 }
 
-bool worthTurning(const ImproveWorkspace &work, HalfEdge h, const SwapRule &rule) {
+bool worthSwapping(const ImproveWorkspace &work, HalfEdge h, const SwapRule &rule) {
     return work.twin[h] != kNoHalfEdge && worthwhile(work, h, rule);
 }
 
-void findWorthTurning(const ImproveWorkspace &work, std::size_t begin, std::size_t end, const SwapRule &rule,
-                      std::vector<HalfEdge> &found) {
+void findWorthSwapping(const ImproveWorkspace &work, std::size_t begin, std::size_t end, const SwapRule &rule,
+                       std::vector<HalfEdge> &found) {
     for (std::size_t e = begin; e < end; ++e) {
-        lookAt(work, e, rule, found);
+        inspect(work, e, rule, found);
     }
 }
 

@@ -1,4 +1,4 @@
-#include "core/mesher/front_regions.hpp"
+#include "core/mesher/front_strips.hpp"
 
 #include "core/boundary/estimate.hpp"
 
@@ -13,13 +13,13 @@ namespace forefront {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kLeastStrips = 8.0;   ///< up to so many, one thread is soon done with all
-constexpr double kMostStrips = 16.0;   ///< enough for any number of threads
-constexpr double kTogether = 2.0;      ///< rounded up to a multiple: else one of two threads ends without work
-constexpr double kCoarse = 1.0 / 16.0; ///< of the width of a strip
+constexpr double kMinStrips = 8.0;     ///< with fewer, one thread is done soon enough
+constexpr double kMaxStrips = 16.0;    ///< enough for any number of threads
+constexpr double kMultiple = 2.0;      ///< their number is a multiple, so that two threads both have work to the end
+constexpr double kCoarse = 1.0 / 16.0; ///< segments from this part of the width of a strip on are coarse
 
-/// How the elements to come are spread along the longer side of a box: ∫ dA/ρ², by cells that are quartered where ρ
-/// differs much. Strips may be uneven where small spacing hides from the samples; that costs time, nothing else.
+/// The distribution of the expected elements along the longer side of a box: ∫ dA/ρ², by cells that are quartered where
+/// ρ varies. Small spacing that the samples miss makes strips uneven, which costs time and nothing else.
 class ElementProfile {
   public:
     ElementProfile(const Box2 &box, const SpacingField &spacing) : box_(box), spacing_(spacing) {
@@ -39,7 +39,7 @@ class ElementProfile {
         }
     }
 
-    /// Places that cut the side into `strips` with equal shares, rising; ends not among them.
+    /// Returns the places, ascending, that cut the side into `strips` parts with equal shares.
     std::vector<double> cuts(int strips) const {
         double sum = 0.0;
         for (const double share : shares_) {
@@ -71,14 +71,14 @@ class ElementProfile {
     void add(Vec2 centre, Vec2 half, double rho, int depth) {
         std::array<Vec2, 4> centres{};
         std::array<double, 4> rhos{};
-        double least = rho, greatest = rho;
+        double min = rho, max = rho;
         for (unsigned k = 0; k < 4; ++k) {
             centres[k] = centre + Vec2{(k % 2 != 0 ? 0.5 : -0.5) * half.x, (k / 2 != 0 ? 0.5 : -0.5) * half.y};
             rhos[k] = spacing_.at(centres[k]);
-            least = std::min(least, rhos[k]);
-            greatest = std::max(greatest, rhos[k]);
+            min = std::min(min, rhos[k]);
+            max = std::max(max, rhos[k]);
         }
-        if (depth > 0 && greatest > 1.3 * least && left_ > 0) {
+        if (depth > 0 && max > 1.3 * min && left_ > 0) {
             --left_;
             for (unsigned k = 0; k < 4; ++k) {
                 add(centres[k], 0.5 * half, rhos[k], depth - 1);
@@ -94,7 +94,7 @@ class ElementProfile {
     Box2 box_;
     const SpacingField &spacing_;
     bool alongX_ = true;
-    int left_ = 50'000; ///< cells that may still be quartered: some milliseconds in all
+    int left_ = 50'000; ///< cells that may still be quartered, which takes some milliseconds in all
     std::array<double, kBins> shares_{};
 };
 
@@ -104,25 +104,24 @@ Box2 strip(bool alongX, double from, double to) {
 
 } // namespace
 
-FrontRegions::FrontRegions() : phases{0, 1} {
+FrontStrips::FrontStrips() : phases{0, 1} {
     boxes.push_back({{-kInfinity, -kInfinity}, {kInfinity, kInfinity}});
 }
 
-FrontRegions::FrontRegions(const DiscreteDomain &domain, const SpacingField &spacing, double perStrip)
-    : FrontRegions() {
+FrontStrips::FrontStrips(const DiscreteDomain &domain, const SpacingField &spacing, double perStrip) : FrontStrips() {
     const Box2 box = domain.bounds();
-    // No more than the least spacing would give: spares most domains the estimate.
-    const double most = domain.area() * 4.0 / (std::numbers::sqrt3 * spacing.minimum() * spacing.minimum());
-    if (!(most > kLeastStrips * perStrip)) {
+    // The minimum spacing gives an upper bound, which spares most domains the estimate.
+    const double maxElements = domain.area() * 4.0 / (std::numbers::sqrt3 * spacing.minimum() * spacing.minimum());
+    if (!(maxElements > kMinStrips * perStrip)) {
         return;
     }
     const double elements =
         domain.estimatedElements > 0.0 ? domain.estimatedElements : estimateElements(domain, spacing);
-    if (!(elements > kLeastStrips * perStrip)) {
+    if (!(elements > kMinStrips * perStrip)) {
         return;
     }
     const ElementProfile profile(box, spacing);
-    const double strips = kTogether * std::ceil(std::min(kMostStrips, elements / perStrip) / kTogether);
+    const double strips = kMultiple * std::ceil(std::min(kMaxStrips, elements / perStrip) / kMultiple);
     const std::vector<double> cuts = profile.cuts(static_cast<int>(strips));
     if (cuts.empty()) {
         return;
@@ -132,11 +131,11 @@ FrontRegions::FrontRegions(const DiscreteDomain &domain, const SpacingField &spa
     double from = -kInfinity;
     for (const double cut : cuts) {
         boxes.push_back(strip(profile.alongX(), from, cut));
-        leastCoarse.push_back(kCoarse * (cut - std::max(from, low)));
+        minCoarse.push_back(kCoarse * (cut - std::max(from, low)));
         from = cut;
     }
     boxes.push_back(strip(profile.alongX(), from, kInfinity));
-    leastCoarse.push_back(kCoarse * (high - from));
+    minCoarse.push_back(kCoarse * (high - from));
     phases.push_back(boxes.size());
     for (std::size_t k = 0; k < cuts.size(); ++k) { // from the middle of one strip to the middle of the next
         const double left = k == 0 ? -kInfinity : 0.5 * (cuts[k - 1] + cuts[k]);

@@ -3,7 +3,7 @@
 #include "core/mesher/fast_advancer.hpp"
 #include "core/mesher/mesher.hpp"
 #include "core/mesher/pipeline.hpp"
-#include "core/mesher/region_runner.hpp"
+#include "core/mesher/strip_runner.hpp"
 #include "tests/support/discrete_samples.hpp"
 #include "tests/support/random_domains.hpp"
 
@@ -22,10 +22,10 @@ class StripRun {
         FastAdvancer<HierarchicalGrid, NoTrace>::prepare(state_, *job.boundary, *job.spacing, perStrip);
     }
 
-    std::size_t regions() const { return state_.regions->boxes.size(); }
+    std::size_t strips() const { return state_.strips->boxes.size(); }
 
     void together(unsigned threads) {
-        CHECK(runRegions(state_, *job_.spacing, slack_, threads, {}, job_.estimatedElements));
+        CHECK(runStrips(state_, *job_.spacing, slack_, threads, {}, job_.estimatedElements));
         CHECK(state_.front.consistent());
         inThem_ = state_.elements.size();
     }
@@ -58,32 +58,32 @@ class StripRun {
 
 } // namespace
 
-TEST_CASE("FrontRegions: few elements make one region, many make strips that cover the plane and their seams") {
+TEST_CASE("FrontStrips: few elements make one strip, many make strips that cover the plane and their seams") {
     const auto domain = discreteDisc(0.05);
     const auto spacing = spacingOf([](Vec2) { return 0.05; });
-    CHECK(FrontRegions(*domain, *spacing, FrontRegions::kPerStrip).boxes.size() == 1);
-    const FrontRegions regions(*domain, *spacing, 200.0);
-    REQUIRE(regions.phases.size() == 5);
-    CHECK(regions.phases[1] == 1);
-    const std::size_t strips = regions.phases[2] - regions.phases[1];
+    CHECK(FrontStrips(*domain, *spacing, FrontStrips::kPerStrip).boxes.size() == 1);
+    const FrontStrips strips(*domain, *spacing, 200.0);
+    REQUIRE(strips.phases.size() == 5);
+    CHECK(strips.phases[1] == 1);
+    const std::size_t strips = strips.phases[2] - strips.phases[1];
     CHECK(strips >= 8);
     for (const double perStrip : {150.0, 200.0, 230.0, 260.0, 300.0, 350.0}) {
-        const FrontRegions some(*domain, *spacing, perStrip);
+        const FrontStrips some(*domain, *spacing, perStrip);
         CHECK((some.phases.size() < 5 || (some.phases[2] - some.phases[1]) % 2 == 0));
     }
-    CHECK(regions.phases[3] - regions.phases[2] == strips - 1);
+    CHECK(strips.phases[3] - strips.phases[2] == strips - 1);
     for (double x = -1.0; x < 1.0; x += 0.01) {
         for (std::size_t phase = 0; phase < 4; ++phase) {
             std::size_t holding = 0;
-            for (std::size_t k = regions.phases[phase]; k < regions.phases[phase + 1]; ++k) {
-                holding += holds(regions.boxes[k], Vec2{x, 0.0}) ? 1U : 0U;
+            for (std::size_t k = strips.phases[phase]; k < strips.phases[phase + 1]; ++k) {
+                holding += holds(strips.boxes[k], Vec2{x, 0.0}) ? 1U : 0U;
             }
             REQUIRE(holding == 1);
         }
     }
 }
 
-TEST_CASE("runRegions: the same mesh and work one after the other and on 1, 2, 3 and 8 threads") {
+TEST_CASE("runStrips: the same mesh and work in sequence and on 1, 2, 3 and 8 threads") {
     std::size_t split = 0;
     for (std::uint64_t seed = 300; seed < 340; ++seed) {
         CAPTURE(seed);
@@ -109,7 +109,7 @@ TEST_CASE("runRegions: the same mesh and work one after the other and on 1, 2, 3
     CHECK(split > 10'000);
 }
 
-TEST_CASE("runRegions: strips of a large mesh leave little to the end, and can be cancelled") {
+TEST_CASE("runStrips: strips of a large mesh leave little to the end, and can be cancelled") {
     MeshingJob job;
     job.domain.nodes = {{0, 0}, {2, 0}, {2, 1}, {0, 1}};
     job.domain.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
@@ -117,7 +117,7 @@ TEST_CASE("runRegions: strips of a large mesh leave little to the end, and can b
     const Result<PreparedJob> prepared = prepare(job);
     REQUIRE(prepared);
     StripRun run(*prepared, 6000.0);
-    REQUIRE(run.regions() > 16);
+    REQUIRE(run.strips() > 16);
     run.together(2);
     const std::size_t before = run.elementsInStrips();
     const Mesh mesh = run.finish();
@@ -130,17 +130,17 @@ TEST_CASE("runRegions: strips of a large mesh leave little to the end, and can b
     stop.request_stop();
     FrontState state(*prepared->boundary);
     FastAdvancer<HierarchicalGrid, NoTrace>::prepare(state, *prepared->boundary, *prepared->spacing, 6000.0);
-    CHECK_FALSE(runRegions(state, *prepared->spacing, gridSlack(prepared->boundary->bounds()), 2, progress, 1e5));
+    CHECK_FALSE(runStrips(state, *prepared->spacing, gridSlack(prepared->boundary->bounds()), 2, progress, 1e5));
 }
 
-TEST_CASE("FrontRegions: advances back through the regions lead to the same states") {
+TEST_CASE("FrontStrips: stepping back through the strips restores every state") {
     const auto domain = discreteDisc(0.05);
     const auto spacing = spacingOf([](Vec2) { return 0.05; });
     FrontState state(*domain);
     HierarchicalGrid grid(domain->bounds(), gridSlack(domain->bounds()), 4.0);
     using Advancer = FastAdvancer<HierarchicalGrid, NoTrace>;
     Advancer::prepare(state, *domain, *spacing, 150.0);
-    REQUIRE(state.regions->boxes.size() > 8);
+    REQUIRE(state.strips->boxes.size() > 8);
     for (std::uint32_t i = 0; i < state.front.capacity(); ++i) {
         grid.insert(state.front, SlotId{i});
     }
@@ -151,7 +151,7 @@ TEST_CASE("FrontRegions: advances back through the regions lead to the same stat
     for (AdvanceDelta delta; advancer.advance(delta); deltas.push_back(delta)) {
         states.push_back(state.hash());
     }
-    CHECK(state.region + 1 == state.regions->boxes.size());
+    CHECK(state.strip + 1 == state.strips->boxes.size());
     for (std::size_t k = deltas.size(); k-- > 0;) {
         advancer.retreat(deltas[k]);
         REQUIRE(state.hash() == states[k]);

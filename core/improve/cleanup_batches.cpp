@@ -1,4 +1,4 @@
-#include "core/improve/patches.hpp"
+#include "core/improve/cleanup_batches.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -7,7 +7,7 @@ namespace forefront {
 
 namespace {
 
-/// Nodes of which the repair of an element may read the place: those of the elements around all nodes it may move.
+/// The nodes whose positions the cleanup of an element may read: those of the elements around all nodes it may move.
 class Patch {
   public:
     void take(const ImproveWorkspace &work, std::size_t e) {
@@ -20,7 +20,7 @@ class Patch {
             }
         }
     }
-    std::vector<NodeId> nodes; ///< some more than once
+    std::vector<NodeId> nodes; ///< with repeats
 
   private:
     void add(const ImproveWorkspace &work, NodeId n) {
@@ -33,12 +33,12 @@ class Patch {
 
 } // namespace
 
-RepairBatches::RepairBatches(const ImproveWorkspace &work, const std::vector<std::uint32_t> &elements)
+CleanupBatches::CleanupBatches(const ImproveWorkspace &work, const std::vector<std::uint32_t> &elements)
     : work_(work), elements_(elements), waiting_(elements.size()), claimed_(work.mesh.nodes.size(), 0) {
     std::iota(waiting_.begin(), waiting_.end(), 0U);
 }
 
-std::vector<std::uint32_t> RepairBatches::next() {
+std::vector<std::uint32_t> CleanupBatches::next() {
     std::vector<std::uint32_t> batch, later;
     ++batch_;
     Patch patch;

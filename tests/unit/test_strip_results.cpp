@@ -1,5 +1,5 @@
 #include "core/base/thread_pool.hpp"
-#include "core/mesher/region_results.hpp"
+#include "core/mesher/strip_results.hpp"
 
 #include <doctest/doctest.h>
 
@@ -14,14 +14,14 @@ using namespace forefront;
 
 namespace {
 
-constexpr std::size_t kRegions = 6;
+constexpr std::size_t kStrips = 6;
 
-/// A whole of four nodes and as many regions with nodes, elements and faces by chance.
+/// A whole of four nodes and as many strips with nodes, elements and faces by chance.
 struct Sample {
     explicit Sample(std::uint64_t seed, bool manyFaces) : whole(square(manyFaces)) {
         std::mt19937_64 random(seed);
-        states.reserve(kRegions);
-        for (std::size_t k = 0; k < kRegions; ++k) {
+        states.reserve(kStrips);
+        for (std::size_t k = 0; k < kStrips; ++k) {
             FrontState &state = states.emplace_back(whole, GenerationFront{}, 1, 4);
             const std::size_t nodes = random() % 40;
             for (std::size_t n = 0; n < nodes; ++n) {
@@ -32,7 +32,7 @@ struct Sample {
                 const auto any = [&] { return NodeId{static_cast<std::uint32_t>(random() % (4 + nodes))}; };
                 state.elements.push_back({any(), any(), any()});
                 if (manyFaces) {
-                    state.elementRegions.push_back(static_cast<std::uint32_t>(random() % 2));
+                    state.elementFaces.push_back(static_cast<std::uint32_t>(random() % 2));
                 }
             }
         }
@@ -52,7 +52,7 @@ struct Sample {
     std::vector<FrontState> states;
 };
 
-/// The plain way, one region after the other.
+/// The plain way, one strip after the other.
 FrontState expected(const Sample &sample) {
     FrontState whole = sample.whole;
     for (const FrontState &state : sample.states) {
@@ -64,18 +64,17 @@ FrontState expected(const Sample &sample) {
             }
             whole.elements.push_back(e);
         }
-        whole.elementRegions.insert(whole.elementRegions.end(), state.elementRegions.begin(),
-                                    state.elementRegions.end());
+        whole.elementFaces.insert(whole.elementFaces.end(), state.elementFaces.begin(), state.elementFaces.end());
     }
     return whole;
 }
 
-void check(const Sample &sample, const FrontState &wanted, const RegionResults &results) {
+void check(const Sample &sample, const FrontState &wanted, const StripResults &results) {
     CHECK(sample.whole.nodes == wanted.nodes);
     CHECK(sample.whole.elements == wanted.elements);
-    CHECK(sample.whole.elementRegions == wanted.elementRegions);
+    CHECK(sample.whole.elementFaces == wanted.elementFaces);
     CHECK(results.firstNew() == 4);
-    for (std::size_t k = 0, nodes = 0; k < kRegions; ++k) {
+    for (std::size_t k = 0, nodes = 0; k < kStrips; ++k) {
         CHECK(results.shift(k) == nodes);
         CHECK(sample.states[k].nodes.capacity() == 0);
         CHECK(sample.states[k].elements.capacity() == 0);
@@ -87,19 +86,20 @@ void check(const Sample &sample, const FrontState &wanted, const RegionResults &
 
 } // namespace
 
-TEST_CASE("RegionResults: the whole is the same in whichever order regions finish, and grows as soon as it can") {
+TEST_CASE(
+    "StripResults: the whole does not depend on the order in which strips finish, and grows as early as possible") {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         CAPTURE(seed);
         Sample sample(seed, seed % 2 == 0);
         const FrontState wanted = expected(sample);
-        std::vector<std::size_t> order(kRegions), ends(kRegions + 1, 0);
-        for (std::size_t k = 0; k < kRegions; ++k) {
+        std::vector<std::size_t> order(kStrips), ends(kStrips + 1, 0);
+        for (std::size_t k = 0; k < kStrips; ++k) {
             ends[k + 1] = ends[k] + sample.states[k].elements.size();
         }
         std::iota(order.begin(), order.end(), std::size_t{0});
         std::shuffle(order.begin(), order.end(), std::mt19937_64(seed));
-        RegionResults results(sample.whole, kRegions);
-        std::array<bool, kRegions> done{};
+        StripResults results(sample.whole, kStrips);
+        std::array<bool, kStrips> done{};
         for (const std::size_t k : order) {
             results.finished(k, sample.states[k]);
             done[k] = true;
@@ -110,15 +110,15 @@ TEST_CASE("RegionResults: the whole is the same in whichever order regions finis
     }
 }
 
-TEST_CASE("RegionResults: the whole is the same when threads finish regions at the same time") {
+TEST_CASE("StripResults: the whole is the same when threads finish strips at the same time") {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         CAPTURE(seed);
         Sample sample(seed, seed % 2 == 0);
         const FrontState wanted = expected(sample);
-        RegionResults results(sample.whole, kRegions);
+        StripResults results(sample.whole, kStrips);
         ThreadPool pool(3);
         std::atomic<unsigned> waiting = 0;
-        pool.run(kRegions, [&](std::size_t k, unsigned) {
+        pool.run(kStrips, [&](std::size_t k, unsigned) {
             const unsigned round = static_cast<unsigned>(k) / pool.threads(); // all threads go at once
             for (++waiting; waiting < (round + 1) * pool.threads();) {
                 std::this_thread::yield();

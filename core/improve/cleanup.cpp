@@ -1,8 +1,8 @@
-#include "core/improve/repair.hpp"
+#include "core/improve/cleanup.hpp"
 
-#include "core/improve/patches.hpp"
+#include "core/improve/cleanup_batches.hpp"
+#include "core/improve/edge_swap.hpp"
 #include "core/improve/shape_measure.hpp"
-#include "core/improve/swap.hpp"
 #include "core/mesh/quality.hpp"
 
 #include <algorithm>
@@ -11,12 +11,11 @@ namespace forefront {
 
 namespace {
 
-/// A free node's surroundings, copied: elements[i] is the node, nodes[i], nodes[i+1].
+/// A copy of the surroundings of a free node. Element i has the node, nodes[i] and nodes[i+1].
 struct Surroundings {
-    std::array<Vec2, ImproveWorkspace::kMostValence + 1>
-        nodes;                                                ///< relative to where the node was; the first again last
-    std::array<double, ImproveWorkspace::kMostValence> sides; ///< squared length of the side opposite the node
-    std::array<std::uint32_t, ImproveWorkspace::kMostValence> elements;
+    std::array<Vec2, ImproveWorkspace::kMaxValence + 1> nodes; ///< relative to where the node was; the first again last
+    std::array<double, ImproveWorkspace::kMaxValence> sides;   ///< squared length of the side opposite the node
+    std::array<std::uint32_t, ImproveWorkspace::kMaxValence> elements;
     std::size_t count = 0;
     double reach = 0.0; ///< distance of the farthest node
 
@@ -37,12 +36,13 @@ struct Surroundings {
     }
 };
 
-/// Repairs single elements; one for each thread.
-class Mender {
+/// Cleans up single elements. Each thread has its own.
+class ElementCleanup {
   public:
-    Mender(ImproveWorkspace &work, const ShapeMeasure &measure, double leastAlpha)
-        : work_(work), measure_(measure), leastAlpha_(leastAlpha) {}
+    ElementCleanup(ImproveWorkspace &work, const ShapeMeasure &measure, double minAlpha)
+        : work_(work), measure_(measure), minAlpha_(minAlpha) {}
 
+    /// Returns true if an element misses the goal.
     bool misses(std::size_t e) const {
         if (work_.alpha[e] >= measure_.surelyGood()) {
             return false;
@@ -50,21 +50,21 @@ class Mender {
         return of(work_.mesh.elements[e]) < 1.0;
     }
 
-    /// True if something changed.
-    bool mend(std::size_t e, bool alsoAround) {
+    /// Cleans up an element and, if `alsoAround`, its surroundings. Returns true if something changed.
+    bool cleanUp(std::size_t e, bool alsoAround) {
         thorough_ = alsoAround;
-        const bool turned = turn(e);
-        bool changed = turned;
+        const bool swapped = swapBestSide(e);
+        bool changed = swapped;
         const Element nodes = work_.mesh.elements[e];
         for (const NodeId n : nodes) {
             changed = move(n) || changed;
         }
-        // After a turn, the nodes across are others than those that the batch has claimed: more in the next round.
-        if (!alsoAround || turned || !misses(e)) {
+        // After a swap, the nodes across are not those that the batch claimed; the rest follows in the next round.
+        if (!alsoAround || swapped || !misses(e)) {
             return changed;
         }
         for (unsigned k = 0; k < 3; ++k) {
-            if (turnAndMove(static_cast<HalfEdge>(3 * e + k))) {
+            if (swapAndMove(static_cast<HalfEdge>(3 * e + k))) {
                 return true;
             }
         }
@@ -82,19 +82,19 @@ class Mender {
         return changed;
     }
 
-    RepairCounts counts;
+    CleanupCounts counts;
 
   private:
     double of(const Element &n) const { return measure_(work_.at(n[0]), work_.at(n[1]), work_.at(n[2])); }
 
-    /// Turns the side that gains most.
-    bool turn(std::size_t e) {
+    /// Swaps the side with the largest gain, if any gains. Returns true if one was swapped.
+    bool swapBestSide(std::size_t e) {
         HalfEdge best = kNoHalfEdge;
         double bestGain = 1e-6;
         for (unsigned k = 0; k < 3; ++k) {
             const auto h = static_cast<HalfEdge>(3 * e + k);
             const HalfEdge g = work_.twin[h];
-            if (g == kNoHalfEdge || !mayTurn(work_, h)) {
+            if (g == kNoHalfEdge || !canSwap(work_, h)) {
                 continue;
             }
             const NodeId a = work_.from(h), b = work_.to(h), c = work_.apex(h), d = work_.apex(g);
@@ -108,21 +108,21 @@ class Mender {
         if (best == kNoHalfEdge) {
             return false;
         }
-        turnWithRings(work_, best);
+        swapEdgeAndRings(work_, best);
         ++counts.swaps;
         return true;
     }
 
-    /// Turns an edge though that alone is no gain, and lets its nodes look for their best places. All is taken back
-    /// where it does not pay.
-    bool turnAndMove(HalfEdge h) {
-        if (!mayTurn(work_, h)) {
+    /// Swaps an edge although that alone gains nothing, and moves its nodes to their best positions. Undoes everything
+    /// if the result is no better.
+    bool swapAndMove(HalfEdge h) {
+        if (!canSwap(work_, h)) {
             return false;
         }
         const HalfEdge g = work_.twin[h];
         const std::array<NodeId, 4> nodes = {work_.from(h), work_.to(h), work_.apex(h), work_.apex(g)};
         const std::size_t e = elementOf(h), f = elementOf(g);
-        if (!(std::min(alpha(nodes[0], nodes[3], nodes[2]), alpha(nodes[3], nodes[1], nodes[2])) > kFlattest)) {
+        if (!(std::min(alpha(nodes[0], nodes[3], nodes[2]), alpha(nodes[3], nodes[1], nodes[2])) > kMinAlphaOnTheWay)) {
             return false;
         }
         std::array<Vec2, 4> places;
@@ -130,23 +130,23 @@ class Mender {
             places[i] = work_.at(nodes[i]);
         }
         const std::array<Element, 2> before = {work_.mesh.elements[e], work_.mesh.elements[f]};
-        const RepairCounts countsBefore = counts;
-        const auto [measure, least] = worstAround(nodes, e, f);
-        turnWithRings(work_, h);
+        const CleanupCounts countsBefore = counts;
+        const auto [measure, alphaBefore] = worstAround(nodes, e, f);
+        swapEdgeAndRings(work_, h);
         for (int pass = 0; pass < kPasses; ++pass) {
             for (const NodeId n : {nodes[2], nodes[3], nodes[0], nodes[1]}) {
                 move(n);
             }
         }
-        const auto [measureNow, leastNow] = worstAround(nodes, e, f);
-        if (measureNow > measure + 1e-3 && leastNow >= std::min(least, leastAlpha_)) {
+        const auto [measureAfter, alphaAfter] = worstAround(nodes, e, f);
+        if (measureAfter > measure + 1e-3 && alphaAfter >= std::min(alphaBefore, minAlpha_)) {
             ++counts.swaps;
             return true;
         }
         for (std::size_t i = 0; i < 4; ++i) {
             work_.mesh.nodes[index(nodes[i])] = places[i];
         }
-        turnBack(work_, e, f, before);
+        undoSwap(work_, e, f, before);
         for (const NodeId n : nodes) {
             if (work_.isFree(n)) {
                 work_.aroundFree(n, [&](HalfEdge k) { renewAlpha(elementOf(k)); });
@@ -161,7 +161,7 @@ class Mender {
     struct Worst {
         double measure, alpha;
     };
-    /// Of two elements and those around four nodes.
+    /// Returns the worst measure and α of two elements and of those around four nodes.
     Worst worstAround(const std::array<NodeId, 4> &nodes, std::size_t e, std::size_t f) const {
         Worst worst{1e300, 1e300};
         const auto look = [&](std::size_t element) {
@@ -180,23 +180,25 @@ class Mender {
 
     double alpha(NodeId a, NodeId b, NodeId c) const { return shapeFactor(work_.at(a), work_.at(b), work_.at(c)); }
     bool staysAbove(double after, std::size_t e, std::size_t f) const {
-        return after > kCertainAlpha && (after >= leastAlpha_ || after > std::min(work_.alphaOf(e), work_.alphaOf(f)));
+        return after > kCertainAlpha && (after >= minAlpha_ || after > std::min(work_.alphaOf(e), work_.alphaOf(f)));
     }
 
-    /// Least measure of the surroundings with the node at p; looks first at the element that was too bad last.
+    /// Returns the minimum measure of the surroundings with the node at p, or any measure that is not above
+    /// `giveUpBelow`. Starts with the element that ended the last search.
     double at(Vec2 p, double giveUpBelow) {
-        double least = 1e300;
+        double minimum = 1e300;
         for (std::size_t i = first_, n = 0; n < around_.count; ++n, i = i + 1 < around_.count ? i + 1 : 0) {
-            least = std::min(least, measure_.of(around_.nodes[i] - p, around_.nodes[i + 1] - p, around_.sides[i]));
-            if (least <= giveUpBelow) {
+            minimum = std::min(minimum, measure_.of(around_.nodes[i] - p, around_.nodes[i + 1] - p, around_.sides[i]));
+            if (minimum <= giveUpBelow) {
                 first_ = i;
                 break;
             }
         }
-        return least;
+        return minimum;
     }
 
-    /// Moves the node where the worst around it is best, as far as a pattern of eight directions finds that.
+    /// Moves the node by a pattern search in eight directions so that the worst element around it gets better. Returns
+    /// true if it moved.
     bool move(NodeId node) {
         if (!work_.isFree(node)) {
             return false;
@@ -211,17 +213,17 @@ class Mender {
                                      {-kDiagonal, -kDiagonal},
                                      {kDiagonal, -kDiagonal}};
         constexpr double kFirstStep = 0.16;
-        const int mostTries = thorough_ ? 60 : 24;
-        const double smallestStep = thorough_ ? 0.0005 : 0.008;
+        const int maxTries = thorough_ ? 60 : 24;
+        const double minStep = thorough_ ? 0.0005 : 0.008;
         around_.take(work_, node);
         first_ = 0;
         Vec2 best;
         double bestMeasure = at(best, -1e300);
         if (bestMeasure >= 1.0) {
-            return false; // nothing to gain for the worst
+            return false; // all elements around it meet the goal
         }
         double step = kFirstStep;
-        for (int tries = 0; tries < mostTries && step > smallestStep && bestMeasure < kEnough; ++tries) {
+        for (int tries = 0; tries < maxTries && step > minStep && bestMeasure < kEnough; ++tries) {
             const Vec2 from = best;
             for (const Vec2 direction : kPattern) {
                 const Vec2 p = from + (step * around_.reach) * direction;
@@ -238,17 +240,17 @@ class Mender {
         return !(best == Vec2{}) && place(node, best);
     }
 
-    /// Moves the node unless that breaks a promise about α, which is given in terms of shapeFactor.
+    /// Moves the node unless that makes an α, as shapeFactor computes it, fall too low. Returns true if it moved.
     bool place(NodeId node, Vec2 by) {
         const Vec2 before = work_.at(node);
-        std::array<double, ImproveWorkspace::kMostValence> was;
+        std::array<double, ImproveWorkspace::kMaxValence> was;
         for (std::size_t i = 0; i < around_.count; ++i) {
             was[i] = work_.alphaOf(around_.elements[i]);
         }
         work_.mesh.nodes[index(node)] = before + by;
         for (std::size_t i = 0; i < around_.count; ++i) {
             const double is = work_.alphaOf(around_.elements[i]);
-            if (!(is > kCertainAlpha) || (is < leastAlpha_ && is < was[i])) {
+            if (!(is > kCertainAlpha) || (is < minAlpha_ && is < was[i])) {
                 work_.mesh.nodes[index(node)] = before;
                 return false;
             }
@@ -260,48 +262,49 @@ class Mender {
         return true;
     }
 
-    /// A little beyond the goal the search ends.
+    /// The search ends slightly beyond the goal.
     static constexpr double kEnough = 1.02;
     static constexpr int kPasses = 2;
-    /// Elements are not made flatter than this even in passing.
-    static constexpr double kFlattest = 0.05;
+    /// Minimum α of elements, even between two steps of a change.
+    static constexpr double kMinAlphaOnTheWay = 0.05;
 
     ImproveWorkspace &work_;
     const ShapeMeasure &measure_;
-    double leastAlpha_;
+    double minAlpha_;
     Surroundings around_;
     std::size_t first_ = 0;
-    bool thorough_ = false; ///< the search goes on to small steps
+    bool thorough_ = false; ///< search with smaller steps
 };
 
-class Repair {
+class Cleanup {
   public:
-    Repair(ImproveWorkspace &work, const ShapeGoal &goal, double leastAlpha)
+    Cleanup(ImproveWorkspace &work, const ShapeGoal &goal, double minAlpha)
         : work_(work), measure_(goal), rounds_(goal.rounds) {
         for (unsigned thread = 0; thread < work.pool.threads(); ++thread) {
-            menders_.emplace_back(work, measure_, leastAlpha);
+            cleanups_.emplace_back(work, measure_, minAlpha);
         }
     }
 
-    RepairCounts run(const Progress &progress) {
+    CleanupCounts run(const Progress &progress) {
         std::vector<std::uint32_t> bad = findBad();
         for (int round = 0; round < rounds_ && !bad.empty() && !progress.cancelled(); ++round) {
             std::vector<std::uint8_t> changed(bad.size(), 0);
-            RepairBatches batches(work_, bad);
+            CleanupBatches batches(work_, bad);
             for (auto batch = batches.next(); !batch.empty() && !progress.cancelled(); batch = batches.next()) {
                 constexpr std::size_t kAtOnce = 64;
                 work_.pool.run((batch.size() + kAtOnce - 1) / kAtOnce, [&](std::size_t task, unsigned thread) {
                     for (std::size_t i = task * kAtOnce;
                          i < std::min(batch.size(), (task + 1) * kAtOnce) && !progress.cancelled(); ++i) {
                         const std::uint32_t e = bad[batch[i]];
-                        changed[batch[i]] = menders_[thread].misses(e) && menders_[thread].mend(e, round > 0) ? 1 : 0;
+                        changed[batch[i]] =
+                            cleanups_[thread].misses(e) && cleanups_[thread].cleanUp(e, round > 0) ? 1 : 0;
                     }
                 });
             }
             bad = stillBad(bad, changed);
         }
-        RepairCounts counts;
-        for (const Mender &mender : menders_) {
+        CleanupCounts counts;
+        for (const ElementCleanup &mender : cleanups_) {
             counts.swaps += mender.counts.swaps;
             counts.moves += mender.counts.moves;
         }
@@ -317,7 +320,7 @@ class Repair {
         work_.pool.forChunks(count, ImproveWorkspace::kChunk,
                              [&](std::size_t begin, std::size_t end, std::size_t chunk) {
                                  for (std::size_t e = begin; e < end; ++e) {
-                                     if (menders_.front().misses(e)) {
+                                     if (cleanups_.front().misses(e)) {
                                          found[chunk].push_back(static_cast<std::uint32_t>(e));
                                      }
                                  }
@@ -329,12 +332,13 @@ class Repair {
         return all;
     }
 
-    /// Of the elements repaired and, where something changed, those around the nodes that may have moved.
+    /// Returns the elements that miss the goal, of those cleaned up and, where something changed, of those around the
+    /// nodes that may have moved.
     std::vector<std::uint32_t> stillBad(const std::vector<std::uint32_t> &bad,
                                         const std::vector<std::uint8_t> &changed) {
         std::vector<std::uint32_t> next;
         const auto keep = [&](std::size_t e) {
-            if (menders_.front().misses(e)) {
+            if (cleanups_.front().misses(e)) {
                 next.push_back(static_cast<std::uint32_t>(e));
             }
         };
@@ -362,13 +366,13 @@ class Repair {
     ImproveWorkspace &work_;
     ShapeMeasure measure_;
     int rounds_;
-    std::vector<Mender> menders_;
+    std::vector<ElementCleanup> cleanups_;
 };
 
 } // namespace
 
-RepairCounts repairWorst(ImproveWorkspace &work, const ShapeGoal &goal, double leastAlpha, const Progress &progress) {
-    return Repair(work, goal, leastAlpha).run(progress);
+CleanupCounts cleanUpWorst(ImproveWorkspace &work, const ShapeGoal &goal, double minAlpha, const Progress &progress) {
+    return Cleanup(work, goal, minAlpha).run(progress);
 }
 
 } // namespace forefront

@@ -1,15 +1,15 @@
-#include "core/mesher/region_results.hpp"
+#include "core/mesher/strip_results.hpp"
 
 namespace forefront {
 
-RegionResults::RegionResults(FrontState &whole, std::size_t regions)
-    : whole_(whole), firstNew_(static_cast<std::uint32_t>(whole.nodes.size())), shifts_(regions), finished_(regions) {}
+StripResults::StripResults(FrontState &whole, std::size_t strips)
+    : whole_(whole), firstNew_(static_cast<std::uint32_t>(whole.nodes.size())), shifts_(strips), finished_(strips) {}
 
-void RegionResults::finished(std::size_t k, FrontState &state) {
+void StripResults::finished(std::size_t k, FrontState &state) {
     std::unique_lock lock(mutex_);
     finished_[k] = &state;
     if (taking_) {
-        return; // that thread will see it
+        return; // that thread merges this strip, too
     }
     taking_ = true;
     for (; next_ < finished_.size() && finished_[next_] != nullptr; ++next_) {
@@ -22,7 +22,7 @@ void RegionResults::finished(std::size_t k, FrontState &state) {
     taking_ = false;
 }
 
-void RegionResults::take(std::size_t k, FrontState &from) {
+void StripResults::take(std::size_t k, FrontState &from) {
     const std::uint32_t first = firstNew_, shift = static_cast<std::uint32_t>(whole_.nodes.size()) - first;
     shifts_[k] = shift;
     for (Element &element : from.elements) {
@@ -32,11 +32,11 @@ void RegionResults::take(std::size_t k, FrontState &from) {
     }
     const auto append = []<class T>(std::vector<T> &to, std::vector<T> &added) {
         to.insert(to.end(), added.begin(), added.end());
-        added = std::vector<T>(); // gives its memory back, other than = {}
+        added = std::vector<T>(); // releases its memory, which = {} does not
     };
     append(whole_.nodes, from.nodes);
     append(whole_.elements, from.elements);
-    append(whole_.elementRegions, from.elementRegions);
+    append(whole_.elementFaces, from.elementFaces);
 }
 
 } // namespace forefront

@@ -9,7 +9,7 @@ namespace forefront {
 
 /// Equal cells in columns x rows over a box. Points outside belong to the nearest cell, so nothing is ever lost at the
 /// rim.
-struct Lattice {
+struct CellLayout {
     Vec2 origin;
     double cellWidth = 1.0;
     double cellHeight = 1.0;
@@ -19,9 +19,9 @@ struct Lattice {
     double perWidth = 1.0; ///< 1 / cellWidth
     double perHeight = 1.0;
 
-    Lattice() = default;
+    CellLayout() = default;
     /// `size`: of one cell.
-    Lattice(Vec2 low, Vec2 size, int columnCount, int rowCount)
+    CellLayout(Vec2 low, Vec2 size, int columnCount, int rowCount)
         : origin(low), cellWidth(size.x), cellHeight(size.y), columns(columnCount), rows(rowCount),
           perWidth(1.0 / size.x), perHeight(1.0 / size.y) {}
 
@@ -49,11 +49,11 @@ inline double gridSlack(const Box2 &bounds) {
 /// Calls visit(i, j) for every cell that the segment ab comes within `slack` of; some others may be among them. The
 /// order is fixed.
 template <class Visit>
-void forEachCrossedCell(const Lattice &lattice, Vec2 a, Vec2 b, double slack, Visit &&visit) {
-    const int i0 = lattice.column(std::min(a.x, b.x) - slack);
-    const int i1 = lattice.column(std::max(a.x, b.x) + slack);
-    const int j0 = lattice.row(std::min(a.y, b.y) - slack);
-    const int j1 = lattice.row(std::max(a.y, b.y) + slack);
+void forEachCrossedCell(const CellLayout &layout, Vec2 a, Vec2 b, double slack, Visit &&visit) {
+    const int i0 = layout.column(std::min(a.x, b.x) - slack);
+    const int i1 = layout.column(std::max(a.x, b.x) + slack);
+    const int j0 = layout.row(std::min(a.y, b.y) - slack);
+    const int j1 = layout.row(std::max(a.y, b.y) + slack);
     if (i0 == i1 || j0 == j1) {
         for (int j = j0; j <= j1; ++j) {
             for (int i = i0; i <= i1; ++i) {
@@ -68,15 +68,15 @@ void forEachCrossedCell(const Lattice &lattice, Vec2 a, Vec2 b, double slack, Vi
         double from = std::min(a.x, b.x);
         double to = std::max(a.x, b.x);
         if (std::abs(dy) > 4.0 * slack) {
-            const double low = j == j0 ? std::min(a.y, b.y) : lattice.origin.y + j * lattice.cellHeight - slack;
-            const double high = j == j1 ? std::max(a.y, b.y) : lattice.origin.y + (j + 1) * lattice.cellHeight + slack;
+            const double low = j == j0 ? std::min(a.y, b.y) : layout.origin.y + j * layout.cellHeight - slack;
+            const double high = j == j1 ? std::max(a.y, b.y) : layout.origin.y + (j + 1) * layout.cellHeight + slack;
             const double xLow = a.x + (b.x - a.x) * ((low - a.y) / dy);
             const double xHigh = a.x + (b.x - a.x) * ((high - a.y) / dy);
             from = std::max(from, std::min(xLow, xHigh));
             to = std::min(to, std::max(xLow, xHigh));
         }
-        const int last = lattice.column(to + slack);
-        for (int i = lattice.column(from - slack); i <= last; ++i) {
+        const int last = layout.column(to + slack);
+        for (int i = layout.column(from - slack); i <= last; ++i) {
             visit(i, j);
         }
     }

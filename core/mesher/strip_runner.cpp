@@ -1,10 +1,10 @@
-#include "core/mesher/region_runner.hpp"
+#include "core/mesher/strip_runner.hpp"
 
 #include "core/base/thread_pool.hpp"
 #include "core/grid/hierarchical_grid.hpp"
 #include "core/mesher/fast_advancer.hpp"
 #include "core/mesher/mesher.hpp"
-#include "core/mesher/region_results.hpp"
+#include "core/mesher/strip_results.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -13,28 +13,28 @@ namespace forefront {
 
 namespace {
 
-/// One region with its part of Γ and what has been made in it.
-struct RegionRun {
+/// A strip with its part of Γ and its state, nodes and elements among it.
+struct StripRun {
     std::optional<FrontPart> part;
     std::optional<FrontState> state;
 };
 
-/// Advances between looks at the stop token.
+/// Advances between checks for cancellation.
 constexpr int kBatch = 4096;
 
-class RegionRunner {
+class StripRunner {
   public:
-    RegionRunner(FrontState &state, const SpacingField &spacing, double slack, unsigned threads,
-                 const Progress &progress, double estimatedElements)
+    StripRunner(FrontState &state, const SpacingField &spacing, double slack, unsigned threads,
+                const Progress &progress, double estimatedElements)
         : state_(state), spacing_(spacing), slack_(slack), pool_(threads), progress_(progress),
           estimatedElements_(estimatedElements), bounds_(boundsOf(state.nodes)) {}
 
     bool run() {
-        const FrontRegions &regions = *state_.regions;
-        for (std::size_t phase = 0; phase + 2 < regions.phases.size(); ++phase) {
-            const std::size_t first = regions.phases[phase], last = regions.phases[phase + 1];
-            std::vector<RegionRun> runs(last - first);
-            RegionResults results(state_, runs.size());
+        const FrontStrips &strips = *state_.strips;
+        for (std::size_t phase = 0; phase + 2 < strips.phases.size(); ++phase) {
+            const std::size_t first = strips.phases[phase], last = strips.phases[phase + 1];
+            std::vector<StripRun> runs(last - first);
+            StripResults results(state_, runs.size());
             pool_.run(runs.size(), [&](std::size_t task, unsigned thread) {
                 prepare(runs[task], first + task, results.firstNew());
                 advance(runs[task], first + task, thread == 0);
@@ -45,12 +45,12 @@ class RegionRunner {
             if (progress_.cancelled()) {
                 return false;
             }
-            putTogether(runs, first, results);
+            merge(runs, first, results);
         }
-        state_.region = static_cast<std::uint32_t>(regions.boxes.size() - 1);
+        state_.strip = static_cast<std::uint32_t>(strips.boxes.size() - 1);
         state_.walk = {};
         state_.walkOrder.clear(state_.care.fineClasses);
-        offerAll(state_.walkOrder, state_.front, regions.boxes.back());
+        offerAll(state_.walkOrder, state_.front, strips.boxes.back());
         return true;
     }
 
@@ -63,18 +63,18 @@ class RegionRunner {
         return box;
     }
 
-    /// Takes what the region needs of the whole.
-    void prepare(RegionRun &run, std::size_t region, std::uint32_t firstNew) const {
-        run.part.emplace(state_.front.part(state_.regions->boxes[region]));
-        run.state.emplace(state_, std::move(run.part->front), static_cast<std::uint32_t>(region), firstNew);
+    /// Copies what the strip needs of the whole.
+    void prepare(StripRun &run, std::size_t strip, std::uint32_t firstNew) const {
+        run.part.emplace(state_.front.part(state_.strips->boxes[strip]));
+        run.state.emplace(state_, std::move(run.part->front), static_cast<std::uint32_t>(strip), firstNew);
     }
 
-    void advance(RegionRun &run, std::size_t region, bool reports) {
-        const Box2 &box = state_.regions->boxes[region];
+    void advance(StripRun &run, std::size_t strip, bool reports) {
+        const Box2 &box = state_.strips->boxes[strip];
         FrontState &state = *run.state;
-        const std::vector<std::size_t> &phases = state_.regions->phases;
-        if (region >= phases[1] && region < phases[2]) { // the strips: other phases only make what these cannot
-            const auto share = static_cast<std::size_t>(Mesher::kRoom * estimatedElements_ /
+        const std::vector<std::size_t> &phases = state_.strips->phases;
+        if (strip >= phases[1] && strip < phases[2]) { // this phase makes nearly all elements
+            const auto share = static_cast<std::size_t>(Mesher::kReserve * estimatedElements_ /
                                                         static_cast<double>(phases[2] - phases[1]));
             state.elements.reserve(share);
             state.nodes.reserve(share / 2);
@@ -107,15 +107,15 @@ class RegionRunner {
         }
     }
 
-    void putTogether(std::vector<RegionRun> &runs, std::size_t firstRegion, const RegionResults &results) {
+    void merge(std::vector<StripRun> &runs, std::size_t firstStrip, const StripResults &results) {
         for (std::size_t k = 0; k < runs.size(); ++k) {
-            RegionRun &run = runs[k];
-            // Nb: of all Γ, as it is when one region follows the other.
+            StripRun &run = runs[k];
+            // Nb counts all of Γ, as when one strip follows the other.
             const std::uint64_t others = state_.front.segments() - run.part->segments;
             run.state->work.frontSum += run.state->work.advances * others;
             state_.work.add(run.state->work);
             run.part->front = std::move(run.state->front);
-            state_.front.adopt(*run.part, state_.regions->boxes[firstRegion + k], results.firstNew(), results.shift(k));
+            state_.front.adopt(*run.part, state_.strips->boxes[firstStrip + k], results.firstNew(), results.shift(k));
             run.part.reset();
         }
         done_ = state_.elements.size();
@@ -128,14 +128,14 @@ class RegionRunner {
     const Progress &progress_;
     double estimatedElements_;
     Box2 bounds_;
-    std::size_t done_ = 0; ///< elements of the phases before
+    std::size_t done_ = 0; ///< elements of earlier phases
 };
 
 } // namespace
 
-bool runRegions(FrontState &state, const SpacingField &spacing, double slack, unsigned threads,
-                const Progress &progress, double estimatedElements) {
-    return RegionRunner(state, spacing, slack, threads, progress, estimatedElements).run();
+bool runStrips(FrontState &state, const SpacingField &spacing, double slack, unsigned threads, const Progress &progress,
+               double estimatedElements) {
+    return StripRunner(state, spacing, slack, threads, progress, estimatedElements).run();
 }
 
 } // namespace forefront

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/base/progress.hpp"
+#include "core/improve/workspace.hpp"
+
+#include <cstddef>
+
+namespace forefront {
+
+/// The shape that cleanup aims at for each element.
+struct ShapeGoal {
+    double alpha = 0.8;  ///< minimum α
+    double angle = 35.0; ///< minimum angle, degrees
+    int rounds = 5;      ///< how often an element is tried; from the second time on, its surroundings change, too
+};
+
+/// What a cleanup did.
+struct CleanupCounts {
+    std::size_t swaps = 0;
+    std::size_t moves = 0;
+    std::size_t left = 0; ///< elements that still miss the goal
+};
+
+/// Improves the elements that miss the goal: swaps their edges and moves their free nodes by a pattern search (R.
+/// Hooke, T. A. Jeeves, 1961) wherever the worst element around comes nearer to the goal; later rounds also move the
+/// nodes around. No α falls below `minAlpha`, and no lower α falls further. α must be up to date and is kept up to
+/// date. Elements whose surroundings do not touch are cleaned up in parallel.
+CleanupCounts cleanUpWorst(ImproveWorkspace &work, const ShapeGoal &goal, double minAlpha, const Progress &progress);
+
+} // namespace forefront
