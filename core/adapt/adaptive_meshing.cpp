@@ -13,10 +13,10 @@ namespace forefront {
 
 namespace {
 
-constexpr double kNear = 1.3;    ///< times the target: from here on the aim is corrected
-constexpr double kMargin = 0.98; ///< of the corrected aim
+constexpr double kNear = 1.3;    ///< the aim is corrected within this multiple of the target
+constexpr double kMargin = 0.98; ///< factor on the corrected aim
 
-/// The stages of a round under its name; valid as long as `progress`.
+/// Returns a progress that prefixes stages with the name of the round. `progress` must outlive it.
 Progress progressOfRound(const Progress &progress, int round) {
     Progress named;
     named.stop = progress.stop;
@@ -28,8 +28,8 @@ Progress progressOfRound(const Progress &progress, int round) {
     return named;
 }
 
-/// True if the last two meshes are each far finer than the one before and yet no better. One alone may be: the first
-/// meshes may have missed what a finer one sees.
+/// Returns true if each of the last two meshes is far finer than the previous one and no better. One such mesh is not
+/// enough: the first meshes may have missed features that a finer one shows.
 bool stalls(const std::vector<AdaptRound> &rounds) {
     constexpr double kFiner = 1.5, kBetter = 0.97;
     if (rounds.size() < 3) {
@@ -65,8 +65,8 @@ Result<NodalField> expressionField(const std::string &expression) {
         }
         for (std::size_t n = 0; n < values.size(); ++n) {
             if (!std::isfinite(values[n])) {
-                Diagnostics faults = error("expression-value", "the field has no finite value at a node",
-                                           "choose an expression that is finite all over the domain");
+                Diagnostics faults = error("expression-value", "the field is not finite at a node",
+                                           "choose an expression that is finite everywhere in the domain");
                 faults.front().at = mesh.nodes[n];
                 return faults;
             }
@@ -76,7 +76,7 @@ Result<NodalField> expressionField(const std::string &expression) {
 }
 
 Result<AdaptOutcome> adapt(const Domain &domain, Mesh mesh, const NodalField &field, const AdaptTarget &target,
-                           int most, const MeshingOptions &options, const Progress &progress,
+                           int maxRounds, const MeshingOptions &options, const Progress &progress,
                            const AdaptReport &report) {
     AdaptOutcome outcome;
     outcome.mesh = std::move(mesh);
@@ -89,8 +89,8 @@ Result<AdaptOutcome> adapt(const Domain &domain, Mesh mesh, const NodalField &fi
         }
         if (values->size() != outcome.mesh.nodes.size() ||
             !std::all_of(values->begin(), values->end(), [](double value) { return std::isfinite(value); })) {
-            return error("field-value", "the field has no finite value at every node of the mesh",
-                         "see that the solver converges on this mesh");
+            return error("field-value", "the field is not finite at every node of the mesh",
+                         "check that the solver converges on this mesh");
         }
         const Result<ErrorEstimate> estimate = estimateError(outcome.mesh, *values, inRound);
         if (!estimate) {
@@ -103,10 +103,10 @@ Result<AdaptOutcome> adapt(const Domain &domain, Mesh mesh, const NodalField &fi
         }
         outcome.met = reached <= target.error;
         outcome.stalled = !outcome.met && stalls(outcome.rounds);
-        if (round >= 1 && (outcome.met || outcome.stalled || round >= most)) {
+        if (round >= 1 && (outcome.met || outcome.stalled || round >= maxRounds)) {
             return outcome;
         }
-        // Meshes near the target tend to end a little above what was aimed at, one like the other.
+        // Meshes near the target tend to miss the aim by the same small amount.
         if (round >= 1 && reached < kNear * target.error) {
             aim.error *= kMargin * target.error / reached;
         }

@@ -14,8 +14,8 @@ namespace forefront {
 
 namespace {
 
-constexpr double kMostRefined = 1.0 / 6.0;
-constexpr double kMostCoarsened = 3.0;
+constexpr double kMaxRefinement = 1.0 / 6.0;
+constexpr double kMaxCoarsening = 3.0;
 
 std::vector<double> areasOf(const Mesh &mesh) {
     std::vector<double> areas;
@@ -27,12 +27,12 @@ std::vector<double> areasOf(const Mesh &mesh) {
     return areas;
 }
 
-/// Side of the equilateral triangle of this area.
+/// Returns the side of the equilateral triangle of this area.
 double sizeOf(double area) {
     return std::sqrt(4.0 / std::numbers::sqrt3 * area);
 }
 
-/// The spacing that follows from an error per element, see elementSpacing.
+/// Computes the spacing from an error per element, see elementSpacing().
 class SpacingLaw {
   public:
     SpacingLaw(const Mesh &mesh, const ErrorEstimate &estimate, const AdaptTarget &target)
@@ -44,19 +44,19 @@ class SpacingLaw {
 
     double spacing(std::size_t e, double elementError) const {
         const double h = sizes_[e];
-        const double factor = errors_[e] > 0.0 ? std::sqrt(elementError / errors_[e]) : kMostCoarsened;
-        const double wanted = h * std::clamp(factor, kMostRefined, kMostCoarsened);
-        return std::min(std::max(wanted, target_.sizeMin), target_.sizeMax);
+        const double factor = errors_[e] > 0.0 ? std::sqrt(elementError / errors_[e]) : kMaxCoarsening;
+        const double size = h * std::clamp(factor, kMaxRefinement, kMaxCoarsening);
+        return std::min(std::max(size, target_.sizeMin), target_.sizeMax);
     }
 
-    /// The error per element for which the total meets the wanted one; nothing when cancelled. The square of the total
-    /// is the sum of (h_new/h)²·e² over the old elements, and grows with it: bisection of the logarithm. The limits
-    /// from below are left out: where they bind, refining all the rest without measure would not make up for it.
+    /// Returns the error per element for which the total meets the target; nothing when cancelled. The square of the
+    /// total is the sum of (h_new/h)²·e² over the old elements and grows with it, so bisection of its logarithm finds
+    /// it. The minimum size is ignored: where it applies, no refinement of the other elements could make up for it.
     std::optional<double> solve(double wantedTotal, const Progress &progress) const {
-        std::vector<double> greatest(sizes_.size()); // share of each element, where a limit from above binds
-        for (std::size_t e = 0; e < greatest.size(); ++e) {
-            const double ratio = std::min(kMostCoarsened, target_.sizeMax / sizes_[e]) * errors_[e];
-            greatest[e] = ratio * ratio;
+        std::vector<double> maxShares(sizes_.size()); // share of each element at its maximum size
+        for (std::size_t e = 0; e < maxShares.size(); ++e) {
+            const double ratio = std::min(kMaxCoarsening, target_.sizeMax / sizes_[e]) * errors_[e];
+            maxShares[e] = ratio * ratio;
         }
         double low = std::log(wantedTotal) - 60.0, high = std::log(wantedTotal) + 10.0;
         constexpr int kSteps = 60;
@@ -67,8 +67,8 @@ class SpacingLaw {
             progress("choosing the node spacing", static_cast<double>(i) / kSteps);
             const double middle = 0.5 * (low + high), elementError = std::exp(middle);
             double sum = 0.0;
-            for (std::size_t e = 0; e < greatest.size(); ++e) {
-                sum += std::min(elementError * errors_[e], greatest[e]);
+            for (std::size_t e = 0; e < maxShares.size(); ++e) {
+                sum += std::min(elementError * errors_[e], maxShares[e]);
             }
             (sum > wantedTotal * wantedTotal ? high : low) = middle;
         }
@@ -86,8 +86,8 @@ class SpacingLaw {
 Result<std::vector<double>> elementSpacing(const Mesh &mesh, const ErrorEstimate &estimate, const AdaptTarget &target,
                                            const Progress &progress) {
     const SpacingLaw law(mesh, estimate, target);
-    const double wanted = target.error * std::hypot(estimate.norm, estimate.total);
-    const std::optional<double> elementError = wanted > 0.0 ? law.solve(wanted, progress) : 1.0;
+    const double total = target.error * std::hypot(estimate.norm, estimate.total);
+    const std::optional<double> elementError = total > 0.0 ? law.solve(total, progress) : 1.0;
     if (!elementError) {
         return cancelled("choosing the node spacing");
     }
@@ -107,7 +107,7 @@ std::vector<double> nodalSpacing(const Mesh &mesh, std::span<const double> eleme
             density[index(node)] += areas[e] / (elementSpacing[e] * elementSpacing[e]);
         }
     }
-    std::vector<double> spacing(mesh.nodes.size(), 1.0); // of nodes without elements; asked by nobody
+    std::vector<double> spacing(mesh.nodes.size(), 1.0); // unused values at nodes without elements
     for (std::size_t n = 0; n < spacing.size(); ++n) {
         if (density[n] > 0.0) {
             spacing[n] = std::sqrt(area[n] / density[n]);
@@ -128,7 +128,7 @@ bool limitGradation(const Mesh &mesh, double gradation, std::span<double> spacin
         entries.emplace_back(spacing[n], n);
     }
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue({}, std::move(entries));
-    // Most nodes come out of the queue once, some after having been lowered again.
+    // Most nodes leave the queue once, some again after they were lowered further.
     PacedProgress pace(progress, "limiting the gradation", spacing.size());
     while (!queue.empty()) {
         if (!pace.next()) {
@@ -137,7 +137,7 @@ bool limitGradation(const Mesh &mesh, double gradation, std::span<double> spacin
         const auto [value, node] = queue.top();
         queue.pop();
         if (value > spacing[node]) {
-            continue; // lowered since
+            continue; // lowered since it was queued
         }
         for (std::uint32_t i = around->offsets[node]; i < around->offsets[node + 1]; ++i) {
             for (const NodeId next : mesh.elements[index(around->elements[i])]) {

@@ -11,7 +11,7 @@ namespace forefront {
 
 namespace {
 
-/// A fit of three unknowns wants some more elements than that.
+/// Minimum number of elements for a fit of three unknowns.
 constexpr std::size_t kEnough = 5;
 
 class PatchRecovery {
@@ -89,7 +89,8 @@ class PatchRecovery {
         return fit(place(node), gradient) ? gradient : mean(ring);
     }
 
-    /// The fitted function at the node: normal equations of 1, x, y about the node, in units of the patch's size.
+    /// Returns the fitted function at the node, from normal equations of 1, x, y about the node in units of the patch
+    /// size.
     bool fit(Vec2 at, Vec2 &gradient) const {
         double size = 0.0;
         for (const ElementId e : patch_) {
@@ -118,7 +119,7 @@ class PatchRecovery {
         return true;
     }
 
-    /// Over the first elements of the patch.
+    /// Returns the mean over the first elements of the patch, weighted by area.
     Vec2 mean(std::size_t count) const {
         Vec2 sum;
         double weight = 0.0;
@@ -141,7 +142,7 @@ class PatchRecovery {
 
 Result<std::vector<Vec2>> elementGradients(const Mesh &mesh, std::span<const double> values, const Progress &progress) {
     std::vector<Vec2> gradients(mesh.elements.size());
-    PacedProgress pace(progress, "taking the gradient", mesh.elements.size());
+    PacedProgress pace(progress, "computing the gradient", mesh.elements.size());
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
         if (!pace.next()) {
             return cancelled("recovering the gradient");

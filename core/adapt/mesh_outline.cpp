@@ -11,7 +11,7 @@ namespace forefront {
 
 namespace {
 
-constexpr double kStraight = 1e-9; ///< greatest sine of the angle at a dropped node
+constexpr double kStraight = 1e-9; ///< maximum sine of the angle at a dropped node
 
 class StraightRuns {
   public:
@@ -75,7 +75,7 @@ class StraightRuns {
         return dot(in, out) > 0.0 && std::abs(cross(in, out)) <= kStraight * length(in) * length(out);
     }
 
-    /// The end of the straight run from a segment on over one of its ends.
+    /// Returns the end of the straight run that continues a segment beyond one of its ends.
     std::uint32_t follow(std::uint32_t segment, std::uint32_t node, std::vector<bool> &done) const {
         const std::uint32_t first = segment;
         while (isStraight(node)) {
@@ -100,7 +100,7 @@ class StraightRuns {
     }
 
     const Domain &domain_;
-    std::vector<std::array<std::uint32_t, 2>> segmentsAt_; ///< the first two
+    std::vector<std::array<std::uint32_t, 2>> segmentsAt_; ///< the first two at each node
     std::vector<std::uint32_t> degree_;
     std::vector<std::uint32_t> numbers_; ///< in the result
     Domain result_;

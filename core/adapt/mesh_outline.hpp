@@ -6,11 +6,11 @@
 
 namespace forefront {
 
-/// The domain that a mesh covers, with tags and names, ready to be meshed anew: nodes that only divide a straight part
-/// of one tag are dropped (straight within 1e-9), so that a coarser mesh is possible, too. Faults: "empty-domain".
+/// Returns the domain that a mesh covers, with tags and names. Nodes that only divide a straight part of one tag
+/// (straight within 1e-9) are dropped, so that a coarser mesh is possible. Error: "empty-domain".
 Result<Domain> outlineOf(const Mesh &mesh);
 
-/// The second part of it: merges the segments of straight runs.
+/// Merges the segments of straight runs, the last step of outlineOf().
 Domain withoutStraightNodes(const Domain &domain);
 
 } // namespace forefront

@@ -6,9 +6,9 @@
 namespace forefront {
 
 bool BaseOrder::ComesLater::operator()(const Entry &a, const Entry &b) const {
-    const std::uint32_t portionA = a.serial >> kPortionBits, portionB = b.serial >> kPortionBits;
-    if (byPortions && portionA != portionB) {
-        return portionA > portionB;
+    const std::uint32_t batchA = a.serial >> kBatchBits, batchB = b.serial >> kBatchBits;
+    if (byBatches && batchA != batchB) {
+        return batchA > batchB;
     }
     return a.length != b.length ? a.length > b.length : a.serial > b.serial;
 }
@@ -80,7 +80,7 @@ void BaseOrder::rebuild(const GenerationFront &front) {
 }
 
 void BaseOrder::offer(const GenerationFront &front, SlotId id) {
-    // Stepping back and forth leaves duplicates behind; they are swept out before they outweigh the front.
+    // Stepping back and forth leaves duplicates, which are removed before they outnumber the front.
     if (entries_ > 4 * front.segments() + 1024) {
         rebuild(front);
         return;
@@ -113,7 +113,7 @@ SlotId BaseOrder::take(const GenerationFront &front) {
     }
     const SlotId id = heap->front().slot;
     pop(*heap);
-    if (!heap->empty()) { // most likely the base after this one: its slot is far from this one's in memory
+    if (!heap->empty()) { // probably the base after this one, and far from it in memory
         __builtin_prefetch(&front[heap->front().slot]);
     }
     return id;

@@ -7,24 +7,27 @@
 
 namespace forefront {
 
-/// Which segment of Γ is the next base: of the lowest failure class the shortest, ties by serial. Among those never
-/// deferred that alone would jump to and fro over a large front, and what a step needs would have left the caches. So
-/// their lengths count as equal if the first five binary digits are the same, hence within 1/16, and of equal ones
-/// those of the oldest portion come first, the shortest before the others; a portion is so many segments made one after
-/// the other that it fits in a cache. Up to some 10,000 elements there is only one. On Lo's rows this lowers the
-/// exponent of the cost in Ne from 1.05 to 1.035 at the same quality; a uniform disc of 1e6 falls from α .997 to .995.
+/// Selects the next base: the shortest segment of the lowest failure class, ties by serial.
 ///
-/// One binary heap for each class of lengths, so that its depth does not grow with Γ; entries of segments that are gone
-/// or were deferred since are skipped when they come up. What it delivers depends on Γ alone, not on the history of the
-/// heaps, so stepping back only needs to offer the restored segments again.
+/// On a large front the shortest segments are scattered, and their surroundings would not be in the caches. So segments
+/// that were never deferred are taken in batches by age: lengths count as equal if their first five binary digits are
+/// the same, hence within 1/16, and of equal ones the oldest batch comes first, with its shortest segment first. A
+/// batch is a number of consecutive segments that fit in a cache; up to some 10,000 elements there is only one. On Lo's
+/// rows this lowers the exponent of the cost in Ne from 1.05 to 1.035 at the same quality; α of a uniform disc of 1e6
+/// elements falls from .997 to .995.
+///
+/// There is one binary heap for each length class, so that its depth does not grow with Γ. Entries of segments that are
+/// gone or were deferred since are skipped. The result depends on Γ alone, not on the history of the heaps, so stepping
+/// back only needs to offer the restored segments again.
 class BaseOrder {
   public:
     /// Offers every segment of the front.
     void rebuild(const GenerationFront &front);
+    /// Adds a segment.
     void offer(const GenerationFront &front, SlotId id);
-    /// The next base, taken out; kNoSlot when Γ = ∅.
+    /// Removes and returns the next base; kNoSlot when Γ = ∅.
     SlotId take(const GenerationFront &front);
-    /// The next base without taking it.
+    /// Returns the next base without removing it.
     SlotId peek(const GenerationFront &front);
 
   private:
@@ -34,16 +37,17 @@ class BaseOrder {
         SlotId slot;
     };
     using Heap = std::vector<Entry>;
-    static constexpr unsigned kPortionBits = 14; ///< low bits of a serial, those of its place in the portion
-    static constexpr unsigned kDigits = 4;       ///< of the mantissa of a length, beside the leading one
-    /// Exponent and first digits of a length; then the failure classes, from 1, the last for all greater.
+    static constexpr unsigned kBatchBits = 14; ///< low bits of a serial: its position in the batch
+    static constexpr unsigned kDigits = 4;     ///< digits of the mantissa of a length, besides the leading one
+    /// Classes by exponent and first digits of a length, then by failure class from 1 on; the last is for all higher
+    /// ones.
     static constexpr std::size_t kDeferred = std::size_t{1} << (11U + kDigits);
     static constexpr std::size_t kFailureClasses = 64;
     static constexpr std::size_t kClasses = kDeferred + kFailureClasses;
 
-    /// Order of the heap of a class.
+    /// The order of the heap of a class.
     struct ComesLater {
-        bool byPortions;
+        bool byBatches;
         bool operator()(const Entry &a, const Entry &b) const;
     };
     static ComesLater orderOf(std::size_t c) { return {c < kDeferred}; }
@@ -51,7 +55,7 @@ class BaseOrder {
     static std::size_t classOf(const FrontSlot &slot);
     std::size_t lowestClass() const;
     void push(const GenerationFront &front, SlotId id);
-    /// The heap whose top is the next base; null when there is none.
+    /// Returns the heap whose top is the next base; null if there is none.
     Heap *next(const GenerationFront &front);
     void pop(Heap &heap);
 

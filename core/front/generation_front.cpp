@@ -17,7 +17,7 @@ struct Spoke {
     SlotId incoming;     ///< front segment that ends here along the spoke, or kNoSlot
 };
 
-/// Half-open half-plane of directions [0, 180) degrees; comparing coordinates is exact.
+/// Returns true for directions in [0, 180) degrees; comparing coordinates is exact.
 bool inUpperHalf(Vec2 centre, Vec2 p) {
     return p.y > centre.y || (p.y == centre.y && p.x > centre.x);
 }
@@ -64,7 +64,8 @@ GenerationFront::GenerationFront(const DiscreteDomain &boundary) {
         std::sort(first, last, [&](const Spoke &p, const Spoke &q) {
             return anglePrecedes(centre, boundary.nodes[p.other], boundary.nodes[q.other]);
         });
-        // The free angle left of an arriving segment reaches clockwise to the next spoke, where the front leaves again.
+        // The free angle left of an incoming segment extends clockwise to the next spoke, where the front goes out
+        // again.
         for (auto spoke = first; spoke != last; ++spoke) {
             if (spoke->incoming != kNoSlot) {
                 const auto leaving = spoke == first ? last - 1 : spoke - 1;
@@ -81,7 +82,7 @@ GenerationFront::GenerationFront(const DiscreteDomain &boundary) {
         if (degree[point.node] == 0) {
             const SlotId id = addSlot(point.node, 0);
             link(id, id);
-            degree[point.node] = 1; // should it be given twice
+            degree[point.node] = 1; // in case it is given twice
         }
     }
 }
@@ -263,16 +264,16 @@ bool GenerationFront::insideAngle(SlotId s, Vec2 p) const {
     if (turn > 0) {
         return orientation(apex, out, p) > 0 && orientation(apex, p, in) > 0;
     }
-    if (turn < 0) { // more than 180 degrees: all but the closed angle from `in` to `out`
+    if (turn < 0) { // more than 180 degrees: all except the closed angle from `in` to `out`
         return !(orientation(apex, in, p) >= 0 && orientation(apex, p, out) >= 0);
     }
-    // Collinear: comparing coordinates tells exactly on which side of the apex both ends lie.
+    // Collinear: comparing coordinates shows exactly on which side of the apex both ends lie.
     const bool sameSide = out.x != apex.x ? (out.x > apex.x) == (in.x > apex.x) && in.x != apex.x
                                           : (out.y > apex.y) == (in.y > apex.y) && in.y != apex.y;
-    if (!sameSide) { // straight on
+    if (!sameSide) { // a straight angle
         return orientation(apex, out, p) > 0;
     }
-    // The tip of a slit: everything but the direction of the slit itself.
+    // The tip of a slit: everything except the direction of the slit.
     if (orientation(apex, out, p) != 0) {
         return true;
     }
@@ -315,8 +316,8 @@ void GenerationFront::addTo(Hash64 &hash) const {
             hash.add(slot.length);
         }
     }
-    // The free list decides which ids come next. Ids at its bottom in falling order from the end are the same as ids
-    // not made yet.
+    // The free list decides which ids come next. Ids at its bottom that descend from the last one are equivalent to ids
+    // that were never used.
     std::size_t bottom = 0;
     while (bottom < free_.size() && index(free_[bottom]) == slots_.size() - 1 - bottom) {
         ++bottom;

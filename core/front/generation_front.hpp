@@ -13,9 +13,9 @@ namespace forefront {
 struct DiscreteDomain;
 struct FrontPart;
 
-/// What the base order knows of a segment of Γ.
+/// The data of a front segment that the base order uses.
 struct SegmentMark {
-    std::uint32_t serial = 0;       ///< number of its creation, unique within a run
+    std::uint32_t serial = 0;       ///< ordinal of its creation, unique within a run
     std::uint32_t failureClass = 0; ///< how often it was deferred as base
 };
 
@@ -25,23 +25,23 @@ struct SegmentMark {
 struct alignas(64) FrontSlot {
     Vec2 position;       ///< of the node, in domain units
     double length = 0.0; ///< of the outgoing segment
-    double rho = 0.0;    ///< node spacing at the node, where the method keeps it
+    double rho = 0.0;    ///< node spacing at the node; fast method only
     NodeId node = kNoNode;
-    SlotId next = kNoSlot;    ///< where the outgoing segment ends
-    SlotId prev = kNoSlot;    ///< where the incoming segment starts
-    SegmentMark mark;         ///< of the outgoing segment
+    SlotId next = kNoSlot;  ///< where the outgoing segment ends
+    SlotId prev = kNoSlot;  ///< where the incoming segment starts
+    SegmentMark mark;       ///< of the outgoing segment
     std::uint32_t face = 0; ///< index of the face it borders, on its left
     bool alive = false;
 };
 
-/// Γ: closed loops of directed segments with the unmeshed region on their left. Only links and lengths live here; which
-/// nodes exist and which cells a segment crosses is kept by others. All changes are reversible, in reverse order,
+/// The generation front Γ: closed loops of directed segments with the unmeshed area on their left. It has only links
+/// and lengths, not the nodes or the cells that a segment crosses. All changes can be undone in reverse order,
 /// including slot ids and serials.
 class GenerationFront {
   public:
-    /// Γ = ∅.
+    /// An empty front.
     GenerationFront() = default;
-    /// Γ := B. Every side of a discrete segment that borders the domain becomes a front segment.
+    /// Γ := B. Every side of a discrete segment that faces the domain becomes a front segment.
     explicit GenerationFront(const DiscreteDomain &boundary);
 
     const FrontSlot &operator[](SlotId id) const { return slots_[index(id)]; }
@@ -51,25 +51,25 @@ class GenerationFront {
     Vec2 end(SlotId id) const { return start(next(id)); }
     bool isolated(SlotId id) const { return slots_[index(id)].next == id; }
 
-    /// Number of segments of Γ: Nb.
+    /// Returns Nb, the number of segments of Γ.
     std::size_t segments() const { return segments_; }
     bool empty() const { return segments_ == 0; }
-    /// Slot ids run from 0 to capacity() - 1, dead ones among them.
+    /// Returns the number of slots. Ids run from 0 to capacity() - 1, including dead ones.
     std::size_t capacity() const { return slots_.size(); }
     std::uint32_t nextSerial() const { return nextSerial_; }
 
-    /// A→B becomes A→C→B with a new node C. Returns the slot of C.
+    /// Changes A→B to A→C→B with a new node C and returns the slot of C.
     SlotId insertAfter(SlotId a, Vec2 position, NodeId node);
     void undoInsertAfter(SlotId a, SlotId c, SegmentMark base);
 
-    /// Takes slot x out of its loop: P→X→N becomes P→N, a new segment.
+    /// Removes slot x from its loop: P→X→N becomes the new segment P→N.
     void cutOut(SlotId x);
-    /// `node`, `position`, `mark`: of the slot x that was cut out after p; `markOfP`: of the segment P→X.
+    /// Undoes cutOut(). `node`, `position`, `mark`: those of slot x, which was after p; `markOfP`: that of P→X.
     void undoCutOut(SlotId x, SlotId p, NodeId node, Vec2 position, SegmentMark mark, SegmentMark markOfP);
 
-    /// P→X→N becomes P→C→N: slot x gets the new node C.
+    /// Gives slot x a new node C: P→X→N becomes P→C→N.
     void replace(SlotId x, Vec2 position, NodeId node);
-    /// `mark` and `markOfPrev`: of the segments X→N and P→X.
+    /// Undoes replace(). `mark` and `markOfPrev`: those of X→N and P→X.
     void undoReplace(SlotId x, NodeId node, Vec2 position, SegmentMark mark, SegmentMark markOfPrev);
 
     /// Removes the loop of three slots that starts at a.
@@ -82,25 +82,24 @@ class GenerationFront {
     };
     void undoRemoveLoop(const LoopSlot (&loop)[3], std::uint32_t face);
 
-    /// A→B becomes A→C and C→B where C is the node of slot s elsewhere on Γ: one loop becomes two, or two become one. s
-    /// keeps its outgoing segment and follows A; the returned new slot of the same node takes the incoming one and
-    /// leads to B. For an isolated s, that is s itself.
+    /// Changes A→B to A→C and C→B, where C is the node of slot s elsewhere on Γ. One loop becomes two, or two become
+    /// one. s keeps its outgoing segment and follows A; the returned new slot of the same node takes the incoming one
+    /// and leads to B. Returns s itself if s is isolated.
     SlotId connect(SlotId a, SlotId s);
     void undoConnect(SlotId a, SlotId s, SlotId t, SegmentMark base);
 
     void setRho(SlotId id, double rho) { slots_[index(id)].rho = rho; }
     void setFailureClass(SlotId id, std::uint32_t failureClass) { slots_[index(id)].mark.failureClass = failureClass; }
 
-    /// The part of Γ that comes near the box.
+    /// Returns the part of Γ near the box.
     FrontPart part(const Box2 &box) const;
-    /// Takes over a part that has changed inside `box` alone: no link of a slot outside it has. Its nodes from
-    /// `firstNew` on get ids greater by `shift`.
+    /// Takes over a part that changed only inside `box`. Ids of its nodes from `firstNew` on grow by `shift`.
     void adopt(const FrontPart &part, const Box2 &box, std::uint32_t firstNew, std::uint32_t shift);
 
-    /// True if the direction from the node of s to p lies strictly inside the free angle of s (exact).
+    /// Returns true if the direction from the node of s to p lies strictly inside the free angle of s (exact).
     bool insideAngle(SlotId s, Vec2 p) const;
 
-    /// Links are mutual, lengths and counts right; for tests and assertions.
+    /// Returns true if links are mutual and lengths and counts correct; for tests and assertions.
     bool consistent() const;
     void addTo(Hash64 &hash) const;
 
@@ -109,8 +108,8 @@ class GenerationFront {
     void release(SlotId id);
     SlotId revive(SlotId expected, NodeId node, Vec2 position, std::uint32_t face, SegmentMark mark);
     void link(SlotId from, SlotId to);
-    void renew(SlotId id);                     ///< its outgoing segment is a new one
-    void restore(SlotId id, SegmentMark mark); ///< its outgoing segment is an earlier one again
+    void renew(SlotId id);                     ///< gives the outgoing segment a new mark
+    void restore(SlotId id, SegmentMark mark); ///< gives the outgoing segment an earlier mark
 
     std::vector<FrontSlot> slots_;
     std::vector<SlotId> free_;
@@ -118,12 +117,12 @@ class GenerationFront {
     std::uint32_t nextSerial_ = 0;
 };
 
-/// Segments and isolated points of Γ in some face, with the slots of their ends; links that lead out of it are
+/// The segments and isolated points of Γ near a box, with the slots of their ends. Links that leave the part are
 /// kNoSlot.
 struct FrontPart {
     GenerationFront front;
-    std::vector<SlotId> origin; ///< per slot that was taken over: where it comes from, rising
-    std::size_t segments = 0;   ///< taken over
+    std::vector<SlotId> origin; ///< per copied slot: its original, ascending
+    std::size_t segments = 0;   ///< number of copied segments
 };
 
 } // namespace forefront

@@ -7,7 +7,7 @@
 namespace forefront {
 
 std::uint32_t WalkOrder::level(double length) const {
-    if (length < std::numeric_limits<double>::min()) { // denormal, or nothing at all
+    if (length < std::numeric_limits<double>::min()) { // denormal, or 0
         return length > 0.0 ? level(length * 0x1p64) - 64 * kClasses : 0;
     }
     constexpr int kMantissaBits = 52;
@@ -110,7 +110,7 @@ void WalkOrder::rollBack(std::size_t size) {
             b.entries.pop_back();
         } else if (b.first > 0) {
             b.entries[--b.first] = change.entry;
-        } else { // the log was begun after what came before had been forgotten
+        } else { // the log began after earlier entries had been dropped
             b.entries.insert(b.entries.begin(), change.entry);
         }
         mark(change.bucket);

@@ -7,8 +7,8 @@
 
 namespace forefront {
 
-/// Equal cells in columns x rows over a box. Points outside belong to the nearest cell, so nothing is ever lost at the
-/// rim.
+/// A box divided into columns x rows of equal cells. Points outside belong to the nearest cell, so nothing is lost at
+/// the edges.
 struct CellLayout {
     Vec2 origin;
     double cellWidth = 1.0;
@@ -20,7 +20,7 @@ struct CellLayout {
     double perHeight = 1.0;
 
     CellLayout() = default;
-    /// `size`: of one cell.
+    /// `size`: that of a cell.
     CellLayout(Vec2 low, Vec2 size, int columnCount, int rowCount)
         : origin(low), cellWidth(size.x), cellHeight(size.y), columns(columnCount), rows(rowCount),
           perWidth(1.0 / size.x), perHeight(1.0 / size.y) {}
@@ -38,16 +38,15 @@ struct CellLayout {
     }
 };
 
-/// Rounding slack for all grid decisions, in domain units: far above any rounding error of coordinates of this size,
-/// far below any cell.
+/// Returns the rounding slack of all grid decisions, in domain units: far above any rounding error of coordinates of
+/// this size and far below any cell.
 inline double gridSlack(const Box2 &bounds) {
     const double magnitude = std::max(std::max(std::abs(bounds.min.x), std::abs(bounds.max.x)),
                                       std::max(std::abs(bounds.min.y), std::abs(bounds.max.y)));
     return 64.0 * std::numeric_limits<double>::epsilon() * (magnitude + bounds.diagonal());
 }
 
-/// Calls visit(i, j) for every cell that the segment ab comes within `slack` of; some others may be among them. The
-/// order is fixed.
+/// Calls visit(i, j), in a fixed order, for every cell within `slack` of the segment ab, and possibly for others.
 template <class Visit>
 void forEachCrossedCell(const CellLayout &layout, Vec2 a, Vec2 b, double slack, Visit &&visit) {
     const int i0 = layout.column(std::min(a.x, b.x) - slack);
@@ -62,7 +61,7 @@ void forEachCrossedCell(const CellLayout &layout, Vec2 a, Vec2 b, double slack, 
         }
         return;
     }
-    // The part of the segment in the band of each row; the bands of the first and last row are open towards the rim.
+    // The part of the segment in the band of each row; the bands of the first and last row are open to the outside.
     const double dy = b.y - a.y;
     for (int j = j0; j <= j1; ++j) {
         double from = std::min(a.x, b.x);
@@ -82,8 +81,8 @@ void forEachCrossedCell(const CellLayout &layout, Vec2 a, Vec2 b, double slack, 
     }
 }
 
-/// True if the segment ab comes within `slack` of the box: the one local filter in front of every exact test, the same
-/// for all grids.
+/// Returns true if the segment ab comes within `slack` of the box. This filter precedes every exact test and is the
+/// same for all grids.
 inline bool segmentNearBox(Vec2 a, Vec2 b, const Box2 &box, double slack) {
     if (!box.grown(slack).overlaps(boxOf(a, b))) {
         return false;

@@ -8,8 +8,8 @@
 
 namespace forefront {
 
-/// Lists of segments, one a cell: chains of blocks in one pool with a free list. All blocks of a chain but the first
-/// are full. A list's order means nothing. All boxes that a list is given are of its cell.
+/// Lists of segments, one per cell, in no particular order. A list is a chain of blocks of a common pool with a free
+/// list; all blocks of a chain except the first are full. All boxes of a list are relative to its cell.
 class CellLists {
   public:
     static constexpr std::uint32_t kEnd = kNoIndex;
@@ -44,7 +44,7 @@ class CellLists {
         }
     }
 
-    /// Gives an entry of the list another box.
+    /// Changes the box of an entry.
     void move(const List &list, SlotId slot, const CellBox &box) {
         const Entry found = find(list, slot);
         FOREFRONT_ASSERT(found.block != kEnd);
@@ -62,7 +62,7 @@ class CellLists {
         });
     }
 
-    /// All, with whether their boxes overlap.
+    /// Calls visit(slot, overlaps) for all entries; `overlaps`: their box overlaps the given one.
     template <class Visit>
     void forEach(const List &list, const CellBox &box, Visit &&visit) const {
         forEachBlock(list, [&](const SegmentBlock &block, unsigned entries) {
@@ -73,7 +73,7 @@ class CellLists {
         });
     }
 
-    /// Those whose boxes overlap.
+    /// Calls visit(slot) for the entries whose boxes overlap the given one.
     template <class Visit>
     void forEachNear(const List &list, const CellBox &box, Visit &&visit) const {
         forEachBlock(list, [&](const SegmentBlock &block, unsigned entries) {
@@ -89,12 +89,12 @@ class CellLists {
         unsigned lane;
     };
 
-    /// Entries of the first block of a list that is not empty.
+    /// Returns the number of entries of the first block of a non-empty list.
     static unsigned inFirst(const List &list) { return (list.size - 1) % SegmentBlock::kWidth + 1; }
 
     static unsigned firstLanes(unsigned entries) { return (1U << entries) - 1U; }
 
-    /// Calls visit(block, its entries) for all blocks of a list.
+    /// Calls visit(block, number of entries) for all blocks of a list.
     template <class Visit>
     void forEachBlock(const List &list, const Visit &visit) const {
         unsigned entries = inFirst(list);

@@ -86,8 +86,8 @@ bool HierarchicalGrid::keeps(SlotId id, Vec2 a, Vec2 b) const {
     }
     const Table &table = tables_[place.table];
     const Box2 box = table.layout.cellBox(place.i, place.j).grown(-slack_);
-    const double least = table.layout.cellWidth / (2.0 * cellPerLength_);
-    return box.contains(a) && box.contains(b) && distanceSquared(a, b) >= least * least &&
+    const double minLength = table.layout.cellWidth / (2.0 * cellPerLength_);
+    return box.contains(a) && box.contains(b) && distanceSquared(a, b) >= minLength * minLength &&
            cells_[place.cell].table == kLeaf;
 }
 

@@ -1,33 +1,33 @@
 #pragma once
 
 #include "core/front/generation_front.hpp"
+#include "core/grid/cell_layout.hpp"
 #include "core/grid/cell_lists.hpp"
 #include "core/grid/grid_kind.hpp"
-#include "core/grid/cell_layout.hpp"
 
 #include <vector>
 
 namespace forefront {
 
-/// A background grid whose cells follow the lengths of the front segments. Coarse cells on top; a cell splits, once and
-/// for all, into n x n when a segment much shorter than the cell enters it. So the number of segments delivered stays
-/// flat at any ratio of sizes.
+/// A background grid whose cells adapt to the lengths of the front segments. It starts with coarse cells; a cell splits
+/// into n x n for good when a segment much shorter than the cell enters it. So the number of delivered segments does
+/// not grow with the ratio of sizes.
 class HierarchicalGrid {
   public:
     static constexpr GridKind kKind = GridKind::Hierarchical;
 
-    /// `slack`: at least gridSlack() of all that will be inserted. A cell splits for a segment shorter than half of
-    /// 1/`cellPerLength` of its width, into cells of at least that length times `cellPerLength`.
+    /// `slack`: at least gridSlack() of the box of all segments. A cell splits for a segment shorter than its width
+    /// divided by 2·`cellPerLength`, into cells at least `cellPerLength` times as wide as the segment is long.
     HierarchicalGrid(const Box2 &bounds, double slack, double cellPerLength);
 
     void insert(const GenerationFront &front, SlotId id);
     void remove(const GenerationFront &front, SlotId id);
-    /// As NoGrid::keeps: where the segment lies in one cell and stays there, and the cell need not split.
+    /// See NoGrid::keeps(). True if the segment lies in one cell and stays in it, and the cell does not have to split.
     bool keeps(SlotId id, Vec2 a, Vec2 b) const;
-    /// As NoGrid::moved.
+    /// See NoGrid::moved().
     void moved(const GenerationFront &front, SlotId id);
 
-    /// As NoGrid::query.
+    /// See NoGrid::query().
     template <class Deliver, class Visited>
     void query(const GenerationFront &, const Box2 &box, Deliver &&deliver, Visited &&visited) const {
         const Box2 grown = box.grown(slack_);
@@ -37,7 +37,7 @@ class HierarchicalGrid {
         });
     }
 
-    /// As NoGrid::queryNear.
+    /// See NoGrid::queryNear().
     template <class Deliver, class Visited>
     std::uint32_t queryNear(const GenerationFront &, const Box2 &box, Deliver &&deliver, Visited &&visited) const {
         std::uint32_t looked = 0;
@@ -66,7 +66,7 @@ class HierarchicalGrid {
 
   private:
     static constexpr std::uint32_t kLeaf = 0;
-    /// A leaf with its list, or the table it was split into (the top table 0 is nobody's child).
+    /// A leaf with its list, or the table it was split into, which is never the top table 0.
     struct CellContent {
         CellLists::List list;
         std::uint32_t table = kLeaf;
@@ -74,10 +74,10 @@ class HierarchicalGrid {
     struct Table {
         CellLayout layout;
         std::uint32_t firstCell = 0;
-        Box2 inner; ///< its box less a margin: that of the cell above may differ by rounding
+        Box2 inner; ///< its box without a margin, since the box of the cell above may differ by rounding
         std::uint32_t above = 0;
     };
-    /// The only cell that a segment crosses; kNowhere: it crosses several.
+    /// The cell of a segment that crosses only one; kNowhere if it crosses several.
     struct Place {
         static constexpr std::uint32_t kNowhere = kNoIndex;
         std::uint32_t table = kNowhere;
@@ -88,8 +88,8 @@ class HierarchicalGrid {
     static std::uint32_t cell(const Table &table, int i, int j) {
         return table.firstCell + static_cast<std::uint32_t>(j * table.layout.columns + i);
     }
-    /// The table to look up a box in: from the last one up until it holds the box, and down while all of the box lies
-    /// in one cell.
+    /// Returns the table to look up a box in: goes up from the last one until it contains the box, then down while one
+    /// cell contains it.
     std::uint32_t tableAround(const Box2 &box) const;
     std::uint32_t addTable(const Box2 &box, int columns, int rows, std::uint32_t above);
     bool tooCoarse(const CellLayout &layout, double length) const;
@@ -123,8 +123,8 @@ class HierarchicalGrid {
     std::vector<CellContent> cells_;
     CellLists blocks_;
     std::vector<Place> places_;      ///< per slot
-    mutable std::uint32_t last_ = 0; ///< table of the last look-up: the next one is likely to be there, too
-    std::uint32_t pushed_ = 0;       ///< cells that the present insertion has reached
+    mutable std::uint32_t last_ = 0; ///< table of the last query, where the next one probably is
+    std::uint32_t pushed_ = 0;       ///< cells that the current insertion reached
 };
 
 } // namespace forefront

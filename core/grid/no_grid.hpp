@@ -5,21 +5,21 @@
 
 namespace forefront {
 
-/// No background grid: every search looks at all of Γ. The oracle for the other grids.
+/// No background grid: every search looks at all of Γ. It is the reference that the other grids are tested against.
 class NoGrid {
   public:
     static constexpr GridKind kKind = GridKind::None;
 
     void insert(const GenerationFront &, SlotId) {}
     void remove(const GenerationFront &, SlotId) {}
-    /// True if the segment of a slot may become ab without being removed and inserted again.
+    /// Returns true if the segment of a slot may become ab without being removed and inserted again.
     bool keeps(SlotId, Vec2, Vec2) const { return true; }
-    /// A segment that could be kept has become another.
+    /// Updates a segment that changed and for which keeps() was true.
     void moved(const GenerationFront &, SlotId) {}
 
-    /// Calls deliver(slot, near), at least once, for every front segment (and isolated point) that comes near `box` by
-    /// the grid's slack, and for others of the cells looked into, which may have near = false; and visited(cell box)
-    /// for every such cell.
+    /// Calls deliver(slot, near), at least once, for every front segment and isolated point within the slack of the
+    /// grid of `box`. It may be called for other segments of the visited cells, possibly with near = false. Calls
+    /// visited(cell box) for every visited cell.
     template <class Deliver, class Visited>
     void query(const GenerationFront &front, const Box2 &, Deliver &&deliver, Visited &&) const {
         for (std::uint32_t i = 0; i < front.capacity(); ++i) {
@@ -29,9 +29,9 @@ class NoGrid {
         }
     }
 
-    /// Calls deliver(slot), at least once, for every front segment (and isolated point) that meets `box`, among them
-    /// some that do not, but whose own box comes within 1/256 of a cell of it, or of where it is moved to from outside
-    /// the grid; and visited(cell box) for every cell looked into. Returns the number of segments looked at.
+    /// Calls deliver(slot), at least once, for every front segment and isolated point that meets `box`, and possibly
+    /// for some whose box is within 1/256 of a cell of it; boxes outside the grid are moved to its edge. Calls
+    /// visited(cell box) for every visited cell. Returns the number of segments examined.
     template <class Deliver, class Visited>
     std::uint32_t queryNear(const GenerationFront &front, const Box2 &box, Deliver &&deliver, Visited &&) const {
         std::uint32_t looked = 0;

@@ -13,13 +13,13 @@
 
 namespace forefront {
 
-/// A box in whole 256ths of a cell, from its lower corner, cut off at its edges; all of them belong to it.
+/// A box in 256ths of a cell, relative to its lower corner and clipped to the cell. All edges belong to the box.
 struct CellBox {
     std::uint8_t minX, minY, maxX, maxY;
 };
 
-/// Makes the boxes of one cell. Where two boxes overlap, so do theirs in any cell: every step is monotone, so neither
-/// rounding nor the edges can part them.
+/// Converts boxes to those of a cell. Boxes that overlap do so in any cell: every step is monotone, so neither rounding
+/// nor clipping can separate them.
 class CellScale {
   public:
     CellScale(const CellLayout &layout, int i, int j)
@@ -41,8 +41,8 @@ class CellScale {
     double perX_, perY_;
 };
 
-/// Up to eight segments of a cell with their boxes side by side, so that a few vector instructions compare them all. It
-/// fills a line of the cache: a large front does not fit in there, and what a search has to fetch is what it costs.
+/// Up to eight segments of a cell with their boxes side by side, so that a few vector instructions compare them all. A
+/// block fills a cache line: a large front does not fit in the caches, and a search costs what it has to fetch.
 struct alignas(64) SegmentBlock {
     static constexpr unsigned kWidth = 8;
 
@@ -61,9 +61,9 @@ struct alignas(64) SegmentBlock {
             {from.minX[fromLane], from.minY[fromLane], from.maxX[fromLane], from.maxY[fromLane]});
     }
 
-    /// A bit per lane whose box overlaps the given one; lanes that were never set may count, too.
+    /// Returns a bit per lane whose box overlaps the given one. Bits of lanes that were never set are undefined.
     unsigned overlapping(const CellBox &box) const;
-    /// A bit per lane that holds the slot; lanes that were never set may count, too.
+    /// Returns a bit per lane that contains the slot. Bits of lanes that were never set are undefined.
     unsigned holding(SlotId slot) const;
 };
 static_assert(sizeof(SegmentBlock) == 64 && offsetof(SegmentBlock, minY) == 8 && offsetof(SegmentBlock, maxX) == 16 &&

@@ -6,9 +6,9 @@ namespace {
 
 CellLayout layoutOver(const Box2 &bounds, int columns, int rows) {
     const Vec2 size = bounds.size();
-    const double least = gridSlack(bounds) * 8.0;
+    const double minSize = gridSlack(bounds) * 8.0;
     const int c = std::max(columns, 1), r = std::max(rows, 1);
-    return {bounds.min, {std::max(size.x / c, least), std::max(size.y / r, least)}, c, r};
+    return {bounds.min, {std::max(size.x / c, minSize), std::max(size.y / r, minSize)}, c, r};
 }
 
 } // namespace

@@ -1,16 +1,16 @@
 #pragma once
 
 #include "core/front/generation_front.hpp"
+#include "core/grid/cell_layout.hpp"
 #include "core/grid/cell_lists.hpp"
 #include "core/grid/grid_kind.hpp"
-#include "core/grid/cell_layout.hpp"
 
 #include <vector>
 
 namespace forefront {
 
-/// The dynamic background grid after Lo: columns x rows of equal cells, each knowing the segments of Γ that cross it;
-/// segments are added to and deleted from the cells along their way as Γ evolves.
+/// The dynamic background grid after Lo: columns x rows of equal cells. Each cell lists the segments of Γ that cross
+/// it; segments are added and deleted as Γ evolves.
 class UniformGrid {
   public:
     static constexpr GridKind kKind = GridKind::Uniform;
@@ -19,11 +19,11 @@ class UniformGrid {
 
     void insert(const GenerationFront &front, SlotId id);
     void remove(const GenerationFront &front, SlotId id);
-    /// As NoGrid::keeps; does not look.
+    /// See NoGrid::keeps(). Always false, without looking.
     bool keeps(SlotId, Vec2, Vec2) const { return false; }
     void moved(const GenerationFront &, SlotId) {}
 
-    /// As NoGrid::query.
+    /// See NoGrid::query().
     template <class Deliver, class Visited>
     void query(const GenerationFront &, const Box2 &box, Deliver &&deliver, Visited &&visited) const {
         const Box2 grown = box.grown(slack_);
@@ -33,7 +33,7 @@ class UniformGrid {
         });
     }
 
-    /// As NoGrid::queryNear.
+    /// See NoGrid::queryNear().
     template <class Deliver, class Visited>
     std::uint32_t queryNear(const GenerationFront &, const Box2 &box, Deliver &&deliver, Visited &&visited) const {
         std::uint32_t looked = 0;

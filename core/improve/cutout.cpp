@@ -157,7 +157,7 @@ bool Cutout::swapEdge(Local a, Local b) {
 
 /// Replaces a in the ring of b by the other neighbours of a, from one side of the edge ab round to the other.
 bool Cutout::mergeRings(Local a, Local b, std::span<const Local> others) {
-    const Node &gone = nodes_[a];
+    const Node &removed = nodes_[a];
     Node &kept = nodes_[b];
     std::array<Local, 2 * kRing> merged;
     unsigned n = 0;
@@ -178,9 +178,9 @@ bool Cutout::mergeRings(Local a, Local b, std::span<const Local> others) {
     }
     std::copy_n(merged.begin(), n, kept.ring);
     kept.size = static_cast<std::uint8_t>(n);
-    kept.x = 0.5F * (kept.x + gone.x);
-    kept.y = 0.5F * (kept.y + gone.y);
-    kept.rho = 0.5F * (kept.rho + gone.rho);
+    kept.x = 0.5F * (kept.x + removed.x);
+    kept.y = 0.5F * (kept.y + removed.y);
+    kept.rho = 0.5F * (kept.rho + removed.rho);
     return true;
 }
 
@@ -189,12 +189,12 @@ bool Cutout::merge(Local a, Local b) {
     if (!inner(a) || !apexes(a, b, c, d)) {
         return false;
     }
-    Node &gone = nodes_[a];
+    Node &removed = nodes_[a];
     std::array<Local, kRing> others; // c … d
-    const auto at = static_cast<unsigned>(std::find(gone.ring, gone.ring + gone.size, b) - gone.ring);
-    const unsigned count = gone.size - 1U;
+    const auto at = static_cast<unsigned>(std::find(removed.ring, removed.ring + removed.size, b) - removed.ring);
+    const unsigned count = removed.size - 1U;
     for (unsigned k = 0; k < count; ++k) {
-        others[k] = gone.ring[(at + 1 + k) % gone.size];
+        others[k] = removed.ring[(at + 1 + k) % removed.size];
     }
     if (inner(b)) {
         if (!mergeRings(a, b, {others.data(), count})) {
@@ -207,8 +207,8 @@ bool Cutout::merge(Local a, Local b) {
     for (unsigned k = 1; k + 1 < count; ++k) {
         exchange(others[k], a, b);
     }
-    gone.size = 0;
-    gone.valence = 0;
+    removed.size = 0;
+    removed.valence = 0;
     return drop(c, a) && drop(d, a) && changeValence(b, static_cast<int>(count) - 3) && changeValence(c, -1) &&
            changeValence(d, -1);
 }

@@ -32,7 +32,7 @@ std::vector<float> shapeFactors(const Mesh &mesh) {
 
 namespace {
 
-/// Mean of δ over segments, with ρ evaluated in blocks.
+/// Accumulates the mean of δ over segments and evaluates ρ in blocks.
 class ConformityMean {
   public:
     explicit ConformityMean(const SpacingField &spacing) : spacing_(spacing) {}

@@ -37,11 +37,11 @@ double degreesOfCotangent(double cotangent) {
 
 } // namespace
 
-double ShapeTally::AngleRange::least() const {
+double ShapeTally::AngleRange::min() const {
     return flat_ ? 0.0 : degreesOfCotangent(greatestCot_);
 }
 
-double ShapeTally::AngleRange::greatest() const {
+double ShapeTally::AngleRange::max() const {
     return flat_ ? 180.0 : degreesOfCotangent(leastCot_);
 }
 
@@ -73,8 +73,8 @@ void ShapeTally::into(MeshQuality &quality) const {
     quality.alphaMean = sum_ / count;
     quality.alphaGeometricMean = allPositive_ ? std::exp(product_.logarithm() / count) : 0.0;
     quality.alphaMin = least_;
-    quality.minAngle = angles_.least();
-    quality.maxAngle = angles_.greatest();
+    quality.minAngle = angles_.min();
+    quality.maxAngle = angles_.max();
     quality.worst = worst_;
     quality.alphaHistogram = histogram_;
 }

@@ -6,17 +6,17 @@
 
 namespace forefront {
 
-/// The shape figures of elements, counted one by one: α, extreme angles, area. A copy is the tally of a moment.
+/// Accumulates shape figures element by element: α, extreme angles, area.
 class ShapeTally {
   public:
-    /// Counts an element with these corners as number count().
+    /// Adds an element with these corners; its number is count().
     void add(Vec2 a, Vec2 b, Vec2 c);
     std::size_t count() const { return count_; }
-    /// Writes what has been counted into `quality`, which keeps its other figures. Nothing counted: nothing written.
+    /// Writes the figures into `quality` and keeps its others. Writes nothing if no element was added.
     void into(MeshQuality &quality) const;
 
   private:
-    /// Product of many factors in (0, 1] by its logarithm, with few calls of log.
+    /// The logarithm of a product of many factors in (0, 1], with few calls of log.
     class LogProduct {
       public:
         void multiply(double factor);
@@ -27,12 +27,12 @@ class ShapeTally {
         double sum_ = 0.0;
     };
 
-    /// Extreme angles by their cotangents, which fall as the angle grows.
+    /// The extreme angles, kept as cotangents, which fall as the angle grows.
     class AngleRange {
       public:
         void add(Vec2 a, Vec2 b, Vec2 c);
-        double least() const;    ///< degrees
-        double greatest() const; ///< degrees
+        double min() const; ///< degrees
+        double max() const; ///< degrees
 
       private:
         double greatestCot_ = -std::numeric_limits<double>::infinity();

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-/// Angle from u to v, counter-clockwise, in [0, 360) degrees.
+/// Returns the angle from u to v, counter-clockwise, in [0, 360) degrees.
 double turnFrom(Vec2 u, Vec2 v) {
     const double angle = std::atan2(cross(u, v), dot(u, v)) * kDegrees;
     return angle < 0.0 ? angle + 360.0 : angle;
@@ -29,7 +29,7 @@ bool operator<(const Wedge &w, NodeId n) {
     return w.node < n;
 }
 
-/// Wedges sharper than the limit, ordered by node; whether elements lie in them is still open.
+/// Returns the wedges sharper than the limit, ordered by node, whether or not elements lie in them.
 std::vector<Wedge> sharpWedges(const Mesh &mesh, double limit) {
     struct Ray {
         NodeId node;
@@ -55,7 +55,7 @@ std::vector<Wedge> sharpWedges(const Mesh &mesh, double limit) {
         for (std::size_t i = begin; i < end && end - begin > 1; ++i) {
             const Ray &next = rays[i + 1 < end ? i + 1 : begin];
             const double angle = turnFrom(rays[i].to, next.to);
-            if (angle > 0.0 && angle < limit) { // an edge given twice makes no corner
+            if (angle > 0.0 && angle < limit) { // a repeated edge makes no corner
                 wedges.push_back({rays[i].node, rays[i].to, angle});
             }
         }
@@ -63,7 +63,7 @@ std::vector<Wedge> sharpWedges(const Mesh &mesh, double limit) {
     return wedges;
 }
 
-/// Least angle of an element in degrees; 0 where it is not positive.
+/// Returns the minimum angle of an element in degrees; 0 if it is not positive.
 double leastAngle(const Mesh &mesh, const Element &e) {
     const Vec2 a = mesh.nodes[index(e[0])], b = mesh.nodes[index(e[1])], c = mesh.nodes[index(e[2])];
     const double twiceArea = cross(b - a, c - a);
@@ -74,7 +74,7 @@ double leastAngle(const Mesh &mesh, const Element &e) {
     return std::atan2(twiceArea, cosines) * kDegrees;
 }
 
-/// The elements that no way across common sides leads to from the tips.
+/// The elements that cannot be reached from the tips across common sides.
 std::vector<Element> notReached(std::vector<Element> reached, const std::vector<Element> &elements) {
     using Side = std::pair<NodeId, NodeId>;
     std::map<Side, std::size_t> withSide; // each direction of a side has one element
@@ -112,9 +112,9 @@ SharpCorners sharpCorners(const Mesh &mesh, double limit) {
     for (const Wedge &w : wedges) {
         sharp[index(w.node)] = 1;
     }
-    std::vector<std::uint8_t> held(mesh.nodes.size(), 0);
+    std::vector<std::uint8_t> tagged(mesh.nodes.size(), 0);
     for (const TaggedEdge &edge : mesh.edges) {
-        held[index(edge.a)] = held[index(edge.b)] = 1;
+        tagged[index(edge.a)] = tagged[index(edge.b)] = 1;
     }
     SharpCorners result;
     result.minAngleElsewhere = mesh.elements.empty() ? 0.0 : 60.0;
@@ -139,7 +139,7 @@ SharpCorners sharpCorners(const Mesh &mesh, double limit) {
             continue;
         }
         const double angle = leastAngle(mesh, e);
-        if (angle < limit && !wedges.empty() && (held[index(e[0])] & held[index(e[1])] & held[index(e[2])]) != 0) {
+        if (angle < limit && !wedges.empty() && (tagged[index(e[0])] & tagged[index(e[1])] & tagged[index(e[2])]) != 0) {
             strips.push_back(e);
         } else {
             result.minAngleElsewhere = std::min(result.minAngleElsewhere, angle);

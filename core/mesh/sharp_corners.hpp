@@ -6,7 +6,7 @@
 
 namespace forefront {
 
-/// Where tagged edges meet at an angle that no mesh can avoid.
+/// A corner of tagged edges whose angle no mesh can avoid.
 struct SharpCorner {
     NodeId node = kNoNode;
     Vec2 at;
@@ -15,12 +15,12 @@ struct SharpCorner {
 
 struct SharpCorners {
     std::vector<SharpCorner> corners; ///< sharpest first
-    double minAngleElsewhere = 0.0;   ///< least angle of the other elements, degrees
+    double minAngleElsewhere = 0.0;   ///< minimum angle of the other elements, degrees
 };
 
-/// A corner holds the elements at its tip and, from one to the next across their sides, those sharper than the limit
-/// that have all nodes on tagged edges: the strip along its two edges where there is no room for a node between.
-/// The meshed corners between neighbouring tagged edges that are sharper than `limit` degrees. O(elements).
+/// The corners of a mesh. A corner owns the elements at its tip and, from one to the next across their sides, those
+/// sharper than the limit with all nodes on tagged edges: the band along its two edges without room for a node.
+/// Finds the meshed corners between adjacent tagged edges that are sharper than `limit` degrees, in time O(elements).
 SharpCorners sharpCorners(const Mesh &mesh, double limit);
 
 } // namespace forefront

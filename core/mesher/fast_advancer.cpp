@@ -132,14 +132,14 @@ double FastAdvancer<Grid, Trace>::cosine(SlotId corner) const {
 
 template <class Grid, class Trace>
 bool FastAdvancer<Grid, Trace>::similar(SlotId first, unsigned segments) const {
-    double least = state_.front[first].length, greatest = least;
+    double shortest = state_.front[first].length, longest = shortest;
     SlotId id = first;
     for (unsigned i = 1; i < segments; ++i) {
         id = state_.front.next(id);
-        least = std::min(least, state_.front[id].length);
-        greatest = std::max(greatest, state_.front[id].length);
+        shortest = std::min(shortest, state_.front[id].length);
+        longest = std::max(longest, state_.front[id].length);
     }
-    return greatest < kSimilar * least;
+    return longest < kSimilar * shortest;
 }
 
 /// Closes a corner, or makes a new node over one to three segments. Returns false where neither is possible.

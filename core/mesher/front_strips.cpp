@@ -49,10 +49,10 @@ class ElementProfile {
         double before = 0.0;
         for (std::size_t k = 0; k < shares_.size(); ++k) {
             const double after = before + shares_[k];
-            for (double wanted = sum * static_cast<double>(cuts.size() + 1) / strips;
-                 static_cast<int>(cuts.size()) + 1 < strips && after >= wanted && shares_[k] > 0.0;
-                 wanted = sum * static_cast<double>(cuts.size() + 1) / strips) {
-                const double part = (static_cast<double>(k) + (wanted - before) / shares_[k]) / kBins;
+            for (double target = sum * static_cast<double>(cuts.size() + 1) / strips;
+                 static_cast<int>(cuts.size()) + 1 < strips && after >= target && shares_[k] > 0.0;
+                 target = sum * static_cast<double>(cuts.size() + 1) / strips) {
+                const double part = (static_cast<double>(k) + (target - before) / shares_[k]) / kBins;
                 cuts.push_back(low() + part * extent());
             }
             before = after;

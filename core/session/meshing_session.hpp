@@ -10,60 +10,61 @@
 
 namespace FOREFRONT_API forefront {
 
-/// How far one step goes.
+/// The length of a step.
 enum class Granularity : std::uint8_t {
     Event,   ///< one moment inside an advance
-    Advance, ///< one front advance: an element (fast method: up to three), none where it is deferred
-    Layer    ///< the front once around: as many advances as Γ had segments
+    Advance, ///< one front advance: an element (fast method: up to three), or a deferred base
+    Layer    ///< once around the front: as many advances as Γ had segments
 };
 
 /// What a new run does once it is prepared.
 enum class StartMode : std::uint8_t {
     Pause,   ///< waits before the first advance
     Run,     ///< meshes to the end at full speed and publishes progress and partial meshes on the way
-    RunQuiet ///< as Run, but publishes nothing before the end, so that the previous mesh stays on show: for a mesh that
-             ///< follows an edit. A run above kQuietElements publishes its progress all the same.
+    RunQuiet ///< as Run, but publishes nothing before the end, so that the previous mesh stays visible after an edit; a
+             ///< run above kQuietElements publishes its progress all the same
 };
-/// Largest predicted number of elements of a quiet run; a larger one takes long enough for its progress to matter.
+/// Maximum predicted number of elements of a quiet run. Larger runs take long enough for their progress to matter.
 inline constexpr double kQuietElements = 100'000.0;
 
-/// A meshing run on a worker thread, with a timeline that goes forward and back. All members are called from one thread
-/// (the UI's) and return at once; results arrive in latest(). Destruction cancels and joins.
+/// A meshing run on a worker thread, with a timeline that moves forward and back. Call all members from one thread (the
+/// UI thread); they return at once, and results appear in latest(). Destruction cancels the run and joins the thread.
 class MeshingSession {
   public:
-    /// `wake` is called from the worker whenever a new snapshot is there (to wake a waiting event loop); may be empty.
+    /// Starts the worker. It calls `wake`, unless empty, after each new snapshot, to wake a waiting event loop.
     explicit MeshingSession(std::function<void()> wake = {});
     ~MeshingSession();
     MeshingSession(const MeshingSession &) = delete;
     MeshingSession &operator=(const MeshingSession &) = delete;
 
-    /// Starts a new run and cancels the previous one, which stays on show until the new one is prepared, and for good
-    /// if the new one is refused.
+    /// Starts a new run and cancels the previous one, which stays visible until the new one is prepared, and for good if
+    /// the new one is refused.
     void start(std::shared_ptr<const MeshingJob> job, StartMode mode);
-    /// As above, with `runToEnd` for StartMode::Run, else StartMode::Pause.
+    /// Starts a new run with StartMode::Run if `runToEnd`, else with StartMode::Pause.
     void start(std::shared_ptr<const MeshingJob> job, bool runToEnd) {
         start(std::move(job), runToEnd ? StartMode::Run : StartMode::Pause);
     }
-    /// Runs on to the end at full speed, then improves.
+    /// Runs to the end at full speed, then improves the mesh.
     void finish();
-    /// Plays forward (or back, with a negative rate) at a number of advances per second from the position of the
-    /// cursor; at the known end, it computes on. Playing from the end starts again at the beginning.
+    /// Plays from the cursor at a number of advances per second; a negative rate plays backward. Computes further
+    /// advances at the known end. Playing from the end of the run starts again at the beginning.
     void play(double advancesPerSecond);
+    /// Pauses at the current position.
     void pause();
-    /// Steps n (negative: back) and pauses.
+    /// Moves n steps, back if negative, and pauses.
     void step(Granularity granularity, std::int64_t n);
-    /// Goes to a position in [0, known] (further: computes on) and pauses.
+    /// Moves to a position and pauses. Positions beyond the known ones are computed.
     void seek(std::uint64_t advance);
-    /// Stops what is running within 100 ms; the partial mesh stays and can be stepped through.
+    /// Stops the computation within 100 ms. The partial mesh remains and can be stepped through.
     void cancel();
-    /// Forgets the run.
+    /// Discards the run.
     void clear();
 
-    /// Layers wanted from now on.
+    /// Selects the layers of all later snapshots.
     void want(SnapshotLayers layers);
-    /// The newest snapshot, never null. Never waits for the worker's computing.
+    /// Returns the newest snapshot, never null, without waiting for the worker.
     std::shared_ptr<const SessionSnapshot> latest() const;
-    /// True while the worker has something to do (a command pending, playing, running, improving).
+    /// Returns true while the worker has work: a pending command, playing, running or improving.
     bool busy() const;
 
   private:

@@ -9,7 +9,7 @@
 
 namespace forefront {
 
-/// What the UI's thread asks of the worker.
+// Commands from the UI thread to the worker.
 struct StartCommand {
     std::shared_ptr<const MeshingJob> job;
     StartMode mode = StartMode::Pause;

@@ -11,7 +11,7 @@ bool endsTheRun(const SessionCommand &command) {
            std::holds_alternative<CancelCommand>(command);
 }
 
-/// Preparing goes on under all commands but those that end the run; improving only under those that move nothing.
+/// Returns true if a command ends a computation: preparation ends with the run, improvement with any movement.
 bool stops(const SessionCommand &command, SessionMailbox::Blocking kind) {
     const bool movesNothing =
         std::holds_alternative<WantCommand>(command) || std::holds_alternative<FinishCommand>(command);

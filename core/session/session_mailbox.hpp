@@ -13,27 +13,32 @@
 
 namespace forefront {
 
-/// What the UI's thread and the worker of a session exchange: commands one way, snapshots the other. Safe to call from
-/// both threads at any time; none of its members waits for a computation.
+/// Passes commands from the UI thread to the worker of a session, and snapshots back. All members are safe to call from
+/// both threads at any time, and none waits for a computation.
 class SessionMailbox {
   public:
     using Clock = std::chrono::steady_clock;
-    /// What the worker computes without looking at the commands, and so must be stopped by the sender of one.
+    /// A computation during which the worker reads no commands, so that the sender of one must stop it.
     enum class Blocking : std::uint8_t { Nothing, Preparing, Improving };
 
-    /// The sender's side. Steps and seeks that wait one behind the other are merged.
+    // For the UI thread:
+
+    /// Queues a command, and stops a computation that it ends. Merges it with an adjacent step or seek in the queue.
     void push(SessionCommand command);
     std::shared_ptr<const SessionSnapshot> latest() const;
     bool busy() const;
-    /// Tells the worker to end; stops what it computes.
+    /// Ends the worker and stops its computation.
     void close();
 
-    /// The worker's side. Waits for a command until work is due, or without end where there is no work (`workDue`
-    /// empty). False, and `command` as it was: the work is due, or the mailbox has been closed.
+    // For the worker:
+
+    /// Waits for a command until work is due, or without limit if `workDue` is empty. Returns false and leaves
+    /// `command` unchanged if work is due or the mailbox is closed.
     bool take(SessionCommand &command, std::optional<Clock::time_point> workDue);
     bool open() const;
     void deliver(std::shared_ptr<const SessionSnapshot> snapshot);
-    /// The token is stopped by the commands that put an end to a computation of this kind, those already waiting too.
+    /// Begins a computation of this kind. Commands that end it, including those already queued, stop the returned
+    /// token.
     std::stop_token beginBlocking(Blocking kind);
     void endBlocking();
 
@@ -43,7 +48,7 @@ class SessionMailbox {
     std::deque<SessionCommand> commands_;
     std::shared_ptr<const SessionSnapshot> latest_ = std::make_shared<SessionSnapshot>();
     Blocking blocking_ = Blocking::Nothing;
-    std::stop_source stop_; ///< of the blocking computation
+    std::stop_source stop_; ///< stops the blocking computation
     bool active_ = false;
     bool open_ = true;
 };

@@ -13,7 +13,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Snapshots come no faster than frames are drawn.
+/// Minimum time between snapshots, that of a frame.
 constexpr auto kFrame = 16ms;
 
 } // namespace
@@ -42,7 +42,7 @@ void SessionWorker::loop() {
     }
 }
 
-/// Gives the memory of the run back and says so.
+/// Discards the run and reports that memory ran out.
 void SessionWorker::runOutOfMemory() {
     mailbox_.endBlocking();
     execute(ClearCommand{});
@@ -65,7 +65,7 @@ void SessionWorker::execute(const StartCommand &command) {
     if (!prepared) {
         const bool cancelled = progress.cancelled();
         diagnostics_ = cancelled ? Diagnostics{} : prepared.faults();
-        // The run before, if there is one, stays as it was; it only plays on no longer.
+        // The previous run, if any, stays as it was but stops playing.
         rest(travel_ ? (before == RunState::Running ? RunState::Paused : before)
                      : (cancelled ? RunState::Cancelled : RunState::Failed));
         return;
@@ -129,21 +129,21 @@ void SessionWorker::execute(const WantCommand &command) {
 
 void SessionWorker::execute(const FinishCommand &) {
     if (travel_) {
-        setOut();
+        beginMove();
         follow(travel_->reachEnd());
     }
 }
 
 void SessionWorker::execute(const SeekCommand &command) {
     if (travel_) {
-        setOut();
+        beginMove();
         follow(travel_->reach(command.advance));
     }
 }
 
 void SessionWorker::execute(const StepCommand &command) {
     if (travel_ && command.count != 0) {
-        setOut();
+        beginMove();
         follow(travel_->step(command.granularity, command.count));
     }
 }
@@ -153,12 +153,12 @@ void SessionWorker::execute(const PlayCommand &command) {
         execute(PauseCommand{});
         return;
     }
-    setOut();
+    beginMove();
     travel_->play(command.rate);
     publish(false);
 }
 
-void SessionWorker::setOut() {
+void SessionWorker::beginMove() {
     improvementStopped_ = false;
     state_ = RunState::Running;
     stage_ = "advancing the front";
@@ -177,7 +177,7 @@ void SessionWorker::follow(Way way) {
     }
 }
 
-/// Somewhere on the timeline, or at its end, where the mesh is improved once.
+/// Comes to rest on the timeline. At its end, the mesh is improved once.
 void SessionWorker::arrive() {
     if (!travel_->atEnd()) {
         rest(RunState::Paused);
@@ -240,7 +240,7 @@ Progress SessionWorker::progressInto(RunState state, std::stop_token stop) {
 }
 
 void SessionWorker::publishIfDue() {
-    // Copying a large mesh takes its time: never more than a quarter of all.
+    // Copying large meshes takes a quarter of the time at most.
     if (Clock::now() - lastPublish_ > std::max<Clock::duration>(kFrame, 4 * publishCost_)) {
         publish(false);
     }
@@ -298,7 +298,7 @@ void SessionWorker::fillFromRun(SessionSnapshot &snapshot, bool resting) {
     snapshot.meshHash = finalHash_;
 }
 
-/// An estimate: how many elements there will be is known at the end only.
+/// Returns the progress of the front, an estimate, since the number of elements is known only at the end.
 double SessionWorker::frontProgress() const {
     return std::min(0.99, static_cast<double>(travel_->timeline().position()) / (estimatedElements_ + 1.0));
 }

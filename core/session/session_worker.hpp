@@ -10,7 +10,7 @@
 
 namespace forefront {
 
-/// The thread behind a MeshingSession. All but the mailbox belongs to that thread alone.
+/// The worker thread of a MeshingSession. Only that thread uses the members, except the mailbox.
 class SessionWorker {
   public:
     explicit SessionWorker(std::function<void()> wake);
@@ -18,7 +18,7 @@ class SessionWorker {
     SessionWorker(const SessionWorker &) = delete;
     SessionWorker &operator=(const SessionWorker &) = delete;
 
-    /// The UI's side.
+    /// The mailbox, which the UI thread may use.
     SessionMailbox &mailbox() { return mailbox_; }
     const SessionMailbox &mailbox() const { return mailbox_; }
 
@@ -38,9 +38,9 @@ class SessionWorker {
     void execute(const ClearCommand &command);
     void execute(const WantCommand &command);
 
-    /// Gives the run back: its mesh and its timeline.
+    /// Discards the run with its mesh and timeline.
     void forget();
-    void setOut();
+    void beginMove();
     void follow(Way way);
     void rest(RunState state);
     void arrive();
@@ -68,20 +68,20 @@ class SessionWorker {
     double estimatedElements_ = 0.0;
     double secondsImprove_ = 0.0;
     bool quiet_ = false;              ///< publish nothing before the run rests
-    bool improvementStopped_ = false; ///< by a command that came meanwhile
+    bool improvementStopped_ = false; ///< stopped by a command
 
     RunState state_ = RunState::Empty;
     Diagnostics diagnostics_;
     std::string stage_;
     double stageProgress_ = 0.0;
     std::uint64_t run_ = 0;
-    std::uint64_t shownRun_ = 0; ///< the one that travel_ is of; 0: none
+    std::uint64_t shownRun_ = 0; ///< the run of travel_; 0: none
     std::uint64_t sequence_ = 0;
     SnapshotLayers layers_;
     Clock::time_point lastPublish_;
     Clock::duration publishCost_{};
 
-    std::jthread thread_; ///< last, so that all it uses is there before and after it
+    std::jthread thread_; ///< last, so that it starts after and ends before all that it uses
 };
 
 } // namespace forefront

@@ -6,10 +6,10 @@ namespace forefront {
 
 namespace {
 
-/// Up to this size all of the quality is measured whenever the run rests; above, only at its end.
+/// Maximum size of meshes whose full quality is measured whenever the run rests; larger ones only at the end.
 constexpr std::size_t kMeasureUpTo = 200'000;
-constexpr std::uint64_t kMostMarks = 2000;
-/// Elements from one kept tally to the next: so many at most are counted again for the figures of any position.
+constexpr std::uint64_t kMaxMarks = 2000;
+/// Number of elements between stored tallies, the maximum to count again for the figures of a position.
 constexpr std::size_t kTallyStride = 1024;
 
 void count(ShapeTally &tally, const FrontState &state, std::size_t element) {
@@ -112,7 +112,7 @@ void SnapshotBuilder::growShapes(const FrontState &state) {
     }
 }
 
-/// What follows from the shapes alone; cheap at any position and size.
+/// Returns the figures that follow from the shapes alone, which is fast at any position and size.
 MeshQuality SnapshotBuilder::quickQuality(const FrontState &state) const {
     MeshQuality quality;
     quality.nodes = state.nodes.size();
@@ -127,10 +127,10 @@ MeshQuality SnapshotBuilder::quickQuality(const FrontState &state) const {
     return quality;
 }
 
-/// The rarest kind of each stretch of the timeline; new nodes only where there is room for all of them.
+/// Returns the rarest kind of mark of each stretch of the timeline. New nodes are marked only if all of them fit.
 std::shared_ptr<const std::vector<TimelineMark>> SnapshotBuilder::marksOf(const Timeline &timeline) {
     auto marks = std::make_shared<std::vector<TimelineMark>>();
-    const std::uint64_t stretch = timeline.known() / kMostMarks + 1;
+    const std::uint64_t stretch = timeline.known() / kMaxMarks + 1;
     std::optional<TimelineMark> pending;
     for (std::uint64_t p = 0; p < timeline.known(); ++p) {
         const std::optional<MarkKind> kind = markOf(timeline.delta(p));

@@ -10,16 +10,17 @@
 
 namespace forefront {
 
-/// Copies out of a run what the drawing thread wants, and no more often than it changes. Belongs to one run.
+/// Copies the layers of a run that the UI thread requests, and only when they change. Belongs to one run.
 class SnapshotBuilder {
   public:
-    /// Versions of the mesh views are counted on from `version`, so that those of two runs differ.
+    /// Numbers the mesh views from `version` on, so that those of two runs differ.
     explicit SnapshotBuilder(std::uint64_t version) : version_(version) {}
 
-    /// Mesh, front, cells and marks of the timeline's position into `snapshot`. `resting`: the run stands still, so
-    /// what takes longer may be measured too (all of the quality, the state hash, marks).
+    /// Fills in mesh, front, cells and marks at the position of the timeline. `resting`: the run does not move, so that
+    /// slower figures are computed as well: the full quality, the state hash, marks.
     void fill(SessionSnapshot &snapshot, const Timeline &timeline, SnapshotLayers layers, bool resting);
 
+    /// Returns the marks of a timeline.
     static std::shared_ptr<const std::vector<TimelineMark>> marksOf(const Timeline &timeline);
 
   private:
@@ -27,9 +28,9 @@ class SnapshotBuilder {
     void growShapes(const FrontState &state);
     MeshQuality quickQuality(const FrontState &state) const;
 
-    /// α of every element made so far; element i is the same whenever it exists.
+    /// α of every element made so far. Element i is always the same.
     std::vector<float> alpha_;
-    /// tallies_[i]: of the first i · kTallyStride elements; growing_: of all in alpha_.
+    /// tallies_[i] counts the first i · kTallyStride elements, growing_ all of alpha_.
     std::vector<ShapeTally> tallies_;
     ShapeTally growing_;
     std::shared_ptr<const MeshView> mesh_;

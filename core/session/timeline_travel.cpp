@@ -12,11 +12,11 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A batch of advances takes about a millisecond, so that commands are answered at once.
+/// Duration of a batch of advances, short enough to answer commands at once.
 constexpr std::int64_t kBatch = 512;
 constexpr auto kTick = 16ms;
 constexpr std::uint64_t kToTheEnd = std::numeric_limits<std::uint64_t>::max();
-/// Playing faster than this, single advances can't be followed and are not explained.
+/// Maximum rate at which single advances are explained.
 constexpr double kExplainedRate = 120.0;
 
 } // namespace
@@ -41,7 +41,7 @@ std::shared_ptr<const AdvanceExplanation> TimelineTravel::explainNext() {
     return std::make_shared<const AdvanceExplanation>(timeline_.mesher().explainNext());
 }
 
-/// The advance that the cursor is in, or else the one done last, derived again by doing it once more with recording.
+/// Explains the advance that contains the cursor, or else the last one, by doing it again with recording.
 TimelineTravel::Moment TimelineTravel::explain() {
     Moment moment;
     if (!followed()) {
@@ -91,12 +91,12 @@ TimelineTravel::Way TimelineTravel::stepAdvances(std::int64_t count) {
     if (count > 0) {
         return reach(origin + static_cast<std::uint64_t>(count));
     }
-    // Inside an advance, the first step back leads to its beginning.
+    // Within an advance, the first step back leads to its start.
     const auto back = static_cast<std::uint64_t>(-count) - (eventsDone_ > 0 ? 1 : 0);
     return reach(origin - std::min(origin, back));
 }
 
-/// Goes the rest of a short way before something that starts from where it leads.
+/// Completes a short move, since the next one starts from its target.
 void TimelineTravel::settle() {
     for (int batch = 0; batch < 64 && activity_ == Activity::Reaching && target_ != kToTheEnd; ++batch) {
         reachABatch();
@@ -139,16 +139,16 @@ TimelineTravel::Way TimelineTravel::stepLayers(std::int64_t count) {
         layersWanted_ = static_cast<std::size_t>(above + count);
         return way;
     }
-    // Inside an advance, the first step back may lead to where it began.
+    // Within an advance, the first step back may lead to its start.
     const std::uint64_t from = position + (eventsDone_ > 0 ? 1 : 0);
     const auto below = std::lower_bound(ends.begin(), ends.end(), from) - ends.begin();
-    const std::int64_t wanted = below + count;
-    return reach(wanted < 0 ? 0 : ends[static_cast<std::size_t>(wanted)]);
+    const std::int64_t layer = below + count;
+    return reach(layer < 0 ? 0 : ends[static_cast<std::size_t>(layer)]);
 }
 
 void TimelineTravel::play(double rate) {
     if (rate > 0.0 && atEnd() && timeline_.position() > 0) {
-        reach(0); // in batches: the way back over a long run takes its time
+        reach(0); // in batches, since going back over a long run takes time
         rateOnArrival_ = rate;
     } else {
         startPlaying(rate);
@@ -186,7 +186,7 @@ TimelineTravel::Way TimelineTravel::work() {
     return Way::Arrived;
 }
 
-/// Advances done for the first time count as meshing time; repeated ones do not.
+/// Counts the time of advances as meshing time unless they are repeated.
 std::uint64_t TimelineTravel::move(std::int64_t advances) {
     CpuClock clock;
     const auto begin = Clock::now();
@@ -229,7 +229,7 @@ TimelineTravel::Way TimelineTravel::playABatch() {
     const auto now = Clock::now();
     owed_ += rate_ * std::chrono::duration<double>(now - lastTick_).count();
     lastTick_ = now;
-    // A slow machine plays slower; it never falls behind without end.
+    // A slow machine plays more slowly instead of falling ever further behind.
     const double most = 0.05 * std::abs(rate_) + 1.0;
     owed_ = std::clamp(owed_, -most, most);
     const auto due = static_cast<std::int64_t>(owed_);

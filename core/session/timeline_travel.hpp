@@ -9,14 +9,14 @@
 
 namespace forefront {
 
-/// Moves the cursor of a run over its timeline, to a place or at a pace, in batches of about a millisecond, so that
-/// whoever calls work() can look at other things in between.
+/// Moves the cursor of a run along its timeline, to a position or at a rate, in batches of about a millisecond, so that
+/// the caller of work() can do other things in between.
 class TimelineTravel {
   public:
     using Clock = std::chrono::steady_clock;
-    /// What a call did. Arrived: where the way led, or as far as it goes; at rest there.
+    /// The result of a call. Arrived: at rest at the target, or as close to it as the run goes.
     enum class Way : std::uint8_t { Still, Moved, Arrived };
-    /// What the run explains at the cursor: an advance and the moment inside it, its event count for the whole of it.
+    /// An explained advance and a moment in it: the index of an event, or the number of events for the whole advance.
     struct Moment {
         std::shared_ptr<const AdvanceExplanation> advance;
         std::size_t cursor = 0;
@@ -26,29 +26,32 @@ class TimelineTravel {
 
     const Timeline &timeline() const { return timeline_; }
     bool resting() const { return activity_ == Activity::Resting; }
-    /// Moving at the pace that play() was given, for the eye; not on the way to a place as fast as can be.
+    /// Returns true while moving at the rate given to play(), and not to a position at full speed.
     bool playing() const { return activity_ == Activity::Playing; }
-    /// At the end of the whole run, and not inside an advance.
+    /// Returns true at the end of the run.
     bool atEnd() const { return eventsDone_ == 0 && timeline_.complete() && timeline_.position() == timeline_.known(); }
-    /// When work() has something to do; none at rest.
+    /// Returns when work() has something to do; nothing at rest.
     std::optional<Clock::time_point> workDue() const;
-    /// Advances per second: those of the last batch, or the pace that was asked for.
+    /// Returns the advances per second of the last batch, or the requested rate.
     double rate() const { return measuredRate_; }
-    /// CPU time spent on advances done for the first time.
+    /// Returns the CPU time of advances, without repeated ones.
     double seconds() const { return seconds_; }
-    /// Nothing before the first advance, and while the cursor moves too fast to be followed.
+    /// Explains the advance at the cursor. Empty before the first advance and while the cursor moves too fast to
+    /// follow.
     Moment explain();
 
-    /// Sets out for a position in [0, the end]; beyond the known ones it computes on.
+    /// Begins a move to a position. Positions beyond the known ones are computed.
     Way reach(std::uint64_t position);
+    /// Begins a move to the end of the run.
     Way reachEnd();
-    /// Sets out n steps from where the cursor is, or is on its way to: steps that come faster than they are done add
-    /// up. Negative: back. n must not be 0.
+    /// Begins a move of n steps, back if negative, from the cursor or from its target, so that fast steps add up. n
+    /// must not be 0.
     Way step(Granularity granularity, std::int64_t n);
-    /// Moves at a number of advances per second, negative: back. Forward from the end it starts at the beginning.
+    /// Begins to move at a number of advances per second, backward if negative. Starts at the beginning if at the end.
     void play(double rate);
+    /// Ends the move.
     void rest();
-    /// One batch.
+    /// Performs one batch of the move.
     Way work();
 
   private:
@@ -69,14 +72,14 @@ class TimelineTravel {
     Timeline timeline_;
     Activity activity_ = Activity::Resting;
     std::uint64_t target_ = 0;     ///< Reaching: position to reach
-    std::size_t layersWanted_ = 0; ///< Reaching: so many layer ends, then the last of them is the target
+    std::size_t layersWanted_ = 0; ///< Reaching: number of layer ends still to pass
     double rateOnArrival_ = 0.0;   ///< Reaching: then play at this rate; 0: rest
     double rate_ = 0.0;            ///< Playing: advances per second, negative: back
     double owed_ = 0.0;            ///< Playing: fraction of an advance not yet played
-    Clock::time_point lastTick_;   ///< Playing: up to when advances have been paid
+    Clock::time_point lastTick_;   ///< Playing: the time up to which advances are done
     double measuredRate_ = 0.0;
     double seconds_ = 0.0;
-    /// Stepping by events: inside the next advance, which is explained but not done. 0: outside.
+    /// Stepping by events: number of events of the next advance, which is explained but not done; 0 between advances.
     std::size_t eventsDone_ = 0;
     std::shared_ptr<const AdvanceExplanation> nextAdvance_;
 };

@@ -62,21 +62,21 @@ TEST_CASE("FrontStrips: few elements make one strip, many make strips that cover
     const auto domain = discreteDisc(0.05);
     const auto spacing = spacingOf([](Vec2) { return 0.05; });
     CHECK(FrontStrips(*domain, *spacing, FrontStrips::kPerStrip).boxes.size() == 1);
-    const FrontStrips strips(*domain, *spacing, 200.0);
-    REQUIRE(strips.phases.size() == 5);
-    CHECK(strips.phases[1] == 1);
-    const std::size_t strips = strips.phases[2] - strips.phases[1];
+    const FrontStrips found(*domain, *spacing, 200.0);
+    REQUIRE(found.phases.size() == 5);
+    CHECK(found.phases[1] == 1);
+    const std::size_t strips = found.phases[2] - found.phases[1];
     CHECK(strips >= 8);
     for (const double perStrip : {150.0, 200.0, 230.0, 260.0, 300.0, 350.0}) {
         const FrontStrips some(*domain, *spacing, perStrip);
         CHECK((some.phases.size() < 5 || (some.phases[2] - some.phases[1]) % 2 == 0));
     }
-    CHECK(strips.phases[3] - strips.phases[2] == strips - 1);
+    CHECK(found.phases[3] - found.phases[2] == strips - 1);
     for (double x = -1.0; x < 1.0; x += 0.01) {
         for (std::size_t phase = 0; phase < 4; ++phase) {
             std::size_t holding = 0;
-            for (std::size_t k = strips.phases[phase]; k < strips.phases[phase + 1]; ++k) {
-                holding += holds(strips.boxes[k], Vec2{x, 0.0}) ? 1U : 0U;
+            for (std::size_t k = found.phases[phase]; k < found.phases[phase + 1]; ++k) {
+                holding += holds(found.boxes[k], Vec2{x, 0.0}) ? 1U : 0U;
             }
             REQUIRE(holding == 1);
         }
