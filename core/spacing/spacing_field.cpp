@@ -1,5 +1,6 @@
 #include "core/spacing/spacing_field.hpp"
 
+#include "core/base/cancelled.hpp"
 #include "core/spacing/combined_field.hpp"
 #include "core/spacing/part_list.hpp"
 #include "core/spacing/parts/automatic/automatic.hpp"
@@ -87,17 +88,16 @@ class FieldBuilder {
                              std::move(automatic.sites.labels));
         }
     }
-    static Diagnostics cancelled() { return error("cancelled", "preparing the spacing was cancelled"); }
     Result<std::shared_ptr<const SpacingField>> finish() {
         if (input_.progress.cancelled()) {
-            return cancelled();
+            return cancelled("preparing the spacing");
         }
         if (parts_.few.sites.size() > kFew) {
             parts_.tree = SiteTree::build(std::move(parts_.few.sites), input_.box, input_.progress);
             parts_.treeLabels = std::move(parts_.few.labels);
             parts_.few = {};
             if (!parts_.tree) {
-                return cancelled();
+                return cancelled("preparing the spacing");
             }
         }
         if (parts_.tree || !parts_.few.sites.empty()) {

@@ -1,5 +1,6 @@
 #include "core/spacing/parts/background/background_part.hpp"
 
+#include "core/base/cancelled.hpp"
 #include "core/base/paced_progress.hpp"
 #include "core/geometry/predicates.hpp"
 
@@ -15,10 +16,6 @@ Diagnostics badBackground(std::string message, std::optional<Vec2> at = {}, std:
         faults.front().ids = {*id};
     }
     return faults;
-}
-
-Diagnostics cancelled() {
-    return error("cancelled", "preparing the background mesh was cancelled");
 }
 
 std::optional<Diagnostics> faultOf(const BackgroundMesh &mesh, const Progress &progress) {
@@ -45,7 +42,7 @@ std::optional<Diagnostics> faultOf(const BackgroundMesh &mesh, const Progress &p
     PacedProgress pace(progress, "checking the background mesh", mesh.elements.size());
     for (std::uint32_t e = 0; e < mesh.elements.size(); ++e) {
         if (!pace.next()) {
-            return cancelled();
+            return cancelled("preparing the background mesh");
         }
         const auto &[a, b, c] = mesh.elements[e];
         if (std::max({a, b, c}) >= mesh.nodes.size()) {
@@ -275,7 +272,7 @@ Result<BackgroundPart> BackgroundPart::build(const BackgroundMesh &mesh, double 
     }
     auto part = BackgroundBuilder(mesh, minimum).run(progress);
     if (!part) {
-        return cancelled();
+        return cancelled("preparing the background mesh");
     }
     return *std::move(part);
 }
