@@ -255,7 +255,7 @@ TEST_CASE("adapt: every stage of a round can be cancelled at each of its reports
     REQUIRE(run().empty());
     const std::vector<std::string> all = reports;
     for (const auto &[stage, least] : std::map<std::string, std::ptrdiff_t>{
-             {"taking the gradient", 4},
+             {"computing the gradient", 4},
              {"finding the elements around nodes", 8},
              {"recovering the gradient", 3},
              {"estimating the error", 4},
