@@ -29,7 +29,7 @@ Result<GridRun> advanceOnce(const TableGrid &grid, const MeshingJob &job, const 
     GridRun run;
     CpuClock clock;
     const std::unique_ptr<Mesher> mesher = Mesher::create(prepared.boundary, prepared.spacing, options);
-    mesher->reserve(static_cast<std::uint64_t>(Mesher::kRoom * prepared.estimatedElements) + 1024);
+    mesher->reserve(static_cast<std::uint64_t>(Mesher::kReserve * prepared.estimatedElements) + 1024);
     if (!advanceToEnd(*mesher, prepared.estimatedElements, stage, progress)) {
         return cancelled("running the tables");
     }
