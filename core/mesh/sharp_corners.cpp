@@ -139,7 +139,8 @@ SharpCorners sharpCorners(const Mesh &mesh, double limit) {
             continue;
         }
         const double angle = leastAngle(mesh, e);
-        if (angle < limit && !wedges.empty() && (tagged[index(e[0])] & tagged[index(e[1])] & tagged[index(e[2])]) != 0) {
+        if (angle < limit && !wedges.empty() &&
+            (tagged[index(e[0])] & tagged[index(e[1])] & tagged[index(e[2])]) != 0) {
             strips.push_back(e);
         } else {
             result.minAngleElsewhere = std::min(result.minAngleElsewhere, angle);

@@ -37,8 +37,8 @@ class MeshingSession {
     MeshingSession(const MeshingSession &) = delete;
     MeshingSession &operator=(const MeshingSession &) = delete;
 
-    /// Starts a new run and cancels the previous one, which stays visible until the new one is prepared, and for good if
-    /// the new one is refused.
+    /// Starts a new run and cancels the previous one, which stays visible until the new one is prepared, and for good
+    /// if the new one is refused.
     void start(std::shared_ptr<const MeshingJob> job, StartMode mode);
     /// Starts a new run with StartMode::Run if `runToEnd`, else with StartMode::Pause.
     void start(std::shared_ptr<const MeshingJob> job, bool runToEnd) {
