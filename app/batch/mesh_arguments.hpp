@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/arrangement/overlap_rule.hpp"
 #include "core/io/inner_edges.hpp"
 #include "core/mesher/options.hpp"
 
@@ -26,6 +27,9 @@ struct MeshArguments {
     int gridColumns = 0, gridRows = 0;
     bool keepBoundary = false;
     bool repair = false;
+    std::optional<double> weldTolerance; ///< nothing: the default of the input's format
+    OverlapRule overlap = OverlapRule::Later;
+    bool strict = false;
     std::optional<Method> method;
     std::optional<ImproveLevel> improve;
     std::optional<unsigned> threads;

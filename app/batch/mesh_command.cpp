@@ -129,11 +129,14 @@ int runMesh(const MeshArguments &arguments) {
     progress.report = [&bar](std::string_view stage, double fraction) { bar.show(stage, fraction); };
 
     bar.show("reading", 0.0);
-    const Result<Input> input = openInput(arguments.input, arguments.inputFormat);
+    Result<Input> input = openInput(arguments.input, arguments.inputFormat);
     if (!input) {
         bar.clear();
         return refuse(input.faults(), interrupt);
     }
+    input->options.weldTolerance = arguments.weldTolerance;
+    input->options.overlap = arguments.overlap;
+    input->options.strict = arguments.strict;
     Result<MeshingJob> job = readJob(arguments, *input);
     Diagnostics faults = job ? applySpacing(arguments, job->spacing) : job.faults();
     bar.clear();

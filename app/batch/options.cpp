@@ -57,6 +57,13 @@ CLI::Validator positiveNumber() {
     });
 }
 
+CLI::Validator nonNegativeNumber() {
+    return check("a number of at least 0", [](const std::string &text) {
+        const auto value = parse<double>(text);
+        return value && std::isfinite(*value) && *value >= 0.0;
+    });
+}
+
 CLI::Validator numberWithin(double least, double greatest) {
     return check("a number from " + shown(least) + " to " + shown(greatest),
                  [least, greatest](const std::string &text) {

@@ -13,6 +13,7 @@ namespace forefront {
 
 /// Checks of option values. A fault reads "--size: expected a positive number, got 'abc'".
 CLI::Validator positiveNumber();
+CLI::Validator nonNegativeNumber();
 CLI::Validator numberWithin(double least, double greatest);
 CLI::Validator wholeNumberWithin(int least, int greatest);
 CLI::Validator oneOf(std::vector<std::string> words);

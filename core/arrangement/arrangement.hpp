@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/arrangement/change.hpp"
+#include "core/arrangement/overlap_rule.hpp"
 #include "core/base/result.hpp"
 #include "core/domain/domain.hpp"
 
@@ -65,13 +66,6 @@ struct ArrangementFeature {
     std::string name; ///< for messages; may be empty
 };
 
-/// Which feature a face belongs to where several cover it. In both cases a feature that lies inside another one keeps
-/// its own area.
-enum class OverlapRule : std::uint8_t {
-    Later,  ///< the one that comes later in the file, as in a painting
-    Smaller ///< the one with the smaller area; of equal ones the later
-};
-
 struct ArrangementInput {
     // Each returns the index of what it adds.
     std::uint32_t addFeature(std::int32_t regionTag, std::string name = {});
@@ -92,6 +86,7 @@ struct ArrangementInput {
     double tolerance = 0.0;
     OverlapRule overlap = OverlapRule::Later;
     bool markRegions = false; ///< put a region marker into every face
+    bool keepOutside = false; ///< keep lines and points that no shape covers
 };
 
 /// The part of a piece that a segment of the result follows.

@@ -72,7 +72,7 @@ Assembler::Fate Assembler::fateOf(std::uint32_t edge) const {
     }
     const bool isLine = isLine_[edge] != 0;
     if (!inside(left)) {
-        return isLine ? Fate::Outside : Fate::Inner;
+        return !isLine ? Fate::Inner : input_.keepOutside ? Fate::Constraint : Fate::Outside;
     }
     // All shapes of the left face end here: those of the right one only touch them.
     const bool touch = left != right && cover_.ends[edge] == cover_.shapes[left];
@@ -175,7 +175,7 @@ PieceStretch Assembler::stretchOf(std::uint32_t piece, std::uint32_t from, std::
 }
 
 bool Assembler::pointInside(std::uint32_t node) const {
-    return nodeSide_[node] != 0 ? nodeSide_[node] == 2 : inside(faces_.ofPoint[node]);
+    return input_.keepOutside || (nodeSide_[node] != 0 ? nodeSide_[node] == 2 : inside(faces_.ofPoint[node]));
 }
 
 void Assembler::addPoint(std::uint32_t piece) {

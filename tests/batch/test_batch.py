@@ -335,6 +335,21 @@ class Imports(Case):
         self.assertIn("[lines-as-outline]", self.call("mesh", "a.geojson", "-o", "a.msh").stderr)
         self.call("check", "a.msh", "--domain", "a.geojson")
 
+    def test_drawings_and_maps_are_arranged_and_every_change_is_told(self):
+        polygon = ('{"type": "Feature", "properties": {"name": "%s"}, "geometry": {"type": "Polygon", "coordinates": '
+                   '[[[%g,0],[%g,0],[%g,1],[%g,1],[%g,0]]]}}')
+        pair = [polygon % ("A", 0, 1, 1, 0, 0), polygon % ("B", 0.99, 2, 2, 0.99, 0.99)]
+        self.write("map.geojson", '{"type": "FeatureCollection", "features": [%s]}' % ", ".join(pair))
+        told = self.call("mesh", "map.geojson", "-o", "map.msh").stderr
+        self.assertRegex(told, r"map\.geojson:\d+:\d+: note: decided 1 overlap of features, 0\.01 in area, first of A and B")
+        self.call("check", "map.msh", "--domain", "map.geojson")
+        self.call("mesh", "map.geojson", "-o", "map.msh", "--strict", code=1)
+        self.assertIn("moved 2 nodes onto others, at most 0.01 away",
+                      self.call("mesh", "map.geojson", "-o", "map.msh", "--weld", "0.02").stderr)
+        self.assertEqual(self.call("mesh", "map.geojson", "-o", "map.msh", "-q", "--overlap", "smaller").stderr, "")
+        self.assertIn("expected a number of at least 0, got '-1'",
+                      self.call("mesh", "map.geojson", "-o", "map.msh", "--weld", "-1", code=2).stderr)
+
     def test_the_maximum_area_of_a_region_is_kept(self):
         text = poly([SQUARE]).rstrip() + "\n1\n1 2 1 1 "
         counts = []
@@ -360,10 +375,10 @@ class Refusing(Case):
         self.assertEqual(checked, done.stderr)
         self.assertIn("at (2, 1.5)", crossing[0])
 
-    def faults(self, name, text, code):
+    def faults(self, name, text, code, *options):
         """Lines of stderr with that code, for a domain file that is refused."""
         self.write(name, text)
-        errors = self.call("mesh", name, "-o", "a.msh", code=1).stderr
+        errors = self.call("mesh", name, "-o", "a.msh", *options, code=1).stderr
         found = [line for line in errors.splitlines() if f"[{code}]" in line]
         self.assertTrue(found, errors)
         self.assertTrue(all(line.startswith(name + ":") for line in errors.splitlines()), errors)
@@ -387,11 +402,11 @@ class Refusing(Case):
                              "crossing-segments")
         self.assertIn("segment 7 (line 3) and segment 9 (line 5)", line)
         [line] = self.faults("bow.geojson", '{"type": "Polygon", "coordinates": [\n'
-                             '[[0, 0], [4, 3],\n  [4, 0], [0, 3], [0, 0]]]}', "crossing-segments")
-        self.assertTrue(line.startswith("bow.geojson:2:2: error: "), line)
-        self.assertIn("segment (line 2, column 2) and segment (line 3, column 3)", line)
+                             '[[0, 0], [4, 3],\n  [4, 0], [0, 3], [0, 0]]]}', "crossing-segments", "--strict")
+        self.assertEqual(line, "bow.geojson:2:2: error: the input would be changed: added a node where segments cross "
+                         "at (2, 1.5) [crossing-segments]; correct the file, or leave out --strict")
         [line] = self.faults("bow.svg", '<svg viewBox="0 0 9 9">\n<line x1="3.5" y1="1.5" x2="3.8" y2="1.5"/>\n'
-                             '<path d="M0 0 4 3 4 0 0 3z"/></svg>', "crossing-segments")
+                             '<path d="M0 0 4 3 4 0 0 3z"/></svg>', "crossing-segments", "--strict")
         self.assertTrue(line.startswith("bow.svg:3:2: error: "), line)
 
     def test_faults_left_by_a_repair_name_the_file_and_no_segments_that_it_does_not_have(self):

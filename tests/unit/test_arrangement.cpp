@@ -1,5 +1,6 @@
 #include "core/arrangement/arrangement.hpp"
 #include "core/arrangement/cluster.hpp"
+#include "core/arrangement/face_points.hpp"
 #include "core/domain/domain_graph.hpp"
 #include "core/domain/validate.hpp"
 #include "core/geometry/polygon.hpp"
@@ -229,6 +230,24 @@ TEST_CASE("arrange: an outline that is not closed is refused with its place") {
     REQUIRE_FALSE(result.ok());
     CHECK(result.faults().front().code == "open-contour");
     CHECK(result.faults().front().at == Vec2{0, 1});
+}
+
+TEST_CASE("pointInFace: finds room in faces of awkward shape") {
+    const std::vector<Vec2> comb{{0, 0}, {10, 0}, {10, 5}, {9, 0.1}, {8, 5}, {7, 0.1}, {6, 5}, {0, 1}};
+    std::vector<FaceEdge> edges;
+    for (std::size_t k = 0; k < comb.size(); ++k) {
+        edges.push_back({comb[k], comb[(k + 1) % comb.size()]});
+    }
+    const auto at = pointInFace(edges);
+    REQUIRE(at.has_value());
+    CHECK(locate(comb, *at) == PointPlace::Inside);
+    edges.push_back({{at->x, -0.1}, {at->x, 4.9}, true}); // a line through it
+    const auto beside = pointInFace(edges);
+    REQUIRE(beside.has_value());
+    CHECK(beside->x != at->x);
+    CHECK(locate(comb, *beside) == PointPlace::Inside);
+    CHECK(!pointInFace(std::vector<FaceEdge>{{{0, 0}, {2, 0}}, {{2, 0}, {0, 0}}}));
+    CHECK(!pointInFace({}));
 }
 
 TEST_CASE("notesOf: one line per kind, with count, displacement and places") {

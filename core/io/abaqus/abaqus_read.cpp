@@ -1,5 +1,5 @@
 #include "core/io/abaqus/abaqus.hpp"
-#include "core/io/common/domain_builder.hpp"
+#include "core/io/common/tag_allocator.hpp"
 #include "core/io/common/names.hpp"
 #include "core/io/common/planar_mesh.hpp"
 

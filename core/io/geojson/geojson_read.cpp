@@ -1,26 +1,30 @@
-#include "core/geometry/box_tree.hpp"
-#include "core/geometry/polygon.hpp"
-#include "core/io/common/domain_builder.hpp"
-#include "core/io/common/line_outline.hpp"
+#include "core/io/common/drawing_builder.hpp"
 #include "core/io/common/names.hpp"
+#include "core/io/common/tag_allocator.hpp"
 #include "core/io/geojson/geojson.hpp"
 #include "core/io/json/json_check.hpp"
 
 #include <algorithm>
 #include <initializer_list>
 #include <limits>
+#include <map>
 #include <set>
 
 namespace forefront {
 
 namespace {
 
+struct GeoRing {
+    JsonValue from;          ///< its coordinates in the text
+    std::vector<Vec2> nodes; ///< the first one not repeated
+};
+
 struct GeoPolygon {
-    JsonValue from;                       ///< its coordinates in the text
-    std::vector<std::vector<Vec2>> rings; ///< outline and holes, first nodes not repeated
+    std::vector<GeoRing> rings; ///< outline and holes
     std::int32_t boundaryTag = 1;
     std::int32_t regionTag = 1;
-    Vec2 inside = {};
+    std::size_t feature = 0; ///< number of the feature or lone geometry
+    std::string name;
 };
 
 struct GeoLine {
@@ -39,16 +43,12 @@ struct GeoPoint {
 struct GeoLabel {
     std::string name;
     std::optional<std::int32_t> tag;
+    std::size_t feature = 0; ///< its number; 0: none
 };
 
 class GeoJsonReader {
   public:
-    explicit GeoJsonReader(const SourceText &source)
-        : source_(source), check_(source), located_(source.origin != nullptr), builder_(source.origin) {
-        if (located_) {
-            source.origin->showsColumns = true;
-        }
-    }
+    explicit GeoJsonReader(const SourceText &source) : source_(source), check_(source), builder_(source) {}
 
     Result<Domain> read(const JsonValue &root) {
         reserveTags(root);
@@ -61,25 +61,21 @@ class GeoJsonReader {
             check_.fault(root, "empty-domain", "the file holds no polygon and no line that could bound a domain");
             return check_.faults();
         }
-        placePolygons();
+        addPolygons();
         for (const GeoLine &line : lines_) {
             buildFromItems(line.from);
             builder_.addChain(line.nodes, line.tag);
         }
         for (const GeoPoint &point : points_) {
-            buildFrom(point.from);
+            builder_.from({point.from.offset()});
             builder_.addPoint(point.place, point.tag);
         }
-        Domain domain = builder_.finish();
-        if (const std::size_t segments = polygons_.empty() ? boundByLines(domain) : 0; segments > 0) {
-            source_.note("lines-as-outline",
-                         "the file has no polygon: its lines that form closed loops are the outline (" +
-                             std::to_string(segments) + " segments)",
-                         lines_.front().from.offset());
-        }
         noteUnused();
-        domain.boundaryNames = boundaries_.names();
-        domain.regionNames = regions_.names();
+        Result<Domain> domain = builder_.finish();
+        if (domain) {
+            domain->boundaryNames = boundaries_.names();
+            domain->regionNames = regions_.names();
+        }
         return domain;
     }
 
@@ -147,16 +143,13 @@ class GeoJsonReader {
         }
     }
 
-    /// What is built next stands at this value, or at the items of this list.
-    void buildFrom(const JsonValue &value) { builder_.from({value.offset()}); }
+    /// What is built next stands at the items of this list.
     void buildFromItems(const JsonValue &list) {
-        if (located_) {
-            std::vector<std::size_t> offsets;
-            for (const JsonValue item : list) {
-                offsets.push_back(item.offset());
-            }
-            builder_.from(std::move(offsets));
+        std::vector<std::size_t> offsets;
+        for (const JsonValue item : list) {
+            offsets.push_back(item.offset());
         }
+        builder_.from(std::move(offsets));
     }
 
     void reserveTags(const JsonValue &root) {
@@ -235,7 +228,9 @@ class GeoJsonReader {
             if (geometry && geometry->is(JsonKind::Null)) {
                 source_.note("no-geometry", "features without a geometry are ignored", value.offset());
             } else if (geometry) {
-                anything(*geometry, this->label(value));
+                GeoLabel own = this->label(value);
+                own.feature = ++features_;
+                anything(*geometry, own);
             }
         } else {
             noteMembers(value, {"coordinates"});
@@ -323,73 +318,54 @@ class GeoJsonReader {
     }
 
     void polygon(const JsonValue &value, const GeoLabel &label) {
-        GeoPolygon polygon{value, {}};
         if (!check_.expect(value, JsonKind::Array, "the rings of a polygon")) {
             return;
         }
+        GeoPolygon polygon;
+        bool flat = false; // the outline
+        std::size_t count = 0;
         for (const JsonValue ring : value) {
             std::vector<Vec2> nodes = positions(ring, "a ring of a polygon");
             if (nodes.size() > 1 && nodes.front() == nodes.back()) {
                 nodes.pop_back();
             }
-            if (nodes.size() < 3) {
-                check_.fault(ring, "bad-count", "a ring needs at least 3 different positions");
+            if (nodes.size() >= 3) {
+                polygon.rings.push_back({ring, std::move(nodes)});
+            } else {
+                source_.note("flat-ring", "rings with fewer than 3 different positions are ignored", ring.offset());
+                flat = flat || count == 0;
             }
-            polygon.rings.push_back(std::move(nodes));
+            ++count;
         }
-        if (polygon.rings.empty() || !check_.faults().empty()) {
+        if (flat || polygon.rings.empty() || !check_.faults().empty()) {
             return;
         }
-        const auto inside = pointInside(polygon.rings);
-        if (!inside) {
-            check_.fault(value, "zero-area", "the polygon encloses no area");
-            return;
-        }
-        polygon.inside = *inside;
         polygon.boundaryTag = tagOf(boundaries_, label);
         polygon.regionTag = tagOf(regions_, label);
+        polygon.feature = label.feature > 0 ? label.feature : ++features_;
+        polygon.name = label.name;
         polygons_.push_back(std::move(polygon));
     }
 
-    /// Polygons inside another one do not take from it: they only divide it.
-    void placePolygons() {
-        std::vector<Box2> boxes(polygons_.size());
-        for (std::size_t p = 0; p < polygons_.size(); ++p) {
-            for (const Vec2 node : polygons_[p].rings.front()) {
-                boxes[p].add(node);
+    /// Polygons of a feature cover it together; each takes its own holes out of itself alone.
+    void addPolygons() {
+        std::map<std::size_t, std::uint32_t> features;
+        for (const GeoPolygon &polygon : polygons_) {
+            const auto [feature, added] = features.try_emplace(polygon.feature, 0U);
+            if (added) {
+                feature->second = builder_.addFeature(polygon.regionTag, polygon.name);
+            }
+            const std::uint32_t shape = builder_.addShape(feature->second);
+            for (const GeoRing &ring : polygon.rings) {
+                buildFromItems(ring.from);
+                const bool hole = &ring != &polygon.rings.front();
+                builder_.addRing(builder_.addContour(shape, FillRule::NonZero, hole), ring.nodes, polygon.boundaryTag);
             }
         }
-        const BoxTree tree(boxes);
-        for (std::uint32_t p = 0; p < polygons_.size(); ++p) {
-            bool nested = false;
-            tree.query(boxOf(polygons_[p].inside, polygons_[p].inside),
-                       [&](std::uint32_t other) { nested = nested || (other != p && contains(other, p, boxes)); });
-            auto from = polygons_[p].from.begin();
-            for (const std::vector<Vec2> &ring : polygons_[p].rings) {
-                buildFromItems(*from);
-                ++from;
-                builder_.addLoop(ring, polygons_[p].boundaryTag,
-                                 nested ? SegmentRole::Constraint : SegmentRole::Boundary);
-            }
-            buildFrom(polygons_[p].from);
-            if (polygons_.size() > 1 || !regions_.names().empty() || polygons_[p].regionTag != 1) {
-                builder_.addRegion(polygons_[p].inside, polygons_[p].regionTag);
-            }
+        if (polygons_.size() > 1 || !regions_.names().empty() ||
+            (!polygons_.empty() && polygons_.front().regionTag != 1)) {
+            builder_.markRegions();
         }
-    }
-
-    /// The larger of two that overlap contains the other; of two equal ones, the first does.
-    bool contains(std::uint32_t outer, std::uint32_t inner, const std::vector<Box2> &boxes) const {
-        const double outerSize = boxes[outer].diagonal();
-        const double innerSize = boxes[inner].diagonal();
-        if (outerSize < innerSize || (outerSize == innerSize && outer > inner)) {
-            return false;
-        }
-        bool inside = false;
-        for (const std::vector<Vec2> &ring : polygons_[outer].rings) {
-            inside = inside != (locate(ring, polygons_[inner].inside) == PointPlace::Inside);
-        }
-        return inside;
     }
 
     const SourceText &source_;
@@ -398,9 +374,9 @@ class GeoJsonReader {
     std::vector<GeoPolygon> polygons_;
     std::vector<GeoLine> lines_;
     std::vector<GeoPoint> points_;
-    const bool located_; ///< places of the parts are asked for
     Unused properties_, members_, heights_;
-    DomainBuilder builder_;
+    std::size_t features_ = 0; ///< numbered so far
+    DrawingBuilder builder_;
 };
 
 } // namespace

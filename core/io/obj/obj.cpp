@@ -1,6 +1,6 @@
 #include "core/io/obj/obj.hpp"
 
-#include "core/io/common/domain_builder.hpp"
+#include "core/io/common/tag_allocator.hpp"
 #include "core/io/common/names.hpp"
 #include "core/io/common/planar_mesh.hpp"
 

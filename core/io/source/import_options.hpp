@@ -1,9 +1,11 @@
 #pragma once
 
+#include "core/arrangement/overlap_rule.hpp"
 #include "core/base/api.hpp"
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace FOREFRONT_API forefront {
@@ -12,6 +14,11 @@ namespace FOREFRONT_API forefront {
 struct ImportOptions {
     /// Maximum distance between a curve and its polyline, in file units; 0: 1/2000 of the drawing's size.
     double curveTolerance = 0.0;
+    /// Nodes and segments of drawings and maps that are closer than this are joined, in domain units; nothing: 1e-6 of
+    /// the diagonal.
+    std::optional<double> weldTolerance = {};
+    OverlapRule overlap = OverlapRule::Later;    ///< between features of a map
+    bool strict = false;                         ///< refuse drawings and maps that would have to be changed
     std::size_t maxBytes = std::size_t{2} << 30; ///< larger files are refused
     /// Format by its id, such as "geojson"; empty: by content, then by extension.
     std::string formatId = {};

@@ -67,6 +67,7 @@ class SvgDrawer {
         AffineMap map;
         Vec2 viewport;
         bool visible = true;
+        SvgPaint paint = {};
         std::size_t use = kNoUse;      ///< the innermost <use> it is drawn by, in uses_
         std::optional<Vec2> size = {}; ///< of a <symbol> or <svg> drawn by a <use>
         pugi::xml_node named = {};     ///< the <use> that draws this very element
@@ -211,6 +212,7 @@ class SvgDrawer {
         if (told) {
             noteUnusedStyle(visit.node);
         }
+        inheritPaint(visit);
         if (const pugi::xml_attribute text = visit.node.attribute("transform")) {
             const auto own = parseTransform(text.value());
             if (!own) {
@@ -244,7 +246,7 @@ class SvgDrawer {
     }
 
     static Visit inside(const Visit &outer, const pugi::xml_node &child) {
-        return {child, outer.map, outer.viewport, outer.visible, outer.use};
+        return {child, outer.map, outer.viewport, outer.visible, outer.paint, outer.use};
     }
 
     /// Takes over the visibility; true if the element and all it holds is not displayed.
@@ -260,6 +262,25 @@ class SvgDrawer {
             visit.visible = own != "hidden" && own != "collapse";
         }
         return false;
+    }
+
+    /// Takes over fill, stroke and fill rule where the element gives them.
+    void inheritPaint(Visit &visit) const {
+        const auto given = [&](const char *property) {
+            const std::string value = styles_.value(visit.node, property);
+            return value == "inherit" ? std::string() : value;
+        };
+        const auto paints = [](const std::string &value) { return value != "none" && value != "transparent"; };
+        if (const std::string fill = given("fill"); !fill.empty()) {
+            visit.paint.filled = paints(fill);
+            visit.paint.fillGiven = true;
+        }
+        if (const std::string stroke = given("stroke"); !stroke.empty()) {
+            visit.paint.stroked = paints(stroke);
+        }
+        if (const std::string rule = given("fill-rule"); !rule.empty()) {
+            visit.paint.rule = rule == "evenodd" ? FillRule::EvenOdd : FillRule::NonZero;
+        }
     }
 
     /// Reports what would change the outline in a browser.
@@ -407,8 +428,9 @@ class SvgDrawer {
             return;
         }
         for (SvgSubpath &subpath : pen.take()) {
-            keep(visit, std::move(subpath));
+            keep(visit, name, std::move(subpath));
         }
+        ++elementCount_;
     }
 
     void roundShape(const Visit &visit, std::string_view name, SvgPen &pen) {
@@ -443,7 +465,7 @@ class SvgDrawer {
         return {};
     }
 
-    void keep(const Visit &visit, SvgSubpath subpath) {
+    void keep(const Visit &visit, std::string_view element, SvgSubpath subpath) {
         SvgPath path;
         path.closed = subpath.closed;
         path.nodes = std::move(subpath.nodes);
@@ -460,6 +482,9 @@ class SvgDrawer {
                  "give a larger tolerance");
             return;
         }
+        path.isLine = element == "line" || element == "polyline";
+        path.paint = visit.paint;
+        path.element = elementCount_;
         path.name = nameOf(visit);
         path.offset = offsetOf(visit.named ? visit.named : visit.node);
         paths_.push_back(std::move(path));
@@ -477,7 +502,7 @@ class SvgDrawer {
     std::vector<Use> uses_;
     AffineMap axes_;
     Vec2 viewport_;
-    std::size_t nodeCount_ = 0;
+    std::size_t nodeCount_ = 0, elementCount_ = 0;
     std::vector<SvgPath> paths_;
     Diagnostics faults_;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/arrangement/arrangement.hpp"
 #include "core/base/result.hpp"
 #include "core/io/source/source.hpp"
 
@@ -9,10 +10,21 @@
 
 namespace forefront {
 
+/// How a shape is painted.
+struct SvgPaint {
+    bool filled = true;
+    bool fillGiven = false; ///< the drawing says so, rather than the default
+    bool stroked = false;
+    FillRule rule = FillRule::NonZero;
+};
+
 /// A polyline of a drawing in the coordinates of the domain.
 struct SvgPath {
     std::vector<Vec2> nodes;
     bool closed = false;
+    bool isLine = false; ///< of a <line> or <polyline>
+    SvgPaint paint;
+    std::size_t element = 0; ///< number of the element that it is a subpath of
     std::string name;
     std::size_t offset = 0; ///< of its element in the text
 };
@@ -23,7 +35,7 @@ struct SvgPaths {
 };
 
 /// Returns the visible shapes of an SVG drawing as polylines, those drawn by <use> included, in the order of painting.
-/// What shapes are made from is not judged: fill and stroke do not matter. Notes name whatever is left out.
+/// Notes name whatever is left out.
 Result<SvgPaths> drawnPaths(const SourceText &source);
 
 } // namespace forefront

@@ -1,11 +1,10 @@
-#include "core/io/common/domain_builder.hpp"
-#include "core/io/common/line_outline.hpp"
+#include "core/io/common/drawing_builder.hpp"
+#include "core/io/common/tag_allocator.hpp"
 #include "core/io/svg/svg.hpp"
 #include "core/io/svg/svg_drawing.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <map>
+#include <cstdint>
 #include <utility>
 
 namespace forefront {
@@ -23,75 +22,101 @@ void joinEnds(SvgPath &path, double tolerance) {
     }
 }
 
-/// Lets the ends of lines meet that differ by the rounding of relative path data or transforms.
-void weldEnds(std::vector<SvgPath> &paths, double tolerance) {
-    std::map<std::pair<double, double>, std::vector<Vec2>> ends; // by cells of that size
-    const auto metBefore = [&](double column, double row, Vec2 end) -> const Vec2 * {
-        for (const double i : {column - 1.0, column, column + 1.0}) {
-            for (const double j : {row - 1.0, row, row + 1.0}) {
-                const auto cell = ends.find({i, j});
-                for (std::size_t k = 0; cell != ends.end() && k < cell->second.size(); ++k) {
-                    if (distance(cell->second[k], end) <= tolerance) {
-                        return &cell->second[k];
-                    }
+/// What an SVG path is to the domain.
+enum class Part : std::uint8_t { Painted, Outline, Line, Nothing };
+
+class SvgBuilder {
+  public:
+    SvgBuilder(SvgPaths drawing, const SourceText &source)
+        : source_(source), paths_(std::move(drawing.paths)), builder_(source) {
+        for (SvgPath &path : paths_) {
+            joinEnds(path, kSameNode * drawing.size);
+        }
+        anyPainted_ = std::any_of(paths_.begin(), paths_.end(), isPainted);
+    }
+
+    Result<Domain> run() {
+        const std::uint32_t feature = builder_.addFeature(1);
+        for (const SvgPath &path : paths_) {
+            const std::int32_t tag = path.nodes.size() < 2 ? 0 : tags_.of(path.name);
+            builder_.from({path.offset});
+            switch (partOf(path)) {
+            case Part::Painted:
+                if (painted_ != path.element) {
+                    painted_ = path.element;
+                    contour_ = builder_.addContour(builder_.addShape(feature), path.paint.rule);
                 }
+                builder_.addRing(contour_, path.nodes, tag);
+                if (path.paint.stroked && !path.closed) {
+                    builder_.addChain(path.nodes, tag);
+                }
+                break;
+            case Part::Outline:
+                if (painted_ == kNone) { // all of them are one shape
+                    painted_ = path.element;
+                    contour_ = builder_.addContour(builder_.addShape(feature), FillRule::EvenOdd);
+                }
+                builder_.addRing(contour_, path.nodes, tag);
+                break;
+            case Part::Line:
+                addLine(path, tag);
+                break;
+            case Part::Nothing:
+                break;
             }
         }
-        return nullptr;
-    };
-    for (SvgPath &path : paths) {
-        for (Vec2 *const end : {&path.nodes.front(), &path.nodes.back()}) {
-            const double column = std::floor(end->x / tolerance), row = std::floor(end->y / tolerance);
-            if (const Vec2 *const met = metBefore(column, row, *end)) {
-                *end = *met;
-            } else {
-                ends[{column, row}].push_back(*end);
-            }
+        Result<Domain> domain = builder_.finish();
+        if (domain) {
+            domain->boundaryNames = tags_.names();
         }
+        return domain;
     }
-}
 
-bool isLoop(const SvgPath &path) {
-    return path.closed && path.nodes.size() > 2;
-}
+  private:
+    static constexpr auto kNone = static_cast<std::size_t>(-1);
 
-Domain domainOf(SvgPaths drawing, const SourceText &source) {
-    std::vector<SvgPath> &paths = drawing.paths;
-    const double tolerance = kSameNode * drawing.size;
-    for (SvgPath &path : paths) {
-        joinEnds(path, tolerance);
+    /// Programs and people draw lines without saying that they are not to be filled.
+    static bool isPainted(const SvgPath &path) {
+        const bool drawnLine = path.isLine && !path.closed && !path.paint.fillGiven;
+        return path.paint.filled && path.nodes.size() > 2 && !drawnLine;
     }
-    const bool anyLoop = std::any_of(paths.begin(), paths.end(), isLoop);
-    if (!anyLoop) {
-        weldEnds(paths, tolerance);
-    }
-    TagAllocator tags;
-    DomainBuilder builder(source.origin);
-    if (source.origin != nullptr) {
-        source.origin->showsColumns = true;
-    }
-    for (const SvgPath &path : paths) {
+
+    /// Where anything is painted, that is the domain, and strokes are lines in it. Else closed strokes are outlines.
+    Part partOf(const SvgPath &path) {
         if (path.nodes.size() < 2) {
-            continue;
+            return Part::Nothing;
         }
-        const std::int32_t tag = tags.of(path.name);
-        builder.from({path.offset});
-        if (isLoop(path)) {
-            builder.addLoop(path.nodes, tag, SegmentRole::Boundary);
-        } else {
-            builder.addChain(path.nodes, tag);
+        if (isPainted(path)) {
+            return Part::Painted;
         }
+        const bool loop = path.closed && path.nodes.size() > 2;
+        if (!anyPainted_) {
+            return loop ? Part::Outline : Part::Line;
+        }
+        if (loop && !path.paint.stroked) {
+            source_.note("svg-unpainted", "shapes without fill and stroke are ignored, since others are painted",
+                         path.offset);
+            return Part::Nothing;
+        }
+        return Part::Line;
     }
-    Domain domain = builder.finish();
-    if (const std::size_t segments = anyLoop ? 0 : boundByLines(domain); segments > 0) {
-        source.note("lines-as-outline",
-                    "the drawing has no closed path: its lines that form closed loops are the outline (" +
-                        std::to_string(segments) + " segments)",
-                    paths.front().offset);
+
+    void addLine(const SvgPath &path, std::int32_t tag) {
+        std::vector<Vec2> nodes = path.nodes;
+        if (path.closed && nodes.size() > 2) {
+            nodes.push_back(nodes.front());
+        }
+        builder_.addChain(nodes, tag);
     }
-    domain.boundaryNames = tags.names();
-    return domain;
-}
+
+    const SourceText &source_;
+    std::vector<SvgPath> paths_;
+    DrawingBuilder builder_;
+    TagAllocator tags_;
+    bool anyPainted_ = false;
+    std::size_t painted_ = kNone; ///< the element of the last contour
+    std::uint32_t contour_ = 0;
+};
 
 } // namespace
 
@@ -104,7 +129,7 @@ Result<Domain> readSvg(const SourceText &source) {
     if (!drawing) {
         return drawing.faults();
     }
-    return domainOf(std::move(*drawing), source);
+    return SvgBuilder(std::move(*drawing), source).run();
 }
 
 } // namespace forefront

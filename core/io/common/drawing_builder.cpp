@@ -1,0 +1,179 @@
+#include "core/io/common/drawing_builder.hpp"
+
+#include "core/io/common/line_outline.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace forefront {
+
+namespace {
+
+constexpr double kDefaultTolerance = 1e-6; ///< of the diagonal: what relative path data and digitising lose
+
+double diagonalOf(const ArrangementInput &input) {
+    Box2 box;
+    for (const ArrangementPiece &piece : input.pieces) {
+        box.add(piece.a);
+        box.add(piece.b);
+    }
+    return box.diagonal();
+}
+
+} // namespace
+
+DrawingBuilder::DrawingBuilder(const SourceText &source) : source_(source) {
+    input_.overlap = source.options.overlap;
+    if (source.origin != nullptr) {
+        source.origin->showsColumns = true;
+    }
+}
+
+std::size_t DrawingBuilder::offset(std::size_t node) const {
+    return offsets_.empty() ? PartOrigin::kNowhere : offsets_[std::min(node, offsets_.size() - 1)];
+}
+
+std::uint32_t DrawingBuilder::addFeature(std::int32_t regionTag, std::string name) {
+    return input_.addFeature(regionTag, std::move(name));
+}
+
+std::uint32_t DrawingBuilder::addContour(std::uint32_t shape, FillRule rule, bool hole) {
+    return input_.addContour(shape, rule, hole);
+}
+
+void DrawingBuilder::addRing(std::uint32_t contour, std::span<const Vec2> nodes, std::int32_t tag) {
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+        const std::size_t next = (k + 1) % nodes.size();
+        if (nodes[k] != nodes[next]) {
+            input_.pieces.push_back({nodes[k], nodes[next], contour, tag, PieceRole::Outline});
+            places_.insert(places_.end(), {offset(k), offset(next)});
+        }
+    }
+}
+
+void DrawingBuilder::addChain(std::span<const Vec2> nodes, std::int32_t tag) {
+    for (std::size_t k = 1; k < nodes.size(); ++k) {
+        if (nodes[k - 1] != nodes[k]) {
+            input_.pieces.push_back({nodes[k - 1], nodes[k], 0, tag, PieceRole::Constraint});
+            places_.insert(places_.end(), {offset(k - 1), offset(k)});
+        }
+    }
+}
+
+void DrawingBuilder::addPoint(Vec2 at, std::int32_t tag) {
+    input_.addPoint(at, tag);
+    places_.insert(places_.end(), {offset(0), offset(0)});
+}
+
+Result<Domain> DrawingBuilder::finish() {
+    input_.tolerance = source_.options.weldTolerance.value_or(kDefaultTolerance * diagonalOf(input_));
+    Result<Arrangement> arranged = hasOutlines() ? arrange(input_) : arrangeLines();
+    if (!arranged) {
+        Diagnostics faults = arranged.faults();
+        for (Diagnostic &fault : faults) {
+            if (fault.file.empty()) {
+                const TextPlace start = placeOf(source_.text, 0);
+                fault.file = source_.name;
+                fault.line = start.line;
+                fault.column = start.column;
+            }
+        }
+        return faults;
+    }
+    if (Diagnostics faults = report(*arranged); !faults.empty()) {
+        return faults;
+    }
+    if (arranged->domain.segments.empty()) {
+        return Diagnostics{faultAt(source_, 0, "empty-domain", "the outlines enclose no area",
+                                   "draw a closed outline, or lower the weld tolerance")};
+    }
+    recordOrigin(*arranged);
+    return std::move(arranged->domain);
+}
+
+/// Arranges lines alone, finds out which of them bound, and arranges them again as outlines and lines.
+Result<Arrangement> DrawingBuilder::arrangeLines() {
+    input_.keepOutside = true;
+    Result<Arrangement> lines = arrange(input_);
+    const std::size_t count = lines ? boundByLines(lines->domain) : 0;
+    if (count == 0) {
+        return lines; // validation says why nothing is enclosed
+    }
+    source_.note("lines-as-outline",
+                 "there is no closed outline: lines that form closed loops are the outline (" + std::to_string(count) +
+                     " segments)",
+                 places_.front());
+    const ArrangementInput outlines = bounded(*lines);
+    std::vector<std::size_t> places;
+    for (const PieceStretch &stretch : lines->stretches) {
+        places.insert(places.end(), {places_[2 * stretch.piece], places_[2 * stretch.piece + 1]});
+    }
+    for (const std::uint32_t piece : lines->pointPiece) {
+        places.insert(places.end(), 2, places_[2 * piece]);
+    }
+    if (Diagnostics faults = report(*lines); !faults.empty()) {
+        return faults;
+    }
+    input_ = outlines;
+    places_ = std::move(places);
+    return arrange(input_);
+}
+
+/// The same lines, joined already, as outlines and lines.
+ArrangementInput DrawingBuilder::bounded(const Arrangement &lines) const {
+    ArrangementInput outlines;
+    const Domain &domain = lines.domain;
+    const std::uint32_t contour = outlines.addContour(outlines.addShape(outlines.addFeature(1)), FillRule::EvenOdd);
+    for (const DomainSegment &segment : domain.segments) {
+        outlines.pieces.push_back({domain.nodes[segment.a], domain.nodes[segment.b], contour, segment.tag,
+                                   segment.role == SegmentRole::Boundary ? PieceRole::Outline : PieceRole::Constraint});
+    }
+    for (const ConstraintPoint &point : domain.points) {
+        outlines.addPoint(domain.nodes[point.node], point.tag);
+    }
+    return outlines;
+}
+
+/// Notes what was changed; returns it as faults where nothing may be changed.
+Diagnostics DrawingBuilder::report(const Arrangement &arrangement) const {
+    Diagnostics faults;
+    const Diagnostics notes = notesOf(arrangement.changes);
+    for (std::size_t k = 0; k < notes.size(); ++k) {
+        const std::size_t place = places_[2 * arrangement.changes[k].piece];
+        const std::size_t at = place == PartOrigin::kNowhere ? 0 : place;
+        if (source_.options.strict && altersInput(arrangement.changes[k].kind)) {
+            Diagnostic fault = faultAt(source_, at, notes[k].code, "the input would be changed: " + notes[k].message,
+                                       "correct the file, or leave out --strict");
+            fault.at = notes[k].at;
+            faults.push_back(std::move(fault));
+        } else {
+            source_.note(notes[k].code, notes[k].message, at);
+        }
+    }
+    return faults;
+}
+
+void DrawingBuilder::recordOrigin(const Arrangement &arrangement) const {
+    if (source_.origin == nullptr) {
+        return;
+    }
+    const auto record = [&](DomainPartKind kind, std::size_t place) {
+        source_.origin->of(kind).push_back({place, {}});
+    };
+    for (std::size_t n = 0; n < arrangement.domain.nodes.size(); ++n) {
+        const std::uint32_t piece = arrangement.nodePiece[n];
+        const bool isEnd = arrangement.domain.nodes[n] == input_.pieces[piece].b;
+        record(DomainPartKind::Node, places_[2 * piece + (isEnd ? 1 : 0)]);
+    }
+    for (const PieceStretch &stretch : arrangement.stretches) {
+        record(DomainPartKind::Segment, places_[2 * stretch.piece]);
+    }
+    for (const std::uint32_t piece : arrangement.pointPiece) {
+        record(DomainPartKind::ConstraintPoint, places_[2 * piece]);
+    }
+    for (std::size_t k = 0; k < arrangement.domain.regionMarkers.size(); ++k) {
+        record(DomainPartKind::RegionMarker, PartOrigin::kNowhere);
+    }
+}
+
+} // namespace forefront

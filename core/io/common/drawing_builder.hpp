@@ -1,0 +1,51 @@
+#pragma once
+
+#include "core/arrangement/arrangement.hpp"
+#include "core/io/source/source.hpp"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace forefront {
+
+/// Collects outlines, lines and points of a drawing or map and arranges them into a domain, with notes on what was
+/// changed.
+class DrawingBuilder {
+  public:
+    explicit DrawingBuilder(const SourceText &source);
+
+    /// Sets the offsets in the text of the nodes of what is added next; the last one serves for all that follow.
+    void from(std::vector<std::size_t> offsets) { offsets_ = std::move(offsets); }
+    std::uint32_t addFeature(std::int32_t regionTag, std::string name = {});
+    std::uint32_t addShape(std::uint32_t feature) { return input_.addShape(feature); }
+    std::uint32_t addContour(std::uint32_t shape, FillRule rule, bool hole = false);
+    /// Adds a closed loop to a contour, its first node not repeated.
+    void addRing(std::uint32_t contour, std::span<const Vec2> nodes, std::int32_t tag);
+    /// Adds a line; where it lies on an outline, that takes the tag of the line.
+    void addChain(std::span<const Vec2> nodes, std::int32_t tag);
+    void addPoint(Vec2 at, std::int32_t tag);
+    /// Puts region markers into the domain; without them all elements have the tag 1.
+    void markRegions() { input_.markRegions = true; }
+
+    bool hasOutlines() const { return !input_.contours.empty(); }
+
+    /// Arranges everything. Lines that form closed loops bound the domain if there are no outlines. Faults: those of
+    /// arrange(); empty-domain; with ImportOptions::strict whatever would have been changed.
+    Result<Domain> finish();
+
+  private:
+    std::size_t offset(std::size_t node) const;
+    Result<Arrangement> arrangeLines();
+    ArrangementInput bounded(const Arrangement &lines) const;
+    Diagnostics report(const Arrangement &arrangement) const;
+    void recordOrigin(const Arrangement &arrangement) const;
+
+    const SourceText &source_;
+    ArrangementInput input_;
+    std::vector<std::size_t> offsets_;
+    std::vector<std::size_t> places_; ///< where the ends of the pieces stand in the text, two per piece
+};
+
+} // namespace forefront
