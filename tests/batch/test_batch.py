@@ -615,7 +615,7 @@ class Tables(Case):
             self.assertLess(abs(int(uniform["Ne"]) - int(published["Ne"])), 0.05 * int(published["Ne"]))
 
     def test_wrong_rows_and_grids_are_refused(self):
-        self.assertIn("3*, 4*", self.call("tables", "--rows", "9Z", code=2).stderr)
+        self.assertIn("3* or 4*", self.call("tables", "--rows", "9Z", code=2).stderr)
         for words in (["--rows", "9Z"], ["--grids", "hexagonal"], ["--grids", "none,none"], ["--rows"]):
             self.assertNotEqual(self.call("tables", *words, code=2).stderr, "", words)
         self.assertIn("Examples:", self.call("tables", "--help").stdout)
