@@ -74,12 +74,11 @@ Diagnostics notesOf(const std::vector<ArrangementChange> &changes) {
         }
         if (change.kind == ChangeKind::OverlapsDecided) {
             note.message += ", " + shown(change.displacement) + " in area";
-            note.message += change.between.empty() ? "" : ", first of " + change.between;
+            if (!change.between.empty()) {
+                note.message += (change.count == 1 ? ", between " : ", the first between ") + change.between;
+            }
         } else if (change.displacement > 0.0) {
             note.message += ", at most " + shown(change.displacement) + " away";
-        }
-        for (std::size_t k = 1; k < change.places.size(); ++k) {
-            note.message += (k == 1 ? "; also at " : ", ") + shown(change.places[k]);
         }
         if (!change.places.empty()) {
             note.at = change.places.front();
@@ -87,6 +86,14 @@ Diagnostics notesOf(const std::vector<ArrangementChange> &changes) {
         notes.push_back(std::move(note));
     }
     return notes;
+}
+
+std::string placesOf(const ArrangementChange &change) {
+    std::string text;
+    for (const Vec2 place : change.places) {
+        text += (text.empty() ? (change.count == 1 ? " at " : ", first at ") : ", ") + shown(place);
+    }
+    return text;
 }
 
 } // namespace forefront

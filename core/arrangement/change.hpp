@@ -40,7 +40,9 @@ struct ArrangementChange {
 /// the fill rule or the union of shapes makes them meaningless.
 bool altersInput(ChangeKind kind);
 
-/// One note per kind, with count, greatest displacement and first places.
+/// Returns one note per kind, with count and greatest displacement, at its first place.
 Diagnostics notesOf(const std::vector<ArrangementChange> &changes);
+/// Returns " at (1, 2)" or ", first at (1, 2), (3, 4)", to be appended to the message of a note.
+std::string placesOf(const ArrangementChange &change);
 
 } // namespace forefront

@@ -255,10 +255,12 @@ TEST_CASE("notesOf: one line per kind, with count, displacement and places") {
                                                  {ChangeKind::OverlapsDecided, 1, 2.0, {{1, 1}}, 0, "A and B"}};
     const Diagnostics notes = notesOf(changes);
     REQUIRE(notes.size() == 2);
-    CHECK(toString(notes[0]).find("moved 12 nodes onto others, at most 8.3e-07 away; also at (3, 4), (5, 6)") !=
-          std::string::npos);
+    CHECK(notes[0].message == "moved 12 nodes onto others, at most 8.3e-07 away");
+    CHECK(notes[0].at == Vec2{1, 2});
+    CHECK(placesOf(changes[0]) == ", first at (1, 2), (3, 4), (5, 6)");
     CHECK(notes[0].severity == Severity::Note);
-    CHECK(toString(notes[1]).find("decided 1 overlap of features, 2 in area, first of A and B") != std::string::npos);
+    CHECK(notes[1].message == "decided 1 overlap of features, 2 in area, between A and B");
+    CHECK(placesOf(changes[1]) == " at (1, 1)");
 }
 
 namespace {

@@ -147,7 +147,7 @@ Diagnostics DrawingBuilder::report(const Arrangement &arrangement) const {
             fault.at = notes[k].at;
             faults.push_back(std::move(fault));
         } else {
-            source_.note(notes[k].code, notes[k].message, at);
+            source_.note(notes[k].code, notes[k].message + placesOf(arrangement.changes[k]), at);
         }
     }
     return faults;
