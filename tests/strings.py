@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Prints every text that a person can meet, as FILE:LINE: TEXT sorted by file: python3 tests/strings.py [FOREFRONT] [FOLDER...].
+"""Prints every text that a user can see, as FILE:LINE: TEXT sorted by file: python3 tests/strings.py [FOREFRONT] [FOLDER...].
 
 Takes the string literals of core, ui and app (or of the folders given) that read as text, and the gallery titles. If the
 program FOREFRONT is given, its help texts follow. Adjacent literals are joined and escapes decoded. What is written to
