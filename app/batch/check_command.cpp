@@ -34,6 +34,8 @@ struct CheckArguments {
     std::filesystem::path mesh; ///< "-": standard input
     std::string inputFormat;
     std::optional<std::filesystem::path> domain;
+    std::optional<double> weldTolerance; ///< of the domain
+    OverlapRule overlap = OverlapRule::Later;
     std::optional<double> size;
     std::optional<std::string> expression;
 };
@@ -52,11 +54,13 @@ Result<std::shared_ptr<const SpacingField>> readWanted(const CheckArguments &arg
 }
 
 /// Returns what does not fit between a mesh and the domain that it was made of.
-Diagnostics checkAgainst(const Mesh &mesh, const std::filesystem::path &file) {
-    const Result<Input> input = openInput(file);
+Diagnostics checkAgainst(const Mesh &mesh, const CheckArguments &arguments) {
+    Result<Input> input = openInput(*arguments.domain);
     if (!input) {
         return input.faults();
     }
+    input->options.weldTolerance = arguments.weldTolerance;
+    input->options.overlap = arguments.overlap;
     const Result<Domain> domain = readDomain(input->path, input->options);
     if (!domain) {
         return domain.faults();
@@ -81,7 +85,7 @@ int check(const CheckArguments &arguments) {
         return kRefused;
     }
     printNotes(notes, false);
-    Diagnostics faults = arguments.domain ? checkAgainst(*mesh, *arguments.domain) : verify(*mesh);
+    Diagnostics faults = arguments.domain ? checkAgainst(*mesh, arguments) : verify(*mesh);
     if (mesh->elements.empty()) {
         faults = error("empty-mesh", "the mesh has no elements");
     }
@@ -119,6 +123,7 @@ int checkCommand(int argc, const char *const *argv) {
                    "format of MESH if content and name do not tell: " + inputFormatIds())
         ->type_name("ID");
     app.add_option("--domain", arguments.domain, "domain or project that the mesh was made of")->type_name("IN");
+    addArrangementOptions(app, arguments.weldTolerance, arguments.overlap);
     auto *spacing = app.add_option_group("Spacing", "report how well the mesh keeps this spacing; at most one");
     addSpacingOptions(*spacing, arguments.size, arguments.expression);
     spacing->require_option(0, 1);

@@ -52,7 +52,7 @@ std::string parseGrid(const std::string &text, MeshArguments &arguments) {
 
 /// Options as they are written.
 struct Words {
-    std::string grid, method, level, overlap;
+    std::string grid, method, level;
     bool noImprove = false;
 };
 
@@ -75,17 +75,8 @@ void addFrontOptions(CLI::App &app, MeshArguments &arguments, Words &words) {
     app.add_flag("--no-improve", words.noImprove, "the same as --improve none")->excludes(improve);
 }
 
-void addImportOptions(CLI::App &app, MeshArguments &arguments, Words &words) {
-    app.add_option("--weld", arguments.weldTolerance,
-                   "join nodes and segments closer than this (default: 1e-6 of the diagonal for drawings and maps, 0 "
-                   "for other files)")
-        ->check(nonNegativeNumber())
-        ->type_name("T");
-    app.add_option("--overlap", words.overlap,
-                   "where polygons of a map overlap, the later (default) or the smaller one wins; one inside another "
-                   "always keeps its area")
-        ->check(oneOf({"later", "smaller"}))
-        ->type_name("RULE");
+void addImportOptions(CLI::App &app, MeshArguments &arguments) {
+    addArrangementOptions(app, arguments.weldTolerance, arguments.overlap);
     app.add_flag("--strict", arguments.strict, "refuse drawings and maps that would have to be changed")
         ->excludes(app.get_option("--repair"));
 }
@@ -100,7 +91,6 @@ std::string takeWords(const Words &words, MeshArguments &arguments) {
     } else if (!words.level.empty()) {
         arguments.improve = words.level == "best" ? ImproveLevel::Best : ImproveLevel::Default;
     }
-    arguments.overlap = words.overlap == "smaller" ? OverlapRule::Smaller : OverlapRule::Later;
     return words.grid.empty() ? std::string() : parseGrid(words.grid, arguments);
 }
 
@@ -136,7 +126,7 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
         ->check(positiveNumber())
         ->type_name("G");
     addFrontOptions(app, arguments, words);
-    addImportOptions(app, arguments, words);
+    addImportOptions(app, arguments);
     app.add_option("--threads", arguments.threads, "number of threads, 1 to 256; the mesh does not depend on it")
         ->check(wholeNumberWithin(1, 256))
         ->type_name("N");

@@ -112,6 +112,22 @@ void addInnerEdgesOption(CLI::App &app, InnerEdges &innerEdges) {
         ->type_name("WORD");
 }
 
+void addArrangementOptions(CLI::App &app, std::optional<double> &weldTolerance, OverlapRule &overlap) {
+    app.add_option("--weld", weldTolerance,
+                   "join nodes and segments of drawings and maps closer than this (default: 1e-6 of the diagonal)")
+        ->check(nonNegativeNumber())
+        ->type_name("T");
+    app.add_option_function<std::string>(
+           "--overlap",
+           [&overlap](const std::string &word) {
+               overlap = word == "smaller" ? OverlapRule::Smaller : OverlapRule::Later;
+           },
+           "where polygons of a map overlap, the later (default) or the smaller one wins; one inside another always "
+           "keeps its area")
+        ->check(oneOf({"later", "smaller"}))
+        ->type_name("RULE");
+}
+
 std::optional<int> parseOptions(CLI::App &app, int argc, const char *const *argv) {
     try {
         app.parse(argc, argv);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/arrangement/overlap_rule.hpp"
 #include "core/io/inner_edges.hpp"
 
 #include <CLI/CLI.hpp>
@@ -23,6 +24,9 @@ void addSpacingOptions(CLI::App &group, std::optional<double> &size, std::option
 
 /// Adds the option --inner-edges of the commands that write meshes.
 void addInnerEdgesOption(CLI::App &app, InnerEdges &innerEdges);
+
+/// Adds the options --weld and --overlap for drawings and maps.
+void addArrangementOptions(CLI::App &app, std::optional<double> &weldTolerance, OverlapRule &overlap);
 
 /// Parses the command line. Returns the exit code with which to leave (help shown: 0; usage error printed: 2), or
 /// nothing to continue.

@@ -346,6 +346,8 @@ class Imports(Case):
         self.call("mesh", "map.geojson", "-o", "map.msh", "--strict", code=1)
         self.assertIn("moved 2 nodes onto others, at most 0.01 away",
                       self.call("mesh", "map.geojson", "-o", "map.msh", "--weld", "0.02").stderr)
+        self.call("check", "map.msh", "--domain", "map.geojson", "--weld", "0.02")
+        self.call("check", "map.msh", "--domain", "map.geojson", code=1)
         self.assertEqual(self.call("mesh", "map.geojson", "-o", "map.msh", "-q", "--overlap", "smaller").stderr, "")
         self.assertIn("expected a number of at least 0, got '-1'",
                       self.call("mesh", "map.geojson", "-o", "map.msh", "--weld", "-1", code=2).stderr)
