@@ -36,7 +36,7 @@ TEST_CASE("Bench: CPU time of frames with meshes of three sizes" * doctest::skip
         driver.rectangle({0, 0}, {8, 8});
         Document sized = driver.document();
         sized.spacing.size = std::sqrt(64.0 / (0.433 * elements));
-        driver.context().document().apply(std::move(sized), "Size");
+        driver.context().document.apply(std::move(sized), "Size");
         driver.key('V');
         driver.key(key::kF5);
         driver.settle();
@@ -47,8 +47,8 @@ TEST_CASE("Bench: CPU time of frames with meshes of three sizes" * doctest::skip
         const double panning = millisecondsAFrame(d, 5, [&](int) { d.context().view.camera.centre.x += 0.05; });
         std::uint64_t back = 0;
         const double fresh = millisecondsAFrame(d, 5, [&](int) {
-            d.context().run().seek(d.run().known - ++back);
-            while (d.context().run().busy()) {
+            d.context().run.seek(d.run().known - ++back);
+            while (d.context().run.busy()) {
             }
         });
         std::printf("%zu,%.1f,%.1f,%.1f,%.1f\n", driver.run().quality.elements, resting, pointer, panning, fresh);

@@ -30,9 +30,9 @@ class DragBench {
         driver_.polygon({{0, 0}, {8, 0}, {8, 8}, {0, 8}});
         Document sized = driver_.document();
         sized.spacing.size = std::sqrt(64.0 / (0.433 * elements));
-        driver_.context().document().apply(std::move(sized), "Size");
+        driver_.context().document.apply(std::move(sized), "Size");
         driver_.key('V');
-        driver_.context().run().live = true;
+        driver_.context().run.live = true;
         driver_.settle();
         driver_.press(driver_.pixel({8, 8}));
     }
@@ -73,9 +73,9 @@ class DragBench {
         ++frames_;
         const double now = secondsNow();
         for (Input &input : inputs_) {
-            input.revision = input.revision == 0 ? driver_.context().document().revision() : input.revision;
+            input.revision = input.revision == 0 ? driver_.context().document.revision() : input.revision;
         }
-        const std::uint64_t shown = driver_.context().run().shownRevision();
+        const std::uint64_t shown = driver_.context().run.shownRevision();
         meshes_ += shown != shown_ ? 1 : 0;
         shown_ = shown;
         for (; !inputs_.empty() && inputs_.front().revision <= shown; inputs_.pop_front()) {

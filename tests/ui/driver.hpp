@@ -18,9 +18,9 @@ class Driver {
     explicit Driver(EditorSetup setup = {}, PixelSize size = {1280, 800}, double contentScale = 1.0);
 
     Editor &editor() { return *editor_; }
-    AppContext &context() { return editor_->context(); }
+    Shell &context() { return editor_->context(); }
     EglPlatform &platform() { return *platform_; }
-    const SessionSnapshot &run() { return context().run().now(); }
+    const SessionSnapshot &run() { return context().run.now(); }
 
     /// Draws frames until the picture no longer changes without input. How long that takes depends on the machine; a
     /// hang is for the test runner's timeout to find.

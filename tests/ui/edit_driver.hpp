@@ -31,8 +31,8 @@ class Draughtsman : public Driver {
         drag(pixel(from), pixel(to));
         frames(30);
     }
-    const Document &document() { return *context().document().current(); }
-    std::string undoLabel() { return context().document().undoLabel(); }
+    const Document &document() { return *context().document.current(); }
+    std::string undoLabel() { return context().document.undoLabel(); }
     /// Draws a rectangle with its tool.
     void rectangle(Vec2 a, Vec2 b) {
         key('R');

@@ -35,7 +35,7 @@ struct MeshedSquare : Draughtsman {
         rectangle({1, 1}, {9, 8});
         Document sized = document();
         sized.spacing.size = 0.9;
-        context().document().apply(std::move(sized), "Size");
+        context().document.apply(std::move(sized), "Size");
         key('V');
         key(key::kEscape);
         key(key::kF5);
@@ -151,7 +151,7 @@ TEST_CASE("Colours: fine spacing is bright and coarse spacing blue, the same in 
     driver.rectangle({1, 1}, {9, 8});
     Document graded = driver.document();
     graded.spacing.expression = "0.1 + 0.4*abs(x - 2)";
-    driver.context().document().apply(std::move(graded), "Spacing");
+    driver.context().document.apply(std::move(graded), "Spacing");
     driver.key('V');
     driver.key(key::kEscape);
     showLayer(driver.context().layers, "lattice", false);
@@ -177,7 +177,7 @@ TEST_CASE("Colours: the edges of a dense mesh fade and leave the colours of the 
     driver.rectangle({1, 1}, {9, 8});
     Document fine = driver.document();
     fine.spacing.size = 0.06; // some 35,000 elements
-    driver.context().document().apply(std::move(fine), "Size");
+    driver.context().document.apply(std::move(fine), "Size");
     driver.key('V');
     driver.key(key::kEscape);
     driver.key(key::kF5);

@@ -3,7 +3,7 @@
 #include "tests/ui/edit_driver.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/dialogs/file_list.hpp"
-#include "ui/editor/settings.hpp"
+#include "ui/parts/settings.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -73,13 +73,13 @@ TEST_CASE("Export: the suggested name is the name of the document, be it saved o
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     const Document drawn = driver.document();
-    driver.context().document().load(drawn, {}, false, "Old harbour");
+    driver.context().document.load(drawn, {}, false, "Old harbour");
     driver.key('E', {Modifiers::kControl});
     driver.settle();
     driver.click("dialog/export/ok");
     driver.settle();
     CHECK(std::filesystem::exists(place.path / "Old harbour.msh"));
-    driver.context().document().load(drawn, place.path / "bay.forefront");
+    driver.context().document.load(drawn, place.path / "bay.forefront");
     driver.key('E', {Modifiers::kControl});
     driver.settle();
     driver.click("dialog/export/ok");
@@ -128,7 +128,7 @@ TEST_CASE("Checks: repair is offered only where there is something to repair") {
     CHECK_FALSE(driver.has("checks/repair"));
     Document faulty = driver.document();
     faulty.spacing.expression = "0.1*nonsense(x)"; // an error, but none of the geometry
-    driver.context().document().apply(std::move(faulty), "Expression");
+    driver.context().document.apply(std::move(faulty), "Expression");
     driver.settle();
     REQUIRE(hasErrors(driver.context().preview->faults));
     CHECK_FALSE(driver.has("checks/repair"));
@@ -238,7 +238,7 @@ TEST_CASE("Inspector: no field moves, wherever the pointer is and however long t
     Document wordy = driver.document();
     wordy.spacing.expression = "max(0.1, 0.2*dist(3, 2)) + 0.001*sin(x)*cos(y) + 0.002*sin(2*x)*cos(3*y) + "
                                "0.003*sin(5*x)*cos(7*y) + 0.004*sin(11*x)*cos(13*y)";
-    driver.context().document().apply(std::move(wordy), "Expression");
+    driver.context().document.apply(std::move(wordy), "Expression");
     driver.key('V');
     driver.settle();
     driver.clickPlace({0, 4}); // selects the rectangle

@@ -1,6 +1,7 @@
 #include "tests/support/temporary_folder.hpp"
 #include "ui/dialogs/file_list.hpp"
 #include "ui/tools/numeric_entry.hpp"
+#include "ui/widgets/number_text.hpp"
 
 #include <doctest/doctest.h>
 

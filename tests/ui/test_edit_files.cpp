@@ -64,13 +64,13 @@ TEST_CASE("Files: a drawing with paint is the same after saving and opening") {
     REQUIRE(driver.has("dialog/save/ok"));
     typeName(driver, "save", place.path / "bay");
     CHECK_FALSE(driver.has("dialog/save"));
-    CHECK(driver.context().document().path() == place.path / "bay.forefront");
-    CHECK_FALSE(driver.context().document().dirty());
+    CHECK(driver.context().document.path() == place.path / "bay.forefront");
+    CHECK_FALSE(driver.context().document.dirty());
     const Document saved = driver.document();
 
     driver.key('V');
     driver.dragPlaces({9, 8}, {8, 7});
-    CHECK(driver.context().document().dirty());
+    CHECK(driver.context().document.dirty());
     driver.key('O', {Modifiers::kControl});
     driver.frames(5);
     typeName(driver, "open", place.path / "bay.forefront");
@@ -78,7 +78,7 @@ TEST_CASE("Files: a drawing with paint is the same after saving and opening") {
     driver.click("dialog/unsaved/discard");
     driver.settle();
     CHECK(sameContent(driver.document(), saved));
-    CHECK_FALSE(driver.context().document().dirty());
+    CHECK_FALSE(driver.context().document.dirty());
     CHECK(driver.context().settings.recentFiles.front() == (place.path / "bay.forefront").string());
 }
 
@@ -97,7 +97,7 @@ TEST_CASE("Files: reopening a file after saving shows the saved changes") {
     driver.click("dialog/unsaved/save");
     driver.settle();
     CHECK(driver.document().shapes.size() == 2);
-    CHECK_FALSE(driver.context().document().dirty());
+    CHECK_FALSE(driver.context().document.dirty());
     CHECK(readDocument(place.path / "bay.forefront")->shapes.size() == 2);
 }
 
@@ -122,7 +122,7 @@ TEST_CASE("Files: replacing a file needs a confirmation, and write errors are re
     driver.frames(5);
     typeName(driver, "save", place.path / "no-such-folder" / "x");
     CHECK(driver.has("dialog/save/ok"));
-    CHECK(driver.context().document().dirty());
+    CHECK(driver.context().document.dirty());
     driver.key(key::kEscape);
     driver.frames(5);
     CHECK_FALSE(driver.has("dialog/save/ok"));
@@ -134,7 +134,7 @@ TEST_CASE("Files: a file without a drawing is refused with a message and changes
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     const Document before = driver.document();
-    driver.context().document().markSaved({});
+    driver.context().document.markSaved({});
     driver.editor().input().push({.kind = InputKind::Drop, .paths = {(place.path / "bad.forefront").string()}});
     driver.settle();
     CHECK(sameContent(driver.document(), before));
@@ -292,7 +292,7 @@ TEST_CASE("Open: saving does not overwrite a GeoJSON file named .json") {
         << R"({"type": "Polygon", "coordinates": [[[0, 0], [4, 0], [4, 3], [0, 3], [0, 0]]]})";
     Draughtsman driver;
     REQUIRE(driver.editor().open(place.path / "square.json"));
-    CHECK(driver.context().document().path().empty());
+    CHECK(driver.context().document.path().empty());
     driver.key('S', {Modifiers::kControl});
     driver.frames(5);
     CHECK(driver.has("dialog/save/ok"));
@@ -368,11 +368,11 @@ TEST_CASE("Recovery: after kill -9 the next start offers the drawing, never save
         REQUIRE(driver.has("dialog/recovery/recover"));
         driver.click("dialog/recovery/recover");
         driver.settle();
-        const Document &document = *driver.context().document().current();
+        const Document &document = *driver.context().document.current();
         REQUIRE(document.shapes.size() == 2);
         CHECK(document.shapes[1]->nodes == std::vector<Vec2>{{3, 3}, {5, 3}, {4, 5}});
-        CHECK(driver.context().document().dirty());
-        CHECK(driver.context().document().path().empty());
+        CHECK(driver.context().document.dirty());
+        CHECK(driver.context().document.path().empty());
     }
     // That one ended in order: nothing is offered any more.
     Driver driver(setup);

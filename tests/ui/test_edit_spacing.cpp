@@ -131,7 +131,7 @@ TEST_CASE("Inspector: reports an error of the spacing, but none of an empty draw
     CHECK_FALSE(driver.has("inspector/fault"));
     Document faulty = driver.document();
     faulty.spacing.expression = "0.1+*x";
-    driver.context().document().apply(std::move(faulty), "Change spacing");
+    driver.context().document.apply(std::move(faulty), "Change spacing");
     driver.settle();
     CHECK(driver.context().preview->spacing == nullptr);
     CHECK(driver.has("inspector/fault"));

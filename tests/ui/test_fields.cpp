@@ -117,14 +117,14 @@ TEST_CASE("Fields: Ctrl+S takes what was typed and saves it with the rest") {
     const TemporaryFolder place;
     SpacingForm form;
     const auto file = place.path / "square.json";
-    form.context().document().markSaved(file);
+    form.context().document.markSaved(file);
     form.click("spacing/size");
     form.key('A', kControl);
     form.type("0.5");
     form.key('S', kControl);
     form.settle();
     CHECK(form.spacing().size == 0.5);
-    CHECK_FALSE(form.context().document().dirty());
+    CHECK_FALSE(form.context().document.dirty());
     REQUIRE(form.editor().open(file));
     CHECK(form.spacing().size == 0.5);
 }

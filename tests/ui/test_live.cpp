@@ -18,9 +18,9 @@ struct LiveDrag : Draughtsman {
         polygon({{0, 0}, {8, 0}, {8, 8}, {0, 8}});
         Document sized = document();
         sized.spacing.size = 0.5;
-        context().document().apply(std::move(sized), "Size");
+        context().document.apply(std::move(sized), "Size");
         key('V');
-        context().run().live = true;
+        context().run.live = true;
         settle();
         context().log.clear();
         press(pixel({8, 8}));
@@ -53,14 +53,14 @@ TEST_CASE("Live: the mesh and the preview follow a node that is dragged without 
     while (meshes.size() < 5 || previews.size() < 5) {
         driver.moveOn();
         CHECK(driver.run().state == RunState::Finished); // never half a mesh
-        CHECK_FALSE(driver.context().run().outOfDate());
+        CHECK_FALSE(driver.context().run.outOfDate());
         meshes.insert(driver.run().meshHash);
         previews.insert(driver.context().preview->revision);
     }
     driver.release(driver.pixel({7, 7}));
     driver.settle();
     CHECK(driver.run().boundary->nodes[2] == Vec2{7, 7});
-    CHECK_FALSE(driver.context().run().hasToFollow());
+    CHECK_FALSE(driver.context().run.hasToFollow());
 }
 
 TEST_CASE("Live: a gesture leaves one line in the log, and the next gesture another") {
@@ -90,13 +90,13 @@ TEST_CASE("Live: a drawing with faults keeps the last mesh, out of date, until i
     driver.release(driver.pixel({4, -2})); // the outline crosses itself
     driver.settle();
     CHECK(driver.run().meshHash == hash);
-    CHECK(driver.context().run().outOfDate());
+    CHECK(driver.context().run.outOfDate());
     CHECK(driver.has("status/faults"));
     CHECK(driver.logged("triangles") == 0);
     driver.key('Z', {Modifiers::kControl});
     driver.settle();
     CHECK(driver.run().meshHash == hash);
-    CHECK_FALSE(driver.context().run().outOfDate());
+    CHECK_FALSE(driver.context().run.outOfDate());
 }
 
 TEST_CASE("Live: a mesh too large for the hand shows its progress and is taken up again at rest") {
@@ -104,11 +104,11 @@ TEST_CASE("Live: a mesh too large for the hand shows its progress and is taken u
     driver.release(driver.pixel({8, 8}));
     Document fine = driver.document();
     fine.spacing.size = 0.012; // beyond kQuietElements
-    driver.context().document().apply(std::move(fine), "Fine");
+    driver.context().document.apply(std::move(fine), "Fine");
     driver.until([&] { return driver.run().state == RunState::Running && driver.has("canvas/progress"); });
     Document coarse = driver.document();
     coarse.spacing.size = 0.5;
-    driver.context().document().apply(std::move(coarse), "Coarse");
+    driver.context().document.apply(std::move(coarse), "Coarse");
     driver.settle();
     CHECK(driver.run().state == RunState::Finished);
     CHECK(driver.run().quality.elements < 2000);

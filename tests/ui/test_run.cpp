@@ -30,8 +30,8 @@ Document square(double side, double size, Vec2 offset = {}) {
 }
 
 void load(Driver &driver, Document document) {
-    driver.context().document().load(std::move(document), {});
-    driver.context().run().clear();
+    driver.context().document.load(std::move(document), {});
+    driver.context().run.clear();
     driver.context().view.fitPending = true;
     driver.settle();
 }
@@ -45,7 +45,7 @@ TEST_CASE("Run: 2 meshes the sample, and the panels speak of it") {
     CHECK(run.complete);
     CHECK(run.quality.elements > 500);
     CHECK(run.meshHash != 0);
-    CHECK_FALSE(driver.context().run().outOfDate());
+    CHECK_FALSE(driver.context().run.outOfDate());
     CHECK(driver.has("status/counts"));
     CHECK(driver.has("status/hash"));
     driver.click("panel/statistics");
@@ -98,10 +98,10 @@ TEST_CASE("Run: the scrubber goes where it is dragged") {
 
 TEST_CASE("Run: Space plays the front, Space pauses it") {
     Driver driver;
-    driver.context().run().setSpeed(20.0);
+    driver.context().run.setSpeed(20.0);
     driver.key(key::kSpace);
     driver.until([&] { return driver.run().advance >= 20; });
-    CHECK(driver.context().run().playing());
+    CHECK(driver.context().run.playing());
     driver.key(key::kSpace);
     driver.settle();
     CHECK(driver.run().state == RunState::Paused);
@@ -143,13 +143,13 @@ TEST_CASE("Run: stepping by events explains an advance from the base to the upda
 
 TEST_CASE("Run: each layer changes the canvas, and hidden again leaves no trace") {
     Meshed driver;
-    driver.context().run().seek(driver.run().known / 2);
+    driver.context().run.seek(driver.run().known / 2);
     driver.settle();
     // Close to the place where something happens, so that even small marks count.
     REQUIRE(driver.run().explanation != nullptr);
     // Most advances need no exact test at all; the layer of tests shows in one that does.
     for (int i = 0; i < 2000 && driver.run().explanation->tests.empty() && driver.run().advance > 1; ++i) {
-        driver.context().run().step(-1);
+        driver.context().run.step(-1);
         driver.settle();
     }
     REQUIRE_FALSE(driver.run().explanation->tests.empty());
@@ -216,15 +216,15 @@ TEST_CASE("Run: a bar of the histogram isolates its elements; a second click fre
 
 TEST_CASE("Run: an edit marks the mesh out of date, undo takes the mark back") {
     Meshed driver;
-    Document next = *driver.context().document().current();
+    Document next = *driver.context().document.current();
     next.spacing.size = 9.0;
-    driver.context().document().apply(next, "change the size");
+    driver.context().document.apply(next, "change the size");
     driver.settle();
-    CHECK(driver.context().run().outOfDate());
+    CHECK(driver.context().run.outOfDate());
     REQUIRE(driver.has("canvas/remesh"));
     driver.key('Z', {Modifiers::kControl});
     driver.settle();
-    CHECK_FALSE(driver.context().run().outOfDate());
+    CHECK_FALSE(driver.context().run.outOfDate());
     CHECK_FALSE(driver.has("canvas/remesh"));
     driver.key('Z', {Modifiers::kControl | Modifiers::kShift});
     driver.settle();
@@ -232,19 +232,19 @@ TEST_CASE("Run: an edit marks the mesh out of date, undo takes the mark back") {
     driver.click("canvas/remesh");
     driver.settle();
     CHECK(driver.run().quality.elements > before);
-    CHECK_FALSE(driver.context().run().outOfDate());
+    CHECK_FALSE(driver.context().run.outOfDate());
 }
 
 TEST_CASE("Run: live meshing follows every edit") {
     Driver driver;
     load(driver, square(10, 2.0));
-    driver.context().run().live = true;
-    Document next = *driver.context().document().current();
+    driver.context().run.live = true;
+    Document next = *driver.context().document.current();
     next.spacing.size = 1.0;
-    driver.context().document().apply(next, "finer");
+    driver.context().document.apply(next, "finer");
     driver.settle();
     CHECK(driver.run().state == RunState::Finished);
-    CHECK_FALSE(driver.context().run().outOfDate());
+    CHECK_FALSE(driver.context().run.outOfDate());
     CHECK(driver.run().quality.elements > 150);
 }
 
@@ -294,9 +294,9 @@ TEST_CASE("Run: a mesh that is refused leaves the one before, out of date, and u
     driver.settle();
     REQUIRE(driver.run().state == RunState::Finished);
     const std::uint64_t hash = driver.run().meshHash, known = driver.run().known;
-    Document tooFine = *driver.context().document().current();
+    Document tooFine = *driver.context().document.current();
     tooFine.spacing.size = 1e-6;
-    driver.context().document().apply(std::move(tooFine), "Change size");
+    driver.context().document.apply(std::move(tooFine), "Change size");
     driver.key(key::k2);
     driver.settle();
     CHECK(driver.run().state == RunState::Finished);
@@ -322,7 +322,7 @@ TEST_CASE("Run: a mesh that is refused leaves the one before, out of date, and u
     CHECK(faults() == 1);
     driver.key('Z', {Modifiers::kControl});
     driver.settle();
-    CHECK_FALSE(driver.context().run().outOfDate());
+    CHECK_FALSE(driver.context().run.outOfDate());
     CHECK_FALSE(driver.has("canvas/outofdate"));
     driver.key(key::k2);
     driver.settle();
@@ -355,7 +355,7 @@ TEST_CASE("Canvas: the picture of a drawing does not depend on where in the plan
 
 TEST_CASE("Run: files dropped on the window are opened") {
     Driver driver;
-    const auto plate = std::filesystem::path(driver.context().document().path());
+    const auto plate = std::filesystem::path(driver.context().document.path());
     CHECK(plate.empty());
     driver.editor().input().push({.kind = InputKind::Drop, .paths = {"/nowhere/at/all.poly"}});
     driver.settle();

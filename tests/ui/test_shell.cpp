@@ -1,7 +1,7 @@
 #include "tests/support/temporary_folder.hpp"
 #include "tests/ui/driver.hpp"
 #include "ui/canvas/legend.hpp"
-#include "ui/editor/assets.hpp"
+#include "ui/platform/assets.hpp"
 #include "ui/style/colour_map.hpp"
 
 #include <doctest/doctest.h>
@@ -29,11 +29,11 @@ bool overlap(const PixelRect &a, const PixelRect &b) {
 
 TEST_CASE("Editor: opens on the sample with a hint strip, its domain in view") {
     Driver driver;
-    const Document &document = *driver.context().document().current();
+    const Document &document = *driver.context().document.current();
     CHECK(document.shapes.size() >= 4);
     CHECK_FALSE(document.spacing.paint.tiles.empty());
-    CHECK(driver.context().document().title() == "Harbour with a pier");
-    CHECK_FALSE(driver.context().document().dirty());
+    CHECK(driver.context().document.title() == "Harbour with a pier");
+    CHECK_FALSE(driver.context().document.dirty());
     CHECK(driver.has("hints/close"));
     CHECK(driver.context().preview->faults.empty());
     const Box2 box = toDomain(document).bounds();
@@ -158,7 +158,7 @@ TEST_CASE("Editor: Tab hides the panels and brings them back") {
 
 TEST_CASE("Editor: the view stays fitted while window and panels change their size, until the user moves it") {
     Driver driver;
-    const Box2 box = toDomain(*driver.context().document().current()).bounds();
+    const Box2 box = toDomain(*driver.context().document.current()).bounds();
     const Camera &camera = driver.context().view.camera;
     const auto fits = [&] {
         driver.settle();
@@ -207,7 +207,7 @@ TEST_CASE("Editor: legends, hints and tool options do not cover a fitted drawing
                 driver.settle();
                 const Camera &camera = driver.context().view.camera;
                 CHECK(zooms.try_emplace(panels, camera.zoom).first->second == camera.zoom); // no jump for a layer
-                const Box2 box = toDomain(*driver.context().document().current()).bounds();
+                const Box2 box = toDomain(*driver.context().document.current()).bounds();
                 const Vec2 corner = camera.toPixel({box.min.x, box.max.y}), extent = camera.zoom * box.size();
                 const PixelRect drawing{corner.x, corner.y, extent.x, extent.y};
                 CHECK(within(drawing, each.first));
@@ -231,9 +231,9 @@ TEST_CASE("Editor: nothing overlaps in a small window") {
     Driver driver;
     driver.key(key::k2);
     driver.settle();
-    Document changed = *driver.context().document().current();
+    Document changed = *driver.context().document.current();
     changed.spacing.size = 14.0;
-    driver.context().document().apply(std::move(changed), "Size"); // "mesh out of date"
+    driver.context().document.apply(std::move(changed), "Size"); // "mesh out of date"
     for (const auto &each : sizes) {
         driver.platform().resize(each.first, each.second);
         for (const auto &tool : driver.context().tools.tools) {

@@ -24,7 +24,7 @@ struct LongRun : Draughtsman {
         rectangle({0, 0}, {8, 8});
         Document fine = document();
         fine.spacing.size = 0.004;
-        context().document().apply(std::move(fine), "Fine");
+        context().document.apply(std::move(fine), "Fine");
         settle();
         key(key::kF5);
     }
@@ -141,21 +141,22 @@ TEST_CASE("Notes: undo hides a reported fault, and drawing it again reports it a
 }
 
 TEST_CASE("MessageLog: an entry belongs to a revision of the document") {
-    MessageLog log;
-    std::uint64_t revision = 7;
-    log.follow([&revision] { return revision; });
+    DocumentStore document;
+    MessageLog log(document);
+    const std::uint64_t first = document.revision();
     log.add(error("a", "now"));
-    revision = 8;
-    log.add(error("b", "late"), 7);
+    document.load({}, {});
+    REQUIRE(document.revision() != first);
+    log.add(error("b", "late"), first);
     log.note("seen anyway");
     log.tell("done");
     const auto &entries = log.entries();
-    CHECK(entries[0].revision == 7);
-    CHECK(entries[1].revision == 7);
+    CHECK(entries[0].revision == first);
+    CHECK(entries[1].revision == first);
     CHECK(entries[0].told);
     CHECK_FALSE(entries[2].told);
     CHECK(entries[3].told);
-    CHECK(entries[3].revision == 8);
+    CHECK(entries[3].revision == document.revision());
 }
 
 TEST_CASE("Notes: of several faults the message shows the first and says how many follow") {
@@ -181,7 +182,7 @@ TEST_CASE("Timeline: a step is an advance in the fast method and an element in t
     driver.settle();
     Document classic = driver.document();
     classic.options.method = Method::Classic;
-    driver.context().document().apply(std::move(classic), "Classic");
+    driver.context().document.apply(std::move(classic), "Classic");
     driver.frames(2);
     CHECK(driver.has("timeline/granularity/Advance")); // the run on the timeline is still the fast one
     driver.key(key::kF5);
@@ -331,7 +332,7 @@ TEST_CASE("Meshing panel: the options are part of the document, and undo restore
     driver.key('Z', {Modifiers::kControl});
     driver.settle();
     CHECK(driver.document().options.improve == ImproveLevel::Default);
-    CHECK(driver.context().run().outOfDate());
+    CHECK(driver.context().run.outOfDate());
 }
 
 TEST_CASE("Panels: the hints of empty panels fit into the narrowest column") {

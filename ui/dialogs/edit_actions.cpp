@@ -4,8 +4,8 @@
 #include "core/edit/spacing_commands.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/dialogs/repair.hpp"
-#include "ui/editor/app_context.hpp"
-#include "ui/tools/edit_state.hpp"
+#include "ui/parts/shell.hpp"
+#include "ui/workspace/edit_state.hpp"
 
 namespace forefront {
 namespace {
@@ -14,12 +14,12 @@ constexpr Modifiers kNone{};
 constexpr Modifiers kControl{Modifiers::kControl};
 constexpr Modifiers kControlShift{Modifiers::kControl | Modifiers::kShift};
 
-bool hasSelection(const AppContext &context) {
+bool hasSelection(const Shell &context) {
     return !context.selection.empty();
 }
 
-bool hasShapes(const AppContext &context) {
-    return !context.document().current()->shapes.empty();
+bool hasShapes(const Shell &context) {
+    return !context.document.current()->shapes.empty();
 }
 
 void addFileActions(ActionRegistry &actions) {
@@ -28,14 +28,14 @@ void addFileActions(ActionRegistry &actions) {
                  .menu = "File",
                  .title = "Open\xe2\x80\xa6",
                  .shortcuts = {{'O', kControl}},
-                 .run = [](AppContext &c) { openDocument(c); }});
+                 .run = [](Shell &c) { openDocument(c); }});
     actions.add({.id = "file.recent",
                  .menu = "File",
                  .title = "Open last file",
-                 .run = [](AppContext &c) { openDocument(c, c.settings.recentFiles.front()); },
-                 .enabled = [](const AppContext &c) { return !c.settings.recentFiles.empty(); },
+                 .run = [](Shell &c) { openDocument(c, c.settings.recentFiles.front()); },
+                 .enabled = [](const Shell &c) { return !c.settings.recentFiles.empty(); },
                  .dynamic =
-                     [](const AppContext &c) {
+                     [](const Shell &c) {
                          return c.settings.recentFiles.empty()
                                     ? std::string("Open last file")
                                     : "Open " +
@@ -45,13 +45,13 @@ void addFileActions(ActionRegistry &actions) {
                  .menu = "File",
                  .title = "Save",
                  .shortcuts = {{'S', kControl}},
-                 .run = [](AppContext &c) { saveDocument(c); },
+                 .run = [](Shell &c) { saveDocument(c); },
                  .separatorBefore = true});
     actions.add({.id = "file.saveAs",
                  .menu = "File",
                  .title = "Save as\xe2\x80\xa6",
                  .shortcuts = {{'S', kControlShift}},
-                 .run = [](AppContext &c) { saveDocumentAs(c); }});
+                 .run = [](Shell &c) { saveDocumentAs(c); }});
     actions.add({.id = "file.import",
                  .menu = "File",
                  .title = "Import drawing\xe2\x80\xa6",
@@ -70,7 +70,7 @@ void addFileActions(ActionRegistry &actions) {
                  .menu = "File",
                  .title = "Quit",
                  .shortcuts = {{'Q', kControl}},
-                 .run = [](AppContext &c) { afterUnsaved(c, [](AppContext &d) { d.quit = true; }); },
+                 .run = [](Shell &c) { afterUnsaved(c, [](Shell &d) { d.quit = true; }); },
                  .separatorBefore = true});
 }
 
@@ -80,26 +80,26 @@ void addHistoryActions(ActionRegistry &actions) {
                  .title = "Undo",
                  .shortcuts = {{'Z', kControl}},
                  .run =
-                     [](AppContext &c) {
+                     [](Shell &c) {
                          if (!c.tools.current().undo(c)) {
-                             c.document().undo();
-                             c.selection.prune(*c.document().current());
+                             c.document.undo();
+                             c.selection.prune(*c.document.current());
                          }
                      },
-                 .dynamic = [](const AppContext &c) { return "Undo " + c.document().undoLabel(); },
+                 .dynamic = [](const Shell &c) { return "Undo " + c.document.undoLabel(); },
                  .repeats = true});
     actions.add({.id = "edit.redo",
                  .menu = "Edit",
                  .title = "Redo",
                  .shortcuts = {{'Z', kControlShift}, {'Y', kControl}},
                  .run =
-                     [](AppContext &c) {
+                     [](Shell &c) {
                          if (!c.tools.current().redo(c)) {
-                             c.document().redo();
-                             c.selection.prune(*c.document().current());
+                             c.document.redo();
+                             c.selection.prune(*c.document.current());
                          }
                      },
-                 .dynamic = [](const AppContext &c) { return "Redo " + c.document().redoLabel(); },
+                 .dynamic = [](const Shell &c) { return "Redo " + c.document.redoLabel(); },
                  .repeats = true});
 }
 
@@ -109,8 +109,8 @@ void addSelectionActions(ActionRegistry &actions) {
                  .title = "Delete",
                  .shortcuts = {{key::kDelete, kNone}},
                  .run =
-                     [](AppContext &c) {
-                         c.document().apply(deleteSelection(*c.document().current(), c.selection), "Delete");
+                     [](Shell &c) {
+                         c.document.apply(deleteSelection(*c.document.current(), c.selection), "Delete");
                          c.selection.clear();
                      },
                  .enabled = hasSelection,
@@ -121,55 +121,44 @@ void addSelectionActions(ActionRegistry &actions) {
          .title = "Duplicate",
          .shortcuts = {{'D', kControl}},
          .run =
-             [](AppContext &c) {
+             [](Shell &c) {
                  Selection copies;
                  const double step = 2.0 * gridPitch(EditState::reach(c, 1.0));
-                 if (EditState::apply(c,
-                                      duplicateSelection(*c.document().current(), c.selection, {step, -step}, &copies),
+                 if (EditState::apply(c, duplicateSelection(*c.document.current(), c.selection, {step, -step}, &copies),
                                       "Duplicate")) {
                      c.selection = std::move(copies);
                  }
              },
-         .enabled = [](const AppContext &c) { return !c.selection.shapes.empty() || !c.selection.sources.empty(); }});
+         .enabled = [](const Shell &c) { return !c.selection.shapes.empty() || !c.selection.sources.empty(); }});
     actions.add({.id = "edit.selectAll",
                  .menu = "Edit",
                  .title = "Select all",
                  .shortcuts = {{'A', kControl}},
-                 .run = [](AppContext &c) {
-                     c.selection = selectAll(*c.document().current());
+                 .run = [](Shell &c) {
+                     c.selection = selectAll(*c.document.current());
                      c.tools.choose("select", c);
                  }});
     actions.add({.id = "edit.toPolygon",
                  .menu = "Edit",
                  .title = "Convert to polygon",
                  .run =
-                     [](AppContext &c) {
+                     [](Shell &c) {
                          for (const std::uint32_t id : c.selection.shapes) {
-                             EditState::apply(c, convertToPolygon(*c.document().current(), id), "Convert to polygon");
+                             EditState::apply(c, convertToPolygon(*c.document.current(), id), "Convert to polygon");
                          }
                      },
-                 .enabled = [](const AppContext &c) { return !c.selection.shapes.empty(); },
+                 .enabled = [](const Shell &c) { return !c.selection.shapes.empty(); },
                  .separatorBefore = true});
     actions.add({.id = "edit.repair",
                  .menu = "Edit",
                  .title = "Repair drawing",
                  .run = repairDrawing,
-                 .enabled = [](const AppContext &c) { return anyRepairable(c.preview->faults); }});
+                 .enabled = [](const Shell &c) { return anyRepairable(c.preview->faults); }});
     actions.add({.id = "edit.clearPaint",
                  .menu = "Edit",
                  .title = "Clear paint",
-                 .run = [](AppContext &c) { c.document().apply(setPaint(*c.document().current(), {}), "Clear paint"); },
-                 .enabled = [](const AppContext &c) { return !c.document().current()->spacing.paint.tiles.empty(); }});
-}
-
-/// Adds the tools to the command palette; their keys are defined by the tools.
-void addToolActions(ActionRegistry &actions) {
-    for (const auto &tool : makeTools()) {
-        actions.add({.id = std::string("tool.") + tool->id(),
-                     .menu = "",
-                     .title = std::string("Tool: ") + tool->name(),
-                     .run = [id = std::string(tool->id())](AppContext &c) { c.tools.choose(id, c); }});
-    }
+                 .run = [](Shell &c) { c.document.apply(setPaint(*c.document.current(), {}), "Clear paint"); },
+                 .enabled = [](const Shell &c) { return !c.document.current()->spacing.paint.tiles.empty(); }});
 }
 
 } // namespace
@@ -178,7 +167,6 @@ void addEditActions(ActionRegistry &actions) {
     addFileActions(actions);
     addHistoryActions(actions);
     addSelectionActions(actions);
-    addToolActions(actions);
 }
 
 } // namespace forefront

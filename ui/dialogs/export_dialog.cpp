@@ -3,7 +3,7 @@
 #include "core/io/files.hpp"
 #include "core/io/inner_edges.hpp"
 #include "ui/dialogs/file_commands.hpp"
-#include "ui/editor/app_context.hpp"
+#include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -12,7 +12,7 @@
 
 namespace forefront {
 
-WriteDialog::WriteDialog(std::string file, Write write, std::function<void(AppContext &)> done)
+WriteDialog::WriteDialog(std::string file, Write write, std::function<void(Shell &)> done)
     : file_(std::move(file)), done_(std::move(done)) {
     result_ = std::async(std::launch::async, [write = std::move(write), fraction = fraction_,
                                               stop = stop_.get_token()] { return write(*fraction, stop); });
@@ -22,7 +22,7 @@ WriteDialog::~WriteDialog() {
     stop_.request_stop();
 }
 
-bool WriteDialog::draw(AppContext &context) {
+bool WriteDialog::draw(Shell &context) {
     context.animate();
     ui::muted(context, file_);
     ImGui::Dummy({0, context.px(4)});
@@ -47,8 +47,8 @@ bool WriteDialog::draw(AppContext &context) {
 namespace {
 
 /// Returns the mesh that would be exported now, or null if there is none.
-std::shared_ptr<const MeshView> finishedMesh(const AppContext &context) {
-    const SessionSnapshot &run = context.run().now();
+std::shared_ptr<const MeshView> finishedMesh(const Shell &context) {
+    const SessionSnapshot &run = context.run.now();
     const bool finished =
         run.complete && run.state == RunState::Finished && run.mesh && !run.mesh->mesh.elements.empty();
     return finished ? run.mesh : nullptr;
@@ -57,19 +57,19 @@ std::shared_ptr<const MeshView> finishedMesh(const AppContext &context) {
 /// Draws the counts of the mesh, or offers to make one. Returns false if there is nothing to export. Starts meshing by
 /// itself, once, if there is no finished mesh and no command is pending (a step may still be under way when the dialog
 /// opens).
-bool drawMeshLine(AppContext &context, bool &asked) {
+bool drawMeshLine(Shell &context, bool &asked) {
     const std::shared_ptr<const MeshView> mesh = finishedMesh(context);
     ImGui::AlignTextToFramePadding();
     if (!mesh) {
-        if (!asked && !context.run().busy() && !context.document().current()->shapes.empty()) {
+        if (!asked && !context.run.busy() && !context.document.current()->shapes.empty()) {
             asked = true;
-            context.run().mesh();
+            context.run.mesh();
         }
-        const bool busy = context.run().busy();
+        const bool busy = context.run.busy();
         ui::muted(context, busy ? "Meshing\xe2\x80\xa6" : "No finished mesh to export");
         ImGui::SameLine();
         if (!busy && ui::button(context, "dialog/export/mesh", "Mesh now")) {
-            context.run().mesh();
+            context.run.mesh();
         }
         if (busy) {
             context.animate();
@@ -80,14 +80,14 @@ bool drawMeshLine(AppContext &context, bool &asked) {
                             ui::count(mesh->mesh.nodes.size()) + " nodes, " + ui::count(mesh->mesh.edges.size()) +
                             " tagged edges")
                                .c_str());
-    if (context.run().outOfDate()) {
+    if (context.run.outOfDate()) {
         ImGui::SameLine(0, context.px(16));
         ImGui::PushStyleColor(ImGuiCol_Text, context.theme.warn);
         ImGui::TextUnformatted("the drawing has changed since it was meshed");
         ImGui::PopStyleColor();
         ImGui::SameLine();
         if (ui::button(context, "dialog/export/mesh", "Mesh now")) {
-            context.run().mesh();
+            context.run.mesh();
         }
     }
     return true;
@@ -104,8 +104,7 @@ std::uintmax_t bytesOf(const std::filesystem::path &path, const std::string &for
     return sum;
 }
 
-Diagnostics write(AppContext &context, const std::filesystem::path &file, const FileFilter &filter,
-                  InnerEdges innerEdges) {
+Diagnostics write(Shell &context, const std::filesystem::path &file, const FileFilter &filter, InnerEdges innerEdges) {
     const std::shared_ptr<const MeshView> mesh = finishedMesh(context);
     if (!mesh) {
         return error("no-mesh", "no finished mesh to export", "mesh the drawing first");
@@ -117,7 +116,7 @@ Diagnostics write(AppContext &context, const std::filesystem::path &file, const 
         return innerEdges == InnerEdges::Keep ? writeMesh(file, mesh->mesh, format, progress)
                                               : writeMesh(file, withoutInnerEdges(mesh->mesh), format, progress);
     };
-    const auto done = [file, format = filter.id, triangles = mesh->mesh.elements.size()](AppContext &c) {
+    const auto done = [file, format = filter.id, triangles = mesh->mesh.elements.size()](Shell &c) {
         c.log.tell("Exported mesh to " + file.string() + ": " + ui::count(triangles) + " triangles, " +
                    fileSizeText(bytesOf(file, format)));
     };
@@ -127,7 +126,7 @@ Diagnostics write(AppContext &context, const std::filesystem::path &file, const 
 
 } // namespace
 
-void exportMesh(AppContext &context) {
+void exportMesh(Shell &context) {
     FileRequest request;
     request.id = "export";
     request.title = "Export mesh";
@@ -142,16 +141,16 @@ void exportMesh(AppContext &context) {
     // Formats that solvers read come first (MSH 2.2), pictures last.
     std::stable_partition(request.filters.begin(), request.filters.end(),
                           [](const FileFilter &filter) { return filter.id != "svg"; });
-    const std::filesystem::path &document = context.document().path();
+    const std::filesystem::path &document = context.document.path();
     request.folder = document.parent_path();
-    request.name = (document.empty() ? context.document().title() : document.stem().string()) +
+    request.name = (document.empty() ? context.document.title() : document.stem().string()) +
                    request.filters[request.filter].extensions.front();
     const auto keepsInnerEdges = std::make_shared<bool>(true);
-    request.chosen = [keepsInnerEdges](AppContext &c, const std::filesystem::path &file, const FileFilter &filter) {
+    request.chosen = [keepsInnerEdges](Shell &c, const std::filesystem::path &file, const FileFilter &filter) {
         return write(c, file, filter, *keepsInnerEdges ? InnerEdges::Keep : InnerEdges::Drop);
     };
     request.extraLines = 2;
-    request.extra = [keepsInnerEdges, asked = false](AppContext &c) mutable {
+    request.extra = [keepsInnerEdges, asked = false](Shell &c) mutable {
         const bool ready = drawMeshLine(c, asked);
         ui::checkbox(c, "dialog/export/inner-edges", "Include tagged edges inside the domain", *keepsInnerEdges);
         return ready;

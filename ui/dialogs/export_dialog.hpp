@@ -15,17 +15,17 @@ class WriteDialog final : public Dialog {
   public:
     /// `write` reports its progress in `fraction`, 0 to 1, and ends early when `stop` is requested.
     using Write = std::function<Diagnostics(std::atomic<double> &fraction, std::stop_token stop)>;
-    WriteDialog(std::string file, Write write, std::function<void(AppContext &)> done);
+    WriteDialog(std::string file, Write write, std::function<void(Shell &)> done);
     ~WriteDialog() override;
 
     const char *id() const override { return "writing"; }
     std::string title() const override { return "Writing"; }
     bool closesOnEscape() const override { return false; }
-    bool draw(AppContext &context) override;
+    bool draw(Shell &context) override;
 
   private:
     std::string file_;
-    std::function<void(AppContext &)> done_;
+    std::function<void(Shell &)> done_;
     std::stop_source stop_;
     std::shared_ptr<std::atomic<double>> fraction_ = std::make_shared<std::atomic<double>>(0.0);
     std::future<Diagnostics> result_;

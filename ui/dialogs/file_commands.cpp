@@ -5,9 +5,13 @@
 #include "ui/dialogs/file_dialog.hpp"
 #include "ui/dialogs/import_dialog.hpp"
 #include "ui/dialogs/question_dialog.hpp"
-#include "ui/editor/app_context.hpp"
+#include "ui/parts/shell.hpp"
+#include "ui/platform/assets.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <algorithm>
+#include <string_view>
+#include <vector>
 
 namespace forefront {
 namespace {
@@ -34,41 +38,41 @@ std::vector<FileFilter> drawings() {
     return filters;
 }
 
-std::filesystem::path startFolder(const AppContext &context) {
-    if (!context.document().path().empty()) {
-        return context.document().path().parent_path();
+std::filesystem::path startFolder(const Shell &context) {
+    if (!context.document.path().empty()) {
+        return context.document.path().parent_path();
     }
     return context.settings.recentFiles.empty()
                ? std::filesystem::path()
                : std::filesystem::path(context.settings.recentFiles.front()).parent_path();
 }
 
-Status save(AppContext &context, const std::filesystem::path &file) {
-    if (Status status = writeProject(file, *context.document().current()); !status.empty()) {
+Status save(Shell &context, const std::filesystem::path &file) {
+    if (Status status = writeProject(file, *context.document.current()); !status.empty()) {
         return status;
     }
-    context.document().markSaved(file);
+    context.document.markSaved(file);
     rememberFile(context, file);
     context.log.tell("Saved " + file.string());
     return {};
 }
 
 /// Opens a file after asking about unsaved changes. Returns the faults of a file that cannot be read.
-Diagnostics openChosen(AppContext &context, const std::filesystem::path &file) {
+Diagnostics openChosen(Shell &context, const std::filesystem::path &file) {
     const auto notes = std::make_shared<ImportNotes>();
     const auto read = std::make_shared<Result<Document>>(readDocument(file, {}, notes.get()));
     if (!*read) {
         return read->faults();
     }
-    afterUnsaved(context, [file, read, notes, asked = context.document().dirty()](AppContext &c) {
-        if (asked && !c.document().dirty()) {
+    afterUnsaved(context, [file, read, notes, asked = context.document.dirty()](Shell &c) {
+        if (asked && !c.document.dirty()) {
             *read = readDocument(file); // it may be what has just been saved
         }
         if (!*read) {
             c.log.add(read->faults());
             return;
         }
-        c.showDocument(**read, file);
+        showDocument(c, **read, file);
         c.log.add(notes->diagnostics());
         rememberFile(c, file);
     });
@@ -77,7 +81,30 @@ Diagnostics openChosen(AppContext &context, const std::filesystem::path &file) {
 
 } // namespace
 
-void rememberFile(AppContext &context, const std::filesystem::path &file) {
+void showDocument(Shell &context, const Document &document, const std::filesystem::path &file) {
+    const FileFormat *const format = fileFormatOf(file);
+    const bool project = format != nullptr && std::string_view(format->id) == "project";
+    const std::vector<Sample> gallery = samples();
+    const auto sample = std::find_if(gallery.begin(), gallery.end(), [&](const Sample &s) { return s.path == file; });
+    // A sample or an imported drawing is not saved over.
+    const bool own = project && sample == gallery.end();
+    context.document.load(document, own ? file : std::filesystem::path(), false,
+                          sample != gallery.end() ? sample->title : file.stem().string());
+    context.run.clear();
+    context.previews.abandon();
+    context.selection.clear();
+    context.view.isolatedBin.reset();
+    context.view.fitPending = true;
+    context.animate();
+    if (!project && format != nullptr) {
+        const std::size_t count = document.shapes.size();
+        context.log.tell(file.filename().string() + " (" + format->name + ") opened as a new drawing of " +
+                         ui::count(count) + (count == 1 ? " shape" : " shapes") +
+                         "; save it as a project to keep your changes");
+    }
+}
+
+void rememberFile(Shell &context, const std::filesystem::path &file) {
     std::error_code ignored;
     const std::string name = std::filesystem::absolute(file, ignored).lexically_normal().string();
     std::vector<std::string> &recent = context.settings.recentFiles;
@@ -86,60 +113,59 @@ void rememberFile(AppContext &context, const std::filesystem::path &file) {
     recent.resize(std::min(recent.size(), kMaxRecent));
 }
 
-void afterUnsaved(AppContext &context, std::function<void(AppContext &)> then) {
-    if (!context.document().dirty()) {
+void afterUnsaved(Shell &context, std::function<void(Shell &)> then) {
+    if (!context.document.dirty()) {
         then(context);
         return;
     }
-    const std::filesystem::path &path = context.document().path();
+    const std::filesystem::path &path = context.document.path();
     const std::string name = path.empty() ? "this drawing" : path.filename().string();
-    std::vector<QuestionDialog::Answer> answers{
-        {"cancel", "Cancel", false, {}},
-        {"discard", "Don't save", false, then},
-        {"save", "Save", true, [then](AppContext &c) { saveDocument(c, then); }}};
+    std::vector<QuestionDialog::Answer> answers{{"cancel", "Cancel", false, {}},
+                                                {"discard", "Don't save", false, then},
+                                                {"save", "Save", true, [then](Shell &c) { saveDocument(c, then); }}};
     context.dialogs.open(std::make_unique<QuestionDialog>(
         "unsaved", "Save changes?", "The changes to " + name + " have not been saved.", std::move(answers)));
 }
 
-void newDocument(AppContext &context) {
-    afterUnsaved(context, [](AppContext &c) {
-        c.document().load({}, {});
+void newDocument(Shell &context) {
+    afterUnsaved(context, [](Shell &c) {
+        c.document.load({}, {});
         c.selection.clear();
-        c.run().clear();
+        c.run.clear();
         c.view.isolatedBin.reset();
         c.view.fit({{0.0, 0.0}, {10.0, 10.0}});
         c.animate();
     });
 }
 
-void openDocument(AppContext &context) {
+void openDocument(Shell &context) {
     FileRequest request;
     request.id = "open";
     request.title = "Open";
     request.action = "Open";
     request.filters = drawings();
     request.folder = startFolder(context);
-    request.chosen = [](AppContext &c, const std::filesystem::path &file, const FileFilter &) {
+    request.chosen = [](Shell &c, const std::filesystem::path &file, const FileFilter &) {
         return openChosen(c, file);
     };
     context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));
 }
 
-void openDocument(AppContext &context, const std::filesystem::path &file) {
+void openDocument(Shell &context, const std::filesystem::path &file) {
     context.log.add(openChosen(context, file));
 }
 
-void saveDocument(AppContext &context, std::function<void(AppContext &)> then) {
-    if (context.document().path().empty()) {
+void saveDocument(Shell &context, std::function<void(Shell &)> then) {
+    if (context.document.path().empty()) {
         saveDocumentAs(context, std::move(then));
-    } else if (const Status faults = save(context, context.document().path()); !faults.empty()) {
+    } else if (const Status faults = save(context, context.document.path()); !faults.empty()) {
         context.log.add(faults);
     } else if (then) {
         then(context);
     }
 }
 
-void saveDocumentAs(AppContext &context, std::function<void(AppContext &)> then) {
+void saveDocumentAs(Shell &context, std::function<void(Shell &)> then) {
     FileRequest request;
     request.id = "save";
     request.title = "Save as";
@@ -147,9 +173,8 @@ void saveDocumentAs(AppContext &context, std::function<void(AppContext &)> then)
     request.saves = true;
     request.filters = {projects()};
     request.folder = startFolder(context);
-    request.name =
-        context.document().path().empty() ? "drawing.forefront" : context.document().path().filename().string();
-    request.chosen = [then](AppContext &c, const std::filesystem::path &file, const FileFilter &) {
+    request.name = context.document.path().empty() ? "drawing.forefront" : context.document.path().filename().string();
+    request.chosen = [then](Shell &c, const std::filesystem::path &file, const FileFilter &) {
         const Status faults = save(c, file);
         if (faults.empty() && then) {
             then(c);
@@ -159,14 +184,14 @@ void saveDocumentAs(AppContext &context, std::function<void(AppContext &)> then)
     context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));
 }
 
-void importDrawing(AppContext &context) {
+void importDrawing(Shell &context) {
     FileRequest request;
     request.id = "import";
     request.title = "Import drawing";
     request.action = "Import";
     request.filters = drawings();
     request.folder = startFolder(context);
-    request.chosen = [](AppContext &c, const std::filesystem::path &file, const FileFilter &) -> Diagnostics {
+    request.chosen = [](Shell &c, const std::filesystem::path &file, const FileFilter &) -> Diagnostics {
         ImportNotes notes;
         Result<Document> drawing = readDocument(file, {}, &notes);
         if (!drawing) {
@@ -178,19 +203,19 @@ void importDrawing(AppContext &context) {
     context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));
 }
 
-void importSpacing(AppContext &context) {
+void importSpacing(Shell &context) {
     FileRequest request;
     request.id = "importspacing";
     request.title = "Import spacing";
     request.action = "Import";
     request.filters = {{"Projects and meshes", {".forefront", ".json", ".msh"}, "spacing"}, {"All files", {}, "any"}};
     request.folder = startFolder(context);
-    request.chosen = [](AppContext &c, const std::filesystem::path &file, const FileFilter &) -> Diagnostics {
+    request.chosen = [](Shell &c, const std::filesystem::path &file, const FileFilter &) -> Diagnostics {
         Result<SpacingSpec> spacing = readSpacing(file);
         if (!spacing) {
             return spacing.faults();
         }
-        c.document().apply(setSpacing(*c.document().current(), std::move(spacing).value()), "Import spacing");
+        c.document.apply(setSpacing(*c.document.current(), std::move(spacing).value()), "Import spacing");
         c.log.tell("Imported spacing from " + file.filename().string());
         return {};
     };

@@ -7,27 +7,32 @@
 
 namespace forefront {
 
-struct AppContext;
+class ActionRegistry;
+struct Shell;
 
 // The commands of the File menu. They report faults in the log.
 
 /// Runs `then` after asking whether to save unsaved changes.
-void afterUnsaved(AppContext &context, std::function<void(AppContext &)> then);
-void newDocument(AppContext &context);
+void afterUnsaved(Shell &context, std::function<void(Shell &)> then);
+void newDocument(Shell &context);
 /// Opens the file dialog.
-void openDocument(AppContext &context);
+void openDocument(Shell &context);
 /// Opens a file, asking about unsaved changes first.
-void openDocument(AppContext &context, const std::filesystem::path &file);
+void openDocument(Shell &context, const std::filesystem::path &file);
 /// Saves the document to its file, or asks for one. Runs `then` once it is saved.
-void saveDocument(AppContext &context, std::function<void(AppContext &)> then = {});
-void saveDocumentAs(AppContext &context, std::function<void(AppContext &)> then = {});
+void saveDocument(Shell &context, std::function<void(Shell &)> then = {});
+void saveDocumentAs(Shell &context, std::function<void(Shell &)> then = {});
 /// Adds the drawing of a file to the current one.
-void importDrawing(AppContext &context);
+void importDrawing(Shell &context);
 /// Imports the spacing of a project or of a mesh with nodal values.
-void importSpacing(AppContext &context);
+void importSpacing(Shell &context);
 /// Exports the mesh in a format that the user chooses.
-void exportMesh(AppContext &context);
+void exportMesh(Shell &context);
+/// Makes a document read from `file` the open one, without asking. Only projects are saved back to their file.
+void showDocument(Shell &context, const Document &document, const std::filesystem::path &file);
+/// Registers the actions of files and editing.
+void addEditActions(ActionRegistry &actions);
 /// Adds a file to the recent files.
-void rememberFile(AppContext &context, const std::filesystem::path &file);
+void rememberFile(Shell &context, const std::filesystem::path &file);
 
 } // namespace forefront

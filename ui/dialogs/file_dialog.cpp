@@ -1,7 +1,7 @@
 #include "ui/dialogs/file_dialog.hpp"
 
 #include "core/io/files.hpp"
-#include "ui/editor/app_context.hpp"
+#include "ui/parts/shell.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -63,7 +63,7 @@ void FileDialog::suggest(std::string name) {
     fault_.clear();
 }
 
-void FileDialog::drawPlaces(AppContext &context) {
+void FileDialog::drawPlaces(Shell &context) {
     const auto place = [&](const char *name, const char *icon, const std::string &label,
                            const std::filesystem::path &at) {
         std::error_code ignored;
@@ -80,7 +80,7 @@ void FileDialog::drawPlaces(AppContext &context) {
     place("place/home", icon::kHome, "Home", home != nullptr ? home : "");
     std::error_code ignored;
     place("place/work", icon::kFolder, "Working folder", std::filesystem::current_path(ignored));
-    const std::filesystem::path &document = context.document().path();
+    const std::filesystem::path &document = context.document.path();
     if (!document.empty()) {
         place("place/document", icon::kFile, "This drawing", document.parent_path());
     }
@@ -103,7 +103,7 @@ void FileDialog::drawPlaces(AppContext &context) {
     }
 }
 
-void FileDialog::drawPath(AppContext &context) {
+void FileDialog::drawPath(Shell &context) {
     if (ui::iconButton(context, widget("up"), icon::kUp, "Parent folder", false, folder_.has_relative_path(), 28.0F)) {
         enter(folder_.parent_path());
     }
@@ -142,7 +142,7 @@ void FileDialog::drawPath(AppContext &context) {
     }
 }
 
-bool FileDialog::drawRow(AppContext &context, const FileEntry &entry) {
+bool FileDialog::drawRow(Shell &context, const FileEntry &entry) {
     const std::string name = widget("list/") + entry.name;
     const std::string label = std::string(entry.folder ? icon::kFolder : icon::kFile) + "   " + entry.name;
     const std::string detail =
@@ -155,7 +155,7 @@ bool FileDialog::drawRow(AppContext &context, const FileEntry &entry) {
     return twice || (pressed && entry.folder);
 }
 
-bool FileDialog::drawList(AppContext &context) {
+bool FileDialog::drawList(Shell &context) {
     bool opened = false;
     if (entries_.empty()) {
         ImGui::SetCursorPos({context.px(10), context.px(8)});
@@ -190,7 +190,7 @@ void FileDialog::followExtension(const std::string &name) {
     }
 }
 
-bool FileDialog::choose(AppContext &context) {
+bool FileDialog::choose(Shell &context) {
     if (request_.name.empty()) {
         return false;
     }
@@ -233,7 +233,7 @@ std::string FileDialog::warning() const {
 /// Width of each of the two buttons and the gap between them, in design pixels; the warning is to their left.
 constexpr float kButton = 108.0F, kGap = 10.0F;
 
-float FileDialog::bottomHeight(const AppContext &context) const {
+float FileDialog::bottomHeight(const Shell &context) const {
     const float room = ImGui::GetContentRegionAvail().x - context.px(2.0 * kButton + 2.0 * kGap);
     const float lines = ImGui::CalcTextSize(ui::wrapped(warning(), room).c_str(), nullptr, false, room).y;
     const float more = std::max(0.0F, lines - ImGui::GetTextLineHeight());
@@ -241,7 +241,7 @@ float FileDialog::bottomHeight(const AppContext &context) const {
     return context.px(kPlain + (request_.extra ? request_.extraLines * kLine : 0)) + more;
 }
 
-void FileDialog::drawName(AppContext &context, bool &wanted) {
+void FileDialog::drawName(Shell &context, bool &wanted) {
     ImGui::AlignTextToFramePadding();
     ui::muted(context, "Name");
     ImGui::SameLine(context.px(72));
@@ -269,7 +269,7 @@ void FileDialog::drawName(AppContext &context, bool &wanted) {
     }
 }
 
-bool FileDialog::drawBottom(AppContext &context) {
+bool FileDialog::drawBottom(Shell &context) {
     bool wanted = false;
     drawName(context, wanted);
     const bool allowed = !request_.extra || request_.extra(context);
@@ -294,7 +294,7 @@ bool FileDialog::drawBottom(AppContext &context) {
     return !(wanted && allowed && choose(context));
 }
 
-bool FileDialog::draw(AppContext &context) {
+bool FileDialog::draw(Shell &context) {
     const float height = ImGui::GetContentRegionAvail().y - bottomHeight(context);
     ImGui::BeginChild("places", {context.px(134), height}, false, ImGuiWindowFlags_NoNav);
     drawPlaces(context);

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/base/diagnostic.hpp"
-#include "ui/dialogs/dialog.hpp"
 #include "ui/dialogs/file_list.hpp"
+#include "ui/parts/dialog.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -23,9 +23,9 @@ struct FileRequest {
     std::filesystem::path folder; ///< initial folder; empty: the working folder
     std::string name;             ///< suggested name
     /// Called with the chosen file. The dialog closes if it returns no faults, else it stays open and shows the first.
-    std::function<Diagnostics(AppContext &, const std::filesystem::path &, const FileFilter &)> chosen;
+    std::function<Diagnostics(Shell &, const std::filesystem::path &, const FileFilter &)> chosen;
     /// Draws extra lines between the list and the buttons; returns false to disable the button. May be empty.
-    std::function<bool(AppContext &)> extra;
+    std::function<bool(Shell &)> extra;
     int extraLines = 1; ///< number of lines that `extra` draws
 };
 
@@ -38,24 +38,24 @@ class FileDialog : public Dialog {
     std::string title() const override { return request_.title; }
     float width() const override { return 680.0F; }
     float height() const override { return 560.0F; }
-    bool draw(AppContext &context) override;
+    bool draw(Shell &context) override;
 
   private:
     void enter(const std::filesystem::path &folder);
-    void drawPlaces(AppContext &context);
-    void drawPath(AppContext &context);
+    void drawPlaces(Shell &context);
+    void drawPath(Shell &context);
     /// Returns true if a file was double-clicked.
-    bool drawList(AppContext &context);
-    bool drawRow(AppContext &context, const FileEntry &entry);
-    bool drawBottom(AppContext &context);
-    void drawName(AppContext &context, bool &wanted);
+    bool drawList(Shell &context);
+    bool drawRow(Shell &context, const FileEntry &entry);
+    bool drawBottom(Shell &context);
+    void drawName(Shell &context, bool &wanted);
     /// Returns what is wrong with the choice, or that it will replace a file; empty if neither.
     std::string warning() const;
     /// Returns the height of the rows below the list, in pixels.
-    float bottomHeight(const AppContext &context) const;
+    float bottomHeight(const Shell &context) const;
     /// Sets the chosen name and clears the faults of the last one.
     void suggest(std::string name);
-    bool choose(AppContext &context);
+    bool choose(Shell &context);
     /// Switches to the filter that the extension of a typed name belongs to.
     void followExtension(const std::string &name);
     std::string widget(const char *part) const { return "dialog/" + request_.id + "/" + part; }

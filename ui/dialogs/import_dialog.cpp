@@ -2,8 +2,9 @@
 
 #include "core/edit/insert_document.hpp"
 #include "core/edit/shape_geometry.hpp"
-#include "ui/editor/app_context.hpp"
+#include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/number_field.hpp"
 
 #include <imgui.h>
 
@@ -11,9 +12,9 @@
 
 namespace forefront {
 
-void ImportDialog::insert(AppContext &context) const {
+void ImportDialog::insert(Shell &context) const {
     Selection added;
-    context.document().apply(insertDrawing(*context.document().current(), drawing_, scale_, &added), "Import drawing");
+    context.document.apply(insertDrawing(*context.document.current(), drawing_, scale_, &added), "Import drawing");
     context.selection = std::move(added);
     context.actions.run("view.fit", context);
     const std::size_t count = drawing_.shapes.size();
@@ -22,12 +23,12 @@ void ImportDialog::insert(AppContext &context) const {
     context.log.add(notes_.diagnostics());
 }
 
-bool ImportDialog::draw(AppContext &context) {
+bool ImportDialog::draw(Shell &context) {
     std::size_t nodes = 0;
     for (const auto &shape : drawing_.shapes) {
         nodes += shape->nodes.size();
     }
-    const Box2 box = boundsOf(drawing_), here = boundsOf(*context.document().current());
+    const Box2 box = boundsOf(drawing_), here = boundsOf(*context.document.current());
     const auto extent = [](const Box2 &b, double scale) {
         return b.empty() ? std::string("nothing")
                          : ui::number(scale * b.size().x) + " \xc3\x97 " + ui::number(scale * b.size().y);

@@ -2,7 +2,7 @@
 
 #include "core/edit/document.hpp"
 #include "core/io/source/import_notes.hpp"
-#include "ui/dialogs/dialog.hpp"
+#include "ui/parts/dialog.hpp"
 
 #include <filesystem>
 #include <utility>
@@ -18,10 +18,10 @@ class ImportDialog final : public Dialog {
 
     const char *id() const override { return "importoptions"; }
     std::string title() const override { return "Import " + file_.filename().string(); }
-    bool draw(AppContext &context) override;
+    bool draw(Shell &context) override;
 
   private:
-    void insert(AppContext &context) const;
+    void insert(Shell &context) const;
 
     std::filesystem::path file_;
     Document drawing_;

@@ -1,13 +1,13 @@
 #include "ui/dialogs/question_dialog.hpp"
 
-#include "ui/editor/app_context.hpp"
+#include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
 
 namespace forefront {
 
-bool QuestionDialog::draw(AppContext &context) {
+bool QuestionDialog::draw(Shell &context) {
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextUnformatted(text_.c_str());
     ImGui::PopTextWrapPos();

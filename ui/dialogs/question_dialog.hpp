@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/dialogs/dialog.hpp"
+#include "ui/parts/dialog.hpp"
 
 #include <functional>
 #include <string>
@@ -15,14 +15,14 @@ class QuestionDialog final : public Dialog {
         std::string id; ///< the button is the widget "dialog/ID/ANSWER"
         std::string label;
         bool primary = false;
-        std::function<void(AppContext &)> then; ///< may be empty
+        std::function<void(Shell &)> then; ///< may be empty
     };
     QuestionDialog(std::string id, std::string title, std::string text, std::vector<Answer> answers)
         : id_(std::move(id)), title_(std::move(title)), text_(std::move(text)), answers_(std::move(answers)) {}
 
     const char *id() const override { return id_.c_str(); }
     std::string title() const override { return title_; }
-    bool draw(AppContext &context) override;
+    bool draw(Shell &context) override;
 
   private:
     std::string id_, title_, text_;

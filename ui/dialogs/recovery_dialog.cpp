@@ -1,7 +1,7 @@
 #include "ui/dialogs/recovery_dialog.hpp"
 
-#include "ui/editor/app_context.hpp"
-#include "ui/editor/recovery.hpp"
+#include "ui/dialogs/recovery.hpp"
+#include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -23,7 +23,7 @@ std::string timeText(std::time_t time) {
 
 } // namespace
 
-bool RecoveryDialog::draw(AppContext &context) {
+bool RecoveryDialog::draw(Shell &context) {
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextUnformatted("Forefront closed unexpectedly. These unsaved drawings can be recovered:");
     ImGui::PopTextWrapPos();

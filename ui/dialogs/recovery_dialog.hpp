@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/edit/recovery_journal.hpp"
-#include "ui/dialogs/dialog.hpp"
+#include "ui/parts/dialog.hpp"
 
 #include <vector>
 
@@ -18,7 +18,7 @@ class RecoveryDialog final : public Dialog {
     const char *id() const override { return "recovery"; }
     std::string title() const override { return "Recover unsaved work?"; }
     float width() const override { return 520.0F; }
-    bool draw(AppContext &context) override;
+    bool draw(Shell &context) override;
 
   private:
     Recovery &recovery_;

@@ -1,12 +1,12 @@
 #include "ui/dialogs/repair.hpp"
 
 #include "core/domain/validate.hpp"
-#include "ui/editor/app_context.hpp"
+#include "ui/parts/shell.hpp"
 
 namespace forefront {
 
-void repairDrawing(AppContext &context) {
-    const std::shared_ptr<const Document> before = context.document().current();
+void repairDrawing(Shell &context) {
+    const std::shared_ptr<const Document> before = context.document.current();
     Result<Repaired> repaired = repair(toDomain(*before));
     if (!repaired) {
         context.log.add(repaired.faults());
@@ -28,7 +28,7 @@ void repairDrawing(AppContext &context) {
     next.regionMarkers = drawing.regionMarkers;
     next.boundaryNames = drawing.boundaryNames;
     next.regionNames = drawing.regionNames;
-    context.document().apply(std::move(next), "Repair drawing");
+    context.document.apply(std::move(next), "Repair drawing");
     context.selection.clear();
     context.log.add(repaired->changes);
     const Diagnostics left = validate(repaired->domain);

@@ -1,6 +1,6 @@
 #include "ui/editor/canvas_input.hpp"
 
-#include "ui/editor/app_context.hpp"
+#include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -15,20 +15,20 @@ namespace {
 
 constexpr double kZoomStep = 1.18;
 
-bool canvasFree(const AppContext &context) {
+bool canvasFree(const Shell &context) {
     return !ImGui::GetIO().WantCaptureMouse && !context.dialogs.any();
 }
 
 } // namespace
 
-bool CanvasInput::offer(CanvasEvent event, AppContext &context) const {
+bool CanvasInput::offer(CanvasEvent event, Shell &context) const {
     event.pixel = pixel_;
     event.place = context.view.camera.toPlane(pixel_);
     event.modifiers = modifiers_;
     return context.tools.current().handle(event, context);
 }
 
-void CanvasInput::dispatch(const InputEvent &event, AppContext &context) {
+void CanvasInput::dispatch(const InputEvent &event, Shell &context) {
     switch (event.kind) {
     case InputKind::MouseMove:
         move(event, context);
@@ -59,7 +59,7 @@ void CanvasInput::dispatch(const InputEvent &event, AppContext &context) {
     }
 }
 
-void CanvasInput::move(const InputEvent &event, AppContext &context) {
+void CanvasInput::move(const InputEvent &event, Shell &context) {
     const Vec2 before = pixel_;
     pixel_ = {event.x, event.y};
     const bool over = canvasFree(context) && context.view.camera.viewport.contains(pixel_);
@@ -77,7 +77,7 @@ void CanvasInput::move(const InputEvent &event, AppContext &context) {
     context.view.pointer = over || held_ ? std::optional(context.view.camera.toPlane(pixel_)) : std::nullopt;
 }
 
-int CanvasInput::countClicks(const InputEvent &event, AppContext &context) {
+int CanvasInput::countClicks(const InputEvent &event, Shell &context) {
     const double now = context.platform.now();
     const bool again =
         now - clickTime_ < 0.35 && distance(pixel_, clickPixel_) < 4.0 * static_cast<double>(context.scale);
@@ -88,7 +88,7 @@ int CanvasInput::countClicks(const InputEvent &event, AppContext &context) {
     return clicks_;
 }
 
-void CanvasInput::button(const InputEvent &event, AppContext &context) {
+void CanvasInput::button(const InputEvent &event, Shell &context) {
     const auto which = static_cast<MouseButton>(event.code);
     if (!event.pressed) {
         if (panning_) {
@@ -115,7 +115,7 @@ void CanvasInput::button(const InputEvent &event, AppContext &context) {
     offer({.kind = CanvasEvent::Kind::Press, .button = which, .clicks = countClicks(event, context)}, context);
 }
 
-void CanvasInput::scroll(const InputEvent &event, AppContext &context) {
+void CanvasInput::scroll(const InputEvent &event, Shell &context) {
     if (!canvasFree(context) || !context.view.camera.viewport.contains(pixel_)) {
         return;
     }
@@ -129,7 +129,7 @@ void CanvasInput::scroll(const InputEvent &event, AppContext &context) {
     }
 }
 
-void CanvasInput::spaceKey(const InputEvent &event, AppContext &context) {
+void CanvasInput::spaceKey(const InputEvent &event, Shell &context) {
     // A tap plays or pauses; held, it turns a drag into a pan.
     if (event.pressed && !spaceDown_) {
         spaceDown_ = true;
@@ -144,7 +144,7 @@ void CanvasInput::spaceKey(const InputEvent &event, AppContext &context) {
 
 /// A field keeps the keys that type and edit text. Shortcuts with Ctrl and function keys are the program's: the field
 /// takes what was typed, then they run. Undo and redo are the field's as long as it has something to undo or redo.
-void CanvasInput::fieldKey(const InputEvent &event, AppContext &context) {
+void CanvasInput::fieldKey(const InputEvent &event, Shell &context) {
     const bool functionKey = event.code >= key::kF1 && event.code < key::kF1 + 12;
     if (!event.pressed || (!modifiers_.control() && !functionKey)) {
         return;
@@ -164,7 +164,7 @@ void CanvasInput::fieldKey(const InputEvent &event, AppContext &context) {
     }
 }
 
-void CanvasInput::runWaiting(AppContext &context) {
+void CanvasInput::runWaiting(Shell &context) {
     if (const std::optional<Shortcut> shortcut = std::exchange(waiting_, std::nullopt)) {
         context.actions.runShortcut(*shortcut, false, context);
         context.animate();
@@ -175,7 +175,7 @@ void CanvasInput::runWaiting(AppContext &context) {
     }
 }
 
-void CanvasInput::key(const InputEvent &event, AppContext &context) {
+void CanvasInput::key(const InputEvent &event, Shell &context) {
     const ImGuiIO &io = ImGui::GetIO();
     modifiers_.bits =
         static_cast<std::uint8_t>((io.KeyShift ? Modifiers::kShift : 0) | (io.KeyCtrl ? Modifiers::kControl : 0) |

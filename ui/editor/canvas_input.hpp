@@ -1,8 +1,8 @@
 #pragma once
 
-#include "ui/editor/action.hpp"
 #include "ui/input/input_queue.hpp"
-#include "ui/tools/tool.hpp"
+#include "ui/parts/action.hpp"
+#include "ui/parts/tool.hpp"
 
 #include <optional>
 
@@ -12,21 +12,21 @@ namespace forefront {
 class CanvasInput {
   public:
     /// Call between Dear ImGui's NewFrame and the building of the windows.
-    void dispatch(const InputEvent &event, AppContext &context);
+    void dispatch(const InputEvent &event, Shell &context);
     bool panning() const { return panning_; }
     /// Runs the shortcut or click that took the keyboard from a text field, now that the field has taken what was
     /// typed.
-    void runWaiting(AppContext &context);
+    void runWaiting(Shell &context);
 
   private:
-    void move(const InputEvent &event, AppContext &context);
-    void button(const InputEvent &event, AppContext &context);
-    void scroll(const InputEvent &event, AppContext &context);
-    void key(const InputEvent &event, AppContext &context);
-    void fieldKey(const InputEvent &event, AppContext &context);
-    void spaceKey(const InputEvent &event, AppContext &context);
-    bool offer(CanvasEvent event, AppContext &context) const;
-    int countClicks(const InputEvent &event, AppContext &context);
+    void move(const InputEvent &event, Shell &context);
+    void button(const InputEvent &event, Shell &context);
+    void scroll(const InputEvent &event, Shell &context);
+    void key(const InputEvent &event, Shell &context);
+    void fieldKey(const InputEvent &event, Shell &context);
+    void spaceKey(const InputEvent &event, Shell &context);
+    bool offer(CanvasEvent event, Shell &context) const;
+    int countClicks(const InputEvent &event, Shell &context);
 
     Vec2 pixel_;
     Modifiers modifiers_;

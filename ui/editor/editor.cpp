@@ -1,15 +1,18 @@
 #include "ui/editor/editor.hpp"
 
 #include "core/io/files.hpp"
-#include "ui/canvas/canvas.hpp"
 #include "ui/dialogs/file_commands.hpp"
-#include "ui/editor/assets.hpp"
+#include "ui/dialogs/recovery.hpp"
 #include "ui/editor/canvas_input.hpp"
 #include "ui/editor/imgui_bridge.hpp"
-#include "ui/editor/recovery.hpp"
 #include "ui/editor/snapshot_pace.hpp"
 #include "ui/editor/state_file.hpp"
+#include "ui/layers/layers.hpp"
+#include "ui/panels/panels.hpp"
+#include "ui/platform/assets.hpp"
+#include "ui/shell/canvas.hpp"
 #include "ui/shell/shell.hpp"
+#include "ui/tools/make_tools.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -22,12 +25,12 @@ namespace forefront {
 
 struct Editor::Parts {
     Parts(Platform &platform, EditorSetup given)
-        : options(std::move(given)), bridge(platform), context{.platform = platform}, canvas(platform) {}
+        : options(std::move(given)), bridge(platform), context(platform), canvas(platform) {}
 
     EditorSetup options;
     InputQueue input;
     ImGuiBridge bridge;
-    AppContext context;
+    Shell context;
     Canvas canvas;
     CanvasInput canvasInput;
     std::unique_ptr<Recovery> recovery; ///< null: no journal is kept
@@ -80,10 +83,10 @@ CursorShape cursorOf(ImGuiMouseCursor cursor) {
 } // namespace
 
 bool Editor::Parts::newsDue() const {
-    if (context.run().cancelling() && !saidCancelling) {
+    if (context.run.cancelling() && !saidCancelling) {
         return false; // first a frame that says so: drawing the news may take long
     }
-    const RunState state = context.run().now().state;
+    const RunState state = context.run.now().state;
     return pace.due(steadySeconds(), state == RunState::Running || state == RunState::Improving);
 }
 
@@ -98,19 +101,13 @@ bool Editor::Parts::keySharesFrame(const InputEvent &event) const {
 
 Editor::Editor(Platform &platform, EditorSetup options)
     : parts_(std::make_unique<Parts>(platform, std::move(options))) {
-    AppContext &c = parts_->context;
-    const auto wake = [&platform] { platform.wake(); };
-    c.log.follow([&c] { return c.document().revision(); });
+    Shell &c = parts_->context;
     if (!parts_->options.settingsFolder.empty()) {
         Diagnostics faults;
         c.settings = loadSettings(parts_->options.settingsFolder / "settings.json", &faults);
         c.log.add(faults);
     }
     parts_->savedSettings = c.settings;
-    c.runs = std::make_unique<RunControl>(c.store, c.log, wake);
-    c.previews = std::make_unique<Preview>(wake);
-    c.preview = c.previews->latest();
-    c.showDocument = [this](const Document &document, const std::filesystem::path &file) { show(document, file); };
     c.tools.tools = makeTools();
     for (auto &layer : makeLayers()) {
         const bool visible = layer->visibleAtStart();
@@ -118,7 +115,7 @@ Editor::Editor(Platform &platform, EditorSetup options)
     }
     c.panels = makePanels();
     addEditActions(c.actions);
-    addShellActions(c.actions);
+    shell::addShellActions(c.actions);
     c.tools.current().activate(c);
     if (!parts_->options.file.empty()) {
         if (open(parts_->options.file)) {
@@ -150,7 +147,7 @@ Editor::~Editor() {
     parts_->rememberSettings();
 }
 
-AppContext &Editor::context() {
+Shell &Editor::context() {
     return parts_->context;
 }
 InputQueue &Editor::input() {
@@ -164,27 +161,27 @@ bool Editor::running() const {
 }
 
 bool Editor::settled() const {
-    const AppContext &c = parts_->context;
-    return parts_->input.empty() && !parts_->input.replaying() && c.redraw <= 0 && !c.previews->busy() &&
-           !c.run().busy() && !c.run().hasNews() && !c.run().hasToFollow();
+    const Shell &c = parts_->context;
+    return parts_->input.empty() && !parts_->input.replaying() && c.redraw <= 0 && !c.previews.busy() &&
+           !c.run.busy() && !c.run.hasNews() && !c.run.hasToFollow();
 }
 
 double Editor::sleepSeconds() const {
-    const AppContext &c = parts_->context;
+    const Shell &c = parts_->context;
     if (c.redraw > 0 || c.widgets.fields.travelling() || !parts_->input.empty() || parts_->input.replaying()) {
         return 0.0;
     }
     constexpr double kUntilWorkerRests = 0.002; // it reports its result a moment before it takes the next job
-    const double untilNews = c.run().hasNews()       ? parts_->pace.next() - steadySeconds()
-                             : c.run().hasToFollow() ? kUntilWorkerRests
-                                                     : 0.5;
+    const double untilNews = c.run.hasNews()       ? parts_->pace.next() - steadySeconds()
+                             : c.run.hasToFollow() ? kUntilWorkerRests
+                                                   : 0.5;
     return std::clamp(std::min(c.nextFrameAt - c.platform.now(), untilNews), 0.001, 0.5);
 }
 
 bool Editor::needsFrame() const {
-    const AppContext &c = parts_->context;
-    return sleepSeconds() <= 0.0 || c.platform.now() >= c.nextFrameAt || (c.run().hasNews() && parts_->newsDue()) ||
-           c.run().canFollow() || c.previews->latest() != c.preview || c.previews->raster() != parts_->raster ||
+    const Shell &c = parts_->context;
+    return sleepSeconds() <= 0.0 || c.platform.now() >= c.nextFrameAt || (c.run.hasNews() && parts_->newsDue()) ||
+           c.run.canFollow() || c.previews.latest() != c.preview || c.previews.raster() != parts_->raster ||
            !(c.platform.framebufferSize() == parts_->size) || (parts_->toldBusy && settled());
 }
 
@@ -195,32 +192,9 @@ bool Editor::open(const std::filesystem::path &file) {
         parts_->context.log.add(document.faults());
         return false;
     }
-    show(*document, file);
+    showDocument(parts_->context, *document, file);
     parts_->context.log.add(notes.diagnostics());
     return true;
-}
-
-void Editor::show(const Document &document, const std::filesystem::path &file) {
-    AppContext &c = parts_->context;
-    const FileFormat *const format = fileFormatOf(file);
-    const bool project = format != nullptr && std::string_view(format->id) == "project";
-    const std::vector<Sample> gallery = samples();
-    const auto sample = std::find_if(gallery.begin(), gallery.end(), [&](const Sample &s) { return s.path == file; });
-    // A sample or an imported drawing is not saved over.
-    const bool own = project && sample == gallery.end();
-    c.document().load(document, own ? file : std::filesystem::path(), false,
-                      sample != gallery.end() ? sample->title : file.stem().string());
-    c.run().clear();
-    c.previews->abandon();
-    c.selection.clear();
-    c.view.isolatedBin.reset();
-    c.view.fitPending = true;
-    c.animate();
-    if (!project && format != nullptr) {
-        const std::size_t count = document.shapes.size();
-        c.log.tell(file.filename().string() + " (" + format->name + ") opened as a new drawing of " + ui::count(count) +
-                   (count == 1 ? " shape" : " shapes") + "; save it as a project to keep your changes");
-    }
 }
 
 void Editor::Parts::refreshLook() {
@@ -254,37 +228,37 @@ void Editor::Parts::takeResults(bool cancels) {
         }
     }
     wanted.mesh = true; // the panels speak of it
-    context.run().want(wanted);
-    const auto before = context.run().snapshot();
+    context.run.want(wanted);
+    const auto before = context.run.snapshot();
     if (newsDue() && !cancels) {
-        context.run().refresh();
+        context.run.refresh();
     }
-    drewNews = before != context.run().snapshot();
-    context.previews->submit(context.document().current(), context.document().revision());
+    drewNews = before != context.run.snapshot();
+    context.previews.submit(context.document.current(), context.document.revision());
     if (recovery) {
         recovery->follow(context);
     }
     const auto known = context.preview;
     const auto knownRaster = raster;
-    context.preview = context.previews->latest();
-    raster = context.previews->raster();
-    if (before != context.run().snapshot() || known != context.preview || knownRaster != raster) {
+    context.preview = context.previews.latest();
+    raster = context.previews.raster();
+    if (before != context.run.snapshot() || known != context.preview || knownRaster != raster) {
         context.animate();
     }
 }
 
 /// The place of a fault is not marked any longer once the document is another.
 void Editor::Parts::dropFlag() {
-    if (flagRevision != context.document().revision()) {
-        flagRevision = context.document().revision();
+    if (flagRevision != context.document.revision()) {
+        flagRevision = context.document.revision();
         context.view.flag.reset();
     }
 }
 
 void Editor::Parts::followDocument() {
-    const bool previewed = context.preview->revision == context.document().revision();
+    const bool previewed = context.preview->revision == context.document.revision();
     const bool gestureOver = previewed && !ImGui::IsAnyMouseDown();
-    context.run().follow(gestureOver, hasErrors(context.preview->faults));
+    context.run.follow(gestureOver, hasErrors(context.preview->faults));
 }
 
 void Editor::Parts::handleEvents(const std::vector<InputEvent> &events) {
@@ -332,7 +306,7 @@ void Editor::Parts::buildInterface() {
 
 void Editor::Parts::showTitle() {
     const std::string title =
-        (context.document().dirty() ? "\xe2\x80\xa2 " : "") + context.document().title() + " \xe2\x80\x93 Forefront";
+        (context.document.dirty() ? "\xe2\x80\xa2 " : "") + context.document.title() + " \xe2\x80\x93 Forefront";
     if (title != shownTitle) {
         shownTitle = title;
         context.platform.setTitle(title);
@@ -359,7 +333,7 @@ void Editor::Parts::rememberSettings() {
 
 void Editor::frame() {
     Parts &p = *parts_;
-    AppContext &c = p.context;
+    Shell &c = p.context;
     c.platform.makeCurrent();
     p.bridge.activate();
     c.nextFrameAt = 1e300;
@@ -382,14 +356,14 @@ void Editor::frame() {
     const bool escape = std::any_of(events.begin(), events.end(), [](const InputEvent &event) {
         return event.kind == InputKind::Key && event.code == key::kEscape && event.pressed;
     });
-    p.takeResults(escape && c.run().busy());
+    p.takeResults(escape && c.run.busy());
     p.bridge.beginFrame(events, now - p.lastFrame);
     p.lastFrame = now;
     c.widgets.beginFrame();
     p.handleEvents(events);
     p.dropFlag();
     p.followDocument();
-    const bool cancelling = c.run().cancelling();
+    const bool cancelling = c.run.cancelling();
     p.buildInterface();
     p.canvasInput.runWaiting(c);
     p.canvas.draw(c);
@@ -398,7 +372,7 @@ void Editor::frame() {
     c.widgets.endFrame();
     c.platform.present();
     p.saidCancelling = cancelling;
-    if (c.run().cancelling()) {
+    if (c.run.cancelling()) {
         c.animate();
     }
     if (p.drewNews) {

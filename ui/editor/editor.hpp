@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ui/editor/app_context.hpp"
 #include "ui/input/input_queue.hpp"
+#include "ui/parts/shell.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -17,8 +17,6 @@ struct EditorSetup {
     bool sample = true;                   ///< open the first sample where no file is given
     std::filesystem::path stateFile;      ///< where each frame's state is written for tests of the real window
 };
-
-struct Document;
 
 /// The whole editor, on any platform. One object, one thread.
 class Editor {
@@ -38,15 +36,13 @@ class Editor {
     /// True when the picture will not change any more without input: nothing queued, computed or animated.
     bool settled() const;
 
-    AppContext &context();
+    Shell &context();
     InputQueue &input();
     std::uint64_t frames() const;
     /// Opens a project or any domain format; faults go to the log. True if opened.
     bool open(const std::filesystem::path &file);
 
   private:
-    void show(const Document &document, const std::filesystem::path &file);
-
     struct Parts;
     std::unique_ptr<Parts> parts_;
 };

@@ -2,6 +2,7 @@
 
 #include "core/base/hash.hpp"
 #include "ui/editor/editor.hpp"
+#include "ui/parts/shell.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -38,8 +39,8 @@ const char *stateName(RunState state) {
 
 void writeStateFile(const std::filesystem::path &file, Editor &editor) {
     using Json = nlohmann::json;
-    AppContext &c = editor.context();
-    const SessionSnapshot &run = c.run().now();
+    Shell &c = editor.context();
+    const SessionSnapshot &run = c.run.now();
     Json widgets = Json::object();
     for (const auto &[name, widget] : c.widgets.all()) {
         widgets[name] = {std::lround(widget.rect.x), std::lround(widget.rect.y), std::lround(widget.rect.width),
@@ -51,11 +52,11 @@ void writeStateFile(const std::filesystem::path &file, Editor &editor) {
         {"settled", editor.settled()},
         {"tool", c.tools.current().id()},
         {"dialog", c.dialogs.top() != nullptr ? c.dialogs.top()->id() : ""},
-        {"revision", c.document().revision()},
-        {"shapes", c.document().current()->shapes.size()},
-        {"paintedTiles", c.document().current()->spacing.paint.tiles.size()},
-        {"dirty", c.document().dirty()},
-        {"outOfDate", c.run().outOfDate()},
+        {"revision", c.document.revision()},
+        {"shapes", c.document.current()->shapes.size()},
+        {"paintedTiles", c.document.current()->spacing.paint.tiles.size()},
+        {"dirty", c.document.dirty()},
+        {"outOfDate", c.run.outOfDate()},
         {"camera", {camera.centre.x, camera.centre.y, camera.zoom}},
         {"run",
          {{"number", run.run},

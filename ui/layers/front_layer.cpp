@@ -2,8 +2,8 @@
 #include "ui/gl/gl_kit.hpp"
 #include "ui/gl/line_batch.hpp"
 #include "ui/layers/layers.hpp"
-#include "ui/layers/moment.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/moment.hpp"
 
 #include <string>
 

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "ui/layers/layer.hpp"
+#include "ui/parts/layer.hpp"
 
 #include <memory>
+#include <vector>
 
 namespace forefront {
 
@@ -32,5 +33,8 @@ std::unique_ptr<Layer> makeLabelsLayer();
 std::unique_ptr<Layer> makeMarksLayer();
 /// Marks the faults of the drawing.
 std::unique_ptr<Layer> makeFaultsLayer();
+
+/// Creates all layers, from the lowest to the topmost.
+std::vector<std::unique_ptr<Layer>> makeLayers();
 
 } // namespace forefront

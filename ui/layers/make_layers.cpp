@@ -2,30 +2,6 @@
 
 namespace forefront {
 
-bool LayerFrame::visible(std::string_view id) const {
-    for (const LayerSlot &slot : layers) {
-        if (slot.layer->id() == id) {
-            return slot.visible;
-        }
-    }
-    return false;
-}
-
-void showLayer(std::vector<LayerSlot> &layers, std::string_view id, bool visible) {
-    bool colours = false;
-    for (LayerSlot &slot : layers) {
-        if (slot.layer->id() == id) {
-            slot.visible = visible;
-            colours = visible && slot.layer->coloursByValue();
-        }
-    }
-    for (LayerSlot &slot : layers) {
-        if (colours && slot.layer->coloursByValue() && slot.layer->id() != id) {
-            slot.visible = false;
-        }
-    }
-}
-
 std::vector<std::unique_ptr<Layer>> makeLayers() {
     std::vector<std::unique_ptr<Layer>> layers;
     layers.push_back(makeDomainLayer());

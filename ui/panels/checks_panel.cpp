@@ -1,6 +1,6 @@
 #include "core/domain/validate.hpp"
-#include "ui/editor/app_context.hpp"
 #include "ui/panels/edit_panels.hpp"
+#include "ui/parts/shell.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -18,9 +18,9 @@ class ChecksPanel final : public Panel {
     const char *title() const override { return "Checks"; }
     PanelPlace place() const override { return PanelPlace::Tabbed; }
 
-    void draw(AppContext &context) override {
+    void draw(Shell &context) override {
         const Diagnostics &faults = context.preview->faults;
-        if (context.document().current()->shapes.empty()) {
+        if (context.document.current()->shapes.empty()) {
             ui::small(context, "The drawing is empty. Press P and click the corners of a polygon.", true);
             ui::mark(context, "checks/empty");
             return;
@@ -48,7 +48,7 @@ class ChecksPanel final : public Panel {
     }
 
   private:
-    static void drawList(AppContext &context, const Diagnostics &faults) {
+    static void drawList(Shell &context, const Diagnostics &faults) {
         ImGui::PushFont(context.fonts.small);
         for (std::size_t k = 0; k < faults.size(); ++k) {
             const Diagnostic &fault = faults[k];

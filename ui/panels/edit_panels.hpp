@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/panels/panel.hpp"
+#include "ui/parts/panel.hpp"
 
 #include <memory>
 

@@ -1,7 +1,8 @@
 #include "ui/panels/form.hpp"
 
-#include "ui/editor/app_context.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/number_field.hpp"
+#include "ui/workspace/workspace.hpp"
 
 #include <imgui.h>
 
@@ -9,22 +10,22 @@
 
 namespace forefront::form {
 
-void label(AppContext &context, const char *text) {
+void label(Workspace &context, const char *text) {
     ImGui::AlignTextToFramePadding();
     ui::muted(context, text);
     ImGui::SameLine(context.px(kLabel));
 }
 
-bool number(AppContext &context, const std::string &name, const char *text, double &value) {
+bool number(Workspace &context, const std::string &name, const char *text, double &value) {
     label(context, text);
     return ui::inputNumber(context, name, value);
 }
 
-float halfWidth(const AppContext &context) {
+float halfWidth(const Workspace &context) {
     return (ImGui::GetContentRegionAvail().x - context.px(6)) / (2.0F * context.scale);
 }
 
-bool optionalField(AppContext &context, const std::string &name, std::optional<double> &value, const char *hint,
+bool optionalField(Workspace &context, const std::string &name, std::optional<double> &value, const char *hint,
                    float width) {
     std::string typed = value ? ui::number(*value, 6) : std::string();
     if (!ui::entry(context, name, typed, hint, width, true)) {
@@ -44,7 +45,7 @@ bool optionalField(AppContext &context, const std::string &name, std::optional<d
     return changed;
 }
 
-bool pair(AppContext &context, const std::string &name, const char *text, Vec2 &value) {
+bool pair(Workspace &context, const std::string &name, const char *text, Vec2 &value) {
     label(context, text);
     const float half = halfWidth(context);
     const bool x = ui::inputNumber(context, name + "/x", value.x, half);
@@ -53,12 +54,12 @@ bool pair(AppContext &context, const std::string &name, const char *text, Vec2 &
     return x || y;
 }
 
-bool text(AppContext &context, const std::string &name, const char *text, std::string &value, const char *hint) {
+bool text(Workspace &context, const std::string &name, const char *text, std::string &value, const char *hint) {
     label(context, text);
     return ui::entry(context, name, value, hint);
 }
 
-bool tag(AppContext &context, const std::string &name, const char *text, std::int32_t &value,
+bool tag(Workspace &context, const std::string &name, const char *text, std::int32_t &value,
          const std::string &shownName, std::optional<std::string> &rename) {
     label(context, text);
     double number = value;

@@ -8,7 +8,7 @@
 #include <string>
 
 namespace forefront {
-struct AppContext;
+struct Workspace;
 }
 
 /// Rows of the editing panels: a muted label in a fixed column, then a field. `name` is the name of the widget.
@@ -17,19 +17,19 @@ namespace forefront::form {
 /// Width of the column of labels, design pixels.
 inline constexpr double kLabel = 84.0;
 
-void label(AppContext &context, const char *text);
+void label(Workspace &context, const char *text);
 /// Draws a number; returns true when a new one was entered.
-bool number(AppContext &context, const std::string &name, const char *text, double &value);
+bool number(Workspace &context, const std::string &name, const char *text, double &value);
 /// Draws an optional number; an empty field shows the hint. Width in design pixels; negative: the rest of the row.
-bool optionalField(AppContext &context, const std::string &name, std::optional<double> &value, const char *hint,
+bool optionalField(Workspace &context, const std::string &name, std::optional<double> &value, const char *hint,
                    float width = -1.0F);
 /// Returns half of the width left in the row, in design pixels.
-float halfWidth(const AppContext &context);
+float halfWidth(const Workspace &context);
 /// Draws two numbers side by side, "NAME/x" and "NAME/y".
-bool pair(AppContext &context, const std::string &name, const char *text, Vec2 &value);
-bool text(AppContext &context, const std::string &name, const char *text, std::string &value, const char *hint);
+bool pair(Workspace &context, const std::string &name, const char *text, Vec2 &value);
+bool text(Workspace &context, const std::string &name, const char *text, std::string &value, const char *hint);
 /// A tag >= 1 and its name; both can be edited. True when the tag changed; a new name goes to `rename`.
-bool tag(AppContext &context, const std::string &name, const char *text, std::int32_t &value,
+bool tag(Workspace &context, const std::string &name, const char *text, std::int32_t &value,
          const std::string &shownName, std::optional<std::string> &rename);
 
 } // namespace forefront::form

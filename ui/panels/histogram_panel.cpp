@@ -1,7 +1,9 @@
 #include "ui/panels/panels.hpp"
+#include "ui/parts/shell.hpp"
 #include "ui/style/colour_map.hpp"
 #include "ui/style/quality_range.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/number_field.hpp"
 
 #include <imgui.h>
 
@@ -18,8 +20,8 @@ class HistogramPanel final : public Panel {
     const char *title() const override { return "Histogram"; }
     PanelPlace place() const override { return PanelPlace::Tabbed; }
 
-    void draw(AppContext &context) override {
-        const MeshQuality &quality = context.run().now().quality;
+    void draw(Shell &context) override {
+        const MeshQuality &quality = context.run.now().quality;
         if (quality.elements == 0) {
             ui::small(context, "Mesh the drawing to see how the shape factor \xce\xb1 is distributed.", true);
             ui::mark(context, "histogram/empty");
@@ -36,7 +38,7 @@ class HistogramPanel final : public Panel {
     }
 
   private:
-    static void drawSummary(AppContext &context, const MeshQuality &quality) {
+    static void drawSummary(Shell &context, const MeshQuality &quality) {
         if (context.view.isolatedBin) {
             const int bin = *context.view.isolatedBin;
             const std::string text =
@@ -52,7 +54,7 @@ class HistogramPanel final : public Panel {
     }
 
     /// The ends of the colour map; they fit the mesh until the user sets them.
-    static void drawRange(AppContext &context, const MeshQuality &quality) {
+    static void drawRange(Shell &context, const MeshQuality &quality) {
         const ColourRange fitted = fittedQualityRange(quality);
         ColourRange range = context.view.qualityRange.value_or(fitted);
         ImGui::AlignTextToFramePadding();
@@ -83,7 +85,7 @@ class HistogramPanel final : public Panel {
 
     /// Draws bars whose height is proportional to the square root of the count, so that a few bad elements stay visible
     /// beside thousands of good ones.
-    static void drawBars(AppContext &context, const MeshQuality &quality, ImVec2 at, ImVec2 size) {
+    static void drawBars(Shell &context, const MeshQuality &quality, ImVec2 at, ImVec2 size) {
         const ColourRange range = context.view.qualityRange.value_or(fittedQualityRange(quality));
         const auto &bins = quality.alphaHistogram;
         const double largest =
@@ -123,7 +125,7 @@ class HistogramPanel final : public Panel {
         }
     }
 
-    static void drawAxis(AppContext &context, ImVec2 at, float width) {
+    static void drawAxis(Shell &context, ImVec2 at, float width) {
         ImDrawList &list = *ImGui::GetWindowDrawList();
         list.AddLine(at, {at.x + width, at.y}, context.theme.line);
         ImGui::PushFont(context.fonts.small);

@@ -3,12 +3,12 @@
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
 #include "core/edit/spacing_commands.hpp"
-#include "ui/editor/app_context.hpp"
 #include "ui/panels/edit_panels.hpp"
 #include "ui/panels/form.hpp"
-#include "ui/tools/edit_state.hpp"
+#include "ui/parts/shell.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/edit_state.hpp"
 
 #include <imgui.h>
 
@@ -25,23 +25,23 @@ class InspectorPanel final : public Panel {
   public:
     const char *id() const override { return "inspector"; }
     const char *title() const override { return "Inspector"; }
-    void draw(AppContext &context) override;
+    void draw(Shell &context) override;
 
   private:
-    void drawHere(AppContext &context) const;
-    void drawShape(AppContext &context, const Shape &shape) const;
-    void drawGeometry(AppContext &context, const Shape &shape) const;
-    void drawShapeButtons(AppContext &context, const Shape &shape) const;
-    void drawNode(AppContext &context, NodeRef ref) const;
-    void drawSegment(AppContext &context, SegmentRef ref) const;
-    void drawSource(AppContext &context, std::uint32_t index) const;
-    void drawMarker(AppContext &context, std::uint32_t index) const;
-    void drawMany(AppContext &context) const;
+    void drawHere(Shell &context) const;
+    void drawShape(Shell &context, const Shape &shape) const;
+    void drawGeometry(Shell &context, const Shape &shape) const;
+    void drawShapeButtons(Shell &context, const Shape &shape) const;
+    void drawNode(Shell &context, NodeRef ref) const;
+    void drawSegment(Shell &context, SegmentRef ref) const;
+    void drawSource(Shell &context, std::uint32_t index) const;
+    void drawMarker(Shell &context, std::uint32_t index) const;
+    void drawMany(Shell &context) const;
 
     std::uint64_t pruned_ = 0; ///< revision for which deleted parts were last removed from the selection
 };
 
-void heading(AppContext &context, const std::string &text) {
+void heading(Shell &context, const std::string &text) {
     ImGui::PushFont(context.fonts.strong);
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopFont();
@@ -49,8 +49,8 @@ void heading(AppContext &context, const std::string &text) {
 }
 
 /// Draws tag and name of a part of the boundary in one row; new values become commands on that part alone.
-void boundaryTagRow(AppContext &context, std::int32_t tag, const BoundaryPart &part) {
-    const Document &document = *context.document().current();
+void boundaryTagRow(Shell &context, std::int32_t tag, const BoundaryPart &part) {
+    const Document &document = *context.document.current();
     std::optional<std::string> rename;
     const std::string name = boundaryName(document.boundaryNames, tag);
     std::int32_t wanted = tag;
@@ -65,18 +65,18 @@ void boundaryTagRow(AppContext &context, std::int32_t tag, const BoundaryPart &p
     }
 }
 
-void useRow(AppContext &context, const std::set<std::uint32_t> &ids, ShapeUse use) {
+void useRow(Shell &context, const std::set<std::uint32_t> &ids, ShapeUse use) {
     static constexpr std::array<const char *, 2> kUses{"Boundary", "Constraint"};
     form::label(context, "Use");
     int choice = static_cast<int>(use);
     if (ui::segmented(context, "inspector/use", kUses, choice)) {
-        EditState::apply(context, setShapeUse(*context.document().current(), ids, static_cast<ShapeUse>(choice)),
+        EditState::apply(context, setShapeUse(*context.document.current(), ids, static_cast<ShapeUse>(choice)),
                          "Change use");
     }
 }
 
 /// Describes the node spacing under the pointer and the part that gives it, or says why there is none.
-std::string spacingHere(const AppContext &context) {
+std::string spacingHere(const Shell &context) {
     const std::shared_ptr<const SpacingField> &spacing = context.preview->spacing;
     const std::shared_ptr<const Domain> &domain = context.preview->domain;
     if (!spacing) {
@@ -92,7 +92,7 @@ std::string spacingHere(const AppContext &context) {
 
 /// Draws spacingHere() in exactly two lines, so that the fields below do not move under the pointer. A tooltip shows
 /// text that does not fit.
-void InspectorPanel::drawHere(AppContext &context) const {
+void InspectorPanel::drawHere(Shell &context) const {
     const float top = ImGui::GetCursorPosY();
     const std::string text = spacingHere(context);
     ImGui::PushFont(context.fonts.small);
@@ -112,8 +112,8 @@ void InspectorPanel::drawHere(AppContext &context) const {
     ImGui::SetCursorPosY(top + room);
 }
 
-void InspectorPanel::drawGeometry(AppContext &context, const Shape &shape) const {
-    const Document &document = *context.document().current();
+void InspectorPanel::drawGeometry(Shell &context, const Shape &shape) const {
+    const Document &document = *context.document.current();
     const auto put = [&](Shape next, const char *label) {
         EditState::apply(context, replaceShape(document, std::move(next)), label);
     };
@@ -153,8 +153,8 @@ void InspectorPanel::drawGeometry(AppContext &context, const Shape &shape) const
     }
 }
 
-void InspectorPanel::drawShapeButtons(AppContext &context, const Shape &shape) const {
-    const Document &document = *context.document().current();
+void InspectorPanel::drawShapeButtons(Shell &context, const Shape &shape) const {
+    const Document &document = *context.document.current();
     if (shape.kind == ShapeKind::Rectangle || shape.kind == ShapeKind::Circle) {
         if (ui::button(context, "inspector/topolygon", "To polygon")) {
             EditState::apply(context, convertToPolygon(document, shape.id), "Convert to polygon");
@@ -178,8 +178,8 @@ void InspectorPanel::drawShapeButtons(AppContext &context, const Shape &shape) c
     }
 }
 
-void InspectorPanel::drawShape(AppContext &context, const Shape &shape) const {
-    const Document &document = *context.document().current();
+void InspectorPanel::drawShape(Shell &context, const Shape &shape) const {
+    const Document &document = *context.document.current();
     heading(context, displayName(shape));
     std::string name = shape.name;
     if (form::text(context, "inspector/name", "Name", name, wordOf(shape.kind).data()) && name != shape.name) {
@@ -201,8 +201,8 @@ void InspectorPanel::drawShape(AppContext &context, const Shape &shape) const {
     drawShapeButtons(context, shape);
 }
 
-void InspectorPanel::drawNode(AppContext &context, NodeRef ref) const {
-    const Document &document = *context.document().current();
+void InspectorPanel::drawNode(Shell &context, NodeRef ref) const {
+    const Document &document = *context.document.current();
     const Shape *shape = findShape(document, ref.shape);
     const std::vector<Vec2> handles = handlesOf(*shape);
     Vec2 at = handles[ref.node];
@@ -215,8 +215,8 @@ void InspectorPanel::drawNode(AppContext &context, NodeRef ref) const {
     }
 }
 
-void InspectorPanel::drawSegment(AppContext &context, SegmentRef ref) const {
-    const Document &document = *context.document().current();
+void InspectorPanel::drawSegment(Shell &context, SegmentRef ref) const {
+    const Document &document = *context.document.current();
     const Shape *shape = findShape(document, ref.shape);
     heading(context, "Segment " + std::to_string(ref.segment + 1) + " of " + displayName(*shape));
     boundaryTagRow(context, segmentTag(*shape, ref.segment), {.shapes = {}, .segments = {ref}});
@@ -234,8 +234,8 @@ void InspectorPanel::drawSegment(AppContext &context, SegmentRef ref) const {
     }
 }
 
-void InspectorPanel::drawSource(AppContext &context, std::uint32_t index) const {
-    const Document &document = *context.document().current();
+void InspectorPanel::drawSource(Shell &context, std::uint32_t index) const {
+    const Document &document = *context.document.current();
     SizeSource source = document.spacing.sources[index];
     heading(context, displayName(source, index));
     bool changed = form::text(context, "inspector/name", "Name", source.name, "pier head");
@@ -258,8 +258,8 @@ void InspectorPanel::drawSource(AppContext &context, std::uint32_t index) const 
     }
 }
 
-void InspectorPanel::drawMarker(AppContext &context, std::uint32_t index) const {
-    const Document &document = *context.document().current();
+void InspectorPanel::drawMarker(Shell &context, std::uint32_t index) const {
+    const Document &document = *context.document.current();
     const RegionMarker marker = document.regionMarkers[index];
     heading(context, "Region marker");
     Vec2 at = marker.at;
@@ -279,7 +279,7 @@ void InspectorPanel::drawMarker(AppContext &context, std::uint32_t index) const 
     }
 }
 
-void InspectorPanel::drawMany(AppContext &context) const {
+void InspectorPanel::drawMany(Shell &context) const {
     const Selection &selection = context.selection;
     std::string what;
     const auto part = [&](std::size_t count, const char *one, const char *many) {
@@ -293,7 +293,7 @@ void InspectorPanel::drawMany(AppContext &context) const {
     part(selection.sources.size(), "source", "sources");
     part(selection.markers.size(), "region marker", "region markers");
     heading(context, what);
-    const Document &document = *context.document().current();
+    const Document &document = *context.document.current();
     if (!selection.shapes.empty()) {
         const Shape *first = findShape(document, *selection.shapes.begin());
         useRow(context, selection.shapes, first->use);
@@ -313,10 +313,10 @@ void InspectorPanel::drawMany(AppContext &context) const {
     }
 }
 
-void InspectorPanel::draw(AppContext &context) {
-    const std::shared_ptr<const Document> held = context.document().current(); // fields below may replace it
-    if (pruned_ != context.document().revision()) {
-        pruned_ = context.document().revision();
+void InspectorPanel::draw(Shell &context) {
+    const std::shared_ptr<const Document> held = context.document.current(); // fields below may replace it
+    if (pruned_ != context.document.revision()) {
+        pruned_ = context.document.revision();
         context.selection.prune(*held);
     }
     const Selection &selection = context.selection;

@@ -1,4 +1,5 @@
 #include "ui/panels/panels.hpp"
+#include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -12,7 +13,7 @@ class LayersPanel final : public Panel {
     const char *id() const override { return "layers"; }
     const char *title() const override { return "Layers"; }
 
-    void draw(AppContext &context) override {
+    void draw(Shell &context) override {
         const float width = ImGui::GetContentRegionAvail().x / context.scale;
         const int columns = width > 390.0F ? 4 : 3;
         const float each = width / static_cast<float>(columns) - 2.0F;

@@ -1,4 +1,5 @@
 #include "ui/panels/panels.hpp"
+#include "ui/parts/shell.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -14,7 +15,7 @@ class LogPanel final : public Panel {
     const char *title() const override { return "Log"; }
     PanelPlace place() const override { return PanelPlace::Tabbed; }
 
-    void draw(AppContext &context) override {
+    void draw(Shell &context) override {
         if (context.log.entries().empty()) {
             ui::small(context, "No messages yet.");
             return;
@@ -31,7 +32,7 @@ class LogPanel final : public Panel {
     }
 
   private:
-    static void drawEntry(AppContext &context, const MessageLog::Entry &entry) {
+    static void drawEntry(Shell &context, const MessageLog::Entry &entry) {
         const Diagnostic &d = entry.diagnostic;
         const Theme &theme = context.theme;
         const bool error = d.severity == Severity::Error, warning = d.severity == Severity::Warning;

@@ -1,7 +1,7 @@
 #include "core/edit/document.hpp"
-#include "ui/editor/app_context.hpp"
 #include "ui/panels/edit_panels.hpp"
 #include "ui/panels/form.hpp"
+#include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -17,8 +17,8 @@ class MeshingPanel final : public Panel {
     const char *id() const override { return "meshing"; }
     const char *title() const override { return "Meshing"; }
 
-    void draw(AppContext &context) override {
-        MeshingOptions options = context.document().current()->options;
+    void draw(Shell &context) override {
+        MeshingOptions options = context.document.current()->options;
         bool changed = false;
         form::label(context, "Method");
         static constexpr const char *kMethods[] = {"Fast", "Classic"};
@@ -61,9 +61,9 @@ class MeshingPanel final : public Panel {
         ui::rowTooltip(context, "Background grid that speeds up searches on the front. It changes the work, never the "
                                 "mesh. Turn on the layer Grid cells to see it.");
         if (changed) {
-            Document next = *context.document().current();
+            Document next = *context.document.current();
             next.options = options;
-            context.document().apply(std::move(next), "Change meshing options");
+            context.document.apply(std::move(next), "Change meshing options");
         }
     }
 };

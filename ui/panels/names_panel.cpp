@@ -1,9 +1,9 @@
 #include "core/edit/region_commands.hpp"
-#include "ui/editor/app_context.hpp"
 #include "ui/panels/edit_panels.hpp"
 #include "ui/panels/form.hpp"
-#include "ui/tools/edit_state.hpp"
+#include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/edit_state.hpp"
 
 #include <imgui.h>
 
@@ -16,18 +16,18 @@ class NamesPanel final : public Panel {
     const char *title() const override { return "Names"; }
     PanelPlace place() const override { return PanelPlace::Tabbed; }
 
-    void draw(AppContext &context) override {
-        const std::shared_ptr<const Document> document = context.document().current();
+    void draw(Shell &context) override {
+        const std::shared_ptr<const Document> document = context.document.current();
         ui::small(context, "Renaming a tag here renames it everywhere. Exported meshes keep the names.", true);
         ui::heading(context, "Boundaries");
-        if (revision_ != context.document().revision()) {
-            revision_ = context.document().revision();
+        if (revision_ != context.document.revision()) {
+            revision_ = context.document.revision();
             boundaries_ = boundaryTags(*document);
             regions_ = regionTags(*document);
         }
         for (const std::int32_t tag : boundaries_) {
             row(context, "names/boundary/", tag, boundaryName(document->boundaryNames, tag), [&](std::string name) {
-                EditState::apply(context, setBoundaryName(*context.document().current(), tag, std::move(name)),
+                EditState::apply(context, setBoundaryName(*context.document.current(), tag, std::move(name)),
                                  "Rename boundary");
             });
             ImGui::SameLine(0, context.px(6));
@@ -40,7 +40,7 @@ class NamesPanel final : public Panel {
         ui::heading(context, "Regions");
         for (const std::int32_t tag : regions_) {
             row(context, "names/region/", tag, regionName(document->regionNames, tag), [&](std::string name) {
-                EditState::apply(context, setRegionName(*context.document().current(), tag, std::move(name)),
+                EditState::apply(context, setRegionName(*context.document.current(), tag, std::move(name)),
                                  "Rename region");
             });
         }
@@ -51,7 +51,7 @@ class NamesPanel final : public Panel {
 
   private:
     template <class Rename>
-    static void row(AppContext &context, const std::string &prefix, std::int32_t tag, const std::string &name,
+    static void row(Shell &context, const std::string &prefix, std::int32_t tag, const std::string &name,
                     Rename rename) {
         ImGui::AlignTextToFramePadding();
         ui::muted(context, std::to_string(tag));
@@ -63,7 +63,7 @@ class NamesPanel final : public Panel {
         }
     }
 
-    static void selectTag(AppContext &context, const Document &document, std::int32_t tag) {
+    static void selectTag(Shell &context, const Document &document, std::int32_t tag) {
         context.selection.clear();
         for (const auto &shape : document.shapes) {
             if (shape->segmentTags.empty()) {

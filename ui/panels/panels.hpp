@@ -1,8 +1,9 @@
 #pragma once
 
-#include "ui/panels/panel.hpp"
+#include "ui/parts/panel.hpp"
 
 #include <memory>
+#include <vector>
 
 namespace forefront {
 
@@ -16,5 +17,8 @@ std::unique_ptr<Panel> makeHistogramPanel();
 std::unique_ptr<Panel> makeStatisticsPanel();
 /// Lists messages with links to their places.
 std::unique_ptr<Panel> makeLogPanel();
+
+/// Creates all panels: the stacked ones from top to bottom, then the tabs from left to right.
+std::vector<std::unique_ptr<Panel>> makePanels();
 
 } // namespace forefront

@@ -1,10 +1,10 @@
 #include "core/edit/spacing_commands.hpp"
-#include "ui/editor/app_context.hpp"
 #include "ui/panels/edit_panels.hpp"
 #include "ui/panels/form.hpp"
-#include "ui/tools/edit_state.hpp"
+#include "ui/parts/shell.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/edit_state.hpp"
 
 #include <imgui.h>
 
@@ -17,16 +17,16 @@ class SpacingPanel final : public Panel {
   public:
     const char *id() const override { return "spacing"; }
     const char *title() const override { return "Spacing"; }
-    void draw(AppContext &context) override;
+    void draw(Shell &context) override;
 
   private:
-    static void drawExpression(AppContext &context);
-    static void drawSources(AppContext &context);
-    static void drawLimits(AppContext &context);
+    static void drawExpression(Shell &context);
+    static void drawSources(Shell &context);
+    static void drawLimits(Shell &context);
 };
 
 /// Returns the fault of the expression if the preview found one, else null.
-const Diagnostic *expressionFault(const AppContext &context) {
+const Diagnostic *expressionFault(const Shell &context) {
     for (const Diagnostic &fault : context.preview->faults) {
         if (fault.code.starts_with("expression")) {
             return &fault;
@@ -35,7 +35,7 @@ const Diagnostic *expressionFault(const AppContext &context) {
     return nullptr;
 }
 
-void drawExpressionFault(AppContext &context, const Diagnostic &fault, const std::string &expression) {
+void drawExpressionFault(Shell &context, const Diagnostic &fault, const std::string &expression) {
     ImGui::PushFont(context.fonts.small);
     if (fault.column > 0 && static_cast<std::size_t>(fault.column) <= expression.size() + 1) {
         // Show the expression around the fault, the part from the fault on in the colour of errors.
@@ -60,13 +60,13 @@ void drawExpressionFault(AppContext &context, const Diagnostic &fault, const std
     ImGui::PopFont();
 }
 
-void SpacingPanel::drawExpression(AppContext &context) {
-    const std::shared_ptr<const Document> document = context.document().current();
+void SpacingPanel::drawExpression(Shell &context) {
+    const std::shared_ptr<const Document> document = context.document.current();
     const std::string expression = document->spacing.expression.value_or(std::string());
     std::string typed = expression;
     form::label(context, "Expression");
     if (ui::entry(context, "spacing/expression", typed, "0.1 + 0.2*abs(x)")) {
-        context.document().apply(setExpression(*document, typed), "Change expression");
+        context.document.apply(setExpression(*document, typed), "Change expression");
     }
     ui::rowTooltip(context, "Node spacing \xcf\x81 as a function of x and y. Where several parts give a spacing, the "
                             "smallest applies.");
@@ -75,8 +75,8 @@ void SpacingPanel::drawExpression(AppContext &context) {
     }
 }
 
-void SpacingPanel::drawSources(AppContext &context) {
-    const std::shared_ptr<const Document> document = context.document().current();
+void SpacingPanel::drawSources(Shell &context) {
+    const std::shared_ptr<const Document> document = context.document.current();
     const std::vector<SizeSource> &sources = document->spacing.sources;
     ImGui::AlignTextToFramePadding();
     ui::muted(context, sources.empty()
@@ -104,8 +104,8 @@ void SpacingPanel::drawSources(AppContext &context) {
     ImGui::EndChild();
 }
 
-void SpacingPanel::drawLimits(AppContext &context) {
-    const std::shared_ptr<const Document> document = context.document().current();
+void SpacingPanel::drawLimits(Shell &context) {
+    const std::shared_ptr<const Document> document = context.document.current();
     std::optional<double> minimum = document->spacing.minimum, maximum = document->spacing.maximum;
     form::label(context, "Limits");
     const float half = form::halfWidth(context);
@@ -120,13 +120,13 @@ void SpacingPanel::drawLimits(AppContext &context) {
     std::optional<double> gradation = document->spacing.gradation;
     form::label(context, "Gradation");
     if (form::optionalField(context, "spacing/gradation", gradation, "auto")) {
-        EditState::apply(context, setGradation(*context.document().current(), gradation), "Change gradation");
+        EditState::apply(context, setGradation(*context.document.current(), gradation), "Change gradation");
     }
     ui::rowTooltip(context, "Maximum change of \xcf\x81 per unit of length: 0.1 is gentle, 0.3 is steep");
     form::label(context, "");
     bool fromBoundary = document->spacing.fromBoundary;
     if (ui::checkbox(context, "spacing/fromboundary", "Use boundary lengths", fromBoundary)) {
-        context.document().apply(setFromBoundary(*context.document().current(), fromBoundary), "Spacing from boundary");
+        context.document.apply(setFromBoundary(*context.document.current(), fromBoundary), "Spacing from boundary");
     }
     ui::rowTooltip(context, "Take the lengths of the drawn boundary segments as node spacing there.");
 }
@@ -136,8 +136,8 @@ bool automatic(const SpacingSpec &spacing) {
     return !spacing.size && !spacing.expression && spacing.sources.empty() && !spacing.fromBoundary;
 }
 
-void SpacingPanel::draw(AppContext &context) {
-    const std::shared_ptr<const Document> document = context.document().current();
+void SpacingPanel::draw(Shell &context) {
+    const std::shared_ptr<const Document> document = context.document.current();
     const SpacingSpec &spacing = document->spacing;
     std::optional<double> size = spacing.size;
     form::label(context, "Size");
@@ -158,9 +158,9 @@ void SpacingPanel::draw(AppContext &context) {
     }
     if (spacing.background) {
         if (ui::button(context, "spacing/clearbackground", "Remove background mesh")) {
-            Document next = *context.document().current();
+            Document next = *context.document.current();
             next.spacing.background.reset();
-            context.document().apply(std::move(next), "Remove background mesh");
+            context.document.apply(std::move(next), "Remove background mesh");
         }
         ui::tooltip(context, ui::count(spacing.background->nodes.size()) + " nodes, each with a spacing");
     }

@@ -1,4 +1,5 @@
 #include "ui/panels/panels.hpp"
+#include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -17,8 +18,8 @@ class StatisticsPanel final : public Panel {
     const char *title() const override { return "Statistics"; }
     PanelPlace place() const override { return PanelPlace::Tabbed; }
 
-    void draw(AppContext &context) override {
-        const SessionSnapshot &run = context.run().now();
+    void draw(Shell &context) override {
+        const SessionSnapshot &run = context.run.now();
         if (run.state == RunState::Empty || run.state == RunState::Failed) {
             ui::small(context, "Mesh the drawing to see statistics of the mesh and of the run.", true);
             ui::mark(context, "statistics/empty");
@@ -38,7 +39,7 @@ class StatisticsPanel final : public Panel {
 
   private:
     /// A label and its value in two columns of the table; the tooltip covers both.
-    static void cell(AppContext &context, const char *label, const std::string &value, const char *meaning) {
+    static void cell(Shell &context, const char *label, const std::string &value, const char *meaning) {
         ImGui::TableNextColumn();
         const ImVec2 from = ImGui::GetCursorScreenPos();
         ui::muted(context, label);
@@ -50,7 +51,7 @@ class StatisticsPanel final : public Panel {
         ui::tooltipOver(context, rect, meaning);
     }
 
-    static void rows(AppContext &context, const SessionSnapshot &run) {
+    static void rows(Shell &context, const SessionSnapshot &run) {
         const MeshQuality &q = run.quality;
         const WorkCounters &w = run.work;
         cell(context, "Nn", ui::count(q.nodes), "Nodes");

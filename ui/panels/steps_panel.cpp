@@ -1,6 +1,7 @@
-#include "ui/layers/moment.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/moment.hpp"
 
 #include <imgui.h>
 
@@ -84,8 +85,8 @@ class StepsPanel final : public Panel {
     const char *title() const override { return "Steps"; }
     PanelPlace place() const override { return PanelPlace::Tabbed; }
 
-    void draw(AppContext &context) override {
-        const SessionSnapshot &run = context.run().now();
+    void draw(Shell &context) override {
+        const SessionSnapshot &run = context.run.now();
         const Moment moment = momentOf(run);
         const int live = liveStep(run, moment);
         const float width = ImGui::GetContentRegionAvail().x, height = context.px(15);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/input/input_queue.hpp"
+#include "ui/platform/pixels.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -8,11 +9,6 @@
 #include <vector>
 
 namespace forefront {
-
-struct PixelSize {
-    int width = 0, height = 0;
-    friend bool operator==(PixelSize, PixelSize) = default;
-};
 
 /// Where a window of the desktop was, in screen coordinates.
 struct WindowPlace {

@@ -23,7 +23,7 @@ constexpr ImGuiWindowFlags kFloating = ImGuiWindowFlags_NoDecoration | ImGuiWind
 /// bottom.
 class Plate {
   public:
-    Plate(AppContext &context, const char *name, double x, double y, float pivotX, float pivotY) {
+    Plate(Shell &context, const char *name, double x, double y, float pivotX, float pivotY) {
         ImGui::SetNextWindowPos({static_cast<float>(x), static_cast<float>(y)}, ImGuiCond_Always, {pivotX, pivotY});
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(12), context.px(8)));
         ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.px(8));
@@ -40,7 +40,7 @@ class Plate {
     Plate &operator=(const Plate &) = delete;
 };
 
-void key(AppContext &context, const char *text) {
+void key(Shell &context, const char *text) {
     const ImVec2 size = ImGui::CalcTextSize(text);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 pad{context.px(6), context.px(2)};
@@ -57,12 +57,12 @@ struct Hint {
 };
 
 /// Returns the width of a hint in the strip, including the gap after it, in pixels.
-float widthOf(const AppContext &context, const Hint &hint) {
+float widthOf(const Shell &context, const Hint &hint) {
     return ImGui::CalcTextSize(hint.key).x + ImGui::CalcTextSize(hint.text).x + context.px(12 + 6 + 16);
 }
 
 /// Draws as many hints as fit beside the legends, but at least two.
-void drawHints(AppContext &context, const PixelRect &canvas) {
+void drawHints(Shell &context, const PixelRect &canvas) {
     if (!context.settings.hints) {
         return;
     }
@@ -70,7 +70,7 @@ void drawHints(AppContext &context, const PixelRect &canvas) {
         {{"2", "mesh"}, {"Space", "play"}, {".", "step forward"}, {"B", "paint spacing"}, {"?", "all shortcuts"}}};
     static constexpr std::array<Hint, 5> kDrawing{
         {{"R", "rectangle"}, {"P", "polygon"}, {"C", "circle"}, {"Ctrl+O", "open"}, {"?", "all shortcuts"}}};
-    const auto &hints = context.document().current()->shapes.empty() ? kDrawing : kMeshing;
+    const auto &hints = context.document.current()->shapes.empty() ? kDrawing : kMeshing;
     const double scale = static_cast<double>(context.scale);
     float room = static_cast<float>(canvas.width - (2.0 * 14.0 + bandsOf(context, canvas).legends) * scale) -
                  context.px(2 * 12 + 24); // the padding and the cross that closes it
@@ -96,13 +96,13 @@ void drawHints(AppContext &context, const PixelRect &canvas) {
 }
 
 /// Returns the greatest width of a plate without its padding, in pixels.
-float roomOfPlates(const AppContext &context, const PixelRect &canvas) {
+float roomOfPlates(const Shell &context, const PixelRect &canvas) {
     return static_cast<float>(canvas.width) - context.px(2 * 12 + 2 * 12);
 }
 
 /// Returns the top of the plate at the right: beside the tool options if it fits there, else below them. Uses the
 /// rectangles of the last frame.
-double topOfNotes(const AppContext &context, const PixelRect &canvas) {
+double topOfNotes(const Shell &context, const PixelRect &canvas) {
     const double gap = 12.0 * static_cast<double>(context.scale);
     const WidgetRegistry::Widget *const options = context.widgets.find("options");
     const WidgetRegistry::Widget *const plate = context.widgets.find("canvas/plate");
@@ -117,12 +117,12 @@ bool working(const SessionSnapshot &run) {
            (run.state == RunState::Running && run.progress > 0.0 && !run.playing);
 }
 
-void drawOutOfDate(AppContext &context, const PixelRect &canvas) {
-    if (working(context.run().now()) || context.run().cancelling()) {
+void drawOutOfDate(Shell &context, const PixelRect &canvas) {
+    if (working(context.run.now()) || context.run.cancelling()) {
         return; // the progress is shown there
     }
-    const RunState state = context.run().now().state;
-    if (!context.run().outOfDate() || state == RunState::Empty || state == RunState::Failed) {
+    const RunState state = context.run.now().state;
+    if (!context.run.outOfDate() || state == RunState::Empty || state == RunState::Failed) {
         return; // there is no mesh
     }
     const double scale = static_cast<double>(context.scale);
@@ -140,7 +140,7 @@ void drawOutOfDate(AppContext &context, const PixelRect &canvas) {
     ui::markWindow(context, "canvas/plate");
 }
 
-void drawBar(AppContext &context, double progress) {
+void drawBar(Shell &context, double progress) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 size{context.px(180), context.px(6)};
     const float y = at.y + (ImGui::GetFrameHeight() - size.y) / 2;
@@ -153,9 +153,9 @@ void drawBar(AppContext &context, double progress) {
     ui::muted(context, ui::format("%2.0f %%", 100.0 * std::clamp(progress, 0.0, 1.0)));
 }
 
-void drawProgress(AppContext &context, const PixelRect &canvas) {
-    const SessionSnapshot &run = context.run().now();
-    const bool cancelling = context.run().cancelling();
+void drawProgress(Shell &context, const PixelRect &canvas) {
+    const SessionSnapshot &run = context.run.now();
+    const bool cancelling = context.run.cancelling();
     if (!working(run) && !cancelling) {
         return;
     }
@@ -197,7 +197,7 @@ std::string withPlace(const Diagnostic &diagnostic) {
 
 /// Returns the newest message while it is recent and, if it is a fault, still about the current document; else null. Of
 /// several faults reported at once it is the first, and `more` counts the others.
-const MessageLog::Entry *newsOf(AppContext &context, std::size_t &more) {
+const MessageLog::Entry *newsOf(Shell &context, std::size_t &more) {
     constexpr double kShown = 9.0; // seconds
     const auto &entries = context.log.entries();
     const auto last = std::find_if(entries.rbegin(), entries.rend(), [](const auto &entry) { return entry.told; });
@@ -205,7 +205,7 @@ const MessageLog::Entry *newsOf(AppContext &context, std::size_t &more) {
         return nullptr;
     }
     const bool fault = last->diagnostic.severity != Severity::Note;
-    if (fault && last->revision != context.document().revision()) {
+    if (fault && last->revision != context.document.revision()) {
         return nullptr;
     }
     context.wakeAt(last->time + kShown);
@@ -220,7 +220,7 @@ const MessageLog::Entry *newsOf(AppContext &context, std::size_t &more) {
     return &*first;
 }
 
-void drawNewsButtons(AppContext &context, ui::Flow &flow, const Diagnostic &diagnostic) {
+void drawNewsButtons(Shell &context, ui::Flow &flow, const Diagnostic &diagnostic) {
     if (diagnostic.at) {
         flow.item("goto");
         if (ui::button(context, "canvas/error/goto", "Show")) {
@@ -236,7 +236,7 @@ void drawNewsButtons(AppContext &context, ui::Flow &flow, const Diagnostic &diag
 }
 
 /// Draws a message at most `room` pixels wide; `more` counts the faults that followed it.
-void drawMessage(AppContext &context, const Diagnostic &diagnostic, float room, std::size_t more) {
+void drawMessage(Shell &context, const Diagnostic &diagnostic, float room, std::size_t more) {
     const bool fault = diagnostic.severity == Severity::Error, note = diagnostic.severity == Severity::Note;
     const Theme &theme = context.theme;
     ImGui::AlignTextToFramePadding();
@@ -262,7 +262,7 @@ void drawMessage(AppContext &context, const Diagnostic &diagnostic, float room, 
 }
 
 /// Shows the newest message for a few seconds, with buttons to go to the place of a fault and to repair it.
-void drawNews(AppContext &context, const PixelRect &canvas) {
+void drawNews(Shell &context, const PixelRect &canvas) {
     std::size_t more = 0;
     const MessageLog::Entry *const entry = newsOf(context, more);
     if (entry == nullptr) {
@@ -283,7 +283,7 @@ void drawNews(AppContext &context, const PixelRect &canvas) {
 
 } // namespace
 
-void drawCanvasNotes(AppContext &context, const PixelRect &canvas) {
+void drawCanvasNotes(Shell &context, const PixelRect &canvas) {
     drawHints(context, canvas);
     drawOutOfDate(context, canvas);
     drawProgress(context, canvas);

@@ -12,7 +12,7 @@ namespace forefront::shell {
 namespace {
 
 /// Draws an edge that can be dragged. Returns the distance dragged in this frame, in pixels along its normal.
-float splitter(AppContext &context, const char *name, const PixelRect &rect, bool vertical) {
+float splitter(Shell &context, const char *name, const PixelRect &rect, bool vertical) {
     // Dear ImGui clips at half of the padding, which would hide the edge.
     const ImVec2 corner{static_cast<float>(rect.x), static_cast<float>(rect.y)};
     ImGui::PushClipRect(corner, {static_cast<float>(rect.x + rect.width), static_cast<float>(rect.y + rect.height)},
@@ -39,7 +39,7 @@ float splitter(AppContext &context, const char *name, const PixelRect &rect, boo
 }
 
 /// Draws the heading of a panel, which folds it. Returns true if the panel is unfolded; Dear ImGui's storage remembers.
-bool panelHeading(AppContext &context, const Panel &panel) {
+bool panelHeading(Shell &context, const Panel &panel) {
     const std::string name = std::string("panel/") + panel.id();
     bool *folded = ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID(panel.id()), false);
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -59,7 +59,7 @@ bool panelHeading(AppContext &context, const Panel &panel) {
     return !*folded;
 }
 
-void drawStacked(AppContext &context, float height) {
+void drawStacked(Shell &context, float height) {
     ImGui::BeginChild("stacked", {0, height}, false, ImGuiWindowFlags_NoNav);
     bool first = true;
     for (const auto &panel : context.panels) {
@@ -90,7 +90,7 @@ void drawStacked(AppContext &context, float height) {
     ImGui::EndChild();
 }
 
-void drawTabs(AppContext &context) {
+void drawTabs(Shell &context) {
     int *chosen = ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("tab"), 0);
     std::vector<Panel *> tabs;
     for (const auto &panel : context.panels) {
@@ -143,7 +143,7 @@ void drawTabs(AppContext &context) {
 
 } // namespace
 
-void drawColumn(AppContext &context, const PixelRect &rect) {
+void drawColumn(Shell &context, const PixelRect &rect) {
     if (rect.width < 1.0 || rect.height < 1.0) {
         return; // hidden, or the window is too low for anything between the bars
     }

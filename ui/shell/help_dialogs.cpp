@@ -1,6 +1,7 @@
 #include "ui/shell/help_dialogs.hpp"
 
 #include "core/base/version.hpp"
+#include "ui/parts/shell.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -20,7 +21,7 @@ class ShortcutSheet final : public Dialog {
     std::string title() const override { return "Keyboard shortcuts"; }
     float width() const override { return 860.0F; }
 
-    bool draw(AppContext &context) override {
+    bool draw(Shell &context) override {
         const float room = ImGui::GetContentRegionAvail().x;
         const float column =
             std::max((room - context.px(36)) / 3.0F, context.px(250)); // in a narrow window fewer columns
@@ -31,7 +32,7 @@ class ShortcutSheet final : public Dialog {
     }
 
   private:
-    static void drawColumns(AppContext &context, float column, float room) {
+    static void drawColumns(Shell &context, float column, float room) {
         ui::Flow flow(context, room, context.px(18));
         flow.item("tools");
         group(context, "shortcuts/tools", "Tools", column, [&] {
@@ -71,14 +72,14 @@ class ShortcutSheet final : public Dialog {
     }};
 
     template <class Rows>
-    static void group(AppContext &context, const char *name, const char *title, float width, Rows rows) {
+    static void group(Shell &context, const char *name, const char *title, float width, Rows rows) {
         ui::heading(context, title);
         rows();
         ImGui::Dummy({width, context.px(8)});
         ui::mark(context, name);
     }
 
-    static void row(AppContext &context, float width, const std::string &keys, const std::string &text) {
+    static void row(Shell &context, float width, const std::string &keys, const std::string &text) {
         const float left = ImGui::GetCursorPosX();
         ImGui::PushStyleColor(ImGuiCol_Text, context.theme.accent);
         ImGui::TextUnformatted(keys.c_str());
@@ -88,7 +89,7 @@ class ShortcutSheet final : public Dialog {
         ImGui::TextUnformatted(text.c_str());
     }
 
-    static void actionRows(AppContext &context, float width, std::initializer_list<std::string_view> menus) {
+    static void actionRows(Shell &context, float width, std::initializer_list<std::string_view> menus) {
         for (const Action &action : context.actions.all()) {
             const bool wanted = std::find(menus.begin(), menus.end(), action.menu) != menus.end();
             if (!wanted || action.shortcuts.empty()) {
@@ -130,7 +131,7 @@ class Palette final : public Dialog {
     float width() const override { return 520.0F; }
     float height() const override { return 440.0F; }
 
-    bool draw(AppContext &context) override {
+    bool draw(Shell &context) override {
         ui::inputText(context, "palette/query", query_, "Type a command", -1.0F, false, first_);
         first_ = false;
         const std::vector<const Action *> found = search(context);
@@ -162,7 +163,7 @@ class Palette final : public Dialog {
     }
 
   private:
-    std::vector<const Action *> search(const AppContext &context) const {
+    std::vector<const Action *> search(const Shell &context) const {
         std::vector<const Action *> found;
         const std::string query = lowered(query_);
         for (const Action &action : context.actions.all()) {
@@ -193,7 +194,7 @@ class ScaleDialog final : public Dialog {
     std::string title() const override { return "Interface scale"; }
     float width() const override { return 420.0F; }
 
-    bool draw(AppContext &context) override {
+    bool draw(Shell &context) override {
         if (percent_ <= 0.0) {
             percent_ = 100.0 * context.settings.scale;
         }
@@ -221,7 +222,7 @@ class About final : public Dialog {
     std::string title() const override { return "Forefront"; }
     float width() const override { return 460.0F; }
 
-    bool draw(AppContext &context) override {
+    bool draw(Shell &context) override {
         ui::muted(context, std::string("Version ") + version());
         ImGui::PushTextWrapPos(0.0F);
         ImGui::TextUnformatted(

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/dialogs/dialog.hpp"
+#include "ui/parts/dialog.hpp"
 
 #include <memory>
 

@@ -15,7 +15,7 @@ constexpr double kMinColumn = 250; ///< narrower, its fields cannot be read
 
 } // namespace
 
-Layout layOut(const AppContext &context) {
+Layout layOut(const Shell &context) {
     const PixelSize size = context.platform.framebufferSize();
     const double width = size.width, height = size.height;
     const auto px = [&](double design) { return std::round(static_cast<double>(context.px(design))); };
@@ -37,7 +37,7 @@ Layout layOut(const AppContext &context) {
     return layout;
 }
 
-CanvasBands bandsOf(const AppContext &context, const PixelRect &canvas) {
+CanvasBands bandsOf(const Shell &context, const PixelRect &canvas) {
     const auto legends =
         static_cast<int>(std::count_if(context.layers.begin(), context.layers.end(),
                                        [](const LayerSlot &slot) { return slot.visible && slot.layer->hasLegend(); }));
@@ -49,7 +49,7 @@ CanvasBands bandsOf(const AppContext &context, const PixelRect &canvas) {
             .bottom = kLegendMargin + rows * (kLegendHeight + kLegendGap)};
 }
 
-PixelRect freeRoom(const AppContext &context, const PixelRect &canvas) {
+PixelRect freeRoom(const Shell &context, const PixelRect &canvas) {
     const CanvasBands bands = bandsOf(context, canvas);
     const double scale = static_cast<double>(context.scale);
     // On a small canvas the drawing keeps a third of the height, even if plates cover part of it.

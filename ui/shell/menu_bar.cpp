@@ -1,4 +1,4 @@
-#include "ui/editor/assets.hpp"
+#include "ui/platform/assets.hpp"
 #include "ui/shell/shell.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -14,7 +14,25 @@ namespace {
 
 constexpr std::array<const char *, 6> kMenus{"File", "Edit", "View", "Mesh", "Learn", "Help"};
 
-void drawMenu(AppContext &context, const char *menu) {
+/// Draws a menu item that runs an action.
+void actionItem(Shell &context, const Action &action) {
+    const bool enabled = !action.enabled || action.enabled(context);
+    const bool checked = action.checked && action.checked(context);
+    const std::string title = action.dynamic ? action.dynamic(context) : action.title;
+    const std::string shortcut = action.shortcuts.empty() ? std::string() : toString(action.shortcuts.front());
+    const std::string name = "menu/" + action.id;
+    ImGui::PushID(name.c_str());
+    ImGui::PushStyleColor(ImGuiCol_TextDisabled, context.theme.muted); // the colour of the shortcut, not of the item
+    const bool chosen = ImGui::MenuItem(title.c_str(), shortcut.c_str(), checked, enabled);
+    ImGui::PopStyleColor();
+    ui::mark(context, name, enabled);
+    ImGui::PopID();
+    if (chosen) {
+        action.run(context);
+    }
+}
+
+void drawMenu(Shell &context, const char *menu) {
     bool first = true;
     for (const Action &action : context.actions.all()) {
         if (action.menu != menu) {
@@ -24,13 +42,13 @@ void drawMenu(AppContext &context, const char *menu) {
             ImGui::Separator();
         }
         first = false;
-        ui::actionItem(context, action);
+        actionItem(context, action);
     }
 }
 
-std::string titleText(const AppContext &context) {
-    std::string title = context.document().title();
-    if (context.document().dirty()) {
+std::string titleText(const Shell &context) {
+    std::string title = context.document.title();
+    if (context.document.dirty()) {
         title += " \xe2\x80\xa2";
     }
     return title;
@@ -38,7 +56,7 @@ std::string titleText(const AppContext &context) {
 
 /// Draws the title of the document, centred in the bar as far as menus and icons allow, and shortened where it does
 /// not fit.
-void drawTitle(AppContext &context, const PixelRect &rect, float from, float to) {
+void drawTitle(Shell &context, const PixelRect &rect, float from, float to) {
     const std::string title = titleText(context);
     const ImVec2 size = ImGui::CalcTextSize(title.c_str());
     if (to - from < std::min(size.x, context.px(48))) {
@@ -53,7 +71,7 @@ void drawTitle(AppContext &context, const PixelRect &rect, float from, float to)
     ui::markRect(context, "menu/title", {x, y, std::min(size.x, to - x), size.y});
 }
 
-void drawRightEnd(AppContext &context, const PixelRect &rect) {
+void drawRightEnd(Shell &context, const PixelRect &rect) {
     const float width = static_cast<float>(rect.width), menus = ImGui::GetCursorPosX() + context.px(12);
     const float icon = context.px(26), icons = width - context.px(10) - 4 * icon - 3 * context.px(4);
     drawTitle(context, rect, menus, icons - context.px(12));
@@ -83,7 +101,7 @@ void drawRightEnd(AppContext &context, const PixelRect &rect) {
 
 } // namespace
 
-void drawMenuBar(AppContext &context, const PixelRect &rect) {
+void drawMenuBar(Shell &context, const PixelRect &rect) {
     beginRegion("##menubar", rect, context.theme.panel, context.px(10), 0);
     const float height = static_cast<float>(rect.height);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(context.px(9), context.px(4)));

@@ -1,14 +1,17 @@
 #pragma once
 
-#include "ui/editor/app_context.hpp"
+#include "ui/parts/shell.hpp"
 
 namespace forefront::shell {
+
+/// Registers the actions of tools, view, run and help.
+void addShellActions(ActionRegistry &actions);
 
 /// The rectangles of the main window in this frame, in pixels.
 struct Layout {
     PixelRect menu, tools, canvas, column, timeline, status;
 };
-Layout layOut(const AppContext &context);
+Layout layOut(const Shell &context);
 
 /// The arrangement of the tool buttons; design pixels.
 struct Strip {
@@ -18,7 +21,7 @@ struct Strip {
     double width() const;
 };
 /// Returns one column if it fits into `height` pixels, else smaller buttons or more columns.
-Strip stripOf(const AppContext &context, double height);
+Strip stripOf(const Shell &context, double height);
 
 /// The bands along the edges of the canvas that plates and legends cover, in design pixels. On a canvas that is wide
 /// enough, top and bottom are constant, so that the view does not jump when a tool is chosen, a layer shown or the
@@ -28,18 +31,18 @@ struct CanvasBands {
     double legends = 0.0; ///< width of the lowest row of legends, from the right
     double bottom = 0.0;  ///< legends, hints
 };
-CanvasBands bandsOf(const AppContext &context, const PixelRect &canvas);
+CanvasBands bandsOf(const Shell &context, const PixelRect &canvas);
 /// Returns the part of the canvas between the bands, in pixels.
-PixelRect freeRoom(const AppContext &context, const PixelRect &canvas);
+PixelRect freeRoom(const Shell &context, const PixelRect &canvas);
 
-void drawMenuBar(AppContext &context, const PixelRect &rect);
-void drawToolStrip(AppContext &context, const PixelRect &rect);
-void drawToolOptions(AppContext &context, const PixelRect &canvas);
-void drawColumn(AppContext &context, const PixelRect &rect);
-void drawTimeline(AppContext &context, const PixelRect &rect);
-void drawStatusBar(AppContext &context, const PixelRect &rect);
+void drawMenuBar(Shell &context, const PixelRect &rect);
+void drawToolStrip(Shell &context, const PixelRect &rect);
+void drawToolOptions(Shell &context, const PixelRect &canvas);
+void drawColumn(Shell &context, const PixelRect &rect);
+void drawTimeline(Shell &context, const PixelRect &rect);
+void drawStatusBar(Shell &context, const PixelRect &rect);
 /// Draws the hint strip, the out-of-date badge, the progress and the newest message over the canvas.
-void drawCanvasNotes(AppContext &context, const PixelRect &canvas);
+void drawCanvasNotes(Shell &context, const PixelRect &canvas);
 
 /// Begins a borderless window that fills `rect`; pair with ImGui::End().
 void beginRegion(const char *name, const PixelRect &rect, Colour background, float padX, float padY);

@@ -13,7 +13,7 @@ namespace {
 /// Lays out the cells of the status bar from left to right, with hairlines between them.
 class Cells {
   public:
-    Cells(AppContext &context, const PixelRect &rect) : context_(context), rect_(rect), x_(rect.x) {}
+    Cells(Shell &context, const PixelRect &rect) : context_(context), rect_(rect), x_(rect.x) {}
 
     /// Adds a cell at least `minWidth` design pixels wide, so that changing digits do not move the next ones.
     void add(const std::string &name, const std::string &text, Colour colour, double minWidth = 0.0) {
@@ -41,7 +41,7 @@ class Cells {
     double at() const { return x_; }
 
   private:
-    AppContext &context_;
+    Shell &context_;
     PixelRect rect_;
     PixelRect last_;
     double x_;
@@ -57,9 +57,9 @@ std::string pointerText(const View &view) {
 }
 
 /// Adds the figures of the mesh, or the estimated number of elements while there is none.
-void addMesh(Cells &cells, AppContext &context) {
+void addMesh(Cells &cells, Shell &context) {
     const Theme &theme = context.theme;
-    const SessionSnapshot &run = context.run().now();
+    const SessionSnapshot &run = context.run.now();
     if (run.quality.elements > 0) {
         cells.add("counts",
                   ui::count(run.quality.elements) + " \xe2\x96\xb3   " + ui::count(run.quality.nodes) + " \xe2\x97\x8f",
@@ -90,7 +90,7 @@ void addMesh(Cells &cells, AppContext &context) {
     }
 }
 
-void addFaults(Cells &cells, AppContext &context) {
+void addFaults(Cells &cells, Shell &context) {
     const std::size_t faults = context.preview->faults.size();
     if (faults > 0) {
         cells.add("faults", std::string(icon::kWarning) + "  " + std::to_string(faults), context.theme.warn);
@@ -102,7 +102,7 @@ void addFaults(Cells &cells, AppContext &context) {
 }
 
 /// Draws the hint of the current tool at the right if there is room.
-void drawHint(const Cells &cells, const AppContext &context, const PixelRect &rect) {
+void drawHint(const Cells &cells, const Shell &context, const PixelRect &rect) {
     const std::string hint = context.tools.current().statusText(context);
     if (!hint.empty()) {
         const ImVec2 size = ImGui::CalcTextSize(hint.c_str());
@@ -117,7 +117,7 @@ void drawHint(const Cells &cells, const AppContext &context, const PixelRect &re
 
 } // namespace
 
-void drawStatusBar(AppContext &context, const PixelRect &rect) {
+void drawStatusBar(Shell &context, const PixelRect &rect) {
     if (rect.height < 1.0) {
         return;
     }

@@ -24,8 +24,8 @@ Colour markColour(const Theme &theme, MarkKind kind) {
     return theme.muted;
 }
 
-void drawTransport(AppContext &context) {
-    const bool playing = context.run().playing();
+void drawTransport(Shell &context) {
+    const bool playing = context.run.playing();
     const struct {
         const char *name, *icon, *tip, *action;
     } buttons[] = {
@@ -48,18 +48,18 @@ void drawTransport(AppContext &context) {
 }
 
 /// Draws the speed slider and the step size; `narrow` makes both smaller.
-void drawSpeed(AppContext &context, bool narrow) {
-    const double speed = context.run().speed();
+void drawSpeed(Shell &context, bool narrow) {
+    const double speed = context.run.speed();
     const double slowest = std::log10(RunControl::kSlowest), span = std::log10(RunControl::kFastest) - slowest;
     double t = (std::log10(speed) - slowest) / span;
     const std::string shown = ui::format(speed < 9.95 ? "%.1f\xc3\x97" : "%.0f\xc3\x97", speed);
     if (ui::thinSlider(context, "timeline/speed", t, shown, narrow ? 48.0F : 84.0F, 44.0F)) {
-        context.run().setSpeed(std::pow(10.0, slowest + t * span));
+        context.run.setSpeed(std::pow(10.0, slowest + t * span));
     }
     ImGui::SameLine(0, context.px(6));
-    int granularity = static_cast<int>(context.run().granularity);
+    int granularity = static_cast<int>(context.run.granularity);
     // An advance of the classic method makes one element, one of the fast method up to three.
-    const bool fast = context.run().method() == Method::Fast;
+    const bool fast = context.run.method() == Method::Fast;
     const char *const names[] = {"Event", fast ? "Advance" : "Element", "Layer"};
     const char *const tips[] = {
         "One step is one event within an advance, such as a candidate or a tested segment",
@@ -67,14 +67,14 @@ void drawSpeed(AppContext &context, bool narrow) {
              : "One step is one advance of the front: one element, or none if the base segment is deferred",
         "One step is once around the front: as many advances as the front has segments"};
     if (ui::segmented(context, "timeline/granularity", names, granularity, narrow ? 176.0F : 190.0F, tips)) {
-        context.run().granularity = static_cast<Granularity>(granularity);
+        context.run.granularity = static_cast<Granularity>(granularity);
     }
 }
 
 /// Draws the marks below the bar. Of new nodes and closures too close to tell apart only one is drawn; rare marks are
 /// always drawn.
 template <class Place>
-void drawMarks(AppContext &context, const std::vector<TimelineMark> &marks, Place place, float middle) {
+void drawMarks(Shell &context, const std::vector<TimelineMark> &marks, Place place, float middle) {
     ImDrawList &list = *ImGui::GetWindowDrawList();
     float last = -1e9F;
     for (const TimelineMark &mark : marks) {
@@ -91,8 +91,8 @@ void drawMarks(AppContext &context, const std::vector<TimelineMark> &marks, Plac
 }
 
 /// Draws the bar of the timeline with its marks, and seeks while it is dragged.
-void drawScrubber(AppContext &context, float width, float height) {
-    const SessionSnapshot &run = context.run().now();
+void drawScrubber(Shell &context, float width, float height) {
+    const SessionSnapshot &run = context.run.now();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton("##scrubber", {width, height});
     ui::mark(context, "timeline/scrubber", run.known > 0);
@@ -119,7 +119,7 @@ void drawScrubber(AppContext &context, float width, float height) {
         const float t = std::clamp((ImGui::GetIO().MousePos.x - left) / (right - left), 0.0F, 1.0F);
         const auto wanted = static_cast<std::uint64_t>(std::llround(static_cast<double>(t) * known));
         if (wanted != run.advance) {
-            context.run().seek(wanted);
+            context.run.seek(wanted);
         }
     } else if (hovered) {
         const float t = std::clamp((ImGui::GetIO().MousePos.x - left) / (right - left), 0.0F, 1.0F);
@@ -155,15 +155,15 @@ std::string faultText(const Diagnostic &fault) {
 }
 
 /// Says how to get started while there is no mesh.
-std::string invitation(const AppContext &context) {
-    return context.document().current()->shapes.empty()
+std::string invitation(const Shell &context) {
+    return context.document.current()->shapes.empty()
                ? "Draw a domain: R rectangle, P polygon, C circle. A shape inside another is a hole. Or open a file "
                  "(Ctrl+O) or a sample (Learn)."
                : "Press 2 to mesh, or Space to watch the front advance.";
 }
 
-std::string captionText(const AppContext &context, const SessionSnapshot &run) {
-    if (context.run().cancelling()) {
+std::string captionText(const Shell &context, const SessionSnapshot &run) {
+    if (context.run.cancelling()) {
         return "Cancelling\xe2\x80\xa6";
     }
     switch (run.state) {
@@ -172,7 +172,7 @@ std::string captionText(const AppContext &context, const SessionSnapshot &run) {
     case RunState::Cancelled:
         return cancelledText(run);
     case RunState::Failed:
-        if (context.run().outOfDate()) {
+        if (context.run.outOfDate()) {
             return invitation(context); // the drawing has changed since it failed
         }
         return run.diagnostics.empty() ? "The domain cannot be meshed." : faultText(run.diagnostics.front());
@@ -209,11 +209,11 @@ std::string positionText(const SessionSnapshot &run) {
 
 } // namespace
 
-void drawTimeline(AppContext &context, const PixelRect &rect) {
+void drawTimeline(Shell &context, const PixelRect &rect) {
     beginRegion("##timeline", rect, context.theme.panel, context.px(10), context.px(8));
     const float y = static_cast<float>(rect.y);
     ImGui::GetWindowDrawList()->AddLine({0, y}, {static_cast<float>(rect.width), y}, context.theme.line);
-    const SessionSnapshot &run = context.run().now();
+    const SessionSnapshot &run = context.run.now();
     drawTransport(context);
     ImGui::SameLine(0, context.px(10));
     ImGui::SetCursorPosY(context.px(10));
@@ -231,7 +231,7 @@ void drawTimeline(AppContext &context, const PixelRect &rect) {
     ui::mark(context, "timeline/position");
     const std::string words = captionText(context, run);
     ImGui::SetCursorPos({context.px(14), context.px(50)});
-    const bool fault = run.state == RunState::Failed && !context.run().outOfDate();
+    const bool fault = run.state == RunState::Failed && !context.run.outOfDate();
     ImGui::PushStyleColor(ImGuiCol_Text, fault ? context.theme.bad : context.theme.text);
     ImGui::PushClipRect({0, y}, {static_cast<float>(rect.width) - context.px(14), y + static_cast<float>(rect.height)},
                         true);

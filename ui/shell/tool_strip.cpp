@@ -19,7 +19,7 @@ double Strip::width() const {
     return 2.0 * kPadX + columns * (button + kGap) - kGap;
 }
 
-Strip stripOf(const AppContext &context, double height) {
+Strip stripOf(const Shell &context, double height) {
     const int count = static_cast<int>(context.tools.tools.size());
     const double room = height / static_cast<double>(context.scale) - 2.0 * kPadY + kGap;
     Strip strip{.columns = 1, .rows = count, .button = kButton};
@@ -33,7 +33,7 @@ Strip stripOf(const AppContext &context, double height) {
     }
 }
 
-void drawToolStrip(AppContext &context, const PixelRect &rect) {
+void drawToolStrip(Shell &context, const PixelRect &rect) {
     const Strip strip = stripOf(context, rect.height);
     beginRegion("##tools", rect, context.theme.panel, context.px(kPadX), context.px(kPadY));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(kGap), context.px(kGap)));
@@ -58,7 +58,7 @@ void drawToolStrip(AppContext &context, const PixelRect &rect) {
     ImGui::End();
 }
 
-void drawToolOptions(AppContext &context, const PixelRect &canvas) {
+void drawToolOptions(Shell &context, const PixelRect &canvas) {
     Tool &tool = context.tools.current();
     if (!tool.hasOptions(context)) {
         return;

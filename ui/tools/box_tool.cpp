@@ -1,7 +1,7 @@
 #include "ui/tools/box_tool.hpp"
 
 #include "ui/canvas/canvas_painter.hpp"
-#include "ui/editor/app_context.hpp"
+#include "ui/parts/shell.hpp"
 #include "ui/tools/tool_options.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -47,7 +47,7 @@ Vec2 BoxTool::typedPlace(const TypedPair &pair) const {
     return first_ && (pair.relative || isRectangle()) ? *first_ + pair.value : pair.value;
 }
 
-void BoxTool::place(Vec2 at, AppContext &context) {
+void BoxTool::place(Vec2 at, Shell &context) {
     if (!first_) {
         first_ = at;
         return;
@@ -62,13 +62,13 @@ void BoxTool::place(Vec2 at, AppContext &context) {
     first_.reset();
 }
 
-bool BoxTool::undo(AppContext &) {
+bool BoxTool::undo(Shell &) {
     const bool drawing = first_.has_value();
     cancel();
     return drawing;
 }
 
-void BoxTool::drawSketch(CanvasPainter &painter, AppContext &context) {
+void BoxTool::drawSketch(CanvasPainter &painter, Shell &context) {
     const Theme &theme = context.theme;
     if (!first_) {
         drawMeasure(painter, context, {});
@@ -88,12 +88,12 @@ void BoxTool::drawSketch(CanvasPainter &painter, AppContext &context) {
     }
 }
 
-void BoxTool::drawOptions(AppContext &context, ui::Flow &flow) {
+void BoxTool::drawOptions(Shell &context, ui::Flow &flow) {
     drawTagOption(context, flow, state_->boundaryTag, "Tag of the next boundary");
     state_->drawSnapOptions(context, flow);
 }
 
-std::string BoxTool::statusText(const AppContext &) const {
+std::string BoxTool::statusText(const Shell &) const {
     if (isRectangle()) {
         return first_ ? "Click the opposite corner, or type width, Tab, height. Shift: square"
                       : "Drag from corner to corner. Inside another shape it becomes a hole";

@@ -13,14 +13,14 @@ class BoxTool final : public DrawingTool {
     const char *name() const override { return isRectangle() ? "Rectangle" : "Circle"; }
     const char *icon() const override;
     int key() const override { return isRectangle() ? 'R' : 'C'; }
-    void drawOptions(AppContext &context, ui::Flow &flow) override;
-    bool hasOptions(const AppContext &) const override { return true; }
-    std::string statusText(const AppContext &context) const override;
-    bool undo(AppContext &context) override;
+    void drawOptions(Shell &context, ui::Flow &flow) override;
+    bool hasOptions(const Shell &) const override { return true; }
+    std::string statusText(const Shell &context) const override;
+    bool undo(Shell &context) override;
 
   protected:
-    void place(Vec2 at, AppContext &context) override;
-    void drawSketch(CanvasPainter &painter, AppContext &context) override;
+    void place(Vec2 at, Shell &context) override;
+    void drawSketch(CanvasPainter &painter, Shell &context) override;
     std::optional<Vec2> anchor() const override { return first_; }
     void cancel() override { first_.reset(); }
     bool dragPlaces() const override { return true; }

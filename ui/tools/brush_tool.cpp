@@ -4,7 +4,7 @@
 #include "core/edit/spacing_commands.hpp"
 #include "core/spacing/parts/paint/paint.hpp"
 #include "ui/canvas/canvas_painter.hpp"
-#include "ui/editor/app_context.hpp"
+#include "ui/parts/shell.hpp"
 #include "ui/tools/tool_options.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -20,7 +20,7 @@ constexpr double kStep = 1.2;
 constexpr double kPace = 0.25;
 constexpr int kMaxDabs = 200; ///< per movement of the pointer
 
-double spacingAt(const AppContext &context, Vec2 place) {
+double spacingAt(const Shell &context, Vec2 place) {
     return context.preview->spacing ? context.preview->spacing->at(place) : 0.0;
 }
 
@@ -30,33 +30,33 @@ const char *BrushTool::icon() const {
     return erases_ ? icon::kEraser : icon::kBrush;
 }
 
-void BrushTool::settle(AppContext &context) {
+void BrushTool::settle(Shell &context) {
     if (!(state_->brushRadius > 0.0)) {
         state_->brushRadius = EditState::twoDigits(EditState::reach(context, 36.0));
     }
     if (!(state_->brushSpacing > 0.0)) {
-        const Box2 box = boundsOf(*context.document().current());
+        const Box2 box = boundsOf(*context.document.current());
         const double rho = spacingAt(context, box.empty() ? Vec2{} : box.centre());
         state_->brushSpacing = EditState::twoDigits(rho > 0.0 ? 0.4 * rho : 0.25 * state_->brushRadius);
     }
 }
 
-void BrushTool::activate(AppContext &context) {
+void BrushTool::activate(Shell &context) {
     settle(context);
 }
 
-void BrushTool::deactivate(AppContext &) {
+void BrushTool::deactivate(Shell &) {
     stroke_.clear();
     pointer_.reset();
 }
 
-void BrushTool::scale(double factor, bool spacing, AppContext &context) {
+void BrushTool::scale(double factor, bool spacing, Shell &context) {
     settle(context);
     double &value = spacing && !erases_ ? state_->brushSpacing : state_->brushRadius;
     value = std::clamp(EditState::twoDigits(value * factor), 1e-9, 1e12);
 }
 
-bool BrushTool::handle(const CanvasEvent &event, AppContext &context) {
+bool BrushTool::handle(const CanvasEvent &event, Shell &context) {
     using Kind = CanvasEvent::Kind;
     if (event.kind == Kind::Key) {
         return key(event, context);
@@ -91,7 +91,7 @@ bool BrushTool::handle(const CanvasEvent &event, AppContext &context) {
     }
 }
 
-bool BrushTool::key(const CanvasEvent &event, AppContext &context) {
+bool BrushTool::key(const CanvasEvent &event, Shell &context) {
     if (event.modifiers.control() || event.modifiers.alt()) {
         return false;
     }
@@ -101,14 +101,14 @@ bool BrushTool::key(const CanvasEvent &event, AppContext &context) {
     }
     if (event.key == key::kEscape && !stroke_.empty()) {
         stroke_.clear();
-        context.document().abandonStroke();
+        context.document.abandonStroke();
         return true;
     }
     return false;
 }
 
-void BrushTool::stroke(Vec2 to, AppContext &context) {
-    const std::shared_ptr<const Document> document = context.document().current();
+void BrushTool::stroke(Vec2 to, Shell &context) {
+    const std::shared_ptr<const Document> document = context.document.current();
     PaintedSpacing painted = document->spacing.paint;
     if (painted.tiles.empty() && !erases_) {
         Box2 box = boundsOf(*document);
@@ -134,11 +134,11 @@ void BrushTool::stroke(Vec2 to, AppContext &context) {
                                             .ambient = ambient_ > state_->brushSpacing ? ambient_ : 0.0});
     }
     last_ = to;
-    context.document().apply(setPaint(*document, std::move(painted)), erases_ ? "Erase spacing" : "Paint spacing",
-                             stroke_);
+    context.document.apply(setPaint(*document, std::move(painted)), erases_ ? "Erase spacing" : "Paint spacing",
+                           stroke_);
 }
 
-void BrushTool::drawOverlay(CanvasPainter &painter, AppContext &context) {
+void BrushTool::drawOverlay(CanvasPainter &painter, Shell &context) {
     if (!pointer_) {
         return;
     }
@@ -159,7 +159,7 @@ void BrushTool::drawOverlay(CanvasPainter &painter, AppContext &context) {
     painter.label(*pointer_, {beside, beside}, text, theme.text, fade(theme.popup, 0.9), context.fonts.small);
 }
 
-void BrushTool::drawOptions(AppContext &context, ui::Flow &flow) {
+void BrushTool::drawOptions(Shell &context, ui::Flow &flow) {
     settle(context);
     drawSizeOption(context, flow, "options/brush/radius", "Radius", state_->brushRadius,
                    "Brush radius. Also [ and ], or Ctrl + wheel.");
@@ -168,13 +168,13 @@ void BrushTool::drawOptions(AppContext &context, ui::Flow &flow) {
                        "Element size to paint. Also Shift + [ and ], or Shift + wheel.");
     }
     flow.item("clear");
-    const bool painted = !context.document().current()->spacing.paint.tiles.empty();
+    const bool painted = !context.document.current()->spacing.paint.tiles.empty();
     if (ui::button(context, "options/brush/clear", "Clear paint", ui::ButtonKind::Plain, painted)) {
         context.actions.run("edit.clearPaint", context);
     }
 }
 
-std::string BrushTool::statusText(const AppContext &) const {
+std::string BrushTool::statusText(const Shell &) const {
     return erases_ ? "Drag to erase painted spacing. [ ]: radius"
                    : "Drag to paint. [ ] or Ctrl+wheel: radius; with Shift: spacing";
 }

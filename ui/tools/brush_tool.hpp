@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ui/tools/edit_state.hpp"
-#include "ui/tools/tool.hpp"
+#include "ui/parts/tool.hpp"
+#include "ui/workspace/edit_state.hpp"
 
 #include <memory>
 #include <optional>
@@ -18,21 +18,21 @@ class BrushTool final : public Tool {
     const char *icon() const override;
     int key() const override { return erases_ ? 'E' : 'B'; }
     CursorShape cursor() const override { return CursorShape::Crosshair; }
-    void activate(AppContext &context) override;
-    void deactivate(AppContext &context) override;
-    bool handle(const CanvasEvent &event, AppContext &context) override;
-    void drawOverlay(CanvasPainter &painter, AppContext &context) override;
-    bool hasOptions(const AppContext &) const override { return true; }
-    void drawOptions(AppContext &context, ui::Flow &flow) override;
-    std::string statusText(const AppContext &context) const override;
+    void activate(Shell &context) override;
+    void deactivate(Shell &context) override;
+    bool handle(const CanvasEvent &event, Shell &context) override;
+    void drawOverlay(CanvasPainter &painter, Shell &context) override;
+    bool hasOptions(const Shell &) const override { return true; }
+    void drawOptions(Shell &context, ui::Flow &flow) override;
+    std::string statusText(const Shell &context) const override;
 
   private:
-    bool key(const CanvasEvent &event, AppContext &context);
+    bool key(const CanvasEvent &event, Shell &context);
     /// Paints from the previous place to `to`.
-    void stroke(Vec2 to, AppContext &context);
-    void scale(double factor, bool spacing, AppContext &context);
+    void stroke(Vec2 to, Shell &context);
+    void scale(double factor, bool spacing, Shell &context);
     /// Derives radius and spacing that the user has not set from the view and the current spacing.
-    void settle(AppContext &context);
+    void settle(Shell &context);
 
     std::shared_ptr<EditState> state_;
     bool erases_;

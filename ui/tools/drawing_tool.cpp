@@ -3,13 +3,13 @@
 #include "core/edit/join_segments.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "ui/canvas/canvas_painter.hpp"
-#include "ui/editor/app_context.hpp"
+#include "ui/parts/shell.hpp"
 
 #include <array>
 
 namespace forefront {
 
-void DrawingTool::follow(const CanvasEvent &event, AppContext &context) {
+void DrawingTool::follow(const CanvasEvent &event, Shell &context) {
     place_ = event.place;
     modifiers_ = event.modifiers;
     over_ = event.kind != CanvasEvent::Kind::Leave;
@@ -24,7 +24,7 @@ void DrawingTool::follow(const CanvasEvent &event, AppContext &context) {
     pointer_ = own ? Snapped{*own, SnapKind::Node, {}} : snap(*state_->index(context), query);
 }
 
-bool DrawingTool::handle(const CanvasEvent &event, AppContext &context) {
+bool DrawingTool::handle(const CanvasEvent &event, Shell &context) {
     using Kind = CanvasEvent::Kind;
     switch (event.kind) {
     case Kind::Hover:
@@ -50,7 +50,7 @@ bool DrawingTool::handle(const CanvasEvent &event, AppContext &context) {
     return false;
 }
 
-bool DrawingTool::press(const CanvasEvent &event, AppContext &context) {
+bool DrawingTool::press(const CanvasEvent &event, Shell &context) {
     follow(event, context);
     if (event.button == MouseButton::Right ||
         (event.button == MouseButton::Left && event.clicks == 2 && inProgress())) {
@@ -66,7 +66,7 @@ bool DrawingTool::press(const CanvasEvent &event, AppContext &context) {
     return true;
 }
 
-bool DrawingTool::typed(const CanvasEvent &event, AppContext &context) {
+bool DrawingTool::typed(const CanvasEvent &event, Shell &context) {
     const NumericEntry::Answer answer = entry_.handle(event, entryFields());
     if (answer != NumericEntry::Answer::Unused) {
         CanvasEvent here = event;
@@ -115,7 +115,7 @@ Vec2 DrawingTool::typedPlace(const TypedPair &pair) const {
     return pair.relative && anchor() ? *anchor() + pair.value : pair.value;
 }
 
-void DrawingTool::deactivate(AppContext &context) {
+void DrawingTool::deactivate(Shell &context) {
     if (inProgress()) {
         finish(context);
     }
@@ -124,8 +124,8 @@ void DrawingTool::deactivate(AppContext &context) {
     over_ = false;
 }
 
-bool DrawingTool::commitShape(AppContext &context, Shape shape, const std::string &label) {
-    const std::shared_ptr<const Document> before = context.document().current();
+bool DrawingTool::commitShape(Shell &context, Shape shape, const std::string &label) {
+    const std::shared_ptr<const Document> before = context.document.current();
     shape.tag = shape.use == ShapeUse::Boundary ? state_->boundaryTag : state_->constraintTag;
     Result<Document> next = addShape(*before, std::move(shape));
     if (next) {
@@ -140,7 +140,7 @@ bool DrawingTool::commitShape(AppContext &context, Shape shape, const std::strin
     return true;
 }
 
-void DrawingTool::drawMeasure(CanvasPainter &painter, AppContext &context, const std::string &text) const {
+void DrawingTool::drawMeasure(CanvasPainter &painter, Shell &context, const std::string &text) const {
     const std::string typedText = entry_.label();
     double y = 14.0;
     if (!text.empty()) {
@@ -154,7 +154,7 @@ void DrawingTool::drawMeasure(CanvasPainter &painter, AppContext &context, const
     }
 }
 
-void DrawingTool::drawOverlay(CanvasPainter &painter, AppContext &context) {
+void DrawingTool::drawOverlay(CanvasPainter &painter, Shell &context) {
     drawSketch(painter, context);
     if (over_) {
         drawSnapMark(painter, context, pointer_);

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "ui/tools/edit_state.hpp"
+#include "ui/parts/tool.hpp"
 #include "ui/tools/numeric_entry.hpp"
-#include "ui/tools/tool.hpp"
+#include "ui/workspace/edit_state.hpp"
 
 #include <memory>
 #include <optional>
@@ -15,27 +15,27 @@ class DrawingTool : public Tool {
   public:
     explicit DrawingTool(std::shared_ptr<EditState> state) : state_(std::move(state)) {}
 
-    bool handle(const CanvasEvent &event, AppContext &context) final;
-    void drawOverlay(CanvasPainter &painter, AppContext &context) final;
-    void deactivate(AppContext &context) override;
+    bool handle(const CanvasEvent &event, Shell &context) final;
+    void drawOverlay(CanvasPainter &painter, Shell &context) final;
+    void deactivate(Shell &context) override;
     CursorShape cursor() const override { return CursorShape::Crosshair; }
 
   protected:
     /// Takes a node given by a click, a typed number or the end of a drag.
-    virtual void place(Vec2 at, AppContext &context) = 0;
+    virtual void place(Vec2 at, Shell &context) = 0;
     /// Draws the unfinished shape.
-    virtual void drawSketch(CanvasPainter &painter, AppContext &context) = 0;
+    virtual void drawSketch(CanvasPainter &painter, Shell &context) = 0;
     /// The last node placed, while a shape is unfinished.
     virtual std::optional<Vec2> anchor() const { return std::nullopt; }
     /// Enter, double-click or a change of tool: makes a shape of the nodes placed so far, if they suffice.
-    virtual void finish(AppContext &) {}
+    virtual void finish(Shell &) {}
     virtual void cancel() {}
     /// Removes the last node (Backspace). False if there is none.
     virtual bool removeLast() { return false; }
     /// True if releasing a drag places a second node.
     virtual bool dragPlaces() const { return false; }
     /// A place of the tool's own (the first node of a path) to snap to before all others.
-    virtual std::optional<Vec2> ownSnap(Vec2, const AppContext &) const { return std::nullopt; }
+    virtual std::optional<Vec2> ownSnap(Vec2, const Shell &) const { return std::nullopt; }
     /// Whether Shift constrains the angle; false if the tool gives Shift another meaning.
     virtual bool shiftIsAngle() const { return true; }
     /// The quantities that can be typed now, in the order of Tab: coordinates before the first node, then distance and
@@ -46,9 +46,9 @@ class DrawingTool : public Tool {
 
     bool inProgress() const { return anchor().has_value(); }
     /// Adds a shape, selects it and clears the typed numbers.
-    bool commitShape(AppContext &context, Shape shape, const std::string &label);
+    bool commitShape(Shell &context, Shape shape, const std::string &label);
     /// Labels the pointer with `text` and with the numbers being typed.
-    void drawMeasure(CanvasPainter &painter, AppContext &context, const std::string &text) const;
+    void drawMeasure(CanvasPainter &painter, Shell &context, const std::string &text) const;
 
     std::shared_ptr<EditState> state_;
     NumericEntry entry_;
@@ -57,9 +57,9 @@ class DrawingTool : public Tool {
     Modifiers modifiers_;
 
   private:
-    bool press(const CanvasEvent &event, AppContext &context);
-    bool typed(const CanvasEvent &event, AppContext &context);
-    void follow(const CanvasEvent &event, AppContext &context);
+    bool press(const CanvasEvent &event, Shell &context);
+    bool typed(const CanvasEvent &event, Shell &context);
+    void follow(const CanvasEvent &event, Shell &context);
 
     Vec2 pressPixel_, place_;
 };

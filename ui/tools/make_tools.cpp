@@ -1,3 +1,5 @@
+#include "ui/tools/make_tools.hpp"
+
 #include "ui/tools/box_tool.hpp"
 #include "ui/tools/brush_tool.hpp"
 #include "ui/tools/pen_tool.hpp"

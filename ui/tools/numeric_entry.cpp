@@ -1,8 +1,8 @@
 #include "ui/tools/numeric_entry.hpp"
 
+#include "ui/widgets/number_text.hpp"
+
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -41,12 +41,6 @@ const char *symbol(EntryField field) {
     return kSymbols[static_cast<std::size_t>(field)];
 }
 
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(' ');
-    return first == std::string_view::npos ? std::string_view()
-                                           : text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
-
 std::string shown(double value) {
     char buffer[32];
     std::snprintf(buffer, sizeof buffer, "%.6g", value);
@@ -54,17 +48,6 @@ std::string shown(double value) {
 }
 
 } // namespace
-
-std::optional<double> parseNumber(std::string_view text) {
-    text = trimmed(text);
-    if (text.starts_with('+')) {
-        text.remove_prefix(1);
-    }
-    double value = 0.0;
-    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool whole = fault == std::errc() && end == text.data() + text.size();
-    return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
 
 std::optional<TypedPair> parsePair(std::string_view text) {
     text = trimmed(text);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/edit/snap.hpp"
-#include "ui/tools/tool.hpp"
+#include "ui/parts/tool.hpp"
 
 #include <array>
 #include <optional>
@@ -17,9 +17,8 @@ struct TypedPair {
     bool relative = false;
 };
 
-/// Parses one number, or two separated by a comma or a space; "@" in front makes a pair relative. The whole text must
-/// be used up.
-std::optional<double> parseNumber(std::string_view text);
+/// Parses two numbers separated by a comma or a space; "@" in front makes them relative. The whole text must be used
+/// up.
 std::optional<TypedPair> parsePair(std::string_view text);
 
 /// A quantity that can be typed while drawing. Lengths in domain units, angles in degrees.

@@ -1,7 +1,7 @@
 #include "ui/tools/pen_tool.hpp"
 
 #include "ui/canvas/canvas_painter.hpp"
-#include "ui/editor/app_context.hpp"
+#include "ui/parts/shell.hpp"
 #include "ui/tools/tool_options.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -17,12 +17,12 @@ std::optional<Vec2> PenTool::anchor() const {
     return path_.empty() ? std::nullopt : std::optional(path_.back());
 }
 
-std::optional<Vec2> PenTool::ownSnap(Vec2 at, const AppContext &context) const {
+std::optional<Vec2> PenTool::ownSnap(Vec2 at, const Shell &context) const {
     const bool near = path_.size() >= 3 && distance(at, path_.front()) <= EditState::reach(context, 10.0);
     return near ? std::optional(path_.front()) : std::nullopt;
 }
 
-void PenTool::place(Vec2 at, AppContext &context) {
+void PenTool::place(Vec2 at, Shell &context) {
     if (closes(at)) {
         commit(context, true);
         return;
@@ -33,7 +33,7 @@ void PenTool::place(Vec2 at, AppContext &context) {
     }
 }
 
-void PenTool::finish(AppContext &context) {
+void PenTool::finish(Shell &context) {
     if (path_.size() >= (kind_ == ShapeKind::Polygon ? 3U : 2U)) {
         commit(context, kind_ == ShapeKind::Polygon);
     } else if (!path_.empty()) {
@@ -42,7 +42,7 @@ void PenTool::finish(AppContext &context) {
     }
 }
 
-void PenTool::commit(AppContext &context, bool closed) {
+void PenTool::commit(Shell &context, bool closed) {
     Shape shape;
     shape.kind = closed ? ShapeKind::Polygon : ShapeKind::Polyline;
     shape.use = kind_ == ShapeKind::Polygon ? ShapeUse::Boundary : ShapeUse::Constraint;
@@ -66,11 +66,11 @@ bool PenTool::removeLast() {
     return true;
 }
 
-bool PenTool::undo(AppContext &) {
+bool PenTool::undo(Shell &) {
     return removeLast();
 }
 
-bool PenTool::redo(AppContext &) {
+bool PenTool::redo(Shell &) {
     if (undone_.empty()) {
         return false;
     }
@@ -79,7 +79,7 @@ bool PenTool::redo(AppContext &) {
     return true;
 }
 
-void PenTool::drawSketch(CanvasPainter &painter, AppContext &context) {
+void PenTool::drawSketch(CanvasPainter &painter, Shell &context) {
     const Theme &theme = context.theme;
     if (path_.empty()) {
         drawMeasure(painter, context, {});
@@ -107,7 +107,7 @@ void PenTool::drawSketch(CanvasPainter &painter, AppContext &context) {
     drawMeasure(painter, context, over_ ? measure : std::string());
 }
 
-void PenTool::drawOptions(AppContext &context, ui::Flow &flow) {
+void PenTool::drawOptions(Shell &context, ui::Flow &flow) {
     if (kind_ == ShapeKind::Polygon) {
         drawTagOption(context, flow, state_->boundaryTag, "Tag of the next boundary");
     } else {
@@ -116,7 +116,7 @@ void PenTool::drawOptions(AppContext &context, ui::Flow &flow) {
     state_->drawSnapOptions(context, flow);
 }
 
-std::string PenTool::statusText(const AppContext &) const {
+std::string PenTool::statusText(const Shell &) const {
     if (path_.empty()) {
         return kind_ == ShapeKind::Polygon
                    ? "Click the corners, or type x, Tab, y. A polygon inside another becomes a hole"

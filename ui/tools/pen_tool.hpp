@@ -13,24 +13,24 @@ class PenTool final : public DrawingTool {
     const char *name() const override { return kind_ == ShapeKind::Polygon ? "Polygon" : "Constraint polyline"; }
     const char *icon() const override;
     int key() const override { return kind_ == ShapeKind::Polygon ? 'P' : 'L'; }
-    void drawOptions(AppContext &context, ui::Flow &flow) override;
-    bool hasOptions(const AppContext &) const override { return true; }
-    std::string statusText(const AppContext &context) const override;
-    bool undo(AppContext &context) override;
-    bool redo(AppContext &context) override;
+    void drawOptions(Shell &context, ui::Flow &flow) override;
+    bool hasOptions(const Shell &) const override { return true; }
+    std::string statusText(const Shell &context) const override;
+    bool undo(Shell &context) override;
+    bool redo(Shell &context) override;
 
   protected:
-    void place(Vec2 at, AppContext &context) override;
-    void drawSketch(CanvasPainter &painter, AppContext &context) override;
+    void place(Vec2 at, Shell &context) override;
+    void drawSketch(CanvasPainter &painter, Shell &context) override;
     std::optional<Vec2> anchor() const override;
-    void finish(AppContext &context) override;
+    void finish(Shell &context) override;
     void cancel() override;
     bool removeLast() override;
-    std::optional<Vec2> ownSnap(Vec2 at, const AppContext &context) const override;
+    std::optional<Vec2> ownSnap(Vec2 at, const Shell &context) const override;
 
   private:
     bool closes(Vec2 at) const { return path_.size() >= 3 && at == path_.front(); }
-    void commit(AppContext &context, bool closed);
+    void commit(Shell &context, bool closed);
 
     ShapeKind kind_;
     std::vector<Vec2> path_;

@@ -3,10 +3,11 @@
 #include "core/edit/region_commands.hpp"
 #include "core/edit/region_fill.hpp"
 #include "ui/canvas/canvas_painter.hpp"
-#include "ui/editor/app_context.hpp"
+#include "ui/parts/shell.hpp"
 #include "ui/tools/tool_options.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/number_field.hpp"
 
 #include <imgui.h>
 
@@ -18,7 +19,7 @@ const char *PointTool::icon() const {
     return icon::kPoint;
 }
 
-void PointTool::place(Vec2 at, AppContext &context) {
+void PointTool::place(Vec2 at, Shell &context) {
     Shape shape;
     shape.kind = ShapeKind::Point;
     shape.use = ShapeUse::Constraint;
@@ -26,11 +27,11 @@ void PointTool::place(Vec2 at, AppContext &context) {
     commitShape(context, std::move(shape), "Place point");
 }
 
-void PointTool::drawSketch(CanvasPainter &painter, AppContext &context) {
+void PointTool::drawSketch(CanvasPainter &painter, Shell &context) {
     drawMeasure(painter, context, {});
 }
 
-void PointTool::drawOptions(AppContext &context, ui::Flow &flow) {
+void PointTool::drawOptions(Shell &context, ui::Flow &flow) {
     drawTagOption(context, flow, state_->constraintTag, "Tag of the next point");
     state_->drawSnapOptions(context, flow);
 }
@@ -39,31 +40,31 @@ const char *RegionTool::icon() const {
     return icon::kFlag;
 }
 
-void RegionTool::activate(AppContext &context) {
+void RegionTool::activate(Shell &context) {
     if (tag_ == 0) {
-        tag_ = freeRegionTag(*context.document().current());
+        tag_ = freeRegionTag(*context.document.current());
     }
 }
 
-void RegionTool::place(Vec2 at, AppContext &context) {
-    const std::shared_ptr<const Document> document = context.document().current();
+void RegionTool::place(Vec2 at, Shell &context) {
+    const std::shared_ptr<const Document> document = context.document.current();
     if (EditState::apply(context, fillRegion(*document, at, tag_), "Fill " + regionName(document->regionNames, tag_))) {
         context.selection.clear();
-        const auto count = context.document().current()->regionMarkers.size();
+        const auto count = context.document.current()->regionMarkers.size();
         context.selection.markers.insert(static_cast<std::uint32_t>(count - 1));
     }
 }
 
-void RegionTool::drawSketch(CanvasPainter &painter, AppContext &context) {
+void RegionTool::drawSketch(CanvasPainter &painter, Shell &context) {
     if (over_) {
-        const std::string name = regionName(context.document().current()->regionNames, tag_);
+        const std::string name = regionName(context.document.current()->regionNames, tag_);
         painter.label(pointer_.at, {14.0, 10.0}, name, context.theme.text, fade(context.theme.popup, 0.9),
                       context.fonts.small);
     }
 }
 
-void RegionTool::drawOptions(AppContext &context, ui::Flow &flow) {
-    const std::shared_ptr<const Document> document = context.document().current();
+void RegionTool::drawOptions(Shell &context, ui::Flow &flow) {
+    const std::shared_ptr<const Document> document = context.document.current();
     flow.item("tag");
     ImGui::AlignTextToFramePadding();
     ui::muted(context, "Region");

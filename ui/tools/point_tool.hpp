@@ -13,15 +13,15 @@ class PointTool final : public DrawingTool {
     const char *name() const override { return "Constraint point"; }
     const char *icon() const override;
     int key() const override { return 'O'; }
-    void drawOptions(AppContext &context, ui::Flow &flow) override;
-    bool hasOptions(const AppContext &) const override { return true; }
-    std::string statusText(const AppContext &) const override {
+    void drawOptions(Shell &context, ui::Flow &flow) override;
+    bool hasOptions(const Shell &) const override { return true; }
+    std::string statusText(const Shell &) const override {
         return "Click where the mesh must have a node; X Y then a number: exact coordinates";
     }
 
   protected:
-    void place(Vec2 at, AppContext &context) override;
-    void drawSketch(CanvasPainter &painter, AppContext &context) override;
+    void place(Vec2 at, Shell &context) override;
+    void drawSketch(CanvasPainter &painter, Shell &context) override;
 };
 
 /// Names regions: a click fills the face under the pointer with the chosen region.
@@ -33,17 +33,17 @@ class RegionTool final : public DrawingTool {
     const char *name() const override { return "Region: click to fill"; }
     const char *icon() const override;
     int key() const override { return 'G'; }
-    void activate(AppContext &context) override;
-    void drawOptions(AppContext &context, ui::Flow &flow) override;
-    bool hasOptions(const AppContext &) const override { return true; }
-    std::string statusText(const AppContext &) const override {
+    void activate(Shell &context) override;
+    void drawOptions(Shell &context, ui::Flow &flow) override;
+    bool hasOptions(const Shell &) const override { return true; }
+    std::string statusText(const Shell &) const override {
         return "Click into a face to make it this region; every face without one is region 1";
     }
 
   protected:
-    void place(Vec2 at, AppContext &context) override;
-    void drawSketch(CanvasPainter &painter, AppContext &context) override;
-    std::optional<Vec2> ownSnap(Vec2 at, const AppContext &) const override { return at; }
+    void place(Vec2 at, Shell &context) override;
+    void drawSketch(CanvasPainter &painter, Shell &context) override;
+    std::optional<Vec2> ownSnap(Vec2 at, const Shell &) const override { return at; }
 
   private:
     std::int32_t tag_ = 0;

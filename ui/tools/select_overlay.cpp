@@ -1,6 +1,6 @@
 #include "core/edit/shape_geometry.hpp"
 #include "ui/canvas/canvas_painter.hpp"
-#include "ui/editor/app_context.hpp"
+#include "ui/parts/shell.hpp"
 #include "ui/tools/select_tool.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -17,9 +17,9 @@ constexpr std::size_t kMostHandles = 4000;
 
 } // namespace
 
-void SelectTool::drawHandles(CanvasPainter &painter, AppContext &context) const {
+void SelectTool::drawHandles(CanvasPainter &painter, Shell &context) const {
     const Theme &theme = context.theme;
-    const Document &document = *context.document().current();
+    const Document &document = *context.document.current();
     const Selection &selection = context.selection;
     const Box2 visible = context.view.camera.visible();
     std::set<std::uint32_t> shown = selection.shapes;
@@ -61,9 +61,9 @@ void SelectTool::drawHandles(CanvasPainter &painter, AppContext &context) const 
     }
 }
 
-void SelectTool::drawSourceHandles(CanvasPainter &painter, AppContext &context) const {
+void SelectTool::drawSourceHandles(CanvasPainter &painter, Shell &context) const {
     const Theme &theme = context.theme;
-    const Document &document = *context.document().current();
+    const Document &document = *context.document.current();
     for (std::uint32_t k = 0; k < document.spacing.sources.size(); ++k) {
         const SizeSource &source = document.spacing.sources[k];
         const bool chosen = context.selection.sources.contains(k);
@@ -90,7 +90,7 @@ void SelectTool::drawSourceHandles(CanvasPainter &painter, AppContext &context) 
     }
 }
 
-void SelectTool::drawOverlay(CanvasPainter &painter, AppContext &context) {
+void SelectTool::drawOverlay(CanvasPainter &painter, Shell &context) {
     drawHandles(painter, context);
     drawSourceHandles(painter, context);
     const Theme &theme = context.theme;
@@ -109,7 +109,7 @@ void SelectTool::drawOverlay(CanvasPainter &painter, AppContext &context) {
     }
 }
 
-void SelectTool::drawOptions(AppContext &context, ui::Flow &flow) {
+void SelectTool::drawOptions(Shell &context, ui::Flow &flow) {
     const Selection &selection = context.selection;
     flow.item("selected");
     ImGui::AlignTextToFramePadding();
@@ -122,7 +122,7 @@ void SelectTool::drawOptions(AppContext &context, ui::Flow &flow) {
     state_->drawSnapOptions(context, flow);
 }
 
-std::string SelectTool::statusText(const AppContext &context) const {
+std::string SelectTool::statusText(const Shell &context) const {
     switch (mode_) {
     case Mode::Moving:
         return "Shift: steps of 15\xc2\xb0, Ctrl: no snapping, Esc: cancel";

@@ -3,7 +3,7 @@
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
 #include "core/edit/spacing_commands.hpp"
-#include "ui/editor/app_context.hpp"
+#include "ui/parts/shell.hpp"
 
 namespace forefront {
 
@@ -19,14 +19,14 @@ CursorShape SelectTool::cursor() const {
     return grabs && mode_ != Mode::Boxing ? CursorShape::Hand : CursorShape::Arrow;
 }
 
-void SelectTool::deactivate(AppContext &) {
+void SelectTool::deactivate(Shell &) {
     mode_ = Mode::Idle;
     over_ = false;
     start_.reset();
     startIndex_.reset();
 }
 
-SelectTool::Hit SelectTool::hitAt(Vec2 place, AppContext &context) const {
+SelectTool::Hit SelectTool::hitAt(Vec2 place, Shell &context) const {
     const PickIndex &index = *state_->index(context);
     Hit hit;
     hit.at = place;
@@ -117,7 +117,7 @@ void SelectTool::select(const Hit &hit, bool adds, Selection &selection) const {
     }
 }
 
-bool SelectTool::handle(const CanvasEvent &event, AppContext &context) {
+bool SelectTool::handle(const CanvasEvent &event, Shell &context) {
     using Kind = CanvasEvent::Kind;
     switch (event.kind) {
     case Kind::Hover:
@@ -147,9 +147,9 @@ bool SelectTool::handle(const CanvasEvent &event, AppContext &context) {
     return false;
 }
 
-void SelectTool::press(const CanvasEvent &event, AppContext &context) {
+void SelectTool::press(const CanvasEvent &event, Shell &context) {
     over_ = true;
-    start_ = context.document().current();
+    start_ = context.document.current();
     startIndex_ = state_->index(context);
     grabbed_ = hover_ = hitAt(event.place, context);
     pressPixel_ = event.pixel;
@@ -170,13 +170,13 @@ void SelectTool::press(const CanvasEvent &event, AppContext &context) {
     mode_ = Mode::Grabbed;
 }
 
-void SelectTool::insertAt(const Hit &hit, AppContext &context) {
+void SelectTool::insertAt(const Hit &hit, Shell &context) {
     if (!EditState::apply(context, insertNode(*start_, hit.segment->ref, hit.at), "Insert node")) {
         mode_ = Mode::Idle;
         return;
     }
     // The button is still down on the new node, so a drag moves it.
-    start_ = context.document().current();
+    start_ = context.document.current();
     startIndex_ = state_->index(context);
     grabbed_.kind = Hit::Kind::Node;
     grabbed_.node = {hit.shape, hit.segment->ref.segment + 1};
@@ -185,7 +185,7 @@ void SelectTool::insertAt(const Hit &hit, AppContext &context) {
     mode_ = Mode::Grabbed;
 }
 
-void SelectTool::drag(const CanvasEvent &event, AppContext &context) {
+void SelectTool::drag(const CanvasEvent &event, Shell &context) {
     over_ = true;
     if (mode_ == Mode::Boxing) {
         boxPlace_ = event.place;
@@ -250,7 +250,7 @@ Result<Document> SelectTool::moved(Vec2 to) const {
     return moveSelection(*start_, moving_, to - grabbed_.at);
 }
 
-void SelectTool::release(const CanvasEvent &event, AppContext &context) {
+void SelectTool::release(const CanvasEvent &event, Shell &context) {
     const bool moved = distance(event.pixel, pressPixel_) > static_cast<double>(context.px(3));
     if (mode_ == Mode::Boxing && moved) {
         const Box2 box = boxOf(pressPlace_, event.place);
@@ -285,19 +285,19 @@ void SelectTool::release(const CanvasEvent &event, AppContext &context) {
     hover_ = hitAt(event.place, context);
 }
 
-bool SelectTool::key(const CanvasEvent &event, AppContext &context) {
+bool SelectTool::key(const CanvasEvent &event, Shell &context) {
     if (event.modifiers.control() || event.modifiers.alt()) {
         return false;
     }
     switch (event.key) {
     case key::kEscape:
         if (mode_ == Mode::Moving) {
-            context.document().abandonStroke();
+            context.document.abandonStroke();
             mode_ = Mode::Idle;
             return true;
         }
         // Esc cancels a running mesh first.
-        if (!context.selection.empty() && !context.run().busy()) {
+        if (!context.selection.empty() && !context.run.busy()) {
             context.selection.clear();
             return true;
         }
@@ -321,7 +321,7 @@ bool SelectTool::key(const CanvasEvent &event, AppContext &context) {
     }
 }
 
-void SelectTool::nudge(Vec2 direction, bool far, bool repeated, AppContext &context) {
+void SelectTool::nudge(Vec2 direction, bool far, bool repeated, Shell &context) {
     if (context.selection.empty()) {
         return;
     }
@@ -330,8 +330,8 @@ void SelectTool::nudge(Vec2 direction, bool far, bool repeated, AppContext &cont
     }
     // A tenth of the drawing grid; with Shift a whole step.
     const double step = gridPitch(EditState::reach(context, 1.0)) * (far ? 1.0 : 0.1);
-    EditState::apply(context, moveSelection(*context.document().current(), context.selection, step * direction),
-                     "Nudge", nudgeStroke_);
+    EditState::apply(context, moveSelection(*context.document.current(), context.selection, step * direction), "Nudge",
+                     nudgeStroke_);
 }
 
 } // namespace forefront

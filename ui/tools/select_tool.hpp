@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ui/tools/edit_state.hpp"
-#include "ui/tools/tool.hpp"
+#include "ui/parts/tool.hpp"
+#include "ui/workspace/edit_state.hpp"
 
 #include <memory>
 #include <optional>
@@ -19,12 +19,12 @@ class SelectTool final : public Tool {
     const char *icon() const override;
     int key() const override { return 'V'; }
     CursorShape cursor() const override;
-    void deactivate(AppContext &context) override;
-    bool handle(const CanvasEvent &event, AppContext &context) override;
-    void drawOverlay(CanvasPainter &painter, AppContext &context) override;
-    bool hasOptions(const AppContext &) const override { return true; }
-    void drawOptions(AppContext &context, ui::Flow &flow) override;
-    std::string statusText(const AppContext &context) const override;
+    void deactivate(Shell &context) override;
+    bool handle(const CanvasEvent &event, Shell &context) override;
+    void drawOverlay(CanvasPainter &painter, Shell &context) override;
+    bool hasOptions(const Shell &) const override { return true; }
+    void drawOptions(Shell &context, ui::Flow &flow) override;
+    std::string statusText(const Shell &context) const override;
 
   private:
     enum class Mode : std::uint8_t { Idle, Grabbed, Moving, Boxing };
@@ -38,19 +38,19 @@ class SelectTool final : public Tool {
         std::uint32_t shape = kNoIndex;
         Vec2 at;
     };
-    Hit hitAt(Vec2 place, AppContext &context) const;
+    Hit hitAt(Vec2 place, Shell &context) const;
     bool isSelected(const Hit &hit, const Selection &selection) const;
     void select(const Hit &hit, bool adds, Selection &selection) const;
-    void press(const CanvasEvent &event, AppContext &context);
-    void drag(const CanvasEvent &event, AppContext &context);
-    void release(const CanvasEvent &event, AppContext &context);
-    bool key(const CanvasEvent &event, AppContext &context);
-    void insertAt(const Hit &hit, AppContext &context);
-    void nudge(Vec2 direction, bool far, bool repeated, AppContext &context);
+    void press(const CanvasEvent &event, Shell &context);
+    void drag(const CanvasEvent &event, Shell &context);
+    void release(const CanvasEvent &event, Shell &context);
+    bool key(const CanvasEvent &event, Shell &context);
+    void insertAt(const Hit &hit, Shell &context);
+    void nudge(Vec2 direction, bool far, bool repeated, Shell &context);
     Result<Document> moved(Vec2 to) const;
     std::string moveLabel() const;
-    void drawHandles(CanvasPainter &painter, AppContext &context) const;
-    void drawSourceHandles(CanvasPainter &painter, AppContext &context) const;
+    void drawHandles(CanvasPainter &painter, Shell &context) const;
+    void drawSourceHandles(CanvasPainter &painter, Shell &context) const;
 
     std::shared_ptr<EditState> state_;
     Mode mode_ = Mode::Idle;

@@ -2,7 +2,7 @@
 
 #include "core/edit/spacing_commands.hpp"
 #include "ui/canvas/canvas_painter.hpp"
-#include "ui/editor/app_context.hpp"
+#include "ui/parts/shell.hpp"
 #include "ui/tools/tool_options.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -18,7 +18,7 @@ const char *SourceTool::icon() const {
     return icon::kSource;
 }
 
-double SourceTool::size(const AppContext &context, Vec2 at) const {
+double SourceTool::size(const Shell &context, Vec2 at) const {
     if (state_->sourceSize > 0.0) {
         return state_->sourceSize;
     }
@@ -26,7 +26,7 @@ double SourceTool::size(const AppContext &context, Vec2 at) const {
     return EditState::twoDigits(0.25 * rho);
 }
 
-void SourceTool::place(Vec2 at, AppContext &context) {
+void SourceTool::place(Vec2 at, Shell &context) {
     if (shape() == SourceShape::Point) {
         add(context, at, at);
     } else if (!first_) {
@@ -37,7 +37,7 @@ void SourceTool::place(Vec2 at, AppContext &context) {
     }
 }
 
-void SourceTool::add(AppContext &context, Vec2 a, Vec2 b) {
+void SourceTool::add(Shell &context, Vec2 a, Vec2 b) {
     SizeSource source;
     source.shape = shape();
     source.a = a;
@@ -46,14 +46,14 @@ void SourceTool::add(AppContext &context, Vec2 a, Vec2 b) {
     source.size = size(context, a);
     source.growth = state_->sourceGrowth;
     // A unique name, so that the inspector can tell which source wins.
-    const std::size_t number = context.document().current()->spacing.sources.size() + 1;
+    const std::size_t number = context.document.current()->spacing.sources.size() + 1;
     source.name = (source.shape == SourceShape::Point  ? "point "
                    : source.shape == SourceShape::Line ? "line "
                                                        : "disc ") +
                   std::to_string(number);
-    if (EditState::apply(context, addSource(*context.document().current(), source), "Add size source")) {
+    if (EditState::apply(context, addSource(*context.document.current(), source), "Add size source")) {
         context.selection.clear();
-        const auto count = context.document().current()->spacing.sources.size();
+        const auto count = context.document.current()->spacing.sources.size();
         context.selection.sources.insert(static_cast<std::uint32_t>(count - 1));
     }
 }
@@ -63,13 +63,13 @@ std::span<const EntryField> SourceTool::entryFields() const {
     return first_ && shape() == SourceShape::Circle ? std::span<const EntryField>(kRadius) : DrawingTool::entryFields();
 }
 
-bool SourceTool::undo(AppContext &) {
+bool SourceTool::undo(Shell &) {
     const bool drawing = first_.has_value();
     cancel();
     return drawing;
 }
 
-void SourceTool::drawSketch(CanvasPainter &painter, AppContext &context) {
+void SourceTool::drawSketch(CanvasPainter &painter, Shell &context) {
     const Theme &theme = context.theme;
     if (!over_) {
         return;
@@ -90,7 +90,7 @@ void SourceTool::drawSketch(CanvasPainter &painter, AppContext &context) {
     drawMeasure(painter, context, text);
 }
 
-void SourceTool::drawOptions(AppContext &context, ui::Flow &flow) {
+void SourceTool::drawOptions(Shell &context, ui::Flow &flow) {
     static constexpr std::array<const char *, 3> kShapes{"Point", "Line", "Circle"};
     flow.item("shape");
     if (ui::segmented(context, "options/source/shape", kShapes, state_->sourceShape, 190.0F)) {
@@ -105,7 +105,7 @@ void SourceTool::drawOptions(AppContext &context, ui::Flow &flow) {
     state_->drawSnapOptions(context, flow);
 }
 
-std::string SourceTool::statusText(const AppContext &) const {
+std::string SourceTool::statusText(const Shell &) const {
     switch (shape()) {
     case SourceShape::Point:
         return "Click where the mesh should be fine";

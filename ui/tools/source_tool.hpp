@@ -14,14 +14,14 @@ class SourceTool final : public DrawingTool {
     const char *name() const override { return "Size source"; }
     const char *icon() const override;
     int key() const override { return 'S'; }
-    bool hasOptions(const AppContext &) const override { return true; }
-    void drawOptions(AppContext &context, ui::Flow &flow) override;
-    std::string statusText(const AppContext &context) const override;
-    bool undo(AppContext &context) override;
+    bool hasOptions(const Shell &) const override { return true; }
+    void drawOptions(Shell &context, ui::Flow &flow) override;
+    std::string statusText(const Shell &context) const override;
+    bool undo(Shell &context) override;
 
   protected:
-    void place(Vec2 at, AppContext &context) override;
-    void drawSketch(CanvasPainter &painter, AppContext &context) override;
+    void place(Vec2 at, Shell &context) override;
+    void drawSketch(CanvasPainter &painter, Shell &context) override;
     std::optional<Vec2> anchor() const override { return first_; }
     std::span<const EntryField> entryFields() const override;
     void cancel() override { first_.reset(); }
@@ -29,8 +29,8 @@ class SourceTool final : public DrawingTool {
 
   private:
     SourceShape shape() const { return static_cast<SourceShape>(state_->sourceShape); }
-    double size(const AppContext &context, Vec2 at) const;
-    void add(AppContext &context, Vec2 a, Vec2 b);
+    double size(const Shell &context, Vec2 at) const;
+    void add(Shell &context, Vec2 a, Vec2 b);
 
     std::optional<Vec2> first_;
 };

@@ -1,8 +1,9 @@
 #include "ui/tools/tool_options.hpp"
 
-#include "ui/editor/app_context.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/number_field.hpp"
+#include "ui/workspace/workspace.hpp"
 
 #include <imgui.h>
 
@@ -10,7 +11,7 @@
 
 namespace forefront {
 
-void drawTagOption(AppContext &context, ui::Flow &flow, std::int32_t &tag, const char *tooltip) {
+void drawTagOption(Workspace &context, ui::Flow &flow, std::int32_t &tag, const char *tooltip) {
     flow.item("tag");
     ImGui::AlignTextToFramePadding();
     ui::muted(context, "Tag");
@@ -21,10 +22,10 @@ void drawTagOption(AppContext &context, ui::Flow &flow, std::int32_t &tag, const
     }
     ui::tooltip(context, tooltip);
     ImGui::SameLine();
-    ui::muted(context, boundaryName(context.document().current()->boundaryNames, tag));
+    ui::muted(context, boundaryName(context.document.current()->boundaryNames, tag));
 }
 
-bool drawSizeOption(AppContext &context, ui::Flow &flow, const char *name, const char *label, double &value,
+bool drawSizeOption(Workspace &context, ui::Flow &flow, const char *name, const char *label, double &value,
                     const char *tooltip) {
     flow.item(name);
     ImGui::AlignTextToFramePadding();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/editor/app_context.hpp"
+#include "ui/widgets/widget_context.hpp"
 
 namespace forefront::ui {
 
@@ -9,7 +9,7 @@ namespace forefront::ui {
 class Flow {
   public:
     /// `room`: width of a row, `gap`: between items; pixels.
-    Flow(AppContext &context, float room, float gap) : context_(context), room_(room), gap_(gap) {}
+    Flow(WidgetContext &context, float room, float gap) : context_(context), room_(room), gap_(gap) {}
     ~Flow() { end(); }
     Flow(const Flow &) = delete;
     Flow &operator=(const Flow &) = delete;
@@ -21,7 +21,7 @@ class Flow {
   private:
     void end();
 
-    AppContext &context_;
+    WidgetContext &context_;
     float room_, gap_;
     float used_ = 0.0F;      ///< of the row so far
     unsigned int begun_ = 0; ///< by which Dear ImGui remembers the width of the item begun; 0: none is

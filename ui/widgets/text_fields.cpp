@@ -1,4 +1,3 @@
-#include "ui/tools/numeric_entry.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -47,7 +46,7 @@ struct Drawn {
 };
 
 /// Draws a text field and adds it to the order in which Tab visits fields.
-Drawn drawField(AppContext &context, std::string_view name, std::string &value, std::string_view hint, float width,
+Drawn drawField(WidgetContext &context, std::string_view name, std::string &value, std::string_view hint, float width,
                 ImGuiInputTextFlags flags, bool focus) {
     FieldFocus &fields = context.widgets.fields;
     ImGui::PushID(name.data(), name.data() + name.size());
@@ -88,13 +87,13 @@ Drawn drawField(AppContext &context, std::string_view name, std::string &value, 
 
 } // namespace
 
-bool inputText(AppContext &context, std::string_view name, std::string &value, std::string_view hint, float width,
+bool inputText(WidgetContext &context, std::string_view name, std::string &value, std::string_view hint, float width,
                bool onEnter, bool focus) {
     const ImGuiInputTextFlags flags = onEnter ? ImGuiInputTextFlags_EnterReturnsTrue : ImGuiInputTextFlags_None;
     return drawField(context, name, value, hint, width, flags, focus).returned;
 }
 
-bool entry(AppContext &context, std::string_view name, std::string &value, std::string_view hint, float width,
+bool entry(WidgetContext &context, std::string_view name, std::string &value, std::string_view hint, float width,
            bool selectAll) {
     const std::string before = value;
     const Drawn drawn = drawField(context, name, value, hint, width,
@@ -117,25 +116,6 @@ bool entry(AppContext &context, std::string_view name, std::string &value, std::
     const bool changed = value != being->initial;
     being.reset();
     value = changed ? value : before;
-    return changed;
-}
-
-std::optional<double> typedNumber(AppContext &context, const std::string &typed) {
-    const std::optional<double> number = parseNumber(typed);
-    if (!number) {
-        context.log.add(error("bad-number", "expected a number, got '" + typed + "'", "enter a number such as 0.25"));
-    }
-    return number;
-}
-
-bool inputNumber(AppContext &context, std::string_view name, double &value, float width) {
-    std::string typed = number(value, 6);
-    if (!entry(context, name, typed, {}, width, true)) {
-        return false;
-    }
-    const std::optional<double> entered = typedNumber(context, typed);
-    const bool changed = entered && *entered != value;
-    value = entered.value_or(value);
     return changed;
 }
 

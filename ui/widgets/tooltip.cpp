@@ -36,7 +36,7 @@ PixelRect placeTooltip(const PixelRect &widget, const PixelRect &window, Vec2 si
 namespace {
 
 /// Shows a tooltip beside `widget`, a rectangle within the current window.
-void show(AppContext &context, std::string_view text, const PixelRect &widget) {
+void show(WidgetContext &context, std::string_view text, const PixelRect &widget) {
     const ImGuiContext &imgui = *ImGui::GetCurrentContext();
     const float wrap = context.px(320);
     const ImVec2 pad(context.px(9), context.px(6));
@@ -61,7 +61,7 @@ PixelRect rectOf(ImVec2 min, ImVec2 max) {
 
 } // namespace
 
-void tooltip(AppContext &context, std::string_view text) {
+void tooltip(WidgetContext &context, std::string_view text) {
     constexpr float kDelay = 0.4F; // seconds: no explanation for a pointer that only passes over
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
         return;
@@ -77,7 +77,7 @@ void tooltip(AppContext &context, std::string_view text) {
     show(context, text, rectOf(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()));
 }
 
-void tooltipOver(AppContext &context, const PixelRect &rect, std::string_view text) {
+void tooltipOver(WidgetContext &context, const PixelRect &rect, std::string_view text) {
     const ImVec2 min{static_cast<float>(rect.x), static_cast<float>(rect.y)};
     const ImVec2 max{static_cast<float>(rect.x + rect.width), static_cast<float>(rect.y + rect.height)};
     if (!text.empty() && ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(min, max, false)) {
@@ -85,7 +85,7 @@ void tooltipOver(AppContext &context, const PixelRect &rect, std::string_view te
     }
 }
 
-void rowTooltip(AppContext &context, std::string_view text) {
+void rowTooltip(WidgetContext &context, std::string_view text) {
     const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
         tooltip(context, text);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/canvas/camera.hpp"
+#include "ui/platform/pixels.hpp"
 #include "ui/platform/platform.hpp"
 
 namespace forefront::ui {

@@ -41,7 +41,7 @@ struct Disabled {
     bool disabled_;
 };
 
-float widthOf(const AppContext &context, float width) {
+float widthOf(const WidgetContext &context, float width) {
     return width < 0.0F ? -1.0F : context.px(width);
 }
 
@@ -64,16 +64,16 @@ void pushButtonColours(const Theme &theme, ButtonKind kind, bool on) {
 
 } // namespace
 
-void markRect(AppContext &context, std::string_view name, const PixelRect &rect, bool enabled) {
+void markRect(WidgetContext &context, std::string_view name, const PixelRect &rect, bool enabled) {
     context.widgets.add(name, {rect, enabled, true});
 }
 
-void mark(AppContext &context, std::string_view name, bool enabled) {
+void mark(WidgetContext &context, std::string_view name, bool enabled) {
     const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
     context.widgets.add(name, {{min.x, min.y, max.x - min.x, max.y - min.y}, enabled, ImGui::IsItemVisible()});
 }
 
-void markWindow(AppContext &context, std::string_view name) {
+void markWindow(WidgetContext &context, std::string_view name) {
     const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
     const PixelRect rect{at.x, at.y, size.x, size.y};
     const WidgetRegistry::Widget *const before = context.widgets.find(name);
@@ -83,7 +83,7 @@ void markWindow(AppContext &context, std::string_view name) {
     markRect(context, name, rect);
 }
 
-bool button(AppContext &context, std::string_view name, std::string_view label, ButtonKind kind, bool enabled,
+bool button(WidgetContext &context, std::string_view name, std::string_view label, ButtonKind kind, bool enabled,
             float width) {
     const Id id(name);
     const Disabled disabled(!enabled);
@@ -94,7 +94,7 @@ bool button(AppContext &context, std::string_view name, std::string_view label, 
     return pressed;
 }
 
-bool iconButton(AppContext &context, std::string_view name, const char *icon, const std::string &tip, bool on,
+bool iconButton(WidgetContext &context, std::string_view name, const char *icon, const std::string &tip, bool on,
                 bool enabled, float size) {
     bool pressed = false;
     {
@@ -116,7 +116,7 @@ bool iconButton(AppContext &context, std::string_view name, const char *icon, co
     return pressed;
 }
 
-bool checkbox(AppContext &context, std::string_view name, std::string_view label, bool &value) {
+bool checkbox(WidgetContext &context, std::string_view name, std::string_view label, bool &value) {
     const Id id(name);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 text = ImGui::CalcTextSize(label.data(), label.data() + label.size());
@@ -146,7 +146,7 @@ bool checkbox(AppContext &context, std::string_view name, std::string_view label
     return pressed;
 }
 
-bool eyeSwitch(AppContext &context, std::string_view name, std::string_view label, bool &value, float width) {
+bool eyeSwitch(WidgetContext &context, std::string_view name, std::string_view label, bool &value, float width) {
     const Id id(name);
     const float height = context.px(24);
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -167,7 +167,7 @@ bool eyeSwitch(AppContext &context, std::string_view name, std::string_view labe
     return pressed;
 }
 
-bool segmented(AppContext &context, std::string_view name, std::span<const char *const> labels, int &choice,
+bool segmented(WidgetContext &context, std::string_view name, std::span<const char *const> labels, int &choice,
                float width, std::span<const char *const> tips) {
     const Id id(name);
     const float whole = width > 0.0F ? context.px(width) : ImGui::GetContentRegionAvail().x;
@@ -202,7 +202,8 @@ bool segmented(AppContext &context, std::string_view name, std::span<const char 
     return changed;
 }
 
-bool combo(AppContext &context, std::string_view name, std::span<const char *const> labels, int &choice, float width) {
+bool combo(WidgetContext &context, std::string_view name, std::span<const char *const> labels, int &choice,
+           float width) {
     const Id id(name);
     ImGui::SetNextItemWidth(widthOf(context, width));
     const char *shown =
@@ -223,7 +224,7 @@ bool combo(AppContext &context, std::string_view name, std::span<const char *con
     return changed;
 }
 
-bool slider(AppContext &context, std::string_view name, double &value, double minimum, double maximum,
+bool slider(WidgetContext &context, std::string_view name, double &value, double minimum, double maximum,
             const char *pattern, bool logarithmic, float width) {
     const Id id(name);
     ImGui::SetNextItemWidth(widthOf(context, width));
@@ -234,7 +235,7 @@ bool slider(AppContext &context, std::string_view name, double &value, double mi
     return changed;
 }
 
-bool thinSlider(AppContext &context, std::string_view name, double &t, std::string_view shown, float width,
+bool thinSlider(WidgetContext &context, std::string_view name, double &t, std::string_view shown, float width,
                 float textWidth) {
     const Id id(name);
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -266,7 +267,7 @@ bool thinSlider(AppContext &context, std::string_view name, double &t, std::stri
     return changed;
 }
 
-bool selectable(AppContext &context, std::string_view name, std::string_view label, bool selected,
+bool selectable(WidgetContext &context, std::string_view name, std::string_view label, bool selected,
                 std::string_view detail) {
     const Id id(name);
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -284,7 +285,7 @@ bool selectable(AppContext &context, std::string_view name, std::string_view lab
     return pressed;
 }
 
-bool link(AppContext &context, std::string_view name, std::string_view text) {
+bool link(WidgetContext &context, std::string_view name, std::string_view text) {
     const Id id(name);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 size = ImGui::CalcTextSize(text.data(), text.data() + text.size());
@@ -300,23 +301,7 @@ bool link(AppContext &context, std::string_view name, std::string_view text) {
     return pressed;
 }
 
-void actionItem(AppContext &context, const Action &action) {
-    const bool enabled = !action.enabled || action.enabled(context);
-    const bool checked = action.checked && action.checked(context);
-    const std::string title = action.dynamic ? action.dynamic(context) : action.title;
-    const std::string shortcut = action.shortcuts.empty() ? std::string() : toString(action.shortcuts.front());
-    const std::string name = "menu/" + action.id;
-    const Id id(name);
-    ImGui::PushStyleColor(ImGuiCol_TextDisabled, context.theme.muted); // the colour of the shortcut, not of the item
-    const bool chosen = ImGui::MenuItem(title.c_str(), shortcut.c_str(), checked, enabled);
-    ImGui::PopStyleColor();
-    mark(context, name, enabled);
-    if (chosen) {
-        action.run(context);
-    }
-}
-
-void heading(AppContext &context, std::string_view text) {
+void heading(WidgetContext &context, std::string_view text) {
     ImGui::PushFont(context.fonts.heading);
     ImGui::PushStyleColor(ImGuiCol_Text, context.theme.muted);
     ImGui::TextUnformatted(text.data(), text.data() + text.size());
@@ -324,7 +309,7 @@ void heading(AppContext &context, std::string_view text) {
     ImGui::PopFont();
 }
 
-void field(AppContext &context, std::string_view label, std::string_view value, float column) {
+void field(WidgetContext &context, std::string_view label, std::string_view value, float column) {
     const float left = ImGui::GetCursorPosX();
     muted(context, label);
     ImGui::SameLine();
@@ -332,13 +317,13 @@ void field(AppContext &context, std::string_view label, std::string_view value, 
     ImGui::TextUnformatted(value.data(), value.data() + value.size());
 }
 
-void muted(AppContext &context, std::string_view text) {
+void muted(WidgetContext &context, std::string_view text) {
     ImGui::PushStyleColor(ImGuiCol_Text, context.theme.muted);
     ImGui::TextUnformatted(text.data(), text.data() + text.size());
     ImGui::PopStyleColor();
 }
 
-void small(AppContext &context, std::string_view text, bool wrap) {
+void small(WidgetContext &context, std::string_view text, bool wrap) {
     ImGui::PushFont(context.fonts.small);
     ImGui::PushStyleColor(ImGuiCol_Text, context.theme.muted);
     if (wrap) {
@@ -350,7 +335,7 @@ void small(AppContext &context, std::string_view text, bool wrap) {
     ImGui::PopFont();
 }
 
-bool badge(AppContext &context, std::string_view name, std::string_view text, Colour colour) {
+bool badge(WidgetContext &context, std::string_view name, std::string_view text, Colour colour) {
     const Id id(name);
     ImGui::PushFont(context.fonts.small);
     const ImVec2 size = ImGui::CalcTextSize(text.data(), text.data() + text.size());

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/editor/app_context.hpp"
+#include "ui/widgets/widget_context.hpp"
 
 #include <functional>
 #include <optional>
@@ -13,73 +13,67 @@
 namespace forefront::ui {
 
 /// Registers the last item of Dear ImGui.
-void mark(AppContext &context, std::string_view name, bool enabled = true);
+void mark(WidgetContext &context, std::string_view name, bool enabled = true);
 /// Registers any rectangle.
-void markRect(AppContext &context, std::string_view name, const PixelRect &rect, bool enabled = true);
+void markRect(WidgetContext &context, std::string_view name, const PixelRect &rect, bool enabled = true);
 
 /// Registers the window of Dear ImGui that is being drawn.
-void markWindow(AppContext &context, std::string_view name);
+void markWindow(WidgetContext &context, std::string_view name);
 
 enum class ButtonKind : std::uint8_t { Plain, Primary, Quiet };
 /// Draws a button. Width in design pixels; 0: as wide as the label, negative: the rest of the row.
-bool button(AppContext &context, std::string_view name, std::string_view label, ButtonKind kind = ButtonKind::Plain,
+bool button(WidgetContext &context, std::string_view name, std::string_view label, ButtonKind kind = ButtonKind::Plain,
             bool enabled = true, float width = 0.0F);
 /// Draws a square button with an icon, highlighted if `on`. Size in design pixels.
-bool iconButton(AppContext &context, std::string_view name, const char *icon, const std::string &tooltip,
+bool iconButton(WidgetContext &context, std::string_view name, const char *icon, const std::string &tooltip,
                 bool on = false, bool enabled = true, float size = 32.0F);
-bool checkbox(AppContext &context, std::string_view name, std::string_view label, bool &value);
+bool checkbox(WidgetContext &context, std::string_view name, std::string_view label, bool &value);
 /// Draws a switch with an eye and a label, for layers.
-bool eyeSwitch(AppContext &context, std::string_view name, std::string_view label, bool &value, float width);
+bool eyeSwitch(WidgetContext &context, std::string_view name, std::string_view label, bool &value, float width);
 /// Draws exclusive choices side by side; returns true when the choice changed. `width` of the whole in design pixels;
 /// 0: the rest of the row. `tips`: one tooltip per choice, or none.
-bool segmented(AppContext &context, std::string_view name, std::span<const char *const> labels, int &choice,
+bool segmented(WidgetContext &context, std::string_view name, std::span<const char *const> labels, int &choice,
                float width = 0.0F, std::span<const char *const> tips = {});
-bool combo(AppContext &context, std::string_view name, std::span<const char *const> labels, int &choice,
+bool combo(WidgetContext &context, std::string_view name, std::span<const char *const> labels, int &choice,
            float width = -1.0F);
 /// Draws a linear or logarithmic slider. `format` is a printf format for a double.
-bool slider(AppContext &context, std::string_view name, double &value, double minimum, double maximum,
+bool slider(WidgetContext &context, std::string_view name, double &value, double minimum, double maximum,
             const char *format, bool logarithmic = false, float width = -1.0F);
 /// Draws a thin slider with `shown` to its right; `t` in [0, 1]. Widths in design pixels.
-bool thinSlider(AppContext &context, std::string_view name, double &t, std::string_view shown, float width,
+bool thinSlider(WidgetContext &context, std::string_view name, double &t, std::string_view shown, float width,
                 float textWidth);
 /// Draws a one-line text field. Returns true when the text changed, or with `onEnter` when Enter was pressed.
-bool inputText(AppContext &context, std::string_view name, std::string &value, std::string_view hint = {},
+bool inputText(WidgetContext &context, std::string_view name, std::string &value, std::string_view hint = {},
                float width = -1.0F, bool onEnter = false, bool focus = false);
 /// Draws a text field that is committed by Enter, Tab or a click elsewhere; Esc restores the old text. Returns true in
 /// the frame in which a changed text is committed to `value`. `selectAll`: entering the field selects its text.
-bool entry(AppContext &context, std::string_view name, std::string &value, std::string_view hint = {},
+bool entry(WidgetContext &context, std::string_view name, std::string &value, std::string_view hint = {},
            float width = -1.0F, bool selectAll = false);
-/// Draws an entry() for a number. Reports anything but a finite number in the log and keeps the old value.
-bool inputNumber(AppContext &context, std::string_view name, double &value, float width = -1.0F);
-/// Parses a typed number; reports an invalid one in the log and returns nothing.
-std::optional<double> typedNumber(AppContext &context, const std::string &typed);
 /// Whether a text field has the keyboard, and what it can undo and redo.
 struct Typing {
     bool active = false, canUndo = false, canRedo = false;
 };
 Typing typing();
 /// Draws a selectable row. Returns true when clicked.
-bool selectable(AppContext &context, std::string_view name, std::string_view label, bool selected,
+bool selectable(WidgetContext &context, std::string_view name, std::string_view label, bool selected,
                 std::string_view detail = {});
 /// Draws a link. Returns true when clicked.
-bool link(AppContext &context, std::string_view name, std::string_view text);
-/// Draws a menu item that runs an action.
-void actionItem(AppContext &context, const Action &action);
+bool link(WidgetContext &context, std::string_view name, std::string_view text);
 
 /// Draws a heading over a group.
-void heading(AppContext &context, std::string_view text);
+void heading(WidgetContext &context, std::string_view text);
 /// Draws a muted label and, at a fixed column (design pixels), its value.
-void field(AppContext &context, std::string_view label, std::string_view value, float column = 108.0F);
-void muted(AppContext &context, std::string_view text);
-void small(AppContext &context, std::string_view text, bool wrap = false);
+void field(WidgetContext &context, std::string_view label, std::string_view value, float column = 108.0F);
+void muted(WidgetContext &context, std::string_view text);
+void small(WidgetContext &context, std::string_view text, bool wrap = false);
 /// Shows `text` while the last item is hovered.
-void tooltip(AppContext &context, std::string_view text);
+void tooltip(WidgetContext &context, std::string_view text);
 /// Shows `text` while the last item, or the label to its left, is hovered.
-void rowTooltip(AppContext &context, std::string_view text);
+void rowTooltip(WidgetContext &context, std::string_view text);
 /// Shows `text` while the pointer is over a rectangle of the current window.
-void tooltipOver(AppContext &context, const PixelRect &rect, std::string_view text);
+void tooltipOver(WidgetContext &context, const PixelRect &rect, std::string_view text);
 /// Draws a coloured pill with text, such as "out of date". Returns true when clicked.
-bool badge(AppContext &context, std::string_view name, std::string_view text, Colour colour);
+bool badge(WidgetContext &context, std::string_view name, std::string_view text, Colour colour);
 
 /// Formats a count with grouped digits: "12 345".
 std::string count(std::uint64_t number);

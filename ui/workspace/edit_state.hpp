@@ -10,7 +10,7 @@
 
 namespace forefront {
 
-struct AppContext;
+struct Workspace;
 class CanvasPainter;
 
 namespace ui {
@@ -30,20 +30,20 @@ struct EditState {
     double sourceGrowth = 0.2;
 
     /// Returns the index of the current document; rebuilds it if the document has changed.
-    const std::shared_ptr<const PickIndex> &index(const AppContext &context);
+    const std::shared_ptr<const PickIndex> &index(const Workspace &context);
     /// Returns a new stroke key for DocumentStore::apply().
     std::string newStroke();
     /// Makes `next` the document, or logs why it was refused. True if applied.
-    static bool apply(AppContext &context, Result<Document> next, const std::string &label,
+    static bool apply(Workspace &context, Result<Document> next, const std::string &label,
                       const std::string &merge = {});
     /// Converts a reach of the pointer from design pixels to domain units.
-    static double reach(const AppContext &context, double designPixels);
+    static double reach(const Workspace &context, double designPixels);
     /// A snap query with the current options; `angle` and `off` come from the modifiers of the event.
-    SnapQuery query(const AppContext &context, Vec2 place, bool angle, bool off) const;
+    SnapQuery query(const Workspace &context, Vec2 place, bool angle, bool off) const;
     /// Rounds a suggested number to two significant digits.
     static double twoDigits(double value);
     /// Draws the snapping switches in the options strip.
-    void drawSnapOptions(AppContext &context, ui::Flow &flow);
+    void drawSnapOptions(Workspace &context, ui::Flow &flow);
 
   private:
     std::shared_ptr<const PickIndex> index_;
@@ -52,6 +52,6 @@ struct EditState {
 };
 
 /// Draws the mark of a snapped place; each kind of snap has its own.
-void drawSnapMark(CanvasPainter &painter, const AppContext &context, const Snapped &snapped);
+void drawSnapMark(CanvasPainter &painter, const Workspace &context, const Snapped &snapped);
 
 } // namespace forefront

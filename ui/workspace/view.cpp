@@ -1,4 +1,4 @@
-#include "ui/editor/app_context.hpp"
+#include "ui/workspace/view.hpp"
 
 namespace forefront {
 
@@ -34,27 +34,6 @@ void View::goTo(Vec2 place, double now) {
     camera.centre = place;
     flag = place;
     flagTime = now;
-}
-
-void ToolBox::choose(std::string_view id, AppContext &context) {
-    for (std::size_t i = 0; i < tools.size(); ++i) {
-        if (tools[i]->id() == id && i != active) {
-            current().deactivate(context);
-            active = i;
-            current().activate(context);
-            context.animate();
-            return;
-        }
-    }
-}
-
-LayerSlot *AppContext::layer(std::string_view id) {
-    for (LayerSlot &slot : layers) {
-        if (slot.layer->id() == id) {
-            return &slot;
-        }
-    }
-    return nullptr;
 }
 
 } // namespace forefront

@@ -1,7 +1,9 @@
 #include "ui/dialogs/file_commands.hpp"
-#include "ui/editor/app_context.hpp"
-#include "ui/editor/assets.hpp"
+#include "ui/parts/shell.hpp"
+#include "ui/platform/assets.hpp"
 #include "ui/shell/help_dialogs.hpp"
+#include "ui/shell/shell.hpp"
+#include "ui/tools/make_tools.hpp"
 
 #include <algorithm>
 
@@ -13,9 +15,9 @@ constexpr Modifiers kNone{};
 constexpr Modifiers kShift{Modifiers::kShift};
 constexpr Modifiers kControl{Modifiers::kControl};
 
-Box2 drawingBounds(const AppContext &context) {
+Box2 drawingBounds(const Shell &context) {
     Box2 box;
-    for (const auto &shape : context.document().current()->shapes) {
+    for (const auto &shape : context.document.current()->shapes) {
         const bool circle = shape->kind == ShapeKind::Circle && shape->nodes.size() >= 2;
         const double radius = circle ? distance(shape->nodes[0], shape->nodes[1]) : 0.0;
         for (const Vec2 node : shape->nodes) {
@@ -28,27 +30,27 @@ Box2 drawingBounds(const AppContext &context) {
     return box.empty() ? Box2{{0, 0}, {10, 7}} : box;
 }
 
-void chooseTheme(AppContext &context, ThemeKind kind) {
+void chooseTheme(Shell &context, ThemeKind kind) {
     context.settings.theme = kind;
     context.animate();
 }
 
 void addCameraActions(ActionRegistry &actions) {
     actions.add(
-        {.id = "view.fit", .menu = "View", .title = "Show all", .shortcuts = {{'F', kNone}}, .run = [](AppContext &c) {
+        {.id = "view.fit", .menu = "View", .title = "Show all", .shortcuts = {{'F', kNone}}, .run = [](Shell &c) {
              c.view.fit(drawingBounds(c));
          }});
     actions.add({.id = "view.zoomIn",
                  .menu = "View",
                  .title = "Zoom in",
                  .shortcuts = {{key::kEqual, kNone}, {key::kEqual, kControl}},
-                 .run = [](AppContext &c) { c.view.zoomAt(c.view.camera.viewport.centre(), 1.4); },
+                 .run = [](Shell &c) { c.view.zoomAt(c.view.camera.viewport.centre(), 1.4); },
                  .repeats = true});
     actions.add({.id = "view.zoomOut",
                  .menu = "View",
                  .title = "Zoom out",
                  .shortcuts = {{key::kMinus, kNone}, {key::kMinus, kControl}},
-                 .run = [](AppContext &c) { c.view.zoomAt(c.view.camera.viewport.centre(), 1.0 / 1.4); },
+                 .run = [](Shell &c) { c.view.zoomAt(c.view.camera.viewport.centre(), 1.0 / 1.4); },
                  .repeats = true});
 }
 
@@ -58,38 +60,37 @@ void addInterfaceActions(ActionRegistry &actions) {
                  .title = "Panels",
                  .shortcuts = {{key::kTab, kNone}},
                  .run =
-                     [](AppContext &c) {
+                     [](Shell &c) {
                          c.view.panels = !c.view.panels;
                          c.animate();
                      },
-                 .checked = [](const AppContext &c) { return c.view.panels; },
+                 .checked = [](const Shell &c) { return c.view.panels; },
                  .separatorBefore = true});
-    actions.add({.id = "view.theme",
-                 .menu = "View",
-                 .title = "Light theme",
-                 .run =
-                     [](AppContext &c) {
-                         chooseTheme(c, c.settings.theme == ThemeKind::Dark ? ThemeKind::Light : ThemeKind::Dark);
-                     },
-                 .checked = [](const AppContext &c) { return c.settings.theme == ThemeKind::Light; }});
-    actions.add({.id = "view.scale", .menu = "View", .title = "Interface scale\xe2\x80\xa6", .run = [](AppContext &c) {
+    actions.add(
+        {.id = "view.theme",
+         .menu = "View",
+         .title = "Light theme",
+         .run =
+             [](Shell &c) { chooseTheme(c, c.settings.theme == ThemeKind::Dark ? ThemeKind::Light : ThemeKind::Dark); },
+         .checked = [](const Shell &c) { return c.settings.theme == ThemeKind::Light; }});
+    actions.add({.id = "view.scale", .menu = "View", .title = "Interface scale\xe2\x80\xa6", .run = [](Shell &c) {
                      c.dialogs.open(makeScaleDialog());
                  }});
     actions.add({.id = "view.palette",
                  .menu = "View",
                  .title = "Command palette\xe2\x80\xa6",
                  .shortcuts = {{'P', kControl}},
-                 .run = [](AppContext &c) { c.dialogs.open(makePalette()); },
+                 .run = [](Shell &c) { c.dialogs.open(makePalette()); },
                  .separatorBefore = true});
     actions.add({.id = "view.hints",
                  .menu = "Help",
                  .title = "Show hints",
-                 .run = [](AppContext &c) { c.settings.hints = !c.settings.hints; },
-                 .checked = [](const AppContext &c) { return c.settings.hints; }});
+                 .run = [](Shell &c) { c.settings.hints = !c.settings.hints; },
+                 .checked = [](const Shell &c) { return c.settings.hints; }});
 }
 
-bool canMesh(const AppContext &context) {
-    return !context.document().current()->shapes.empty();
+bool canMesh(const Shell &context) {
+    return !context.document.current()->shapes.empty();
 }
 
 void addRunActions(ActionRegistry &actions) {
@@ -98,22 +99,22 @@ void addRunActions(ActionRegistry &actions) {
                  .title = "Mesh",
                  .shortcuts = {{key::k2, kNone}, {key::kF5, kNone}},
                  .run =
-                     [](AppContext &c) {
+                     [](Shell &c) {
                          c.view.isolatedBin.reset();
-                         c.run().mesh();
+                         c.run.mesh();
                      },
                  .enabled = canMesh});
     actions.add({.id = "run.cancel",
                  .menu = "Mesh",
                  .title = "Cancel",
                  .shortcuts = {{key::kEscape, kNone}},
-                 .run = [](AppContext &c) { c.run().cancel(); },
-                 .enabled = [](const AppContext &c) { return c.run().busy(); }});
+                 .run = [](Shell &c) { c.run.cancel(); },
+                 .enabled = [](const Shell &c) { return c.run.busy(); }});
     actions.add({.id = "run.live",
                  .menu = "Mesh",
                  .title = "Live meshing",
-                 .run = [](AppContext &c) { c.run().live = !c.run().live; },
-                 .checked = [](const AppContext &c) { return c.run().live; }});
+                 .run = [](Shell &c) { c.run.live = !c.run.live; },
+                 .checked = [](const Shell &c) { return c.run.live; }});
 }
 
 void addTimelineActions(ActionRegistry &actions) {
@@ -122,9 +123,9 @@ void addTimelineActions(ActionRegistry &actions) {
                  .title = "Play or pause",
                  .shortcuts = {{key::kSpace, kNone}},
                  .run =
-                     [](AppContext &c) {
+                     [](Shell &c) {
                          c.view.isolatedBin.reset();
-                         c.run().togglePlay();
+                         c.run.togglePlay();
                      },
                  .enabled = canMesh,
                  .separatorBefore = true});
@@ -142,9 +143,9 @@ void addTimelineActions(ActionRegistry &actions) {
                      .title = step.title,
                      .shortcuts = {step.shortcut},
                      .run =
-                         [n = step.steps](AppContext &c) {
+                         [n = step.steps](Shell &c) {
                              c.view.isolatedBin.reset();
-                             c.run().step(c.run().granularity, n);
+                             c.run.step(c.run.granularity, n);
                          },
                      .enabled = canMesh,
                      .repeats = true});
@@ -153,13 +154,13 @@ void addTimelineActions(ActionRegistry &actions) {
                  .menu = "Mesh",
                  .title = "Go to start",
                  .shortcuts = {{key::kHome, kNone}},
-                 .run = [](AppContext &c) { c.run().seek(0); },
+                 .run = [](Shell &c) { c.run.seek(0); },
                  .enabled = canMesh});
     actions.add({.id = "run.end",
                  .menu = "Mesh",
                  .title = "Go to end",
                  .shortcuts = {{key::kEnd, kNone}},
-                 .run = [](AppContext &c) { c.run().seekEnd(); },
+                 .run = [](Shell &c) { c.run.seekEnd(); },
                  .enabled = canMesh});
 }
 
@@ -168,16 +169,16 @@ void addPlaceActions(ActionRegistry &actions) {
                  .menu = "Mesh",
                  .title = "Go to the worst element",
                  .run =
-                     [](AppContext &c) {
-                         const SessionSnapshot &s = c.run().now();
+                     [](Shell &c) {
+                         const SessionSnapshot &s = c.run.now();
                          const Element &e = s.mesh->mesh.elements[index(s.quality.worst)];
                          const auto &n = s.mesh->mesh.nodes;
                          c.view.goTo((1.0 / 3.0) * (n[index(e[0])] + n[index(e[1])] + n[index(e[2])]),
                                      c.platform.now());
                      },
                  .enabled =
-                     [](const AppContext &c) {
-                         const SessionSnapshot &s = c.run().now();
+                     [](const Shell &c) {
+                         const SessionSnapshot &s = c.run.now();
                          return s.mesh && s.quality.worst != kNoElement &&
                                 index(s.quality.worst) < s.mesh->mesh.elements.size();
                      },
@@ -186,7 +187,7 @@ void addPlaceActions(ActionRegistry &actions) {
                  .menu = "",
                  .title = "Go to the first fault",
                  .run =
-                     [](AppContext &c) {
+                     [](Shell &c) {
                          const auto &faults = c.preview->faults;
                          const auto placed = std::find_if(faults.begin(), faults.end(),
                                                           [](const Diagnostic &d) { return d.at.has_value(); });
@@ -195,7 +196,7 @@ void addPlaceActions(ActionRegistry &actions) {
                          }
                          c.log.add(faults);
                      },
-                 .enabled = [](const AppContext &c) { return !c.preview->faults.empty(); }});
+                 .enabled = [](const Shell &c) { return !c.preview->faults.empty(); }});
 }
 
 void addHelpActions(ActionRegistry &actions) {
@@ -203,23 +204,34 @@ void addHelpActions(ActionRegistry &actions) {
                  .menu = "Help",
                  .title = "Shortcuts",
                  .shortcuts = {{key::kF1, kNone}, {key::kSlash, kShift}},
-                 .run = [](AppContext &c) { c.dialogs.open(makeShortcutSheet()); }});
+                 .run = [](Shell &c) { c.dialogs.open(makeShortcutSheet()); }});
     actions.add({.id = "help.about",
                  .menu = "Help",
                  .title = "About Forefront",
-                 .run = [](AppContext &c) { c.dialogs.open(makeAbout()); },
+                 .run = [](Shell &c) { c.dialogs.open(makeAbout()); },
                  .separatorBefore = true});
     for (const Sample &sample : samples()) {
         actions.add({.id = "learn." + sample.path.stem().string(),
                      .menu = "Learn",
                      .title = sample.title,
-                     .run = [path = sample.path](AppContext &c) { openDocument(c, path); }});
+                     .run = [path = sample.path](Shell &c) { openDocument(c, path); }});
+    }
+}
+
+/// Adds the tools to the command palette; their keys are defined by the tools.
+void addToolActions(ActionRegistry &actions) {
+    for (const auto &tool : makeTools()) {
+        actions.add({.id = std::string("tool.") + tool->id(),
+                     .menu = "",
+                     .title = std::string("Tool: ") + tool->name(),
+                     .run = [id = std::string(tool->id())](Shell &c) { c.tools.choose(id, c); }});
     }
 }
 
 } // namespace
 
-void addShellActions(ActionRegistry &actions) {
+void shell::addShellActions(ActionRegistry &actions) {
+    addToolActions(actions);
     addCameraActions(actions);
     addInterfaceActions(actions);
     addRunActions(actions);

@@ -9,7 +9,7 @@
 
 namespace forefront {
 
-struct AppContext;
+struct Shell;
 
 struct Shortcut {
     int key = 0; ///< 0: none
@@ -25,10 +25,10 @@ struct Action {
     std::string menu;                  ///< "File", "Edit", "View", "Mesh", "Learn", "Help"; empty: palette only
     std::string title;                 ///< "Save"
     std::vector<Shortcut> shortcuts{}; ///< the first is shown
-    std::function<void(AppContext &)> run;
-    std::function<bool(const AppContext &)> enabled{};        ///< absent: always
-    std::function<bool(const AppContext &)> checked{};        ///< absent: no check mark
-    std::function<std::string(const AppContext &)> dynamic{}; ///< a title that changes, such as "Undo move node"
+    std::function<void(Shell &)> run;
+    std::function<bool(const Shell &)> enabled{};        ///< absent: always
+    std::function<bool(const Shell &)> checked{};        ///< absent: no check mark
+    std::function<std::string(const Shell &)> dynamic{}; ///< a title that changes, such as "Undo move node"
     bool separatorBefore = false;
     bool repeats = false; ///< its shortcut repeats while held
 };
@@ -40,20 +40,15 @@ class ActionRegistry {
     const Action *find(std::string_view id) const;
     const std::vector<Action> &all() const { return actions_; }
     /// Runs the enabled action with this shortcut. False if there is none.
-    bool runShortcut(Shortcut shortcut, bool repeated, AppContext &context) const;
+    bool runShortcut(Shortcut shortcut, bool repeated, Shell &context) const;
     /// True if an action has this shortcut, enabled or not.
     bool knows(Shortcut shortcut) const;
     /// True if a shortcut with this key repeats while held.
     bool repeats(int key) const;
-    bool run(std::string_view id, AppContext &context) const;
+    bool run(std::string_view id, Shell &context) const;
 
   private:
     std::vector<Action> actions_;
 };
-
-/// Actions of the shell: view, run, help.
-void addShellActions(ActionRegistry &actions);
-/// Actions of files and editing (in ui/dialogs).
-void addEditActions(ActionRegistry &actions);
 
 } // namespace forefront

@@ -1,4 +1,4 @@
-#include "ui/editor/app_context.hpp"
+#include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
@@ -13,7 +13,7 @@ void DialogHost::closeAll() {
     opening_.clear();
 }
 
-void DialogHost::drawFrom(std::size_t level, AppContext &context, std::vector<bool> &keep) {
+void DialogHost::drawFrom(std::size_t level, Shell &context, std::vector<bool> &keep) {
     Dialog &dialog = *stack_[level];
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const std::string title = dialog.title() + "###dialog" + dialog.id();
@@ -65,7 +65,7 @@ void DialogHost::drawFrom(std::size_t level, AppContext &context, std::vector<bo
     ImGui::PopStyleVar(3);
 }
 
-void DialogHost::draw(AppContext &context) {
+void DialogHost::draw(Shell &context) {
     for (std::unique_ptr<Dialog> &dialog : opening_) {
         stack_.push_back(std::move(dialog));
         context.animate();

@@ -1,27 +1,27 @@
-#include "ui/editor/recovery.hpp"
+#include "ui/dialogs/recovery.hpp"
 
 #include "core/io/files.hpp"
 #include "ui/dialogs/recovery_dialog.hpp"
-#include "ui/editor/app_context.hpp"
+#include "ui/parts/shell.hpp"
 
 namespace forefront {
 
 Recovery::Recovery(const std::filesystem::path &folder)
     : folder_(folder / "recovery"), journal_(folder / "recovery", projectText) {}
 
-void Recovery::offer(AppContext &context) {
+void Recovery::offer(Shell &context) {
     std::vector<OrphanedJournal> orphans = findOrphanedJournals(folder_);
     if (!orphans.empty()) {
         context.dialogs.open(std::make_unique<RecoveryDialog>(*this, std::move(orphans)));
     }
 }
 
-void Recovery::follow(AppContext &context) {
-    const std::uint64_t revision = context.document().revision();
-    const bool dirty = context.document().dirty();
+void Recovery::follow(Shell &context) {
+    const std::uint64_t revision = context.document.revision();
+    const bool dirty = context.document.dirty();
     if (revision != revision_ || dirty != dirty_) {
         if (dirty) {
-            journal_.record(context.document().current(), context.document().path());
+            journal_.record(context.document.current(), context.document.path());
         } else {
             journal_.recordSaved();
         }
@@ -31,15 +31,15 @@ void Recovery::follow(AppContext &context) {
     context.log.add(journal_.takeFaults());
 }
 
-bool Recovery::recover(OrphanedJournal &orphan, AppContext &context) {
+bool Recovery::recover(OrphanedJournal &orphan, Shell &context) {
     Result<Document> document = parseProject(orphan.text(), orphan.file().string());
     if (!document) {
         context.log.add(document.faults());
         return false;
     }
-    context.document().load(std::move(document).value(), orphan.savedAt(), true);
+    context.document.load(std::move(document).value(), orphan.savedAt(), true);
     context.selection.clear();
-    context.run().clear();
+    context.run.clear();
     context.view.fitPending = true;
     follow(context);
     journal_.flush();

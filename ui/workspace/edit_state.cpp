@@ -1,9 +1,9 @@
-#include "ui/tools/edit_state.hpp"
+#include "ui/workspace/edit_state.hpp"
 
 #include "ui/canvas/canvas_painter.hpp"
-#include "ui/editor/app_context.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/workspace.hpp"
 
 #include <imgui.h>
 
@@ -11,10 +11,10 @@
 
 namespace forefront {
 
-const std::shared_ptr<const PickIndex> &EditState::index(const AppContext &context) {
-    const std::uint64_t revision = context.document().revision();
+const std::shared_ptr<const PickIndex> &EditState::index(const Workspace &context) {
+    const std::uint64_t revision = context.document.revision();
     if (!index_ || revision_ != revision) {
-        index_ = std::make_shared<const PickIndex>(context.document().current());
+        index_ = std::make_shared<const PickIndex>(context.document.current());
         revision_ = revision;
     }
     return index_;
@@ -24,20 +24,20 @@ std::string EditState::newStroke() {
     return "stroke " + std::to_string(++strokes_);
 }
 
-bool EditState::apply(AppContext &context, Result<Document> next, const std::string &label, const std::string &merge) {
+bool EditState::apply(Workspace &context, Result<Document> next, const std::string &label, const std::string &merge) {
     if (!next) {
         context.log.add(next.faults());
         return false;
     }
-    context.document().apply(*std::move(next), label, merge);
+    context.document.apply(*std::move(next), label, merge);
     return true;
 }
 
-double EditState::reach(const AppContext &context, double designPixels) {
+double EditState::reach(const Workspace &context, double designPixels) {
     return context.view.camera.length(static_cast<double>(context.px(designPixels)));
 }
 
-SnapQuery EditState::query(const AppContext &context, Vec2 place, bool angle, bool off) const {
+SnapQuery EditState::query(const Workspace &context, Vec2 place, bool angle, bool off) const {
     SnapQuery query;
     query.at = place;
     query.tolerance = reach(context, 9.0);
@@ -50,7 +50,7 @@ SnapQuery EditState::query(const AppContext &context, Vec2 place, bool angle, bo
     return query;
 }
 
-void EditState::drawSnapOptions(AppContext &context, ui::Flow &flow) {
+void EditState::drawSnapOptions(Workspace &context, ui::Flow &flow) {
     flow.item("snap");
     ui::checkbox(context, "options/snap/drawing", "Snap to drawing", snapToDrawing);
     ui::tooltip(context, "Snap to nodes and segments. Hold Ctrl to turn snapping off, Shift for steps of 15\xc2\xb0.");
@@ -58,7 +58,7 @@ void EditState::drawSnapOptions(AppContext &context, ui::Flow &flow) {
     ui::checkbox(context, "options/snap/grid", "Grid", snapToGrid);
 }
 
-void drawSnapMark(CanvasPainter &painter, const AppContext &context, const Snapped &snapped) {
+void drawSnapMark(CanvasPainter &painter, const Workspace &context, const Snapped &snapped) {
     const Theme &theme = context.theme;
     switch (snapped.kind) {
     case SnapKind::Node:

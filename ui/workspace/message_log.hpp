@@ -1,10 +1,10 @@
 #pragma once
 
 #include "core/base/diagnostic.hpp"
+#include "ui/workspace/document_store.hpp"
 
 #include <cstdint>
 #include <deque>
-#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -23,6 +23,9 @@ class MessageLog {
         std::string topic;          ///< see note()
     };
     static constexpr std::size_t kLimit = 1000;
+
+    /// Creates a log whose entries are about `document` as it is when they are added, unless they say otherwise.
+    explicit MessageLog(const DocumentStore &document) : document_(document) {}
 
     /// Logs a fault of the document with `revision`, by default the current one.
     void add(Diagnostic diagnostic, std::optional<std::uint64_t> revision = {}) {
@@ -54,22 +57,19 @@ class MessageLog {
     void clear() { entries_.clear(); }
     const std::deque<Entry> &entries() const { return entries_; }
     void setTime(double now) { time_ = now; }
-    /// Sets the source of the current document's revision.
-    void follow(std::function<std::uint64_t()> revision) { revision_ = std::move(revision); }
 
   private:
     void push(Diagnostic diagnostic, bool told, std::optional<std::uint64_t> revision) {
-        const std::uint64_t current = revision_ ? revision_() : 0;
-        entries_.push_back({std::move(diagnostic), time_, ++count_, revision.value_or(current), told, {}});
+        entries_.push_back({std::move(diagnostic), time_, ++count_, revision.value_or(document_.revision()), told, {}});
         if (entries_.size() > kLimit) {
             entries_.pop_front();
         }
     }
 
+    const DocumentStore &document_;
     std::deque<Entry> entries_;
     std::uint64_t count_ = 0;
     double time_ = 0.0;
-    std::function<std::uint64_t()> revision_;
 };
 
 } // namespace forefront

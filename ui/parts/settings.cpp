@@ -1,4 +1,4 @@
-#include "ui/editor/settings.hpp"
+#include "ui/parts/settings.hpp"
 
 #include "core/io/files.hpp"
 

@@ -1,4 +1,4 @@
-#include "ui/layers/moment.hpp"
+#include "ui/workspace/moment.hpp"
 
 #include <algorithm>
 

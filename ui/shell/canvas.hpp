@@ -6,7 +6,7 @@
 namespace forefront {
 
 class Platform;
-struct AppContext;
+struct Shell;
 
 /// The drawing area: draws all visible layers beneath the windows of Dear ImGui. The still parts of the layers are kept
 /// in a texture.
@@ -18,7 +18,7 @@ class Canvas {
     Canvas &operator=(const Canvas &) = delete;
 
     /// Draws to the target framebuffer, and overlays to Dear ImGui's background list. Call between NewFrame and Render.
-    void draw(AppContext &context);
+    void draw(Shell &context);
     /// Number of times the still parts were redrawn; for tests.
     std::uint64_t stillDraws() const;
 

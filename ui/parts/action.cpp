@@ -1,6 +1,6 @@
-#include "ui/editor/action.hpp"
+#include "ui/parts/action.hpp"
 
-#include "ui/editor/app_context.hpp"
+#include "ui/parts/shell.hpp"
 
 #include <algorithm>
 
@@ -65,7 +65,7 @@ const Action *ActionRegistry::find(std::string_view id) const {
     return found == actions_.end() ? nullptr : &*found;
 }
 
-bool ActionRegistry::run(std::string_view id, AppContext &context) const {
+bool ActionRegistry::run(std::string_view id, Shell &context) const {
     const Action *action = find(id);
     if (action == nullptr || (action->enabled && !action->enabled(context))) {
         return false;
@@ -87,7 +87,7 @@ bool ActionRegistry::repeats(int key) const {
     });
 }
 
-bool ActionRegistry::runShortcut(Shortcut shortcut, bool repeated, AppContext &context) const {
+bool ActionRegistry::runShortcut(Shortcut shortcut, bool repeated, Shell &context) const {
     for (const Action &action : actions_) {
         const bool matches =
             std::find(action.shortcuts.begin(), action.shortcuts.end(), shortcut) != action.shortcuts.end();

@@ -2,11 +2,11 @@
 
 #include "core/session/snapshot.hpp"
 #include "ui/canvas/camera.hpp"
-#include "ui/editor/preview.hpp"
 #include "ui/platform/platform.hpp"
 #include "ui/style/colour_map.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/theme.hpp"
+#include "ui/workspace/preview.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -84,8 +84,5 @@ struct LayerSlot {
 
 /// Shows or hides a layer. Showing one that colours by value hides the others that do.
 void showLayer(std::vector<LayerSlot> &layers, std::string_view id, bool visible);
-
-/// Creates all layers, from the lowest to the topmost.
-std::vector<std::unique_ptr<Layer>> makeLayers();
 
 } // namespace forefront

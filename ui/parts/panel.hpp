@@ -1,12 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
-#include <vector>
 
 namespace forefront {
 
-struct AppContext;
+struct Shell;
 
 /// Position of a panel in the right column.
 enum class PanelPlace : std::uint8_t {
@@ -25,10 +23,7 @@ class Panel {
     /// Height of a stacked panel in design pixels; 0: as high as its content.
     virtual double height() const { return 0.0; }
     /// Draws the content with Dear ImGui and ui/widgets.hpp; the width is ImGui::GetContentRegionAvail().x.
-    virtual void draw(AppContext &context) = 0;
+    virtual void draw(Shell &context) = 0;
 };
-
-/// Creates all panels: the stacked ones from top to bottom, then the tabs from left to right.
-std::vector<std::unique_ptr<Panel>> makePanels();
 
 } // namespace forefront

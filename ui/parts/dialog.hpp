@@ -6,7 +6,7 @@
 
 namespace forefront {
 
-struct AppContext;
+struct Shell;
 
 /// A modal dialog, centred over the dimmed window. Open one with context.dialogs.open(std::make_unique<...>()); several
 /// stack. Esc closes it unless closesOnEscape() returns false.
@@ -20,7 +20,7 @@ class Dialog {
     virtual float height() const { return 0.0F; }
     virtual bool closesOnEscape() const { return true; }
     /// Draws the content. Returns false to close the dialog.
-    virtual bool draw(AppContext &context) = 0;
+    virtual bool draw(Shell &context) = 0;
 };
 
 class DialogHost {
@@ -31,10 +31,10 @@ class DialogHost {
     bool any() const { return !stack_.empty() || !opening_.empty(); }
     void closeAll();
     /// Draws all dialogs; called once per frame by the editor.
-    void draw(AppContext &context);
+    void draw(Shell &context);
 
   private:
-    void drawFrom(std::size_t level, AppContext &context, std::vector<bool> &keep);
+    void drawFrom(std::size_t level, Shell &context, std::vector<bool> &keep);
 
     std::vector<std::unique_ptr<Dialog>> stack_;
     std::vector<std::unique_ptr<Dialog>> opening_;

@@ -1,11 +1,11 @@
-#include "ui/canvas/canvas.hpp"
+#include "ui/shell/canvas.hpp"
 
 #include "core/base/hash.hpp"
 #include "core/edit/shape_geometry.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/canvas/legend.hpp"
-#include "ui/editor/app_context.hpp"
 #include "ui/gl/gl_kit.hpp"
+#include "ui/parts/shell.hpp"
 #include "ui/style/quality_range.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -87,12 +87,12 @@ struct Canvas::Parts {
     Box2 rasterBox;
     double rasterZoom = 0.0;
 
-    void requestRaster(AppContext &context);
-    void drawStill(AppContext &context, const LayerFrame &frame);
-    void drawLive(AppContext &context, const LayerFrame &frame);
-    static void drawLegends(AppContext &context, CanvasPainter &painter, const LayerFrame &frame);
-    static void reservePlates(const AppContext &context, CanvasPainter &painter);
-    void drawOverlays(AppContext &context, const LayerFrame &frame);
+    void requestRaster(Shell &context);
+    void drawStill(Shell &context, const LayerFrame &frame);
+    void drawLive(Shell &context, const LayerFrame &frame);
+    static void drawLegends(Shell &context, CanvasPainter &painter, const LayerFrame &frame);
+    static void reservePlates(const Shell &context, CanvasPainter &painter);
+    void drawOverlays(Shell &context, const LayerFrame &frame);
 };
 
 Canvas::Canvas(Platform &) : parts_(std::make_unique<Parts>()) {}
@@ -105,11 +105,11 @@ std::uint64_t Canvas::stillDraws() const {
 
 /// Requests a raster of ρ over the part in view and a margin around it. Makes a new request only when the last raster
 /// no longer covers the view or is too coarse, so that panning does not resample all the time.
-void Canvas::Parts::requestRaster(AppContext &context) {
+void Canvas::Parts::requestRaster(Shell &context) {
     const LayerSlot *layer = context.layer("size");
     const Box2 bounds = domain.bounds();
     if (layer == nullptr || !layer->visible || bounds.empty()) {
-        context.previews->submitRaster({}, 0, 0);
+        context.previews.submitRaster({}, 0, 0);
         rasterBox = {};
         return;
     }
@@ -132,11 +132,11 @@ void Canvas::Parts::requestRaster(AppContext &context) {
         rasterZoom = camera.zoom;
         const double samples = camera.zoom / (kPixelsPerSample * static_cast<double>(context.scale));
         const auto count = [&](double length) { return std::clamp(static_cast<int>(length * samples), 8, 1400); };
-        context.previews->submitRaster(rasterBox, count(rasterBox.size().x), count(rasterBox.size().y));
+        context.previews.submitRaster(rasterBox, count(rasterBox.size().x), count(rasterBox.size().y));
     }
 }
 
-void Canvas::Parts::drawStill(AppContext &context, const LayerFrame &frame) {
+void Canvas::Parts::drawStill(Shell &context, const LayerFrame &frame) {
     const PixelRect &rect = frame.camera.viewport;
     const PixelSize size{static_cast<int>(rect.width), static_cast<int>(rect.height)};
     const std::uint64_t stamp = forefront::stillStamp(frame, context.layers);
@@ -157,7 +157,7 @@ void Canvas::Parts::drawStill(AppContext &context, const LayerFrame &frame) {
     }
 }
 
-void Canvas::Parts::drawLive(AppContext &context, const LayerFrame &frame) {
+void Canvas::Parts::drawLive(Shell &context, const LayerFrame &frame) {
     const PixelRect &rect = frame.camera.viewport;
     const int x = static_cast<int>(rect.x), width = static_cast<int>(rect.width),
               height = static_cast<int>(rect.height);
@@ -177,7 +177,7 @@ void Canvas::Parts::drawLive(AppContext &context, const LayerFrame &frame) {
 }
 
 /// Draws the legends from the lower right corner to the left, then in rows above.
-void Canvas::Parts::drawLegends(AppContext &context, CanvasPainter &painter, const LayerFrame &frame) {
+void Canvas::Parts::drawLegends(Shell &context, CanvasPainter &painter, const LayerFrame &frame) {
     const PixelRect &rect = frame.camera.viewport;
     const double s = frame.scale;
     const int abreast = legendsAbreast(rect.width / s);
@@ -196,7 +196,7 @@ void Canvas::Parts::drawLegends(AppContext &context, CanvasPainter &painter, con
 }
 
 /// Keeps labels from under the plates on the canvas, as the last frame placed them, and off the selected nodes.
-void Canvas::Parts::reservePlates(const AppContext &context, CanvasPainter &painter) {
+void Canvas::Parts::reservePlates(const Shell &context, CanvasPainter &painter) {
     for (const auto &[name, widget] : context.widgets.all()) {
         const bool plate = name == "options" || name == "hints" || name == "canvas/plate" || name == "canvas/news" ||
                            name.starts_with("canvas/legend/");
@@ -206,7 +206,7 @@ void Canvas::Parts::reservePlates(const AppContext &context, CanvasPainter &pain
     }
     const double half = 6.0 * painter.scale();
     for (const NodeRef node : context.selection.nodes) {
-        const Shape *const shape = findShape(*context.document().current(), node.shape);
+        const Shape *const shape = findShape(*context.document.current(), node.shape);
         const std::vector<Vec2> handles = shape != nullptr ? handlesOf(*shape) : std::vector<Vec2>();
         if (node.node < handles.size()) {
             const Vec2 p = painter.camera().toPixel(handles[node.node]);
@@ -215,7 +215,7 @@ void Canvas::Parts::reservePlates(const AppContext &context, CanvasPainter &pain
     }
 }
 
-void Canvas::Parts::drawOverlays(AppContext &context, const LayerFrame &frame) {
+void Canvas::Parts::drawOverlays(Shell &context, const LayerFrame &frame) {
     const PixelRect &rect = frame.camera.viewport;
     ImDrawList &list = *ImGui::GetBackgroundDrawList();
     list.PushClipRect({static_cast<float>(rect.x), static_cast<float>(rect.y)},
@@ -240,28 +240,28 @@ void Canvas::Parts::drawOverlays(AppContext &context, const LayerFrame &frame) {
     list.PopClipRect();
 }
 
-void Canvas::draw(AppContext &context) {
-    if (parts_->domainRevision != context.document().revision()) {
-        parts_->domainRevision = context.document().revision();
-        parts_->domain = toDomain(*context.document().current());
+void Canvas::draw(Shell &context) {
+    if (parts_->domainRevision != context.document.revision()) {
+        parts_->domainRevision = context.document.revision();
+        parts_->domain = toDomain(*context.document.current());
     }
     parts_->requestRaster(context);
     const LayerFrame frame{.camera = context.view.camera,
                            .theme = context.theme,
                            .fonts = context.fonts,
                            .scale = static_cast<double>(context.scale),
-                           .snapshot = context.run().now(),
-                           .document = *context.document().current(),
+                           .snapshot = context.run.now(),
+                           .document = *context.document.current(),
                            .domain = parts_->domain,
-                           .revision = context.document().revision(),
+                           .revision = context.document.revision(),
                            .preview = *context.preview,
-                           .raster = context.previews->raster(),
+                           .raster = context.previews.raster(),
                            .selection = context.selection,
                            .pointer = context.view.pointer,
                            .isolatedBin = context.view.isolatedBin,
                            .qualityRange =
-                               context.view.qualityRange.value_or(fittedQualityRange(context.run().now().quality)),
-                           .outOfDate = context.run().outOfDate(),
+                               context.view.qualityRange.value_or(fittedQualityRange(context.run.now().quality)),
+                           .outOfDate = context.run.outOfDate(),
                            .layers = context.layers,
                            .gl = parts_->gl};
     glDisable(GL_DEPTH_TEST);

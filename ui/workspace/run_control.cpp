@@ -1,8 +1,8 @@
-#include "ui/editor/run_control.hpp"
+#include "ui/workspace/run_control.hpp"
 
-#include "ui/editor/document_store.hpp"
-#include "ui/editor/message_log.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/document_store.hpp"
+#include "ui/workspace/message_log.hpp"
 
 #include <algorithm>
 #include <utility>

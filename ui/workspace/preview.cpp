@@ -1,4 +1,4 @@
-#include "ui/editor/preview.hpp"
+#include "ui/workspace/preview.hpp"
 
 #include "core/domain/validate.hpp"
 #include "core/edit/document.hpp"

@@ -5,13 +5,11 @@
 #include "ui/platform/platform.hpp"
 
 #include <cstdint>
-#include <memory>
 #include <string>
-#include <vector>
 
 namespace forefront {
 
-struct AppContext;
+struct Shell;
 class CanvasPainter;
 
 namespace ui {
@@ -55,26 +53,23 @@ class Tool {
     /// Its shortcut, a capital letter.
     virtual int key() const = 0;
 
-    virtual void activate(AppContext &) {}
+    virtual void activate(Shell &) {}
     /// Finishes or drops unfinished input: another tool has been chosen.
-    virtual void deactivate(AppContext &) {}
+    virtual void deactivate(Shell &) {}
     /// Handles an event; true if used. Unused keys go to the shortcuts, so that a tool in the middle of a path can take
     /// digits, Enter, Backspace and Esc.
-    virtual bool handle(const CanvasEvent &event, AppContext &context) = 0;
-    virtual void drawOverlay(CanvasPainter &, AppContext &) {}
+    virtual bool handle(const CanvasEvent &event, Shell &context) = 0;
+    virtual void drawOverlay(CanvasPainter &, Shell &) {}
     /// Whether to show the options strip now.
-    virtual bool hasOptions(const AppContext &) const { return false; }
+    virtual bool hasOptions(const Shell &) const { return false; }
     /// Draws the widgets of the options strip, each an item of `flow`.
-    virtual void drawOptions(AppContext &, ui::Flow &) {}
+    virtual void drawOptions(Shell &, ui::Flow &) {}
     virtual CursorShape cursor() const { return CursorShape::Arrow; }
     /// One line for the status bar: what a click does now.
-    virtual std::string statusText(const AppContext &) const { return {}; }
+    virtual std::string statusText(const Shell &) const { return {}; }
     /// Undo and redo within unfinished input (the path being drawn). True if there was something to undo or redo.
-    virtual bool undo(AppContext &) { return false; }
-    virtual bool redo(AppContext &) { return false; }
+    virtual bool undo(Shell &) { return false; }
+    virtual bool redo(Shell &) { return false; }
 };
-
-/// Makes all tools in the order of the tool strip. The first one is active at start.
-std::vector<std::unique_ptr<Tool>> makeTools();
 
 } // namespace forefront

@@ -8,7 +8,7 @@
 
 namespace forefront {
 
-struct AppContext;
+struct Shell;
 
 /// Journals the open document and offers to recover what a crash left behind.
 class Recovery {
@@ -17,12 +17,12 @@ class Recovery {
     explicit Recovery(const std::filesystem::path &folder);
 
     /// Opens the recovery dialog if programs that crashed left journals.
-    void offer(AppContext &context);
+    void offer(Shell &context);
     /// Records the document in the journal if it has changed. Called once per frame.
-    void follow(AppContext &context);
+    void follow(Shell &context);
     /// Opens the document of a journal, unsaved, and removes that journal once the document is safe in our own. False
     /// if the journal cannot be read.
-    bool recover(OrphanedJournal &orphan, AppContext &context);
+    bool recover(OrphanedJournal &orphan, Shell &context);
 
   private:
     std::filesystem::path folder_;

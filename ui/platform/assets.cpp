@@ -1,4 +1,4 @@
-#include "ui/editor/assets.hpp"
+#include "ui/platform/assets.hpp"
 
 #include <cstdlib>
 #include <fstream>

@@ -1,0 +1,26 @@
+#include "ui/parts/shell.hpp"
+
+namespace forefront {
+
+void ToolBox::choose(std::string_view id, Shell &context) {
+    for (std::size_t i = 0; i < tools.size(); ++i) {
+        if (tools[i]->id() == id && i != active) {
+            current().deactivate(context);
+            active = i;
+            current().activate(context);
+            context.animate();
+            return;
+        }
+    }
+}
+
+LayerSlot *Shell::layer(std::string_view id) {
+    for (LayerSlot &slot : layers) {
+        if (slot.layer->id() == id) {
+            return &slot;
+        }
+    }
+    return nullptr;
+}
+
+} // namespace forefront

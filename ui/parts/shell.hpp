@@ -1,0 +1,44 @@
+#pragma once
+
+#include "ui/parts/action.hpp"
+#include "ui/parts/dialog.hpp"
+#include "ui/parts/layer.hpp"
+#include "ui/parts/panel.hpp"
+#include "ui/parts/settings.hpp"
+#include "ui/parts/tool.hpp"
+#include "ui/workspace/workspace.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+namespace forefront {
+
+/// The tools and which of them is active.
+struct ToolBox {
+    std::vector<std::unique_ptr<Tool>> tools;
+    std::size_t active = 0;
+
+    Tool &current() const { return *tools[active]; }
+    void choose(std::string_view id, Shell &context);
+};
+
+/// The workspace and the parts of the window around it. Handed to tools, panels, dialogs and actions; owned by Editor.
+struct Shell : Workspace {
+    Settings settings;
+    ActionRegistry actions;
+    DialogHost dialogs;
+    ToolBox tools;
+    std::vector<LayerSlot> layers;
+    std::vector<std::unique_ptr<Panel>> panels;
+    bool quit = false;           ///< end the program after this frame
+    bool closeRequested = false; ///< the user closed the window; "file.quit" decides
+
+    using Workspace::Workspace;
+
+    /// Returns the layer with this id, or null.
+    LayerSlot *layer(std::string_view id);
+};
+
+} // namespace forefront

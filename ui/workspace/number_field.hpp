@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace forefront {
+
+struct Workspace;
+
+namespace ui {
+
+/// Draws an entry() for a number. Reports anything but a finite number in the log and keeps the old value.
+bool inputNumber(Workspace &context, std::string_view name, double &value, float width = -1.0F);
+/// Parses a typed number; reports an invalid one in the log and returns nothing.
+std::optional<double> typedNumber(Workspace &context, const std::string &typed);
+
+} // namespace ui
+} // namespace forefront

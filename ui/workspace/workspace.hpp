@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/edit/references.hpp"
+#include "ui/widgets/widget_context.hpp"
+#include "ui/workspace/document_store.hpp"
+#include "ui/workspace/message_log.hpp"
+#include "ui/workspace/preview.hpp"
+#include "ui/workspace/run_control.hpp"
+#include "ui/workspace/view.hpp"
+
+#include <memory>
+
+namespace forefront {
+
+/// The open document with its view and selection, and everything computed from it.
+struct Workspace : WidgetContext {
+    DocumentStore document;
+    MessageLog log{document};
+    RunControl run;
+    Preview previews;
+    std::shared_ptr<const DocumentPreview> preview; ///< of this frame, never null
+    View view;
+    Selection selection;
+
+    explicit Workspace(Platform &owner)
+        : WidgetContext(owner), run(document, log, [&owner] { owner.wake(); }), previews([&owner] { owner.wake(); }),
+          preview(previews.latest()) {}
+};
+
+} // namespace forefront
