@@ -34,7 +34,7 @@ int runEditor(const EditorArguments &arguments) {
     const std::unique_ptr<GlfwPlatform> platform =
         GlfwPlatform::create({1440, 900}, "Forefront", settings.window, fault);
     if (!platform) {
-        std::fprintf(stderr, "forefront: no window can be opened: %s\n", fault.c_str());
+        std::fprintf(stderr, "forefront: cannot open a window: %s\n", fault.c_str());
         return kNoWindow;
     }
     platform->setIcon({64, 64}, makeIcon(64));

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the sample projects beside this file; the geometry is our own. Project format version 1."""
+"""Writes the sample projects to samples/; the geometry is our own. Project format version 1."""
 import base64
 import json
 import math
@@ -34,7 +34,7 @@ def encode_tile(values):
 
 
 def paint(discs, pitch=PITCH):
-    """Paints discs (x, y, radius, spacing); where they overlap, the finer one counts."""
+    """Paints discs (x, y, radius, spacing); where they overlap, the smaller spacing wins."""
     nodes = {}
     for x, y, radius, rho in discs:
         for j in range(math.floor((y - radius) / pitch), math.ceil((y + radius) / pitch) + 1):

@@ -11,7 +11,7 @@ out vec4 result;
 void main() {
     vec2 edge = min(inside, size - inside);
     float border = clamp(frameWidth + 0.5 - min(edge.x, edge.y), 0.0, 1.0);
-    // Frames of boxes of few pixels would hide everything: they fade.
+    // Fade the frames of boxes only a few pixels wide; they would hide everything else.
     border *= smoothstep(3.0, 9.0, min(size.x, size.y));
     vec4 over = vec4(frameTint.rgb, frameTint.a * border);
     float alpha = over.a + fillTint.a * (1.0 - over.a);

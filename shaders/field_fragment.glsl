@@ -1,5 +1,5 @@
 #version 330 core
-// Inside of the domain: plain, or coloured by the node spacing ρ on a logarithmic scale.
+// Fills the domain with one colour, or by the node spacing ρ on a logarithmic scale.
 in vec2 pixel;
 
 uniform vec2 viewport;

@@ -2,13 +2,13 @@
 in vec3 corner;
 flat in float shade;
 
-uniform vec4 face;        // of elements without a colour of their own
+uniform vec4 face;        // of elements not coloured by a value
 uniform vec4 edge;
 uniform float edgeWidth;  // pixels, of the whole edge
 uniform int coloured;     // 1: by value and map
 uniform sampler2D map;
 uniform vec2 range;       // values at the ends of the map
-uniform float veil;       // opacity of the edges where they are too dense to be told apart
+uniform float veil;       // opacity of edges too dense to be distinguished
 uniform float badBelow;   // elements below are hatched
 uniform vec4 hatch;
 uniform vec2 isolate;     // values shown alone; x > y: all

@@ -15,7 +15,7 @@ namespace {
 constexpr const char *kExamples = R"help(
 Examples:
   forefront mesh lake.geojson -o lake.msh
-        spacing from the boundary lengths, graded inwards; Gmsh MSH 2.2
+        automatic spacing; Gmsh MSH 2.2
   forefront mesh plate.poly -o plate.inp -o plate.svg --size 0.5
         edges of length 0.5; Abaqus input and a drawing
   forefront mesh plate.poly -o plate.msh --format msh41 --spacing "max(0.05, 0.2*sqrt(x*x+y*y))"

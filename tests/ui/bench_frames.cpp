@@ -12,7 +12,7 @@ namespace forefront::test {
 
 namespace {
 
-/// Median of the CPU time of the whole process (a software renderer draws in threads of its own), in ms a frame.
+/// Median of the CPU time of the whole process (a software renderer draws in threads of its own), in ms per frame.
 template <class Change>
 double millisecondsAFrame(Driver &driver, int count, Change change) {
     std::vector<double> times;
@@ -28,7 +28,7 @@ double millisecondsAFrame(Driver &driver, int count, Change change) {
 
 } // namespace
 
-// Not a test: figures for a look. forefront_ui_tests --no-skip -tc='Bench*'
+// Not a test; prints figures: forefront_ui_tests --no-skip -tc='Bench*'
 TEST_CASE("Bench: CPU time of frames with meshes of three sizes" * doctest::skip()) {
     std::printf("elements,resting_ms,pointer_ms,panning_ms,mesh_new_ms\n");
     for (const double elements : {1e3, 1e5, 1e6}) {

@@ -23,7 +23,7 @@ double percentile(const std::vector<double> &sorted, double part) {
     return sorted.empty() ? 0.0 : sorted[static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1))];
 }
 
-/// A hand that drags a node of a live-meshed square round a small circle without ever resting, and a watch.
+/// Drags a node of a live-meshed square around a small circle without a pause, and measures latencies.
 class DragBench {
   public:
     explicit DragBench(double elements) {
@@ -53,11 +53,11 @@ class DragBench {
     }
 
   private:
-    static constexpr double kPointerPeriod = 1.0 / 125.0; ///< seconds, as of a common mouse
+    static constexpr double kPointerPeriod = 1.0 / 125.0; ///< seconds, as with a common mouse
 
     struct Input {
         double time = 0.0;
-        std::uint64_t revision = 0; ///< of the document it led to; 0: not handled yet
+        std::uint64_t revision = 0; ///< of the resulting document; 0: not handled yet
     };
 
     void move(double time) {
@@ -100,8 +100,8 @@ class DragBench {
 
 } // namespace
 
-// Not a test: figures for a look. forefront_ui_tests --no-skip -tc='Bench*live*'
-TEST_CASE("Bench: live meshes a second and time from input to picture while a node is dragged" * doctest::skip()) {
+// Not a test; prints figures: forefront_ui_tests --no-skip -tc='Bench*live*'
+TEST_CASE("Bench: live meshes per second and latency from input to picture while a node is dragged" * doctest::skip()) {
     std::printf("elements,frames_per_s,meshes_per_s,input_to_picture_ms_p50,p95,p99,max\n");
     for (const double elements : {5e3, 2e4}) {
         DragBench(elements).run(6.0);

@@ -12,7 +12,7 @@
 
 namespace forefront::test {
 
-/// The editor headless, driven as a user would: by the names of widgets and by keys. Every frame is 1/60 s.
+/// Drives a headless editor as a user would, by widget names and keys. Every frame lasts 1/60 s.
 class Driver {
   public:
     explicit Driver(EditorSetup setup = {}, PixelSize size = {1280, 800}, double contentScale = 1.0);
@@ -22,14 +22,14 @@ class Driver {
     EglPlatform &platform() { return *platform_; }
     const SessionSnapshot &run() { return context().run.now(); }
 
-    /// Draws frames until the picture no longer changes without input. How long that takes depends on the machine; a
-    /// hang is for the test runner's timeout to find.
+    /// Draws frames until the picture no longer changes without input. How long that takes depends on the machine; the
+    /// test runner's timeout catches hangs.
     void settle();
     /// Draws frames until `condition` holds.
     void until(const std::function<bool()> &condition);
     void frames(int count);
     bool has(std::string_view widget) const;
-    /// Clicks the middle of a widget. False (and a failed check) where it is not drawn or not enabled.
+    /// Clicks the middle of a widget. Returns false, and fails a check, if it is not drawn or not enabled.
     bool click(std::string_view widget);
     bool hover(std::string_view widget);
     void moveTo(Vec2 pixel);
@@ -39,16 +39,17 @@ class Driver {
     void drag(Vec2 from, Vec2 to, int steps = 8);
     void key(int code, Modifiers modifiers = {});
     void type(std::string_view text);
-    /// Types small letters and digits as a keyboard does: each key, then its character.
+    /// Types lower-case letters and digits like a keyboard: each key, then its character.
     void keys(std::string_view text);
     void scroll(Vec2 pixel, double steps);
-    /// A script: one command a line. `click WIDGET`, `key NAME` ("2", "Space", "Ctrl+Z", "."), `type TEXT`, `settle`.
+    /// Runs a script with one command per line: `click WIDGET`, `key NAME` ("2", "Space", "Ctrl+Z", "."), `type TEXT`,
+    /// `settle`.
     bool script(std::string_view commands);
 
     struct Picture {
         PixelSize size;
         std::vector<std::uint8_t> rgba;
-        /// Pixels of `area` that differ from another picture of the same size.
+        /// Returns the number of pixels of `area` that differ from another picture of the same size.
         std::size_t differences(const Picture &other, const PixelRect &area) const;
         std::size_t differences(const Picture &other) const;
     };

@@ -8,7 +8,7 @@
 
 namespace forefront::test {
 
-/// A driver that thinks in places of the drawing. Starts with an empty drawing, about 10 x 10 units in view.
+/// A driver that works in drawing coordinates. Starts with an empty drawing, with about 10 x 10 units in view.
 class Draughtsman : public Driver {
   public:
     explicit Draughtsman(EditorSetup setup = {}) : Driver(withoutSample(std::move(setup))) {
@@ -19,7 +19,7 @@ class Draughtsman : public Driver {
     Vec2 pixel(Vec2 place) { return context().view.camera.toPixel(place); }
     void clickPlace(Vec2 place) {
         clickAt(pixel(place));
-        frames(30); // so that the next one is no double click
+        frames(30); // so that the next click does not make a double-click
     }
     void doubleClickPlace(Vec2 place) {
         clickAt(pixel(place));
@@ -45,7 +45,7 @@ class Draughtsman : public Driver {
         }
         key(key::kEnter);
     }
-    /// Folds the panels above, so that a lower one is in sight.
+    /// Folds the panels above `panel`, so that it is visible.
     void unfold(std::string_view panel) {
         for (const char *id : {"layers", "inspector"}) {
             if (panel != id && !folded(id)) {

@@ -13,7 +13,7 @@ namespace forefront::test {
 
 namespace {
 
-/// Largest difference of two colours in a channel, 0 to 255.
+/// Returns the largest difference between two colours in any channel, 0 to 255.
 int difference(Colour a, Colour b) {
     int largest = 0;
     for (unsigned shift = 0; shift < 24; shift += 8) {
@@ -29,7 +29,7 @@ Colour colourAt(const Driver::Picture &picture, Vec2 pixel) {
     return rgb(static_cast<std::uint32_t>(picture.rgba[at] << 16 | picture.rgba[at + 1] << 8 | picture.rgba[at + 2]));
 }
 
-/// A meshed rectangle of about 170 large elements, and nothing on the canvas but mesh and colours.
+/// A meshed rectangle of about 170 large elements, with only mesh and colours on the canvas.
 struct MeshedSquare : Draughtsman {
     MeshedSquare() {
         rectangle({1, 1}, {9, 8});
@@ -59,7 +59,7 @@ struct MeshedSquare : Draughtsman {
         const Element &e = mesh.elements[element];
         return pixel((1.0 / 3.0) * (mesh.nodes[index(e[0])] + mesh.nodes[index(e[1])] + mesh.nodes[index(e[2])]));
     }
-    /// Elements whose middle has not the colour of their α, among those that are not hatched.
+    /// Returns the number of unhatched elements whose middle does not have the colour of their α.
     std::size_t wronglyColoured(const ColourRange &range) {
         const Picture shown = redrawn();
         std::size_t wrong = 0;
@@ -89,7 +89,7 @@ TEST_CASE("Colours: quality and spacing exclude each other") {
     CHECK_FALSE(driver.visible("quality"));
 }
 
-TEST_CASE("Colours: every element has exactly the colour that the legend gives its quality, in both themes") {
+TEST_CASE("Colours: every element has the colour of its quality in the legend, in both themes") {
     MeshedSquare driver;
     showLayer(driver.context().layers, "quality", true);
     const ColourRange fitted = fittedQualityRange(driver.run().quality);
@@ -103,7 +103,7 @@ TEST_CASE("Colours: every element has exactly the colour that the legend gives i
     }
 }
 
-TEST_CASE("Colours: the range of the quality fits the mesh, whatever a few bad elements are like") {
+TEST_CASE("Colours: the quality range fits the mesh and ignores a few bad elements") {
     MeshQuality good;
     good.elements = 1000;
     good.alphaHistogram[36] = 20; // from 0.9 on
@@ -123,7 +123,7 @@ TEST_CASE("Colours: the range of the quality fits the mesh, whatever a few bad e
     CHECK(fittedQualityRange(perfect).to - fittedQualityRange(perfect).from >= 0.049);
 }
 
-TEST_CASE("Colours: the user sets the range of the quality in the histogram, and fits it again") {
+TEST_CASE("Colours: the user can set the quality range in the histogram, and fit it again") {
     MeshedSquare driver;
     driver.click("layer/quality");
     driver.click("panel/histogram");
@@ -172,11 +172,11 @@ TEST_CASE("Colours: fine spacing is bright and coarse spacing blue, the same in 
     CHECK(spacingColour(0.0) == viridis(1.0));
 }
 
-TEST_CASE("Colours: the edges of a dense mesh fade and leave the colours of the quality as they are") {
+TEST_CASE("Colours: the edges of a dense mesh fade and leave the quality colours unchanged") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     Document fine = driver.document();
-    fine.spacing.size = 0.06; // some 35,000 elements
+    fine.spacing.size = 0.06; // about 35,000 elements
     driver.context().document.apply(std::move(fine), "Size");
     driver.key('V');
     driver.key(key::kEscape);

@@ -27,7 +27,7 @@ void nameAndConfirm(Driver &driver, const std::string &dialog, const std::filesy
     driver.settle();
 }
 
-/// Makes a folder the working folder for a while.
+/// Sets the working folder, and restores the previous one when destroyed.
 class WorkingFolder {
   public:
     explicit WorkingFolder(const std::filesystem::path &folder) : before_(std::filesystem::current_path()) {
@@ -48,7 +48,7 @@ std::size_t filesIn(const std::filesystem::path &folder) {
 
 } // namespace
 
-TEST_CASE("Export: an unknown extension is refused with the known ones, and nothing is written") {
+TEST_CASE("Export: an unknown extension is refused with a list of known ones, and nothing is written") {
     const TemporaryFolder place;
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
@@ -67,7 +67,7 @@ TEST_CASE("Export: an unknown extension is refused with the known ones, and noth
     CHECK(std::filesystem::exists(place.path / "pic.vtu"));
 }
 
-TEST_CASE("Export: the suggested name is the name of the document, be it saved or not") {
+TEST_CASE("Export: the suggested name is the name of the document, saved or not") {
     const TemporaryFolder place;
     const WorkingFolder here(place.path);
     Draughtsman driver;
@@ -87,7 +87,7 @@ TEST_CASE("Export: the suggested name is the name of the document, be it saved o
     CHECK(std::filesystem::exists(place.path / "bay.msh"));
 }
 
-TEST_CASE("Faults: are marked on the canvas as soon as they are drawn, without meshing") {
+TEST_CASE("Faults: a fault is marked on the canvas as soon as it is drawn, without meshing") {
     Draughtsman driver;
     driver.polygon({{1, 1}, {9, 8}, {9, 1}, {1, 8}}); // crosses itself in the middle
     driver.key('V');
@@ -110,11 +110,11 @@ TEST_CASE("Faults: are marked on the canvas as soon as they are drawn, without m
     showLayer(driver.context().layers, "faults", true);
     driver.moveToPlace(crossing);
     driver.settle();
-    const Vec2 p = driver.pixel(crossing); // now explained at its right
+    const Vec2 p = driver.pixel(crossing); // its explanation is to its right
     CHECK(driver.picture().differences(plain, {p.x + 16, p.y - 30, 120, 26}) > 500);
 }
 
-TEST_CASE("Checks: repair is offered only where there is something to repair") {
+TEST_CASE("Checks: repair is offered only if there is something to repair") {
     Draughtsman driver;
     driver.polygon({{1, 1}, {9, 8}, {9, 1}, {1, 8}});
     driver.key(key::kEscape);
@@ -127,7 +127,7 @@ TEST_CASE("Checks: repair is offered only where there is something to repair") {
     CHECK_FALSE(hasErrors(driver.context().preview->faults));
     CHECK_FALSE(driver.has("checks/repair"));
     Document faulty = driver.document();
-    faulty.spacing.expression = "0.1*nonsense(x)"; // an error, but none of the geometry
+    faulty.spacing.expression = "0.1*nonsense(x)"; // an error, but not a geometric one
     driver.context().document.apply(std::move(faulty), "Expression");
     driver.settle();
     REQUIRE(hasErrors(driver.context().preview->faults));
@@ -172,7 +172,7 @@ TEST_CASE("Recent files: a file given on the command line becomes one of them") 
     CHECK(missing.context().settings.recentFiles.empty());
 }
 
-TEST_CASE("Settings: the place of the window is remembered, and nonsense is not") {
+TEST_CASE("Settings: the window position is saved, and invalid positions are ignored") {
     const TemporaryFolder place;
     const std::filesystem::path file = place.path / "settings.json";
     Settings settings;
@@ -187,7 +187,7 @@ TEST_CASE("Settings: the place of the window is remembered, and nonsense is not"
     }
 }
 
-TEST_CASE("Numbers: are written plainly, means of counts with about three digits") {
+TEST_CASE("Numbers: plain notation, and about three digits for means of counts") {
     CHECK(ui::number(140.0, 2) == "140");
     CHECK(ui::number(1234567.0, 4) == "1234567");
     CHECK(ui::number(0.05, 4) == "0.05");
@@ -202,7 +202,7 @@ TEST_CASE("Numbers: are written plainly, means of counts with about three digits
     CHECK(ui::mean(1402.7) == "1403");
 }
 
-TEST_CASE("Statistics: the tooltip of a row shows over its label and over its value") {
+TEST_CASE("Statistics: hovering the label or the value of a row shows its tooltip") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.key(key::kF5);
@@ -218,7 +218,7 @@ TEST_CASE("Statistics: the tooltip of a row shows over its label and over its va
     }
 }
 
-TEST_CASE("Forms: the tooltip of a field also shows over its label") {
+TEST_CASE("Forms: hovering the label of a field shows its tooltip") {
     Draughtsman driver;
     driver.rectangle({0, 0}, {8, 8});
     driver.key(key::kEscape);
@@ -232,7 +232,7 @@ TEST_CASE("Forms: the tooltip of a field also shows over its label") {
     }
 }
 
-TEST_CASE("Inspector: no field moves, wherever the pointer is and however long the text") {
+TEST_CASE("Inspector: fields stay in place for any pointer position and text length") {
     Draughtsman driver;
     driver.rectangle({0, 0}, {8, 8});
     Document wordy = driver.document();
@@ -257,7 +257,7 @@ TEST_CASE("Inspector: no field moves, wherever the pointer is and however long t
     CHECK(driver.context().widgets.find("inspector/name")->rect == name);
 }
 
-TEST_CASE("Text: two lines are never exceeded, and what was cut off is marked") {
+TEST_CASE("Text: at most two lines, and truncated text ends with an ellipsis") {
     Driver driver;
     const std::string text =
         "max(0.1, 0.2*dist(3, 2)) limited by the gradation 0.3 of the boundary between here and there";
@@ -270,7 +270,7 @@ TEST_CASE("Text: two lines are never exceeded, and what was cut off is marked") 
     CHECK(ui::twoLines("short", 200.0F) == "short");
 }
 
-TEST_CASE("Fonts: all digits have the same width, so that changing numbers move nothing") {
+TEST_CASE("Fonts: all digits have the same width") {
     for (const double scale : {1.0, 1.5, 2.0}) {
         Driver driver({}, {1280, 800}, scale);
         const Fonts &fonts = driver.context().fonts;
@@ -284,7 +284,7 @@ TEST_CASE("Fonts: all digits have the same width, so that changing numbers move 
     }
 }
 
-TEST_CASE("Text: labels and captions stand out from their background, in both themes") {
+TEST_CASE("Text: labels and captions contrast with their background in both themes") {
     const auto luminance = [](Colour colour) {
         const auto channel = [&](unsigned shift) {
             const double c = static_cast<double>((colour >> shift) & 0xffU) / 255.0;
@@ -311,7 +311,7 @@ TEST_CASE("Text: labels and captions stand out from their background, in both th
     CHECK(driver.context().fonts.heading->FontSize >= 12.0F);
 }
 
-TEST_CASE("Labels: a label finds a free place beside the others, or is left out") {
+TEST_CASE("Labels: a label is placed clear of the others, or left out") {
     Driver driver;
     ImDrawList list(ImGui::GetDrawListSharedData());
     list._ResetForNewFrame();

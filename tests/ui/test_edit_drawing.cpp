@@ -19,7 +19,7 @@ TEST_CASE("Pen: clicks and Enter draw a polygon, and one inside it is a hole") {
     CHECK(driver.context().selection.shapes == std::set<std::uint32_t>{2});
 }
 
-TEST_CASE("Pen: a click on the first node closes; Backspace and undo take nodes back, redo brings them again") {
+TEST_CASE("Pen: a click on the first node closes the path; Backspace and undo remove nodes, redo restores them") {
     Draughtsman driver;
     driver.key('P');
     driver.clickPlace({1, 1});
@@ -31,13 +31,13 @@ TEST_CASE("Pen: a click on the first node closes; Backspace and undo take nodes 
     driver.key('Z', {Modifiers::kControl | Modifiers::kShift});
     driver.clickPlace({1, 9});
     CHECK(driver.document().shapes.empty());
-    // A few pixels beside the first node are near enough.
+    // A few pixels from the first node are close enough.
     driver.clickAt(driver.pixel({1, 1}) + Vec2{3, -3});
     REQUIRE(driver.document().shapes.size() == 1);
     CHECK(driver.document().shapes[0]->nodes == std::vector<Vec2>{{1, 1}, {9, 1}, {9, 9}, {1, 9}});
 }
 
-TEST_CASE("Pen: Esc gives the path up, another tool finishes it") {
+TEST_CASE("Pen: Esc cancels the path, choosing another tool finishes it") {
     Draughtsman driver;
     driver.key('P');
     driver.clickPlace({1, 1});
@@ -61,10 +61,10 @@ TEST_CASE("Numeric entry: a distance, an angle, coordinates and pairs give exact
     driver.key(key::kEnter);
     driver.key('Y');
     driver.type("2");
-    driver.key(key::kEnter); // both known: the node is placed
+    driver.key(key::kEnter); // both are known, so the node is placed
     driver.moveToPlace({6, 2.05});
     driver.type("4.5");
-    driver.key(key::kEnter); // along the pointer, which is drawn to (6, 2)
+    driver.key(key::kEnter); // in the direction of the pointer, which snaps to (6, 2)
     driver.key('D');
     driver.type("2");
     driver.key(key::kTab);
@@ -84,7 +84,7 @@ TEST_CASE("Numeric entry: a distance, an angle, coordinates and pairs give exact
     CHECK(nodes[3] == Vec2{1.25, 6.125});
 }
 
-TEST_CASE("Numeric entry: a rectangle by width Tab height, with a live picture, as a keyboard types it") {
+TEST_CASE("Numeric entry: typing width, Tab, height draws a rectangle, with a live preview") {
     Draughtsman driver;
     driver.key('R');
     driver.clickPlace({1, 1});
@@ -93,14 +93,14 @@ TEST_CASE("Numeric entry: a rectangle by width Tab height, with a live picture, 
     const auto wide = driver.picture();
     driver.key(key::kTab);
     driver.keys("5");
-    CHECK(driver.context().view.panels); // Tab hid no panels
+    CHECK(driver.context().view.panels); // Tab did not hide the panels
     CHECK(driver.picture().differences(wide, driver.canvas()) > 100);
     driver.key(key::kEnter);
     REQUIRE(driver.document().shapes.size() == 1);
     CHECK(boundsOf(*driver.document().shapes[0]) == Box2{{1, 1}, {7, 6}});
 }
 
-TEST_CASE("Numeric entry: distance and angle by their letters, and digits before the first node do not mesh") {
+TEST_CASE("Numeric entry: letters open distance and angle, and digits before the first node do not mesh") {
     Draughtsman driver;
     driver.key('L');
     driver.keys("2");
@@ -119,7 +119,7 @@ TEST_CASE("Numeric entry: distance and angle by their letters, and digits before
     CHECK(driver.run().state == RunState::Empty);
 }
 
-TEST_CASE("Snapping: nodes draw the pointer, Ctrl lets it free, Shift keeps to 15 degrees") {
+TEST_CASE("Snapping: the pointer snaps to nodes, Ctrl disables it, Shift snaps to 15 degrees") {
     Draughtsman driver;
     driver.polygon({{1, 1}, {9, 1}, {9, 9}});
     driver.key('L');
@@ -140,11 +140,11 @@ TEST_CASE("Snapping: nodes draw the pointer, Ctrl lets it free, Shift keeps to 1
     CHECK(line.nodes[1].x == doctest::Approx(line.nodes[1].y));
 }
 
-TEST_CASE("Polyline: from shore to shore it joins both, and the drawing can be meshed") {
+TEST_CASE("Polyline: a line between two boundaries connects them, and the drawing can be meshed") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.key('L');
-    driver.clickAt(driver.pixel({1, 4.2}) + Vec2{3, 0}); // drawn to the segment
+    driver.clickAt(driver.pixel({1, 4.2}) + Vec2{3, 0}); // snaps to the segment
     driver.frames(30);
     driver.clickPlace({5, 5});
     driver.clickAt(driver.pixel({9, 6.3}) - Vec2{2, 0});
@@ -178,7 +178,7 @@ TEST_CASE("Rectangle and circle: by drag, by two clicks, by typed size") {
     CHECK(driver.context().preview->faults.empty());
 }
 
-TEST_CASE("Select: drags a node with snapping as one command; undo and redo travel over it") {
+TEST_CASE("Select: dragging a node with snapping is one command that can be undone and redone") {
     Draughtsman driver;
     driver.polygon({{1, 1}, {9, 1}, {9, 9}, {1, 9}});
     driver.key('V');
@@ -192,7 +192,7 @@ TEST_CASE("Select: drags a node with snapping as one command; undo and redo trav
     CHECK(driver.document().shapes[0]->nodes[2] == Vec2{8, 7});
 }
 
-TEST_CASE("Select: Esc in a drag puts everything back and leaves nothing to undo") {
+TEST_CASE("Select: Esc during a drag restores everything and leaves nothing to undo") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {5, 5});
     driver.key('V');
@@ -206,7 +206,7 @@ TEST_CASE("Select: Esc in a drag puts everything back and leaves nothing to undo
     CHECK(driver.undoLabel() == "Draw rectangle");
 }
 
-TEST_CASE("Select: a double click on a segment inserts a node, Delete removes it again") {
+TEST_CASE("Select: double-clicking a segment inserts a node, and Delete removes it") {
     Draughtsman driver;
     driver.polygon({{1, 1}, {9, 1}, {9, 9}, {1, 9}});
     driver.key('V');
@@ -220,7 +220,7 @@ TEST_CASE("Select: a double click on a segment inserts a node, Delete removes it
     CHECK(driver.undoLabel() == "Delete");
 }
 
-TEST_CASE("Select: a box takes whole shapes, Ctrl+A all, Ctrl+D copies, the arrows nudge") {
+TEST_CASE("Select: a box selects whole shapes, Ctrl+A selects all, Ctrl+D duplicates, arrow keys nudge") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {3, 3});
     driver.rectangle({5, 5}, {8, 8});
@@ -241,7 +241,7 @@ TEST_CASE("Select: a box takes whole shapes, Ctrl+A all, Ctrl+D copies, the arro
     CHECK(driver.document().shapes.empty());
 }
 
-TEST_CASE("Select: a second click on a shape looks at one segment, which can have a tag and a name of its own") {
+TEST_CASE("Select: a second click on a shape selects one segment, which can have its own tag and name") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.key('V');
@@ -264,7 +264,7 @@ TEST_CASE("Select: a second click on a shape looks at one segment, which can hav
     CHECK(driver.document().boundaryNames.at(7) == "inlet");
 }
 
-TEST_CASE("Inspector: naming one segment leaves the name of every other shape; the names panel renames everywhere") {
+TEST_CASE("Inspector: naming one segment keeps the names of other shapes; the names panel renames everywhere") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.rectangle({3, 3}, {5, 5});
@@ -291,7 +291,7 @@ TEST_CASE("Inspector: naming one segment leaves the name of every other shape; t
     CHECK(driver.document().shapes[1]->tag == 1);
 }
 
-TEST_CASE("Inspector: numbers typed change the shape; a click on the canvas ends the typing first") {
+TEST_CASE("Inspector: typed numbers change the shape; a click on the canvas commits them first") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {5, 4});
     driver.rectangle({6, 6}, {8, 8});
@@ -299,13 +299,13 @@ TEST_CASE("Inspector: numbers typed change the shape; a click on the canvas ends
     driver.click("inspector/corner/x");
     driver.key('A', {Modifiers::kControl});
     driver.type("5.5");
-    driver.clickPlace({1, 2}); // on the other rectangle: the field takes its text, then that one is selected
+    driver.clickPlace({1, 2}); // on the other rectangle: the field commits its text, then that rectangle is selected
     CHECK(boundsOf(*driver.document().shapes[1]) == Box2{{5.5, 6}, {7.5, 8}});
     CHECK(driver.context().selection.shapes == std::set<std::uint32_t>{1});
     CHECK(boundsOf(*driver.document().shapes[0]) == Box2{{1, 1}, {5, 4}});
 }
 
-TEST_CASE("Regions: a click fills a face, a second one takes its place, outside is refused with its place") {
+TEST_CASE("Regions: a click fills a face, a second click replaces its region, a click outside is refused") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.rectangle({3, 3}, {5, 5});

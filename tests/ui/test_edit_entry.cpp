@@ -19,7 +19,7 @@ constexpr std::array kDirection{EntryField::Distance, EntryField::Angle};
 constexpr std::array kSize{EntryField::Width, EntryField::Height};
 using Fields = std::span<const EntryField>;
 
-/// Types as a keyboard does: the key first, then its character.
+/// Types like a keyboard: the key first, then its character.
 Answer type(NumericEntry &entry, std::string_view text, Fields fields = kDirection) {
     Answer last = Answer::Unused;
     for (const char c : text) {
@@ -38,7 +38,7 @@ Answer press(NumericEntry &entry, int code, Fields fields = kDirection) {
 
 } // namespace
 
-TEST_CASE("NumericEntry: a number alone is the distance of the next node") {
+TEST_CASE("NumericEntry: a single number is the distance to the next node") {
     NumericEntry entry;
     CHECK(type(entry, "12.5") == Answer::Used);
     CHECK(entry.label() == "d 12.5_   \xe2\x88\xa0");
@@ -71,11 +71,11 @@ TEST_CASE("NumericEntry: X and Y lock coordinates; both determine the node") {
     CHECK(press(entry, key::kEnter, kPlace) == Answer::Place);
     CHECK(entry.locks().y == 100.0);
     type(entry, "x", kPlace);
-    CHECK_FALSE(entry.locks().x.has_value()); // the letter again frees it
+    CHECK_FALSE(entry.locks().x.has_value()); // the letter again unlocks it
     CHECK(entry.locks().y == 100.0);
 }
 
-TEST_CASE("NumericEntry: Tab goes on from distance to angle, Shift+Tab back, and all count at once") {
+TEST_CASE("NumericEntry: Tab moves from distance to angle, Shift+Tab back, and values take effect at once") {
     NumericEntry entry;
     type(entry, "d4");
     CHECK(entry.locks().distance == 4.0); // before Enter
@@ -91,7 +91,7 @@ TEST_CASE("NumericEntry: Tab goes on from distance to angle, Shift+Tab back, and
     CHECK(entry.locks().angle == 30.0);
 }
 
-TEST_CASE("NumericEntry: the letter of another field takes what was typed first") {
+TEST_CASE("NumericEntry: the letter of another field first commits the typed number") {
     NumericEntry entry;
     type(entry, "d20q90");
     CHECK(entry.locks().distance == 20.0);
@@ -101,7 +101,7 @@ TEST_CASE("NumericEntry: the letter of another field takes what was typed first"
     CHECK(entry.locks().angle == 90.0);
 }
 
-TEST_CASE("NumericEntry: width Tab height give both; Tab goes round") {
+TEST_CASE("NumericEntry: width, Tab, height sets both, and Tab cycles") {
     NumericEntry entry;
     type(entry, "6", kSize);
     press(entry, key::kTab, kSize);
@@ -115,7 +115,7 @@ TEST_CASE("NumericEntry: width Tab height give both; Tab goes round") {
     CHECK(entry.value(EntryField::Height) == 5.0);
 }
 
-TEST_CASE("NumericEntry: two numbers are a place, relative with @") {
+TEST_CASE("NumericEntry: two numbers are a point, relative with @") {
     NumericEntry entry;
     type(entry, "3,-4.5");
     REQUIRE(entry.pair().has_value()); // before Enter
@@ -129,7 +129,7 @@ TEST_CASE("NumericEntry: two numbers are a place, relative with @") {
     CHECK(entry.pair()->relative);
 }
 
-TEST_CASE("NumericEntry: text that is not a number stays and is marked; Backspace and Esc correct it") {
+TEST_CASE("NumericEntry: invalid text stays and is marked; Backspace and Esc remove it") {
     NumericEntry entry;
     type(entry, "1-");
     CHECK(press(entry, key::kEnter) == Answer::Used);
@@ -142,13 +142,13 @@ TEST_CASE("NumericEntry: text that is not a number stays and is marked; Backspac
     entry.clear();
     type(entry, "d-2");
     press(entry, key::kEnter);
-    CHECK(entry.isWrong()); // a distance is above 0
+    CHECK(entry.isWrong()); // a distance must be positive
     CHECK(press(entry, key::kEscape) == Answer::Used);
     CHECK_FALSE(entry.isOpen());
     CHECK(press(entry, key::kEscape) == Answer::Unused);
 }
 
-TEST_CASE("parseNumber and parsePair: the whole text counts, and only finite numbers") {
+TEST_CASE("parseNumber and parsePair: accept only finite numbers that use up the whole text") {
     CHECK(parseNumber(" 2.5 ") == 2.5);
     CHECK(parseNumber("+1e-3") == 1e-3);
     for (const char *text : {"", "-", "2x", "1,5", "nan", "inf", "1e999", "0x10"}) {
@@ -162,7 +162,7 @@ TEST_CASE("parseNumber and parsePair: the whole text counts, and only finite num
     }
 }
 
-TEST_CASE("File list: folders first, hidden and other files left out, names without regard to case") {
+TEST_CASE("File list: folders first, hidden and other files left out, names sorted without regard to case") {
     const testing::TemporaryFolder place;
     const std::filesystem::path &folder = place.path;
     for (const char *name : {"b.forefront", "A.Forefront", "mesh.msh", ".hidden.forefront"}) {
@@ -182,7 +182,7 @@ TEST_CASE("File list: folders first, hidden and other files left out, names with
     CHECK(listFolder(folder / "nowhere", projects).faults().front().code == "folder");
 }
 
-TEST_CASE("File names: the extension follows the filter, and paths are spelt out") {
+TEST_CASE("File names: the extension follows the filter, and paths are resolved") {
     const std::vector<FileFilter> all{{"MSH", {".msh"}, "msh2"}, {"VTU", {".vtu"}, "vtu"}, {"All", {}, "any"}};
     CHECK(withExtension("pier", all[0], all) == "pier.msh");
     CHECK(withExtension("pier.vtu", all[0], all) == "pier.msh");

@@ -109,7 +109,7 @@ TEST_CASE("Files: replacing a file needs a confirmation, and write errors are re
     driver.key('S', {Modifiers::kControl});
     driver.frames(5);
     typeName(driver, "save", place.path / "old.forefront");
-    CHECK(driver.has("dialog/save/ok")); // asks
+    CHECK(driver.has("dialog/save/ok")); // asks for confirmation
     std::ifstream file(place.path / "old.forefront");
     CHECK(std::string(std::istreambuf_iterator<char>(file), {}) == "keep me");
     driver.click("dialog/save/ok");
@@ -141,7 +141,7 @@ TEST_CASE("Files: a file without a drawing is refused with a message and changes
     CHECK(hasErrors({driver.context().log.entries().back().diagnostic}));
 }
 
-TEST_CASE("Export: a drawing is meshed and written as MSH, which is a valid mesh of the drawing") {
+TEST_CASE("Export: a drawing is meshed and written as a valid MSH file") {
     const TemporaryFolder place;
     Draughtsman driver;
     driver.polygon({{1, 1}, {9, 1}, {9, 8}, {1, 8}});
@@ -157,7 +157,7 @@ TEST_CASE("Export: a drawing is meshed and written as MSH, which is a valid mesh
     CHECK_FALSE(hasErrors(verifyAgainst(*mesh, toDomain(driver.document()))));
 }
 
-TEST_CASE("Export: edges inside the domain are left out where that is chosen") {
+TEST_CASE("Export: edges inside the domain can be left out") {
     const TemporaryFolder place;
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
@@ -266,7 +266,7 @@ TEST_CASE("Open: an unreadable file is reported in the dialog, and the drawing s
     driver.key('O', {Modifiers::kControl});
     driver.frames(5);
     typeName(driver, "open", place.path / "points.geojson");
-    REQUIRE(driver.has("dialog/open/warning")); // the dialog is still there, and asks about nothing
+    REQUIRE(driver.has("dialog/open/warning")); // the dialog is still open, without another question
     CHECK_FALSE(driver.has("dialog/unsaved/discard"));
     const auto warning = [&] { return driver.context().widgets.find("dialog/open/warning")->rect; };
     CHECK(warning().width > 100.0);
@@ -333,7 +333,7 @@ TEST_CASE("Quit: asks about unsaved changes; Cancel stays, Don't save leaves") {
     CHECK_FALSE(driver.editor().running());
 }
 
-// Not a test by itself: the program that the next one kills.
+// Not a test by itself: it is the process that the next test kills.
 TEST_CASE("Recovery: draws in the folder of FOREFRONT_TEST_VICTIM and waits" * doctest::skip()) {
     const char *folder = std::getenv("FOREFRONT_TEST_VICTIM");
     REQUIRE(folder != nullptr);
@@ -346,7 +346,7 @@ TEST_CASE("Recovery: draws in the folder of FOREFRONT_TEST_VICTIM and waits" * d
     }
 }
 
-TEST_CASE("Recovery: after kill -9 the next start offers the drawing, never saved, and recovers it") {
+TEST_CASE("Recovery: after kill -9 the next start offers the unsaved drawing and recovers it") {
     const TemporaryFolder place;
     const pid_t child = ::fork();
     REQUIRE(child >= 0);
@@ -374,7 +374,7 @@ TEST_CASE("Recovery: after kill -9 the next start offers the drawing, never save
         CHECK(driver.context().document.dirty());
         CHECK(driver.context().document.path().empty());
     }
-    // That one ended in order: nothing is offered any more.
+    // That session ended normally, so nothing is offered.
     Driver driver(setup);
     CHECK_FALSE(driver.has("dialog/recovery/recover"));
 }

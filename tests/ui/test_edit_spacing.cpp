@@ -4,7 +4,7 @@
 
 namespace forefront::test {
 
-TEST_CASE("Brush: a stroke is one command, makes the spacing finer there, and the eraser takes it away") {
+TEST_CASE("Brush: a stroke is one command that refines the spacing there, and the eraser removes it") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.settle();
@@ -28,7 +28,7 @@ TEST_CASE("Brush: a stroke is one command, makes the spacing finer there, and th
     CHECK(driver.context().preview->spacing->at({4, 4}) > 0.9 * before);
 }
 
-TEST_CASE("Brush: brackets change its radius, with Shift its spacing, and the numbers stand in the strip") {
+TEST_CASE("Brush: brackets change the radius, with Shift the spacing, and the options strip shows both") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.key('B');
@@ -45,13 +45,13 @@ TEST_CASE("Brush: brackets change its radius, with Shift its spacing, and the nu
     driver.key(key::kRightBracket, {Modifiers::kShift});
     driver.dragPlaces({5, 5}, {5, 5});
     driver.settle();
-    // Steps of 1.2: the stroke reaches 1.2 far and paints 0.06.
+    // Steps are factors of 1.2: the stroke has a radius of 1.2 and paints 0.06.
     CHECK(driver.context().preview->spacing->at({5, 5}) == doctest::Approx(0.06).epsilon(0.02));
     CHECK(driver.context().preview->spacing->at({5, 5.7}) == doctest::Approx(0.06).epsilon(0.05));
     CHECK(driver.context().preview->spacing->at({5, 7.5}) > 0.1);
 }
 
-TEST_CASE("Sources: placed by click and by drag, named, and the inspector says which one won") {
+TEST_CASE("Sources: placed by click and by drag, named, and the inspector says which one sets the spacing") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.key('S');
@@ -72,7 +72,7 @@ TEST_CASE("Sources: placed by click and by drag, named, and the inspector says w
     CHECK(driver.undoLabel() == "Resize source");
 }
 
-TEST_CASE("Spacing panel: a size, limits, and an expression; a wrong one says what is wrong and where") {
+TEST_CASE("Spacing panel: size, limits and expression; an invalid expression is explained with its position") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.unfold("spacing");
@@ -107,7 +107,7 @@ TEST_CASE("Spacing panel: a size, limits, and an expression; a wrong one says wh
     CHECK(driver.logHas("bad-number"));
 }
 
-TEST_CASE("Inspector: fields do not move while the pointer travels to them") {
+TEST_CASE("Inspector: fields do not move as the pointer approaches them") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.polygon({{3, 3}, {3.5, 3}, {3.5, 3.5}, {3, 3.5}});
@@ -122,7 +122,7 @@ TEST_CASE("Inspector: fields do not move while the pointer travels to them") {
     CHECK(driver.context().widgets.find("spacing/size")->rect.y == over);
 }
 
-TEST_CASE("Inspector: reports an error of the spacing, but none of an empty drawing") {
+TEST_CASE("Inspector: reports an error in the spacing, but none for an empty drawing") {
     Draughtsman driver;
     REQUIRE(driver.has("inspector/here"));
     CHECK_FALSE(driver.has("inspector/fault"));
@@ -140,7 +140,7 @@ TEST_CASE("Inspector: reports an error of the spacing, but none of an empty draw
     CHECK_FALSE(driver.has("inspector/fault"));
 }
 
-TEST_CASE("Checks: a crossing polygon is a fault with a place; Repair makes it meshable as one command") {
+TEST_CASE("Checks: a self-crossing polygon is a fault with a location; Repair fixes it as one command") {
     Draughtsman driver;
     driver.polygon({{1, 1}, {9, 8}, {9, 1}, {1, 8}});
     driver.settle();

@@ -10,7 +10,7 @@ constexpr Modifiers kControl{Modifiers::kControl};
 constexpr Modifiers kShift{Modifiers::kShift};
 constexpr Modifiers kControlShift{Modifiers::kControl | Modifiers::kShift};
 
-/// A rectangle, the panel of the spacing in sight, its first field with the keyboard.
+/// A rectangle, with the spacing panel visible and the focus in its first field.
 struct SpacingForm : Draughtsman {
     SpacingForm() {
         rectangle({1, 1}, {9, 8});
@@ -22,12 +22,12 @@ struct SpacingForm : Draughtsman {
 
 } // namespace
 
-TEST_CASE("Fields: Tab takes the value and goes to the next field, Shift+Tab back, round the end of the column") {
+TEST_CASE("Fields: Tab commits the value and goes to the next field, Shift+Tab back, wrapping around the column") {
     SpacingForm form;
     form.type("0.5");
     form.key(key::kTab);
     CHECK(form.spacing().size == 0.5);
-    CHECK(form.context().view.panels); // no shortcut while a field has the keyboard
+    CHECK(form.context().view.panels); // no shortcut while a field has the focus
     form.type("0.2+0.1*x");
     form.key(key::kTab);
     CHECK(form.spacing().expression == "0.2+0.1*x");
@@ -37,7 +37,7 @@ TEST_CASE("Fields: Tab takes the value and goes to the next field, Shift+Tab bac
     form.type("2");
     form.key(key::kTab, kShift);
     CHECK(form.spacing().maximum == 2.0);
-    form.type("0.25"); // over what stood there: it was selected
+    form.type("0.25"); // replaces the old text, which was selected
     form.key(key::kTab, kShift);
     CHECK(form.spacing().minimum == 0.25);
     form.key(key::kTab, kShift);
@@ -46,10 +46,10 @@ TEST_CASE("Fields: Tab takes the value and goes to the next field, Shift+Tab bac
     CHECK(form.spacing().size == 0.75);
     CHECK(form.spacing().expression == "0.2+0.1*x"); // passed, not touched
     form.key(key::kTab);
-    CHECK_FALSE(form.context().view.panels); // no field has the keyboard any more
+    CHECK_FALSE(form.context().view.panels); // no field has the focus
 }
 
-TEST_CASE("Fields: typing straight after Tab goes to the next field, no key to the canvas") {
+TEST_CASE("Fields: typing right after Tab goes to the next field, and no key to the canvas") {
     SpacingForm form;
     InputQueue &input = form.editor().input();
     const auto keyAndText = [&](int code) {
@@ -68,7 +68,7 @@ TEST_CASE("Fields: typing straight after Tab goes to the next field, no key to t
     CHECK(form.run().state == RunState::Empty); // 2 alone would mesh
 }
 
-TEST_CASE("Fields: Ctrl+Z takes typing back while there is some, then what was done to the document") {
+TEST_CASE("Fields: Ctrl+Z undoes typing first, then changes of the document") {
     SpacingForm form;
     form.type("0.5");
     form.key(key::kTab);
@@ -76,7 +76,7 @@ TEST_CASE("Fields: Ctrl+Z takes typing back while there is some, then what was d
     form.key('Z', kControl);
     form.key('Z', kControl);
     form.key('Z', kControl);
-    CHECK(form.spacing().size == 0.5); // three characters were typed, three taken back
+    CHECK(form.spacing().size == 0.5); // three characters were typed, and three undone
     form.key('Z', kControl);
     CHECK_FALSE(form.spacing().size.has_value());
     CHECK_FALSE(form.spacing().expression.has_value());
@@ -87,7 +87,7 @@ TEST_CASE("Fields: Ctrl+Z takes typing back while there is some, then what was d
     CHECK(form.spacing().size == 0.5);
 }
 
-TEST_CASE("Fields: Ctrl+Shift+Z and Ctrl+Y do again what Ctrl+Z took back of the typing") {
+TEST_CASE("Fields: Ctrl+Shift+Z and Ctrl+Y redo typing that Ctrl+Z undid") {
     SpacingForm form;
     for (const Shortcut redo : {Shortcut{'Z', kControlShift}, Shortcut{'Y', kControl}}) {
         form.click("spacing/size");
@@ -104,7 +104,7 @@ TEST_CASE("Fields: Ctrl+Shift+Z and Ctrl+Y do again what Ctrl+Z took back of the
     }
 }
 
-TEST_CASE("Fields: coming back to a field, Ctrl+Z is not the typing of the time before") {
+TEST_CASE("Fields: back in a field, Ctrl+Z does not undo typing from an earlier visit") {
     SpacingForm form;
     form.type("0.5");
     form.key(key::kEnter);
@@ -113,7 +113,7 @@ TEST_CASE("Fields: coming back to a field, Ctrl+Z is not the typing of the time 
     CHECK_FALSE(form.spacing().size.has_value());
 }
 
-TEST_CASE("Fields: Ctrl+S takes what was typed and saves it with the rest") {
+TEST_CASE("Fields: Ctrl+S commits the typed text and saves it with the document") {
     const TemporaryFolder place;
     SpacingForm form;
     const auto file = place.path / "square.json";
@@ -129,7 +129,7 @@ TEST_CASE("Fields: Ctrl+S takes what was typed and saves it with the rest") {
     CHECK(form.spacing().size == 0.5);
 }
 
-TEST_CASE("Fields: Esc leaves the value as it was; a number typed and taken back is no change") {
+TEST_CASE("Fields: Esc keeps the old value; a number typed and undone is no change") {
     SpacingForm form;
     form.type("0.5");
     form.key(key::kEscape);
@@ -150,7 +150,7 @@ TEST_CASE("Fields: Esc leaves the value as it was; a number typed and taken back
     CHECK(form.context().preview->spacing->sample({5, 7.5}).origin != SpacingOrigin::Paint); // 15 would reach it
 }
 
-TEST_CASE("Fields: what was typed counts also when a button above takes the focus") {
+TEST_CASE("Fields: typed text is committed when a button above takes the focus") {
     SpacingForm form;
     form.click("spacing/maximum");
     form.type("2");
@@ -162,7 +162,7 @@ TEST_CASE("Fields: what was typed counts also when a button above takes the focu
     CHECK(form.spacing().maximum == 3.0);
 }
 
-TEST_CASE("Fields: a stroke of the brush straight from a field paints with the number just typed") {
+TEST_CASE("Fields: a brush stroke straight from a field paints with the number just typed") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.key('B');
@@ -175,7 +175,7 @@ TEST_CASE("Fields: a stroke of the brush straight from a field paints with the n
     CHECK(driver.undoLabel() == "Paint spacing");
 }
 
-TEST_CASE("Fields: Tab walks the fields of a dialog") {
+TEST_CASE("Fields: Tab moves through the fields of a dialog") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.key('S', {Modifiers::kControl | Modifiers::kShift});

@@ -54,7 +54,7 @@ TEST_CASE("InputQueue: moves share a frame, but not after a click") {
     CHECK(second.front().x == 3.0);
 }
 
-TEST_CASE("InputQueue: the text of a key comes with it, the next key in the next frame") {
+TEST_CASE("InputQueue: a key and its text share a frame, and the next key waits") {
     InputQueue queue;
     queue.push(keyEvent('A', true));
     queue.push({.kind = InputKind::Text, .code = 'a'});
@@ -64,14 +64,14 @@ TEST_CASE("InputQueue: the text of a key comes with it, the next key in the next
     CHECK(queue.empty());
 }
 
-TEST_CASE("InputQueue: wheel notches share a frame, with the jitter of the hand between them") {
+TEST_CASE("InputQueue: wheel notches share a frame despite pointer jitter between them") {
     InputQueue queue;
     queue.push(move(100, 100));
     for (int i = 0; i < 20; ++i) {
         queue.push({.kind = InputKind::Scroll, .y = 1.0});
         queue.push(move(100 + i % 3, 100));
     }
-    queue.push(move(160, 100)); // somewhere else: what the wheel turned must not be taken from there
+    queue.push(move(160, 100)); // somewhere else: the earlier notches must not apply there
     CHECK(queue.takeFrame().size() == 41);
     CHECK(queue.takeFrame().size() == 1);
 }
@@ -94,7 +94,7 @@ TEST_CASE("InputQueue: keys that the caller names share a frame, other keys and 
     CHECK(queue.empty());
 }
 
-TEST_CASE("InputQueue: what is recorded is replayed event by event, frame by frame") {
+TEST_CASE("InputQueue: a recording is replayed event by event, frame by frame") {
     InputQueue queue;
     queue.startRecording();
     queue.push(move(1.25, -3));
@@ -123,7 +123,7 @@ TEST_CASE("InputQueue: what is recorded is replayed event by event, frame by fra
     CHECK_FALSE(other.replaying());
 }
 
-TEST_CASE("InputQueue: a recording that is no recording is refused") {
+TEST_CASE("InputQueue: an invalid recording is refused") {
     InputQueue queue;
     CHECK_FALSE(queue.replay("1 2 3\n"));
     CHECK_FALSE(queue.replay("1 99 0 0 0 0 0 0\n"));
@@ -144,7 +144,7 @@ TEST_CASE("Camera: zooming keeps the place under the pointer") {
     CHECK(std::abs(after.y - pixel.y) < 1e-3);
 }
 
-TEST_CASE("Camera: fit shows the whole box, however thin") {
+TEST_CASE("Camera: fit shows the whole box, even a thin one") {
     Camera camera;
     camera.viewport = {0, 0, 900, 500};
     for (const Box2 &box : {Box2{{0, 0}, {10, 7}}, Box2{{1e5, 1e5}, {1e5 + 1, 1e5}}, Box2{{-3, -1e-9}, {-3, 1e-9}}}) {
@@ -165,7 +165,7 @@ TEST_CASE("Editor: ten quick clicks on a switch are ten clicks") {
     const bool before = driver.context().layer("labels")->visible;
     InputQueue &input = driver.editor().input();
     input.push(move(at.x, at.y));
-    for (int i = 0; i < 10; ++i) { // all at once, as a fast finger does between two frames
+    for (int i = 0; i < 10; ++i) { // all between two frames
         input.push(button(true));
         input.push(button(false));
     }
@@ -201,7 +201,7 @@ TEST_CASE("Editor: twenty step keys and twenty wheel notches take a frame each, 
     CHECK(driver.context().view.camera.zoom == doctest::Approx(zoom * std::pow(1.18, 20)));
 }
 
-TEST_CASE("Editor: in a text field every key counts, although it is a step key elsewhere") {
+TEST_CASE("Editor: in a text field every key press counts, even of keys that step elsewhere") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.key('V');
@@ -225,7 +225,7 @@ TEST_CASE("Editor: a recorded session replays to the same picture") {
     first.click("layer/size");
     first.click("menu/theme");
     first.settle();
-    first.frames(40); // the tooltip of the hovered button has its delay
+    first.frames(40); // past the delay of the hovered button's tooltip
     const auto wanted = first.picture();
     const std::string recording = first.editor().input().recording();
 

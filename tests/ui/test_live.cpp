@@ -12,7 +12,7 @@ namespace forefront::test {
 
 namespace {
 
-/// A square of 8 x 8 units that is meshed live, with its upper right node in the hand.
+/// A live-meshed square of 8 x 8 units, with its upper right node being dragged.
 struct LiveDrag : Draughtsman {
     LiveDrag() {
         polygon({{0, 0}, {8, 0}, {8, 8}, {0, 8}});
@@ -26,7 +26,7 @@ struct LiveDrag : Draughtsman {
         press(pixel({8, 8}));
     }
 
-    /// Moves the node a little further and draws one frame, as when the hand never rests.
+    /// Moves the node a little further and draws one frame, like a drag without a pause.
     void moveOn() {
         const double angle = 0.3 * ++moves_;
         const Vec2 at = pixel({7.5 + 0.4 * std::cos(angle), 7.5 + 0.4 * std::sin(angle)});
@@ -75,7 +75,7 @@ TEST_CASE("Live: a gesture leaves one line in the log, and the next gesture anot
     driver.dragPlaces({7, 7}, {8, 8});
     driver.settle();
     CHECK(driver.logged("triangles") == 2);
-    // Nudges with the arrow are one step of the history and so one line.
+    // Nudges with the arrow keys are one undo step, so they leave one line.
     for (int i = 0; i < 4; ++i) {
         driver.editor().input().push({.kind = InputKind::Key, .code = key::kRight, .pressed = true, .repeated = i > 0});
         driver.settle();
@@ -84,7 +84,7 @@ TEST_CASE("Live: a gesture leaves one line in the log, and the next gesture anot
     CHECK(driver.logged("triangles") == 3);
 }
 
-TEST_CASE("Live: a drawing with faults keeps the last mesh, out of date, until it is sound again") {
+TEST_CASE("Live: a drawing with faults keeps the last mesh, out of date, until the faults are fixed") {
     LiveDrag driver;
     const std::uint64_t hash = driver.run().meshHash;
     driver.release(driver.pixel({4, -2})); // the outline crosses itself
@@ -99,7 +99,7 @@ TEST_CASE("Live: a drawing with faults keeps the last mesh, out of date, until i
     CHECK_FALSE(driver.context().run.outOfDate());
 }
 
-TEST_CASE("Live: a mesh too large for the hand shows its progress and is taken up again at rest") {
+TEST_CASE("Live: a mesh too large to follow a drag shows its progress and restarts after the drag") {
     LiveDrag driver;
     driver.release(driver.pixel({8, 8}));
     Document fine = driver.document();

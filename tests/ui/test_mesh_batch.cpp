@@ -77,7 +77,7 @@ std::size_t painted(const std::vector<std::uint8_t> &picture) {
 
 } // namespace
 
-TEST_CASE("MeshBatch: growing and shrinking in place draws what building anew draws") {
+TEST_CASE("MeshBatch: growing and shrinking in place draws the same as rebuilding") {
     Stage stage;
     stage.camera.fit({{0, 0}, {20, 20}}, stage.camera.viewport);
     MeshBatch grown;
@@ -92,7 +92,7 @@ TEST_CASE("MeshBatch: growing and shrinking in place draws what building anew dr
     CHECK(painted(draw(stage, grown)) == 0);
 }
 
-TEST_CASE("MeshBatch: a mesh whose nodes have moved is uploaded anew") {
+TEST_CASE("MeshBatch: a mesh whose nodes have moved is uploaded again") {
     Stage stage;
     stage.camera.fit({{0, 0}, {20, 20}}, stage.camera.viewport);
     MeshBatch batch;
@@ -107,7 +107,7 @@ TEST_CASE("MeshBatch: a mesh whose nodes have moved is uploaded anew") {
     CHECK(draw(stage, batch) == draw(stage, anew));
 }
 
-TEST_CASE("MeshBatch: what the GPU has is not sent again") {
+TEST_CASE("MeshBatch: elements already on the GPU are not uploaded again") {
     Stage stage;
     MeshBatch batch;
     const auto whole = lattice(20, 800, 1);
@@ -121,7 +121,7 @@ TEST_CASE("MeshBatch: what the GPU has is not sent again") {
     CHECK(batch.sent() == 800 + 390);
 }
 
-TEST_CASE("MeshBatch: edges too dense to be told apart fade to the veil that the style asks for") {
+TEST_CASE("MeshBatch: edges too dense to be distinguished fade to the opacity of the style's veil") {
     Stage stage;
     stage.camera.fit({{0, 0}, {800, 800}}, stage.camera.viewport);
     MeshBatch batch;
@@ -139,14 +139,14 @@ TEST_CASE("MeshBatch: edges too dense to be told apart fade to the veil that the
     }
 }
 
-TEST_CASE("MeshBatch: sorted by place it draws the same, and far less when zoomed in") {
+TEST_CASE("MeshBatch: sorting by location draws the same, and fewer chunks when zoomed in") {
     Stage stage;
     stage.camera.fit({{0, 0}, {200, 200}}, stage.camera.viewport);
     const auto view = lattice(200, 80000, 1);
     MeshBatch ordered, sorted;
     ordered.update(view, false);
     sorted.update(view, true);
-    // The whole of it is covered either way; single pixels on shared edges may round differently.
+    // The same area is covered either way; single pixels on shared edges may round differently.
     const std::size_t a = painted(draw(stage, ordered)), b = painted(draw(stage, sorted));
     CHECK(a > 30000);
     CHECK(std::max(a, b) - std::min(a, b) < 50);
@@ -171,7 +171,7 @@ TEST_CASE("MeshBatch: far from the origin the picture is the same") {
     CHECK(painted(near) > 1000);
 }
 
-TEST_CASE("Domain mask: a square with a hole covers its area, an open chain does no harm") {
+TEST_CASE("Domain mask: a square with a hole covers its area, and an open chain is ignored") {
     Camera camera;
     camera.viewport = {0, 0, 100, 100};
     camera.centre = {5, 5};

@@ -11,7 +11,7 @@ namespace forefront::test {
 
 namespace {
 
-/// A driver whose sample is meshed.
+/// A driver with a meshed sample.
 struct Meshed : Driver {
     Meshed() {
         key(key::k2);
@@ -38,7 +38,7 @@ void load(Driver &driver, Document document) {
 
 } // namespace
 
-TEST_CASE("Run: 2 meshes the sample, and the panels speak of it") {
+TEST_CASE("Run: the key 2 meshes the sample, and the panels show its figures") {
     Meshed driver;
     const SessionSnapshot &run = driver.run();
     CHECK(run.state == RunState::Finished);
@@ -54,7 +54,7 @@ TEST_CASE("Run: 2 meshes the sample, and the panels speak of it") {
     CHECK(driver.has("histogram/39"));
 }
 
-TEST_CASE("Run: Home, then . and , step on and back; the state of each place returns") {
+TEST_CASE("Run: after Home, . and , step forward and back through the same states") {
     Meshed driver;
     driver.key(key::kHome);
     driver.settle();
@@ -82,7 +82,7 @@ TEST_CASE("Run: Home, then . and , step on and back; the state of each place ret
     CHECK(driver.run().advance == driver.run().known);
 }
 
-TEST_CASE("Run: the scrubber goes where it is dragged") {
+TEST_CASE("Run: dragging the scrubber seeks") {
     Meshed driver;
     const PixelRect bar = driver.context().widgets.find("timeline/scrubber")->rect;
     const double y = bar.centre().y;
@@ -137,17 +137,17 @@ TEST_CASE("Run: stepping by events explains an advance from the base to the upda
          {Step::EvaluateSpacing, Step::IdealPoint, Step::FindCandidates, Step::Score, Step::Sort, Step::Test}) {
         CHECK(std::count(steps.begin(), steps.end(), static_cast<int>(step)) >= 1);
     }
-    CHECK(whole >= 1); // the update: the element stands
+    CHECK(whole >= 1); // the update: the element has been made
     CHECK(driver.run().advance > 100);
 }
 
-TEST_CASE("Run: each layer changes the canvas, and hidden again leaves no trace") {
+TEST_CASE("Run: each layer changes the canvas, and hiding it restores the canvas") {
     Meshed driver;
     driver.context().run.seek(driver.run().known / 2);
     driver.settle();
-    // Close to the place where something happens, so that even small marks count.
+    // Zoom in on the current advance, so that even small marks change enough pixels.
     REQUIRE(driver.run().explanation != nullptr);
-    // Most advances need no exact test at all; the layer of tests shows in one that does.
+    // Most advances need no intersection test; step to one that does, so that the Tests layer draws something.
     for (int i = 0; i < 2000 && driver.run().explanation->tests.empty() && driver.run().advance > 1; ++i) {
         driver.context().run.step(-1);
         driver.settle();
@@ -157,7 +157,7 @@ TEST_CASE("Run: each layer changes the canvas, and hidden again leaves no trace"
         slot.visible = true;
     }
     driver.moveTo({5, 5});
-    // From afar the boundary and its names show; close to the place where something happens, even small marks count.
+    // Zoomed out, the boundary and its names show; zoomed in on the current advance, even small marks do.
     Camera &camera = driver.context().view.camera;
     std::set<std::string> shown;
     for (const double basePixels : {0.0, 110.0}) {
@@ -186,14 +186,14 @@ TEST_CASE("Run: each layer changes the canvas, and hidden again leaves no trace"
     for (const LayerSlot &slot : driver.context().layers) {
         const std::string id = slot.layer->id();
         CAPTURE(id);
-        // The fill of the domain lies under the tint, and the mesh draws the faces of the quality.
+        // The tint covers the fill of the domain, and the quality layer covers the faces of the mesh layer.
         if (id != "domain" && id != "marks" && id != "faults") {
             CHECK(shown.count(id) == 1);
         }
     }
 }
 
-TEST_CASE("Run: a bar of the histogram isolates its elements; a second click frees them") {
+TEST_CASE("Run: a bar of the histogram isolates its elements; a second click shows all") {
     Meshed driver;
     driver.click("panel/histogram");
     driver.moveTo({5, 5});
@@ -214,7 +214,7 @@ TEST_CASE("Run: a bar of the histogram isolates its elements; a second click fre
     CHECK(driver.picture().differences(whole, driver.canvas()) == 0);
 }
 
-TEST_CASE("Run: an edit marks the mesh out of date, undo takes the mark back") {
+TEST_CASE("Run: an edit marks the mesh out of date, and undo clears the mark") {
     Meshed driver;
     Document next = *driver.context().document.current();
     next.spacing.size = 9.0;
@@ -250,7 +250,7 @@ TEST_CASE("Run: live meshing follows every edit") {
 
 TEST_CASE("Run: Esc cancels and keeps the partial mesh") {
     Driver driver;
-    load(driver, square(1000, 0.7)); // some millions of elements: long enough to be cancelled
+    load(driver, square(1000, 0.7)); // millions of elements, slow enough to be cancelled
     driver.key(key::k2);
     driver.until([&] { return driver.run().known >= 1000; });
     REQUIRE(driver.run().state != RunState::Finished);
@@ -264,7 +264,7 @@ TEST_CASE("Run: Esc cancels and keeps the partial mesh") {
     CHECK(driver.run().advance + 1 == driver.run().known);
 }
 
-TEST_CASE("Run: a refused domain is told with its place, and the log goes there") {
+TEST_CASE("Run: a refused domain is reported with its location, and the log links to it") {
     Driver driver;
     Document document = square(10, 1.0);
     auto bow = std::make_shared<Shape>(*document.shapes[0]);
@@ -287,7 +287,7 @@ TEST_CASE("Run: a refused domain is told with its place, and the log goes there"
     CHECK(driver.context().view.flag.has_value());
 }
 
-TEST_CASE("Run: a mesh that is refused leaves the one before, out of date, and undo makes it current") {
+TEST_CASE("Run: a refused run keeps the previous mesh, out of date, and undo makes it current") {
     Driver driver;
     load(driver, square(8, 0.8));
     driver.key(key::k2);
@@ -312,7 +312,7 @@ TEST_CASE("Run: a mesh that is refused leaves the one before, out of date, and u
                              [](const auto &entry) { return entry.diagnostic.severity == Severity::Error; });
     };
     CHECK(faults() == 1);
-    // Its timeline is still there, and the refusal is told once.
+    // Its timeline is still there, and the refusal is reported once.
     driver.key(key::kHome);
     driver.settle();
     CHECK(driver.run().advance == 0);
@@ -330,7 +330,7 @@ TEST_CASE("Run: a mesh that is refused leaves the one before, out of date, and u
     CHECK(driver.run().diagnostics.empty());
 }
 
-TEST_CASE("Canvas: the picture of a drawing does not depend on where in the plane it lies") {
+TEST_CASE("Canvas: the picture of a drawing does not depend on its offset from the origin") {
     const auto shot = [](Vec2 offset) {
         Driver driver;
         for (const char *hidden : {"labels", "lattice", "marks"}) {
@@ -345,7 +345,7 @@ TEST_CASE("Canvas: the picture of a drawing does not depend on where in the plan
         driver.settle();
         return std::pair{driver.picture(), driver.canvas()};
     };
-    // Offsets that are sums of powers of two, so that the coordinates themselves are exact.
+    // The offsets are sums of powers of two, so that the coordinates are exact.
     const auto [here, canvas] = shot({0, 0});
     const auto [there, other] = shot({131072, 65536});
     CHECK(canvas == other);

@@ -27,7 +27,7 @@ bool overlap(const PixelRect &a, const PixelRect &b) {
 
 } // namespace
 
-TEST_CASE("Editor: opens on the sample with a hint strip, its domain in view") {
+TEST_CASE("Editor: opens with the sample in view and the hint strip shown") {
     Driver driver;
     const Document &document = *driver.context().document.current();
     CHECK(document.shapes.size() >= 4);
@@ -84,7 +84,7 @@ TEST_CASE("Settings: a damaged file gives the defaults and a warning, and number
     CHECK(settings.recentFiles == std::vector<std::string>{"a"});
 }
 
-TEST_CASE("Editor: all of the interface is inside the window at 1280x800, 1920x1080 and twice the scale") {
+TEST_CASE("Editor: the whole interface is inside the window at 1280x800, 1920x1080 and twice the scale") {
     const std::pair<PixelSize, double> sizes[] = {
         {{1280, 800}, 1.0}, {{1920, 1080}, 1.0}, {{2560, 1600}, 2.0}, {{1024, 700}, 1.0}};
     Driver driver;
@@ -118,7 +118,7 @@ TEST_CASE("Editor: buttons grow with the scale") {
     CHECK(std::abs(after / before - 1.5) < 0.05);
 }
 
-TEST_CASE("Editor: the theme changes nearly every pixel but the colours of values, and switching back restores all") {
+TEST_CASE("Editor: the theme changes nearly every pixel except value colours, and switching back restores all") {
     Driver driver;
     showLayer(driver.context().layers, "size", false); // the same in both themes
     driver.moveTo({640, 400});
@@ -150,13 +150,13 @@ TEST_CASE("Editor: Tab hides the panels and brings them back") {
         CHECK(button.x + button.width <= driver.canvas().x);
         CHECK(button.x + button.width <= options.x);
     }
-    driver.click("menu/panels"); // the way back that can be seen
+    driver.click("menu/panels"); // the visible way to bring them back
     driver.settle();
     CHECK(driver.has("layer/mesh"));
     CHECK(driver.canvas().width == before);
 }
 
-TEST_CASE("Editor: the view stays fitted while window and panels change their size, until the user moves it") {
+TEST_CASE("Editor: the view stays fitted when window and panels are resized, until the user moves it") {
     Driver driver;
     const Box2 box = toDomain(*driver.context().document.current()).bounds();
     const Camera &camera = driver.context().view.camera;
@@ -257,7 +257,7 @@ TEST_CASE("Editor: nothing overlaps in a small window") {
                 CHECK_MESSAGE(rect.x + rect.width <= canvas.x + canvas.width + 0.5, name);
                 for (std::size_t j = 0; j < i; ++j) {
                     const std::string other = plates[j].first;
-                    const bool transient = name == "canvas/news"; // over what there is, for some seconds
+                    const bool transient = name == "canvas/news"; // covers other plates for a few seconds
                     CHECK_MESSAGE((transient || !overlap(rect, plates[j].second)), name << " over " << other);
                 }
             }
@@ -280,7 +280,7 @@ TEST_CASE("Editor: nothing overlaps in a small window") {
     }
 }
 
-TEST_CASE("Editor: windows of any size are drawn and come to rest") {
+TEST_CASE("Editor: windows of any size are drawn and settle") {
     Driver driver;
     const PixelSize sizes[] = {{1, 1}, {640, 60}, {640, 130}, {640, 140}, {90, 600}, {3000, 100}, {1280, 800}};
     for (const PixelSize &size : sizes) {
@@ -288,7 +288,7 @@ TEST_CASE("Editor: windows of any size are drawn and come to rest") {
         CAPTURE(size.height);
         driver.platform().resize(size, 1.0);
         driver.settle();
-        CHECK(driver.has("splitter/column") == (size.height > 139)); // between the bars is room for it
+        CHECK(driver.has("splitter/column") == (size.height > 139)); // only if there is room between the bars
     }
 }
 
@@ -330,7 +330,7 @@ TEST_CASE("Editor: the palette finds an action by a part of its name") {
     CHECK(driver.context().dialogs.top() == nullptr);
 }
 
-TEST_CASE("Editor: menus open by click and slide to their neighbours; Esc closes them") {
+TEST_CASE("Editor: menus open on click, their neighbours on hover; Esc closes them") {
     Driver driver;
     driver.click("menu/View");
     driver.frames(2);
@@ -372,10 +372,10 @@ TEST_CASE("Editor: wheel zooms at the pointer, middle drag and Space with drag p
     const Vec2 panned = driver.context().view.camera.toPixel(place);
     CHECK(std::abs(panned.x - (at.x + 60)) < 0.01);
     CHECK(std::abs(panned.y - (at.y + 25)) < 0.01);
-    CHECK(driver.run().state == RunState::Empty); // the Space of a pan is no tap
+    CHECK(driver.run().state == RunState::Empty); // holding Space to pan is not a tap
 }
 
-TEST_CASE("Colour maps: ends as published, even between") {
+TEST_CASE("Colour maps: published colours at the ends, evenly interpolated between") {
     CHECK(viridis(0.0) == rgb(0x440154));
     CHECK(viridis(1.0) == rgb(0xfde725));
     CHECK(cividis(0.0) == rgb(0x00204d));
@@ -383,7 +383,7 @@ TEST_CASE("Colour maps: ends as published, even between") {
     CHECK(viridis(2.0) == viridis(1.0));
 }
 
-TEST_CASE("Legend: ticks of a logarithmic scale lie in order between the ends") {
+TEST_CASE("Legend: ticks of a logarithmic scale are in order, between the ends") {
     for (const auto &[least, greatest] : {std::pair{0.05, 0.5}, {1e-4, 3.0}, {2.0, 2.1}, {1e-9, 1e6}}) {
         const auto ticks = logarithmicTicks(least, greatest, 5);
         REQUIRE(ticks.size() >= 2);
@@ -418,7 +418,7 @@ TEST_CASE("Legend: labels do not overlap, and the ends are always labelled") {
             CHECK(labels.back().left + labels.back().width <= kBar + 0.5);
         }
     }
-    CHECK(between > 500); // where there is room, round numbers stand between the ends
+    CHECK(between > 500); // where there is room, round numbers are labelled too
 }
 
 } // namespace forefront::test

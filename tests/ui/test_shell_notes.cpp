@@ -18,7 +18,7 @@ bool overlap(const PixelRect &a, const PixelRect &b) {
     return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 }
 
-/// A square whose mesh takes long enough to look at it on its way.
+/// A square that takes long enough to mesh to observe the run in progress.
 struct LongRun : Draughtsman {
     LongRun() {
         rectangle({0, 0}, {8, 8});
@@ -56,7 +56,7 @@ TEST_CASE("Notes: the progress of a long run does not cover the tool options") {
     CHECK_FALSE(driver.has("canvas/progress"));
 }
 
-TEST_CASE("SnapshotPace: what is costly to draw is drawn seldom while the run works, and at once when it rests") {
+TEST_CASE("SnapshotPace: snapshots that are slow to draw are drawn rarely during a run, and at once when it stops") {
     SnapshotPace pace;
     CHECK(pace.due(100.0, true));
     pace.drew(100.0, 0.2);
@@ -68,7 +68,7 @@ TEST_CASE("SnapshotPace: what is costly to draw is drawn seldom while the run wo
     CHECK(pace.due(201.0, true));
 }
 
-TEST_CASE("Timeline: a move and a release in one frame seek to the place of the release") {
+TEST_CASE("Timeline: a move and a release in one frame seek to the point of release") {
     Driver driver;
     driver.key(key::kF5);
     driver.settle();
@@ -128,7 +128,7 @@ TEST_CASE("Notes: undo hides a reported fault, and drawing it again reports it a
     driver.key('Z', {Modifiers::kControl});
     driver.settle();
     CHECK_FALSE(driver.has("canvas/error"));
-    CHECK_FALSE(driver.has("canvas/outofdate")); // there never was a mesh
+    CHECK_FALSE(driver.has("canvas/outofdate")); // there was no mesh
     CHECK_FALSE(driver.context().view.flag.has_value());
     CHECK(driver.picture().differences(failed, caption) > 200);
     driver.key(key::kF5);
@@ -201,8 +201,7 @@ TEST_CASE("Tooltips: appear once the pointer rests, and above their widget at th
     driver.hover("timeline/granularity/Event");
     driver.frames(8);
     const auto early = driver.picture();
-    bool asked =
-        false; // for the frames in which it appears: in a window where nothing else happens there are no others
+    bool asked = false; // draws frames until the tooltip appears; an idle window draws no others
     for (int i = 0; i < 40; ++i) {
         CHECK((asked || driver.context().nextFrameAt < driver.platform().now() + 0.5));
         driver.frames(1);
@@ -218,7 +217,7 @@ TEST_CASE("Tooltips: appear once the pointer rests, and above their widget at th
     CHECK(late.differences(early, neighbour) == 0);
 }
 
-TEST_CASE("Tooltips: those of a panel cover none of its fields") {
+TEST_CASE("Tooltips: a tooltip of a panel covers none of its fields") {
     Draughtsman driver;
     driver.rectangle({0, 0}, {8, 8});
     driver.key(key::kEscape);
@@ -264,7 +263,7 @@ TEST_CASE("Tooltips: lie outside the window of their widget and inside the displ
     check({0, 695, 1280, 78}, {1200, 703, 60, 26});   // the timeline
     check({0, 0, 1280, 34}, {1240, 4, 26, 26});       // the menu bar
     check({58, 46, 500, 40}, {300, 53, 76, 26});      // options of a tool
-    // Where there is room nowhere else, above the widget.
+    // Above the widget if there is no room elsewhere.
     const PixelRect wide{100, 50, 1080, 700}, button{700, 400, 80, 26};
     CHECK_FALSE(overlap(ui::placeTooltip(button, wide, size, display, 740, 6.0), button));
 }
@@ -283,7 +282,7 @@ TEST_CASE("Notes: cancelling is shown in the next frame, before the partial mesh
     CHECK(driver.run().state == RunState::Cancelled);
     CHECK_FALSE(driver.has("canvas/cancelling"));
     driver.key(key::kF5);
-    // Not the run before, nor a stage whose name gives way to another under the click.
+    // Wait for this run, and for a stage whose label will not change under the click.
     const auto advancing = [&] { return driver.run().state == RunState::Running && driver.run().advance > 20000; };
     driver.until(advancing);
     driver.frames(2);
@@ -291,10 +290,10 @@ TEST_CASE("Notes: cancelling is shown in the next frame, before the partial mesh
     driver.until([&] { return driver.run().state == RunState::Cancelled; });
 }
 
-TEST_CASE("Text: lines end between words, never within a number, and none is too wide") {
+TEST_CASE("Text: lines break between words, never within a number, and none is too wide") {
     Driver driver;
     const std::string text =
-        "6326 triangles, 3272 nodes in 0.00843 s; least \xce\xb1 0.799, mean 0.981\nand then max(0.1, "
+        "6326 triangles, 3272 nodes in 0.00843 s; minimum \xce\xb1 0.799, mean 0.981\nand then max(0.1, "
         "0.2*dist(3, 2)) and supercalifragilisticexpialidocious";
     for (const float width : {60.0F, 90.0F, 133.0F, 200.0F, 1000.0F}) {
         CAPTURE(width);

@@ -86,7 +86,7 @@ class Window:
         return found.stdout.split()[-1]
 
     def geometry(self):
-        """X, Y, width and height on the screen."""
+        """Returns x, y, width and height on the screen."""
         shown = subprocess.run(["xdotool", "getwindowgeometry", "--shell", self.number()], env=self.env, check=True,
                                timeout=TIMEOUT, capture_output=True, text=True)
         values = dict(line.split("=") for line in shown.stdout.split())
@@ -194,7 +194,7 @@ def run(program, folder):
 
 
 def remember_place(program, folder):
-    """The window opens where and as large as it was closed, and states a minimum size."""
+    """The window reopens with the position and size it was closed with, and has a minimum size."""
     place = (90, 40, 1010, 640)
     window = Window(program, folder)
     try:

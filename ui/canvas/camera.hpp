@@ -13,7 +13,7 @@ struct Camera {
     Vec2 centre;            ///< place in the middle of the viewport
     double zoom = 50.0;     ///< pixels per domain unit, > 0
     PixelRect viewport;     ///< the canvas in the framebuffer
-    double minZoom = 1e-12; ///< bounds of zoom, set from the size of the drawing
+    double minZoom = 1e-12; ///< limit of zoom, set from the size of the drawing
     double maxZoom = 1e12;
 
     Vec2 toPixel(Vec2 p) const {

@@ -10,7 +10,7 @@ namespace forefront {
 
 namespace {
 
-// Coordinates are limited to this many pixels: farther out, floats lose the direction of a line.
+// Maximum coordinate in pixels; farther out, floats lose the direction of a line.
 constexpr double kFar = 1.0e5;
 
 bool clipToFar(Vec2 &a, Vec2 &b) {

@@ -12,9 +12,9 @@ struct ImFont;
 
 namespace forefront {
 
-/// Draws the few things over the canvas that change with every frame: tool overlays, labels, candidates. Places are in
-/// domain units, widths and radii in design pixels (scaled for HiDPI here). It serves thousands of primitives, not
-/// millions: those belong in layers on the GPU.
+/// Draws primitives over the canvas that change with every frame, such as tool overlays, labels and candidates.
+/// Positions are in domain units, widths and radii in design pixels (scaled for HiDPI here). It can draw thousands of
+/// primitives; millions belong in GPU batches.
 class CanvasPainter {
   public:
     CanvasPainter(ImDrawList &list, const Camera &camera, double scale) : list_(list), camera_(camera), scale_(scale) {}
@@ -39,8 +39,8 @@ class CanvasPainter {
     void dashedCircle(Vec2 centre, double radius, Colour colour, double width = 1.5);
     /// Draws text on a rounded plate, `offset` design pixels from the place. Returns its rectangle in pixels.
     PixelRect label(Vec2 at, Vec2 offset, std::string_view text, Colour colour, Colour plate, ImFont *font = nullptr);
-    /// Draws a label where it covers no other label and no reserved place: at `offset`, or else to the other side of
-    /// the place, or above or below. Returns false, and draws nothing, where all of these are taken.
+    /// Draws a label where it covers no other label and no reserved area: at `offset`, otherwise on the other side of
+    /// the place, above or below it. Returns false, and draws nothing, if all of these are taken.
     bool freeLabel(Vec2 at, Vec2 offset, std::string_view text, Colour colour, Colour plate, ImFont *font = nullptr);
     /// Keeps free labels out of a rectangle of pixels.
     void reserve(const PixelRect &rect) { taken_.push_back(rect); }
@@ -57,7 +57,7 @@ class CanvasPainter {
     ImDrawList &list_;
     const Camera &camera_;
     double scale_;
-    std::vector<PixelRect> taken_; ///< by labels and reserved places
+    std::vector<PixelRect> taken_; ///< areas of labels and reserved areas
 };
 
 } // namespace forefront

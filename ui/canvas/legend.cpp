@@ -86,7 +86,7 @@ std::vector<LegendTick> linearTicks(const ColourRange &range) {
                                                           : 10.0);
     for (double value = step * std::ceil(range.from / step); value < range.to; value += step) {
         const double at = range.position(value);
-        if (at > 0.1 && at < 0.92) { // else too close to the ends
+        if (at > 0.1 && at < 0.92) { // not too close to the ends
             ticks.push_back({at, ui::number(value, 3)});
         }
     }

@@ -14,7 +14,7 @@ namespace forefront {
 /// Size of a legend, margin to the edges of the canvas and gap to the next legend; design pixels.
 inline constexpr double kLegendWidth = 216.0, kLegendHeight = 58.0, kLegendMargin = 14.0, kLegendGap = 10.0;
 
-/// Returns how many legends fit side by side on a canvas of this width in design pixels; the others go above them.
+/// Returns how many legends fit side by side on a canvas of this width in design pixels; the rest go above.
 inline int legendsAbreast(double canvasWidth) {
     return std::max(1,
                     static_cast<int>((canvasWidth - 2.0 * kLegendMargin + kLegendGap) / (kLegendWidth + kLegendGap)));
@@ -31,8 +31,8 @@ struct LegendLabel {
     std::string text;
 };
 
-/// Lays out the texts of ticks along a bar of `bar` pixels, each below its tick but within the bar and at least `gap`
-/// pixels apart. The two ends come first, then from the left those that fit.
+/// Lays out the labels of ticks along a bar of `bar` pixels, each below its tick but within the bar and at least `gap`
+/// pixels apart. The two ends are always labelled; the others, from the left, if they fit.
 std::vector<LegendLabel> legendLabels(ImFont *font, const std::vector<LegendTick> &ticks, double bar, double gap);
 
 /// Draws a colour bar with a title and ticks, its lower right corner at `corner` (pixels). The bar is hatched from its
@@ -41,11 +41,11 @@ void drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &font
                    const std::string &title, Colour (*map)(double), const std::vector<LegendTick> &ticks,
                    double hatchedTo = 0.0);
 
-/// Ticks of a linear scale: the ends, and between them the multiples of a round step. The lower end reads "≤" since
-/// smaller values have its colour.
+/// Returns the ticks of a linear scale: the ends, and between them the multiples of a round step. The lower end reads
+/// "≤", since smaller values share its colour.
 std::vector<LegendTick> linearTicks(const ColourRange &range);
 
-/// Ticks of a logarithmic scale: the ends, and at most `limit` round numbers (1, 2, 5 · 10ⁿ) between them.
+/// Returns the ticks of a logarithmic scale: the ends, and at most `limit` round numbers (1, 2, 5 · 10ⁿ) in between.
 std::vector<LegendTick> logarithmicTicks(double minimum, double maximum, std::size_t limit);
 
 } // namespace forefront

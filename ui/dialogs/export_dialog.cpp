@@ -54,9 +54,9 @@ std::shared_ptr<const MeshView> finishedMesh(const Shell &context) {
     return finished ? run.mesh : nullptr;
 }
 
-/// Draws the counts of the mesh, or offers to make one. Returns false if there is nothing to export. Starts meshing by
-/// itself, once, if there is no finished mesh and no command is pending (a step may still be under way when the dialog
-/// opens).
+/// Draws the counts of the mesh, or offers to make one. Returns false if there is nothing to export. Starts meshing
+/// automatically, once, if there is no finished mesh and no command is pending (a step may still be running when the
+/// dialog opens).
 bool drawMeshLine(Shell &context, bool &asked) {
     const std::shared_ptr<const MeshView> mesh = finishedMesh(context);
     ImGui::AlignTextToFramePadding();

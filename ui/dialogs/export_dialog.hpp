@@ -10,7 +10,7 @@
 
 namespace forefront {
 
-/// Writes a mesh on a thread of its own and shows the progress. Cancel stops it and leaves no file.
+/// Writes a mesh on a separate thread and shows the progress. Cancel stops it and leaves no file.
 class WriteDialog final : public Dialog {
   public:
     /// `write` reports its progress in `fraction`, 0 to 1, and ends early when `stop` is requested.

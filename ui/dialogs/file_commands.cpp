@@ -66,7 +66,7 @@ Diagnostics openChosen(Shell &context, const std::filesystem::path &file) {
     }
     afterUnsaved(context, [file, read, notes, asked = context.document.dirty()](Shell &c) {
         if (asked && !c.document.dirty()) {
-            *read = readDocument(file); // it may be what has just been saved
+            *read = readDocument(file); // read again: it may have just been saved
         }
         if (!*read) {
             c.log.add(read->faults());
@@ -86,7 +86,7 @@ void showDocument(Shell &context, const Document &document, const std::filesyste
     const bool project = format != nullptr && std::string_view(format->id) == "project";
     const std::vector<Sample> gallery = samples();
     const auto sample = std::find_if(gallery.begin(), gallery.end(), [&](const Sample &s) { return s.path == file; });
-    // A sample or an imported drawing is not saved over.
+    // Saving must not overwrite a sample or an imported drawing.
     const bool own = project && sample == gallery.end();
     context.document.load(document, own ? file : std::filesystem::path(), false,
                           sample != gallery.end() ? sample->title : file.stem().string());

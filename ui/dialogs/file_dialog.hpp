@@ -22,7 +22,8 @@ struct FileRequest {
     std::size_t filter = 0;
     std::filesystem::path folder; ///< initial folder; empty: the working folder
     std::string name;             ///< suggested name
-    /// Called with the chosen file. The dialog closes if it returns no faults, else it stays open and shows the first.
+    /// Called with the chosen file. The dialog closes if it returns no faults; otherwise it stays open and shows the
+    /// first.
     std::function<Diagnostics(Shell &, const std::filesystem::path &, const FileFilter &)> chosen;
     /// Draws extra lines between the list and the buttons; returns false to disable the button. May be empty.
     std::function<bool(Shell &)> extra;
@@ -53,7 +54,7 @@ class FileDialog : public Dialog {
     std::string warning() const;
     /// Returns the height of the rows below the list, in pixels.
     float bottomHeight(const Shell &context) const;
-    /// Sets the chosen name and clears the faults of the last one.
+    /// Sets the chosen name and clears the faults of the previous one.
     void suggest(std::string name);
     bool choose(Shell &context);
     /// Switches to the filter that the extension of a typed name belongs to.

@@ -28,15 +28,14 @@ struct FileEntry {
 /// not pass the filter. Error: "folder" with the reason.
 Result<std::vector<FileEntry>> listFolder(const std::filesystem::path &folder, const FileFilter &filter);
 
-/// Returns true if the filter lets a file name through.
+/// Returns true if a file name passes the filter.
 bool passes(const FileFilter &filter, std::string_view name);
-/// Returns the fault of a name for a new file whose extension belongs to no filter, or nothing if the extension is
-/// known or missing.
+/// Returns a fault if the extension of a new file's name belongs to no filter; nothing if it is known or missing.
 Diagnostics checkExtension(std::string_view name, const std::vector<FileFilter> &filters);
-/// Adds the first extension of the filter to a name, unless it has one of the filter's already. An extension of one of
-/// the `others` is replaced.
+/// Adds the first extension of the filter to a name, unless the name already has one of the filter's extensions. An
+/// extension of one of the `others` is replaced.
 std::string withExtension(std::string name, const FileFilter &filter, const std::vector<FileFilter> &others);
-/// Resolves what was typed: "~" and "~/..." to the home folder, relative paths from `folder`, "." and "..".
+/// Resolves a typed path: "~" and "~/..." from the home folder, relative paths from `folder`, "." and "..".
 std::filesystem::path resolved(const std::filesystem::path &folder, std::string_view typed);
 /// Formats a size as in "1.2 MB".
 std::string fileSizeText(std::uintmax_t bytes);

@@ -46,8 +46,8 @@ bool ImportDialog::draw(Shell &context) {
         scale_ = scale;
     }
     ImGui::SameLine();
-    ui::muted(context, "units here");
-    // The units that drawings usually come in.
+    ui::muted(context, "drawing units");
+    // Common units of drawings.
     const struct {
         const char *id, *label;
         double factor;

@@ -12,7 +12,7 @@ namespace forefront {
 /// Shows the size of a drawing read from a file, and asks for its unit, before adding it to the current drawing.
 class ImportDialog final : public Dialog {
   public:
-    /// `notes`: what of the file is not used.
+    /// `notes` lists what the reader did not use.
     ImportDialog(std::filesystem::path file, Document drawing, ImportNotes notes)
         : file_(std::move(file)), drawing_(std::move(drawing)), notes_(std::move(notes)) {}
 

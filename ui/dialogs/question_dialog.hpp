@@ -8,7 +8,7 @@
 
 namespace forefront {
 
-/// Asks a question with a few answers; Esc chooses none.
+/// Asks a question with a few answers; Esc closes it without an answer.
 class QuestionDialog final : public Dialog {
   public:
     struct Answer {

@@ -13,15 +13,15 @@ struct Shell;
 /// Journals the open document and offers to recover what a crash left behind.
 class Recovery {
   public:
-    /// Keeps its journals in `folder`/recovery.
+    /// Stores the journals in `folder`/recovery.
     explicit Recovery(const std::filesystem::path &folder);
 
     /// Opens the recovery dialog if programs that crashed left journals.
     void offer(Shell &context);
     /// Records the document in the journal if it has changed. Called once per frame.
     void follow(Shell &context);
-    /// Opens the document of a journal, unsaved, and removes that journal once the document is safe in our own. False
-    /// if the journal cannot be read.
+    /// Opens the document of a journal as unsaved, and removes that journal once the document is in our own. Returns
+    /// false if the journal cannot be read.
     bool recover(OrphanedJournal &orphan, Shell &context);
 
   private:

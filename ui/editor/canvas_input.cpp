@@ -107,7 +107,7 @@ void CanvasInput::button(const InputEvent &event, Shell &context) {
         return;
     }
     if (ui::typing().active) {
-        context.widgets.fields.leave(); // it takes its text before anything else is selected
+        context.widgets.fields.leave(); // it commits its text before anything else is selected
         waitingPress_ = event;
         return;
     }
@@ -130,7 +130,7 @@ void CanvasInput::scroll(const InputEvent &event, Shell &context) {
 }
 
 void CanvasInput::spaceKey(const InputEvent &event, Shell &context) {
-    // A tap plays or pauses; held, it turns a drag into a pan.
+    // A tap plays or pauses; holding it turns a drag into a pan.
     if (event.pressed && !spaceDown_) {
         spaceDown_ = true;
         spaceUsed_ = false;
@@ -142,8 +142,9 @@ void CanvasInput::spaceKey(const InputEvent &event, Shell &context) {
     }
 }
 
-/// A field keeps the keys that type and edit text. Shortcuts with Ctrl and function keys are the program's: the field
-/// takes what was typed, then they run. Undo and redo are the field's as long as it has something to undo or redo.
+/// Splits keys between a text field and the program. The field gets the keys that type and edit text, and undo and redo
+/// as long as it has something to undo or redo. For other shortcuts with Ctrl and for function keys, the field commits
+/// its text, then the shortcut runs.
 void CanvasInput::fieldKey(const InputEvent &event, Shell &context) {
     const bool functionKey = event.code >= key::kF1 && event.code < key::kF1 + 12;
     if (!event.pressed || (!modifiers_.control() && !functionKey)) {
@@ -181,7 +182,7 @@ void CanvasInput::key(const InputEvent &event, Shell &context) {
         static_cast<std::uint8_t>((io.KeyShift ? Modifiers::kShift : 0) | (io.KeyCtrl ? Modifiers::kControl : 0) |
                                   (io.KeyAlt ? Modifiers::kAlt : 0));
     if (event.code >= key::kLeftShift) {
-        // The tool may show what a modifier does before the pointer moves.
+        // The tool may show the effect of a modifier before the pointer moves.
         if (over_ && !held_ && !panning_) {
             offer({.kind = CanvasEvent::Kind::Hover}, context);
         }

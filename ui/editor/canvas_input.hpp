@@ -8,14 +8,13 @@
 
 namespace forefront {
 
-/// Decides who gets an event: Dear ImGui (which has seen it already), the camera, the active tool, or a shortcut.
+/// Routes input events to the camera, the active tool or a shortcut, unless Dear ImGui has used them already.
 class CanvasInput {
   public:
-    /// Call between Dear ImGui's NewFrame and the building of the windows.
+    /// Handles one event. Call after Dear ImGui's NewFrame and before the windows are built.
     void dispatch(const InputEvent &event, Shell &context);
     bool panning() const { return panning_; }
-    /// Runs the shortcut or click that took the keyboard from a text field, now that the field has taken what was
-    /// typed.
+    /// Runs the shortcut or click that ended the editing of a text field, now that the field has committed its text.
     void runWaiting(Shell &context);
 
   private:
@@ -32,10 +31,10 @@ class CanvasInput {
     Modifiers modifiers_;
     bool over_ = false;
     bool panning_ = false;
-    std::optional<MouseButton> held_; ///< pressed on the canvas, for the tool
+    std::optional<MouseButton> held_; ///< button pressed on the canvas, held for the tool
     bool spaceDown_ = false, spaceUsed_ = false;
-    std::optional<Shortcut> waiting_;        ///< for the field to be left
-    std::optional<InputEvent> waitingPress_; ///< of a button on the canvas, likewise
+    std::optional<Shortcut> waiting_;        ///< runs once the text field is left
+    std::optional<InputEvent> waitingPress_; ///< click on the canvas, likewise
     Vec2 clickPixel_;
     double clickTime_ = -1.0;
     int clicks_ = 0;

@@ -38,7 +38,7 @@ struct Editor::Parts {
     std::string shownTitle;
     double lastFrame = 0.0;
     std::uint64_t frames = 0;
-    std::uint64_t flagRevision = 0; ///< of the document that the flag of the view speaks of
+    std::uint64_t flagRevision = 0; ///< revision of the document that the view's flag refers to
     PixelSize size;
     std::shared_ptr<const SpacingRaster> raster;
     SnapshotPace pace;
@@ -84,14 +84,14 @@ CursorShape cursorOf(ImGuiMouseCursor cursor) {
 
 bool Editor::Parts::newsDue() const {
     if (context.run.cancelling() && !saidCancelling) {
-        return false; // first a frame that says so: drawing the news may take long
+        return false; // show the cancelling first: drawing the new snapshot may take long
     }
     const RunState state = context.run.now().state;
     return pace.due(steadySeconds(), state == RunState::Running || state == RunState::Improving);
 }
 
-/// Keys that are held down to repeat (steps, zoom, nudges) may be handled several to a frame, unless a field, popup or
-/// dialog could want them.
+/// Keys that are held down to repeat (steps, zoom, nudges) may share a frame, unless a field, popup or dialog could
+/// use them.
 bool Editor::Parts::keySharesFrame(const InputEvent &event) const {
     const bool canvasHasKeys = !ui::typing().active && !context.dialogs.any() && !ImGui::IsAnyItemActive() &&
                                !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
@@ -218,7 +218,7 @@ void Editor::Parts::refreshLook() {
     }
 }
 
-/// `cancels`: the user cancels in this frame, which is to show that before anything else.
+/// `cancels`: the user cancels in this frame; the next frame must show that before any new snapshot.
 void Editor::Parts::takeResults(bool cancels) {
     context.log.setTime(context.platform.now());
     SnapshotLayers wanted{.mesh = false, .front = false};
@@ -227,7 +227,7 @@ void Editor::Parts::takeResults(bool cancels) {
             slot.layer->request(wanted);
         }
     }
-    wanted.mesh = true; // the panels speak of it
+    wanted.mesh = true; // the panels show its figures
     context.run.want(wanted);
     const auto before = context.run.snapshot();
     if (newsDue() && !cancels) {
@@ -247,7 +247,7 @@ void Editor::Parts::takeResults(bool cancels) {
     }
 }
 
-/// The place of a fault is not marked any longer once the document is another.
+/// Removes the mark of a fault once the document has changed.
 void Editor::Parts::dropFlag() {
     if (flagRevision != context.document.revision()) {
         flagRevision = context.document.revision();

@@ -9,13 +9,13 @@
 
 namespace forefront {
 
-/// What an editor is opened with.
+/// The settings an editor starts with.
 struct EditorSetup {
-    std::filesystem::path settingsFolder; ///< empty: nothing is remembered
-    std::filesystem::path stateFolder;    ///< for the recovery journal, see stateFolder(); empty: none is kept
+    std::filesystem::path settingsFolder; ///< empty: settings are neither read nor saved
+    std::filesystem::path stateFolder;    ///< for the recovery journal, see stateFolder(); empty: no journal
     std::filesystem::path file;           ///< project or domain to open
-    bool sample = true;                   ///< open the first sample where no file is given
-    std::filesystem::path stateFile;      ///< where each frame's state is written for tests of the real window
+    bool sample = true;                   ///< open the first sample if no file is given
+    std::filesystem::path stateFile;      ///< file that receives the state of each frame, for tests of the real window
 };
 
 /// The whole editor, on any platform. One object, one thread.
@@ -28,18 +28,18 @@ class Editor {
 
     /// Takes input, builds the user interface, draws and presents one frame.
     void frame();
-    /// Seconds the platform may sleep before the next frame; 0: something moves.
+    /// Returns how many seconds the platform may sleep before the next frame; 0 while something is animated.
     double sleepSeconds() const;
-    /// False while nothing has happened since the last frame; drawing would repeat it.
+    /// Returns false if nothing has happened since the last frame, so that drawing would only repeat it.
     bool needsFrame() const;
     bool running() const;
-    /// True when the picture will not change any more without input: nothing queued, computed or animated.
+    /// Returns true if the picture can only change through new input: nothing is queued, being computed or animated.
     bool settled() const;
 
     Shell &context();
     InputQueue &input();
     std::uint64_t frames() const;
-    /// Opens a project or any domain format; faults go to the log. True if opened.
+    /// Opens a project or a file in any domain format and logs its faults. Returns true if it was opened.
     bool open(const std::filesystem::path &file);
 
   private:

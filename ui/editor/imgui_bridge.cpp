@@ -14,7 +14,7 @@ namespace forefront {
 namespace {
 
 const char *readClipboard(void *user) {
-    // Dear ImGui wants a pointer that outlives the call.
+    // Dear ImGui needs a pointer that outlives the call.
     static thread_local std::string text;
     text = static_cast<Platform *>(user)->clipboard();
     return text.c_str();
@@ -55,7 +55,7 @@ ImGuiBridge::ImGuiBridge(Platform &platform) : platform_(platform), context_(ImG
     IMGUI_CHECKVERSION();
     activate();
     ImGuiIO &io = ImGui::GetIO();
-    io.IniFilename = nullptr; // the layout is fixed; nothing to remember
+    io.IniFilename = nullptr; // the layout is fixed, so there is nothing to save
     io.LogFilename = nullptr;
     io.ConfigWindowsMoveFromTitleBarOnly = true;
     io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;

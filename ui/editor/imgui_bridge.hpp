@@ -10,7 +10,7 @@ namespace forefront {
 
 class Platform;
 
-/// The context of Dear ImGui, fed from the input queue rather than from a backend, drawn with its OpenGL 3 backend.
+/// A Dear ImGui context that takes its input from our input queue and draws with the OpenGL 3 backend.
 class ImGuiBridge {
   public:
     explicit ImGuiBridge(Platform &platform);
@@ -21,9 +21,9 @@ class ImGuiBridge {
     /// Makes this the current context of Dear ImGui; several editors may live in one process.
     void activate();
     void beginFrame(std::span<const InputEvent> events, double elapsedSeconds);
-    /// Draws what was built over what is in the target framebuffer.
+    /// Draws the interface built in this frame over the contents of the target framebuffer.
     void endFrame();
-    /// The fonts were built anew.
+    /// Call after the fonts were rebuilt.
     void fontsChanged();
 
   private:

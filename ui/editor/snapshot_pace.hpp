@@ -4,15 +4,15 @@
 
 namespace forefront {
 
-/// Limits how often snapshots of a working run are drawn, so that two thirds of the time are left for user input
-/// however large the mesh and however slow the graphics. Times are in seconds of any steady clock.
+/// Limits how often snapshots of a working run are drawn, so that two thirds of the time remain for user input even
+/// with large meshes and slow graphics. Times are in seconds of any steady clock.
 class SnapshotPace {
   public:
-    /// True if a waiting snapshot may be drawn. Snapshots of a resting run (`working` false) are always due.
+    /// Returns true if a waiting snapshot may be drawn. Snapshots of an idle run (`working` false) are always due.
     bool due(double now, bool working) const { return !working || now >= next_; }
-    /// Time at which the next one is due.
+    /// Returns the time at which the next snapshot is due.
     double next() const { return next_; }
-    /// Notes that a frame that drew a new snapshot ended at `now` and took `cost`.
+    /// Records that a frame with a new snapshot ended at `now` and took `cost`.
     void drew(double now, double cost) { next_ = now + std::min(kShare * cost, kLongest); }
 
   private:

@@ -6,8 +6,8 @@ namespace forefront {
 
 class Editor;
 
-/// Writes the state that tests of the real window wait for, as JSON and atomically: frame, settled, run, tool, dialog,
-/// document revision, widget rectangles.
+/// Writes the editor's state atomically as JSON, for tests of the real window to wait on: frame, settled, run, tool,
+/// dialog, document revision, widget rectangles.
 void writeStateFile(const std::filesystem::path &file, Editor &editor);
 
 } // namespace forefront

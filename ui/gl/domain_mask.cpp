@@ -7,7 +7,7 @@ namespace forefront {
 
 namespace {
 
-/// Crossing of a row with a segment: sorted by row, then along x.
+/// A crossing of a row with a segment; sorted by row, then along x.
 struct Crossing {
     int row = 0;
     double x = 0.0;

@@ -14,7 +14,7 @@ struct FieldTint {
     Box2 box;
     int columns = 0, rows = 0;
     const std::vector<float> *logRho = nullptr;
-    std::uint64_t version = 0;           ///< changes when the numbers do
+    std::uint64_t version = 0;           ///< changes whenever the values change
     double minimum = 0.0, maximum = 1.0; ///< ln ρ at the ends of the map
 };
 
@@ -37,7 +37,7 @@ class GlKit {
     void setCamera(const ShaderProgram &program, const Camera &camera) const;
     /// Textures of 256 x 1 colours.
     unsigned cividis() const { return cividis_; }
-    /// A vertex array without attributes, for shaders that compute their own corners.
+    /// Returns a vertex array without attributes, for shaders that compute their own corners.
     unsigned emptyArray() const { return emptyArray_; }
 
   private:

@@ -11,14 +11,14 @@ namespace forefront {
 
 class GlKit;
 
-/// How a batch of segments is drawn; lengths in pixels.
+/// The style in which a batch of segments is drawn; lengths in pixels.
 struct LineStyle {
     double width = 1.5;
-    double glow = 0.0;  ///< a fading band of this width to the left of each segment: the unmeshed side of Γ
+    double glow = 0.0;  ///< width of a fading band to the left of each segment, the unmeshed side of Γ
     double arrow = 0.0; ///< size of an arrowhead in the middle of segments that are long enough
 };
 
-/// A batch of thick anti-aliased segments with round ends, one instanced quad each. A segment without length is a dot.
+/// A batch of thick anti-aliased segments with round ends, one instanced quad each. A segment of zero length is a dot.
 class LineBatch {
   public:
     LineBatch();

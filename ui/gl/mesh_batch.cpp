@@ -14,10 +14,10 @@ namespace forefront {
 namespace {
 
 constexpr std::size_t kChunk = 4096;
-/// Below this many elements culling gains nothing.
+/// Minimum number of elements for which culling pays off.
 constexpr std::size_t kWorthSorting = 16384;
 
-/// Key that orders places along a Z-shaped curve on a lattice of 1024².
+/// Returns a key that orders points along a Z-order curve on a 1024 x 1024 lattice.
 std::uint32_t placeKey(Vec2 p, const Box2 &box) {
     const Vec2 size = box.size();
     const auto lattice = [](double t) { return static_cast<std::uint32_t>(std::clamp(t, 0.0, 1.0) * 1023.0); };

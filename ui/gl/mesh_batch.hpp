@@ -13,20 +13,20 @@ namespace forefront {
 
 class GlKit;
 
-/// How the elements of a mesh are drawn.
+/// The style in which the elements of a mesh are drawn.
 struct MeshStyle {
     Colour face = 0;        ///< of elements not coloured by their value; transparent: none
     Colour edge = 0;        ///< transparent: none
     double edgeWidth = 1.0; ///< pixels
-    double veil = 0.0;      ///< opacity, relative to `edge`, left to edges too dense to be told apart
-    bool coloured = false;  ///< by α, on the cividis map, opaque
+    double veil = 0.0;      ///< opacity, relative to `edge`, of edges too dense to be distinguished
+    bool coloured = false;  ///< colour faces by α, opaque, with the cividis map
     ColourRange range;      ///< of α on the map
     double badBelow = -1.0; ///< elements with α below it are hatched
     Colour hatch = 0;
     double isolateFrom = 1.0, isolateTo = 0.0; ///< shows only elements with α in [from, to); from > to: all
 };
 
-/// A mesh on the GPU: triangles without index, drawn with their edges in one pass. It is divided into chunks, each with
+/// A mesh on the GPU: non-indexed triangles, drawn with their edges in one pass. It is divided into chunks, each with
 /// its own origin for precision at any offset and zoom; chunks out of view are skipped. A mesh that grows or shrinks at
 /// its end, as while the front advances, is updated in place.
 class MeshBatch {
@@ -36,13 +36,13 @@ class MeshBatch {
     MeshBatch(const MeshBatch &) = delete;
     MeshBatch &operator=(const MeshBatch &) = delete;
 
-    /// Uploads what has changed; cheap if the version is the same. `atRest`: the mesh stays on show for a while, so
-    /// sorting its chunks by place pays off.
+    /// Uploads what has changed; cheap if the version is the same. `atRest` means that the mesh will be shown for a
+    /// while, so that sorting its chunks by location pays off.
     void update(const std::shared_ptr<const MeshView> &view, bool atRest);
     std::size_t elements() const { return uploaded_; }
-    /// Number of elements sent to the GPU by all updates together; for tests.
+    /// Returns the number of elements uploaded by all updates together; for tests.
     std::size_t sent() const { return sent_; }
-    /// Number of chunks drawn by the last draw(); for tests.
+    /// Returns the number of chunks drawn by the last draw(); for tests.
     std::size_t chunksDrawn() const { return chunksDrawn_; }
     void draw(const GlKit &gl, const Camera &camera, const MeshStyle &style);
 
@@ -68,7 +68,7 @@ class MeshBatch {
     std::vector<Corner> corners_; ///< three per element, relative to the origin of the chunk
     std::vector<float> values_;   ///< three per element: α
     std::size_t uploaded_ = 0;    ///< elements
-    std::size_t capacity_ = 0;    ///< elements the buffers hold
+    std::size_t capacity_ = 0;    ///< elements that fit into the buffers
     std::size_t sent_ = 0;
     std::size_t chunksDrawn_ = 0;
     bool byPlace_ = false;

@@ -9,8 +9,8 @@ namespace forefront {
 /// Returns the text of shaders/NAME.glsl, embedded at build time, or null if there is none.
 const char *shaderText(std::string_view name);
 
-/// A program linked from shaders/NAME_vertex.glsl and shaders/NAME_fragment.glsl. A fault in a shader is a bug: it is
-/// printed and ends the program.
+/// A program linked from shaders/NAME_vertex.glsl and shaders/NAME_fragment.glsl. A shader that fails to compile is a
+/// bug: the error is printed and the program ends.
 class ShaderProgram {
   public:
     explicit ShaderProgram(std::string_view name);

@@ -4,8 +4,8 @@
 
 namespace forefront {
 
-/// A double as the sum of two floats: the difference to a camera centre split the same way keeps about 48 bits, so a
-/// drawing at an offset of 1e5 is as sharp as one at the origin.
+/// A double split into the sum of two floats. Subtracting a camera centre split the same way keeps about 48 bits, so
+/// that a drawing at an offset of 1e5 is as sharp as one at the origin.
 struct SplitFloat {
     float high = 0.0F, low = 0.0F;
 

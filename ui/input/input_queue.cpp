@@ -6,19 +6,19 @@ namespace forefront {
 
 namespace {
 
-/// Pixels that the pointer may move between wheel notches of one frame: a hand on the wheel is never quite still.
+/// Distance in pixels that the pointer may move between wheel notches of one frame; turning the wheel jitters it.
 constexpr double kWheelJitter = 4.0;
 
-/// What has changed in a frame so far.
+/// The changes in a frame so far.
 struct FrameChanges {
     bool button = false, scrolled = false, key = false, text = false;
     bool sharedKey = false; ///< only keys that may share a frame have changed
     Vec2 pointer;
     std::optional<Vec2> wheelAt; ///< where the pointer was when the wheel first turned
 
-    /// True if `event` must not share a frame with what has changed already. A move after a button change would shift
-    /// the click; two changes of a button or key would hide each other; text belongs to the key before it. Wheel
-    /// notches add up, and keys that `shares` go one after the other.
+    /// Returns true if `event` must wait for the next frame. A move after a button change would shift the click; two
+    /// changes of a button or key would hide each other; text belongs to the key before it. Wheel notches add up, and
+    /// keys with `shares` are handled in order.
     bool conflicts(const InputEvent &event, bool shares) const {
         switch (event.kind) {
         case InputKind::MouseMove:

@@ -33,17 +33,17 @@ struct InputEvent {
     std::vector<std::string> paths;
 };
 
-/// Queues input for Dear ImGui 1.86, which polls the state of the input once per frame and so loses fast changes: a
-/// click within one frame, ctrl+A. The queue lets one change of a kind through per frame, in order; wheel notches and
-/// the keys that the caller names share a frame, so that slow frames do not pile up a backlog. It is also where input
-/// is recorded and replayed.
+/// Queues input for Dear ImGui 1.86, which polls the input state once per frame and so loses fast changes, such as a
+/// click within one frame or Ctrl+A. The queue passes on one change of each kind per frame, in order. Wheel notches and
+/// the keys that the caller names may share a frame, so that slow frames do not cause a backlog. The queue also records
+/// and replays input.
 class InputQueue {
   public:
-    /// True for key events that several may share a frame, since each is handled in order and none needs Dear ImGui.
+    /// Returns true for key events that may share a frame, because they are handled in order and without Dear ImGui.
     using SharesFrame = std::function<bool(const InputEvent &)>;
 
     void push(InputEvent event);
-    /// Takes the events of this frame: the longest beginning of the queue in which no change would hide another.
+    /// Takes the events of this frame: the longest prefix of the queue in which no change hides another.
     std::vector<InputEvent> takeFrame(const SharesFrame &sharesFrame = {});
     bool empty() const { return events_.empty(); }
 
@@ -51,7 +51,7 @@ class InputQueue {
     void startRecording();
     /// Returns the recording, one event per line: "FRAME KIND ...".
     std::string recording() const;
-    /// Queues a recording; its events keep their distance in frames. False if a line is invalid.
+    /// Queues a recording, with the same number of frames between its events. Returns false if a line is invalid.
     bool replay(const std::string &recording);
     bool replaying() const { return !replay_.empty(); }
 
@@ -62,7 +62,7 @@ class InputQueue {
     };
 
     std::deque<InputEvent> events_;
-    Vec2 pointer_; ///< pixels, of the last move taken
+    Vec2 pointer_; ///< position of the last move taken, pixels
     std::uint64_t frame_ = 0;
     std::optional<std::uint64_t> recordFrom_;
     std::vector<Timed> recorded_;

@@ -9,7 +9,7 @@ namespace forefront {
 
 namespace {
 
-/// At most this many faults in view are marked; more would hide the drawing.
+/// Maximum number of faults marked in view; more would hide the drawing.
 constexpr std::size_t kMaxMarks = 200;
 /// Distance from the pointer within which a fault is explained, design pixels.
 constexpr double kReach = 14.0;

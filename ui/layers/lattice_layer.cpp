@@ -10,7 +10,7 @@ namespace {
 class LatticeLayer final : public Layer {
   public:
     const char *id() const override { return "lattice"; }
-    const char *name() const override { return "Lattice"; }
+    const char *name() const override { return "Grid"; }
 
     std::uint64_t stillVersion(const LayerFrame &) const override { return 1; }
 

@@ -9,7 +9,7 @@ namespace forefront {
 
 namespace {
 
-/// At most this many marks in view are drawn, and this many labelled; more would only be noise.
+/// Maximum number of marks drawn in view, and of labels; more would be clutter.
 constexpr int kMaxMarks = 600;
 constexpr int kMaxLabels = 40;
 

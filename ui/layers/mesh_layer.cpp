@@ -16,7 +16,7 @@ namespace {
 
 /// Elements with α below this are hatched and numbered.
 constexpr double kBad = 0.5;
-/// More numbers than this would hide the elements.
+/// Maximum number of labels; more would hide the elements.
 constexpr std::size_t kMaxNumbers = 60;
 /// Edges on opaque colours: dark in both themes, since the colours are the same in both.
 constexpr Colour kEdgeOnColour = rgb(0x0b1018, 0.6);

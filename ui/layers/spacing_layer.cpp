@@ -49,7 +49,7 @@ class SpacingLayer final : public Layer {
     }
 
   private:
-    /// Takes over a new raster. Returns false if there is none.
+    /// Uses a new raster if there is one. Returns false if there is none at all.
     bool take(const LayerFrame &frame) {
         if (frame.raster != shown_) {
             shown_ = frame.raster;

@@ -6,7 +6,7 @@
 
 namespace forefront {
 
-/// Shows and edits what is selected, and tells the spacing under the pointer.
+/// Shows and edits the selection, and shows the spacing under the pointer.
 std::unique_ptr<Panel> makeInspectorPanel();
 /// Edits the node spacing ρ: size, expression, sources, paint, limits.
 std::unique_ptr<Panel> makeSpacingPanel();
@@ -14,7 +14,7 @@ std::unique_ptr<Panel> makeSpacingPanel();
 std::unique_ptr<Panel> makeMeshingPanel();
 /// Edits the names of boundary parts and regions.
 std::unique_ptr<Panel> makeNamesPanel();
-/// Lists the faults of the drawing, with links to their places and a button to repair them.
+/// Lists the faults of the drawing, with links to their locations and a button to repair them.
 std::unique_ptr<Panel> makeChecksPanel();
 
 } // namespace forefront

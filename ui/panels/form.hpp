@@ -11,10 +11,10 @@ namespace forefront {
 struct Workspace;
 }
 
-/// Rows of the editing panels: a muted label in a fixed column, then a field. `name` is the name of the widget.
+/// Rows of the editing panels: a muted label in a fixed column, then a field. `name` is the widget name.
 namespace forefront::form {
 
-/// Width of the column of labels, design pixels.
+/// Width of the label column, design pixels.
 inline constexpr double kLabel = 84.0;
 
 void label(Workspace &context, const char *text);
@@ -28,7 +28,7 @@ float halfWidth(const Workspace &context);
 /// Draws two numbers side by side, "NAME/x" and "NAME/y".
 bool pair(Workspace &context, const std::string &name, const char *text, Vec2 &value);
 bool text(Workspace &context, const std::string &name, const char *text, std::string &value, const char *hint);
-/// A tag >= 1 and its name; both can be edited. True when the tag changed; a new name goes to `rename`.
+/// Draws fields for a tag >= 1 and its name. Returns true when the tag changed; a new name is stored in `rename`.
 bool tag(Workspace &context, const std::string &name, const char *text, std::int32_t &value,
          const std::string &shownName, std::optional<std::string> &rename);
 

@@ -20,7 +20,7 @@ namespace {
 
 using Names = std::map<std::int32_t, std::string>;
 
-/// Shows and edits what is selected; every edit is a command.
+/// Shows and edits the selection; every edit is a command.
 class InspectorPanel final : public Panel {
   public:
     const char *id() const override { return "inspector"; }
@@ -48,7 +48,7 @@ void heading(Shell &context, const std::string &text) {
     ui::mark(context, "inspector/what");
 }
 
-/// Draws tag and name of a part of the boundary in one row; new values become commands on that part alone.
+/// Draws tag and name of a part of the boundary in one row; edits change only that part.
 void boundaryTagRow(Shell &context, std::int32_t tag, const BoundaryPart &part) {
     const Document &document = *context.document.current();
     std::optional<std::string> rename;
@@ -67,15 +67,16 @@ void boundaryTagRow(Shell &context, std::int32_t tag, const BoundaryPart &part) 
 
 void useRow(Shell &context, const std::set<std::uint32_t> &ids, ShapeUse use) {
     static constexpr std::array<const char *, 2> kUses{"Boundary", "Constraint"};
-    form::label(context, "Use");
+    form::label(context, "Role");
     int choice = static_cast<int>(use);
     if (ui::segmented(context, "inspector/use", kUses, choice)) {
         EditState::apply(context, setShapeUse(*context.document.current(), ids, static_cast<ShapeUse>(choice)),
-                         "Change use");
+                         "Change role");
     }
 }
 
-/// Describes the node spacing under the pointer and the part that gives it, or says why there is none.
+/// Returns the node spacing under the pointer and the part of the spacing that sets it, or the reason why there is
+/// none.
 std::string spacingHere(const Shell &context) {
     const std::shared_ptr<const SpacingField> &spacing = context.preview->spacing;
     const std::shared_ptr<const Domain> &domain = context.preview->domain;
@@ -140,7 +141,7 @@ void InspectorPanel::drawGeometry(Shell &context, const Shape &shape) const {
         }
     } else if (shape.kind == ShapeKind::Point) {
         Vec2 at = shape.nodes[0];
-        if (form::pair(context, "inspector/at", "Place", at)) {
+        if (form::pair(context, "inspector/at", "Position", at)) {
             EditState::apply(context, setHandle(document, {shape.id, 0}, at), "Move point");
         }
         return;
@@ -192,7 +193,7 @@ void InspectorPanel::drawShape(Shell &context, const Shape &shape) const {
         form::label(context, "Tag");
         ui::muted(context, "several");
         ImGui::SameLine();
-        if (ui::button(context, "inspector/onetag", "One for all")) {
+        if (ui::button(context, "inspector/onetag", "Same for all")) {
             EditState::apply(context, setShapeTag(document, {shape.id}, shape.tag), "Change tag");
         }
     }
@@ -207,7 +208,7 @@ void InspectorPanel::drawNode(Shell &context, NodeRef ref) const {
     const std::vector<Vec2> handles = handlesOf(*shape);
     Vec2 at = handles[ref.node];
     heading(context, "Node " + std::to_string(ref.node + 1) + " of " + displayName(*shape));
-    if (form::pair(context, "inspector/at", "Place", at)) {
+    if (form::pair(context, "inspector/at", "Position", at)) {
         EditState::apply(context, setHandle(document, ref, at), "Move node");
     }
     if (ui::button(context, "inspector/delete", "Delete node")) {
@@ -244,7 +245,7 @@ void InspectorPanel::drawSource(Shell &context, std::uint32_t index) const {
         changed = form::pair(context, "inspector/b", "To", source.b) || changed;
     } else {
         changed =
-            form::pair(context, "inspector/a", source.shape == SourceShape::Circle ? "Centre" : "Place", source.a) ||
+            form::pair(context, "inspector/a", source.shape == SourceShape::Circle ? "Centre" : "Position", source.a) ||
             changed;
     }
     changed = form::number(context, "inspector/radius", "Radius", source.radius) || changed;
@@ -263,7 +264,7 @@ void InspectorPanel::drawMarker(Shell &context, std::uint32_t index) const {
     const RegionMarker marker = document.regionMarkers[index];
     heading(context, "Region marker");
     Vec2 at = marker.at;
-    if (form::pair(context, "inspector/at", "Place", at)) {
+    if (form::pair(context, "inspector/at", "Position", at)) {
         EditState::apply(context, moveRegionMarker(document, index, at), "Move region marker");
         return;
     }
@@ -314,7 +315,8 @@ void InspectorPanel::drawMany(Shell &context) const {
 }
 
 void InspectorPanel::draw(Shell &context) {
-    const std::shared_ptr<const Document> held = context.document.current(); // fields below may replace it
+    const std::shared_ptr<const Document> held =
+        context.document.current(); // keeps it alive: fields below may replace it
     if (pruned_ != context.document.revision()) {
         pruned_ = context.document.revision();
         context.selection.prune(*held);

@@ -47,7 +47,7 @@ class MeshingPanel final : public Panel {
         changed = ui::checkbox(context, "meshing/keepboundary", "Keep segments", options.keepBoundary) || changed;
         ui::rowTooltip(context, "Keep the drawn segments as mesh edges; do not subdivide them.");
         form::label(context, "Grid");
-        static constexpr auto kGrids = [] { // literals, so that each ends with a zero
+        static constexpr auto kGrids = [] { // string literals, which are null-terminated
             std::array<const char *, wordsOf<GridKind>().size()> names{};
             const auto &words = wordsOf<GridKind>();
             std::transform(words.begin(), words.end(), names.begin(), [](auto word) { return word.data(); });

@@ -15,7 +15,7 @@ std::unique_ptr<Panel> makeStepsPanel();
 std::unique_ptr<Panel> makeHistogramPanel();
 /// Shows Nn, Ne, Nb, Nc, Ns, α, δ, angles and times.
 std::unique_ptr<Panel> makeStatisticsPanel();
-/// Lists messages with links to their places.
+/// Lists messages with links to their locations.
 std::unique_ptr<Panel> makeLogPanel();
 
 /// Creates all panels: the stacked ones from top to bottom, then the tabs from left to right.

@@ -38,7 +38,7 @@ const Diagnostic *expressionFault(const Shell &context) {
 void drawExpressionFault(Shell &context, const Diagnostic &fault, const std::string &expression) {
     ImGui::PushFont(context.fonts.small);
     if (fault.column > 0 && static_cast<std::size_t>(fault.column) <= expression.size() + 1) {
-        // Show the expression around the fault, the part from the fault on in the colour of errors.
+        // Show the expression around the fault; the part from the fault on is in the error colour.
         const auto cut = static_cast<std::size_t>(fault.column - 1);
         const std::size_t from = cut > 24 ? cut - 24 : 0;
         ImGui::PushFont(context.fonts.mono);
@@ -131,7 +131,7 @@ void SpacingPanel::drawLimits(Shell &context) {
     ui::rowTooltip(context, "Take the lengths of the drawn boundary segments as node spacing there.");
 }
 
-/// Returns true if nothing covers the whole domain, so that the automatic spacing applies.
+/// Returns true if no part of the spacing covers the whole domain, so that the automatic spacing applies.
 bool automatic(const SpacingSpec &spacing) {
     return !spacing.size && !spacing.expression && spacing.sources.empty() && !spacing.fromBoundary;
 }

@@ -67,7 +67,7 @@ class StatisticsPanel final : public Panel {
         cell(context, "\xce\xb4 mean", ui::format("%.4f", q.deltaMean),
              "Spacing conformity min(L/\xcf\x81, \xcf\x81/L), mean over the segments");
         cell(context, "Nc", ui::mean(w.neighboursMean()),
-             "Mean number of neighbouring segments that the background grid delivers per element");
+             "Mean number of nearby segments that the background grid returns per element");
         cell(context, "min \xe2\x88\xa0", ui::format("%.1f\xc2\xb0", q.minAngle), "Smallest angle");
         cell(context, "Ns", ui::mean(w.testsMean()), "Mean number of segments tested for intersection per element");
         cell(context, "max \xe2\x88\xa0", ui::format("%.1f\xc2\xb0", q.maxAngle), "Largest angle");
@@ -80,10 +80,10 @@ class StatisticsPanel final : public Panel {
              "Mean number of candidate nodes considered per element");
         cell(context, "new nodes", ui::count(w.newNodes), "Advances that created a node");
         cell(context, "deferred", ui::count(w.deferrals),
-             "Advances that created no element: the base segment was put back for later");
-        cell(context, "time", timeText(run.secondsMesh), "Processor time spent on advancing the front");
+             "Advances that created no element: the base segment was deferred");
+        cell(context, "time", timeText(run.secondsMesh), "CPU time spent advancing the front");
         cell(context, "forced", ui::count(w.forced), "Elements made from existing nodes only, to close the front");
-        cell(context, "improve", timeText(run.secondsImprove), "Processor time spent on swapping and smoothing");
+        cell(context, "improve", timeText(run.secondsImprove), "CPU time spent swapping edges and smoothing");
         cell(context, "hash",
              run.meshHash != 0 ? ui::format("%08x\xe2\x80\xa6", static_cast<unsigned>(run.meshHash >> 32))
                                : std::string("\xe2\x80\x93"),

@@ -18,7 +18,7 @@ constexpr std::array<const char *, kStepCount> kShort{
     "Place ideal point C",
     "Find candidate nodes",
     "Score \xce\xb1 \xc2\xb7 \xce\xb4(AC) \xc2\xb7 \xce\xb4(CB)",
-    "Sort; withdraw C if too near",
+    "Sort; drop C if too near",
     "Test AC, CB against \xce\x93",
     "Store ABC, update \xce\x93",
     "Stop when \xce\x93 = \xe2\x88\x85",
@@ -40,7 +40,7 @@ const CandidateTrace *scored(const Moment &moment) {
     return found;
 }
 
-/// Returns the result of a step, shown at the right of its line; empty while it is not known.
+/// Returns the result of a step, shown at the right of its line; empty while unknown.
 std::string finding(const Moment &moment, int step) {
     if (!moment || static_cast<int>(moment.step) < step) {
         return {};

@@ -37,7 +37,7 @@ std::string toString(Shortcut shortcut) {
         {key::kUp, "Up"},
         {key::kDown, "Down"},
         {key::kPageUp, "PgUp"},
-        {key::kPageDown, "PgDown"},
+        {key::kPageDown, "PgDn"},
     };
     for (const auto &[code, name] : kNames) {
         if (code == shortcut.key) {

@@ -28,22 +28,22 @@ struct Action {
     std::function<void(Shell &)> run;
     std::function<bool(const Shell &)> enabled{};        ///< absent: always
     std::function<bool(const Shell &)> checked{};        ///< absent: no check mark
-    std::function<std::string(const Shell &)> dynamic{}; ///< a title that changes, such as "Undo move node"
+    std::function<std::string(const Shell &)> dynamic{}; ///< title that depends on the state, such as "Undo move node"
     bool separatorBefore = false;
     bool repeats = false; ///< its shortcut repeats while held
 };
 
 class ActionRegistry {
   public:
-    /// Adds an action; menus keep the order of addition. An action with a known id replaces the old one in place.
+    /// Adds an action; menus list actions in the order they were added. An action with an existing id replaces it.
     void add(Action action);
     const Action *find(std::string_view id) const;
     const std::vector<Action> &all() const { return actions_; }
-    /// Runs the enabled action with this shortcut. False if there is none.
+    /// Runs the enabled action with this shortcut. Returns false if there is none.
     bool runShortcut(Shortcut shortcut, bool repeated, Shell &context) const;
-    /// True if an action has this shortcut, enabled or not.
+    /// Returns true if an action has this shortcut, enabled or not.
     bool knows(Shortcut shortcut) const;
-    /// True if a shortcut with this key repeats while held.
+    /// Returns true if a shortcut with this key repeats while held.
     bool repeats(int key) const;
     bool run(std::string_view id, Shell &context) const;
 

@@ -22,7 +22,7 @@ struct Document;
 struct LayerSlot;
 struct Selection;
 
-/// Everything that a layer may draw. Valid for one frame.
+/// The data that layers draw, valid for one frame.
 struct LayerFrame {
     const Camera &camera;
     const Theme &theme;
@@ -54,21 +54,21 @@ class Layer {
     virtual const char *id() const = 0;
     virtual const char *name() const = 0;
     virtual bool visibleAtStart() const { return true; }
-    /// True if the layer colours the domain or its elements by a value. At most one such layer is visible at a time, so
-    /// that colours never mix and always match the legend.
+    /// Returns true if the layer colours the domain or its elements by a value. At most one such layer is visible at a
+    /// time, so that colours never mix and always match the legend.
     virtual bool coloursByValue() const { return false; }
-    /// Tells which parts of the snapshot the layer needs while it is visible.
+    /// Requests the parts of the snapshot that the layer needs while it is visible.
     virtual void request(SnapshotLayers &) const {}
 
-    /// Version of the still part, which is kept in a texture and redrawn only when the camera, the theme or this number
-    /// changes.
+    /// Returns the version of the still part, which is cached in a texture and redrawn only when the camera, the theme
+    /// or this number changes.
     virtual std::uint64_t stillVersion(const LayerFrame &) const { return 0; }
     virtual void drawStill(const LayerFrame &) {}
-    /// Drawn with OpenGL in every frame, over all still parts.
+    /// Draws with OpenGL in every frame, over all still parts.
     virtual void drawLive(const LayerFrame &) {}
     /// Draws a few lines and texts over everything drawn with OpenGL.
     virtual void drawOverlay(CanvasPainter &, const LayerFrame &) {}
-    /// True if the layer can have a legend in the lower right corner of the canvas.
+    /// Returns true if the layer can have a legend in the lower right corner of the canvas.
     virtual bool hasLegend() const { return false; }
     /// Draws the legend with its lower right corner at `corner` (pixels). Returns false if there is nothing to explain.
     virtual bool drawLegend(CanvasPainter &, const LayerFrame &, Vec2 corner) {

@@ -20,9 +20,9 @@ class Panel {
     virtual const char *id() const = 0;
     virtual const char *title() const = 0;
     virtual PanelPlace place() const { return PanelPlace::Stacked; }
-    /// Height of a stacked panel in design pixels; 0: as high as its content.
+    /// Returns the height of a stacked panel in design pixels; 0: as high as its content.
     virtual double height() const { return 0.0; }
-    /// Draws the content with Dear ImGui and ui/widgets.hpp; the width is ImGui::GetContentRegionAvail().x.
+    /// Draws the content with Dear ImGui and ui/widgets/widgets.hpp; the width is ImGui::GetContentRegionAvail().x.
     virtual void draw(Shell &context) = 0;
 };
 

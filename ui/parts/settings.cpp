@@ -18,7 +18,7 @@ double numberIn(const Json &json, const char *name, double fallback, double leas
     return found != json.end() && found->is_number() ? std::clamp(found->get<double>(), least, greatest) : fallback;
 }
 
-/// The place of the window; empty where it is missing or makes no sense.
+/// Returns the saved position of the window; empty if it is missing or invalid.
 std::optional<WindowPlace> placeIn(const Json &json) {
     const auto found = json.find("window");
     if (found == json.end() || !found->is_object()) {

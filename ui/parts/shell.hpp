@@ -15,7 +15,7 @@
 
 namespace forefront {
 
-/// The tools and which of them is active.
+/// The tools, and the index of the active one.
 struct ToolBox {
     std::vector<std::unique_ptr<Tool>> tools;
     std::size_t active = 0;

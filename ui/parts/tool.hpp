@@ -20,11 +20,11 @@ class Flow;
 struct CanvasEvent {
     enum class Kind : std::uint8_t {
         Press,   ///< a button went down over the canvas; clicks: 1, 2 (double), ...
-        Drag,    ///< the pointer moved with a button held that was pressed on the canvas
+        Drag,    ///< the pointer moved while a button pressed on the canvas was held
         Release, ///< that button went up, anywhere
         Hover,   ///< the pointer moved with no button held
         Leave,   ///< the pointer left the canvas
-        Wheel,   ///< with Ctrl or Shift only; the plain wheel zooms
+        Wheel,   ///< only with Ctrl or Shift; the wheel alone zooms
         Key,     ///< pressed or repeated
         Text     ///< a character was typed
     };
@@ -48,26 +48,27 @@ class Tool {
     /// Stable name; the button in the strip is the widget "tool/ID".
     virtual const char *id() const = 0;
     virtual const char *name() const = 0;
-    /// From ui/style/icons.hpp.
+    /// Returns an icon from ui/style/icons.hpp.
     virtual const char *icon() const = 0;
-    /// Its shortcut, a capital letter.
+    /// Returns the shortcut, a capital letter.
     virtual int key() const = 0;
 
     virtual void activate(Shell &) {}
-    /// Finishes or drops unfinished input: another tool has been chosen.
+    /// Finishes or drops unfinished input when another tool is chosen.
     virtual void deactivate(Shell &) {}
-    /// Handles an event; true if used. Unused keys go to the shortcuts, so that a tool in the middle of a path can take
-    /// digits, Enter, Backspace and Esc.
+    /// Handles an event and returns true if it was used. Unused keys go to the shortcuts, so that a tool in the middle
+    /// of a path can take digits, Enter, Backspace and Esc.
     virtual bool handle(const CanvasEvent &event, Shell &context) = 0;
     virtual void drawOverlay(CanvasPainter &, Shell &) {}
-    /// Whether to show the options strip now.
+    /// Returns true if the options strip is to be shown now.
     virtual bool hasOptions(const Shell &) const { return false; }
     /// Draws the widgets of the options strip, each an item of `flow`.
     virtual void drawOptions(Shell &, ui::Flow &) {}
     virtual CursorShape cursor() const { return CursorShape::Arrow; }
-    /// One line for the status bar: what a click does now.
+    /// Returns a line for the status bar that says what a click does now.
     virtual std::string statusText(const Shell &) const { return {}; }
-    /// Undo and redo within unfinished input (the path being drawn). True if there was something to undo or redo.
+    /// Undoes or redoes within unfinished input (the path being drawn). Returns true if there was something to undo or
+    /// redo.
     virtual bool undo(Shell &) { return false; }
     virtual bool redo(Shell &) { return false; }
 };

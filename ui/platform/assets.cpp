@@ -34,7 +34,7 @@ std::vector<Sample> samples() {
     std::vector<Sample> found;
     const fs::path folder = assetFolder() / "samples";
     std::ifstream index(folder / "index.txt");
-    // "FILE TITLE..." a line
+    // One "FILE TITLE..." per line.
     for (std::string file, title; index >> file && std::getline(index >> std::ws, title);) {
         found.push_back({title, folder / file});
     }

@@ -6,7 +6,7 @@
 
 namespace forefront {
 
-/// Returns the folder of assets: $FOREFRONT_ASSETS; else `assets` or `share/forefront/assets` in the program's folder
+/// Returns the assets folder: $FOREFRONT_ASSETS; else `assets` or `share/forefront/assets` in the program's folder
 /// or one above it; else where the program was configured to be installed. Empty if none of them exists.
 std::filesystem::path assetFolder();
 

@@ -19,7 +19,7 @@ Modifiers modifiersOf(int bits) {
     return {static_cast<std::uint8_t>(bits & (GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT))};
 }
 
-/// The wanted size, or what the desktop has room for.
+/// Returns the requested size, limited to the work area of the desktop.
 PixelSize withinDesktop(PixelSize wanted) {
     GLFWmonitor *monitor = glfwGetPrimaryMonitor();
     if (monitor == nullptr) {
@@ -30,10 +30,10 @@ PixelSize withinDesktop(PixelSize wanted) {
     return width > 0 && height > 0 ? PixelSize{std::min(wanted.width, width), std::min(wanted.height, height)} : wanted;
 }
 
-/// The smallest window in which the whole interface can be used, in design pixels.
+/// Minimum size of a window in which the whole interface is usable, in design pixels.
 constexpr PixelSize kSmallestWindow{800, 500};
 
-/// True if the title bar of a window at this place can be reached on some screen.
+/// Returns true if the title bar of a window at this position can be reached on some screen.
 bool onScreen(const WindowPlace &place) {
     int count = 0;
     GLFWmonitor **monitors = glfwGetMonitors(&count);
@@ -66,7 +66,7 @@ void restore(GLFWwindow *window, const std::optional<WindowPlace> &place) {
     glfwShowWindow(window);
 }
 
-/// Window coordinates to framebuffer pixels; they differ only where the system scales windows itself.
+/// Converts window coordinates to framebuffer pixels; they differ only if the system scales windows itself.
 void toPixels(GLFWwindow *window, double &x, double &y) {
     int width = 0, height = 0, pixelWidth = 0, pixelHeight = 0;
     glfwGetWindowSize(window, &width, &height);
@@ -136,14 +136,14 @@ std::unique_ptr<GlfwPlatform> GlfwPlatform::create(PixelSize size, const std::st
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE); // shown once it is at its place
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE); // restore() shows it once it is in position
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "forefront");
     size = withinDesktop(size);
     GLFWwindow *window = glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr);
     if (window == nullptr) {
         const char *reason = nullptr;
         glfwGetError(&reason);
-        fault = reason != nullptr ? reason : "no OpenGL 3.3 window";
+        fault = reason != nullptr ? reason : "cannot create an OpenGL 3.3 window";
         glfwTerminate();
         return nullptr;
     }
@@ -152,7 +152,7 @@ std::unique_ptr<GlfwPlatform> GlfwPlatform::create(PixelSize size, const std::st
     glfwSwapInterval(1);
     std::unique_ptr<GlfwPlatform> platform(new GlfwPlatform(window));
     if (gladLoadGL(glfwGetProcAddress) == 0) {
-        fault = "the OpenGL functions cannot be loaded";
+        fault = "cannot load the OpenGL 3.3 functions";
         return nullptr;
     }
     return platform;

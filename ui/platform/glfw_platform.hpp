@@ -10,11 +10,11 @@ struct GLFWcursor;
 
 namespace forefront {
 
-/// A window of the desktop.
+/// A desktop window, opened with GLFW.
 class GlfwPlatform final : public Platform {
   public:
-    /// Opens a window of `size` design pixels, or at `place` if given and at least partly on a screen. Returns null,
-    /// with the reason in `fault`, where there is no display or no OpenGL 3.3.
+    /// Opens a window of `size` design pixels, or at `place` if that is given and at least partly on a screen. Returns
+    /// null, with the reason in `fault`, if there is no display or no OpenGL 3.3.
     static std::unique_ptr<GlfwPlatform> create(PixelSize size, const std::string &title,
                                                 const std::optional<WindowPlace> &place, std::string &fault);
     ~GlfwPlatform() override;

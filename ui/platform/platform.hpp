@@ -10,9 +10,9 @@
 
 namespace forefront {
 
-/// Where a window of the desktop was, in screen coordinates.
+/// The position and size of a desktop window, in screen coordinates.
 struct WindowPlace {
-    int x = 0, y = 0, width = 0, height = 0; ///< while it was not maximised
+    int x = 0, y = 0, width = 0, height = 0; ///< of the window when not maximised
     bool maximised = false;
     friend bool operator==(const WindowPlace &, const WindowPlace &) = default;
 };
@@ -26,21 +26,21 @@ class Platform {
     virtual PixelSize framebufferSize() const = 0;
     /// Makes its OpenGL context current on this thread.
     virtual void makeCurrent() = 0;
-    /// Pixels per design pixel: Xft.dpi / 96 or the monitor's scale; without the user's own slider.
+    /// Returns the number of pixels per design pixel: Xft.dpi / 96 or the monitor's scale, without the user's setting.
     virtual double contentScale() const = 0;
-    /// Seconds since start; headless: frames / 60.
+    /// Returns the seconds since start; headless, the number of frames / 60.
     virtual double now() const = 0;
     /// Waits up to `waitSeconds` for input and queues it; 0 returns immediately.
     virtual void poll(InputQueue &queue, double waitSeconds) = 0;
     /// Ends the wait in poll(). Safe from any thread.
     virtual void wake() = 0;
-    /// The framebuffer object to draw to.
+    /// Returns the framebuffer object to draw to.
     virtual unsigned targetFramebuffer() const = 0;
     virtual void present() = 0;
-    /// The place of the window, to be restored when the program next starts; empty where there is no window.
+    /// Returns the position of the window, to be restored at the next start; empty if there is no window.
     virtual std::optional<WindowPlace> windowPlace() const { return std::nullopt; }
     virtual void setTitle(const std::string &title) = 0;
-    /// RGBA, row by row from the top.
+    /// Sets the window icon from RGBA pixels, row by row from the top.
     virtual void setIcon(PixelSize size, const std::vector<std::uint8_t> &rgba) = 0;
     virtual void setCursor(CursorShape shape) = 0;
     virtual std::string clipboard() const = 0;

@@ -81,7 +81,7 @@ struct Canvas::Parts {
     std::uint64_t stillStamp = 0;
     std::uint64_t stillDraws = 0;
     bool drawn = false;
-    Domain domain; ///< of the document of `domainRevision`
+    Domain domain; ///< domain of the document with `domainRevision`
     std::uint64_t domainRevision = 0;
 
     Box2 rasterBox;
@@ -104,7 +104,7 @@ std::uint64_t Canvas::stillDraws() const {
 }
 
 /// Requests a raster of ρ over the part in view and a margin around it. Makes a new request only when the last raster
-/// no longer covers the view or is too coarse, so that panning does not resample all the time.
+/// no longer covers the view or is too coarse, so that panning does not resample constantly.
 void Canvas::Parts::requestRaster(Shell &context) {
     const LayerSlot *layer = context.layer("size");
     const Box2 bounds = domain.bounds();
@@ -176,7 +176,7 @@ void Canvas::Parts::drawLive(Shell &context, const LayerFrame &frame) {
     glDisable(GL_SCISSOR_TEST);
 }
 
-/// Draws the legends from the lower right corner to the left, then in rows above.
+/// Draws the legends from right to left along the bottom of the canvas, then in rows above.
 void Canvas::Parts::drawLegends(Shell &context, CanvasPainter &painter, const LayerFrame &frame) {
     const PixelRect &rect = frame.camera.viewport;
     const double s = frame.scale;
@@ -195,7 +195,7 @@ void Canvas::Parts::drawLegends(Shell &context, CanvasPainter &painter, const La
     }
 }
 
-/// Keeps labels from under the plates on the canvas, as the last frame placed them, and off the selected nodes.
+/// Keeps labels clear of the plates on the canvas, as placed in the last frame, and of the selected nodes.
 void Canvas::Parts::reservePlates(const Shell &context, CanvasPainter &painter) {
     for (const auto &[name, widget] : context.widgets.all()) {
         const bool plate = name == "options" || name == "hints" || name == "canvas/plate" || name == "canvas/news" ||

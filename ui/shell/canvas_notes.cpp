@@ -19,8 +19,8 @@ constexpr ImGuiWindowFlags kFloating = ImGuiWindowFlags_NoDecoration | ImGuiWind
                                        ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing |
                                        ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-/// A small plate on the canvas. `pivotX` and `pivotY` say which point of it lies at (x, y): 0 left or top, 1 right or
-/// bottom.
+/// A small plate on the canvas. `pivotX` and `pivotY` choose the point of the plate that lies at (x, y): 0 is left or
+/// top, 1 is right or bottom.
 class Plate {
   public:
     Plate(Shell &context, const char *name, double x, double y, float pivotX, float pivotY) {
@@ -95,7 +95,7 @@ void drawHints(Shell &context, const PixelRect &canvas) {
     ui::markWindow(context, "hints");
 }
 
-/// Returns the greatest width of a plate without its padding, in pixels.
+/// Returns the maximum width of a plate without its padding, in pixels.
 float roomOfPlates(const Shell &context, const PixelRect &canvas) {
     return static_cast<float>(canvas.width) - context.px(2 * 12 + 2 * 12);
 }
@@ -119,7 +119,7 @@ bool working(const SessionSnapshot &run) {
 
 void drawOutOfDate(Shell &context, const PixelRect &canvas) {
     if (working(context.run.now()) || context.run.cancelling()) {
-        return; // the progress is shown there
+        return; // the progress plate is there
     }
     const RunState state = context.run.now().state;
     if (!context.run.outOfDate() || state == RunState::Empty || state == RunState::Failed) {
@@ -182,7 +182,7 @@ void drawProgress(Shell &context, const PixelRect &canvas) {
     ui::markWindow(context, "canvas/plate");
 }
 
-/// Formats "FILE, line N: MESSAGE" as far as known.
+/// Formats "FILE, line N: MESSAGE", without the parts that are unknown.
 std::string withPlace(const Diagnostic &diagnostic) {
     std::string text;
     if (!diagnostic.file.empty()) {
@@ -195,8 +195,8 @@ std::string withPlace(const Diagnostic &diagnostic) {
     return text + diagnostic.message;
 }
 
-/// Returns the newest message while it is recent and, if it is a fault, still about the current document; else null. Of
-/// several faults reported at once it is the first, and `more` counts the others.
+/// Returns the newest message if it is recent and, for a fault, still concerns the current document; otherwise null. If
+/// several faults were reported at once, returns the first and counts the others in `more`.
 const MessageLog::Entry *newsOf(Shell &context, std::size_t &more) {
     constexpr double kShown = 9.0; // seconds
     const auto &entries = context.log.entries();

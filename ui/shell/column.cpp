@@ -115,7 +115,7 @@ void drawTabs(Shell &context) {
     for (std::size_t i = 0; i < tabs.size(); ++i) {
         const std::string title = tabs[i]->title();
         const ImVec2 size = ImGui::CalcTextSize(title.c_str());
-        if (i > 0) { // in a narrow column they continue in a second row
+        if (i > 0) { // in a narrow column the tabs take a second row
             ImGui::SameLine(0, gap);
             if (ImGui::GetContentRegionAvail().x < size.x) {
                 ImGui::NewLine();

@@ -24,7 +24,7 @@ class ShortcutSheet final : public Dialog {
     bool draw(Shell &context) override {
         const float room = ImGui::GetContentRegionAvail().x;
         const float column =
-            std::max((room - context.px(36)) / 3.0F, context.px(250)); // in a narrow window fewer columns
+            std::max((room - context.px(36)) / 3.0F, context.px(250)); // fewer columns in a narrow window
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(8), context.px(5)));
         drawColumns(context, column, room);
         ImGui::PopStyleVar();
@@ -66,7 +66,7 @@ class ShortcutSheet final : public Dialog {
         {"0\xe2\x80\xa6"
          "9",
          "Enter a number"},
-        {"Shift / Ctrl", "Snap to 15\xc2\xb0 / do not snap"},
+        {"Shift / Ctrl", "Snap to 15\xc2\xb0 / no snapping"},
         {"[ ]", "Brush radius"},
         {"Shift + [ ]", "Brush spacing"},
     }};
@@ -226,7 +226,7 @@ class About final : public Dialog {
         ui::muted(context, std::string("Version ") + version());
         ImGui::PushTextWrapPos(0.0F);
         ImGui::TextUnformatted(
-            "Triangle meshes of plane domains by the advancing front technique of S. H. Lo. Draw a domain, paint the "
+            "Triangle meshes of planar domains by S. H. Lo's advancing front technique. Draw a domain, paint the "
             "node spacing, and watch the front step forward and back.");
         ImGui::PopTextWrapPos();
         ui::small(context, "MIT licence. Built on Dear ImGui, GLFW, FreeType, Inter and Font Awesome.", true);

@@ -11,7 +11,7 @@ namespace forefront::shell {
 namespace {
 
 constexpr double kMenuHeight = 34, kTimelineHeight = 78, kStatusHeight = 27;
-constexpr double kMinColumn = 250; ///< narrower, its fields cannot be read
+constexpr double kMinColumn = 250; ///< fields of a narrower column are unreadable
 
 } // namespace
 
@@ -42,7 +42,7 @@ CanvasBands bandsOf(const Shell &context, const PixelRect &canvas) {
         static_cast<int>(std::count_if(context.layers.begin(), context.layers.end(),
                                        [](const LayerSlot &slot) { return slot.visible && slot.layer->hasLegend(); }));
     const int abreast = legendsAbreast(canvas.width / static_cast<double>(context.scale));
-    const int rows = std::max(1, (legends + abreast - 1) / abreast); // leaves room for one even if none is shown
+    const int rows = std::max(1, (legends + abreast - 1) / abreast); // reserve a row even if no legend is shown
     const int lowest = std::min(legends, abreast);
     return {.top = 56.0,
             .legends = kLegendMargin + lowest * (kLegendWidth + kLegendGap),

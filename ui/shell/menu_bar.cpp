@@ -54,8 +54,8 @@ std::string titleText(const Shell &context) {
     return title;
 }
 
-/// Draws the title of the document, centred in the bar as far as menus and icons allow, and shortened where it does
-/// not fit.
+/// Draws the title of the document, centred in the bar if menus and icons leave room, and shortened if it does not
+/// fit.
 void drawTitle(Shell &context, const PixelRect &rect, float from, float to) {
     const std::string title = titleText(context);
     const ImVec2 size = ImGui::CalcTextSize(title.c_str());

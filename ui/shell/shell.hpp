@@ -20,12 +20,12 @@ struct Strip {
 
     double width() const;
 };
-/// Returns one column if it fits into `height` pixels, else smaller buttons or more columns.
+/// Returns one column if it fits into `height` pixels, otherwise smaller buttons or more columns.
 Strip stripOf(const Shell &context, double height);
 
-/// The bands along the edges of the canvas that plates and legends cover, in design pixels. On a canvas that is wide
-/// enough, top and bottom are constant, so that the view does not jump when a tool is chosen, a layer shown or the
-/// first shape drawn.
+/// The widths of the bands along the edges of the canvas that plates and legends cover, in design pixels. On a wide
+/// canvas, top and bottom are constant, so that the view does not jump when a tool is chosen, a layer is shown or the
+/// first shape is drawn.
 struct CanvasBands {
     double top = 0.0;     ///< options of the tool, progress
     double legends = 0.0; ///< width of the lowest row of legends, from the right

@@ -71,8 +71,8 @@ void drawSpeed(Shell &context, bool narrow) {
     }
 }
 
-/// Draws the marks below the bar. Of new nodes and closures too close to tell apart only one is drawn; rare marks are
-/// always drawn.
+/// Draws the marks below the bar. Where marks of new nodes and closures would overlap, only one is drawn; rare marks
+/// are always drawn.
 template <class Place>
 void drawMarks(Shell &context, const std::vector<TimelineMark> &marks, Place place, float middle) {
     ImDrawList &list = *ImGui::GetWindowDrawList();
@@ -128,7 +128,7 @@ void drawScrubber(Shell &context, float width, float height) {
     }
 }
 
-/// Rounds a rate to two digits, so that the others do not flicker.
+/// Rounds a rate to two digits, because further digits would flicker.
 std::uint64_t roundedRate(double rate) {
     if (!(rate >= 1.0)) {
         return 0;
@@ -145,7 +145,7 @@ std::string cancelledText(const SessionSnapshot &run) {
            " advances. Step through them, press End to continue, or 2 to start again.";
 }
 
-/// "segments 3 and 9 cross at (2, 0.5); move a node"
+/// Formats a fault in one line: "segments 3 and 9 cross at (2, 0.5); move a node".
 std::string faultText(const Diagnostic &fault) {
     std::string text = fault.message;
     if (fault.at) {
@@ -154,7 +154,7 @@ std::string faultText(const Diagnostic &fault) {
     return fault.advice.empty() ? text : text + "; " + fault.advice;
 }
 
-/// Says how to get started while there is no mesh.
+/// Returns a hint on how to get started while there is no mesh.
 std::string invitation(const Shell &context) {
     return context.document.current()->shapes.empty()
                ? "Draw a domain: R rectangle, P polygon, C circle. A shape inside another is a hole. Or open a file "

@@ -16,7 +16,7 @@ Colour spacingColour(double t);
 struct ColourRange {
     double from = 0.0, to = 1.0; ///< from < to
 
-    /// Position on the map, 0 at `from` and 1 at `to`; may lie outside of [0, 1].
+    /// Position on the map, 0 at `from` and 1 at `to`; may lie outside [0, 1].
     double position(double value) const { return (value - from) / (to - from); }
     friend bool operator==(const ColourRange &, const ColourRange &) = default;
 };

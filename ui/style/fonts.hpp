@@ -6,8 +6,8 @@ struct ImFont;
 
 namespace forefront {
 
-/// The fonts of the program: Inter in a few sizes, each with the icons of Font Awesome. Sizes in design pixels. All
-/// digits of a font have the same width, so that changing numbers do not move their neighbours.
+/// The fonts of the program: Inter in a few sizes, each with the icons of Font Awesome. Sizes are in design pixels. All
+/// digits of a font have the same width, so that changing numbers do not move the text beside them.
 struct Fonts {
     ImFont *body = nullptr;    ///< 14, regular: everything
     ImFont *strong = nullptr;  ///< 14, semi-bold: values, active

@@ -14,7 +14,7 @@ struct Theme {
 
     // surfaces
     Colour canvas = 0;  ///< outside the domain
-    Colour domain = 0;  ///< inside of it
+    Colour domain = 0;  ///< inside the domain
     Colour panel = 0;   ///< panels, bars
     Colour raised = 0;  ///< fields, buttons
     Colour hovered = 0; ///< ... under the pointer
@@ -40,7 +40,7 @@ struct Theme {
     Colour constraint = 0; ///< constraint segments and points
     Colour selection = 0;
     Colour mesh = 0;      ///< edges of the mesh
-    Colour element = 0;   ///< faces of the mesh without a colouring
+    Colour element = 0;   ///< faces of elements not coloured by a value
     Colour front = 0;     ///< generation front Γ
     Colour base = 0;      ///< base segment AB
     Colour candidate = 0; ///< candidate nodes and segments not yet judged

@@ -30,7 +30,7 @@ class BoxTool final : public DrawingTool {
 
   private:
     bool isRectangle() const { return kind_ == ShapeKind::Rectangle; }
-    /// The corner that a click gives: with the width and height that were typed; with Shift, of a square.
+    /// Returns the corner that a click places, given the typed width and height, and Shift for a square.
     Vec2 corner(Vec2 at) const;
 
     ShapeKind kind_;

@@ -18,7 +18,7 @@ namespace {
 constexpr double kStep = 1.2;
 /// Distance between the dabs of a stroke, as a fraction of the radius.
 constexpr double kPace = 0.25;
-constexpr int kMaxDabs = 200; ///< per movement of the pointer
+constexpr int kMaxDabs = 200; ///< per pointer movement
 
 double spacingAt(const Shell &context, Vec2 place) {
     return context.preview->spacing ? context.preview->spacing->at(place) : 0.0;

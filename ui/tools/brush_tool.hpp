@@ -14,7 +14,7 @@ class BrushTool final : public Tool {
     BrushTool(std::shared_ptr<EditState> state, bool erases) : state_(std::move(state)), erases_(erases) {}
 
     const char *id() const override { return erases_ ? "eraser" : "brush"; }
-    const char *name() const override { return erases_ ? "Eraser: wipe painted spacing" : "Brush: paint the spacing"; }
+    const char *name() const override { return erases_ ? "Eraser: remove paint" : "Brush: paint the spacing"; }
     const char *icon() const override;
     int key() const override { return erases_ ? 'E' : 'B'; }
     CursorShape cursor() const override { return CursorShape::Crosshair; }

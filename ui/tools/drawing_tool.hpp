@@ -25,23 +25,24 @@ class DrawingTool : public Tool {
     virtual void place(Vec2 at, Shell &context) = 0;
     /// Draws the unfinished shape.
     virtual void drawSketch(CanvasPainter &painter, Shell &context) = 0;
-    /// The last node placed, while a shape is unfinished.
+    /// Returns the last node placed, while a shape is unfinished.
     virtual std::optional<Vec2> anchor() const { return std::nullopt; }
-    /// Enter, double-click or a change of tool: makes a shape of the nodes placed so far, if they suffice.
+    /// Makes a shape from the nodes placed so far, if there are enough. Called on Enter, a double-click or a tool
+    /// change.
     virtual void finish(Shell &) {}
     virtual void cancel() {}
-    /// Removes the last node (Backspace). False if there is none.
+    /// Removes the last node (Backspace). Returns false if there is none.
     virtual bool removeLast() { return false; }
-    /// True if releasing a drag places a second node.
+    /// Returns true if releasing a drag places a second node.
     virtual bool dragPlaces() const { return false; }
-    /// A place of the tool's own (the first node of a path) to snap to before all others.
+    /// Returns a snap target of the tool, such as the first node of a path, that takes precedence over all others.
     virtual std::optional<Vec2> ownSnap(Vec2, const Shell &) const { return std::nullopt; }
-    /// Whether Shift constrains the angle; false if the tool gives Shift another meaning.
+    /// Returns true if Shift constrains the angle; false if Shift has another meaning in this tool.
     virtual bool shiftIsAngle() const { return true; }
-    /// The quantities that can be typed now, in the order of Tab: coordinates before the first node, then distance and
+    /// Returns the quantities that can be typed now, in Tab order: coordinates before the first node, then distance and
     /// angle.
     virtual std::span<const EntryField> entryFields() const;
-    /// The place that a typed pair stands for.
+    /// Returns the point that a typed pair denotes.
     virtual Vec2 typedPlace(const TypedPair &pair) const;
 
     bool inProgress() const { return anchor().has_value(); }

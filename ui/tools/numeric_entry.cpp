@@ -26,7 +26,7 @@ bool belongsToNumber(char32_t c) {
     return isDigit(c) || c == U'.' || c == U'-' || c == U'+' || c == U',' || c == U'@' || c == U'e' || c == U' ';
 }
 
-/// Lengths must be above 0; coordinates and angles may have any sign.
+/// Returns true for quantities that must be positive; coordinates and angles may have any sign.
 bool isLength(EntryField field) {
     return field != EntryField::X && field != EntryField::Y && field != EntryField::Angle;
 }
@@ -92,7 +92,7 @@ bool NumericEntry::shows(EntryField field) const {
     return std::find(fields_.begin(), fields_.end(), field) != fields_.end();
 }
 
-/// The fields of the tool, then the others that have a value or are open.
+/// Returns the fields of the tool, then others that have a value or are open.
 std::vector<EntryField> NumericEntry::visible() const {
     std::vector<EntryField> result = fields_;
     for (std::size_t i = 0; i < kEntryFields; ++i) {
@@ -143,7 +143,7 @@ NumericEntry::Answer NumericEntry::letter(EntryField field) {
     if (open_ && open_ != field && !store()) {
         return Answer::Used;
     }
-    // The letter of a field that has a value frees it.
+    // The letter of a field that has a value clears it.
     if (slot(field) || open_ == field) {
         slot(field).reset();
         open_.reset();
@@ -211,7 +211,7 @@ NumericEntry::Answer NumericEntry::key(const CanvasEvent &event) {
     return Answer::Used;
 }
 
-/// Takes the text of the open field; an empty one leaves its value. False, and marked wrong, if it cannot be read.
+/// Commits the text of the open field; empty text keeps the old value. Returns false and marks invalid text.
 bool NumericEntry::store() {
     if (!text_.empty()) {
         const std::optional<double> number = read(*open_, text_);

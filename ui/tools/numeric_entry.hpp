@@ -25,31 +25,32 @@ std::optional<TypedPair> parsePair(std::string_view text);
 enum class EntryField : std::uint8_t { X, Y, Distance, Angle, Width, Height, Radius };
 inline constexpr std::size_t kEntryFields = 7;
 
-/// The numbers typed while drawing. A digit opens the first field that the tool shows, Tab and Shift+Tab go through
-/// them, X, Y, D and Q open one by its letter; Enter accepts. What is typed takes effect at once, so that the drawing
-/// shows it before Enter. Two numbers ("3, 4" or "@1, 0") are a place.
+/// Handles numbers typed while drawing. A digit opens the first field that the tool shows, Tab and Shift+Tab move
+/// between fields, X, Y, D and Q open a field by its letter, and Enter accepts. Typed numbers take effect immediately,
+/// so that the drawing shows them before Enter. Two numbers ("3, 4" or "@1, 0") are a point.
 class NumericEntry {
   public:
     enum class Answer : std::uint8_t {
-        Unused, ///< the event is for others
+        Unused, ///< the event was not handled
         Used,
-        Place ///< what was typed determines the next node: place it
+        Place ///< the typed numbers determine the next node: place it
     };
-    /// `fields`: those that the tool shows now, in the order of Tab; X first where there is no node to measure from.
+    /// Handles an event. `fields` are those that the tool shows now, in Tab order; X first if there is no node to
+    /// measure from.
     Answer handle(const CanvasEvent &event, std::span<const EntryField> fields);
 
-    /// The value of a field, including the number being typed in it.
+    /// Returns the value of a field, including the number being typed into it.
     std::optional<double> value(EntryField field) const;
-    /// The values that hold coordinates, distance (or radius) and angle fixed.
+    /// Returns the values that fix coordinates, distance (or radius) and angle.
     SnapLocks locks() const;
-    /// The pair being typed, or the one just accepted, until clear().
+    /// Returns the pair being typed, or the one just accepted, until clear().
     std::optional<TypedPair> pair() const;
     bool isOpen() const { return open_.has_value(); }
-    /// True while the text cannot be read.
+    /// Returns true while the text is invalid.
     bool isWrong() const { return wrong_; }
-    /// Forgets everything: a node was placed, or the drawing was given up.
+    /// Clears all fields, after a node was placed or the drawing was cancelled.
     void clear() { *this = {}; }
-    /// The visible fields in one line: "w 6   h 5_". Empty if nothing is typed.
+    /// Returns the visible fields in one line: "w 6   h 5_". Empty if nothing is typed.
     std::string label() const;
 
   private:

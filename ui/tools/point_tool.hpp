@@ -16,7 +16,7 @@ class PointTool final : public DrawingTool {
     void drawOptions(Shell &context, ui::Flow &flow) override;
     bool hasOptions(const Shell &) const override { return true; }
     std::string statusText(const Shell &) const override {
-        return "Click where the mesh must have a node; X Y then a number: exact coordinates";
+        return "Click where the mesh must have a node, or type x, Tab, y";
     }
 
   protected:
@@ -37,7 +37,7 @@ class RegionTool final : public DrawingTool {
     void drawOptions(Shell &context, ui::Flow &flow) override;
     bool hasOptions(const Shell &) const override { return true; }
     std::string statusText(const Shell &) const override {
-        return "Click into a face to make it this region; every face without one is region 1";
+        return "Click a face to assign it to this region; faces without a region belong to region 1";
     }
 
   protected:

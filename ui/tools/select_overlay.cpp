@@ -12,7 +12,7 @@
 namespace forefront {
 namespace {
 
-/// Above this number handles are clutter, and slow to draw.
+/// Maximum number of handles; more are clutter, and slow to draw.
 constexpr std::size_t kMostHandles = 4000;
 
 } // namespace
@@ -127,7 +127,7 @@ std::string SelectTool::statusText(const Shell &context) const {
     case Mode::Moving:
         return "Shift: steps of 15\xc2\xb0, Ctrl: no snapping, Esc: cancel";
     case Mode::Boxing:
-        return "Selects the shapes inside the box, or its nodes if it holds no whole shape";
+        return "Selects the shapes inside the box, or the nodes if no whole shape is inside";
     case Mode::Grabbed:
     case Mode::Idle:
         break;

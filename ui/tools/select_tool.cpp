@@ -254,7 +254,7 @@ void SelectTool::release(const CanvasEvent &event, Shell &context) {
     const bool moved = distance(event.pixel, pressPixel_) > static_cast<double>(context.px(3));
     if (mode_ == Mode::Boxing && moved) {
         const Box2 box = boxOf(pressPlace_, event.place);
-        // A box that holds no whole shape selects the nodes inside it.
+        // A box without a whole shape inside selects the nodes inside it.
         Selection inside = state_->index(context)->inBox(box, false);
         if (inside.empty()) {
             inside = state_->index(context)->inBox(box, true);

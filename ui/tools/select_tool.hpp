@@ -28,7 +28,7 @@ class SelectTool final : public Tool {
 
   private:
     enum class Mode : std::uint8_t { Idle, Grabbed, Moving, Boxing };
-    /// What is under the pointer; smaller things win.
+    /// The item under the pointer; smaller items take precedence.
     struct Hit {
         enum class Kind : std::uint8_t { Nothing, Node, Source, Marker, Segment, Inside } kind = Kind::Nothing;
         NodeRef node;
@@ -56,12 +56,12 @@ class SelectTool final : public Tool {
     Mode mode_ = Mode::Idle;
     Hit hover_, grabbed_;
     bool over_ = false;
-    bool wasSelected_ = false;         ///< the pressed thing was already selected
+    bool wasSelected_ = false;         ///< the pressed item was already selected
     bool adds_ = false;                ///< Shift was down
     std::uint32_t clicked_ = kNoIndex; ///< shape under the last click that did not move anything
     Vec2 pressPixel_, pressPlace_, boxPlace_;
     Snapped snapped_;
-    std::shared_ptr<const Document> start_; ///< when the drag began
+    std::shared_ptr<const Document> start_; ///< document when the drag began
     std::shared_ptr<const PickIndex> startIndex_;
     Selection moving_;
     std::string stroke_, nudgeStroke_;

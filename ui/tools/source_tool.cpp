@@ -113,7 +113,7 @@ std::string SourceTool::statusText(const Shell &) const {
         return first_ ? "Click the other end" : "Drag a line along which the mesh should be fine";
     case SourceShape::Circle:
         return first_ ? "Click the rim, or type the radius"
-                      : "Drag a disc in which the mesh should be fine, from its centre";
+                      : "Drag a disc from its centre; the mesh will be fine inside it";
     }
     return {};
 }

@@ -29,7 +29,7 @@ void FieldFocus::endFrame() {
     constexpr int kPatience = 8;
     leaving_ = false;
     if (entry && !inSight(entry->name)) {
-        entry.reset(); // what it belonged to is gone
+        entry.reset(); // its field is gone
     }
     if (--patience_ <= 0) {
         wanted_.clear();

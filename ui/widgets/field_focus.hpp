@@ -8,19 +8,19 @@
 
 namespace forefront {
 
-/// Tracks which text field has the keyboard, what is being typed into it, and where Tab leads. Dear ImGui 1.86 moves by
-/// Tab only within one window, and loses the typed text when another widget takes the focus.
+/// Tracks which text field has the focus, the text being typed into it, and the next field for Tab. Dear ImGui 1.86
+/// moves with Tab only within one window, and loses the typed text when another widget takes the focus.
 class FieldFocus {
   public:
     /// The text being typed; it takes effect when the field is left.
     struct Entry {
         std::string name;
-        std::string initial; ///< what stood in the field when it was entered
+        std::string initial; ///< text of the field when it was entered
         std::string text;
     };
 
     void beginFrame() { order_.clear(); }
-    /// Call when all fields of the frame are drawn: resolves where Tab leads.
+    /// Finds the next field for Tab. Call when all fields of the frame are drawn.
     void endFrame();
     /// Registers a field; Tab stays within its `group`, the window around it.
     void drawn(std::string_view name, unsigned group) { order_.push_back({std::string(name), group}); }

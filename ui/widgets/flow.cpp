@@ -27,7 +27,7 @@ void Flow::end() {
     ImGuiStorage &widths = *ImGui::GetStateStorage();
     if (std::abs(width - widths.GetFloat(begun_)) > 0.5F) {
         widths.SetFloat(begun_, width);
-        context_.animate(); // the rows may be others now
+        context_.animate(); // the rows may have changed
     }
     used_ += width;
     begun_ = 0;

@@ -8,7 +8,7 @@ namespace forefront::ui {
 /// the next one begins; its width is taken from the last frame.
 class Flow {
   public:
-    /// `room`: width of a row, `gap`: between items; pixels.
+    /// `room` is the width of a row, `gap` the distance between items, in pixels.
     Flow(WidgetContext &context, float room, float gap) : context_(context), room_(room), gap_(gap) {}
     ~Flow() { end(); }
     Flow(const Flow &) = delete;
@@ -23,8 +23,8 @@ class Flow {
 
     WidgetContext &context_;
     float room_, gap_;
-    float used_ = 0.0F;      ///< of the row so far
-    unsigned int begun_ = 0; ///< by which Dear ImGui remembers the width of the item begun; 0: none is
+    float used_ = 0.0F;      ///< width of the row so far
+    unsigned int begun_ = 0; ///< key under which Dear ImGui stores the width of the current item; 0: none
 };
 
 } // namespace forefront::ui

@@ -40,8 +40,8 @@ class RedoByShiftZ {
 };
 
 struct Drawn {
-    bool returned = false; ///< by Dear ImGui
-    bool held = false;     ///< the field had the focus before, so its text is what was typed
+    bool returned = false; ///< returned by Dear ImGui
+    bool held = false;     ///< the field had the focus in the last frame, so its text was typed
     bool holds = false;    ///< the field has the focus now
 };
 

@@ -62,7 +62,7 @@ PixelRect rectOf(ImVec2 min, ImVec2 max) {
 } // namespace
 
 void tooltip(WidgetContext &context, std::string_view text) {
-    constexpr float kDelay = 0.4F; // seconds: no explanation for a pointer that only passes over
+    constexpr float kDelay = 0.4F; // seconds; none while the pointer only passes over
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
         return;
     }

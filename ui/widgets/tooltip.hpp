@@ -5,9 +5,9 @@
 
 namespace forefront::ui {
 
-/// Returns the place of a widget's tooltip within the display: outside the panel, bar or plate of the widget, so that
-/// it hides neither the widget nor its neighbours; above the widget if there is no room outside. All in pixels; `x` is
-/// that of the pointer.
+/// Returns the position of a widget's tooltip within the display: outside the panel, bar or plate of the widget, so
+/// that it hides neither the widget nor its neighbours; above the widget if there is no room outside. All values are in
+/// pixels; `x` is the pointer's.
 PixelRect placeTooltip(const PixelRect &widget, const PixelRect &window, Vec2 size, PixelSize display, double x,
                        double gap);
 

@@ -17,7 +17,7 @@ struct WidgetContext {
     Theme theme;
     Fonts fonts;
     float scale = 1.0F;         ///< pixels per design pixel
-    int redraw = 3;             ///< frames still to draw although nothing happens
+    int redraw = 3;             ///< number of frames to draw even without events
     double nextFrameAt = 1e300; ///< time of the next frame without input; reset at the start of each frame
 
     explicit WidgetContext(Platform &owner) : platform(owner) {}

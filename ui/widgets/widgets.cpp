@@ -242,7 +242,7 @@ bool thinSlider(WidgetContext &context, std::string_view name, double &t, std::s
     const float height = context.px(26), whole = context.px(static_cast<double>(width));
     ImGui::InvisibleButton("thin", {whole, height});
     mark(context, name);
-    // A last move and the release may come in one frame.
+    // The last move and the release may arrive in the same frame.
     const bool active = ImGui::IsItemActive() || ImGui::IsItemDeactivated(), hovered = ImGui::IsItemHovered();
     const float inset = context.px(6), middle = at.y + height / 2, half = context.px(2);
     const float left = at.x + inset, right = at.x + whole - inset;
@@ -374,7 +374,7 @@ std::string format(const char *pattern, ...) {
 
 std::string number(double value, int digits) {
     const double size = std::abs(value);
-    if (!(size >= 1e-4 && size < 1e9)) { // also 0 and what is not finite
+    if (!(size >= 1e-4 && size < 1e9)) { // also 0 and non-finite values
         return format("%.*g", digits, value);
     }
     const int whole = static_cast<int>(std::floor(std::log10(size))) + 1;

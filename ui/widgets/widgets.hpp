@@ -28,10 +28,10 @@ bool button(WidgetContext &context, std::string_view name, std::string_view labe
 bool iconButton(WidgetContext &context, std::string_view name, const char *icon, const std::string &tooltip,
                 bool on = false, bool enabled = true, float size = 32.0F);
 bool checkbox(WidgetContext &context, std::string_view name, std::string_view label, bool &value);
-/// Draws a switch with an eye and a label, for layers.
+/// Draws a visibility switch for a layer: an eye and a label.
 bool eyeSwitch(WidgetContext &context, std::string_view name, std::string_view label, bool &value, float width);
-/// Draws exclusive choices side by side; returns true when the choice changed. `width` of the whole in design pixels;
-/// 0: the rest of the row. `tips`: one tooltip per choice, or none.
+/// Draws exclusive choices side by side; returns true when the choice changed. `width` is the total width in design
+/// pixels; 0: the rest of the row. `tips` holds one tooltip per choice, or none.
 bool segmented(WidgetContext &context, std::string_view name, std::span<const char *const> labels, int &choice,
                float width = 0.0F, std::span<const char *const> tips = {});
 bool combo(WidgetContext &context, std::string_view name, std::span<const char *const> labels, int &choice,
@@ -46,10 +46,10 @@ bool thinSlider(WidgetContext &context, std::string_view name, double &t, std::s
 bool inputText(WidgetContext &context, std::string_view name, std::string &value, std::string_view hint = {},
                float width = -1.0F, bool onEnter = false, bool focus = false);
 /// Draws a text field that is committed by Enter, Tab or a click elsewhere; Esc restores the old text. Returns true in
-/// the frame in which a changed text is committed to `value`. `selectAll`: entering the field selects its text.
+/// the frame in which a changed text is committed to `value`. With `selectAll`, entering the field selects its text.
 bool entry(WidgetContext &context, std::string_view name, std::string &value, std::string_view hint = {},
            float width = -1.0F, bool selectAll = false);
-/// Whether a text field has the keyboard, and what it can undo and redo.
+/// The text field being edited, if any, and whether it can undo and redo.
 struct Typing {
     bool active = false, canUndo = false, canRedo = false;
 };
@@ -60,7 +60,7 @@ bool selectable(WidgetContext &context, std::string_view name, std::string_view 
 /// Draws a link. Returns true when clicked.
 bool link(WidgetContext &context, std::string_view name, std::string_view text);
 
-/// Draws a heading over a group.
+/// Draws the heading of a group.
 void heading(WidgetContext &context, std::string_view text);
 /// Draws a muted label and, at a fixed column (design pixels), its value.
 void field(WidgetContext &context, std::string_view label, std::string_view value, float column = 108.0F);
@@ -77,10 +77,10 @@ bool badge(WidgetContext &context, std::string_view name, std::string_view text,
 
 /// Formats a count with grouped digits: "12 345".
 std::string count(std::uint64_t number);
-/// Formats like printf into a string.
+/// Formats like printf and returns the string.
 std::string format(const char *pattern, ...) __attribute__((format(printf, 1, 2)));
-/// Formats a number as people write it, with `digits` significant digits, all digits before the point and no trailing
-/// zeros: "0.05", "12.3", "140". With an exponent only below 0.0001 and from 10⁹ on.
+/// Formats a number for people, with `digits` significant digits, all digits before the point and no trailing zeros:
+/// "0.05", "12.3", "140". Uses an exponent only below 0.0001 and from 10⁹.
 std::string number(double value, int digits = 4);
 /// Formats a mean of counts with about three digits: "3.27", "41.5", "140".
 std::string mean(double value);

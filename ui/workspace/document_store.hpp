@@ -16,13 +16,14 @@ namespace forefront {
 class DocumentStore {
   public:
     std::shared_ptr<const Document> current() const { return history_.shared(); }
-    /// Differs between any two documents that were ever open here; undo returns to the number from before.
+    /// Returns a number that identifies the current state of the document among all states of all documents opened in
+    /// this store; undo restores the earlier number.
     std::uint64_t revision() const { return (loads_ << 40) + history_.revision(); }
-    /// Names the step of the history that the current document belongs to. Differs between documents opened one after
-    /// the other; stays the same while a stroke goes on.
+    /// Returns an id of the history step that the current document belongs to. It is unique across all documents
+    /// opened, and stays the same during a stroke.
     std::string step() const { return std::to_string(loads_) + '/' + std::to_string(history_.position()); }
-    /// Makes `next` the current document. Changes that follow one another with the same non-empty `stroke` are one undo
-    /// step until endStroke(): a drag, a stroke of the brush. False if nothing changed.
+    /// Makes `next` the current document. Consecutive changes with the same non-empty `stroke` form one undo step until
+    /// endStroke(), such as a drag or a brush stroke. Returns false if nothing changed.
     bool apply(Document next, std::string label, std::string_view stroke = {}) {
         return history_.commit(std::move(label), std::move(next), stroke);
     }
@@ -35,9 +36,8 @@ class DocumentStore {
     History &history() { return history_; }
     const History &history() const { return history_; }
 
-    /// Another document altogether; its history starts here. `path` empty: in no file yet. `dirty`: asks to be saved
-    /// although nothing was done to it (recovered, imported).
-    /// `title`: what to call it while it is in no file.
+    /// Opens another document with a new history. `path` is empty if the document has no file yet. `dirty` marks it
+    /// unsaved although it was not edited (recovered, imported). `title` names it while it has no file.
     void load(Document document, std::filesystem::path path, bool dirty = false, std::string title = {}) {
         history_ = History(std::move(document), "Open");
         dirty ? history_.markUnsaved() : history_.markSaved();
@@ -46,7 +46,7 @@ class DocumentStore {
         ++loads_;
     }
     const std::filesystem::path &path() const { return path_; }
-    /// Name of the file, or what else the document is called.
+    /// Returns the name of the file, or the title of a document without one.
     std::string title() const {
         return !path_.empty() ? path_.filename().string() : title_.empty() ? "untitled" : title_;
     }

@@ -33,12 +33,12 @@ struct EditState {
     const std::shared_ptr<const PickIndex> &index(const Workspace &context);
     /// Returns a new stroke key for DocumentStore::apply().
     std::string newStroke();
-    /// Makes `next` the document, or logs why it was refused. True if applied.
+    /// Makes `next` the document, or logs why it was refused. Returns true if it was applied.
     static bool apply(Workspace &context, Result<Document> next, const std::string &label,
                       const std::string &merge = {});
     /// Converts a reach of the pointer from design pixels to domain units.
     static double reach(const Workspace &context, double designPixels);
-    /// A snap query with the current options; `angle` and `off` come from the modifiers of the event.
+    /// Returns a snap query with the current options; `angle` and `off` come from the modifiers of the event.
     SnapQuery query(const Workspace &context, Vec2 place, bool angle, bool off) const;
     /// Rounds a suggested number to two significant digits.
     static double twoDigits(double value);

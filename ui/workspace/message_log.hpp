@@ -19,7 +19,7 @@ class MessageLog {
         double time = 0.0;          ///< Platform::now() when it was added
         std::uint64_t number = 0;   ///< counts up from 1
         std::uint64_t revision = 0; ///< of the document it is about
-        bool told = false;          ///< also shown on the canvas for some seconds
+        bool told = false;          ///< also shown on the canvas for a few seconds
         std::string topic;          ///< see note()
     };
     static constexpr std::size_t kLimit = 1000;
@@ -37,8 +37,8 @@ class MessageLog {
             add(diagnostic, revision);
         }
     }
-    /// Logs something the user sees happen anyway, without showing it on the canvas. Where the newest entry has the
-    /// same non-empty `topic`, it is replaced: a gesture that gives many results leaves one line.
+    /// Logs a result that the user sees anyway, without showing it on the canvas. Replaces the newest entry if that has
+    /// the same non-empty `topic`, so that a gesture with many results leaves one line.
     void note(std::string message, std::string topic = {}) {
         if (!topic.empty() && !entries_.empty() && entries_.back().topic == topic) {
             entries_.pop_back();
@@ -46,9 +46,9 @@ class MessageLog {
         push({.severity = Severity::Note, .message = std::move(message)}, false, {});
         entries_.back().topic = std::move(topic);
     }
-    /// Logs and shows the outcome of a command that the user cannot see otherwise.
+    /// Logs the outcome of a command and shows it on the canvas, where the user could not see it otherwise.
     void tell(std::string message) { push({.severity = Severity::Note, .message = std::move(message)}, true, {}); }
-    /// Logs faults that a dialog shows itself.
+    /// Logs faults that a dialog already shows.
     void keep(const Diagnostics &diagnostics) {
         for (const Diagnostic &diagnostic : diagnostics) {
             push(diagnostic, false, {});

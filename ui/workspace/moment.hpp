@@ -6,8 +6,8 @@
 
 namespace forefront {
 
-/// The part of an advance that has happened at the position of the timeline: the whole advance, or what precedes the
-/// event under the cursor.
+/// The part of an advance completed at the position of the timeline: the whole advance, or the part before the event
+/// under the cursor.
 struct Moment {
     const AdvanceExplanation *advance = nullptr; ///< null: nothing to explain
     std::size_t cursor = 0;                      ///< into events; events.size(): the whole advance
@@ -21,7 +21,7 @@ struct Moment {
     explicit operator bool() const { return advance != nullptr; }
 };
 
-/// Returns the moment of a snapshot; an empty one while the front runs fast, at the start, and when the improved mesh
+/// Returns the moment of a snapshot; it is empty while the front runs fast, at the start, and when the improved mesh
 /// is shown.
 Moment momentOf(const SessionSnapshot &snapshot);
 

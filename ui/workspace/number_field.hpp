@@ -10,7 +10,7 @@ struct Workspace;
 
 namespace ui {
 
-/// Draws an entry() for a number. Reports anything but a finite number in the log and keeps the old value.
+/// Draws an entry() for a number. Logs an error for anything but a finite number and keeps the old value.
 bool inputNumber(Workspace &context, std::string_view name, double &value, float width = -1.0F);
 /// Parses a typed number; reports an invalid one in the log and returns nothing.
 std::optional<double> typedNumber(Workspace &context, const std::string &typed);

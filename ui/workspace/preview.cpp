@@ -167,7 +167,7 @@ std::shared_ptr<const SpacingRaster> sampleRaster(const SpacingField *field, con
 void Preview::work(const std::stop_token &stop) {
     std::unique_lock lock(mutex_);
     while (!stop.stop_requested()) {
-        // The raster first: it is to follow the newest finished field even while edits keep coming.
+        // Raster first, so that it follows the newest finished field even while edits keep coming.
         if (rasterNumber_ != wantedRaster_.number || rasterRevision_ != doneRevision_) {
             const RasterRequest request = wantedRaster_;
             const std::shared_ptr<const SpacingField> field = preview_->spacing;

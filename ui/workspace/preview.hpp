@@ -18,8 +18,8 @@ namespace forefront {
 
 struct Document;
 
-/// What is known about a document before it is meshed: its domain, faults and spacing. Computed on a separate thread,
-/// so that drawing and painting never wait for it.
+/// The domain, faults and spacing of a document before it is meshed. Computed on a separate thread, so that drawing and
+/// painting never wait for it.
 struct DocumentPreview {
     std::uint64_t revision = 0;
     std::shared_ptr<const Domain> domain;
@@ -43,17 +43,17 @@ class Preview {
     Preview(const Preview &) = delete;
     Preview &operator=(const Preview &) = delete;
 
-    /// Sets the document to examine; cheap when the revision is known. What is being worked out for an earlier revision
-    /// is finished and shown first, so that the preview follows edits that come faster than it can.
+    /// Sets the document to examine; cheap if the revision has not changed. Work on an earlier revision is finished and
+    /// shown first, so that the preview keeps moving when edits come faster than it can be computed.
     void submit(std::shared_ptr<const Document> document, std::uint64_t revision);
-    /// Sets the raster of ρ to compute; cheap when unchanged. No raster for 0 columns.
+    /// Sets the raster of ρ to compute; cheap when unchanged. With 0 columns, no raster is computed.
     void submitRaster(const Box2 &box, int columns, int rows);
-    /// Stops what is being worked out: another document is about to be opened.
+    /// Stops the current work, because another document is about to be opened.
     void abandon();
     /// Never null.
     std::shared_ptr<const DocumentPreview> latest() const;
     std::shared_ptr<const SpacingRaster> raster() const;
-    /// True while anything submitted is not finished.
+    /// Returns true while any submitted work is unfinished.
     bool busy() const;
 
   private:

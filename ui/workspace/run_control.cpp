@@ -13,7 +13,7 @@ RunControl::RunControl(DocumentStore &document, MessageLog &log, std::function<v
     : document_(document), log_(log), session_(std::move(wake)), snapshot_(session_.latest()) {}
 
 void RunControl::refresh() {
-    const bool busy = session_.busy(); // asked first: when the worker is idle, its last snapshot has been delivered
+    const bool busy = session_.busy(); // read before the snapshot: an idle worker has delivered its last one
     snapshot_ = session_.latest();
     cancelling_ = cancelling_ && busy;
     const SessionSnapshot &s = *snapshot_;
@@ -55,7 +55,7 @@ void RunControl::log(const SessionSnapshot &s) {
             log_.add(s.diagnostics, starts_[s.run].revision);
         }
     } else if (s.shownRun != s.run) {
-        // The previous mesh was logged when it was new.
+        // The previous mesh is already in the log.
     } else if (news && s.state == RunState::Cancelled && loggedState_ != RunState::Cancelled) {
         log_.note(ui::format("Cancelled after %llu advances; you can step through the partial mesh",
                              static_cast<unsigned long long>(s.known)));
@@ -75,7 +75,7 @@ bool RunControl::hasToFollow() const {
 void RunControl::follow(bool gestureOver, bool faulty) {
     const bool working = session_.busy();
     const std::shared_ptr<const SessionSnapshot> newest = session_.latest();
-    // A run that shows its progress is too large to be finished for a document that is no longer the newest.
+    // A run large enough to show its progress is not worth finishing once the document has changed.
     const bool large = working && newest->run == lastStart_ &&
                        (newest->state == RunState::Running || newest->state == RunState::Improving);
     if (hasToFollow() && (!working || (large && gestureOver))) {
@@ -115,7 +115,7 @@ void RunControl::start(StartMode mode) {
     const Start start{document_.revision(), document->options.method, mode == StartMode::RunQuiet};
     starts_[++lastStart_] = start;
     if (!start.live) {
-        shown_ = start; // a live run leaves the previous mesh on show until it is finished
+        shown_ = start; // a live run keeps showing the previous mesh until it is finished
     }
 }
 

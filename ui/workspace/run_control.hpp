@@ -15,8 +15,8 @@ namespace forefront {
 class DocumentStore;
 class MessageLog;
 
-/// The meshing run as the user sees it: starts runs from the document, keeps speed and granularity, and knows whether
-/// the mesh is out of date. All members belong to the UI thread and return at once.
+/// Controls the meshing run for the user interface: starts runs from the document, holds speed and granularity, and
+/// knows whether the mesh is out of date. Call all members from the UI thread; none of them blocks.
 class RunControl {
   public:
     /// Advances per second at speed 1.
@@ -27,18 +27,18 @@ class RunControl {
 
     /// Takes the newest snapshot and logs what the run reports. Called once per frame.
     void refresh();
-    /// Keeps the mesh up with the document while `live`: what runs is finished and shown, then the newest document is
-    /// meshed. A mesh too large to follow the hand (kQuietElements) is started again only where `gestureOver`, which
-    /// also is when the result is logged. `faulty`: the drawing has faults that are shown anyway. Once per frame, after
-    /// input.
+    /// Keeps the mesh up to date with the document while `live`: the current run is finished and shown, then the newest
+    /// document is meshed. A mesh too large to follow a drag (kQuietElements) is restarted only once `gestureOver`,
+    /// which is also when the result is logged. `faulty`: the drawing has faults, which are shown elsewhere. Called
+    /// once per frame, after input.
     void follow(bool gestureOver, bool faulty);
-    /// True if live meshing has not taken the newest document yet.
+    /// Returns true if live meshing has yet to start on the newest document.
     bool hasToFollow() const;
-    /// True if it could take it now: the worker is idle.
+    /// Returns true if live meshing can start on it now, since the worker is idle.
     bool canFollow() const { return hasToFollow() && !session_.busy(); }
-    /// True if a newer snapshot is waiting.
+    /// Returns true if a newer snapshot is waiting.
     bool hasNews() const { return session_.latest() != snapshot_; }
-    /// Never null; the same object for a whole frame.
+    /// Returns the snapshot of this frame; it does not change within a frame.
     const SessionSnapshot &now() const { return *snapshot_; }
     const std::shared_ptr<const SessionSnapshot> &snapshot() const { return snapshot_; }
     void want(SnapshotLayers layers);
@@ -53,25 +53,25 @@ class RunControl {
     void seekEnd();
     void cancel();
     void clear();
-    /// True while a cancelled run has not delivered its result: the worker stops at once, but copying and drawing a
-    /// partial mesh of millions of elements takes time.
+    /// Returns true while a cancelled run has not delivered its result: the worker stops at once, but copying and
+    /// drawing a partial mesh of millions of elements takes time.
     bool cancelling() const { return cancelling_; }
 
-    /// True while a command is pending or the worker is busy.
+    /// Returns true while a command is pending or the worker is busy.
     bool busy() const { return session_.busy(); }
     bool playing() const;
     bool hasRun() const;
-    /// True if the document has changed since the run started and live meshing is not about to catch up.
+    /// Returns true if the document has changed since the run started and live meshing will not catch up by itself.
     bool outOfDate() const;
-    /// Revision of the document whose mesh is shown.
+    /// Returns the revision of the document whose mesh is shown.
     std::uint64_t shownRevision() const { return shown_.revision; }
-    /// Method of the run, or of the document if there is no run.
+    /// Returns the method of the run, or of the document if there is no run.
     Method method() const;
     double speed() const { return speed_; }
     void setSpeed(double factor);
 
     Granularity granularity = Granularity::Advance;
-    /// Mesh after every edit.
+    /// Live meshing: meshes after every edit.
     bool live = false;
 
   private:
@@ -84,13 +84,13 @@ class RunControl {
     MessageLog &log_;
     MeshingSession session_;
     std::shared_ptr<const SessionSnapshot> snapshot_;
-    /// What a run was started from.
+    /// The document revision and options that a run was started with.
     struct Start {
         std::uint64_t revision = 0;
         Method method = Method::Fast;
         bool live = false;
     };
-    /// Result of the last live run; logged when the gesture is over.
+    /// The result of the last live run; logged when the gesture is over.
     struct LiveResult {
         std::string note;    ///< empty: refused
         Diagnostics refusal; ///< why
@@ -100,7 +100,7 @@ class RunControl {
     std::uint64_t lastStart_ = 0;
     Start shown_;
     std::uint64_t refusalLogged_ = 0; ///< run number
-    std::uint64_t followed_ = 0;      ///< newest revision that live meshing has started or passed over
+    std::uint64_t followed_ = 0;      ///< newest revision that live meshing has started or skipped
     std::optional<LiveResult> liveResult_;
     bool started_ = false;
     bool cancelling_ = false;
