@@ -53,7 +53,7 @@ TEST_CASE("Pen: Esc cancels the path, choosing another tool finishes it") {
     CHECK(driver.document().shapes.size() == 1);
 }
 
-TEST_CASE("Numeric entry: a distance, an angle, coordinates and pairs give exact nodes") {
+TEST_CASE("Numeric entry: typed distances, angles, coordinates and pairs place nodes exactly") {
     Draughtsman driver;
     driver.key('P');
     driver.key('X');

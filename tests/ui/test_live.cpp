@@ -63,7 +63,7 @@ TEST_CASE("Live: the mesh and the preview follow a node that is dragged without 
     CHECK_FALSE(driver.context().run.hasToFollow());
 }
 
-TEST_CASE("Live: a gesture leaves one line in the log, and the next gesture another") {
+TEST_CASE("Live: each gesture leaves one line in the log") {
     LiveDrag driver;
     for (std::set<std::uint64_t> meshes; meshes.size() < 4; meshes.insert(driver.run().meshHash)) {
         driver.moveOn();

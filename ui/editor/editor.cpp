@@ -43,8 +43,8 @@ struct Editor::Parts {
     std::shared_ptr<const SpacingRaster> raster;
     SnapshotPace pace;
     bool drewNews = false;       ///< this frame draws a new snapshot
-    bool saidCancelling = false; ///< a frame was presented that says that the run is being cancelled
-    bool toldBusy = false;       ///< the state file says that something is still going on
+    bool saidCancelling = false; ///< a frame that shows the cancelling has been presented
+    bool toldBusy = false;       ///< the state file says that the editor has not settled
 
     bool newsDue() const;
     bool keySharesFrame(const InputEvent &event) const;
@@ -171,7 +171,7 @@ double Editor::sleepSeconds() const {
     if (c.redraw > 0 || c.widgets.fields.travelling() || !parts_->input.empty() || parts_->input.replaying()) {
         return 0.0;
     }
-    constexpr double kUntilWorkerRests = 0.002; // it reports its result a moment before it takes the next job
+    constexpr double kUntilWorkerRests = 0.002; // the worker reports its result just before it becomes idle
     const double untilNews = c.run.hasNews()       ? parts_->pace.next() - steadySeconds()
                              : c.run.hasToFollow() ? kUntilWorkerRests
                                                    : 0.5;

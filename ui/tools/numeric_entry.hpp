@@ -71,7 +71,7 @@ class NumericEntry {
     std::optional<EntryField> open_;
     std::string text_;
     bool wrong_ = false;
-    bool byDigit_ = false;    ///< opened by a digit: one number may be enough
+    bool byDigit_ = false;    ///< the field was opened by a digit, so a single number may suffice
     bool skipLetter_ = false; ///< the letter that opened a field arrives as text too
 };
 
