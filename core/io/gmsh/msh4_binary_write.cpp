@@ -15,7 +15,7 @@ void put(TextWriter &out, T value) {
     out.bytes(&value, sizeof value);
 }
 
-/// Writes rows of numbers by the thousand.
+/// Collects numbers and writes them in blocks.
 template <class T>
 class RowBuffer {
   public:
@@ -42,7 +42,7 @@ class RowBuffer {
     std::size_t used_ = 0;
 };
 
-/// Number of blocks and of items, least and greatest number.
+/// Writes the head of a section: number of blocks, number of items, minimum and maximum number.
 void putHead(TextWriter &out, std::size_t blocks, std::size_t count) {
     for (const std::size_t number : {blocks, count, std::size_t{count > 0 ? 1U : 0U}, count}) {
         put<std::uint64_t>(out, number);
@@ -61,7 +61,7 @@ void writeEntities(const MshModel &model, TextWriter &out) {
                 put(out, coordinate);
             }
             if (entity.dimension == 0) {
-                break; // its place instead of a box
+                break; // a point has its place instead of a box
             }
         }
         put<std::uint64_t>(out, 1);
@@ -129,7 +129,8 @@ void writeElements(const Mesh &mesh, const MshModel &model, TextWriter &out) {
 
 } // namespace
 
-/// Integers of four bytes, counts and numbers of nodes and elements of eight; sections and names stay text.
+/// MSH 4.1, binary: integers have four bytes, counts and the numbers of nodes and elements eight. The names of sections
+/// and of physical groups stay text.
 void writeMsh4Binary(const Mesh &mesh, TextWriter &out) {
     const MshGroups groups(mesh);
     const MshModel model(mesh, groups);

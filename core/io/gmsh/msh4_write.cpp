@@ -65,6 +65,7 @@ void writeElements(const Mesh &mesh, const MshModel &model, TextWriter &out) {
 
 } // namespace
 
+/// MSH 4.1, ASCII.
 void writeMsh4(const Mesh &mesh, TextWriter &out) {
     const MshGroups groups(mesh);
     const MshModel model(mesh, groups);

@@ -10,7 +10,7 @@ namespace forefront {
 
 namespace {
 
-constexpr double kWidth = 1000.0; ///< of the drawing's longer side, in its own units
+constexpr double kWidth = 1000.0; ///< length of the drawing's longer side, in drawing units
 
 // Light fills for regions, strong strokes for boundaries.
 constexpr std::array<const char *, 6> kFills = {"#dbe9f6", "#fdebd0", "#dcedd8", "#f3dcea", "#e6e0f2", "#f5f0c8"};
@@ -24,7 +24,7 @@ std::string xmlText(std::string_view text) {
     return result;
 }
 
-/// From the mesh to the drawing, y downwards, rounded to hundredths.
+/// Maps the mesh to the drawing: y points down, coordinates are rounded to hundredths.
 class Sheet {
   public:
     explicit Sheet(const Mesh &mesh) : box_(mesh.bounds()) {
@@ -48,7 +48,7 @@ class Sheet {
 
 } // namespace
 
-/// A drawing of the mesh: one path per region, one per boundary tag, named by titles.
+/// Draws the mesh: one path per region and one per boundary tag, each with its name as title.
 void writeSvg(const Mesh &mesh, TextWriter &out) {
     const Sheet sheet(mesh);
     constexpr double kMargin = 10.0;

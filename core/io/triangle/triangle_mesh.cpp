@@ -46,7 +46,7 @@ void writeEdges(const Mesh &mesh, TextWriter &out) {
 
 } // namespace
 
-/// J. R. Shewchuk's Triangle: nodes with markers, triangles with the region as attribute, the tagged edges.
+/// Writes the files of J. R. Shewchuk's Triangle: nodes with markers, triangles with the region as attribute, the tagged edges.
 Status writeTriangle(const std::filesystem::path &path, const Mesh &mesh, const Progress &progress) {
     using Write = void (*)(const Mesh &, TextWriter &);
     static constexpr std::array<Write, kTriangleExtensions.size()> kWrites{writeNodes, writeElements, writeEdges};

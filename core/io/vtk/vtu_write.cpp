@@ -33,7 +33,7 @@ std::string xmlEscaped(std::string_view text) {
     return result;
 }
 
-/// Announces the arrays of the appended data one after the other.
+/// Writes the heads of the arrays in the appended data, then the arrays in the same order.
 class AppendedArrays {
   public:
     explicit AppendedArrays(TextWriter &out) : out_(out) {}
@@ -44,7 +44,7 @@ class AppendedArrays {
         offset_ += bytes + sizeof(std::uint64_t);
         sizes_.push_back(bytes);
     }
-    /// Length in front of the next array.
+    /// Writes the length in front of the next array.
     void begin() { put(static_cast<std::uint64_t>(sizes_[next_++])); }
     template <class T>
     void put(T value) {
@@ -94,7 +94,7 @@ void writeData(const Mesh &mesh, AppendedArrays &arrays, const TextWriter &out) 
 
 } // namespace
 
-/// VTU with appended raw data: as large as the numbers themselves, and exact.
+/// Writes VTU with raw appended data, which is compact and exact.
 void writeVtu(const Mesh &mesh, TextWriter &out) {
     const std::size_t cells = mesh.elements.size() + mesh.edges.size() + mesh.points.size();
     const std::size_t corners = 3 * mesh.elements.size() + 2 * mesh.edges.size() + mesh.points.size();
