@@ -187,7 +187,7 @@ int runAdapt(const AdaptArguments &arguments) {
     const bool drops = arguments.innerEdges == InnerEdges::Drop;
     const Mesh outline = drops ? withoutInnerEdges(*mesh) : Mesh();
     for (const Output &output : pairFormats(arguments.outputs, arguments.formats)) {
-        const Status written = writeOutput(output, drops ? outline : *mesh, progress);
+        const Diagnostics written = writeOutput(output, drops ? outline : *mesh, progress);
         bar.clear();
         if (hasErrors(written)) {
             return refuse(written, interrupt);

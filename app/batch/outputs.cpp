@@ -88,9 +88,10 @@ bool usesStandardOutput(const std::vector<std::filesystem::path> &outputs) {
     return std::any_of(outputs.begin(), outputs.end(), isStandardStream);
 }
 
-Status writeOutput(const Output &output, const Mesh &mesh, const Progress &progress) {
+Diagnostics writeOutput(const Output &output, const Mesh &mesh, const Progress &progress) {
     if (!isStandardStream(output.path)) {
-        return writeMesh(output.path, mesh, output.format, progress);
+        Status written = writeMesh(output.path, mesh, output.format, progress);
+        return hasErrors(written) ? written : exportNotes(output.path, mesh, output.format);
     }
     struct StandardOutput final : ByteSink {
         bool write(std::string_view bytes) override {

@@ -39,7 +39,7 @@ Diagnostics checkOutputs(const std::vector<Output> &outputs, const std::vector<s
 /// True if one of the outputs is standard output, which then holds nothing else.
 bool usesStandardOutput(const std::vector<std::filesystem::path> &outputs);
 
-/// Writes a mesh to a file or to standard output.
-Status writeOutput(const Output &output, const Mesh &mesh, const Progress &progress);
+/// Writes a mesh to a file or to standard output. The result holds errors, else the notes of exportNotes().
+Diagnostics writeOutput(const Output &output, const Mesh &mesh, const Progress &progress);
 
 } // namespace forefront

@@ -223,10 +223,9 @@ Status writeMesh(const std::filesystem::path &path, const Mesh &mesh, std::strin
             return named(format->writeFiles(path, mesh, progress), path);
         }
         constexpr std::size_t kBytesPerNode = 45, kBytesPerElement = 32;
-        const Status status = writeTextFile(
+        return writeTextFile(
             path, [&](TextWriter &out) { format->writeMesh(mesh, out); }, progress,
             1 + mesh.nodes.size() * kBytesPerNode + mesh.elements.size() * kBytesPerElement);
-        return hasErrors(status) || format->noteChanges == nullptr ? status : named(format->noteChanges(mesh), path);
     } catch (const std::bad_alloc &) {
         return named(error("out-of-memory", "there is not enough memory to write the file"), path);
     }
@@ -243,6 +242,11 @@ Status writeMesh(ByteSink &sink, const Mesh &mesh, std::string_view formatId) {
     TextWriter out(sink);
     format->writeMesh(mesh, out);
     return out.flush() ? Status{} : error("cannot-write", "cannot write to the stream");
+}
+
+Diagnostics exportNotes(const std::filesystem::path &path, const Mesh &mesh, std::string_view formatId) {
+    const Format *const format = meshFormat(path, formatId);
+    return format != nullptr && format->noteChanges != nullptr ? named(format->noteChanges(mesh), path) : Diagnostics{};
 }
 
 std::vector<std::filesystem::path> filesOfMesh(const std::filesystem::path &path, std::string_view formatId) {

@@ -59,15 +59,18 @@ Result<SpacingSpec> readSpacing(const std::filesystem::path &path, const ImportO
                                 ImportNotes *notes = nullptr);
 
 /// Writes a mesh; the format by id, or by extension when empty (.msh is MSH 2.2). Atomic: a temporary file beside it,
-/// then renamed. Triangle: PATH.node, PATH.ele and PATH.edge. SVG draws the mesh. The result holds errors, else notes
-/// on names that the format cannot hold as they are.
+/// then renamed. Triangle: PATH.node, PATH.ele and PATH.edge. SVG draws the mesh.
 Status writeMesh(const std::filesystem::path &path, const Mesh &mesh, std::string_view formatId = {},
                  const Progress &progress = {});
 /// Writes a mesh in the format of that id to a sink, such as standard output. Faults: unknown-format, also for formats
 /// of several files; cannot-write.
 Status writeMesh(ByteSink &sink, const Mesh &mesh, std::string_view formatId);
 
-/// Returns the files that writeMesh writes under a name: that one, or those of Triangle side by side.
+/// Returns notes on the names of tags that a file written from this mesh holds in another form, such as identifiers;
+/// empty if there are none. Parameters as for writeMesh().
+Diagnostics exportNotes(const std::filesystem::path &path, const Mesh &mesh, std::string_view formatId = {});
+
+/// Returns the files that writeMesh writes under a name: one, or the three of Triangle.
 std::vector<std::filesystem::path> filesOfMesh(const std::filesystem::path &path, std::string_view formatId = {});
 /// Returns the files that reading one may look into: that one, those of Triangle side by side, and the .node file that
 /// a .poly file without nodes takes them from.

@@ -113,8 +113,10 @@ Diagnostics write(Shell &context, const std::filesystem::path &file, const FileF
         Progress progress;
         progress.report = [&fraction](std::string_view, double done) { fraction.store(done); };
         progress.stop = std::move(stop);
-        return innerEdges == InnerEdges::Keep ? writeMesh(file, mesh->mesh, format, progress)
-                                              : writeMesh(file, withoutInnerEdges(mesh->mesh), format, progress);
+        const Mesh outline = innerEdges == InnerEdges::Drop ? withoutInnerEdges(mesh->mesh) : Mesh();
+        const Mesh &exported = innerEdges == InnerEdges::Drop ? outline : mesh->mesh;
+        const Status written = writeMesh(file, exported, format, progress);
+        return hasErrors(written) ? written : exportNotes(file, exported, format);
     };
     const auto done = [file, format = filter.id, triangles = mesh->mesh.elements.size()](Shell &c) {
         c.log.tell("Exported mesh to " + file.string() + ": " + ui::count(triangles) + " triangles, " +
