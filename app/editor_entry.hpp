@@ -5,14 +5,14 @@
 
 namespace forefront {
 
-/// How the editor is started from the command line.
+/// Command-line options of the editor.
 struct EditorArguments {
     std::optional<std::filesystem::path> file;      ///< project or domain file to open; none: the sample
-    std::optional<int> frames;                      ///< close by itself after so many frames (for tests)
+    std::optional<int> frames;                      ///< close after this many frames (for tests)
     std::optional<std::filesystem::path> stateFile; ///< write the state of each frame there (for tests)
 };
 
-/// Exit code of runEditor where no window can be opened (no display, no OpenGL 3.3).
+/// Exit code of runEditor if no window can be opened (no display, no OpenGL 3.3).
 inline constexpr int kNoWindow = 4;
 
 /// Opens the window and stays until it is closed. Returns the exit code of the program.

@@ -32,8 +32,8 @@ Examples:
 )";
 
 #if defined(FOREFRONT_WITH_EDITOR)
-/// Opens the editor. For tests it also takes --frames N, to close after N frames, and --state-file FILE, to write what
-/// it shows.
+/// Opens the editor. For tests it also takes --frames N, to close after N frames, and --state-file FILE, to write its
+/// state.
 int editorCommand(int argc, const char *const *argv) {
     EditorArguments arguments;
     CLI::App app("Forefront", "forefront");

@@ -43,11 +43,11 @@ struct AdaptArguments {
     int rounds = 8;
     std::optional<std::filesystem::path> domain;
     std::vector<std::filesystem::path> outputs;
-    std::vector<std::string> formats; ///< ids, of the outputs in their order; the rest by extension
+    std::vector<std::string> formats; ///< ids for the outputs in order; the rest by extension
     InnerEdges innerEdges = InnerEdges::Keep;
     bool quiet = false;
 
-    /// Where progress is reported: not where a mesh is written.
+    /// The stream for messages, which is not that of a mesh.
     std::FILE *messages() const { return usesStandardOutput(outputs) ? stderr : stdout; }
 };
 
@@ -64,7 +64,7 @@ void printRound(const AdaptArguments &arguments, std::size_t round, std::size_t 
     }
 }
 
-/// Reads the mesh and, with --field, its values; an invalid mesh is refused.
+/// Reads the mesh and, with --field, its values; refuses an invalid mesh.
 Result<MeshField> readInput(const AdaptArguments &arguments, const Input &file) {
     MeshField input;
     ImportNotes notes;
@@ -92,7 +92,7 @@ Result<MeshField> readInput(const AdaptArguments &arguments, const Input &file) 
     return input;
 }
 
-/// Makes one new mesh; the field on it is for the solver to find.
+/// Makes one new mesh, on which a solver must compute the field.
 Result<Mesh> adaptToField(const AdaptArguments &arguments, const Domain &domain, const MeshField &input,
                           const Progress &progress) {
     const Result<ErrorEstimate> estimate = estimateError(input.mesh, input.values, progress);
@@ -204,10 +204,10 @@ int runAdapt(const AdaptArguments &arguments) {
 
 void addAdaptOptions(CLI::App &app, AdaptArguments &arguments) {
     app.add_option("MESH", arguments.mesh,
-                   "mesh file; with --field one with nodal values: .vtu, .vtk, .msh; -: standard input")
+                   "mesh file, with nodal values if --field is given: .vtu, .vtk, .msh; -: standard input")
         ->required();
     app.add_option("--input-format", arguments.inputFormat,
-                   "format of MESH if content and name do not tell: " + inputFormatIds())
+                   "format of MESH, if content and extension are ambiguous: " + inputFormatIds())
         ->type_name("ID");
     auto *field = app.add_option_group("Field", "exactly one");
     field->add_option("--field", arguments.field, "name of nodal values in the file")->type_name("NAME");
@@ -222,7 +222,7 @@ void addAdaptOptions(CLI::App &app, AdaptArguments &arguments) {
         ->required()
         ->allow_extra_args(false)
         ->type_name("OUT");
-    app.add_option("--format", arguments.formats, "format of the outputs in their order: " + formatIds())
+    app.add_option("--format", arguments.formats, "formats of the outputs, in order: " + formatIds())
         ->allow_extra_args(false)
         ->type_name("ID");
     addInnerEdgesOption(app, arguments.innerEdges);
@@ -239,7 +239,7 @@ void addAdaptOptions(CLI::App &app, AdaptArguments &arguments) {
                    "maximum change of edge length per unit of distance (default 0.3)")
         ->check(positiveNumber())
         ->type_name("G");
-    app.add_option("--domain", arguments.domain, "domain to mesh; default: what the mesh covers, with its tags")
+    app.add_option("--domain", arguments.domain, "domain to mesh; default: the area of the mesh, with its tags")
         ->type_name("IN");
     app.add_flag("-q,--quiet", arguments.quiet, "print only warnings and errors");
 }

@@ -53,7 +53,7 @@ Result<std::shared_ptr<const SpacingField>> readWanted(const CheckArguments &arg
     return SpacingField::build(spec, extent);
 }
 
-/// Returns what does not fit between a mesh and the domain that it was made of.
+/// Returns the differences between a mesh and the domain it was made from.
 Diagnostics checkAgainst(const Mesh &mesh, const CheckArguments &arguments) {
     Result<Input> input = openInput(*arguments.domain);
     if (!input) {
@@ -120,9 +120,9 @@ int checkCommand(int argc, const char *const *argv) {
                    "mesh file: .msh, .vtu, .vtk, .mesh, .inp, .su2, .node, .ele, .obj; -: standard input")
         ->required();
     app.add_option("--input-format", arguments.inputFormat,
-                   "format of MESH if content and name do not tell: " + inputFormatIds())
+                   "format of MESH, if content and extension are ambiguous: " + inputFormatIds())
         ->type_name("ID");
-    app.add_option("--domain", arguments.domain, "domain or project that the mesh was made of")->type_name("IN");
+    app.add_option("--domain", arguments.domain, "domain or project that the mesh was made from")->type_name("IN");
     addArrangementOptions(app, arguments.weldTolerance, arguments.overlap);
     auto *spacing = app.add_option_group("Spacing", "report how well the mesh keeps this spacing; at most one");
     addSpacingOptions(*spacing, arguments.size, arguments.expression);

@@ -22,8 +22,8 @@ void printFaults(const Diagnostics &faults);
 /// Returns true if one of the faults has that code.
 bool hasCode(const Diagnostics &faults, std::string_view code);
 
-/// Returns why a domain was not meshed, or a mesh does not fit it: the domain's own faults if it has any, with the name
-/// of its file and, where the domain is `asRead`, their places in it; else `faults`.
+/// Returns the reasons why a domain was not meshed, or a mesh does not fit it: the domain's own faults if it has any,
+/// with the name of its file and, where the domain is `asRead`, their places in it; else `faults`.
 Diagnostics meshingFaults(const Diagnostics &faults, const Domain &domain, const Input &input, bool asRead);
 
 } // namespace forefront

@@ -32,15 +32,15 @@ struct Input {
 /// Faults: cannot-read, too-large.
 Result<Input> openInput(const std::filesystem::path &path, const std::string &formatId = {});
 
-/// Returns what is wrong with --input-format and with the inputs of a command, of which only one can be standard input;
-/// empty: nothing.
+/// Returns the fault of --input-format and the inputs of a command, of which only one can be standard input; empty if
+/// valid.
 std::string checkInputs(std::initializer_list<std::optional<std::filesystem::path>> inputs,
                         const std::string &formatId = {});
 
 /// Returns the ids of the formats that can be read, as --input-format takes them, separated by commas.
 std::string inputFormatIds();
 
-/// Prints the notes of a reader to stderr, one a line; nothing where `quiet`.
+/// Prints the notes of a reader to stderr, one a line; nothing if `quiet`.
 void printNotes(const ImportNotes &notes, bool quiet);
 
 } // namespace forefront

@@ -39,9 +39,9 @@ std::string parseGrid(const std::string &text, MeshArguments &arguments) {
         const auto columns = std::from_chars(text.data() + kUniform.size(), end, arguments.gridColumns);
         if (columns.ec == std::errc() && columns.ptr != end && *columns.ptr == 'x') {
             const auto rows = std::from_chars(columns.ptr + 1, end, arguments.gridRows);
-            constexpr int kMost = 100'000;
+            constexpr int kMaxCells = 100'000;
             if (rows.ec == std::errc() && rows.ptr == end && std::min(arguments.gridColumns, arguments.gridRows) >= 1 &&
-                std::max(arguments.gridColumns, arguments.gridRows) <= kMost) {
+                std::max(arguments.gridColumns, arguments.gridRows) <= kMaxCells) {
                 arguments.grid = GridKind::Uniform;
                 return {};
             }
@@ -50,7 +50,7 @@ std::string parseGrid(const std::string &text, MeshArguments &arguments) {
     return "--grid: unknown grid '" + text + "'; expected none, uniform, uniform:COLSxROWS or hierarchical";
 }
 
-/// Options as they are written.
+/// The option values as text.
 struct Words {
     std::string grid, method, level;
     bool noImprove = false;
@@ -81,7 +81,7 @@ void addImportOptions(CLI::App &app, MeshArguments &arguments) {
         ->excludes(app.get_option("--repair"));
 }
 
-/// Returns what is wrong with the words; empty: nothing.
+/// Returns the first fault of the option values; empty if all are valid.
 std::string takeWords(const Words &words, MeshArguments &arguments) {
     if (!words.method.empty()) {
         arguments.method = words.method == "classic" ? Method::Classic : Method::Fast;
@@ -105,13 +105,13 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
                    "project (.json, .forefront) or domain (.poly, .geojson, .svg, .msh, ...); -: standard input")
         ->required();
     app.add_option("--input-format", arguments.inputFormat,
-                   "format of IN if content and name do not tell: " + inputFormatIds())
+                   "format of IN, if content and extension are ambiguous: " + inputFormatIds())
         ->type_name("ID");
     app.add_option("-o,--output", arguments.outputs,
                    "mesh to write; its extension sets the format; -: standard output; repeatable")
         ->allow_extra_args(false)
         ->type_name("OUT");
-    app.add_option("--format", arguments.formats, "format of the outputs in their order: " + formatIds())
+    app.add_option("--format", arguments.formats, "formats of the outputs, in order: " + formatIds())
         ->allow_extra_args(false)
         ->type_name("ID");
     addInnerEdgesOption(app, arguments.innerEdges);

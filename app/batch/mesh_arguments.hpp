@@ -17,7 +17,7 @@ struct MeshArguments {
     std::filesystem::path input; ///< "-": standard input
     std::string inputFormat;     ///< id; empty: by content and extension
     std::vector<std::filesystem::path> outputs;
-    std::vector<std::string> formats; ///< ids, of the outputs in their order; the rest by extension
+    std::vector<std::string> formats; ///< ids for the outputs in order; the rest by extension
     InnerEdges innerEdges = InnerEdges::Keep;
     std::optional<double> size;
     std::optional<std::string> expression;

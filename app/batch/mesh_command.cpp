@@ -87,7 +87,7 @@ Diagnostics repairDomain(const MeshArguments &arguments, const Input &input, Dom
     return {};
 }
 
-/// Writes the meshes and the statistics. The result holds what went wrong, else notes on what the formats changed.
+/// Writes the meshes and the statistics. The result holds errors, else notes on what the formats changed.
 Diagnostics writeOutputs(const MeshArguments &arguments, const Mesh &mesh, const RunReport &report,
                          const Progress &progress) {
     const bool drops = arguments.innerEdges == InnerEdges::Drop && !arguments.outputs.empty();

@@ -12,7 +12,7 @@ namespace forefront {
 
 namespace {
 
-/// Returns the whole text as a number of that type, with or without a sign.
+/// Parses the whole text as a number of that type, with or without a sign.
 template <class Number>
 std::optional<Number> parse(std::string_view text) {
     if (text.starts_with('+') && !text.starts_with("+-")) {
@@ -29,7 +29,7 @@ std::string shown(double value) {
     return text;
 }
 
-/// Refuses what `accepts` does not take.
+/// Refuses values that `accepts` rejects.
 template <class Accepts>
 CLI::Validator check(std::string expected, Accepts accepts) {
     return {[expected = std::move(expected), accepts](const std::string &text) {
@@ -38,7 +38,7 @@ CLI::Validator check(std::string expected, Accepts accepts) {
             ""};
 }
 
-/// Names the arguments that no option or input takes, in the order given.
+/// Lists the arguments that no option or input takes, in order.
 std::string unexpectedArguments(const std::vector<std::string> &arguments) {
     std::string options, others;
     for (const std::string &argument : arguments) {

@@ -10,7 +10,7 @@ namespace forefront {
 
 namespace {
 
-/// Returns a word of each format that can be written, each once.
+/// Returns one word per format that can be written, without repetition.
 std::string listOf(const char *FileFormat::*word) {
     std::string list;
     for (const FileFormat &format : fileFormats()) {
@@ -44,17 +44,17 @@ std::string checkFormat(const std::filesystem::path &output, const std::string &
                            "'; expected one of " + listOf(&FileFormat::extension);
     }
     const auto formats = fileFormats();
-    const auto wanted =
+    const auto chosen =
         std::find_if(formats.begin(), formats.end(), [&](const FileFormat &f) { return f.writesMesh && id == f.id; });
-    if (wanted == formats.end()) {
+    if (chosen == formats.end()) {
         return "--format: unknown format '" + id + "'; expected one of " + formatIds();
     }
     if (isStandardStream(output) && filesOfMesh("x", id).size() > 1) {
         return "-o -: format " + id + " needs several files; name a file, or choose another format";
     }
-    if (!named.empty() && std::find(named.begin(), named.end(), &*wanted) == named.end()) {
+    if (!named.empty() && std::find(named.begin(), named.end(), &*chosen) == named.end()) {
         return "-o " + output.string() + ": the name is that of " + named.front()->name + ", but --format " + id +
-               " is " + wanted->name + " (" + wanted->extension + "); formats go to the outputs in their order";
+               " is " + chosen->name + " (" + chosen->extension + "); formats apply to outputs in order";
     }
     return {};
 }
@@ -70,7 +70,7 @@ std::vector<Output> pairFormats(const std::vector<std::filesystem::path> &output
 
 std::string checkFormats(const std::vector<std::filesystem::path> &outputs, const std::vector<std::string> &formats) {
     if (formats.size() > outputs.size()) {
-        return "--format is given more often than -o; formats go to the outputs in their order";
+        return "more --format options than outputs; formats apply to outputs in order";
     }
     if (std::count_if(outputs.begin(), outputs.end(), isStandardStream) > 1) {
         return "-o -: standard output is given twice";

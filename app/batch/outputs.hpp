@@ -15,7 +15,7 @@ namespace forefront {
 /// Returns the ids of the mesh formats that can be written, as --format takes them, separated by commas.
 std::string formatIds();
 
-/// Returns what is wrong with an output's format; empty: nothing. `id`: from --format; empty: by the extension. A name
+/// Returns the fault of an output's format; empty if it is valid. `id`: from --format; empty: by the extension. A name
 /// that promises one format for the content of another would mislead whoever reads the file; extensions that no format
 /// has may hold any.
 std::string checkFormat(const std::filesystem::path &output, const std::string &id);
@@ -26,9 +26,9 @@ struct Output {
     std::string format;         ///< id of a mesh format; empty: by the extension
 };
 
-/// Returns what is wrong with all outputs of meshes and the formats given for them in their order; empty: nothing.
+/// Returns the first fault of the outputs and their formats, in order; empty if all are valid.
 std::string checkFormats(const std::vector<std::filesystem::path> &outputs, const std::vector<std::string> &formats);
-/// Pairs the outputs with the formats given for them in their order.
+/// Pairs the outputs with their formats, in order.
 std::vector<Output> pairFormats(const std::vector<std::filesystem::path> &outputs,
                                 const std::vector<std::string> &formats);
 

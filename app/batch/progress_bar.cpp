@@ -8,7 +8,7 @@
 
 namespace forefront {
 
-ProgressBar::ProgressBar(bool wanted) : active_(wanted && isatty(STDERR_FILENO) == 1) {}
+ProgressBar::ProgressBar(bool enabled) : active_(enabled && isatty(STDERR_FILENO) == 1) {}
 
 void ProgressBar::show(std::string_view stage, double fraction) {
     using namespace std::chrono_literals;

@@ -9,8 +9,8 @@ namespace forefront {
 /// A progress line on a terminal (stderr) with the stage and the fraction done; silent elsewhere.
 class ProgressBar {
   public:
-    /// `wanted` false: silent even on a terminal.
-    explicit ProgressBar(bool wanted);
+    /// If not `enabled`, silent even on a terminal.
+    explicit ProgressBar(bool enabled);
     ~ProgressBar() { clear(); }
     ProgressBar(const ProgressBar &) = delete;
     ProgressBar &operator=(const ProgressBar &) = delete;

@@ -31,7 +31,7 @@ struct RunReport {
 RunReport reportOf(const MeshingOutcome &outcome, const MeshingOptions &options);
 /// Returns the JSON object that --stats writes.
 std::string statisticsJson(const RunReport &report);
-/// Returns a few lines for people.
+/// Returns a summary of a few lines.
 std::string summary(const RunReport &report);
 
 } // namespace forefront

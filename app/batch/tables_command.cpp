@@ -37,7 +37,7 @@ struct TablesArguments {
     std::optional<std::filesystem::path> csv, svg;
 };
 
-/// Returns what is wrong with the lists; empty: nothing.
+/// Returns the first fault of the lists; empty if they are valid.
 std::string parseLists(const std::vector<std::string> &rows, const std::vector<std::string> &grids,
                        TablesArguments &arguments) {
     for (const std::string &name : rows) {

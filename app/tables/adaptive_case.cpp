@@ -12,7 +12,7 @@ namespace forefront {
 
 namespace {
 
-constexpr int kMostRounds = 12;
+constexpr int kMaxRounds = 12;
 
 /// Row 3. The corner's field r^(2/3)·sin(2θ/3), θ counter-clockwise from the wall above it, is zero on both walls; the
 /// cut of the angle lies outside of the domain.
@@ -57,7 +57,7 @@ Result<AdaptedJob> adaptToTarget(const AdaptiveCase &problem, const NodalField &
         return first.faults();
     }
     Result<AdaptOutcome> outcome =
-        adapt(problem.domain, std::move(first->mesh), field, problem.target, kMostRounds, {}, progress);
+        adapt(problem.domain, std::move(first->mesh), field, problem.target, kMaxRounds, {}, progress);
     if (!outcome) {
         return outcome.faults();
     }

@@ -9,19 +9,20 @@
 namespace forefront {
 
 /// A problem of our own for a published row of adaptive refinement: of the publication's domains and fields nothing is
-/// known but the number of boundary nodes, the least node spacing and the size of the mesh.
+/// known but the number of boundary nodes, the minimum node spacing and the size of the mesh.
 struct AdaptiveCase {
     Domain domain;
     std::string field;  ///< expression in x and y
-    AdaptTarget target; ///< its least size is the row's ρmin
+    AdaptTarget target; ///< its minimum size is the row's ρmin
 };
 
-/// Of rows 3 and 4:
+/// Returns the problem of row 3 or 4:
 ///   3: an L; the singular field of its re-entrant corner with fronts that meet the walls.
 ///   4: a rectangle with a round hole; fronts around the hole, away from the boundary.
 AdaptiveCase adaptiveCase(const TableCase &row);
 
-/// The job that adaptive refinement leads to: the node spacing of its last round, the classic method, no improvement.
+/// The job that results from adaptive refinement: the node spacing of its last round, the classic method, no
+/// improvement.
 struct AdaptedJob {
     MeshingJob job;
     std::size_t rounds = 0; ///< new meshes until the estimate met the target

@@ -9,7 +9,7 @@ namespace forefront {
 
 namespace {
 
-// The sheet in pixels: the frame of the plot, the legend on its right.
+// The sheet in pixels: the frame of the plot, with the legend to its right.
 constexpr double kWidth = 900.0, kHeight = 520.0;
 constexpr double kLeft = 78.0, kRight = 640.0, kTop = 54.0, kBottom = 458.0;
 constexpr const char *kInk = "#24292f";
@@ -31,7 +31,7 @@ std::string escaped(const std::string &text) {
     return result;
 }
 
-/// Whole decades that hold all values.
+/// Whole decades that contain all values.
 struct Axis {
     int first = 0, last = 1;
     double from = 0.0, to = 1.0; ///< pixels
@@ -115,7 +115,7 @@ class Drawing {
             }
         }
     }
-    /// 10 to a power, or the number itself where it is short.
+    /// Writes a power of ten, or the number itself if it is short.
     void power(double x, double y, int decade, const char *anchor) {
         const std::string style = std::string("text-anchor=\"") + anchor + '"';
         if (decade >= -2 && decade <= 3) {

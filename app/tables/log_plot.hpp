@@ -10,7 +10,7 @@ namespace forefront {
 /// One set of points of a plot, with the straight line fitted to their logarithms.
 struct PlotSeries {
     std::string name;
-    std::string colour;     ///< as SVG writes it
+    std::string colour;     ///< an SVG colour
     bool published = false; ///< hollow marks and a dashed line; else filled and solid
     std::vector<Vec2> points;
 };

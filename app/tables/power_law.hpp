@@ -14,7 +14,7 @@ struct PowerLaw {
     double at(double x) const;
 };
 
-/// Least squares on the logarithms; nothing for fewer than two different x or where a coordinate is not positive.
+/// Fits by least squares on the logarithms. Returns nothing for fewer than two different x or a coordinate <= 0.
 std::optional<PowerLaw> fitPowerLaw(std::span<const Vec2> points);
 
 } // namespace forefront

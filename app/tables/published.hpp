@@ -6,7 +6,7 @@
 
 namespace forefront {
 
-/// Stands for a figure that is not in the published tables.
+/// Marks a figure that is not in the published tables.
 inline constexpr double kNotPublished = -1.0;
 
 /// One line of the statistics that S. H. Lo published of his advancing front mesher (Tables 3.1 and 3.2).
@@ -14,11 +14,11 @@ struct PublishedFigures {
     std::string_view table;
     std::string_view row;              ///< 1A ... 1E, 2A ... 2E, 3, 4
     double rhoMin = 0.0;               ///< smallest node spacing
-    double delta = 0.0;                ///< mean spacing conformity; given once a row
+    double delta = 0.0;                ///< mean spacing conformity; one value per row
     std::string_view grid;             ///< none, 30x20 or 60x40
     std::uint32_t nodes = 0;           ///< Nn
     std::uint32_t elements = 0;        ///< Ne
-    double seconds = 0.0;              ///< mesh generation and graphics display on a machine that is not stated
+    double seconds = 0.0;              ///< mesh generation and graphics display on an unknown machine
     double alpha = 0.0;                ///< mean shape factor
     double front = 0.0;                ///< Nb
     double neighbours = kNotPublished; ///< Nc; kNotPublished without a grid

@@ -22,7 +22,7 @@ const TableCase *tableCase(std::string_view row);
 /// The job of a row that is not adaptive, with the boundary kept as it is given and without improvement.
 ///
 /// 1A to 2E: the rectangle [0,90]x[0,60] in 50 segments of length 6. The published domain had 50 boundary nodes
-/// (2·Nn − Ne − 2 in every row without grid) and no more is known of it; the node spacing
+/// (2·Nn − Ne − 2 in every row without grid) and nothing else is known of it; the node spacing
 ///   first function:  max(ρmin, 0.303·| r(45,30) − 16 |)
 ///   second function: max(ρmin, 0.298·min(| r(22.5,30) − 12 |, | r(67.5,30) − 12 |)),   r(p): distance to p,
 /// reproduces the published numbers of elements within 3 % by ∫ 4/(√3·ρ²) dA.

@@ -24,12 +24,12 @@ namespace {
     return text.data();
 }
 
-/// A number of a column, or blanks where there is none.
+/// Returns a number for a column, or blanks without a number.
 std::string cell(int width, int digits, double value, bool given = true) {
     return given ? format(" %*.*f", width, digits, value) : std::string(static_cast<std::size_t>(width) + 1, ' ');
 }
 
-/// A row's name, starred where the case is ours.
+/// Returns the name of a row, starred if the case is ours.
 std::string label(const TableCase &row) {
     return std::string(row.row) + (row.adaptive ? "*" : "");
 }
@@ -83,7 +83,8 @@ Line lineOf(const RowFigures &r, const GridFigures &grid) {
     return line;
 }
 
-/// Ours, each after Lo's with the same grid; before the first grid that he did not have stands his best, once.
+/// Writes our figures, each after Lo's with the same grid; his best come once, before the first grid that he did not
+/// have.
 std::vector<Line> linesOf(const RowFigures &row) {
     std::vector<Line> lines;
     std::set<std::string_view> shown;
@@ -151,27 +152,27 @@ std::string exponents(const std::vector<RowFigures> &rows) {
     return text;
 }
 
-/// The row where a margin is least.
+/// The row with the smallest margin.
 class Margin {
   public:
     void add(double value, const TableCase &row) {
-        if (value < least_) {
-            least_ = value;
+        if (value < smallest_) {
+            smallest_ = value;
             row_ = label(row);
         }
     }
     bool any() const { return !row_.empty(); }
-    /// `sign`: -1 where the margin is a negative of what is shown.
-    std::string text(const char *what, double wanted, const char *pattern, double sign = 1.0) const {
+    /// `sign`: -1 if the margin is the negative of the figure shown.
+    std::string text(const char *what, double target, const char *pattern, double sign = 1.0) const {
         if (!any()) {
             return {};
         }
-        return format("  %-58s %-4s ", what, least_ >= wanted ? "yes" : "NO") + format(pattern, sign * least_) +
+        return format("  %-58s %-4s ", what, smallest_ >= target ? "yes" : "NO") + format(pattern, sign * smallest_) +
                " in " + row_ + '\n';
     }
 
   private:
-    double least_ = std::numeric_limits<double>::infinity();
+    double smallest_ = std::numeric_limits<double>::infinity();
     std::string row_;
 };
 
@@ -227,14 +228,14 @@ std::string adaptiveNotes(const std::vector<RowFigures> &rows) {
             continue;
         }
         text += format("  %-4s %6zu %14.4f %11.4f %11.4g of %g %13zu %14lld\n", label(row.row).c_str(),
-                       row.adapted->rounds, row.adapted->wanted, row.adapted->error, row.adapted->leastSpacing,
+                       row.adapted->rounds, row.adapted->target, row.adapted->error, row.adapted->minSpacing,
                        row.row.rhoMin, row.boundaryNodes, static_cast<long long>(publishedBoundary(row.row.row)));
     }
     if (text.empty()) {
         return text;
     }
     return "\nAdaptive refinement, * on domains and for fields of our own: those of the publication are not known\n"
-           "  row  rounds   wanted error    estimate   least spacing   boundary nodes    those of Lo\n" +
+           "  row  rounds   target error    estimate     min spacing   boundary nodes    those of Lo\n" +
            text;
 }
 
@@ -247,7 +248,7 @@ constexpr const char *kExplanation =
   equilateral one with the same mean square of sides; so Ne is the integral / alpha. Lo's counts move with the grid;
   in six of his lines with a grid 2 Nn - Ne - 2, the number of boundary nodes, is 39 or 43 where the others have 50.
   Rows 3* and 4* are cases of our own in the place of adaptive meshes of unknown domains: an L with a re-entrant corner
-  and a rectangle with a hole, refined by our own error estimate to about as many boundary nodes, the same least spacing
+  and a rectangle with a hole, refined by our own error estimate to about as many boundary nodes, the same minimum spacing
   and about as many elements. That alone is what they share with the published ones.
 Reading
   alpha, delta: of the mesh as the front leaves it (raw); alpha*, delta*: after the default swapping and smoothing.
@@ -255,7 +256,7 @@ Reading
   alpha and delta are of smoothed meshes is not said.
   Seconds: ours CPU time of the front alone on this machine, Lo's with graphics display on a machine not stated; only
   growth and efficiency compare. Efficiency: time without grid / time with it.
-  Lo had no grid, 30x20 and 60x40; beside any other grid stand his figures with 60x40, his best.
+  Lo had no grid, 30x20 and 60x40; any other grid is compared with his figures for 60x40, his best.
   Nc of Lo is not reliable in the larger rows (Nc*Ne is 2^24 there: a sum that stopped growing).
   Every grid gives the same mesh, bit for bit; the hash is that of the raw mesh.
 )";

@@ -39,14 +39,14 @@ Result<GridRun> advanceOnce(const TableGrid &grid, const MeshingJob &job, const 
     return run;
 }
 
-/// Short runs are repeated and the least time taken, which other work on the machine disturbs least.
+/// Short runs are repeated and the minimum time taken, which other work on the machine affects least.
 Result<GridRun> advanceWith(const TableGrid &grid, const MeshingJob &job, const PreparedJob &prepared,
                             const std::string &stage, const Progress &progress) {
-    constexpr double kLong = 8.0; // seconds in all
-    constexpr int kMost = 5;
+    constexpr double kLong = 8.0; // seconds in total
+    constexpr int kMaxRuns = 5;
     Result<GridRun> best = advanceOnce(grid, job, prepared, stage, progress);
     double spent = best ? best->seconds : kLong;
-    for (int i = 1; i < kMost && spent < kLong; ++i) {
+    for (int i = 1; i < kMaxRuns && spent < kLong; ++i) {
         const Result<GridRun> again = advanceOnce(grid, job, prepared, stage, progress);
         if (!again) {
             return again.faults();
@@ -68,7 +68,7 @@ double integralOfDensity(const Mesh &mesh, const SpacingField &spacing) {
     return 4.0 / std::numbers::sqrt3 * sum;
 }
 
-/// The job of a row, and for an adaptive one how it was found.
+/// The job of a row and, for an adaptive row, how it was found.
 struct RowJob {
     MeshingJob job;
     std::optional<NodalField> field;
@@ -108,7 +108,7 @@ void describeMesh(Mesh mesh, const PreparedJob &prepared, const Progress &progre
     figures.deltaImproved = improved.deltaMean;
 }
 
-/// How far the raw mesh of an adaptive row meets what was wanted.
+/// Compares the raw mesh of an adaptive row with its target.
 Status describeError(const Mesh &mesh, const RowJob &found, const PreparedJob &prepared, const Progress &progress,
                      RowFigures &figures) {
     if (!found.adapted) {
@@ -124,7 +124,7 @@ Status describeError(const Mesh &mesh, const RowJob &found, const PreparedJob &p
     }
     figures.adapted = found.adapted;
     figures.adapted->error = estimate->relative();
-    figures.adapted->leastSpacing = prepared.spacing->minimum();
+    figures.adapted->minSpacing = prepared.spacing->minimum();
     return {};
 }
 

@@ -17,23 +17,23 @@ struct TableGrid {
     GridKind kind = GridKind::None;
     int columns = 0, rows = 0;
 };
-/// Nothing for another text.
+/// Returns nothing for any other text.
 std::optional<TableGrid> parseTableGrid(std::string_view text);
 
-/// What depends on the grid: the work, never the mesh.
+/// The figures that depend on the grid: the work, never the mesh.
 struct GridFigures {
     std::string grid;
-    double seconds = 0.0;    ///< CPU time of the front alone, from discretised boundary to Γ = ∅; least of some runs
+    double seconds = 0.0; ///< CPU time of the front alone, from discretised boundary to Γ = ∅; minimum of several runs
     double neighbours = 0.0; ///< Nc; without a grid every segment of Γ is delivered
     double efficiency = 0.0; ///< time without grid / time with it; 0 where the row was not run without a grid
 };
 
-/// What the adaptive refinement of a row came to.
+/// The result of the adaptive refinement of a row.
 struct AdaptFigures {
-    double wanted = 0.0;       ///< error of the gradient, as a part of its norm
-    double error = 0.0;        ///< estimated on the raw mesh of the row
-    double leastSpacing = 0.0; ///< of the last background mesh
-    std::size_t rounds = 0;    ///< new meshes until the spacing was found
+    double target = 0.0;     ///< error of the gradient, as a fraction of its norm
+    double error = 0.0;      ///< estimated on the raw mesh of the row
+    double minSpacing = 0.0; ///< of the last background mesh
+    std::size_t rounds = 0;  ///< new meshes until the spacing was found
 };
 
 /// Figures of one row. "Raw" is the mesh as the front leaves it, "improved" the same after the default swapping and

@@ -12,7 +12,7 @@ ThreadPool::ThreadPool(unsigned threads) {
         for (unsigned thread = 1; thread < threads; ++thread) {
             workers_.emplace_back([this, thread](const std::stop_token &stop) { serve(stop, thread); });
         }
-    } catch (const std::system_error &) { // no more threads available
+    } catch (const std::system_error &) { // the system refuses further threads
     }
 }
 

@@ -6,7 +6,7 @@ namespace forefront {
 
 namespace {
 
-/// The fractions of a segment between which it runs within a box; empty if first > last.
+/// The range of fractions at which a segment is inside a box; empty if first > last.
 struct Clip {
     double first = 0.0;
     double last = 1.0;
@@ -41,7 +41,7 @@ bool crossesUpright(const BoundaryPiece &piece, double x) {
     return (piece.a.x <= x) != (piece.b.x <= x);
 }
 
-/// True if an odd number of pieces is crossed on the way from p up or down to the height of q, then level to q.
+/// Returns true if an odd number of pieces is crossed on the way from p up or down to the height of q, then level to q.
 bool crossesOddly(Vec2 p, Vec2 q, std::span<const std::uint32_t> pieces, std::span<const BoundaryPiece> all) {
     bool odd = false;
     for (const std::uint32_t i : pieces) {

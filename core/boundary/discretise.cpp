@@ -14,10 +14,10 @@ namespace forefront {
 
 namespace {
 
-/// Some 44 bytes each: about 1 GB.
+/// About 44 bytes each, 1 GB in total.
 constexpr double kMaxPieces = 2e7;
 
-/// Part of the domain's size between places where the spacing is looked at, at least.
+/// Maximum interval between samples of the spacing, as a fraction of the domain's size.
 constexpr double kLongestStep = 1.0 / 64.0;
 
 Diagnostics located(std::string code, std::string message, std::string advice, Vec2 at) {
@@ -128,7 +128,7 @@ class Discretiser {
         return {};
     }
 
-    /// False when cancelled.
+    /// Returns false when cancelled.
     bool sampleNodes() {
         constexpr std::size_t kBatch = 4096;
         rho_.resize(domain_.nodes.size());
@@ -144,9 +144,9 @@ class Discretiser {
         return true;
     }
 
-    /// A rough look at ∫ds/ρ, so that an absurd spacing is refused before anything is built.
+    /// Estimates ∫ds/ρ roughly, to refuse an absurd spacing before anything is built.
     Status refuseAbsurd() const {
-        constexpr double kMargin = 1.2; // the integral proper decides what is near the limit
+        constexpr double kMargin = 1.2; // near the limit, the accurate integral decides
         double sum = 0.0, worst = 0.0;
         Vec2 worstPlace;
         for (std::size_t s = 0; s < domain_.segments.size(); ++s) {
@@ -190,7 +190,7 @@ class Discretiser {
     Status cutSegment(std::uint32_t s) {
         const DomainSegment &segment = domain_.segments[s];
         fractions_.clear();
-        // The same nodes for either direction: fractions count from the end that is least by x, then y.
+        // The same nodes for either direction: fractions count from the lower end by x, then y.
         const Vec2 a = domain_.nodes[segment.a], b = domain_.nodes[segment.b];
         const bool forward = a.x != b.x ? a.x < b.x : a.y < b.y;
         const Vec2 low = forward ? a : b, high = forward ? b : a;
@@ -286,7 +286,7 @@ class Discretiser {
         return (a.x != b.x ? a.x < b.x : a.y < b.y) ? piece.leftRegion : piece.rightRegion;
     }
 
-    /// Halves the numbers of pieces; false if all of these segments are uncut already.
+    /// Halves the numbers of pieces. Returns false if none of these segments is divided.
     bool relax(const std::vector<std::uint32_t> &sources) {
         bool changed = false;
         for (const std::uint32_t s : sources) {
@@ -329,7 +329,7 @@ class Discretiser {
     const SpacingField &spacing_;
     const Progress &progress_;
     bool keepBoundary_;
-    double longest_; // without a look at the spacing
+    double longest_; // without evaluating the spacing
     DiscreteDomain result_;
     std::vector<std::uint32_t> left_, right_; // per domain segment: regions
     std::vector<std::uint32_t> pointRegion_;  // per result_.points

@@ -14,13 +14,13 @@ namespace forefront {
 namespace {
 
 constexpr double kFirstCells = 400.0;
-constexpr std::size_t kMostCells = 8000;
+constexpr std::size_t kMaxCells = 8000;
 constexpr std::size_t kPiecesProbed = 4;
 constexpr double kTolerance = 0.03;
-constexpr double kMostElements = 1e18;
+constexpr double kMaxElements = 1e18;
 
-/// Mean of (ρ₀/ρ)² over a domain by cells that are quartered where the sum of errors gains most. Works in the unit
-/// square, on which the box of the domain (a little larger, so that nothing lines up) is mapped.
+/// Computes the mean of (ρ₀/ρ)² over a domain by cells that are quartered where this reduces the error most. Works in
+/// the unit square, on which the box of the domain (a little larger, so that nothing lines up) is mapped.
 class MeanDensity {
   public:
     MeanDensity(const DiscreteDomain &domain, const SpacingField &spacing, double rhoUnit)
@@ -39,7 +39,7 @@ class MeanDensity {
 
     double value() {
         layOutCells();
-        while (!queue_.empty() && error_ > kTolerance * sum_ && cells_.size() + 4 <= kMostCells) {
+        while (!queue_.empty() && error_ > kTolerance * sum_ && cells_.size() + 4 <= kMaxCells) {
             const std::uint32_t worst = queue_.top().cell;
             queue_.pop();
             const Cell parent = std::move(cells_[worst]);
@@ -119,7 +119,7 @@ class MeanDensity {
         }
     }
 
-    /// Inside or outside at the centres, by the pieces left of them at their height.
+    /// Decides whether centres are inside, from the pieces to their left.
     void markCentres(std::vector<CoverageCell> &lattice) const {
         std::vector<std::uint8_t> odd(lattice.size(), 0);
         for (const BoundaryPiece &piece : pieces_) {
@@ -183,7 +183,7 @@ class MeanDensity {
     Vec2 low_, size_;
     std::vector<BoundaryPiece> pieces_;
     std::size_t columns_ = 1, rows_ = 1;
-    std::vector<Cell> cells_; // those that may be quartered
+    std::vector<Cell> cells_; // cells that may be quartered
     std::priority_queue<Candidate> queue_;
     double sum_ = 0.0, error_ = 0.0, area_ = 0.0;
 };
@@ -199,7 +199,7 @@ double estimateElements(const DiscreteDomain &domain, const SpacingField &spacin
     const double mean = spacing.minimum() < spacing.maximum() ? MeanDensity(domain, spacing, rhoUnit).value() : 1.0;
     const double side = std::sqrt(domain.area()) / rhoUnit;
     const double elements = mean * side * side * 4.0 / std::numbers::sqrt3;
-    return elements < kMostElements ? std::max(1.0, elements) : kMostElements;
+    return elements < kMaxElements ? std::max(1.0, elements) : kMaxElements;
 }
 
 } // namespace forefront

@@ -75,13 +75,13 @@ void SpacingIntegral::cut(std::uint32_t count, std::vector<double> &fractions) c
     fractions.clear();
     std::size_t i = 0;
     for (std::uint32_t k = 1; k < count; ++k) {
-        const double wanted = total() * k / count;
-        while (i + 2 < samples_.size() && samples_[i + 1].integral < wanted) {
+        const double target = total() * k / count;
+        while (i + 2 < samples_.size() && samples_[i + 1].integral < target) {
             ++i;
         }
         // Density d0 + slope·u within the interval: d0 u + slope u²/2 = rest, solved without cancellation.
         const Sample &from = samples_[i], &to = samples_[i + 1];
-        const double rest = std::max(0.0, wanted - from.integral);
+        const double rest = std::max(0.0, target - from.integral);
         const double slope = (to.density - from.density) / (to.t - from.t);
         const double root = std::sqrt(std::max(0.0, from.density * from.density + 2.0 * slope * rest));
         fractions.push_back(std::min(to.t, from.t + 2.0 * rest / (from.density + root)));

@@ -14,7 +14,7 @@ namespace forefront {
 namespace {
 
 constexpr int kMaxRounds = 40;
-constexpr std::size_t kMaxMeetings = 1'000'000; // of all rounds
+constexpr std::size_t kMaxMeetings = 1'000'000; // in all rounds
 constexpr std::size_t kMaxNotes = 1000;
 
 std::string number(std::size_t value) {
@@ -25,7 +25,7 @@ std::string number(std::size_t value) {
 struct Part {
     std::uint32_t a = 0, b = 0;
     std::uint32_t source = 0;     ///< the first domain segment it is part of
-    std::uint32_t boundaries = 0; ///< how many boundary segments run here; 0: constraints only
+    std::uint32_t boundaries = 0; ///< number of boundary segments here; 0: constraints only
 };
 
 /// Parts and the nodes to cut them at.
@@ -281,8 +281,8 @@ class Repairer {
         parts_ = std::move(pieces);
     }
 
-    /// Decides what several coinciding boundary segments mean. If the boundary is closed with each kept once, a loop or
-    /// segment was given twice. If it is closed only when all count, an even number of them does not separate inside
+    /// Decides the role of several coinciding boundary segments. If the boundary is closed with each kept once, a loop
+    /// or segment was given twice. If it is closed only when all count, an even number of them does not separate inside
     /// from outside: neighbours share that boundary, and it stays as a constraint.
     void resolveRepeats() {
         if (given_.insideRule != InsideRule::EvenOdd) {

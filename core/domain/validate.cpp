@@ -10,7 +10,7 @@ namespace forefront {
 
 namespace {
 
-/// Meetings searched for, so that those not listed can be counted.
+/// Maximum number of meetings to search for, so that those not listed can be counted.
 constexpr std::size_t kMaxPairs = 100'000;
 
 std::string number(std::size_t value) {
@@ -86,12 +86,12 @@ class Validator {
             const Vec2 p = domain_.nodes[n];
             if (isFinite(p) && tooLarge(p)) {
                 incomplete_ = true;
-                add("out-of-range", "a node has a coordinate beyond 1e60; expected at most that",
-                    "scale the domain down", p, {aNode(n)});
+                add("out-of-range", "a node has a coordinate beyond 1e60 in magnitude", "scale the domain down", p,
+                    {aNode(n)});
             }
         }
         if (tooSmall(box)) {
-            add("out-of-range", "the domain is smaller than 1e-60; expected at least that", "scale the domain up",
+            add("out-of-range", "the domain is smaller than 1e-60; expected at least 1e-60", "scale the domain up",
                 box.min);
         } else if (tooFarAway(box)) {
             add("out-of-range", "the domain is too far from the origin; its coordinates keep fewer than 4 digits",
@@ -99,7 +99,7 @@ class Validator {
         }
     }
 
-    /// A place the view can zoom to: coordinates that are not finite become 0.
+    /// Returns a place that the view can zoom to: coordinates that are not finite become 0.
     static Vec2 finitePart(Vec2 p) { return {std::isfinite(p.x) ? p.x : 0.0, std::isfinite(p.y) ? p.y : 0.0}; }
 
     void checkSegments() {
@@ -256,7 +256,7 @@ class Validator {
                 add("open-chain",
                     degree[n] == 1 ? "the boundary ends at a node; expected a closed loop"
                                    : number(degree[n]) + " boundary segments meet at a node; expected an even number",
-                    "close the loop, or turn segments that are not boundary into constraints", domain_.nodes[n],
+                    "close the loop, or turn boundary segments that bound nothing into constraints", domain_.nodes[n],
                     {aNode(n)});
             }
         }

@@ -59,7 +59,7 @@ class History {
     std::size_t position_ = 0;
     std::uint64_t nextRevision_ = 1;
     std::uint64_t saved_ = 0;
-    std::string stroke_; ///< of the current entry; empty: closed
+    std::string stroke_; ///< stroke of the current entry; empty: closed
 };
 
 } // namespace forefront

@@ -52,7 +52,7 @@ std::int32_t freeBoundaryTag(const Document &document) {
 Result<Document> nameBoundaryPart(const Document &document, const BoundaryPart &part, const std::string &name) {
     const TagUse use = tagUse(document, part);
     if (use.inside.empty()) {
-        return error("not-possible", "nothing is selected that could be named");
+        return error("not-possible", "nothing that can be named is selected");
     }
     const std::int32_t first = *use.inside.begin();
     const bool ownTag = use.inside.size() == 1 && !use.outside.contains(first);
@@ -67,7 +67,7 @@ Result<Document> nameBoundaryPart(const Document &document, const BoundaryPart &
 
 Result<Document> nameRegionOf(const Document &document, std::size_t marker, const std::string &name) {
     if (marker >= document.regionMarkers.size()) {
-        return error("no-such-marker", "there is no such region marker");
+        return error("no-such-marker", "region marker not found");
     }
     const std::int32_t before = document.regionMarkers[marker].tag;
     const auto sharing = std::count_if(document.regionMarkers.begin(), document.regionMarkers.end(),

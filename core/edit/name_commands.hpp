@@ -23,7 +23,7 @@ Result<Document> nameBoundaryPart(const Document &document, const BoundaryPart &
 /// Names the region of one marker, by the same rules. Fault: no-such-marker.
 Result<Document> nameRegionOf(const Document &document, std::size_t marker, const std::string &name);
 
-/// The smallest tag above all that boundaries and constraints use or that are named.
+/// Returns the smallest tag above all boundary tags in use or named.
 std::int32_t freeBoundaryTag(const Document &document);
 
 } // namespace forefront

@@ -98,7 +98,7 @@ Document setOptions(const Document &document, MeshingOptions options) {
 
 Result<Document> setCircleTolerance(const Document &document, double tolerance) {
     if (!(tolerance > 0.0 && tolerance <= 0.5)) {
-        return error("bad-tolerance", "invalid tolerance of circles; expected a number above 0 and at most 0.5");
+        return error("bad-tolerance", "invalid circle tolerance; expected a number above 0 and at most 0.5");
     }
     Document next = document;
     next.circleTolerance = tolerance;

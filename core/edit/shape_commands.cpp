@@ -146,7 +146,7 @@ Result<Document> setHandle(const Document &document, NodeRef node, Vec2 to) {
 void placeHandle(Shape &shape, std::uint32_t handle, Vec2 to) {
     std::vector<Vec2> &nodes = shape.nodes;
     if (shape.kind == ShapeKind::Rectangle) {
-        // Of the corners 0..3 in order, 0 and 2 are the nodes; 1 shares y with 0 and x with 2, corner 3 the reverse.
+        // Corners 0 and 2 are the nodes; corner 1 shares y with 0 and x with 2, corner 3 the reverse.
         nodes[handle == 1 || handle == 2 ? 1 : 0].x = to.x;
         nodes[handle == 2 || handle == 3 ? 1 : 0].y = to.y;
     } else if (shape.kind == ShapeKind::Circle && handle == 0) {
@@ -171,18 +171,18 @@ Result<Document> setRadius(const Document &document, std::uint32_t circle, doubl
     });
 }
 
-Result<Document> setSegmentLength(const Document &document, SegmentRef segment, double wanted) {
+Result<Document> setSegmentLength(const Document &document, SegmentRef segment, double target) {
     return changeShape(document, segment.shape, [&](Shape &shape) -> Status {
         const Outline outline = outlineOf(shape, document.circleTolerance);
         if (shape.kind == ShapeKind::Circle || segment.segment >= outline.segmentCount()) {
             return noSuch("segment");
         }
         const Vec2 from = outline.from(segment.segment), arm = outline.to(segment.segment) - from;
-        if (!(wanted > 0.0) || !std::isfinite(wanted) || !(length(arm) > 0.0)) {
+        if (!(target > 0.0) || !std::isfinite(target) || !(length(arm) > 0.0)) {
             return error("bad-number", "invalid length; expected a number above 0");
         }
         const auto end = static_cast<std::uint32_t>((segment.segment + 1) % outline.nodes.size());
-        placeHandle(shape, end, from + (wanted / length(arm)) * arm);
+        placeHandle(shape, end, from + (target / length(arm)) * arm);
         return {};
     });
 }

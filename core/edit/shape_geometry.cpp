@@ -5,8 +5,8 @@
 namespace forefront {
 namespace {
 
-constexpr std::size_t kLeastCorners = 8;
-constexpr std::size_t kMostCorners = 4096;
+constexpr std::size_t kMinCorners = 8;
+constexpr std::size_t kMaxCorners = 4096;
 
 Outline circleOutline(const Shape &shape, double tolerance) {
     Outline outline;
@@ -33,17 +33,17 @@ Outline circleOutline(const Shape &shape, double tolerance) {
 
 std::size_t circleCorners(double tolerance) {
     if (!(tolerance > 0.0)) {
-        return kMostCorners;
+        return kMaxCorners;
     }
     if (tolerance >= 1.0) {
-        return kLeastCorners;
+        return kMinCorners;
     }
     // Sagitta of a chord over the angle 2π/n: r·(1 − cos(π/n)).
     const double corners = std::ceil(std::numbers::pi / std::acos(1.0 - tolerance));
-    if (!(corners < static_cast<double>(kMostCorners))) {
-        return kMostCorners;
+    if (!(corners < static_cast<double>(kMaxCorners))) {
+        return kMaxCorners;
     }
-    return std::max(kLeastCorners, (static_cast<std::size_t>(corners) + 3) / 4 * 4);
+    return std::max(kMinCorners, (static_cast<std::size_t>(corners) + 3) / 4 * 4);
 }
 
 Outline outlineOf(const Shape &shape, double circleTolerance) {

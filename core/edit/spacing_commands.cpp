@@ -11,12 +11,12 @@ Diagnostics noSuchSource(std::size_t index) {
     return error("no-such-source", "size source " + std::to_string(index) + " not found");
 }
 
-/// A circle needs a radius while it is edited; files may hold one without.
+/// A circle must have a radius when it is edited; one from a file may have none.
 Diagnostics faultsOf(const SizeSource &source, std::size_t index) {
     Diagnostics faults;
     checkSource(source, static_cast<std::uint32_t>(index), faults);
     if (faults.empty() && source.shape == SourceShape::Circle && source.radius == 0.0) {
-        faults = error("bad-source", "invalid radius 0 of a circle; expected a number above 0");
+        faults = error("bad-source", "invalid circle radius 0; expected a number above 0");
     }
     return faults;
 }

@@ -5,7 +5,7 @@ namespace forefront {
 namespace {
 
 constexpr int kTopCells = 8;
-constexpr int kMaxCells = 16; // no more than Place can number
+constexpr int kMaxCells = 16; // limited by the bits of Place
 
 } // namespace
 

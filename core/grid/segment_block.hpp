@@ -84,10 +84,10 @@ inline unsigned SegmentBlock::overlapping(const CellBox &box) const {
 }
 
 inline unsigned SegmentBlock::holding(SlotId slot) const {
-    const __m128i wanted = _mm_set1_epi32(static_cast<int>(index(slot)));
+    const __m128i sought = _mm_set1_epi32(static_cast<int>(index(slot)));
     const auto four = [&](unsigned lane) {
         const __m128i slot4 = _mm_load_si128(reinterpret_cast<const __m128i *>(&slots[lane]));
-        return static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps(_mm_cmpeq_epi32(slot4, wanted))));
+        return static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps(_mm_cmpeq_epi32(slot4, sought))));
     };
     return four(0) | four(4) << 4U;
 }

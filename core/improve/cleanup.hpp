@@ -11,10 +11,10 @@ namespace forefront {
 struct ShapeGoal {
     double alpha = 0.8;  ///< minimum α
     double angle = 35.0; ///< minimum angle, degrees
-    int rounds = 5;      ///< how often an element is tried; from the second time on, its surroundings change, too
+    int rounds = 5;      ///< maximum attempts per element; from the second on, its surroundings change, too
 };
 
-/// What a cleanup did.
+/// The result of a cleanup.
 struct CleanupCounts {
     std::size_t swaps = 0;
     std::size_t moves = 0;

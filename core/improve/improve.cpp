@@ -33,7 +33,7 @@ constexpr Round kSmallRounds[] = {{3, {0.5F, 0.9F}, kEarlyFloor}, {5, {0.3F, 1.1
 constexpr Round kDefaultRounds[] = {{2, {0.7F, 0.7F}, kEarlyFloor}, {2, {0.5F, 0.9F}, kLateFloor}};
 constexpr Round kBestRounds[] = {
     {1, kBestAims, kEarlyFloor, true}, {1, kBestAims, kEarlyFloor, true}, {10, kBestAims, kLateFloor}};
-constexpr std::size_t kNodesPerSpare = 32; ///< one spare node is reserved for so many nodes
+constexpr std::size_t kNodesPerSpare = 32; ///< one spare node is reserved for this many nodes
 constexpr ShapeGoal kDefaultGoal{0.8, 35.0, 6};
 constexpr ShapeGoal kBestGoal{0.85, 39.0, 12};
 

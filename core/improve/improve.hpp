@@ -16,7 +16,7 @@ struct ImproveOptions {
     const SpacingField *spacing = nullptr; ///< target node spacing; null: that of the mesh at each round
 };
 
-/// What improve() did.
+/// The result of improve().
 struct ImproveReport {
     std::size_t swaps = 0;
     std::size_t moves = 0;

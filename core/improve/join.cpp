@@ -137,7 +137,7 @@ void separate(ImproveWorkspace &work, HalfEdge h) {
     work.fixed[index(work.from(h))] = work.fixed[index(work.to(h))] = 1;
 }
 
-/// The tagged edges by their nodes, all of which become fixed.
+/// Lists the tagged edges by their nodes, and fixes these nodes.
 class TaggedEdges {
   public:
     explicit TaggedEdges(ImproveWorkspace &work) {

@@ -13,7 +13,7 @@ namespace forefront {
 /// .9963 and δ falls from .974 to .973.
 inline constexpr SmoothingAims kBestAims{0.8F, 0.6F};
 
-/// What restructure() did.
+/// The result of restructure().
 struct RestructureCounts {
     std::size_t swapped = 0; ///< edges
     std::size_t merged = 0;  ///< nodes removed

@@ -38,9 +38,9 @@ class SwapPass {
 
   private:
     static constexpr int kRounds = 6;
-    /// Edges between checks for cancellation.
+    /// Number of edges between checks for cancellation.
     static constexpr std::size_t kBatch = 8192;
-    /// Nodes of a task that renews rings.
+    /// Number of nodes per task that renews rings.
     static constexpr std::size_t kRingChunk = 1024;
 
     void findFirst() {
@@ -93,7 +93,7 @@ class SwapPass {
     ImproveWorkspace &work_;
     const SwapRule &rule_;
     const Progress &progress_;
-    std::vector<HalfEdge> open_, next_; ///< to be looked at in this round and in the next
+    std::vector<HalfEdge> open_, next_; ///< edges to examine in this round and in the next
     std::vector<NodeId> touched_;       ///< nodes whose rings are out of date
     std::size_t swaps_ = 0;
 };

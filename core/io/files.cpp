@@ -14,7 +14,7 @@ namespace forefront {
 
 namespace {
 
-/// Names the file in faults that know no place in it.
+/// Sets the file of faults that do not name one.
 Diagnostics named(Diagnostics faults, const std::filesystem::path &path) {
     for (Diagnostic &fault : faults) {
         if (fault.file.empty()) {
@@ -32,28 +32,28 @@ bool canWriteMesh(const Format &format) {
     return format.writeMesh != nullptr || format.writeFiles != nullptr;
 }
 
-/// The format that a mesh is written in; null if there is none.
+/// Returns the format for writing a mesh; null if there is none.
 const Format *meshFormat(const std::filesystem::path &path, std::string_view id) {
     const Format *format = id.empty() ? formatOfExtension(path, canWriteMesh) : formatOfId(id);
     return format != nullptr && canWriteMesh(*format) ? format : nullptr;
 }
 
-/// Extensions that have the wanted ability, for an advice.
-std::string extensions(bool (*wanted)(const Format &)) {
+/// Returns the extensions of the accepted formats, for messages.
+std::string extensions(bool (*accepts)(const Format &)) {
     std::string list;
     for (const Format &format : formats()) {
-        if (wanted(format) && list.find(format.about.extension) == std::string::npos) {
+        if (accepts(format) && list.find(format.about.extension) == std::string::npos) {
             list += (list.empty() ? "" : " ") + std::string(format.about.extension);
         }
     }
     return list;
 }
 
-/// Names the formats that `wanted` accepts, for an advice.
-std::string formatIds(bool (*wanted)(const Format &)) {
+/// Returns the ids of the accepted formats, for messages.
+std::string formatIds(bool (*accepts)(const Format &)) {
     std::string list;
     for (const Format &format : formats()) {
-        if (wanted(format)) {
+        if (accepts(format)) {
             list += (list.empty() ? "" : ", ") + std::string(format.about.id);
         }
     }
@@ -61,24 +61,24 @@ std::string formatIds(bool (*wanted)(const Format &)) {
 }
 
 Result<const Format *> chooseFormat(const std::filesystem::path &path, std::string_view bytes,
-                                    const ImportOptions &options, bool (*wanted)(const Format &)) {
+                                    const ImportOptions &options, bool (*accepts)(const Format &)) {
     if (!options.formatId.empty()) {
         const Format *const given = formatOfId(options.formatId);
-        if (given == nullptr || !wanted(*given)) {
+        if (given == nullptr || !accepts(*given)) {
             return error("unknown-format",
                          given == nullptr ? "unknown format '" + options.formatId + "'"
                                           : "the format '" + options.formatId + "' cannot be read here",
-                         "expected one of " + formatIds(wanted));
+                         "expected one of " + formatIds(accepts));
         }
         return given;
     }
     const Format *const found = formatOf(path, bytes);
     if (found == nullptr) {
-        return error("unknown-format", "unknown file format", "formats that can be read: " + extensions(wanted));
+        return error("unknown-format", "unknown file format", "formats that can be read: " + extensions(accepts));
     }
-    if (!wanted(*found)) {
+    if (!accepts(*found)) {
         return error("unknown-format", std::string(found->about.name) + " cannot be read here",
-                     "formats that can be read: " + extensions(wanted));
+                     "formats that can be read: " + extensions(accepts));
     }
     return found;
 }
@@ -86,7 +86,7 @@ Result<const Format *> chooseFormat(const std::filesystem::path &path, std::stri
 /// Loads a file, finds its format and hands both to `read`. Memory that runs out is a fault like any other.
 template <class T, class Read>
 Result<T> readFile(const std::filesystem::path &path, const ImportOptions &options, ImportNotes *notes,
-                   bool (*wanted)(const Format &), Read read) {
+                   bool (*accepts)(const Format &), Read read) {
     try {
         std::string loaded;
         if (options.content == nullptr) {
@@ -97,7 +97,7 @@ Result<T> readFile(const std::filesystem::path &path, const ImportOptions &optio
             loaded = std::move(*bytes);
         }
         const std::string &bytes = options.content != nullptr ? *options.content : loaded;
-        const Result<const Format *> format = chooseFormat(path, bytes, options, wanted);
+        const Result<const Format *> format = chooseFormat(path, bytes, options, accepts);
         if (!format) {
             return named(format.faults(), path);
         }
@@ -113,7 +113,7 @@ Result<T> readFile(const std::filesystem::path &path, const ImportOptions &optio
         }
         return result;
     } catch (const std::bad_alloc &) {
-        return named(error("out-of-memory", "there is not enough memory to read the file"), path);
+        return named(error("out-of-memory", "not enough memory to read the file"), path);
     }
 }
 
@@ -227,7 +227,7 @@ Status writeMesh(const std::filesystem::path &path, const Mesh &mesh, std::strin
             path, [&](TextWriter &out) { format->writeMesh(mesh, out); }, progress,
             1 + mesh.nodes.size() * kBytesPerNode + mesh.elements.size() * kBytesPerElement);
     } catch (const std::bad_alloc &) {
-        return named(error("out-of-memory", "there is not enough memory to write the file"), path);
+        return named(error("out-of-memory", "not enough memory to write the file"), path);
     }
 }
 
@@ -270,7 +270,7 @@ std::vector<std::filesystem::path> filesRead(const std::filesystem::path &path) 
     const bool poly = formatOfExtension(path, [](const Format &format) { return format.readDomain == readPoly; });
     if (poly && std::filesystem::is_regular_file(path, none) && std::filesystem::is_regular_file(nodes, none)) {
         const auto bytes = readFileBytes(path, ImportOptions().maxBytes);
-        if (bytes && takesNodesFromBeside({*bytes, path.string(), path, {}})) {
+        if (bytes && hasNodesInNodeFile({*bytes, path.string(), path, {}})) {
             files.push_back(nodes);
         }
     }

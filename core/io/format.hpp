@@ -38,8 +38,8 @@ std::span<const Format> formats();
 
 /// Returns the format of a file by its content, else by its extension; null when neither tells.
 const Format *formatOf(const std::filesystem::path &path, std::string_view content);
-/// Returns the first format with the extension of a path that `wanted` accepts; null if there is none.
-const Format *formatOfExtension(const std::filesystem::path &path, bool (*wanted)(const Format &));
+/// Returns the first format with the extension of a path for which `accepts` returns true; null if there is none.
+const Format *formatOfExtension(const std::filesystem::path &path, bool (*accepts)(const Format &));
 /// Returns the format of that id; null if there is none.
 const Format *formatOfId(std::string_view id);
 

@@ -147,10 +147,10 @@ const Format *formatOf(const std::filesystem::path &path, std::string_view conte
     return recognised != nullptr ? recognised : named;
 }
 
-const Format *formatOfExtension(const std::filesystem::path &path, bool (*wanted)(const Format &)) {
+const Format *formatOfExtension(const std::filesystem::path &path, bool (*accepts)(const Format &)) {
     const std::string extension = lowerExtension(path);
     const auto found = std::find_if(kFormats.begin(), kFormats.end(),
-                                    [&](const Format &f) { return hasExtension(f, extension) && wanted(f); });
+                                    [&](const Format &f) { return hasExtension(f, extension) && accepts(f); });
     return found != kFormats.end() ? &*found : nullptr;
 }
 

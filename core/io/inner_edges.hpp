@@ -10,7 +10,7 @@ namespace forefront {
 /// interfaces between regions. Some programs, deal.II among them, refuse boundary tags there.
 enum class InnerEdges : std::uint8_t { Keep, Drop };
 
-/// Returns a copy of the mesh without its inner edges. Names of tags that are no longer in use stay in the mesh.
+/// Returns a copy of the mesh without its inner edges. Names of tags no longer in use stay in the mesh.
 Mesh withoutInnerEdges(const Mesh &mesh);
 
 } // namespace forefront

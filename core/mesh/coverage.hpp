@@ -13,7 +13,7 @@ struct HangingNode {
     NodeId edgeA = kNoNode, edgeB = kNoNode;
 };
 
-/// What a sweep over the boundary of a mesh found.
+/// The result of a sweep over the boundary of a mesh.
 struct Coverage {
     std::optional<Vec2> overlap; ///< a place where elements overlap, the first from the left
     std::vector<HangingNode> hanging;

@@ -33,10 +33,10 @@ class FaultList {
     std::size_t count() const { return count_; }
     bool clean() const { return count_ == 0; }
 
-    /// The faults in the order they were added; a last note tells how many more there are than the limit.
+    /// Returns the faults in the order they were added, with a final note of the number beyond the limit.
     Diagnostics take() {
         Diagnostics listed;
-        std::size_t told = 0; // faults that the list names or counts
+        std::size_t covered = 0; // faults that the list names or counts
         for (Diagnostic &fault : faults_) {
             Kind &kind = kindOf(fault.code);
             const bool often = kind.count > kOften;
@@ -44,17 +44,17 @@ class FaultList {
                 continue;
             }
             kind.listed = true;
-            told += often ? kind.count : 1;
+            covered += often ? kind.count : 1;
             if (often) {
                 fault.message += " (the first of " + std::to_string(kind.count) + " such faults)";
             }
             listed.push_back(std::move(fault));
         }
-        if (told < count_) {
+        if (covered < count_) {
             Diagnostic rest;
             rest.severity = listed.empty() ? Severity::Error : Severity::Note;
             rest.code = "more";
-            rest.message = std::to_string(count_ - told) + " more faults are not listed";
+            rest.message = std::to_string(count_ - covered) + " more faults are not listed";
             listed.push_back(std::move(rest));
         }
         return listed;

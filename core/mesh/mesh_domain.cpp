@@ -72,11 +72,11 @@ class MeshOutline {
         interfaceTag_ = unusedTag(taken, mesh_.boundaryNames, TagKind::Boundary);
     }
 
-    /// Index of the tag of an edge, or tags_.size().
+    /// Returns the index of the tag of an edge, or tags_.size().
     std::size_t findTag(NodeId a, NodeId b) const {
         const std::tuple key(static_cast<std::uint32_t>(std::min(a, b)), static_cast<std::uint32_t>(std::max(a, b)));
         const auto place = std::lower_bound(tags_.begin(), tags_.end(), key,
-                                            [](const Tagged &tag, const auto &wanted) { return tag.key() < wanted; });
+                                            [](const Tagged &tag, const auto &key) { return tag.key() < key; });
         return place != tags_.end() && place->key() == key ? static_cast<std::size_t>(place - tags_.begin())
                                                            : tags_.size();
     }
@@ -122,7 +122,7 @@ class MeshOutline {
                    outer ? SegmentRole::Boundary : SegmentRole::Constraint);
     }
 
-    /// One marker in every face, in its largest element.
+    /// Places a marker in every face, in its largest element.
     void regionMarkers() {
         std::vector<bool> seen(mesh_.elements.size(), false);
         std::vector<std::size_t> stack;
@@ -170,11 +170,11 @@ class MeshOutline {
     }
 
     const Mesh &mesh_;
-    std::vector<std::uint32_t> numbers_; ///< of the mesh's nodes in the domain
+    std::vector<std::uint32_t> numbers_; ///< per node of the mesh: its index in the domain
     std::vector<Tagged> tags_;
     std::vector<bool> used_;
-    std::int32_t outerTag_ = 1;     ///< of outer edges without a tag
-    std::int32_t interfaceTag_ = 2; ///< of edges between regions without a tag
+    std::int32_t outerTag_ = 1;     ///< for outer edges without a tag
+    std::int32_t interfaceTag_ = 2; ///< for interfaces without a tag
     std::vector<std::array<ElementId, 3>> neighbours_;
     std::vector<std::array<bool, 3>> divides_;
     Domain domain_;

@@ -26,7 +26,7 @@ void ShapeTally::AngleRange::add(Vec2 a, Vec2 b, Vec2 c) {
     }
     const double atA = dot(b - a, c - a), atB = dot(a - b, c - b), atC = dot(a - c, b - c);
     greatestCot_ = std::max(greatestCot_, std::max({atA, atB, atC}) / twiceArea);
-    leastCot_ = std::min(leastCot_, std::min({atA, atB, atC}) / twiceArea);
+    minCot_ = std::min(minCot_, std::min({atA, atB, atC}) / twiceArea);
 }
 
 namespace {
@@ -42,7 +42,7 @@ double ShapeTally::AngleRange::min() const {
 }
 
 double ShapeTally::AngleRange::max() const {
-    return flat_ ? 180.0 : degreesOfCotangent(leastCot_);
+    return flat_ ? 180.0 : degreesOfCotangent(minCot_);
 }
 
 void ShapeTally::add(Vec2 a, Vec2 b, Vec2 c) {
@@ -50,8 +50,8 @@ void ShapeTally::add(Vec2 a, Vec2 b, Vec2 c) {
     sum_ += alpha;
     twiceArea_ += cross(b - a, c - a);
     angles_.add(a, b, c);
-    if (alpha < least_) {
-        least_ = alpha;
+    if (alpha < minAlpha_) {
+        minAlpha_ = alpha;
         worst_ = ElementId{static_cast<std::uint32_t>(count_)};
     }
     allPositive_ = allPositive_ && alpha > 0.0;
@@ -72,7 +72,7 @@ void ShapeTally::into(MeshQuality &quality) const {
     quality.area = 0.5 * twiceArea_;
     quality.alphaMean = sum_ / count;
     quality.alphaGeometricMean = allPositive_ ? std::exp(product_.logarithm() / count) : 0.0;
-    quality.alphaMin = least_;
+    quality.alphaMin = minAlpha_;
     quality.minAngle = angles_.min();
     quality.maxAngle = angles_.max();
     quality.worst = worst_;

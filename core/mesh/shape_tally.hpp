@@ -36,7 +36,7 @@ class ShapeTally {
 
       private:
         double greatestCot_ = -std::numeric_limits<double>::infinity();
-        double leastCot_ = std::numeric_limits<double>::infinity();
+        double minCot_ = std::numeric_limits<double>::infinity();
         bool flat_ = false;
     };
 
@@ -45,7 +45,7 @@ class ShapeTally {
     AngleRange angles_;
     double sum_ = 0.0;
     double twiceArea_ = 0.0;
-    double least_ = std::numeric_limits<double>::infinity();
+    double minAlpha_ = std::numeric_limits<double>::infinity();
     ElementId worst_ = kNoElement;
     bool allPositive_ = true;
     std::array<std::uint64_t, kHistogramBins> histogram_{};

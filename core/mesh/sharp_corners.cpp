@@ -64,7 +64,7 @@ std::vector<Wedge> sharpWedges(const Mesh &mesh, double limit) {
 }
 
 /// Returns the minimum angle of an element in degrees; 0 if it is not positive.
-double leastAngle(const Mesh &mesh, const Element &e) {
+double minAngle(const Mesh &mesh, const Element &e) {
     const Vec2 a = mesh.nodes[index(e[0])], b = mesh.nodes[index(e[1])], c = mesh.nodes[index(e[2])];
     const double twiceArea = cross(b - a, c - a);
     if (!(twiceArea > 0.0)) {
@@ -138,7 +138,7 @@ SharpCorners sharpCorners(const Mesh &mesh, double limit) {
             tips.push_back(e);
             continue;
         }
-        const double angle = leastAngle(mesh, e);
+        const double angle = minAngle(mesh, e);
         if (angle < limit && !wedges.empty() &&
             (tagged[index(e[0])] & tagged[index(e[1])] & tagged[index(e[2])]) != 0) {
             strips.push_back(e);
@@ -147,7 +147,7 @@ SharpCorners sharpCorners(const Mesh &mesh, double limit) {
         }
     }
     for (const Element &e : notReached(tips, strips)) {
-        result.minAngleElsewhere = std::min(result.minAngleElsewhere, leastAngle(mesh, e));
+        result.minAngleElsewhere = std::min(result.minAngleElsewhere, minAngle(mesh, e));
     }
     for (const Wedge &w : wedges) {
         if (w.meshed) {

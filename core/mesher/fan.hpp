@@ -8,7 +8,7 @@
 namespace forefront {
 
 /// Elements proposed over one to three successive segments X0X1, X1X2, ... of Γ with a common apex C, a new node. A fan
-/// can also stand for a corner X0X1X2 that the segment X0X2 closes without a new node.
+/// can also represent a corner X0X1X2 that the segment X0X2 closes without a new node.
 struct Fan {
     static constexpr unsigned kMaxSegments = 3;
 

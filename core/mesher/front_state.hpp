@@ -30,7 +30,7 @@ struct FrontState {
 
     GenerationFront front;
     BaseOrder order; ///< classic method
-    FrontCare care;  ///< fast method, also what follows
+    FrontCare care;  ///< fast method, like the members below
     WalkOrder walkOrder;
     Walk walk;
     std::shared_ptr<const FrontStrips> strips; ///< never null

@@ -3,7 +3,7 @@
 #include "core/grid/all_grids.hpp"
 #include "core/mesher/recorder.hpp"
 
-// What the advancers and their parts are instantiated for. Each of these templates is defined in a source file of its
+// Instantiates the advancers and their parts. Each of these templates is defined in a source file of its
 // own that ends with one of these macros.
 
 #define FOREFRONT_INSTANTIATE_GRID(Template, Grid) template class Template<Grid>;

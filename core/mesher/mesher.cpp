@@ -88,19 +88,20 @@ class GridMesher final : public Mesher {
     Advancer<Grid, NoTrace> advancer_;
 };
 
-/// What a background grid is made for.
+/// The inputs of a background grid.
 struct GridRequest {
     const DiscreteDomain &domain;
     const SpacingField &spacing;
     const MeshingOptions &options;
-    double cellPerLength; ///< of the advancer
+    double cellPerLength; ///< see the advancer
 };
 
 NoGrid makeGrid(std::type_identity<NoGrid>, const GridRequest &) {
     return {};
 }
 
-/// Unless the options say how many cells: about three mean node spacings wide, from the estimated number of elements.
+/// Returns the cells given by the options, else cells about three mean node spacings wide, from the estimated number of
+/// elements.
 UniformGrid makeGrid(std::type_identity<UniformGrid>, const GridRequest &request) {
     constexpr double kMaxCells = 4e6;
     const Box2 bounds = request.domain.bounds();

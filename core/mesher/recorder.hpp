@@ -34,32 +34,32 @@ class Recorder {
   public:
     explicit Recorder(AdvanceExplanation &out) : out_(out) {}
 
-    /// A base has been chosen; `continuesWalk`: it follows the base before along the front.
+    /// Records the chosen base; `continuesWalk`: it follows the base before along the front.
     void takeBase(bool continuesWalk) { out_.walked = continuesWalk; }
-    /// Step 2: what was recorded for a base that was then left to a later strip is dropped.
+    /// Discards the record of a base that is left to a later strip (step 2).
     void begin(const FrontState &state, const Base &base);
-    /// Steps 3 and 4.
+    /// Records steps 3 and 4.
     void evaluateSpacing(const Base &base);
-    /// The grid has looked into this cell.
+    /// Records a cell that the grid visited.
     void visitCell(const Box2 &cell) { out_.cells.push_back(cell); }
-    /// No candidate passed, and the search goes on within a larger radius.
+    /// Records that no candidate passed and the search continues within a larger radius.
     void widen() { ++out_.widening; }
-    /// Steps 5 to 7 of a search: its candidates in their order; `withdrawn`: the ideal point is not among them since it
-    /// is too near the front.
+    /// Records steps 5 to 7 of a search: its candidates in their order; `withdrawn`: the ideal point is not among them
+    /// since it is too near the front.
     void rank(const Base &base, std::span<const Candidate> candidates, double radius, bool withdrawn);
-    /// Steps 3 to 7 for a new node over all segments of a fan.
+    /// Records steps 3 to 7 for a new node over all segments of a fan.
     void proposeFan(const Fan &fan);
-    /// Steps 3 to 7 for the element of a corner of two segments, of which segment `base` is the base.
+    /// Records steps 3 to 7 for the element of a corner of two segments, of which segment `base` is the base.
     void proposeCorner(const FrontState &state, const Fan &corner, unsigned base);
-    /// Step 8 begins for candidate `k` of the search ranked last.
+    /// Begins step 8 for candidate `k` of the search ranked last.
     void beginTest(std::size_t k);
-    /// The candidate segment from–to was tested against the front segment ab.
+    /// Records that the candidate segment from–to was tested against the front segment ab.
     void testSegment(Vec2 from, Vec2 to, Vec2 a, Vec2 b, bool meets);
-    /// The front segment ab, or the front node a = b, rules out the candidate under test.
+    /// Records that the front segment ab, or the front node a = b, rules out the candidate under test.
     void block(Vec2 a, Vec2 b);
-    /// Step 8 ends for the candidate under test.
+    /// Ends step 8 for the candidate under test.
     void endTest(Verdict verdict);
-    /// Steps 9 and 10, after Γ has changed.
+    /// Records steps 9 and 10, after Γ has changed.
     void end(const FrontState &state, const AdvanceDelta &delta, Vec2 apex);
 
   private:

@@ -63,7 +63,7 @@ class StripRunner {
         return box;
     }
 
-    /// Copies what the strip needs of the whole.
+    /// Copies the parts of the whole that the strip needs.
     void prepare(StripRun &run, std::size_t strip, std::uint32_t firstNew) const {
         run.part.emplace(state_.front.part(state_.strips->boxes[strip]));
         run.state.emplace(state_, std::move(run.part->front), static_cast<std::uint32_t>(strip), firstNew);

@@ -109,7 +109,7 @@ std::string outcome(const AdvanceExplanation &explanation) {
         text = accepted == explanation.candidates.end() ? "element stored" : candidateName(*accepted) + " accepted";
         const bool several = explanation.elements > 1;
         if (several) {
-            text += ", " + std::to_string(explanation.elements) + " elements at once";
+            text += ", " + std::to_string(explanation.elements) + " elements in one advance";
         }
         if (accepted != explanation.candidates.end()) {
             text += (several ? " (minimum α " : " (α ") + format("%.3f", accepted->alpha) + ')';

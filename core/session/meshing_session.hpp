@@ -17,7 +17,7 @@ enum class Granularity : std::uint8_t {
     Layer    ///< once around the front: as many advances as Γ had segments
 };
 
-/// What a new run does once it is prepared.
+/// The behaviour of a new run once it is prepared.
 enum class StartMode : std::uint8_t {
     Pause,   ///< waits before the first advance
     Run,     ///< meshes to the end at full speed and publishes progress and partial meshes on the way

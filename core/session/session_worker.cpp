@@ -177,7 +177,7 @@ void SessionWorker::follow(Way way) {
     }
 }
 
-/// Comes to rest on the timeline. At its end, the mesh is improved once.
+/// Stops on the timeline. At its end, the mesh is improved once.
 void SessionWorker::arrive() {
     if (!travel_->atEnd()) {
         rest(RunState::Paused);

@@ -77,10 +77,10 @@ void SnapshotBuilder::fill(SessionSnapshot &snapshot, const Timeline &timeline, 
     snapshot.marks = marks_;
 }
 
-void SnapshotBuilder::fillMesh(SessionSnapshot &snapshot, const Timeline &timeline, bool wanted, bool resting) {
+void SnapshotBuilder::fillMesh(SessionSnapshot &snapshot, const Timeline &timeline, bool include, bool resting) {
     const FrontState &state = timeline.mesher().state();
     growShapes(state);
-    if (wanted && meshPosition_ != timeline.position()) {
+    if (include && meshPosition_ != timeline.position()) {
         auto view = std::make_shared<MeshView>();
         view->mesh = toMesh(state, timeline.mesher().boundary());
         view->alpha.assign(alpha_.begin(), alpha_.begin() + static_cast<std::ptrdiff_t>(state.elements.size()));
@@ -88,10 +88,10 @@ void SnapshotBuilder::fillMesh(SessionSnapshot &snapshot, const Timeline &timeli
         mesh_ = std::move(view);
         meshPosition_ = timeline.position();
     }
-    if (wanted) {
+    if (include) {
         snapshot.mesh = mesh_;
     }
-    const bool whole = resting && wanted && state.elements.size() <= kMeasureUpTo;
+    const bool whole = resting && include && state.elements.size() <= kMeasureUpTo;
     if (whole && qualityPosition_ != timeline.position()) {
         quality_ = measure(mesh_->mesh, &timeline.mesher().spacing());
         quality_.nodes = state.nodes.size();

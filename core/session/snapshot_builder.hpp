@@ -24,7 +24,7 @@ class SnapshotBuilder {
     static std::shared_ptr<const std::vector<TimelineMark>> marksOf(const Timeline &timeline);
 
   private:
-    void fillMesh(SessionSnapshot &snapshot, const Timeline &timeline, bool wanted, bool resting);
+    void fillMesh(SessionSnapshot &snapshot, const Timeline &timeline, bool include, bool resting);
     void growShapes(const FrontState &state);
     MeshQuality quickQuality(const FrontState &state) const;
 

@@ -60,7 +60,7 @@ TimelineTravel::Moment TimelineTravel::explain() {
 
 TimelineTravel::Way TimelineTravel::reach(std::uint64_t position) {
     eventsDone_ = 0;
-    layersWanted_ = 0;
+    targetLayers_ = 0;
     rateOnArrival_ = 0.0;
     target_ = position;
     activity_ = Activity::Reaching;
@@ -136,7 +136,7 @@ TimelineTravel::Way TimelineTravel::stepLayers(std::int64_t count) {
     if (count > 0) {
         const auto above = std::upper_bound(ends.begin(), ends.end(), position) - ends.begin();
         const Way way = reachEnd();
-        layersWanted_ = static_cast<std::size_t>(above + count);
+        targetLayers_ = static_cast<std::size_t>(above + count);
         return way;
     }
     // Within an advance, the first step back may lead to its start.
@@ -204,9 +204,9 @@ std::uint64_t TimelineTravel::move(std::int64_t advances) {
 }
 
 TimelineTravel::Way TimelineTravel::reachABatch() {
-    if (layersWanted_ > 0 && timeline_.layerEnds().size() >= layersWanted_) {
-        target_ = timeline_.layerEnds()[layersWanted_ - 1];
-        layersWanted_ = 0;
+    if (targetLayers_ > 0 && timeline_.layerEnds().size() >= targetLayers_) {
+        target_ = timeline_.layerEnds()[targetLayers_ - 1];
+        targetLayers_ = 0;
     }
     const std::uint64_t position = timeline_.position();
     std::uint64_t done = 0;

@@ -72,7 +72,7 @@ class TimelineTravel {
     Timeline timeline_;
     Activity activity_ = Activity::Resting;
     std::uint64_t target_ = 0;     ///< Reaching: position to reach
-    std::size_t layersWanted_ = 0; ///< Reaching: number of layer ends still to pass
+    std::size_t targetLayers_ = 0; ///< Reaching: number of layer ends still to pass
     double rateOnArrival_ = 0.0;   ///< Reaching: then play at this rate; 0: rest
     double rate_ = 0.0;            ///< Playing: advances per second, negative: back
     double owed_ = 0.0;            ///< Playing: fraction of an advance not yet played

@@ -45,7 +45,7 @@ class FieldBuilder {
             }
         }
         limitCap();
-        // Paint and region areas reach everywhere by gradation, but what they give far away is nobody's intention; a
+        // Paint and region areas reach everywhere by gradation, but their values far away are not intended; a
         // background mesh may end inside the domain.
         if (!covered) {
             addAutomatic();

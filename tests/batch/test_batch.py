@@ -84,8 +84,8 @@ class Meshing(Case):
         stats = self.stats("plate.poly", "-o", "plate.msh", "--size", "0.2")
         for key in STATS:
             self.assertIn(key, stats)
-        wanted = 11 * 4 / (math.sqrt(3) * 0.2 ** 2)  # area 11 in equilateral triangles
-        self.assertLess(abs(stats["elements"] / wanted - 1), 0.12)
+        expected = 11 * 4 / (math.sqrt(3) * 0.2 ** 2)  # area 11 in equilateral triangles
+        self.assertLess(abs(stats["elements"] / expected - 1), 0.12)
         self.assertGreater(stats["alpha_geometric_mean"], 0.93)
         self.assertGreaterEqual(stats["alpha_mean"], stats["alpha_geometric_mean"])
         self.assertGreater(stats["delta_mean"], 0.85)
@@ -206,16 +206,16 @@ class Meshing(Case):
 
     def test_a_project_keeps_its_spacing_whatever_it_is_called(self):
         self.write("plate.json", PROJECT)
-        wanted = self.stats("plate.json")["hash"]
-        self.assertNotEqual(wanted, self.stats("plate.json", "--size", "1")["hash"])
+        expected = self.stats("plate.json")["hash"]
+        self.assertNotEqual(expected, self.stats("plate.json", "--size", "1")["hash"])
         for name in ("PLATE.JSON", "plate", "plate.txt"):
             self.write(name, PROJECT)
-            self.assertEqual(self.stats(name)["hash"], wanted, name)
+            self.assertEqual(self.stats(name)["hash"], expected, name)
         os.mkfifo(self.path / "pipe.json")
         process = subprocess.Popen([PROGRAM, "mesh", "pipe.json", "--stats", "-"], cwd=self.path,
                                    stdout=subprocess.PIPE, text=True)
         (self.path / "pipe.json").write_text(PROJECT)
-        self.assertEqual(json.loads(process.communicate(timeout=60)[0])["hash"], wanted)
+        self.assertEqual(json.loads(process.communicate(timeout=60)[0])["hash"], expected)
 
     def test_progress_bar_shows_on_a_terminal(self):
         try:
@@ -340,8 +340,8 @@ class Imports(Case):
                    '[[[%g,0],[%g,0],[%g,1],[%g,1],[%g,0]]]}}')
         pair = [polygon % ("A", 0, 1, 1, 0, 0), polygon % ("B", 0.99, 2, 2, 0.99, 0.99)]
         self.write("map.geojson", '{"type": "FeatureCollection", "features": [%s]}' % ", ".join(pair))
-        told = self.call("mesh", "map.geojson", "-o", "map.msh").stderr
-        self.assertRegex(told, r"map\.geojson:\d+:\d+: note: decided 1 overlap of features, 0\.01 in area, between A and B at \(")
+        output = self.call("mesh", "map.geojson", "-o", "map.msh").stderr
+        self.assertRegex(output, r"map\.geojson:\d+:\d+: note: decided 1 overlap of features, 0\.01 in area, between A and B at \(")
         self.call("check", "map.msh", "--domain", "map.geojson")
         self.call("mesh", "map.geojson", "-o", "map.msh", "--strict", code=1)
         self.assertIn("moved 2 nodes onto others, at most 0.01 away",
@@ -415,13 +415,13 @@ class Refusing(Case):
         self.write("bow.geojson", '{"type": "Polygon", "coordinates": [[[0, 0], [4, 3], [4, 0], [0, 3], [0, 0]]]}')
         self.assertIn("bow.geojson:1:38: note: ", self.call("mesh", "bow.geojson", "-o", "a.msh", "--repair").stderr)
         self.write("open.poly", poly([BOW]).replace("4 4 1 1", "4 4 4 1"))
-        told = self.call("mesh", "open.poly", "-o", "a.msh", "--repair", code=1).stderr.splitlines()
-        notes = [line for line in told if "note: " in line]
-        self.assertTrue(any("(line 9)" in line for line in notes), told)
-        left = [line for line in told if line not in notes]
+        output = self.call("mesh", "open.poly", "-o", "a.msh", "--repair", code=1).stderr.splitlines()
+        notes = [line for line in output if "note: " in line]
+        self.assertTrue(any("(line 9)" in line for line in notes), output)
+        left = [line for line in output if line not in notes]
         self.assertTrue(left)
         for line in left:
-            self.assertTrue(line.startswith("open.poly: error: ") and "(line" not in line, told)
+            self.assertTrue(line.startswith("open.poly: error: ") and "(line" not in line, output)
 
     def test_a_pipe_that_says_nothing_can_be_interrupted(self):
         os.mkfifo(self.path / "pipe.poly")
@@ -518,7 +518,7 @@ class Refusing(Case):
 
         made = self.stats("plate.poly", "-o", "plate.msh", "--spacing", "0.1+0.1*x")["delta_mean"]
         self.assertAlmostEqual(kept("plate.msh", "--spacing", "0.1+0.1*x"), made, delta=1e-4)
-        self.assertLess(kept("plate.msh", "--spacing", "0.2+0.2*x"), made - 0.2)  # edges half as long as wanted
+        self.assertLess(kept("plate.msh", "--spacing", "0.2+0.2*x"), made - 0.2)  # edges half as long as requested
         self.assertIsNone(kept("plate.msh"))
         # Two right triangles; of their five edges four are 1 long and the diagonal is the square root of 2.
         self.write("square.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n")
@@ -545,10 +545,10 @@ class Refusing(Case):
                    (adapt, "--error", "a number from 1e-09 to 1"), (adapt, "--rounds", "a whole number from 1 to 100"),
                    (adapt, "--size-min", "a positive number"), (adapt, "--size-max", "a positive number"),
                    (adapt, "--gradation", "a positive number")]
-        for command, option, wanted in options:
+        for command, option, expected in options:
             for value in ("abc", "0", "inf", "nan", "-1", "1e400", "", "1x", "0x10", "1,5", "+-1"):
                 line, hint = self.call(*command, option, value, code=2).stderr.splitlines()
-                self.assertEqual(line, f"forefront {command[0]}: {option}: expected {wanted}, got '{value}'")
+                self.assertEqual(line, f"forefront {command[0]}: {option}: expected {expected}, got '{value}'")
                 self.assertIn("--help", hint)
         self.call(*mesh, "--size", "+.5e0")
         self.call(*mesh, "--threads", "+2")
@@ -612,8 +612,8 @@ class Tables(Case):
         for published, uniform, hierarchical in (rows[:3], rows[3:]):
             self.assertEqual(uniform["hash"], hierarchical["hash"])
             boundary = 2 * int(uniform["Nn"]) - int(uniform["Ne"]) - 2 + (2 if uniform["row"] == "4" else 0)
-            wanted = 2 * int(published["Nn"]) - int(published["Ne"]) - 2
-            self.assertLess(abs(boundary - wanted), 0.03 * wanted)
+            expected = 2 * int(published["Nn"]) - int(published["Ne"]) - 2
+            self.assertLess(abs(boundary - expected), 0.03 * expected)
             self.assertLess(abs(int(uniform["Ne"]) - int(published["Ne"])), 0.05 * int(published["Ne"]))
 
     def test_wrong_rows_and_grids_are_refused(self):
@@ -698,7 +698,7 @@ class RealDomains(Case):
                     stats = self.stats(file, "-o", "real.msh", *more)
                     self.call("check", "real.msh", "--domain", file)
                     print(f"{file.name} {' '.join(more)}: {stats['elements']} elements, geometric mean of alpha "
-                          f"{stats['alpha_geometric_mean']:.4f}, least {stats['alpha_min']:.4f}")
+                          f"{stats['alpha_geometric_mean']:.4f}, minimum {stats['alpha_min']:.4f}")
                     if not more:
                         self.assertGreaterEqual(stats["alpha_geometric_mean"], 0.93)
 

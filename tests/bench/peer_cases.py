@@ -7,25 +7,25 @@ SLOPE = 0.232  # growth of the graded node spacing per unit of distance from the
 
 
 class Case:
-    """Spacing max(least, SLOPE | |p - (30, 20)| - 12 |) if graded, else least everywhere."""
+    """Spacing max(minimum, SLOPE | |p - (30, 20)| - 12 |) if graded, else minimum everywhere."""
 
-    def __init__(self, polygon, least, graded):
+    def __init__(self, polygon, minimum, graded):
         self.polygon = polygon
-        self.least = least
+        self.minimum = minimum
         self.graded = graded
-        self.greatest = 6 if graded else least  # an upper bound of the node spacing in the polygon
+        self.maximum = 6 if graded else minimum  # an upper bound of the node spacing in the polygon
 
     @property
     def spacing(self):
         """The spacing as an expression for Forefront."""
-        return f"max({self.least!r}, {self.off_circle})" if self.graded else repr(self.least)
+        return f"max({self.minimum!r}, {self.off_circle})" if self.graded else repr(self.minimum)
 
     @property
     def off_circle(self):
         return f"{SLOPE}*abs(sqrt((x-30)^2+(y-20)^2)-12)"
 
     def rho(self, x, y):
-        return max(self.least, SLOPE * abs(math.hypot(x - 30, y - 20) - 12)) if self.graded else self.least
+        return max(self.minimum, SLOPE * abs(math.hypot(x - 30, y - 20) - 12)) if self.graded else self.minimum
 
     def samples(self):
         """Yields (x, y, rho) at the centres of cells no wider than half the smallest rho in them."""
@@ -35,7 +35,7 @@ class Case:
             x, y, width = stack.pop()
             half = width / 2
             rho = self.rho(x + half, y + half)
-            if width > 0.5 * max(rho - SLOPE * math.sqrt(2) * half, self.least):
+            if width > 0.5 * max(rho - SLOPE * math.sqrt(2) * half, self.minimum):
                 stack += [(x, y, half), (x + half, y, half), (x, y + half, half), (x + half, y + half, half)]
             elif x + half <= max(xs) and y + half <= max(ys):
                 yield x + half, y + half, rho

@@ -1,4 +1,4 @@
-// CGAL on one case: peer_cgal CASE NODES.txt OUT.msh [LLOYD ROUNDS], CASE: graded-LEAST or disc. Prints
+// CGAL on one case: peer_cgal CASE NODES.txt OUT.msh [LLOYD ROUNDS], CASE: graded-MINIMUM or disc. Prints
 // mesh_cpu=SECONDS of the calls that make and optimise the mesh. Built by peers.sh only.
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_mesh_face_base_2.h>
@@ -26,11 +26,11 @@ using Point = Cdt::Point;
 namespace {
 
 bool graded = false;
-double least = 0.0; ///< node spacing, everywhere if not graded
+double minimum = 0.0; ///< node spacing, everywhere if not graded
 
 /// The node spacing of peer_cases.py.
 double rho(const Point &p) {
-    return graded ? std::max(least, 0.232 * std::abs(std::hypot(p.x() - 30.0, p.y() - 20.0) - 12.0)) : least;
+    return graded ? std::max(minimum, 0.232 * std::abs(std::hypot(p.x() - 30.0, p.y() - 20.0) - 12.0)) : minimum;
 }
 
 /// Longest edge at most kBound·ρ; CGAL bounds edges from above, so that they are shorter on the mean. Chosen so that
@@ -41,7 +41,7 @@ class SizedCriteria {
   public:
     struct Quality {
         double size = 0.0;                           ///< longest edge / bound; above 1 it is too long
-        double shape = 0.0;                          ///< squared sine of the least angle
+        double shape = 0.0;                          ///< squared sine of the minimum angle
         bool operator<(const Quality &other) const { // worse first
             const double a = std::max(size, 1.0), b = std::max(other.size, 1.0);
             return a != b ? a > b : shape < other.shape;
@@ -107,7 +107,7 @@ int main(int argc, char **argv) {
     for (double x, y; in >> x >> y;) {
         points.emplace_back(x, y);
     }
-    least = graded ? std::stod(name.substr(7)) : std::sqrt(CGAL::squared_distance(points[0], points[1]));
+    minimum = graded ? std::stod(name.substr(7)) : std::sqrt(CGAL::squared_distance(points[0], points[1]));
     Cdt cdt;
     for (std::size_t i = 0; i < points.size(); ++i) {
         cdt.insert_constraint(points[i], points[(i + 1) % points.size()]);

@@ -14,7 +14,7 @@ gmsh.initialize()
 for name, value in (("General.Terminal", 0), ("General.NumThreads", 1), ("Mesh.Algorithm", 6),
                     ("Mesh.MeshSizeExtendFromBoundary", 0), ("Mesh.MeshSizeFromPoints", 0),
                     ("Mesh.MeshSizeFromCurvature", 0), ("Mesh.MshFileVersion", 2.2),
-                    ("Mesh.MeshSizeMax", case.greatest)):
+                    ("Mesh.MeshSizeMax", case.maximum)):
     gmsh.option.setNumber(name, value)
 points = [gmsh.model.geo.addPoint(x, y, 0) for x, y in case.polygon]
 lines = [gmsh.model.geo.addLine(a, b) for a, b in zip(points, points[1:] + points[:1])]
@@ -26,7 +26,7 @@ if case.graded:
     field = gmsh.model.mesh.field.add("MathEval")
     gmsh.model.mesh.field.setString(field, "F", case.off_circle.replace("abs", "Fabs").replace("sqrt", "Sqrt"))
     gmsh.model.mesh.field.setAsBackgroundMesh(field)
-    gmsh.option.setNumber("Mesh.MeshSizeMin", case.least)
+    gmsh.option.setNumber("Mesh.MeshSizeMin", case.minimum)
 gmsh.model.mesh.generate(1)
 start = time.process_time()
 gmsh.model.mesh.generate(2)

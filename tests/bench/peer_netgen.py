@@ -17,7 +17,7 @@ geometry = SplineGeometry()
 points = [geometry.AppendPoint(x, y) for x, y in case.polygon]
 for a, b in zip(points, points[1:] + points[:1]):
     geometry.Append(["line", a, b], leftdomain=1, rightdomain=0)
-settings = MeshingParameters(maxh=case.greatest, grading=0.3)
+settings = MeshingParameters(maxh=case.maximum, grading=0.3)
 if case.graded:
     for x, y, h in case.samples():
         settings.RestrictH(x, y, 0, SCALE * h)

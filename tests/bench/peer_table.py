@@ -80,7 +80,7 @@ def judge(case, out):
     """Returns the number of elements and the columns α mean, α min, min angle, δ, all measured by `forefront check`."""
     printed = run([PROGRAM, "check", out, "--spacing", case.spacing])
     return int(find(r"(\d+) elements", printed)[0]), (
-        *find(r"^shape factor: mean ([\d.]+),.*least ([\d.]+); angles ([\d.]+)", printed),
+        *find(r"^shape factor: mean ([\d.]+),.*minimum ([\d.]+); angles ([\d.]+)", printed),
         *find(r"conformity: mean ([\d.]+)", printed))
 
 

@@ -8,7 +8,7 @@
 
 namespace forefront::testing {
 
-/// A spacing field from any function, for tests that want no more than ρ.
+/// A spacing field from any function, for tests that only need ρ.
 class SpacingFunction : public SpacingField {
   public:
     SpacingFunction(std::function<double(Vec2)> rho, double least, double greatest)

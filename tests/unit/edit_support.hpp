@@ -23,7 +23,7 @@ inline Shape square(Vec2 low, double side, ShapeUse use = ShapeUse::Boundary) {
     return makeShape(ShapeKind::Polygon, {low, low + Vec2{side, 0}, low + Vec2{side, side}, low + Vec2{0, side}}, use);
 }
 
-/// A segment by its coordinates, smaller end first: compares domains whatever the order of nodes and segments.
+/// A segment by its coordinates, smaller end first: compares domains independently of the order of nodes and segments.
 using PlacedSegment = std::tuple<double, double, double, double, std::int32_t, int>;
 
 inline std::vector<PlacedSegment> placedSegments(const Domain &domain) {
@@ -48,7 +48,7 @@ inline std::vector<std::pair<double, double>> placedNodes(const Domain &domain) 
     return placed;
 }
 
-/// Even-odd over Boundary segments.
+/// Returns true if p is inside by the even-odd rule over Boundary segments.
 inline bool insideEvenOdd(const Domain &domain, Vec2 p) {
     bool inside = false;
     for (const DomainSegment &s : domain.segments) {

@@ -20,7 +20,8 @@ Document fullDocument();
 /// tagged.
 Mesh twoRegionMesh(std::size_t columns = 8, std::size_t rows = 5);
 
-/// What differs between two meshes in nodes, elements, regions, edges, points or names; empty when nothing does.
+/// Returns the differences between two meshes in nodes, elements, regions, edges, points or names; empty if they are
+/// equal.
 std::string difference(const Mesh &a, const Mesh &b);
 
 /// Text that a format's writer makes of a mesh.

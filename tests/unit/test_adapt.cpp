@@ -107,15 +107,15 @@ TEST_CASE("elementSpacing: equal errors get equal spacing, and the total meets t
     estimate.elements.assign(mesh.elements.size(), 0.01);
     estimate.total = 0.01 * std::sqrt(static_cast<double>(mesh.elements.size()));
     estimate.norm = std::sqrt(1.0 - estimate.total * estimate.total); // relative error = total
-    const double wanted = 0.5 * estimate.total;
-    const std::vector<double> spacing = *elementSpacing(mesh, estimate, {wanted, 0.0, 1e9, 0.3});
+    const double target = 0.5 * estimate.total;
+    const std::vector<double> spacing = *elementSpacing(mesh, estimate, {target, 0.0, 1e9, 0.3});
     const double h = std::sqrt(4.0 / std::sqrt(3.0) * 0.5 * 0.01); // half of a cell of 0.1
     for (const double s : spacing) {
-        CHECK(s == doctest::Approx(0.5 * h).epsilon(1e-6)); // the error falls in proportion to h
+        CHECK(s == doctest::Approx(0.5 * h).epsilon(1e-6)); // the error is proportional to h
     }
-    const std::vector<double> bounded = *elementSpacing(mesh, estimate, {wanted, 0.9 * h, 1e9, 0.3});
+    const std::vector<double> bounded = *elementSpacing(mesh, estimate, {target, 0.9 * h, 1e9, 0.3});
     for (const double s : bounded) {
-        CHECK(s == doctest::Approx(0.9 * h)); // but not below the least size
+        CHECK(s == doctest::Approx(0.9 * h)); // but not below the minimum size
     }
 }
 
@@ -123,7 +123,7 @@ TEST_CASE("elementSpacing: elements at the minimum size do not make the rest eve
     const Mesh mesh = samples::square(20, 20);
     ErrorEstimate estimate;
     estimate.elements.assign(mesh.elements.size(), 1e-4);
-    estimate.elements[400] = 1.0; // asks for far more than a factor of 6
+    estimate.elements[400] = 1.0; // requests far more than a factor of 6
     estimate.total = 1.0;
     estimate.norm = 10.0;
     const double h = std::sqrt(4.0 / std::sqrt(3.0) * 0.5 * 0.0025);
@@ -201,13 +201,13 @@ TEST_CASE("adapt: rounds approach the target for an expression, within the limit
 }
 
 TEST_CASE("adapt: reports each round and stops when finer meshes do not lower the error") {
-    const auto field = expressionField("atan(1e9*(x-0.5-0.1*y))"); // as good as a jump
+    const auto field = expressionField("atan(1e9*(x-0.5-0.1*y))"); // practically a jump
     REQUIRE(field);
     const Domain square = squareOf(1.0);
-    std::vector<double> told;
+    std::vector<double> reported;
     const auto tell = [&](std::size_t round, const AdaptRound &of) {
-        CHECK(round == told.size());
-        told.push_back(of.error);
+        CHECK(round == reported.size());
+        reported.push_back(of.error);
     };
     const Result<AdaptOutcome> outcome =
         adapt(square, uniformMesh(square, 0.2), *field, {0.02, 0.0, 0.5, 0.3}, 8, {}, {}, tell);
@@ -215,14 +215,14 @@ TEST_CASE("adapt: reports each round and stops when finer meshes do not lower th
     CHECK(outcome->stalled);
     CHECK_FALSE(outcome->met);
     CHECK(outcome->rounds.size() < 8);
-    REQUIRE(told.size() == outcome->rounds.size());
-    for (std::size_t i = 0; i < told.size(); ++i) {
-        CHECK(told[i] == outcome->rounds[i].error);
+    REQUIRE(reported.size() == outcome->rounds.size());
+    for (std::size_t i = 0; i < reported.size(); ++i) {
+        CHECK(reported[i] == outcome->rounds[i].error);
     }
 }
 
 TEST_CASE("adapt: every stage of a round can be cancelled at each of its reports") {
-    const Mesh mesh = samples::square(90, 90, 0.2); // 16,200 elements: several reports a stage
+    const Mesh mesh = samples::square(90, 90, 0.2); // 16,200 elements: several reports per stage
     const std::vector<double> values = valuesOf(mesh, [](Vec2 p) { return std::atan(20.0 * (length(p) - 0.7)); });
     const AdaptTarget target{0.02, 0.0, 0.2, 0.3};
     std::vector<std::string> reports;
@@ -278,7 +278,7 @@ TEST_CASE("adapt: every stage of a round can be cancelled at each of its reports
         CAPTURE(all[most - 1]);
         REQUIRE(faults.size() == 1);
         CHECK(faults.front().code == "cancelled");
-        CHECK(reports.size() == most); // nothing is begun after it
+        CHECK(reports.size() == most); // nothing begins after it
     }
 }
 
@@ -318,15 +318,15 @@ TEST_CASE("adapt: at a re-entrant corner the energy error falls at the optimal r
         return solveCornerProblem(mesh);
     };
     Mesh mesh = uniformMesh(domain, 0.2);
-    for (const double wanted : {0.06, 0.03, 0.015, 0.0075}) {
-        Result<AdaptOutcome> outcome = adapt(domain, std::move(mesh), solver, {wanted, 0.0, 0.5, 0.3}, 5, {});
+    for (const double target : {0.06, 0.03, 0.015, 0.0075}) {
+        Result<AdaptOutcome> outcome = adapt(domain, std::move(mesh), solver, {target, 0.0, 0.5, 0.3}, 5, {});
         REQUIRE(outcome);
         CHECK(outcome->met);
         mesh = std::move(outcome->mesh);
         const std::vector<double> values = solveCornerProblem(mesh);
         const double exact = cornerEnergyError(mesh, values);
         adapted.push_back({static_cast<double>(mesh.nodes.size()), exact});
-        // The estimate tells the error.
+        // The estimate agrees with the error.
         CHECK(std::abs(estimateError(mesh, values)->total / exact - 1.0) < 0.15);
     }
     const auto slow = fitPowerLaw(uniform), fast = fitPowerLaw(adapted);

@@ -69,7 +69,7 @@ TEST_CASE("Advance: a slit, a hole and an isolated point are all in the mesh") {
     }
 }
 
-TEST_CASE("Advance: closes with existing nodes alone once no more small nodes are allowed") {
+TEST_CASE("Advance: the front closes with existing nodes once no further small nodes are allowed") {
     // The node spacing is far above the lengths of the boundary, so every new node counts as small and none is left.
     // A small hole far from the outline, its segments first, as if they had been deferred already: they find no partner
     // nearby.
@@ -104,7 +104,7 @@ TEST_CASE("Advance: closes with existing nodes alone once no more small nodes ar
     }
 }
 
-TEST_CASE("Advance: closes however much the spacing differs from the boundary lengths") {
+TEST_CASE("Advance: the front closes however much the spacing differs from the boundary lengths") {
     auto mesher = mesherOn(discretePlate(0.2), 1e9);
     mesher->advance(~std::uint64_t{0});
     REQUIRE(mesher->finished());

@@ -25,7 +25,7 @@ std::ptrdiff_t filesIn(const TemporaryFolder &folder) {
 
 } // namespace
 
-TEST_CASE("AtomicFile: the file appears with commit, complete and alone") {
+TEST_CASE("AtomicFile: the complete file appears on commit, and nothing else") {
     const TemporaryFolder folder;
     AtomicFile file(folder / "a.txt");
     CHECK(file.write("first "));
@@ -36,7 +36,7 @@ TEST_CASE("AtomicFile: the file appears with commit, complete and alone") {
     CHECK(filesIn(folder) == 1);
 }
 
-TEST_CASE("AtomicFile: without commit the old content stays and nothing is left behind") {
+TEST_CASE("AtomicFile: without commit the old content stays and no temporary file remains") {
     const TemporaryFolder folder;
     std::ofstream(folder / "a.txt") << "old";
     {
@@ -48,7 +48,7 @@ TEST_CASE("AtomicFile: without commit the old content stays and nothing is left 
     CHECK(filesIn(folder) == 1);
 }
 
-TEST_CASE("AtomicFile: two files to one name do not mix, and the last commit wins") {
+TEST_CASE("AtomicFile: two writers of one name do not mix, and the last commit wins") {
     const TemporaryFolder folder;
     AtomicFile first(folder / "a.txt"), second(folder / "a.txt");
     CHECK(first.write("first"));
@@ -59,16 +59,16 @@ TEST_CASE("AtomicFile: two files to one name do not mix, and the last commit win
     CHECK(filesIn(folder) == 1);
 }
 
-TEST_CASE("AtomicFile: permissions of the file before are kept, links are followed") {
+TEST_CASE("AtomicFile: keeps the permissions of the previous file and follows links") {
     const TemporaryFolder folder;
     std::ofstream(folder / "a.txt") << "old";
-    const auto wanted = std::filesystem::perms::owner_read | std::filesystem::perms::owner_write;
-    std::filesystem::permissions(folder / "a.txt", wanted);
+    const auto expected = std::filesystem::perms::owner_read | std::filesystem::perms::owner_write;
+    std::filesystem::permissions(folder / "a.txt", expected);
     std::filesystem::create_symlink("a.txt", folder / "link");
     CHECK(writeFileAtomically(folder / "link", "new").empty());
     CHECK(std::filesystem::is_symlink(folder / "link"));
     CHECK(contentOf(folder / "a.txt") == "new");
-    CHECK(std::filesystem::status(folder / "a.txt").permissions() == wanted);
+    CHECK(std::filesystem::status(folder / "a.txt").permissions() == expected);
 }
 
 TEST_CASE("AtomicFile: cancelling stops the writing and leaves the old file") {

@@ -37,13 +37,13 @@ std::shared_ptr<const SpacingField> automatic(const Domain &domain) {
 
 } // namespace
 
-TEST_CASE("Automatic spacing: a plain square gets the spacing of its size") {
+TEST_CASE("Automatic spacing: a square without details gets a spacing in proportion to its size") {
     const auto field = automatic(loopOf({{0, 0}, {1, 0}, {1, 1}, {0, 1}}));
     CHECK(field->at({0.5, 0.5}) == doctest::Approx(std::sqrt(2.0) / 45.0));
     CHECK(field->sample({0.5, 0.5}).describe == "automatic: size of the domain");
 }
 
-TEST_CASE("Automatic spacing: short segments are respected, whatever the size of their neighbours") {
+TEST_CASE("Automatic spacing: respects short segments next to neighbours of any size") {
     std::mt19937 random(17);
     std::uniform_real_distribution<double> share(0.0, 1.0);
     std::vector<Vec2> loop;
@@ -74,7 +74,7 @@ TEST_CASE("Automatic spacing: two elements fit across a channel, and open water 
     CHECK(field->sample({5, 1.95}).describe.find("narrow channel") != std::string::npos);
 }
 
-TEST_CASE("Automatic spacing: what is narrow only outside the domain does not count") {
+TEST_CASE("Automatic spacing: ignores gaps outside the domain") {
     // Two squares 0.02 apart: the strait between them is no part of the domain.
     Domain domain = loopOf({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
     addLoop(domain, std::vector<Vec2>{{1.02, 0}, {2.02, 0}, {2.02, 1}, {1.02, 1}});
@@ -105,7 +105,7 @@ TEST_CASE("Automatic spacing: orientation and order of the segments do not matte
     CHECK(one->at({2, 3.95}) <= 0.07);
 }
 
-TEST_CASE("Automatic spacing: a needle is refined towards its tip but not without end") {
+TEST_CASE("Automatic spacing: a needle is refined towards its tip, within a limit") {
     const auto field = automatic(loopOf({{0, 0}, {10, 0}, {10, 0.6}}));
     CHECK(field->at({1.0, 0.03}) < 0.08);
     CHECK(field->minimum() > 0.01);
@@ -132,7 +132,7 @@ TEST_CASE("Automatic spacing: lone points ask for their distance to the next thi
     CHECK(field->at({1, 1}) == doctest::Approx(field->maximum()));
 }
 
-TEST_CASE("Automatic spacing: graded within two hundredths, and bounded as it says") {
+TEST_CASE("Automatic spacing: keeps the gradation within 2 % and its own bounds") {
     std::mt19937 random(23);
     std::uniform_real_distribution<double> share(0.0, 1.0);
     for (int round = 0; round < 6; ++round) {

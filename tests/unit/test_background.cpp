@@ -77,7 +77,7 @@ TEST_CASE("Background mesh: a linear field is reproduced everywhere, graded mesh
     }
 }
 
-TEST_CASE("Background mesh: outside of it another part speaks") {
+TEST_CASE("Background mesh: outside of it, the other parts apply") {
     SpacingSpec spec;
     spec.background = lattice(2.0, 4.0, 8, 1.0, [](Vec2) { return 0.1; });
     spec.size = 0.7;
@@ -87,11 +87,11 @@ TEST_CASE("Background mesh: outside of it another part speaks") {
     CHECK(built(spec, 10)->at({5, 3}) == doctest::Approx(0.3).epsilon(0.01));
 }
 
-TEST_CASE("Background mesh: alone, automatic spacing fills in where it says nothing, without a step") {
+TEST_CASE("Background mesh: automatic spacing continues it outside, without a step") {
     SpacingSpec spec;
     spec.background = lattice(0.0, 5.0, 10, 1.0, [](Vec2) { return 1.0; });
     const auto coarse = built(spec, 10);
-    CHECK(coarse->at({3, 3}) == doctest::Approx(1.0)); // coarser than automatic spacing, as wanted
+    CHECK(coarse->at({3, 3}) == doctest::Approx(1.0)); // coarser than automatic spacing, as intended
     CHECK(coarse->at({9, 9}) == doctest::Approx(std::sqrt(200.0) / 45.0));
     spec.background = lattice(0.0, 5.0, 10, 1.0, [](Vec2) { return 0.05; });
     const auto fine = built(spec, 10);
@@ -99,7 +99,7 @@ TEST_CASE("Background mesh: alone, automatic spacing fills in where it says noth
     CHECK(fine->sample({3, 5.2}).describe.find("limited by gradation 0.25 from the background mesh") == 0);
 }
 
-TEST_CASE("Background mesh: a steep field is limited as the formula says, within two hundredths") {
+TEST_CASE("Background mesh: a steep field is limited by the gradation formula within 2 %") {
     std::mt19937 random(8);
     std::uniform_real_distribution<double> share(0.0, 1.0);
     SpacingSpec spec;
@@ -142,7 +142,7 @@ TEST_CASE("Background mesh: a node with many triangles, and needles, are located
     CHECK(field->at({5, 9.5}) == 50.0);
 }
 
-TEST_CASE("Background mesh: what cannot be used is refused with its place") {
+TEST_CASE("Background mesh: refuses invalid meshes with the place of the fault") {
     const BackgroundMesh good{{{0, 0}, {1, 0}, {0, 1}}, {{0, 1, 2}}, {1, 1, 1}};
     CHECK(refusal(good).empty());
     BackgroundMesh bad = good;

@@ -54,7 +54,7 @@ template <class Grid>
 void checkNear(const Grid &grid, const GenerationFront &front, const Box2 &box, const Box2 &bounds) {
     std::set<std::uint32_t> slots;
     std::uint32_t calls = 0;
-    double step = 0.0; // of the greatest cell that was looked into
+    double step = 0.0; // of the largest visited cell
     const std::uint32_t looked = grid.queryNear(
         front, box,
         [&](SlotId id) {

@@ -74,7 +74,7 @@ TEST_CASE("discretise: spacing that grows over twelve orders of magnitude is fol
     }
 }
 
-TEST_CASE("discretise: a dip of the spacing between ends and middle of a segment is seen") {
+TEST_CASE("discretise: finds a dip of the spacing between the ends and the middle of a segment") {
     // Two dips on the lower side, none near its ends or its middle; nothing limits the growth.
     const SpacingFunction spacing(
         [](Vec2 p) {
@@ -91,7 +91,7 @@ TEST_CASE("discretise: a dip of the spacing between ends and middle of a segment
     CHECK(std::fabs(static_cast<double>(piecesOf(*discrete, 0)) - integral) < 1.0);
 }
 
-TEST_CASE("discretise: sides of a needle that are a few last digits apart are cut less rather than crossed") {
+TEST_CASE("discretise: sides of a needle a few last digits apart get fewer nodes rather than cross") {
     int relaxed = 0;
     for (int round = 0; round < 200; ++round) {
         CAPTURE(round);
@@ -108,8 +108,8 @@ TEST_CASE("discretise: sides of a needle that are a few last digits apart are cu
         REQUIRE(discrete.ok());
         REQUIRE(isSimple(*discrete));
         REQUIRE(discrete->regions.size() == 1);
-        const auto wanted = static_cast<std::size_t>(2.0 * distance(apex, far) / rho);
-        relaxed += piecesOf(*discrete, 0) + piecesOf(*discrete, 2) < wanted ? 1 : 0;
+        const auto expected = static_cast<std::size_t>(2.0 * distance(apex, far) / rho);
+        relaxed += piecesOf(*discrete, 0) + piecesOf(*discrete, 2) < expected ? 1 : 0;
     }
     CHECK(relaxed > 20);
 }
@@ -150,7 +150,7 @@ TEST_CASE("discretise: a constraint point next to a rounded node stays on its si
     CHECK(relaxed > 50);
 }
 
-TEST_CASE("discretise: whatever validation passes can be discretised") {
+TEST_CASE("discretise: accepts every domain that passes validation") {
     int passed = 0, refused = 0;
     for (std::uint64_t seed = 0; seed < 3000; ++seed) {
         CAPTURE(seed);
@@ -201,7 +201,7 @@ TEST_CASE("discretise: whatever validation passes can be discretised") {
     CHECK(refused > 800);
 }
 
-TEST_CASE("discretise: domains that validation would not pass are refused, not processed") {
+TEST_CASE("discretise: refuses invalid domains") {
     Domain crossing = polygon({{0, 0}, {1, 1}, {1, 0}, {0, 1}});
     Domain outside = kSquare;
     outside.nodes.insert(outside.nodes.end(), {{2, 2}, {3, 2}});
@@ -236,7 +236,7 @@ TEST_CASE("discretise: spacing that is not a positive number is reported with it
     }
 }
 
-TEST_CASE("discretise: a stop asked for while it runs is heard") {
+TEST_CASE("discretise: stops when cancelled while running") {
     std::stop_source source;
     const SpacingFunction spacing(
         [&](Vec2) {

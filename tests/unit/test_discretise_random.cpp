@@ -137,7 +137,7 @@ Places sortedPlaces(const DiscreteDomain &discrete) {
 
 } // namespace
 
-TEST_CASE("discretise: random domains stay simple, with right chains, regions and areas") {
+TEST_CASE("discretise: random domains stay simple, with correct chains, regions and areas") {
     for (std::uint64_t seed = 0; seed < 600; ++seed) {
         CAPTURE(seed);
         const Domain domain = randomDomain(seed);

@@ -32,7 +32,7 @@ Domain linesOf(const std::vector<std::array<Vec2, 2>> &lines) {
 
 } // namespace
 
-TEST_CASE("DomainMeetings: segments that share ends have none") {
+TEST_CASE("DomainMeetings: segments that only share ends do not meet") {
     Domain domain = linesOf({{{{0, 0}, {1, 0}}}, {{{1, 0}, {1, 1}}}, {{{1, 1}, {0, 0}}}});
     const DomainMeetings meetings = meetingsOf(domain);
     CHECK(meetings.empty());
@@ -57,7 +57,7 @@ TEST_CASE("DomainMeetings: repeated edges refer to the first, in either directio
     CHECK(meetings.duplicates[0].second == 1);
     CHECK(meetings.duplicates[1].first == 0);
     CHECK(meetings.duplicates[1].second == 2);
-    CHECK(meetings.overlaps.empty()); // the repetition says it already
+    CHECK(meetings.overlaps.empty()); // the repetition already covers it
 }
 
 TEST_CASE("DomainMeetings: ends and constraint points on a segment are touches") {
@@ -89,7 +89,7 @@ TEST_CASE("DomainMeetings: markers on a segment do not count") {
     CHECK(meetingsOf(domain).empty());
 }
 
-TEST_CASE("DomainMeetings: the search says when it stops at the limit") {
+TEST_CASE("DomainMeetings: reports when the search stops at its limit") {
     std::vector<std::array<Vec2, 2>> lines;
     for (int i = 1; i <= 10; ++i) {
         lines.push_back({{{0, static_cast<double>(i)}, {11, static_cast<double>(i)}}});

@@ -26,7 +26,7 @@ const std::string &codeOf(const Result<Document> &refused) {
 
 } // namespace
 
-TEST_CASE("addShape: refuses what is no shape, and never gives an id twice") {
+TEST_CASE("addShape: refuses invalid shapes and never reuses an id") {
     CHECK(codeOf(addShape({}, makeShape(ShapeKind::Polygon, {{0, 0}, {1, 1}}))) == "bad-shape");
     CHECK(codeOf(addShape({}, makeShape(ShapeKind::Circle, {{1, 1}, {1, 1}}))) == "bad-shape");
     CHECK(codeOf(addShape({}, makeShape(ShapeKind::Rectangle, {{0, 0}, {0, 1}}))) == "bad-shape");
@@ -86,7 +86,7 @@ TEST_CASE("insertNode: a rectangle becomes a polygon, a circle is refused with a
     CHECK(placedSegments(toDomain(*polygon)) == placedSegments(toDomain(document)));
 }
 
-TEST_CASE("deleteSelection: a shape with too few nodes left goes") {
+TEST_CASE("deleteSelection: removes a shape with too few nodes left") {
     const Document document = documentOf({makeShape(ShapeKind::Polygon, {{0, 0}, {1, 0}, {0, 1}})});
     Selection node;
     node.nodes = {{1, 0}};
@@ -204,7 +204,7 @@ TEST_CASE("setSegmentTag: equal tags collapse to the tag of the shape") {
     CHECK(codeOf(setShapeTag(document, {1, 77}, 2)) == "no-such-shape");
 }
 
-TEST_CASE("Selection: prune drops what no longer points anywhere") {
+TEST_CASE("Selection: prune drops references to missing items") {
     const Document document = documentOf({square({0, 0}, 1)});
     Selection selection;
     selection.shapes = {1, 5};
@@ -219,7 +219,7 @@ TEST_CASE("Selection: prune drops what no longer points anywhere") {
     CHECK(selection.size() == 3);
 }
 
-TEST_CASE("Spacing commands: values are checked, blanks mean none") {
+TEST_CASE("Spacing commands: check their values; blank text means none") {
     const Document document;
     CHECK(setSize(document, 0.5)->spacing.size == 0.5);
     CHECK(setSize(*setSize(document, 0.5), {})->spacing.automatic());

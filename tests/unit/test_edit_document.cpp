@@ -34,7 +34,7 @@ TEST_CASE("toDomain: coinciding nodes of different shapes become one node") {
     CHECK(domain.segments.size() == 8);
 }
 
-TEST_CASE("toDomain: zeros of either sign are one place and nodes nearly equal stay apart") {
+TEST_CASE("toDomain: zeros of either sign are one place; nearly equal nodes stay apart") {
     const Document document =
         documentOf({makeShape(ShapeKind::Polyline, {{0.0, 0.0}, {1.0, 0.0}}),
                     makeShape(ShapeKind::Polyline, {{-0.0, -0.0}, {1.0, std::nextafter(0.0, 1.0)}})});
@@ -57,7 +57,7 @@ TEST_CASE("toDomain: a circle becomes a polygon within the tolerance, at a multi
     }
 }
 
-TEST_CASE("circleCorners: any tolerance gives a sensible number") {
+TEST_CASE("circleCorners: the number of corners is in range for any tolerance") {
     CHECK(circleCorners(0.002) == 52);
     CHECK(circleCorners(0.9) == 8);
     CHECK(circleCorners(5.0) == 8);
@@ -67,7 +67,7 @@ TEST_CASE("circleCorners: any tolerance gives a sensible number") {
     CHECK(circleCorners(std::nan("")) == 4096);
 }
 
-TEST_CASE("toDomain: tags per segment, uses, points and names arrive") {
+TEST_CASE("toDomain: keeps tags per segment, uses, points and names") {
     Shape rectangle = makeShape(ShapeKind::Rectangle, {{0, 0}, {4, 2}});
     rectangle.segmentTags = {1, 2, 3, 4};
     Document document =
@@ -94,7 +94,7 @@ TEST_CASE("toDomain: tags per segment, uses, points and names arrive") {
     CHECK(domain.regionMarkers.size() == 1);
 }
 
-TEST_CASE("fromDomain: loops become polygons, chains polylines, whatever the order of the segments") {
+TEST_CASE("fromDomain: loops become polygons and chains polylines, for any order of the segments") {
     Domain domain;
     addLoop(domain, box(0, 0, 10, 10), 3);
     addLoop(domain, box(2, 2, 4, 4), 5);
@@ -115,7 +115,7 @@ TEST_CASE("fromDomain: loops become polygons, chains polylines, whatever the ord
     CHECK(placedSegments(toDomain(document)) == placedSegments(domain));
 }
 
-TEST_CASE("fromDomain: a node that nothing uses stays, and only as a node") {
+TEST_CASE("fromDomain: an unreferenced node stays, and only as a node") {
     Domain domain;
     addLoop(domain, box(0, 0, 1, 1));
     domain.nodes.push_back({0.5, 0.5});
@@ -254,7 +254,7 @@ TEST_CASE("withEvenOddRoles: agrees with the markers on random cell patterns") {
                 }
                 probes.push_back(centre);
                 inside.push_back(!hole);
-                // In the middle of some cells stands a loose square; its inside is a face of its own.
+                // In the middle of some cells is a loose square; its inside is a face of its own.
                 if (random.below(3) == 0) {
                     const Vec2 low = centre + Vec2{0.08, 0.08};
                     const bool islandHole = random.below(2) == 0;
@@ -274,7 +274,7 @@ TEST_CASE("withEvenOddRoles: agrees with the markers on random cell patterns") {
     }
 }
 
-TEST_CASE("withEvenOddRoles: crossing, repeated and endless input is survived") {
+TEST_CASE("withEvenOddRoles: handles crossing, repeated and non-finite input") {
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
         Random random(seed);
         Domain domain;
@@ -297,7 +297,7 @@ TEST_CASE("withEvenOddRoles: crossing, repeated and endless input is survived") 
     }
 }
 
-TEST_CASE("Shape geometry: bounds, areas, lengths and insides of every kind") {
+TEST_CASE("Shape geometry: bounds, area, length and inside test of every kind") {
     const Shape rectangle = makeShape(ShapeKind::Rectangle, {{4, 3}, {1, 1}});
     CHECK(areaOf(rectangle) == doctest::Approx(6));
     CHECK(lengthOf(rectangle) == doctest::Approx(10));

@@ -62,7 +62,7 @@ Document randomCommand(const Document &document, Random &random) {
 
 } // namespace
 
-TEST_CASE("History: a new one holds its document, saved, with nothing to undo") {
+TEST_CASE("History: a new history has a saved document and nothing to undo") {
     History history;
     CHECK_FALSE(history.canUndo());
     CHECK_FALSE(history.canRedo());
@@ -85,7 +85,7 @@ TEST_CASE("History: labels name what undo and redo would do") {
     CHECK(history.document().shapes.size() == 2);
 }
 
-TEST_CASE("History: a command after undo forgets what had been undone") {
+TEST_CASE("History: a command after undo discards the undone commands") {
     History history;
     history.commit("a", withPoint(history.document(), {1, 1}));
     history.undo();
@@ -95,7 +95,7 @@ TEST_CASE("History: a command after undo forgets what had been undone") {
     CHECK(history.document().shapes[0]->nodes[0] == Vec2{2, 2});
 }
 
-TEST_CASE("History: a document that says the same is not recorded") {
+TEST_CASE("History: an unchanged document is not recorded") {
     History history;
     history.commit("a", withPoint(history.document(), {1, 1}));
     Document same = history.document();

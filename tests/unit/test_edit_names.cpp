@@ -26,7 +26,7 @@ TEST_CASE("nameBoundaryPart: a new name for one segment makes a new tag and leav
     CHECK(joined.boundaryNames.size() == 1);
 }
 
-TEST_CASE("nameBoundaryPart: an empty name frees a part from a shared name; nothing cannot be named") {
+TEST_CASE("nameBoundaryPart: an empty name separates a part from a shared name; refuses an empty selection") {
     Document document = *addShapes({}, {square({0, 0}, 10), square({2, 2}, 6)});
     document = *setBoundaryName(document, 1, "wall");
     const Document freed = *nameBoundaryPart(document, {.shapes = {2}, .segments = {}}, "");

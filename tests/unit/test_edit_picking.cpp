@@ -58,7 +58,7 @@ TEST_CASE("BoxTree: query and nearest agree with looking at every box") {
         const BoxTree tree(boxes);
         for (int k = 0; k < 30; ++k) {
             const Box2 window = boxAround(random.place(12), random.real(0, 3));
-            std::set<std::uint32_t> found, wanted;
+            std::set<std::uint32_t> found, expected;
             tree.query(window, [&](std::uint32_t item) { CHECK(found.insert(item).second); });
             double limit = 5.0, least = 5.0;
             const Vec2 p = random.place(12);
@@ -67,21 +67,21 @@ TEST_CASE("BoxTree: query and nearest agree with looking at every box") {
             std::uint32_t oracle = kNoIndex;
             for (std::uint32_t item = 0; item < boxes.size(); ++item) {
                 if (boxes[item].overlaps(window)) {
-                    wanted.insert(item);
+                    expected.insert(item);
                 }
                 if (toCorner(item) < least) {
                     least = toCorner(item);
                     oracle = item;
                 }
             }
-            REQUIRE(found == wanted);
+            REQUIRE(found == expected);
             REQUIRE(nearest == oracle);
             REQUIRE(limit == least);
         }
     }
 }
 
-TEST_CASE("PickIndex: nodes and segments are those that a search through everything finds") {
+TEST_CASE("PickIndex: finds the same nodes and segments as an exhaustive search") {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         const auto document = randomDocument(seed, 60);
         const PickIndex index(document);
@@ -120,7 +120,7 @@ TEST_CASE("PickIndex: nodes and segments are those that a search through everyth
     }
 }
 
-TEST_CASE("PickIndex: of nodes in one place the one drawn last is taken, unless it is filtered out") {
+TEST_CASE("PickIndex: takes the last drawn of coinciding nodes, unless it is filtered out") {
     const auto document = documentOf({square({0, 0}, 1), square({1, 0}, 1)});
     const PickIndex index(document);
     CHECK(index.node({1.01, 0}, 0.1)->ref == NodeRef{2, 0});
@@ -163,7 +163,7 @@ TEST_CASE("PickIndex: sources by their parts, markers, and boxes") {
     CHECK(index.inBox({{0.5, -1}, {5.5, 5.5}}, true).nodes == std::set<NodeRef>{{1, 1}, {1, 2}, {2, 0}});
 }
 
-TEST_CASE("PickIndex: a hundred thousand nodes are searched a hundred thousand times in no time") {
+TEST_CASE("PickIndex: a hundred thousand searches among a hundred thousand nodes visit few nodes each") {
     std::vector<Shape> shapes;
     for (int k = 0; k < 100; ++k) {
         std::vector<Vec2> ring;
@@ -247,7 +247,7 @@ TEST_CASE("snap: locked coordinates hold, the others still snap") {
     CHECK(snap(index, query).at == Vec2{1, 9});
 }
 
-TEST_CASE("gridPitch: one, two or five times a power of ten, at least as wide as asked") {
+TEST_CASE("gridPitch: 1, 2 or 5 times a power of ten, at least as wide as requested") {
     CHECK(gridPitch(1.0 / 24.0) == doctest::Approx(1));
     CHECK(gridPitch(0.01) == doctest::Approx(0.2));
     CHECK(gridPitch(0.06) == doctest::Approx(2));

@@ -24,7 +24,7 @@ std::size_t fileCount(const TemporaryFolder &folder) {
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder.path), {}));
 }
 
-/// Stands for projectText: the size of the document in many words, so that differences have both ends.
+/// Replaces projectText: the size of the document in many words, so that deltas have a common beginning and end.
 std::string words(const Document &document) {
     std::string text = "begin ";
     for (std::uint32_t k = 1; k < document.nextId; ++k) {
@@ -65,7 +65,7 @@ TEST_CASE("Journal: a delta of any two texts gives the second from the first") {
     }
 }
 
-TEST_CASE("Journal: cut off at every byte, it gives the newest text that was whole") {
+TEST_CASE("Journal: truncated at any byte, it gives the newest complete text") {
     const std::vector<std::string> texts{"one", "one two", "on two", "", "three"};
     const std::string bytes = journalOf(texts);
     std::size_t next = 0;
@@ -85,7 +85,7 @@ TEST_CASE("Journal: cut off at every byte, it gives the newest text that was who
     CHECK(next == texts.size());
 }
 
-TEST_CASE("Journal: a flipped bit ends it at the record before") {
+TEST_CASE("Journal: a flipped bit ends it at the previous record") {
     const std::vector<std::string> texts{"one", "one two", "one two three"};
     const std::string bytes = journalOf(texts);
     for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
@@ -121,10 +121,10 @@ TEST_CASE("RecoveryJournal: no file before the first change, none after a clean 
     CHECK(std::filesystem::is_empty(folder.path / "state"));
 }
 
-TEST_CASE("RecoveryJournal: what is recorded stands in the file, however long it gets") {
+TEST_CASE("RecoveryJournal: the file holds the newest document, however long it gets") {
     const TemporaryFolder folder;
     RecoveryJournal journal(folder.path, [](const Document &document) {
-        // Two texts that share nothing: every change is as long as the text, so the file is begun anew now and then.
+        // Two texts that share nothing: every change is as long as the text, so the file is rewritten now and then.
         return std::string(300000, document.nextId % 2 == 0 ? 'a' : 'b') + std::to_string(document.nextId);
     });
     for (std::uint32_t k = 1; k < 20; ++k) {
@@ -155,7 +155,7 @@ TEST_CASE("RecoveryJournal: a folder that cannot be made is reported once") {
     CHECK(journal.takeFaults().empty());
 }
 
-TEST_CASE("RecoveryJournal: killed without warning, it loses at most the last second, saved before or never") {
+TEST_CASE("RecoveryJournal: a killed program loses at most the last second, whether saved before or not") {
     for (const char *savedAt : {"", "/home/me/harbour.forefront"}) {
         const TemporaryFolder folder;
         int ready[2];
@@ -194,7 +194,7 @@ TEST_CASE("RecoveryJournal: killed without warning, it loses at most the last se
     }
 }
 
-TEST_CASE("findOrphanedJournals: newest first; empty and spoilt ones are removed, other files left alone") {
+TEST_CASE("findOrphanedJournals: newest first; removes empty and corrupt ones and leaves other files alone") {
     const TemporaryFolder folder;
     const auto put = [&](const char *name, const std::string &bytes, int age) {
         std::ofstream(folder.path / name, std::ios::binary) << bytes;

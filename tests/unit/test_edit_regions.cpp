@@ -11,7 +11,7 @@
 using namespace forefront;
 using namespace forefront::edit_test;
 
-TEST_CASE("fillRegion: one marker for each face, the second fill takes its place") {
+TEST_CASE("fillRegion: one marker per face; a second fill replaces it") {
     // A square with a hole, an island in the hole, and constraints that cut what is around the hole in two faces.
     Document document =
         *addShapes({}, {makeShape(ShapeKind::Polygon, {{0, 0}, {10, 0}, {10, 5}, {10, 10}, {0, 10}, {0, 5}}),
@@ -29,7 +29,7 @@ TEST_CASE("fillRegion: one marker for each face, the second fill takes its place
     CHECK(regionTags(document) == std::vector<std::int32_t>{1, 3, 4, 5});
 }
 
-TEST_CASE("fillRegion: outside of the domain and in holes it is refused with the place") {
+TEST_CASE("fillRegion: is refused outside the domain and in holes, with the place") {
     const Document document = *addShapes({}, {square({0, 0}, 10), square({2, 2}, 6)});
     for (const Vec2 at : {Vec2{5, 5}, Vec2{-1, 5}, Vec2{11, 0}, Vec2{std::nan(""), 0}}) {
         const Result<Document> refused = fillRegion(document, at, 2);

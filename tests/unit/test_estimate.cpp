@@ -63,7 +63,7 @@ double polarReference(const DiscreteDomain &domain, const SpacingField &spacing,
 
 } // namespace
 
-TEST_CASE("CoverageCell: quarters of the unit square hold what Monte Carlo points find in them") {
+TEST_CASE("CoverageCell: covered areas of quarters agree with Monte Carlo sampling") {
     RandomSource random(5);
     for (int round = 0; round < 60; ++round) {
         // A triangle that reaches beyond the box, counter-clockwise.
@@ -147,7 +147,7 @@ TEST_CASE("estimateElements: a long thin strip graded along its length") {
     CHECK(estimateElements(strip, spacing) == doctest::Approx(exact).epsilon(0.1));
 }
 
-TEST_CASE("estimateElements: always a number from 1 to 1e18, whatever the spacing and the size") {
+TEST_CASE("estimateElements: always a number from 1 to 1e18, for any spacing and size") {
     const DiscreteDomain square = asGiven(polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}));
     CHECK(estimateElements(square, constantSpacing(1e-200)) == 1e18);
     CHECK(estimateElements(square, constantSpacing(1e300)) == 1.0);

@@ -139,7 +139,7 @@ TEST_CASE("Expression: random formulas agree with muparser") {
     CHECK(compared > 4000);
 }
 
-TEST_CASE("Expression: bulk evaluation gives the same doubles") {
+TEST_CASE("Expression: bulk evaluation gives bitwise the same values") {
     Formulas formulas(43);
     std::vector<Vec2> points(100);
     std::vector<double> values(points.size());
@@ -229,7 +229,7 @@ TEST_CASE("Expression: faults carry their column") {
     CHECK(columnOf("x $ y") == 3);
 }
 
-TEST_CASE("Expression: deep nesting, endless text and strange bytes are refused without harm") {
+TEST_CASE("Expression: refuses deep nesting, very long text and invalid bytes") {
     CHECK(!compileExpression(std::string(3000, '(') + "x" + std::string(900, ')')).ok());
     CHECK(!compileExpression(std::string(1000, '(') + "x" + std::string(1000, ')')).ok());
     CHECK(!compileExpression(std::string(100000, 'x')).ok());

@@ -58,7 +58,7 @@ std::vector<double> twiceAreas(const std::vector<Vec2> &points, const std::vecto
 
 } // namespace
 
-TEST_CASE("Faces: a hole is outside and an island in it inside, whatever the orientation of loops") {
+TEST_CASE("Faces: a hole is outside and an island in it inside, for any orientation of loops") {
     Domain domain;
     const auto outer = addLoop(domain, square(0, 0, 10));
     const std::vector<Vec2> clockwise{{2, 2}, {2, 8}, {8, 8}, {8, 2}};
@@ -131,7 +131,7 @@ TEST_CASE("Faces: loops that touch in a node stay apart") {
     CHECK(s.labels.inside[s.faces.right[8]] == 0);
 }
 
-TEST_CASE("Faces: under HoleMarkers every bounded face is inside but the marked ones") {
+TEST_CASE("Faces: with HoleMarkers every bounded face without a marker is inside") {
     Domain domain;
     domain.insideRule = InsideRule::HoleMarkers;
     const auto outer = addLoop(domain, square(0, 0, 10));
@@ -220,7 +220,8 @@ bool onAnySegment(const Domain &domain, Vec2 p) {
 
 } // namespace
 
-TEST_CASE("Faces: points of random domains are inside exactly where a ray crosses the boundary oddly") {
+TEST_CASE(
+    "Faces: points of random domains are inside if and only if a ray crosses the boundary an odd number of times") {
     std::size_t insides = 0, onSegments = 0;
     for (std::uint64_t seed = 0; seed < 400; ++seed) {
         CAPTURE(seed);

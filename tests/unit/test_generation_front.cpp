@@ -228,7 +228,7 @@ TEST_CASE("BaseOrder: similar lengths come in batches, oldest batch first, the s
     }
     CHECK(order.take(front) == kNoSlot);
 
-    // Deferred ones go by length alone, whatever their portion.
+    // Deferred segments are ordered by length alone, in any portion.
     std::vector<std::pair<double, SlotId>> deferred;
     for (const std::size_t k : {expected.size() / 2, expected.size() / 3, std::size_t{5}, expected.size() - 9}) {
         const SlotId id = expected[k].slot;

@@ -110,7 +110,7 @@ TEST_CASE("curves: the four arcs between two points have the right centre, side 
     }
 }
 
-TEST_CASE("curves: an arc with radii too small is grown, one without radius is a line") {
+TEST_CASE("curves: radii that are too small are enlarged; an arc without radius is a line") {
     std::vector<Vec2> nodes{{0, 0}};
     flattenArc({0, 0}, {1, 2, 0, false, true}, {8, 0}, 1e-3, nodes);
     for (const Vec2 p : nodes) { // radii 4 and 8 about (4, 0)
@@ -123,7 +123,7 @@ TEST_CASE("curves: an arc with radii too small is grown, one without radius is a
     CHECK(line.size() == 2);
 }
 
-TEST_CASE("curves: absurd data neither hangs nor floods") {
+TEST_CASE("curves: extreme input neither hangs nor makes too many nodes") {
     const double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
     for (const double bad : {infinity, nan, 1e308, -1e308, 0.0, 5e-324}) {
         for (const double tolerance : {1e-300, 0.0, 1.0, nan}) {
@@ -139,7 +139,7 @@ TEST_CASE("curves: absurd data neither hangs nor floods") {
     }
 }
 
-TEST_CASE("curves: a circle's polygon leaves it by no more than the tolerance") {
+TEST_CASE("curves: the polygon of a circle stays within the tolerance") {
     for (const double tolerance : {0.5, 0.01, 1e-4}) {
         const auto polygon = circlePolygon({1, 2}, {4, 6}, tolerance);
         CHECK(polygon.front() == Vec2{4, 6});

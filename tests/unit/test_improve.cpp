@@ -103,7 +103,7 @@ TEST_CASE("improve: the same mesh gives the same result bit for bit") {
 }
 
 TEST_CASE("improve: nearly flat elements along a line improve and none becomes inverted") {
-    // Inner nodes lie 1e-13 above the bottom edge: elements with α near 0 whose sign only exact arithmetic tells.
+    // Inner nodes lie 1e-13 above the bottom edge: elements with α near 0 whose sign only exact arithmetic decides.
     Mesh mesh = samples::square(10, 10);
     for (std::size_t i = 1; i < 10; ++i) {
         mesh.nodes[11 + i].y = 1e-13;
@@ -210,7 +210,7 @@ TEST_CASE("NodeSmoother: no element falls below the floor, and none below it get
 }
 
 TEST_CASE("NodeSmoother: edges take the lengths of the spacing") {
-    // A lattice of equal columns, wanted twice as wide on the right as on the left.
+    // A lattice of equal columns, with a target width twice as large on the right as on the left.
     Mesh mesh = samples::square(24, 24);
     SpacingSpec spec;
     spec.expression = "(1+x)/36";

@@ -42,7 +42,7 @@ void checkRefused(const std::string &bytes, const char *code, std::size_t place)
 
 } // namespace
 
-TEST_CASE("Binary MSH: the same mesh as from the ASCII file, whatever the order of blocks") {
+TEST_CASE("Binary MSH: gives the same mesh as the ASCII file, for any order of blocks") {
     const Mesh mesh = twoRegionMesh();
     const Result<Mesh> text = readMsh(sourceOf(written(writeMsh4, mesh)));
     const std::string bytes = written(writeMsh4Binary, mesh);
@@ -55,7 +55,7 @@ TEST_CASE("Binary MSH: the same mesh as from the ASCII file, whatever the order 
     CHECK(written(writeMsh4Binary, *binary).size() == bytes.size());
 }
 
-TEST_CASE("Binary MSH: numbers that look like blanks, line ends or section names do no harm") {
+TEST_CASE("Binary MSH: reads numbers whose bytes look like blanks, line ends or section names") {
     Mesh mesh = samples::square(4, 4);
     const char name[] = "\n$EndNod";
     std::memcpy(&mesh.nodes[12].x, name, sizeof(double));
@@ -90,13 +90,13 @@ TEST_CASE("Binary MSH: nodal values are read as field and as spacing") {
     CHECK(negative.faults().front().message.ends_with("at byte " + std::to_string(values + 28)));
 }
 
-TEST_CASE("Binary MSH: what cannot be is refused with its byte") {
+TEST_CASE("Binary MSH: refuses impossible values with their byte") {
     const Mesh mesh = twoRegionMesh(4, 2);
     const std::string bytes = written(writeMsh4Binary, mesh);
     const std::size_t format = behind(bytes, "MeshFormat"), entities = behind(bytes, "Entities"),
                       nodes = behind(bytes, "Nodes"), elements = behind(bytes, "Elements");
     constexpr std::uint64_t kHuge = 0x8000000000000000U, kMany = 1'000'000'000'000U;
-    // At the door: byte order, size of counts, version.
+    // Header: byte order, size of counts, version.
     checkRefused(with(bytes, format + 8, std::uint32_t{0x01000000}), "byte-order", format + 7);
     checkRefused(with(bytes, format + 8, std::uint32_t{2}), "bad-syntax", format + 7);
     checkRefused(with(bytes, format + 6, '4'), "unknown-size", format + 7);
@@ -126,12 +126,12 @@ TEST_CASE("Binary MSH: what cannot be is refused with its byte") {
     checkRefused(with(bytes, elements + 60, std::int64_t{16}), "bad-index", elements + 60);
 }
 
-TEST_CASE("Binary MSH: cut anywhere, it is refused with a byte that the file has") {
+TEST_CASE("Binary MSH: a truncated file is refused with a valid byte position") {
     const std::string bytes = written(writeMsh4Binary, twoRegionMesh(3, 2));
     for (std::size_t size = 0; size + 2 < bytes.size(); ++size) {
         CAPTURE(size);
         const Result<Mesh> mesh = readMsh(sourceOf(bytes.substr(0, size), "cut"));
-        // Behind the nodes, a cut between two sections leaves a sound file.
+        // After the nodes, a cut between two sections leaves a valid file.
         if (mesh.ok()) {
             const bool afterNodes = size > bytes.find("$EndNodes") && size <= bytes.find("$Elements");
             const bool afterElements = size > bytes.find("$EndElements") && size <= bytes.find("$Comments");

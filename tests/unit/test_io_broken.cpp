@@ -114,7 +114,7 @@ std::string broken(const std::string &text, std::size_t way, std::mt19937 &rando
 
 } // namespace
 
-TEST_CASE("Broken files: every reader takes its own sound file") {
+TEST_CASE("Broken files: every reader accepts its intact sample") {
     for (const Seed &seed : seeds()) {
         CAPTURE(seed.name);
         const Diagnostics faults = seed.read(sourceOf(seed.text, "sound"));
@@ -122,7 +122,8 @@ TEST_CASE("Broken files: every reader takes its own sound file") {
     }
 }
 
-TEST_CASE("Broken files: cut, flipped and overflown files of every format are refused with a place, or harmless") {
+TEST_CASE(
+    "Broken files: truncated, altered or overflowing files of every format are refused with a place, or read safely") {
     std::size_t files = 0, refused = 0;
     for (const Seed &seed : seeds()) {
         std::mt19937 random(20240611);
@@ -144,7 +145,7 @@ TEST_CASE("Broken files: cut, flipped and overflown files of every format are re
     CHECK(refused >= 500);
 }
 
-TEST_CASE("Broken files: a count that promises more than the file holds is refused in every format that has counts") {
+TEST_CASE("Broken files: counts that exceed the file are refused in every format with counts") {
     const Mesh mesh = samples::square(3, 3);
     for (const Format &format : formats()) {
         if (format.readMesh == nullptr || format.writeMesh == nullptr || std::string_view(format.about.id) == "inp" ||
@@ -164,7 +165,7 @@ TEST_CASE("Broken files: a count that promises more than the file holds is refus
     }
 }
 
-TEST_CASE("Broken files: empty files, one byte, and bytes of chance") {
+TEST_CASE("Broken files: empty files, single bytes and random bytes") {
     std::mt19937 random(77);
     for (const Seed &seed : seeds()) {
         CAPTURE(seed.name);

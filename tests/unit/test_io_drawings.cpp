@@ -138,7 +138,7 @@ TEST_CASE("Maps: holes, covers and features without a name") {
                {{"region_1", 17}});
 }
 
-TEST_CASE("Maps: a polygon inside another one keeps its area, in whatever order they come") {
+TEST_CASE("Maps: a polygon inside another one keeps its area, in either order") {
     for (const bool innerFirst : {false, true}) {
         for (const double x : {1.0, 2.0}) {
             std::vector<std::pair<std::string, std::string>> polygons{{"A", rectangle(0, 0, 5, 5)},
@@ -151,7 +151,7 @@ TEST_CASE("Maps: a polygon inside another one keeps its area, in whatever order 
     }
 }
 
-TEST_CASE("Maps: of polygons that overlap the later one wins, or the smaller one, and a note says so") {
+TEST_CASE("Maps: of overlapping polygons the later or the smaller one wins, with a note") {
     const std::string neighbours = map({{"A", rectangle(3, 1, 3, 2)}, {"B", rectangle(0, 0, 4, 4)}});
     const Read later = read(neighbours);
     checkAreas(areas(later.domain), {{"A", 4}, {"B", 16}});

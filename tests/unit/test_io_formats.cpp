@@ -51,7 +51,7 @@ TEST_CASE("Formats: a mesh written in any format is read back the same, with tag
     }
 }
 
-TEST_CASE("Formats: a mesh of one region without names, edges or points survives, too") {
+TEST_CASE("Formats: round trip of a mesh of one region without names, edges or points") {
     const TemporaryFolder folder;
     Mesh mesh = samples::square(2, 2);
     mesh.edges.clear();
@@ -113,7 +113,7 @@ TEST_CASE("Formats: the default of an extension, unknown formats and cancelling"
     CHECK(!std::filesystem::exists(folder / "b.msh"));
 }
 
-TEST_CASE("Formats: content decides over a wrong extension") {
+TEST_CASE("Formats: content takes precedence over a wrong extension") {
     const TemporaryFolder folder;
     const Mesh mesh = samples::square(3, 3);
     REQUIRE(writeMesh(folder / "mesh.txt", mesh, "msh2").empty());
@@ -172,7 +172,7 @@ TEST_CASE("parseReal: the whole text or nothing") {
     }
 }
 
-TEST_CASE("NodeTable: dense and sparse numbers are found, twins are told") {
+TEST_CASE("NodeTable: finds dense and sparse numbers and reports duplicates") {
     NodeTable dense, sparse, twins;
     for (const std::int64_t n : {5, 3, 4}) {
         dense.add(n);

@@ -49,7 +49,7 @@ TEST_CASE("Gmsh domain: outer edges and interfaces without a group take unused t
     CHECK(boundaryName(domain->boundaryNames, 2) == "boundary_2");
 }
 
-TEST_CASE("Gmsh domain: a mesh without tagged edges has one outer tag and another one for interfaces") {
+TEST_CASE("Gmsh domain: a mesh without tagged edges gets one tag for its outer boundary and another for interfaces") {
     const auto domain = domainOfMesh(meshOf(twoSquares("", "", 0)));
     REQUIRE(domain.ok());
     CHECK(segmentsByTag(*domain) == std::map<std::int32_t, std::size_t>{{1, 6}, {2, 1}});
@@ -61,7 +61,7 @@ TEST_CASE("Gmsh: an entity without a group does not join the group that has its 
     REQUIRE(mesh.edges.size() == 2);
     CHECK(mesh.edges[0].tag == 1);
     CHECK(mesh.edges[1].tag == 2);
-    // Without any groups the entities tell the parts apart.
+    // Without any groups the entities distinguish the parts.
     const Mesh plain = meshOf(twoSquares("", "1 1 2 0 7 4 1\n2 1 2 0 3 1 2\n", 2));
     CHECK(plain.edges[0].tag == 7);
     CHECK(plain.edges[1].tag == 3);
@@ -84,7 +84,7 @@ TEST_CASE("Gmsh: a group of points keeps its name apart from the group of lines 
     CHECK(boundaryName(mesh.boundaryNames, mesh.points[0].tag) == "gauge");
 }
 
-TEST_CASE("Curve groups: a scanner of its own finds names and lengths in MSH 2.2 and 4.1") {
+TEST_CASE("Curve groups: the independent scanner finds names and lengths in MSH 2.2 and 4.1") {
     Mesh mesh = meshOf(twoSquares(kInlet, "1 1 2 1 1 4 1\n2 1 2 5 2 1 2\n3 1 2 5 3 2 3\n", 3));
     for (const bool version4 : {false, true}) {
         CAPTURE(version4);
@@ -101,7 +101,7 @@ TEST_CASE("Curve groups: a scanner of its own finds names and lengths in MSH 2.2
     CHECK_FALSE(mshCurveGroups("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0").has_value());
 }
 
-TEST_CASE("Boundary parts: a mesh whose inlet is longer than in the file of its domain is found") {
+TEST_CASE("Boundary parts: detects an inlet that is longer in the mesh than in the domain file") {
     const TemporaryFolder folder;
     std::ofstream(folder / "domain.msh") << twoSquares(kInlet, "1 1 2 1 1 4 1\n", 1);
     Mesh mesh = meshOf(twoSquares(kInlet, "1 1 2 1 1 4 1\n", 1));

@@ -44,14 +44,14 @@ Result<Domain> geoJson(const std::string &geometry, ImportNotes &notes) {
 
 } // namespace
 
-TEST_CASE("Lines as outline: separate lines that chain into a loop bound, and ends that stick out do not") {
+TEST_CASE("Lines as outline: lines that form a loop are the outline, and their free ends are not") {
     Domain domain = lines({{{0, 0}, {1, 0}}, {{1, 1}, {1, 0}}, {{1, 1}, {0, 1}}, {{0, 0}, {0, 1}}, {{1, 1}, {2, 2}}});
     CHECK(boundByLines(domain) == 4);
     CHECK(domain.segments[4].role == SegmentRole::Constraint);
     CHECK(boundByLines(domain) == 0); // it has a boundary now
 }
 
-TEST_CASE("Lines as outline: of lines that divide, the outermost bound") {
+TEST_CASE("Lines as outline: the outermost of nested lines are the outline") {
     // A square with a line across, and a square beside it that hangs on a bridge.
     Domain domain = lines({{{0, 0}, {1, 0}},
                            {{1, 0}, {1, 1}},

@@ -56,7 +56,7 @@ TEST_CASE("Import notes: GeoJSON reports reference system, heights, properties a
     CHECK(list[5].message == "members that GeoJSON does not define are ignored: 'id', 'title' (2 times)");
 }
 
-TEST_CASE("Import notes: mesh formats report what they skip, and own files need none") {
+TEST_CASE("Import notes: mesh formats report what they skip; our own files cause no notes") {
     const TemporaryFolder folder;
     const Mesh mesh = twoRegionMesh();
     for (const FileFormat &format : fileFormats()) {
@@ -80,7 +80,7 @@ TEST_CASE("Import notes: mesh formats report what they skip, and own files need 
     CHECK(codesOf(notes) == "section 1 statement 2 ");
 }
 
-TEST_CASE("Readers refuse an element that names a node twice, with its place") {
+TEST_CASE("Readers: refuse an element that names a node twice, with its place") {
     const Diagnostic obj = refusalOf(readObj(sourceOf("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 1\n")));
     CHECK(obj.line == 5);
     CHECK(obj.message == "face 2 names a node twice");
@@ -123,7 +123,7 @@ TEST_CASE("Project: faults of its domain carry the line and column of the nodes"
     CHECK(faults[0].parts[1].column == 13);
 }
 
-TEST_CASE("Files: bytes read before are taken as the file, in a format by content or as given") {
+TEST_CASE("Files: bytes read earlier stand in for the file, with a detected or given format") {
     ImportOptions options;
     options.content =
         std::make_shared<const std::string>("{\"type\": \"Polygon\", \"coordinates\": [[[0,0],[1,0],[0,1]]]}");

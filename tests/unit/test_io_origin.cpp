@@ -24,7 +24,7 @@ void checkComplete(const DomainOrigin &origin, const Domain &domain) {
 
 } // namespace
 
-TEST_CASE("DomainOrigin: nodes and segments of GeoJSON stand where their positions are written") {
+TEST_CASE("DomainOrigin: places of GeoJSON nodes and segments are those of their coordinates") {
     const std::string text = R"({"type": "GeometryCollection", "geometries": [
         {"type": "MultiPolygon", "coordinates": [
             [[[0, 0], [4, 0], [4, 4], [0, 4], [0, 0]], [[1, 1], [1, 2], [2, 2], [1, 1]]],
@@ -51,7 +51,7 @@ TEST_CASE("DomainOrigin: nodes and segments of GeoJSON stand where their positio
     CHECK(written(origin.of(DomainPartKind::ConstraintPoint)[0]) == Vec2{8, 1});
 }
 
-TEST_CASE("DomainOrigin: parts of a .poly file keep its numbers") {
+TEST_CASE("DomainOrigin: parts of a .poly file keep their numbers") {
     const std::string text = "# a square, a free node, a hole\n6 2\n5 0 0\n6 4 0\n7 4 4\n8 0 4\n\n9 1 1 # free\n2 3 3\n"
                              "5\n10 5 6\n11 6 7\n12 7 8\n13 8 5\n14 7 2\n1\n21 2 2\n1\n31 3 1 7\n";
     SourceText source = sourceOf(text);
@@ -69,7 +69,7 @@ TEST_CASE("DomainOrigin: parts of a .poly file keep its numbers") {
     CHECK(origin.of(DomainPartKind::ConstraintPoint)[0].number == 9);
 }
 
-TEST_CASE("DomainOrigin: parts of an SVG drawing stand at their elements") {
+TEST_CASE("DomainOrigin: places of SVG parts are those of their elements") {
     const std::string text =
         "<svg viewBox=\"0 0 9 9\">\n<rect width=\"9\" height=\"9\"/>\n<circle cx=\"4\" cy=\"4\" r=\"2\"/></svg>";
     SourceText source = sourceOf(text);
@@ -83,7 +83,7 @@ TEST_CASE("DomainOrigin: parts of an SVG drawing stand at their elements") {
     }
 }
 
-TEST_CASE("addPlaces: faults tell numbers and lines of their parts, as far as they are known") {
+TEST_CASE("addPlaces: adds the known numbers and lines of parts to faults") {
     DomainOrigin origin;
     origin.of(DomainPartKind::Segment) = {{0, 11}, {6, {}}, {PartOrigin::kNowhere, 13}};
     Diagnostics faults = error("code", "two segments cross");

@@ -28,7 +28,7 @@ const std::string kHead = "{\"format\": \"forefront\", \"version\": 1,\n \"shape
 
 } // namespace
 
-TEST_CASE("Project: a document that uses every field survives the way through text") {
+TEST_CASE("Project: round trip of a document that uses every field") {
     const Document document = fullDocument();
     const std::string text = projectText(document);
     const auto back = parseProject(text, "full.json");
@@ -55,7 +55,7 @@ TEST_CASE("Project: every kind of spacing part is written, and read back") {
     }
 }
 
-TEST_CASE("Project: an empty document survives, too") {
+TEST_CASE("Project: round trip of an empty document") {
     const auto back = parseProject(projectText(Document{}), "empty.json");
     REQUIRE(back.ok());
     CHECK(sameContent(Document{}, *back));
@@ -140,7 +140,7 @@ TEST_CASE("Project: wrong values of every kind are refused") {
     }
 }
 
-TEST_CASE("Project: a shape has as many nodes and tags as its kind wants") {
+TEST_CASE("Project: refuses shapes with the wrong number of nodes or tags") {
     const auto shape = [](const char *rest) { return faultsOf(kHead + "{\"id\": 3, " + rest + "}]}"); };
     CHECK(shape(R"("kind": "circle", "nodes": [[0, 0], [1, 0]])").empty());
     CHECK(hasCode(shape(R"("kind": "circle", "nodes": [[0, 0]])"), "bad-count"));
@@ -171,7 +171,7 @@ TEST_CASE("JSON: syntax faults are placed at the offending byte") {
     CHECK(place("{\"a\" 1}") == std::pair(1, 6));
 }
 
-TEST_CASE("JSON: nesting beyond the limit is refused, however deep") {
+TEST_CASE("JSON: refuses nesting beyond the limit at any depth") {
     const std::string deep(5'000'000, '[');
     const auto json = JsonDocument::parse(sourceOf(deep));
     REQUIRE(!json.ok());
@@ -191,7 +191,7 @@ TEST_CASE("JSON: escapes, pairs of surrogates and lone surrogates are decoded") 
     CHECK(json->root().count() == 4);
 }
 
-TEST_CASE("JSON: numbers keep their bits and tell integers from the rest") {
+TEST_CASE("JSON: numbers keep their bits, and integers are distinguished") {
     const std::string text = "[0.1, -0, 12, 1e400, 1e-400, 9223372036854775807, 9223372036854775808, 1.0, 2E3]";
     const auto json = JsonDocument::parse(sourceOf(text));
     REQUIRE(json.ok());
@@ -207,7 +207,7 @@ TEST_CASE("JSON: numbers keep their bits and tell integers from the rest") {
     CHECK((*++item).number() == 2000.0);
 }
 
-TEST_CASE("Base64: bytes of every length survive, damaged text is refused") {
+TEST_CASE("Base64: round trip at every length; refuses damaged text") {
     std::mt19937 random(4);
     for (std::size_t length = 0; length < 70; ++length) {
         std::string bytes(length, '\0');
@@ -225,7 +225,7 @@ TEST_CASE("Base64: bytes of every length survive, damaged text is refused") {
     }
 }
 
-TEST_CASE("Tile code: any tile survives bit for bit, runs are packed, damage is refused") {
+TEST_CASE("Tile code: round trip of any tile bit for bit; packs runs and refuses damaged text") {
     std::mt19937 random(5);
     for (int round = 0; round < 50; ++round) {
         PaintedSpacing::Tile tile{};
@@ -257,7 +257,7 @@ TEST_CASE("Files: writing is atomic, keeps permissions and follows links") {
     CHECK(std::distance(std::filesystem::directory_iterator(folder.path), {}) == 2);
 }
 
-TEST_CASE("Files: what cannot be written or read is said with its path and the reason") {
+TEST_CASE("Files: read and write failures are reported with path and reason") {
     const TemporaryFolder folder;
     const Status missing = writeFileAtomically(folder / "no/such/file", "x");
     REQUIRE(missing.size() == 1);
@@ -274,7 +274,7 @@ TEST_CASE("Files: what cannot be written or read is said with its path and the r
     CHECK(readFileBytes(folder / "long", 11).value() == "12345678901");
 }
 
-TEST_CASE("Names: cleaned, made identifiers, made unique") {
+TEST_CASE("Names: are cleaned, turned into identifiers and made unique") {
     CHECK(validUtf8("a\xff\xc3\xa4\xc3") == "a\xef\xbf\xbd\xc3\xa4\xef\xbf\xbd");
     CHECK(validUtf8("\xed\xa0\x80") == "\xef\xbf\xbd\xef\xbf\xbd\xef\xbf\xbd");
     CHECK(cleanName("  in\tlet \n") == "inlet");

@@ -46,7 +46,7 @@ double areaOf(const Domain &domain) {
 
 } // namespace
 
-TEST_CASE("SVG: the drawing stands upright inside its view box") {
+TEST_CASE("SVG: the drawing is upright inside its view box") {
     const Domain domain = domainOf(drawing("<polygon points=\"1,2 4,2 1,6\"/>", "viewBox=\"0 0 10 20\""));
     REQUIRE(domain.nodes.size() == 3);
     CHECK(domain.nodes[0] == Vec2{1, 18});
@@ -154,7 +154,7 @@ TEST_CASE("SVG: faults are placed inside the attribute") {
               .code == "non-finite");
 }
 
-TEST_CASE("SVG: nesting of any depth and entities that would explode do no harm") {
+TEST_CASE("SVG: deep nesting and exponential entities are handled safely") {
     std::string deep;
     for (int k = 0; k < 200'000; ++k) {
         deep += "<g>";

@@ -50,7 +50,7 @@ Vec2 sizeOf(const Domain &domain) {
 
 } // namespace
 
-TEST_CASE("SVG: what is hidden by attribute, style or style sheet is left out") {
+TEST_CASE("SVG: leaves out shapes hidden by attribute, style or style sheet") {
     const std::set<std::string> all{"a", "b", "c"}, withoutB{"a", "c"};
     CHECK(visible("", "") == all);
     for (const char *attributes :
@@ -102,7 +102,7 @@ TEST_CASE("SVG: <use> draws copies at their places, of shapes, groups and symbol
     CHECK(namesIn(named) == std::set<std::string>{"inlet", "r"});
 }
 
-TEST_CASE("SVG: copies that contain themselves are refused, and so are copies without end") {
+TEST_CASE("SVG: refuses copies that contain themselves or multiply without limit") {
     for (const char *content : {"<g id=\"a\"><use href=\"#a\"/><rect width=\"1\" height=\"1\"/></g>",
                                 "<g id=\"a\"><use href=\"#b\"/></g><g id=\"b\"><use href=\"#a\"/></g>"}) {
         const auto domain = readSvg(sourceOf(drawing(content)));
@@ -120,7 +120,7 @@ TEST_CASE("SVG: copies that contain themselves are refused, and so are copies wi
     CHECK(hasCode(domain.faults(), "too-large"));
 }
 
-TEST_CASE("SVG: of a <switch> the first understood child is drawn") {
+TEST_CASE("SVG: draws the first supported child of a <switch>") {
     const Domain domain = domainOf(drawing("<switch><foreignObject/><g requiredExtensions=\"http://example.org\">"
                                            "<rect width=\"9\" height=\"9\"/></g><g systemLanguage=\"de\">"
                                            "<rect width=\"8\" height=\"8\"/></g><rect width=\"2\" height=\"3\"/>"
@@ -128,7 +128,7 @@ TEST_CASE("SVG: of a <switch> the first understood child is drawn") {
     CHECK(sizeOf(domain) == Vec2{2, 3});
 }
 
-TEST_CASE("SVG: a document measured in millimetres gives millimetres, whatever its view box") {
+TEST_CASE("SVG: a document in millimetres gives millimetres, for any view box") {
     const std::string rect = "<rect width=\"200\" height=\"100\"/>";
     const auto size = [&](const std::string &attributes) { return sizeOf(domainOf(drawing(rect, attributes))); };
     CHECK(size("width=\"50mm\" height=\"25mm\" viewBox=\"0 0 200 100\"") == Vec2{50, 25});
@@ -145,7 +145,7 @@ TEST_CASE("SVG: a document measured in millimetres gives millimetres, whatever i
     CHECK(sizeOf(domainOf(drawing("<rect width=\"50%\" height=\"10%\"/>", "viewBox=\"0 0 40 20\""))) == Vec2{20, 2});
 }
 
-TEST_CASE("SVG: what is not used is reported once per kind with its count") {
+TEST_CASE("SVG: reports unused content once per kind with its count") {
     ImportNotes notes;
     domainOf(drawing("<style>g > rect { fill: red }</style>\n<text>Lake</text>\n<text>Sea</text>\n<image/>\n"
                      "<rect width=\"2\" height=\"2\" clip-path=\"url(#c)\" style=\"transform: rotate(3deg)\"/>\n"

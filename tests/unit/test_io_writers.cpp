@@ -170,7 +170,7 @@ TEST_CASE("MSH: names and numbers of physical groups differ across dimensions") 
     }
 }
 
-TEST_CASE("MSH: edges keep tag and name, regions and points with the same are raised and renamed") {
+TEST_CASE("MSH: edges keep tag and name; regions and points that share them are renumbered and renamed") {
     Mesh mesh = samples::square(2, 2);
     mesh.regions.assign(mesh.elements.size(), 1);
     mesh.regions.back() = 7;
@@ -209,7 +209,7 @@ TEST_CASE("MSH: broken comments about groups are skipped") {
     CHECK(origins[0].name == "a b");
 }
 
-TEST_CASE("VTK legacy: no FIELD block with other than one value per cell, names as look-up tables") {
+TEST_CASE("VTK legacy: FIELD blocks have one value per cell; names are look-up tables") {
     Mesh mesh = twoRegionMesh();
     mesh.boundaryNames[4] = std::string(300, 'x');
     const std::string text = written(writeVtk, mesh);
@@ -253,7 +253,7 @@ TEST_CASE("SU2 and the other formats with names in comments are ASCII files") {
     }
 }
 
-TEST_CASE("percentEncoded: the inverse brings every text back") {
+TEST_CASE("percentEncoded: the inverse restores every text") {
     CHECK(percentEncoded("a b\"%\n") == "a b%22%25%0A");
     CHECK(percentEncoded("a b", " ") == "a%20b");
     CHECK(percentDecoded("%4") == "%4");
@@ -280,7 +280,7 @@ TEST_CASE("withoutInnerEdges: only edges on the boundary of the triangles stay")
     }
 }
 
-TEST_CASE("Abaqus: names of sets are distinct identifiers of at most 80 characters, and changes are told") {
+TEST_CASE("Abaqus: names of sets are distinct identifiers of at most 80 characters, and changes are reported") {
     const TemporaryFolder folder;
     Mesh mesh = twoRegionMesh();
     mesh.boundaryNames = {{1, std::string(90, 'a')}, {2, std::string(95, 'a')}, {3, "nall"}, {9, "4th of July"}};

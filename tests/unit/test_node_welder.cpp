@@ -41,13 +41,13 @@ TEST_CASE("NodeWelder: a crossing away from the ends gets a node, which later on
     CHECK(nodes.size() == 6);
 }
 
-TEST_CASE("NodeWelder: given nodes that are not ends are not taken") {
+TEST_CASE("NodeWelder: does not reuse given nodes that are not ends") {
     std::vector<Vec2> nodes{{0, 0}, {1, 1}, {0.5, 0.5}};
     NodeWelder welder(nodes, kUnit);
     CHECK(welder.nodeAt({0.5, 0.5}, {0, 1}) == 3);
 }
 
-TEST_CASE("NodeWelder: welds move the later node onto the earlier one, each once, and only on request") {
+TEST_CASE("NodeWelder: moves the later node onto the earlier one, once, and only on request") {
     std::vector<Vec2> nodes{{0.5, 0.5}, {0.5 + 1e-12, 0.5}, {0.5, 0.5 + 1e-12}, {0.7, 0.7}};
     NodeWelder welder(nodes, kUnit);
     CHECK(welder.weld(1, 0));

@@ -111,7 +111,7 @@ TEST_CASE("Paint: the rim fades geometrically from the target to the ambient spa
     }
 }
 
-TEST_CASE("Paint: unusable numbers change nothing") {
+TEST_CASE("Paint: invalid numbers change nothing") {
     const PaintedSpacing before = forefront::paint(canvas(10), {{5, 5}, 1.0, 0.05, 1.0, 0.0});
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double inf = std::numeric_limits<double>::infinity();
@@ -152,7 +152,7 @@ TEST_CASE("SpacingField: a painted patch holds its value and blends outwards by 
     CHECK(field->sample({0, 0}).origin == SpacingOrigin::Constant);
 }
 
-TEST_CASE("SpacingField: painted values are bilinear between four painted nodes and the least one at the edge") {
+TEST_CASE("SpacingField: painted values are bilinear between four painted nodes, and the minimum at the edge") {
     SpacingSpec spec;
     spec.size = 100.0;
     spec.gradation = 1e6; // no limit worth the name
@@ -172,7 +172,7 @@ TEST_CASE("SpacingField: painted values are bilinear between four painted nodes 
     CHECK(field->at({5.5, 5.5}) == doctest::Approx(100.0));
 }
 
-TEST_CASE("SpacingField: random paint is graded within two hundredths") {
+TEST_CASE("SpacingField: random paint keeps the gradation within 2 %") {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> place(0.0, 1.0);
     for (int round = 0; round < 5; ++round) {
@@ -199,7 +199,7 @@ TEST_CASE("SpacingField: random paint is graded within two hundredths") {
     }
 }
 
-TEST_CASE("SpacingField: unusable paint is refused") {
+TEST_CASE("SpacingField: refuses invalid paint") {
     SpacingSpec spec;
     spec.paint.pitch = 0.0;
     spec.paint.tiles[{0, 0}] = std::make_shared<PaintedSpacing::Tile>();

@@ -68,7 +68,7 @@ double heightAt(Vec2 low, Vec2 high, double x) {
 
 } // namespace
 
-TEST_CASE("PlaneSweep: edges not dropped never meet, and none is dropped without need") {
+TEST_CASE("PlaneSweep: remaining edges never meet, and no edge is dropped needlessly") {
     std::mt19937_64 random(5);
     int simple = 0, faulty = 0;
     for (int round = 0; round < 3000; ++round) {
@@ -94,7 +94,7 @@ TEST_CASE("PlaneSweep: edges not dropped never meet, and none is dropped without
     CHECK(faulty > 300);
 }
 
-TEST_CASE("PlaneSweep: points know the edge directly below them, and isolated ones the edge they lie on") {
+TEST_CASE("PlaneSweep: finds the edge directly below each point, and the edge that an isolated point lies on") {
     std::mt19937_64 random(6);
     int found = 0, on = 0;
     for (int round = 0; round < 2000; ++round) {
@@ -167,7 +167,7 @@ TEST_CASE("EdgeMeetings: the pairs with a dropped edge are all pairs that meet")
     }
 }
 
-TEST_CASE("PlaneSweep: many long edges side by side cost no quadratic work") {
+TEST_CASE("PlaneSweep: many long edges side by side do not take quadratic work") {
     // 100,000 edges that all overlap in x and in y: a comb of slanted parallels.
     Picture picture;
     const std::uint32_t count = 100000;
@@ -189,7 +189,7 @@ TEST_CASE("PlaneSweep: many long edges side by side cost no quadratic work") {
     CHECK(findMeetings(picture.points, picture.edges, droppedEdges(sweep), 2 * count).list.size() == count);
 }
 
-TEST_CASE("PlaneSweep: a fan of edges and a heap of overlapping ones cost no quadratic work") {
+TEST_CASE("PlaneSweep: a fan of edges and many overlapping edges do not take quadratic work") {
     Picture fan;
     fan.points = {{0.0, 0.0}, {300.0, 0.5}};
     const std::uint32_t count = 50000;

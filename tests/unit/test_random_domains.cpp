@@ -40,7 +40,7 @@ TEST_CASE("random domains: closed, simple, with all their parts inside") {
     }
 }
 
-TEST_CASE("random domains: the same seed gives the same domain, another one another") {
+TEST_CASE("random domains: the same seed gives the same domain, another seed another domain") {
     for (int family = 0; family < kDomainFamilies; ++family) {
         const auto kind = static_cast<DomainFamily>(family);
         CAPTURE(nameOf(kind));

@@ -51,7 +51,7 @@ std::map<std::int32_t, RegionAreas> areasByRegion(const MeshingJob &job) {
 
 } // namespace
 
-TEST_CASE("Region area: the largest triangle keeps to the maximum") {
+TEST_CASE("Region area: the largest triangle respects the maximum") {
     std::map<double, std::size_t> counts;
     for (const double area : {0.01, 0.001}) {
         MeshingJob job{twoSquares(area, 0.0), {}, {}};
@@ -65,7 +65,7 @@ TEST_CASE("Region area: the largest triangle keeps to the maximum") {
     CHECK(counts[0.001] > 5 * counts[0.01]);
 }
 
-TEST_CASE("Region area: both methods keep to it on irregular domains") {
+TEST_CASE("Region area: both methods respect it on irregular domains") {
     RandomSource random(11);
     for (int round = 0; round < 6; ++round) {
         DomainBuilder builder;
@@ -114,7 +114,7 @@ TEST_CASE("Region area: combined with other parts, the finest wins") {
     CHECK((*raised)->at({0.5, 0.5}) == 0.2);
 }
 
-TEST_CASE("Region area: of several markers in a face the smallest area counts") {
+TEST_CASE("Region area: the smallest of several areas in a face applies") {
     Domain domain = twoSquares(0.01, 0.0);
     domain.regionMarkers.push_back({{0.2, 0.2}, 1, 0.002});
     const auto part = RegionPart::build(domain, 0.0);
@@ -162,7 +162,7 @@ TEST_CASE("Region area: every place gets the limit of its face") {
     CHECK(part->at({2, 0.5}) == spacingForArea(0.003));
 }
 
-TEST_CASE("Region area: crossing segments switch it off, and bad areas are refused with their marker") {
+TEST_CASE("Region area: crossing segments disable it; invalid areas are refused with their marker") {
     Domain crossed = twoSquares(0.01, 0.0);
     crossed.segments.push_back({0, 3, 1, SegmentRole::Constraint});
     CHECK_FALSE(RegionPart::build(crossed, 0.0).has_value());

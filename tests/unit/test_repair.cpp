@@ -77,7 +77,7 @@ std::size_t constraintCount(const Domain &domain) {
 
 } // namespace
 
-TEST_CASE("repair: merges nodes, drops what is double, empty or unreferenced, and says so") {
+TEST_CASE("repair: merges nodes, drops duplicate, empty and unreferenced parts, and reports each change") {
     Domain domain;
     addLoop(domain, square(0, 0, 1));
     domain.nodes.push_back({0, 0});
@@ -132,7 +132,7 @@ TEST_CASE("repair: crossings become nodes, tags stay with the pieces") {
     CHECK(tags == std::multiset<std::int32_t>{1, 1, 2, 3, 3, 4});
 }
 
-TEST_CASE("repair: loops that cross count by even and odd") {
+TEST_CASE("repair: crossing loops follow the even-odd rule") {
     Domain domain;
     addLoop(domain, square(0, 0, 2));
     addLoop(domain, square(1, 1, 2));
@@ -175,7 +175,7 @@ TEST_CASE("repair: a boundary folded onto itself outside is dropped, inside it s
     CHECK(insideArea(repaired(inside)) == 4.0);
 }
 
-TEST_CASE("repair: lines that should meet in one point do so, whatever rounding says") {
+TEST_CASE("repair: lines that should meet in one point do so despite rounding") {
     Domain domain;
     addLoop(domain, square(-2, -2, 4));
     for (int i = 0; i < 7; ++i) { // spokes through the origin
@@ -265,7 +265,7 @@ TEST_CASE("repair: random lattice junk becomes simple") {
     }
 }
 
-TEST_CASE("repair: what cannot be repaired safely stays and is reported") {
+TEST_CASE("repair: leaves and reports faults that cannot be repaired safely") {
     Domain open;
     addLoop(open, square(0, 0, 1));
     open.segments.pop_back();

@@ -87,7 +87,7 @@ const std::set<std::string> kRepairable{"zero-length",       "duplicate-node",  
 
 } // namespace
 
-TEST_CASE("repair: whatever the junk, no fault is left that repair is for, and a second repair finds nothing") {
+TEST_CASE("repair: leaves no repairable fault in random junk, and a second repair finds nothing") {
     std::size_t changes = 0;
     for (std::uint64_t seed = 0; seed < 1800; ++seed) {
         CAPTURE(seed);
@@ -107,7 +107,7 @@ TEST_CASE("repair: whatever the junk, no fault is left that repair is for, and a
     CHECK(changes > 100000);
 }
 
-TEST_CASE("repair: each change is a note with a place and the ids of what it concerns") {
+TEST_CASE("repair: each change is a note with its place and the parts involved") {
     for (std::uint64_t seed = 0; seed < 120; ++seed) {
         CAPTURE(seed);
         const auto result = repair(junk(seed));
@@ -120,7 +120,7 @@ TEST_CASE("repair: each change is a note with a place and the ids of what it con
     }
 }
 
-TEST_CASE("repair: the drawing stays where it was, and no part of it is lost") {
+TEST_CASE("repair: the drawing stays in place, and no part of it is lost") {
     for (std::uint64_t seed = 0; seed < 600; ++seed) {
         CAPTURE(seed);
         Domain domain = junk(seed);
@@ -149,7 +149,7 @@ TEST_CASE("repair: the drawing stays where it was, and no part of it is lost") {
     }
 }
 
-TEST_CASE("repair: coordinates that leave no room for nodes are refused, not spoilt") {
+TEST_CASE("repair: refuses coordinates that leave no room for nodes") {
     for (const double scale : {1e300, 1e61, 1e-61, 1e-310}) {
         Domain domain;
         domain.nodes = {{0, 0}, {scale, scale}, {scale, 0}, {0, scale}};
@@ -160,7 +160,7 @@ TEST_CASE("repair: coordinates that leave no room for nodes are refused, not spo
     }
 }
 
-TEST_CASE("repair: segments nearly on one line are cut at their ends, not at ever new nodes") {
+TEST_CASE("repair: nearly collinear segments are cut at their ends, without new nodes") {
     Domain domain;
     RandomSource random(7);
     for (std::uint32_t i = 0; i < 60; ++i) {

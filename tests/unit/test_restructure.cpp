@@ -24,7 +24,7 @@ namespace {
 
 using Triple = std::array<unsigned, 3>;
 
-/// The element beginning with its least node.
+/// Rotates an element to begin with its lowest node.
 Triple turned(Triple t) {
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
     return t;
@@ -54,7 +54,7 @@ std::set<std::pair<unsigned, unsigned>> rimOf(const std::set<Triple> &elements) 
     return rim;
 }
 
-/// Of each inner node: the ring has no node twice and is as long as the elements around it are many.
+/// For each inner node: the ring has no repeated node, and as many nodes as there are elements around it.
 bool ringsFit(const Cutout &cutout) {
     const std::set<Triple> elements = elementsOf(cutout);
     for (unsigned n = 0; n < cutout.count(); ++n) {
@@ -219,7 +219,7 @@ TEST_CASE("Cutout: each change keeps the rim and the rings and changes the numbe
     CHECK(done[+2] > 500);
 }
 
-TEST_CASE("Cutout: a regular piece of a mesh has no loss above the usual, and relaxing does not change it") {
+TEST_CASE("Cutout: a regular piece of a mesh has no excess loss, and relaxing does not change it") {
     // Equilateral elements with side 1 in a rhombus.
     constexpr std::size_t kSide = 9;
     Mesh mesh;

@@ -84,7 +84,7 @@ TEST_CASE("MeshingSession: N advances forward and N back lead to the same state 
     CHECK(settled(session)->stateHash == there->stateHash);
 }
 
-TEST_CASE("MeshingSession: stepped, played or run, the mesh is the same") {
+TEST_CASE("MeshingSession: stepping, playing and running give the same mesh") {
     std::uint64_t hashes[3];
     for (int way = 0; way < 3; ++way) {
         MeshingSession session;

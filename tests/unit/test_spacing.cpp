@@ -38,7 +38,7 @@ std::shared_ptr<const SpacingField> built(const SpacingSpec &spec, const Domain 
 
 } // namespace
 
-TEST_CASE("SpacingField: a constant is the same everywhere and says so") {
+TEST_CASE("SpacingField: a constant spacing is the same everywhere and is reported as constant") {
     SpacingSpec spec;
     spec.size = 0.3;
     const auto field = built(spec, rectangle(2, 1, 4, 2));
@@ -125,7 +125,7 @@ TEST_CASE("SpacingField: an expression without gradation is left exactly as give
     CHECK(field->maximum() <= 0.8 * (std::sqrt(50.0) - 3) * 1.1);
 }
 
-TEST_CASE("SpacingField: a steep expression is limited as the formula says, within two hundredths") {
+TEST_CASE("SpacingField: a steep expression is limited by the gradation formula within 2 %") {
     for (const char *const text : {"max(0.05, 2*abs(dist(5, 5) - 3))", "x + y < 8 ? 0.1 : 1.5", "0.1 + x^2/20",
                                    "0.5 + 0.4*sin(3*x)*cos(2*y)", "0.3"}) {
         SpacingSpec spec;
@@ -150,7 +150,7 @@ TEST_CASE("SpacingField: a steep expression is limited as the formula says, with
     }
 }
 
-TEST_CASE("SpacingField: with a gradation, any two places differ by no more than it allows") {
+TEST_CASE("SpacingField: the gradation limits the difference between any two places") {
     SpacingSpec spec;
     spec.expression = "0.2 + 0.15*sin(5*x) + (y > 6 ? 0.7 : 0)";
     spec.sources.push_back({SourceShape::Point, {3, 3}, {}, 0.2, 0.02, 3.0, "steep"});
@@ -177,7 +177,7 @@ TEST_CASE("SpacingField: with a gradation, any two places differ by no more than
     }
 }
 
-TEST_CASE("SpacingField: a minimum rescues an expression that falls to zero, a maximum one that grows without end") {
+TEST_CASE("SpacingField: a minimum makes an expression that falls to zero valid, a maximum one that is unbounded") {
     SpacingSpec spec;
     spec.expression = "0.3*abs(x - 5)";
     const Domain domain = rectangle(10, 10, 1, 1);
@@ -194,7 +194,7 @@ TEST_CASE("SpacingField: a minimum rescues an expression that falls to zero, a m
     CHECK(refused.faults().front().at->x < 1.0);
 }
 
-TEST_CASE("SpacingField: values between the probes never become unusable") {
+TEST_CASE("SpacingField: values between the probes are always valid") {
     SpacingSpec spec;
     spec.expression = "abs(x - 0.501234) + abs(y - 0.301234)"; // zero at one place only
     const auto field = built(spec, rectangle(1, 1, 1, 1));
@@ -236,7 +236,7 @@ TEST_CASE("SpacingField: many sources give the same as few, within the tolerance
     }
 }
 
-TEST_CASE("SpacingField: one by one and in bulk, twice and from threads, the same doubles") {
+TEST_CASE("SpacingField: single, bulk, repeated and threaded evaluation give bitwise the same values") {
     SpacingSpec spec;
     spec.expression = "0.5 + 0.3*sin(x)*cos(y)";
     spec.fromBoundary = true;
@@ -267,7 +267,7 @@ TEST_CASE("SpacingField: one by one and in bulk, twice and from threads, the sam
     }
 }
 
-TEST_CASE("SpacingField: boundary lengths alone reach everywhere") {
+TEST_CASE("SpacingField: boundary lengths alone give a spacing everywhere") {
     SpacingSpec spec;
     spec.fromBoundary = true;
     const auto field = built(spec, rectangle(10, 10, 50, 2));
@@ -278,7 +278,7 @@ TEST_CASE("SpacingField: boundary lengths alone reach everywhere") {
     CHECK(std::isfinite(built(spec, Domain{})->at({0, 0})));
 }
 
-TEST_CASE("SpacingField: unusable numbers are all refused at once, sources by name") {
+TEST_CASE("SpacingField: refuses all invalid numbers at once, naming the sources") {
     SpacingSpec spec;
     spec.size = -1.0;
     spec.gradation = 0.0;
@@ -299,7 +299,7 @@ TEST_CASE("SpacingField: unusable numbers are all refused at once, sources by na
     CHECK(!SpacingField::build(spec, rectangle(1, 1, 1, 1)).ok());
 }
 
-TEST_CASE("SpacingField: a cancelled build says so") {
+TEST_CASE("SpacingField: a cancelled build reports it") {
     std::stop_source stop;
     stop.request_stop();
     Progress progress;

@@ -55,7 +55,7 @@ TEST_CASE("SpacingIntegral: a linear spacing gives a logarithm, and pieces in ge
     }
 }
 
-TEST_CASE("SpacingIntegral: a spacing that varies a thousandfold is integrated within some parts in a thousand") {
+TEST_CASE("SpacingIntegral: a spacing that varies a thousandfold is integrated within a few per mille") {
     // rho = max(0.001, 0.3 |x - 0.7|): 0.002/0.3 / 0.001 in the valley, logarithms on both sides.
     const SpacingFunction steep = spacingAround({0.7, 0}, 0.001, 0.3);
     const double valley = 0.001 / 0.3;
@@ -108,7 +108,7 @@ TEST_CASE("SpacingIntegral: the rough integral is not finite where the spacing i
     }
 }
 
-TEST_CASE("SpacingIntegral: it stops at the limit, and when cancelled") {
+TEST_CASE("SpacingIntegral: stops at the limit, and when cancelled") {
     SpacingIntegral integral;
     CHECK(integrate(integral, constantSpacing(1e-3), {0, 0}, {1, 0}, 999.0) == Outcome::TooMany);
     CHECK(integrate(integral, constantSpacing(1e-3), {0, 0}, {1, 0}, 1001.0) == Outcome::Done);

@@ -69,18 +69,18 @@ FrontState expected(const Sample &sample) {
     return whole;
 }
 
-void check(const Sample &sample, const FrontState &wanted, const StripResults &results) {
-    CHECK(sample.whole.nodes == wanted.nodes);
-    CHECK(sample.whole.elements == wanted.elements);
-    CHECK(sample.whole.elementFaces == wanted.elementFaces);
+void check(const Sample &sample, const FrontState &reference, const StripResults &results) {
+    CHECK(sample.whole.nodes == reference.nodes);
+    CHECK(sample.whole.elements == reference.elements);
+    CHECK(sample.whole.elementFaces == reference.elementFaces);
     CHECK(results.firstNew() == 4);
     for (std::size_t k = 0, nodes = 0; k < kStrips; ++k) {
         CHECK(results.shift(k) == nodes);
         CHECK(sample.states[k].nodes.capacity() == 0);
         CHECK(sample.states[k].elements.capacity() == 0);
         const double place = static_cast<double>(k);
-        nodes += static_cast<std::size_t>(
-            std::count_if(wanted.nodes.begin() + 4, wanted.nodes.end(), [place](Vec2 p) { return p.x == place; }));
+        nodes += static_cast<std::size_t>(std::count_if(reference.nodes.begin() + 4, reference.nodes.end(),
+                                                        [place](Vec2 p) { return p.x == place; }));
     }
 }
 
@@ -91,7 +91,7 @@ TEST_CASE(
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         CAPTURE(seed);
         Sample sample(seed, seed % 2 == 0);
-        const FrontState wanted = expected(sample);
+        const FrontState reference = expected(sample);
         std::vector<std::size_t> order(kStrips), ends(kStrips + 1, 0);
         for (std::size_t k = 0; k < kStrips; ++k) {
             ends[k + 1] = ends[k] + sample.states[k].elements.size();
@@ -106,7 +106,7 @@ TEST_CASE(
             const auto firstOpen = static_cast<std::size_t>(std::find(done.begin(), done.end(), false) - done.begin());
             CHECK(sample.whole.elements.size() == ends[firstOpen]);
         }
-        check(sample, wanted, results);
+        check(sample, reference, results);
     }
 }
 
@@ -114,7 +114,7 @@ TEST_CASE("StripResults: the whole is the same when threads finish strips at the
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         CAPTURE(seed);
         Sample sample(seed, seed % 2 == 0);
-        const FrontState wanted = expected(sample);
+        const FrontState reference = expected(sample);
         StripResults results(sample.whole, kStrips);
         ThreadPool pool(3);
         std::atomic<unsigned> waiting = 0;
@@ -125,6 +125,6 @@ TEST_CASE("StripResults: the whole is the same when threads finish strips at the
             }
             results.finished(k, sample.states[k]);
         });
-        check(sample, wanted, results);
+        check(sample, reference, results);
     }
 }

@@ -102,34 +102,34 @@ TEST_CASE("runTableRow: as many elements as the integral asks for, divided by th
 }
 
 TEST_CASE("runTableRow: adaptive rows come near the published counts on cases of our own") {
-    struct Wanted {
+    struct Expected {
         const char *row;
         double boundaryNodes; // by Euler's formula from the published counts
         std::vector<const char *> grids;
     };
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    const std::vector<Wanted> rows{{"3", 328.0, {"60x40", "hierarchical"}}};
+    const std::vector<Expected> rows{{"3", 328.0, {"60x40", "hierarchical"}}};
 #else
-    const std::vector<Wanted> rows{{"3", 328.0, {"none", "30x20", "60x40", "hierarchical"}},
-                                   {"4", 260.0, {"60x40", "hierarchical"}}};
+    const std::vector<Expected> rows{{"3", 328.0, {"none", "30x20", "60x40", "hierarchical"}},
+                                     {"4", 260.0, {"60x40", "hierarchical"}}};
 #endif
-    for (const Wanted &wanted : rows) {
-        CAPTURE(wanted.row);
+    for (const Expected &expected : rows) {
+        CAPTURE(expected.row);
         std::vector<TableGrid> grids;
-        for (const char *grid : wanted.grids) {
+        for (const char *grid : expected.grids) {
             grids.push_back(*parseTableGrid(grid));
         }
-        const Result<RowFigures> row = runTableRow(*tableCase(wanted.row), grids); // refused if the meshes differ
+        const Result<RowFigures> row = runTableRow(*tableCase(expected.row), grids); // refused if the meshes differ
         REQUIRE(row);
-        const PublishedFigures *published = publishedFigures(wanted.row, "60x40");
+        const PublishedFigures *published = publishedFigures(expected.row, "60x40");
         REQUIRE(row->adapted);
         CHECK(row->grids.size() == grids.size());
-        CHECK(std::abs(static_cast<double>(row->boundaryNodes) / wanted.boundaryNodes - 1.0) < 0.03);
+        CHECK(std::abs(static_cast<double>(row->boundaryNodes) / expected.boundaryNodes - 1.0) < 0.03);
         CHECK(std::abs(static_cast<double>(row->elements) / published->elements - 1.0) < 0.05);
-        CHECK(row->adapted->leastSpacing == row->row.rhoMin);
+        CHECK(row->adapted->minSpacing == row->row.rhoMin);
         CHECK(row->adapted->rounds >= 2);
-        CHECK(row->adapted->error < 1.03 * row->adapted->wanted); // the classic mesh is another than that adapted last
-        CHECK(row->adapted->error > 0.9 * row->adapted->wanted);
+        CHECK(row->adapted->error < 1.03 * row->adapted->target); // the classic mesh differs from the last adapted mesh
+        CHECK(row->adapted->error > 0.9 * row->adapted->target);
         CHECK(row->alphaRaw >= published->alpha + 0.03);
         CHECK(row->deltaRaw >= published->delta);
         CHECK(row->tests < published->tests);
@@ -137,7 +137,7 @@ TEST_CASE("runTableRow: adaptive rows come near the published counts on cases of
     }
 }
 
-TEST_CASE("adaptToTarget: says so where the target is out of reach") {
+TEST_CASE("adaptToTarget: reports a target that is out of reach") {
     AdaptiveCase problem = adaptiveCase(*tableCase("3"));
     problem.target.sizeMin = 2.0;
     const Result<AdaptedJob> adapted = adaptToTarget(problem, *expressionField(problem.field));
@@ -145,7 +145,7 @@ TEST_CASE("adaptToTarget: says so where the target is out of reach") {
     CHECK(adapted.faults().front().code == "not-met");
 }
 
-TEST_CASE("runTableRow: cancelled at once when asked") {
+TEST_CASE("runTableRow: stops at once when cancelled") {
     std::stop_source stop;
     stop.request_stop();
     Progress progress;
@@ -157,7 +157,7 @@ TEST_CASE("runTableRow: cancelled at once when asked") {
     }
 }
 
-TEST_CASE("fitPowerLaw: exact on a power law, nothing on too little") {
+TEST_CASE("fitPowerLaw: exact on a power law; nothing for too few points") {
     const std::vector<Vec2> points{{1e3, 2e-3}, {1e4, 2e-1}, {1e5, 2e1}};
     const auto law = fitPowerLaw(points);
     REQUIRE(law);
@@ -168,7 +168,7 @@ TEST_CASE("fitPowerLaw: exact on a power law, nothing on too little") {
     CHECK_FALSE(fitPowerLaw(std::vector<Vec2>{{10, 1}, {20, 0}}));
 }
 
-TEST_CASE("tables: grids that Lo did not have stand beside his best, once") {
+TEST_CASE("tables: grids that Lo did not have are compared with his best, once") {
     const auto grids = [](std::vector<const char *> names) {
         RowFigures row;
         row.row = *tableCase("1A");

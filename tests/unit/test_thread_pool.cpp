@@ -8,7 +8,7 @@
 
 using namespace forefront;
 
-TEST_CASE("ThreadPool: each task is done exactly once, whatever the number of threads and tasks") {
+TEST_CASE("ThreadPool: executes each task exactly once for any number of threads and tasks") {
     for (const unsigned threads : {0U, 1U, 2U, 3U, 8U}) {
         ThreadPool pool(threads);
         CHECK(pool.threads() == std::max(1U, threads));
@@ -25,7 +25,7 @@ TEST_CASE("ThreadPool: each task is done exactly once, whatever the number of th
     }
 }
 
-TEST_CASE("ThreadPool: what the tasks wrote is there when run returns") {
+TEST_CASE("ThreadPool: data written by the tasks is visible when run returns") {
     ThreadPool pool(3);
     std::vector<int> numbers(1 << 16);
     for (int round = 1; round <= 50; ++round) {
@@ -55,7 +55,7 @@ TEST_CASE("ThreadPool: chunks are the same for any number of threads and cover t
     }
 }
 
-TEST_CASE("ThreadPool: after a stop no task is begun, and the pool goes on") {
+TEST_CASE("ThreadPool: begins no task after a stop and remains usable") {
     for (const unsigned threads : {1U, 2U, 4U}) {
         ThreadPool pool(threads);
         for (const std::size_t stopAt : {0U, 5U}) {
@@ -83,7 +83,7 @@ TEST_CASE("ThreadPool: after a stop no task is begun, and the pool goes on") {
     }
 }
 
-TEST_CASE("ThreadPool: what a task throws arrives at the caller, and the pool goes on") {
+TEST_CASE("ThreadPool: rethrows a task's exception to the caller and remains usable") {
     ThreadPool pool(2);
     CHECK_THROWS_AS(pool.run(100,
                              [](std::size_t task, unsigned) {

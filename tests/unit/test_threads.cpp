@@ -17,9 +17,9 @@ namespace {
 
 /// Random domains to mesh: FOREFRONT_THREADS_DOMAINS, or a few that take some seconds.
 std::uint64_t domainCount() {
-    const char *const wanted = std::getenv("FOREFRONT_THREADS_DOMAINS");
-    if (wanted != nullptr) {
-        return std::strtoull(wanted, nullptr, 10);
+    const char *const requested = std::getenv("FOREFRONT_THREADS_DOMAINS");
+    if (requested != nullptr) {
+        return std::strtoull(requested, nullptr, 10);
     }
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
     return 2;
@@ -75,7 +75,7 @@ int checkThreads(MeshingJob job) {
 
 } // namespace
 
-TEST_CASE("Threads: random domains give one mesh for any number of threads, method and level") {
+TEST_CASE("Threads: random domains give the same mesh for any number of threads, by method and level") {
     int meshes = 0;
     for (std::uint64_t seed = 0; seed < domainCount(); ++seed) {
         CAPTURE(seed);
@@ -84,7 +84,7 @@ TEST_CASE("Threads: random domains give one mesh for any number of threads, meth
     MESSAGE(meshes, " meshes compared");
 }
 
-TEST_CASE("Threads: real domains give one mesh for any number of threads, method and level") {
+TEST_CASE("Threads: real domains give the same mesh for any number of threads, by method and level") {
     const char *const folder = std::getenv("FOREFRONT_DATA");
     if (folder == nullptr) {
         MESSAGE("skipped: FOREFRONT_DATA names no folder with domains");

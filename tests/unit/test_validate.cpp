@@ -71,7 +71,7 @@ TEST_CASE("validate: thousands of random domains of every family have no fault")
     }
 }
 
-TEST_CASE("validate: crossing, touching and overlapping segments are told apart, with their places") {
+TEST_CASE("validate: distinguishes crossing, touching and overlapping segments, with their places") {
     Domain crossing = square();
     addConstraint(crossing, {1, 1}, {3, 3});
     addConstraint(crossing, {1, 3}, {3, 1});
@@ -105,7 +105,7 @@ TEST_CASE("validate: duplicate nodes and segments and segments without length ar
     checkOne(empty, "zero-length", {4, 4}, {4});
 }
 
-TEST_CASE("validate: open chains end at a node; an odd number of boundary segments is no boundary") {
+TEST_CASE("validate: reports open chains and odd numbers of boundary segments at a node") {
     Domain open = square();
     open.segments.pop_back();
     const Diagnostics faults = validate(open);
@@ -152,7 +152,7 @@ TEST_CASE("validate: a domain too far from the origin to tell its nodes apart is
     CHECK_FALSE(validate(domain)[0].advice.empty());
 }
 
-TEST_CASE("validate: whatever the numbers, a place of a fault is finite") {
+TEST_CASE("validate: places of faults are finite for any coordinates") {
     for (const double bad : {kNan, std::numeric_limits<double>::infinity(), 1.7e308, -1e200}) {
         for (std::size_t n = 0; n < 4; ++n) {
             Domain domain = square(1.6e308);
@@ -239,7 +239,7 @@ TEST_CASE("validate: faults of different kinds are all reported at once") {
     }
 }
 
-TEST_CASE("validate: at most the limit is listed, and the rest counted") {
+TEST_CASE("validate: lists faults up to the limit and counts the rest") {
     Domain domain = square(1000.0);
     for (int i = 1; i <= 30; ++i) {
         addConstraint(domain, {10.0 * i, 5}, {10.0 * i, 995});

@@ -74,7 +74,7 @@ TEST_CASE("verifyAgainst: a segment that is not an edge of the mesh is missing, 
     CHECK(faults[0].at == Vec2{0.125, 0.0625});
 }
 
-TEST_CASE("verifyAgainst: tags of edges must be there, be right, be single and lie on segments") {
+TEST_CASE("verifyAgainst: edge tags must be present, correct, single and on segments") {
     CHECK(after([](Case &c) { c.mesh.edges[3].tag = 77; }) == Codes{"wrong-tag"});
     // The nodes of the edge taken away stay known by their other edges.
     CHECK(after([](Case &c) { c.mesh.edges.erase(c.mesh.edges.begin() + 4); }) == Codes{"missing-tagged-edge"});
@@ -82,10 +82,10 @@ TEST_CASE("verifyAgainst: tags of edges must be there, be right, be single and l
     CHECK(after([](Case &c) { c.mesh.edges.push_back({node(10), node(11), 1}); }) == Codes{"unexpected-tagged-edge"});
 }
 
-TEST_CASE("verifyAgainst: regions must be right on both sides of segments and unchanged between them") {
+TEST_CASE("verifyAgainst: regions must be correct on both sides of segments and change nowhere else") {
     CHECK(after([](Case &c) { c.domain.regions[1].tag = 8; }) == Codes{"wrong-region"});
     CHECK(after([](Case &c) { c.mesh.regions[36] = 6; }) == Codes{"wrong-region"});
-    // An element without a segment of its own: only the change across its edges tells.
+    // An element without a segment of its own: only the change across its edges shows it.
     CHECK(after([](Case &c) { c.mesh.regions[2 * 9 + 1] = 7; }) == Codes{"wrong-region"});
 }
 

@@ -10,7 +10,7 @@ using namespace forefront;
 
 namespace {
 
-/// Greatest work per element, some 10 % above what it was when this was written. Raise a bound only with a reason: an
+/// Maximum work per element, about 10 % above that measured when this was written. Raise a bound only with a reason: an
 /// element that costs more work takes longer on every machine, which no test by the clock can tell.
 struct Bounds {
     const char *scene;
@@ -49,7 +49,7 @@ constexpr Bounds kBounds[] = {
 
 } // namespace
 
-TEST_CASE("Work counters: the standard scenes cost no more work per element than recorded") {
+TEST_CASE("Work counters: the standard scenes take at most the recorded work per element") {
     for (const Bounds &bounds : kBounds) {
         const std::string scene =
             std::string(bounds.scene) +

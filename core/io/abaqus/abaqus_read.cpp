@@ -1,7 +1,7 @@
 #include "core/io/abaqus/abaqus.hpp"
-#include "core/io/common/tag_allocator.hpp"
 #include "core/io/common/names.hpp"
 #include "core/io/common/planar_mesh.hpp"
+#include "core/io/common/tag_allocator.hpp"
 
 #include <algorithm>
 #include <array>
@@ -21,8 +21,8 @@ std::string upper(std::string_view text) {
     return result;
 }
 
-/// Abaqus input: nodes, 3-node plane elements, element sets as regions, element surfaces as tagged edges. Keywords it
-/// has no use for are skipped.
+/// Abaqus input: nodes, 3-node plane elements, element sets as regions, element surfaces as tagged edges. Other
+/// keywords are skipped.
 class AbaqusReader {
   public:
     explicit AbaqusReader(const SourceText &source) : scanner_(source, '\0', ',') {}
@@ -112,7 +112,7 @@ class AbaqusReader {
         }
     }
 
-    /// True while data lines follow.
+    /// Returns true while data lines follow.
     bool more() { return scanner_.ok() && !scanner_.atEnd() && scanner_.source().text[scanner_.offset()] != '*'; }
 
     void data(const Keyword &keyword) {
@@ -182,7 +182,7 @@ class AbaqusReader {
         const bool triangle = std::find(kTriangles.begin(), kTriangles.end(), type) != kTriangles.end();
         if (!triangle && std::find(kLines.begin(), kLines.end(), type) == kLines.end()) {
             scanner_.fail(keyword.offset, "unknown-element",
-                          "elements of type " + inQuotes(type) + " cannot be read, only 3-node plane ones");
+                          "elements of type " + inQuotes(type) + " cannot be read; expected 3-node plane elements");
             return;
         }
         if (!finishNodes()) {
@@ -226,7 +226,7 @@ class AbaqusReader {
         return table_.find(number);
     }
 
-    /// A set listed after the elements is a region for those that were given none.
+    /// A set listed after the elements is the region of those without one.
     void elementSet(const Keyword &keyword) {
         const std::string name = parameter(keyword, "ELSET");
         const bool generate = keyword.parameters.contains("GENERATE");
@@ -319,7 +319,7 @@ class AbaqusReader {
         builder_.mesh.edges.push_back({nodes[k], nodes[(k + 1) % 3], tag});
     }
 
-    /// Sets collect the elements of a region; their numbers tell the order the writer had.
+    /// Sets group elements by region; sorting by number restores the order of the writer.
     void sortElements() {
         if (std::is_sorted(numbers_.begin(), numbers_.end())) {
             return;

@@ -21,7 +21,7 @@ void writeNodeSet(const std::string &name, const std::set<std::uint32_t> &nodes,
     }
 }
 
-/// Writes the sides of elements along the edges of one tag. Of two sides, the one in the direction of the edge is
+/// Writes the sides of elements along the edges of one tag. If an edge has two sides, the one in its direction is
 /// taken.
 void writeSurface(const Mesh &mesh, const EdgeTable &table, const std::string &name,
                   const std::vector<std::uint32_t> &edges, TextWriter &out) {

@@ -9,7 +9,7 @@ namespace forefront {
 
 namespace {
 
-constexpr double kDefaultTolerance = 1e-6; ///< of the diagonal: what relative path data and digitising lose
+constexpr double kDefaultTolerance = 1e-6; ///< part of the diagonal: the error of relative path data and digitising
 
 double diagonalOf(const ArrangementInput &input) {
     Box2 box;
@@ -91,7 +91,7 @@ Result<Domain> DrawingBuilder::finish() {
     return std::move(arranged->domain);
 }
 
-/// Arranges lines alone, finds out which of them bound, and arranges them again as outlines and lines.
+/// Arranges lines alone, finds those that bound the domain, and arranges all again as outlines and lines.
 Result<Arrangement> DrawingBuilder::arrangeLines() {
     input_.keepOutside = true;
     Result<Arrangement> lines = arrange(input_);
@@ -119,7 +119,7 @@ Result<Arrangement> DrawingBuilder::arrangeLines() {
     return arrange(input_);
 }
 
-/// The same lines, joined already, as outlines and lines.
+/// Returns the same lines, already joined, as outlines and lines.
 ArrangementInput DrawingBuilder::bounded(const Arrangement &lines) const {
     ArrangementInput outlines;
     const Domain &domain = lines.domain;
@@ -134,7 +134,7 @@ ArrangementInput DrawingBuilder::bounded(const Arrangement &lines) const {
     return outlines;
 }
 
-/// Notes what was changed; returns it as faults where nothing may be changed.
+/// Reports the changes as notes, or as faults if changes are not allowed.
 Diagnostics DrawingBuilder::report(const Arrangement &arrangement) const {
     Diagnostics faults;
     const Diagnostics notes = notesOf(arrangement.changes);

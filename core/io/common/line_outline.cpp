@@ -45,7 +45,7 @@ class LineGraph {
     }
 
   private:
-    /// Removes what ends freely, segment by segment.
+    /// Removes chains with a free end, segment by segment.
     void dropOpenChains() {
         for (std::uint32_t start = 0; start < degree_.size(); ++start) {
             for (std::uint32_t node = start; degree_[node] == 1;) {
@@ -97,7 +97,7 @@ class LineGraph {
         return outline.size();
     }
 
-    /// Walks around the component with the outside on the left. What is passed on both sides encloses nothing.
+    /// Walks around the component with the outside on the left. A segment passed on both sides encloses nothing.
     std::vector<std::uint32_t> outerSegments(const std::vector<std::uint32_t> &nodes) const {
         const std::uint32_t first = *std::min_element(nodes.begin(), nodes.end(), [&](auto m, auto n) {
             const Vec2 p = domain_.nodes[m], q = domain_.nodes[n];
@@ -154,7 +154,7 @@ class LineGraph {
     }
 
     Domain &domain_;
-    std::vector<std::uint32_t> degree_; ///< of each node, without what was dropped
+    std::vector<std::uint32_t> degree_; ///< per node, without dropped segments
     std::vector<std::uint32_t> starts_; ///< per node, into around_
     std::vector<std::uint32_t> around_; ///< segments by node
     std::vector<bool> dropped_;

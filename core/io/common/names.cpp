@@ -9,7 +9,7 @@ namespace forefront {
 
 namespace {
 
-/// Length of the well-formed UTF-8 character at `at`, or 0.
+/// Returns the length of the well-formed UTF-8 character at `at`, or 0.
 std::size_t characterLength(std::string_view text, std::size_t at) {
     const auto byte = [&](std::size_t k) {
         return at + k < text.size() ? static_cast<unsigned char>(text[at + k]) : 0U;

@@ -22,18 +22,19 @@ std::string shortened(const std::string &text, std::size_t maximum);
 /// Cleans a name read from a file: valid UTF-8, without control characters and surrounding blanks, at most 200 bytes.
 std::string cleanName(std::string_view text);
 
-/// The name as an identifier: ASCII letters, digits and '_' only, beginning with a letter, at most `maximum` bytes.
+/// Returns the name as an identifier: ASCII letters, digits and '_' only, beginning with a letter, at most `maximum`
+/// bytes.
 std::string asIdentifier(std::string_view name, std::size_t maximum = 80);
 
-/// The name for formats that put names in double quotes without escapes: quotes become apostrophes and control
+/// Returns the name for formats that put names in double quotes without escapes: quotes become apostrophes and control
 /// characters blanks; at most `maximum` bytes, cut between characters.
 std::string asQuotable(std::string_view name, std::size_t maximum = 127);
 
-/// The name in printable ASCII: '%', '"', control characters, every byte above 0x7e and the bytes in `others` become
-/// %XX, as in URLs and in legacy VTK files.
+/// Returns the name in printable ASCII: '%', '"', control characters, every byte above 0x7e and the bytes in `others`
+/// become %XX, as in URLs and in legacy VTK files.
 std::string percentEncoded(std::string_view name, std::string_view others = {});
 
-/// The inverse of percentEncoded. A '%' without two hexadecimal digits after it is kept.
+/// Reverses percentEncoded(). A '%' without two hexadecimal digits after it is kept.
 std::string percentDecoded(std::string_view text);
 
 /// Hands out names that differ from each other even when case is ignored.
@@ -52,7 +53,7 @@ struct TagList {
 };
 TagList tagsOf(const Mesh &mesh);
 
-/// The names that a file holds for tags, where it cannot hold those of the mesh.
+/// The names of tags in a file that cannot hold those of the mesh.
 struct FileNames {
     std::map<std::int32_t, std::string> edges, points, regions;
 };

@@ -12,13 +12,13 @@ std::uint32_t NodeTable::finish() {
         return kNoIndex;
     }
     const auto [least, greatest] = std::minmax_element(numbers_.begin(), numbers_.end());
-    least_ = *least;
+    lowest_ = *least;
     const std::uint64_t span = static_cast<std::uint64_t>(*greatest) - static_cast<std::uint64_t>(*least);
     constexpr std::uint64_t kGaps = 4;
     if (span < kGaps * numbers_.size()) {
         dense_.assign(static_cast<std::size_t>(span) + 1, kNoIndex);
         for (std::size_t k = 0; k < numbers_.size(); ++k) {
-            std::uint32_t &slot = dense_[static_cast<std::size_t>(numbers_[k] - least_)];
+            std::uint32_t &slot = dense_[static_cast<std::size_t>(numbers_[k] - lowest_)];
             if (slot != kNoIndex) {
                 return static_cast<std::uint32_t>(k);
             }

@@ -21,7 +21,7 @@ class NodeTable {
     /// Returns the index of a node, or kNoIndex.
     std::uint32_t find(std::int64_t number) const {
         if (sorted_.empty()) {
-            const auto slot = static_cast<std::uint64_t>(number) - static_cast<std::uint64_t>(least_);
+            const auto slot = static_cast<std::uint64_t>(number) - static_cast<std::uint64_t>(lowest_);
             return slot < dense_.size() ? dense_[slot] : kNoIndex;
         }
         return findSorted(number);
@@ -31,7 +31,7 @@ class NodeTable {
     std::uint32_t findSorted(std::int64_t number) const;
 
     std::vector<std::int64_t> numbers_;
-    std::int64_t least_ = 0;
+    std::int64_t lowest_ = 0;
     std::vector<std::uint32_t> dense_;
     std::vector<std::uint32_t> sorted_; ///< indices in the order of their numbers
 };

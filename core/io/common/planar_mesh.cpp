@@ -25,15 +25,15 @@ bool PlanarMeshBuilder::readPlace(TextScanner &scanner, std::int64_t number, int
 
 void PlanarMeshBuilder::noteHeight(double z, std::size_t offset) {
     if (!anyNode_) {
-        leastZ_ = greatestZ_ = z;
+        minZ_ = maxZ_ = z;
         anyNode_ = true;
     }
-    if (z != leastZ_ && !anyOutOfPlane_) {
+    if (z != minZ_ && !anyOutOfPlane_) {
         anyOutOfPlane_ = true;
         outOfPlane_ = offset;
     }
-    leastZ_ = std::min(leastZ_, z);
-    greatestZ_ = std::max(greatestZ_, z);
+    minZ_ = std::min(minZ_, z);
+    maxZ_ = std::max(maxZ_, z);
 }
 
 bool PlanarMeshBuilder::readNode(TextScanner &scanner, std::int64_t number, int dimension) {
@@ -51,16 +51,16 @@ bool PlanarMeshBuilder::finishNodes(TextScanner &scanner) {
         return false;
     }
     if (mesh.nodes.size() >= kNoIndex) {
-        return scanner.fail(scanner.offset(), "too-large", "more nodes than can be held");
+        return scanner.fail(scanner.offset(), "too-large", "too many nodes");
     }
     const std::uint32_t twin = table.finish();
     if (twin != kNoIndex) {
         return scanner.fail(scanner.offset(), "duplicate-node",
-                            "the number of node " + std::to_string(twin + std::uint64_t{1}) +
-                                " in the list is given twice");
+                            "node " + std::to_string(twin + std::uint64_t{1}) +
+                                " of the list has the number of an earlier node");
     }
     constexpr double kFlat = 1e-9;
-    if (greatestZ_ - leastZ_ > kFlat * mesh.bounds().diagonal()) {
+    if (maxZ_ - minZ_ > kFlat * mesh.bounds().diagonal()) {
         return scanner.fail(outOfPlane_, "not-planar", "the nodes do not lie in one plane z = constant",
                             "only plane meshes can be read");
     }

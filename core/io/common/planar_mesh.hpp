@@ -26,7 +26,7 @@ class PlanarMeshBuilder {
     bool readPlace(TextScanner &scanner, std::int64_t number, int dimension, Vec2 &place);
     /// Records the third coordinate of a node, found at byte `offset`.
     void noteHeight(double z, std::size_t offset);
-    /// Refuses numbers given twice and nodes that do not lie in one plane; to be called after the last node.
+    /// Refuses duplicate numbers and nodes that are not in one plane. Call after the last node.
     bool finishNodes(TextScanner &scanner);
 
     /// Reads the number of a known node.
@@ -42,7 +42,7 @@ class PlanarMeshBuilder {
     Mesh finish();
 
   private:
-    double leastZ_ = 0.0, greatestZ_ = 0.0;
+    double minZ_ = 0.0, maxZ_ = 0.0;
     std::size_t outOfPlane_ = 0; ///< place of the first node off the plane of the first
     bool anyNode_ = false, anyOutOfPlane_ = false;
 };

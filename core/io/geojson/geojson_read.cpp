@@ -39,7 +39,7 @@ struct GeoPoint {
     std::int32_t tag = 1;
 };
 
-/// What the properties of a feature say.
+/// The properties of a feature.
 struct GeoLabel {
     std::string name;
     std::optional<std::int32_t> tag;
@@ -143,7 +143,7 @@ class GeoJsonReader {
         }
     }
 
-    /// What is built next stands at the items of this list.
+    /// Sets the places of what is built next to the items of this list.
     void buildFromItems(const JsonValue &list) {
         std::vector<std::size_t> offsets;
         for (const JsonValue item : list) {
@@ -209,7 +209,7 @@ class GeoJsonReader {
         return *label.tag;
     }
 
-    /// A collection, a feature or a geometry. Nesting is bounded by the JSON reader.
+    /// Reads a collection, a feature or a geometry. The JSON reader limits the nesting.
     void anything(const JsonValue &value, const GeoLabel &label) {
         const auto type = check_.member(value, "type", "the object");
         if (!type || check_.full()) {
@@ -278,7 +278,7 @@ class GeoJsonReader {
         }
     }
 
-    /// Longitude and latitude, or x and y.
+    /// Reads longitude and latitude, or x and y.
     Vec2 position(const JsonValue &value) {
         Vec2 place;
         std::size_t count = 0;

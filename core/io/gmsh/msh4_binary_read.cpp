@@ -14,26 +14,25 @@ constexpr std::size_t kInt = sizeof(std::int32_t), kSize = sizeof(std::uint64_t)
 
 } // namespace
 
-/// Behind the numbers of $MeshFormat: the integer 1, whose bytes tell their order.
+/// Reads the integer 1 after the numbers of $MeshFormat, which shows the byte order.
 bool MshFile::readByteOrder(std::int64_t size) {
     scanner_.nameBytes();
     const std::size_t place = scanner_.offset();
     if (size != 8) {
         return scanner_.fail(place, "unknown-size",
-                             "binary MSH files with counts of 8 bytes can be read, this one has " +
-                                 std::to_string(size),
+                             "unsupported size of counts: expected 8 bytes, found " + std::to_string(size),
                              "save it as ASCII: gmsh -save -bin 0");
     }
     ByteScanner bytes(scanner_);
     std::uint32_t one = 0;
-    if (!bytes.number(one, {"the integer that tells the byte order"})) {
+    if (!bytes.number(one, {"the integer 1 that shows the byte order"})) {
         return false;
     }
     if (one == 0x01000000U) {
         return scanner_.fail(place, "byte-order", "the file is big-endian; only little-endian files can be read",
                              "save it as ASCII: gmsh -save -bin 0");
     }
-    return one == 1 || scanner_.fail(place, "bad-syntax", "expected the integer 1 in binary behind the format");
+    return one == 1 || scanner_.fail(place, "bad-syntax", "expected the binary integer 1 after the format");
 }
 
 bool MshFile::readEntitiesBinary() {
@@ -79,7 +78,7 @@ bool MshFile::readNodesBinary() {
     std::size_t blocks = 0, count = 0;
     if (!bytes.count(blocks, 3 * kInt + kSize, {"the number of node blocks"}) ||
         !bytes.count(count, kSize + 3 * kReal, {"the number of nodes"}) ||
-        bytes.block(2, kSize, {"the least and the greatest node number"}) == nullptr) {
+        bytes.block(2, kSize, {"the minimum and maximum node number"}) == nullptr) {
         return false;
     }
     std::vector<NumberedNode> nodes;
@@ -140,7 +139,7 @@ bool MshFile::readElementsBinary() {
     std::size_t blocks = 0, count = 0;
     if (!bytes.count(blocks, 3 * kInt + kSize, {"the number of element blocks"}) ||
         !bytes.count(count, 2 * kSize, {"the number of elements"}) ||
-        bytes.block(2, kSize, {"the least and the greatest element number"}) == nullptr) {
+        bytes.block(2, kSize, {"the minimum and maximum element number"}) == nullptr) {
         return false;
     }
     for (std::size_t block = 0; block < blocks; ++block) {
@@ -213,7 +212,7 @@ bool MshFile::readElementBlockBinary(ByteScanner &bytes, std::size_t &left) {
     return rows != nullptr;
 }
 
-/// The values of $NodeData: node numbers of four bytes, each followed by its value.
+/// Reads the values of $NodeData: four-byte node numbers, each followed by its value.
 bool MshFile::readValuesBinary(std::size_t count, MshValues &field) {
     ByteScanner bytes(scanner_);
     for (std::size_t k = 0; k < count; ++k) {

@@ -61,7 +61,7 @@ void writeEntities(const MshModel &model, TextWriter &out) {
                 put(out, coordinate);
             }
             if (entity.dimension == 0) {
-                break; // a point has its place instead of a box
+                break; // a point has its position instead of a box
             }
         }
         put<std::uint64_t>(out, 1);

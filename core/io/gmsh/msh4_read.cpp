@@ -69,14 +69,14 @@ bool MshFile::readEntity4(int dimension) {
     return true;
 }
 
-/// Blocks of node numbers followed by the places; nodes are kept in the order of their numbers.
+/// Reads blocks of node numbers followed by coordinates; nodes are kept in the order of their numbers.
 bool MshFile::readNodes4() {
     std::size_t blocks = 0, count = 0;
     std::int64_t number = 0;
     if (!scanner_.count(blocks, 6, {"the number of node blocks"}) ||
         !scanner_.count(count, 8, {"the number of nodes"}) ||
-        !scanner_.integer(number, 0, kAny, {"the least node number"}) ||
-        !scanner_.integer(number, 0, kAny, {"the greatest node number"})) {
+        !scanner_.integer(number, 0, kAny, {"the minimum node number"}) ||
+        !scanner_.integer(number, 0, kAny, {"the maximum node number"})) {
         return false;
     }
     std::vector<NumberedNode> nodes;
@@ -131,8 +131,8 @@ bool MshFile::readElements4() {
     std::int64_t number = 0;
     if (!scanner_.count(blocks, 8, {"the number of element blocks"}) ||
         !scanner_.count(count, 4, {"the number of elements"}) ||
-        !scanner_.integer(number, 0, kAny, {"the least element number"}) ||
-        !scanner_.integer(number, 0, kAny, {"the greatest element number"})) {
+        !scanner_.integer(number, 0, kAny, {"the minimum element number"}) ||
+        !scanner_.integer(number, 0, kAny, {"the maximum element number"})) {
         return false;
     }
     for (std::size_t block = 0; block < blocks; ++block) {
@@ -144,7 +144,7 @@ bool MshFile::readElements4() {
     return true;
 }
 
-/// Blocks collect the elements of an entity; their numbers tell the order the writer had.
+/// Blocks group elements by entity; sorting by number restores the order of the writer.
 void MshFile::restoreOrder() {
     const auto order = [](const std::vector<std::int64_t> &numbers) {
         std::vector<std::uint32_t> result(numbers.size());

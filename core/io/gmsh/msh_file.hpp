@@ -99,7 +99,7 @@ class MshFile {
     TextScanner scanner_;
     PlanarMeshBuilder builder_;
     std::vector<MshValues> values_;
-    std::vector<MshGroup> origins_; ///< of groups that our writer renumbered or renamed
+    std::vector<MshGroup> origins_; ///< groups that our writer renumbered or renamed
     bool version4_ = false, binary_ = false, formatRead_ = false, nodesRead_ = false, elementsRead_ = false;
     std::map<std::pair<int, std::int64_t>, std::int32_t> physical_; ///< by dimension and entity
     std::array<std::map<std::int32_t, std::string>, 4> names_;      ///< of physical groups, by dimension

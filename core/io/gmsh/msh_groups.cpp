@@ -24,7 +24,7 @@ bool meet(const Names &a, const Names &b) {
     return std::any_of(a.begin(), a.end(), [&](const auto &entry) { return b.contains(entry.first); });
 }
 
-/// The smallest of 1000, 10000, ... above all tags.
+/// Returns the smallest of 1000, 10000, ... above all tags.
 std::int64_t baseAbove(const TagList &tags) {
     std::int64_t base = 1000;
     for (const Names *names : {&tags.points, &tags.edges, &tags.regions}) {
@@ -35,7 +35,8 @@ std::int64_t baseAbove(const TagList &tags) {
     return base;
 }
 
-/// The numbers of the tags of a dimension: the tags themselves, or raised, or the first that are unused.
+/// Returns the group numbers for the tags of a dimension: the tags, the tags plus an offset, or the first unused
+/// numbers.
 std::vector<std::int32_t> numbersOf(const Names &names, std::int64_t raise, const std::set<std::int32_t> &used) {
     std::vector<std::int32_t> numbers;
     std::int32_t next = 1;
@@ -52,7 +53,7 @@ std::vector<std::int32_t> numbersOf(const Names &names, std::int64_t raise, cons
     return numbers;
 }
 
-/// The name as it is where no group has it yet, else with an ending.
+/// Returns the name unchanged if no group has it yet, else with a suffix.
 std::string labelOf(const std::string &name, std::string_view ending, std::set<std::string> &taken) {
     std::string label = asQuotable(name, kMaximumNameBytes);
     if (taken.contains(label)) {

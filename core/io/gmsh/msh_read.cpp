@@ -68,7 +68,7 @@ bool MshFile::readSection(std::string_view name) {
     return done && scanner_.literal("$End" + std::string(name));
 }
 
-/// Comments mean nothing to a reader, except those that our writer leaves.
+/// Skips comments, except those of our own writer.
 bool MshFile::readComments() {
     const std::size_t begin = scanner_.offset();
     if (!skipSection("Comments")) {
@@ -103,7 +103,7 @@ bool MshFile::readFormat() {
     }
     version4_ = version >= 4.0;
     if (version != 2.2 && version != 2.1 && version != 2.0 && version != 4.1) {
-        return scanner_.fail(place, "unknown-version", "MSH versions 2.2 and 4.1 can be read, this is another one",
+        return scanner_.fail(place, "unknown-version", "unsupported MSH version; expected 2.2 or 4.1",
                              "save it from gmsh with -format msh22 or msh41");
     }
     if (binary == 1 && !version4_) {
@@ -287,7 +287,7 @@ Result<MeshField> readMshField(const SourceText &source, std::string_view name) 
     }
     NamedFields fields;
     for (const MshValues &field : file.values()) {
-        fields.insert_or_assign(field.name, field.values); // of several time steps the last
+        fields.insert_or_assign(field.name, field.values); // the last of several time steps
     }
     return meshWithField(file.builder().finish(), std::move(fields), name, source);
 }

@@ -8,7 +8,7 @@
 
 namespace forefront {
 
-/// Tags of one kind of parts: those in use, and new ones for parts that have none of their own.
+/// The tags of one kind of part: those in use, and new ones for parts without a tag.
 class MshTags {
   public:
     MshTags(std::map<std::int32_t, std::string> &names, TagKind kind) : names_(names), kind_(kind) {
@@ -110,7 +110,7 @@ void MshFile::resolveEdgesAndPoints() {
 
 void MshFile::placePoints(MshTags &tags, bool groupedEdges) {
     Mesh &mesh = builder_.mesh;
-    std::map<std::int32_t, std::int32_t> moved; ///< new tags by number of the group; 0: points without a group
+    std::map<std::int32_t, std::int32_t> moved; ///< new tag by group number; 0: points without a group
     for (TaggedNode &point : mesh.points) {
         const std::int32_t group = std::max(point.tag, 0);
         if (group == 0 && !groupedEdges) {

@@ -40,7 +40,7 @@ void appendUtf8(std::string &text, std::uint32_t code) {
     }
 }
 
-/// Four hexadecimal digits from `at`; the syntax has been checked.
+/// Returns the value of four hexadecimal digits at `at`, whose syntax has been checked.
 std::uint32_t hexAt(std::string_view text, std::size_t at) {
     std::uint32_t code = 0;
     for (std::size_t k = 0; k < 4; ++k) {
@@ -106,7 +106,7 @@ class JsonParser {
         document_.tape_[entry].next = static_cast<std::uint32_t>(document_.tape_.size());
     }
 
-    /// Reads one value, or opens a container. False: a container was opened that has content.
+    /// Reads a value or opens a container. Returns false if it opened a container that is not empty.
     bool value() {
         skipBlanks();
         const char c = at_ < text_.size() ? text_[at_] : '\0';
@@ -158,7 +158,7 @@ class JsonParser {
         }
     }
 
-    /// Closes what ends here. True: the whole text has been read.
+    /// Closes the containers that end here. Returns true at the end of the text.
     bool afterValue() {
         while (faults_.empty()) {
             skipBlanks();
@@ -237,7 +237,7 @@ class JsonParser {
                 return;
             }
             if (static_cast<unsigned char>(c) < 0x20) {
-                fail("json-syntax", "a control character stands unescaped in a string");
+                fail("json-syntax", "unescaped control character in a string");
                 return;
             }
             ++at_;

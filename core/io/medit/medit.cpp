@@ -107,7 +107,7 @@ class MeditReader {
         return true;
     }
 
-    /// Numbers in a line of a section; 0: unknown, or elements that are no triangles.
+    /// Returns the number of values per line of a section; 0: unknown, or not triangles.
     static std::size_t itemsOf(std::string_view word) {
         constexpr std::pair<std::string_view, std::size_t> kSections[] = {
             {"Edges", 3},    {"Triangles", 4},        {"RequiredVertices", 1},  {"Corners", 1},

@@ -1,8 +1,8 @@
 #include "core/io/obj/obj.hpp"
 
-#include "core/io/common/tag_allocator.hpp"
 #include "core/io/common/names.hpp"
 #include "core/io/common/planar_mesh.hpp"
+#include "core/io/common/tag_allocator.hpp"
 
 #include <limits>
 #include <span>
@@ -105,7 +105,7 @@ class ObjReader {
         std::size_t offset;
         Kind kind;
         std::uint32_t group;
-        std::uint32_t nodes; ///< defined before it; negative numbers count back from there
+        std::uint32_t nodes; ///< nodes defined before it; negative numbers count back from there
     };
     struct Group {
         std::string name;

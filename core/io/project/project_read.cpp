@@ -56,7 +56,7 @@ class ProjectReader {
     }
 
   private:
-    /// Reports members that a later or another program may have added.
+    /// Reports unknown members, which a newer or another program may have added.
     void noteUnknownMembers(const JsonValue &root) const {
         constexpr std::array<std::string_view, 10> kKnown = {
             "format",      "version", "shapes",  "regionMarkers",   "boundaryNames",
@@ -349,7 +349,7 @@ class ProjectReader {
         }
         const auto shared = std::make_shared<const PaintedSpacing::Tile>(*values);
         if (!document_.spacing.paint.tiles.emplace(std::pair(column, row), shared).second) {
-            check_.fault(item, "bad-tile", "this painted tile is given twice");
+            check_.fault(item, "bad-tile", "duplicate painted tile");
         }
     }
 
@@ -412,10 +412,10 @@ class ProjectReader {
             options.grid = static_cast<GridKind>(check_.choice(*grid, wordsOf<GridKind>(), "the background grid"));
         }
         if (const auto columns = object.find("gridColumns")) {
-            options.gridColumns = static_cast<int>(check_.integer(*columns, 0, kMostCells, "\"gridColumns\""));
+            options.gridColumns = static_cast<int>(check_.integer(*columns, 0, kMaxCells, "\"gridColumns\""));
         }
         if (const auto rows = object.find("gridRows")) {
-            options.gridRows = static_cast<int>(check_.integer(*rows, 0, kMostCells, "\"gridRows\""));
+            options.gridRows = static_cast<int>(check_.integer(*rows, 0, kMaxCells, "\"gridRows\""));
         }
         if (const auto flag = object.find("keepBoundary")) {
             options.keepBoundary = check_.flag(*flag, "\"keepBoundary\"");
@@ -424,11 +424,11 @@ class ProjectReader {
             options.improve = improveLevel(*level);
         }
         if (const auto threads = object.find("threads")) {
-            options.threads = static_cast<unsigned>(check_.integer(*threads, 0, kMostThreads, "\"threads\""));
+            options.threads = static_cast<unsigned>(check_.integer(*threads, 0, kMaxThreads, "\"threads\""));
         }
     }
 
-    /// A word; true and false, as older projects have it, mean default and none.
+    /// Reads a word, or true (default) and false (none) as in older projects.
     ImproveLevel improveLevel(const JsonValue &value) {
         if (value.is(JsonKind::True) || value.is(JsonKind::False)) {
             return value.is(JsonKind::True) ? ImproveLevel::Default : ImproveLevel::None;
@@ -444,13 +444,13 @@ class ProjectReader {
         }
     }
 
-    static constexpr std::int64_t kMostCells = 1 << 20;
-    static constexpr std::int64_t kMostThreads = 4096;
+    static constexpr std::int64_t kMaxCells = 1 << 20;
+    static constexpr std::int64_t kMaxThreads = 4096;
 
     const SourceText &source_;
     JsonCheck check_;
     Document document_;
-    std::vector<std::vector<std::size_t>> offsets_; ///< per shape: of its list of nodes, then of each node
+    std::vector<std::vector<std::size_t>> offsets_; ///< per shape: its list of nodes, then each node
     std::vector<std::size_t> markerOffsets_;
     std::set<std::uint32_t> ids_;
 };

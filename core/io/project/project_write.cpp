@@ -12,7 +12,8 @@ namespace {
 
 using Names = std::map<std::int32_t, std::string>;
 
-/// Writes the members of one project. A number that JSON cannot hold becomes null and is refused, located, on reading.
+/// Writes the members of one project. A number that JSON cannot hold is written as null, which the reader refuses with
+/// its place.
 class ProjectWriter {
   public:
     explicit ProjectWriter(TextWriter &out) : out_(out) {}

@@ -29,7 +29,7 @@ float wordAt(std::string_view bytes, std::size_t at) {
     return std::bit_cast<float>(word);
 }
 
-/// How many of the words from `begin` on have the same bits, at most kLongestRun.
+/// Returns the number of equal words from `begin` on, at most kLongestRun.
 std::size_t runLength(const PaintedSpacing::Tile &tile, std::size_t begin) {
     std::size_t end = begin + 1;
     while (end < tile.size() && end - begin < kLongestRun &&

@@ -8,10 +8,10 @@
 
 namespace forefront {
 
-/// A painted tile as short text: its 256 floats as little-endian words, runs of equal words packed (control byte
-/// c < 128: c + 1 words follow; c >= 128: the next word c - 126 times), then base64. The bits are kept exactly.
+/// Encodes a painted tile as short text: its 256 floats as little-endian words, runs of equal words packed (control
+/// byte c < 128: c + 1 words follow; c >= 128: the next word c - 126 times), then base64. The bits are kept exactly.
 std::string encodeTile(const PaintedSpacing::Tile &tile);
-/// Nothing where the text is not the code of exactly one tile.
+/// Returns nothing if the text does not encode exactly one tile.
 std::optional<PaintedSpacing::Tile> decodeTile(std::string_view text);
 
 } // namespace forefront

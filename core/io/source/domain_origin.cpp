@@ -6,7 +6,7 @@ namespace forefront {
 
 namespace {
 
-/// Bytes where the lines of a text begin.
+/// Returns the bytes at which the lines of a text begin.
 std::vector<std::size_t> lineStarts(std::string_view text) {
     std::vector<std::size_t> starts{0};
     for (std::size_t at = text.find('\n'); at != std::string_view::npos; at = text.find('\n', at + 1)) {
@@ -21,7 +21,7 @@ void addPlaces(Diagnostics &faults, const DomainOrigin &origin, std::string_view
     const std::vector<std::size_t> starts = lineStarts(text);
     for (Diagnostic &fault : faults) {
         if (!fault.file.empty()) {
-            continue; // its places are those of that file
+            continue; // its places are in that file
         }
         for (DomainPart &part : fault.parts) {
             const std::vector<PartOrigin> &known = origin.of(part.kind);

@@ -12,17 +12,17 @@
 
 namespace FOREFRONT_API forefront {
 
-/// Where a part of a domain stands in its file.
+/// The place of a part of a domain in its file.
 struct PartOrigin {
     static constexpr auto kNowhere = static_cast<std::size_t>(-1);
     std::size_t offset = kNowhere;           ///< byte of the text; kNowhere: in another file, or unknown
-    std::optional<std::int64_t> number = {}; ///< as the file numbers it
+    std::optional<std::int64_t> number = {}; ///< its number in the file
 };
 
-/// Where the parts of a domain stand in its file: for each kind a list in the order of the domain's. Readers fill it
+/// The places of the parts of a domain in its file: a list for each kind, in the order of the domain. Readers fill it
 /// where SourceText::origin asks for it; those of formats without such places leave it empty.
 struct DomainOrigin {
-    bool showsColumns = false; ///< many parts may stand on one line
+    bool showsColumns = false; ///< several parts may be on one line
     std::array<std::vector<PartOrigin>, 5> parts;
 
     std::vector<PartOrigin> &of(DomainPartKind kind) { return parts[static_cast<std::size_t>(kind)]; }

@@ -102,7 +102,7 @@ Result<std::string> readDescriptor(int descriptor, const std::string &name, std:
         }
     }
     bytes.resize(size);
-    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF"; // of UTF-8; no binary format begins so
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF"; // UTF-8; no binary format begins with it
     if (bytes.starts_with(kByteOrderMark)) {
         bytes.erase(0, kByteOrderMark.size());
     }

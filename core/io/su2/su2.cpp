@@ -1,8 +1,8 @@
 #include "core/io/su2/su2.hpp"
 
-#include "core/io/common/tag_allocator.hpp"
 #include "core/io/common/names.hpp"
 #include "core/io/common/planar_mesh.hpp"
+#include "core/io/common/tag_allocator.hpp"
 
 #include <limits>
 
@@ -19,7 +19,7 @@ FileNames markersOf(const TagList &tags) {
 
 } // namespace
 
-/// SU2 mesh, two-dimensional. Each boundary tag is a marker. Comments hold what SU2 has no words for: "% tag TAG"
+/// SU2 mesh, two-dimensional. Each boundary tag is a marker. Comments hold what SU2 cannot express: "% tag TAG"
 /// before a marker, "% elements COUNT TAG" for each run of elements of a region, "% point NODE TAG". The file is ASCII,
 /// since SU2 stops at other characters, even in comments.
 void writeSu2(const Mesh &mesh, TextWriter &out) {
@@ -68,7 +68,7 @@ Diagnostics noteSu2Changes(const Mesh &mesh) {
 
 namespace {
 
-/// Lines "KEY= value"; elements may stand before the nodes, so their nodes are resolved at the end.
+/// Lines "KEY= value"; elements may precede the nodes, so their nodes are resolved at the end.
 class Su2Reader {
   public:
     explicit Su2Reader(const SourceText &source) : scanner_(source, '%', '=') {}
@@ -89,7 +89,7 @@ class Su2Reader {
     }
 
   private:
-    /// Places in the file where connections begin.
+    /// Positions of the connections in the file.
     struct Connection {
         std::size_t offset;
         std::int32_t tag; ///< of the edge; 0: a triangle
@@ -158,7 +158,7 @@ class Su2Reader {
     }
 
     void marker(std::size_t place, std::string_view name) {
-        // Our own number of the tag stands in a comment on the line before.
+        // Our tag number is in a comment on the previous line.
         const std::string_view before = scanner_.source().text.substr(0, place);
         const std::size_t comment = before.rfind("% tag ");
         std::int64_t number = 0;
@@ -184,12 +184,12 @@ class Su2Reader {
             TextScanner item = scanner_.part(connections_[k].offset, scanner_.source().text.size());
             std::int64_t type = 0;
             const Expect expect{connections_[k].tag == 0 ? "element" : "marker element", k};
-            const std::int64_t wanted = connections_[k].tag == 0 ? kTriangle : kLine;
+            const std::int64_t expected = connections_[k].tag == 0 ? kTriangle : kLine;
             if (!item.integer(type, 1, 100, expect)) {
                 scanner_.fail(item);
                 return;
             }
-            if (type != wanted && !(wanted == kLine && type == kVertex)) {
+            if (type != expected && !(expected == kLine && type == kVertex)) {
                 scanner_.fail(connections_[k].offset, "unknown-element",
                               "an element of type " + std::to_string(type) +
                                   " cannot be read; only triangles (5) and lines (3) on markers");
@@ -213,7 +213,8 @@ class Su2Reader {
         }
     }
 
-    /// "% elements COUNT TAG" and "% point NODE TAG". What does not fit the mesh is passed over: it is only a comment.
+    /// "% elements COUNT TAG" and "% point NODE TAG". Values that do not fit the mesh are skipped: these are only
+    /// comments.
     void applyComments() {
         const std::string_view text = scanner_.source().text;
         std::size_t element = 0;

@@ -28,7 +28,7 @@ bool isNameByte(char c) {
            static_cast<unsigned char>(c) >= 0x80;
 }
 
-/// The text without comments, whose places become blanks.
+/// Returns the text with comments replaced by blanks.
 std::string withoutComments(std::string_view text) {
     std::string result;
     for (std::size_t at = 0; at < text.size();) {
@@ -43,7 +43,7 @@ std::string withoutComments(std::string_view text) {
     return result;
 }
 
-/// Where the block that opens at `open` ends: its closing brace, or the end of the text.
+/// Returns the end of the block that opens at `open`: its closing brace, or the end of the text.
 std::size_t blockEnd(std::string_view text, std::size_t open) {
     int depth = 0;
     for (std::size_t at = open; at < text.size(); ++at) {

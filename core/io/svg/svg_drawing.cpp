@@ -46,8 +46,8 @@ class SvgDrawer {
         paths_.clear();
         const double size = box.diagonal();
         constexpr double kFineness = 2000.0;
-        const double wanted = source_.options.curveTolerance;
-        const double tolerance = wanted > 0.0 ? wanted : size / kFineness;
+        const double requested = source_.options.curveTolerance;
+        const double tolerance = requested > 0.0 ? requested : size / kFineness;
         if (faults_.empty() && (!std::isfinite(size) || !(size > 0.0))) {
             fail(root_, "", 0, "empty-domain", "the drawing holds no path that could bound a domain");
         }
@@ -83,7 +83,7 @@ class SvgDrawer {
         return static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug(), 0));
     }
 
-    /// Records a fault at byte `within` of an attribute's value, as far as that can be found in the text.
+    /// Records a fault at byte `within` of an attribute value, if it can be located in the text.
     void fail(const pugi::xml_node &node, const char *attribute, std::size_t within, std::string code,
               std::string message, std::string advice = {}) {
         if (!faults_.empty()) {
@@ -179,7 +179,7 @@ class SvgDrawer {
         }
     }
 
-    /// Visits all shapes; without a tolerance only to measure.
+    /// Visits all shapes; without a tolerance, only measures them.
     void walk(std::optional<double> tolerance) {
         uses_.clear();
         std::size_t visited = 0;
@@ -191,7 +191,7 @@ class SvgDrawer {
                 continue;
             }
             if (++visited > kSpareElements + source_.text.size()) {
-                fail(visit.node, "", 0, "too-large", "copies of copies (<use>) make more elements than can be held");
+                fail(visit.node, "", 0, "too-large", "nested copies (<use>) make too many elements");
                 return;
             }
             element(visit, open, tolerance);
@@ -201,15 +201,15 @@ class SvgDrawer {
     void element(Visit &visit, std::vector<Visit> &open, std::optional<double> tolerance) {
         const std::string_view name = localName(visit.node);
         const bool drawn = visit.size.has_value() || !isDefinition(name);
-        const bool told = tolerance.has_value();
+        const bool reports = tolerance.has_value();
         if (!drawn ||
             std::string_view(visit.node.name()).find(':') < std::string_view(visit.node.name()).find("svg:")) {
-            return; // definitions, and what editors store for themselves
+            return; // definitions, and private data of editors
         }
-        if (hidden(visit, told)) {
+        if (hidden(visit, reports)) {
             return;
         }
-        if (told) {
+        if (reports) {
             noteUnusedStyle(visit.node);
         }
         inheritPaint(visit);
@@ -233,14 +233,14 @@ class SvgDrawer {
         } else if (name == "switch") {
             chosen(visit, open);
         } else if (name == "use") {
-            use(visit, open, told);
+            use(visit, open, reports);
         } else if (isShape(name)) {
             if (visit.visible) {
                 shape(visit, name, tolerance);
-            } else if (told) {
+            } else if (reports) {
                 note(visit.node, "svg-hidden", "hidden shapes are ignored (visibility)");
             }
-        } else if (told) {
+        } else if (reports) {
             note(visit.node, "svg-element", '<' + std::string(name) + "> is ignored" + whyIgnored(name));
         }
     }
@@ -249,10 +249,10 @@ class SvgDrawer {
         return {child, outer.map, outer.viewport, outer.visible, outer.paint, outer.use};
     }
 
-    /// Takes over the visibility; true if the element and all it holds is not displayed.
-    bool hidden(Visit &visit, bool told) {
+    /// Inherits the visibility. Returns true if the element and its children are not displayed.
+    bool hidden(Visit &visit, bool reports) {
         if (styles_.value(visit.node, "display") == "none") {
-            if (told) {
+            if (reports) {
                 note(visit.node, "svg-hidden", "hidden elements are ignored (display: none)");
             }
             return true;
@@ -264,7 +264,7 @@ class SvgDrawer {
         return false;
     }
 
-    /// Takes over fill, stroke and fill rule where the element gives them.
+    /// Inherits fill, stroke and fill rule, or takes those of the element.
     void inheritPaint(Visit &visit) const {
         const auto given = [&](const char *property) {
             const std::string value = styles_.value(visit.node, property);
@@ -339,7 +339,7 @@ class SvgDrawer {
         }
     }
 
-    /// Of a <switch>, the first child that a program without extensions draws.
+    /// Returns the first child of a <switch> that a program without extensions draws.
     void chosen(const Visit &visit, std::vector<Visit> &open) const {
         for (const pugi::xml_node child : visit.node.children()) {
             const std::string_view language = child.attribute("systemLanguage").value();
@@ -352,12 +352,12 @@ class SvgDrawer {
         }
     }
 
-    void use(Visit &visit, std::vector<Visit> &open, bool told) {
+    void use(Visit &visit, std::vector<Visit> &open, bool reports) {
         const char *plain = visit.node.attribute("href").value();
         const std::string_view href = *plain != '\0' ? plain : visit.node.attribute("xlink:href").value();
         const auto found = href.starts_with('#') ? byId_.find(std::string(href.substr(1))) : byId_.end();
         if (found == byId_.end()) {
-            if (told) {
+            if (reports) {
                 note(visit.node, "svg-use",
                      "<use> of " + inQuotes(href) + " is ignored: the drawing has no element of that id");
             }
@@ -383,7 +383,7 @@ class SvgDrawer {
         open.push_back(drawn);
     }
 
-    /// A length in user units; absent: 0.
+    /// Returns a length in user units; 0 if absent.
     double length(const Visit &visit, const char *attribute, SvgExtent extent) {
         const std::string_view text = visit.node.attribute(attribute).value();
         if (text.find_first_not_of(" \t\r\n") == std::string_view::npos || text == "auto") {
@@ -453,7 +453,7 @@ class SvgDrawer {
         }
     }
 
-    /// The name of a shape: its label or id; that of the <use> which draws it comes first.
+    /// Returns the name of a shape: the label or id of the <use> that draws it, else its own.
     static std::string nameOf(const Visit &visit) {
         for (const pugi::xml_node &node : {visit.named, visit.node}) {
             for (const char *attribute : {"inkscape:label", "id"}) {
@@ -472,14 +472,13 @@ class SvgDrawer {
         for (Vec2 &p : path.nodes) {
             p = visit.map(p);
             if (!isFinite(p)) {
-                fail(visit.node, "", 0, "non-finite", "the path leaves the range of numbers");
+                fail(visit.node, "", 0, "non-finite", "a coordinate of the path is out of range");
                 return;
             }
         }
         nodeCount_ += path.nodes.size();
         if (nodeCount_ > kSpareNodes + kNodesPerByte * source_.text.size()) {
-            fail(visit.node, "", 0, "too-large", "the curves need more nodes than can be held",
-                 "give a larger tolerance");
+            fail(visit.node, "", 0, "too-large", "the curves need too many nodes", "give a larger tolerance");
             return;
         }
         path.isLine = element == "line" || element == "polyline";

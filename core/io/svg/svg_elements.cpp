@@ -34,7 +34,7 @@ std::string whyIgnored(std::string_view name) {
     if (name == "text" || name == "tspan" || name == "textPath") {
         return ": text has no outline; convert it to paths in the drawing program";
     }
-    return name == "image"           ? ": pictures have no outline; trace them in the drawing program"
+    return name == "image"           ? ": images have no outline; trace them in the drawing program"
            : name == "foreignObject" ? ": it holds no SVG"
                                      : ": it is not a shape";
 }

@@ -64,7 +64,7 @@ bool SvgNumbers::flag(bool &value) {
 
 namespace {
 
-/// Runs through path data; `last*Control_` are the control points that S and T mirror.
+/// Parses path data; `last*Control_` are the control points that S and T mirror.
 class PathDrawer {
   public:
     PathDrawer(std::string_view data, SvgPen &pen) : numbers_(data), pen_(pen) {}

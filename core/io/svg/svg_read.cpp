@@ -22,7 +22,7 @@ void joinEnds(SvgPath &path, double tolerance) {
     }
 }
 
-/// What an SVG path is to the domain.
+/// The role of an SVG path in the domain.
 enum class Part : std::uint8_t { Painted, Outline, Line, Nothing };
 
 class SvgBuilder {
@@ -75,13 +75,13 @@ class SvgBuilder {
   private:
     static constexpr auto kNone = static_cast<std::size_t>(-1);
 
-    /// Programs and people draw lines without saying that they are not to be filled.
+    /// Lines are often drawn without fill="none".
     static bool isPainted(const SvgPath &path) {
         const bool drawnLine = path.isLine && !path.closed && !path.paint.fillGiven;
         return path.paint.filled && path.nodes.size() > 2 && !drawnLine;
     }
 
-    /// Where anything is painted, that is the domain, and strokes are lines in it. Else closed strokes are outlines.
+    /// Filled shapes, if any, are the domain, and strokes are lines in it. Otherwise closed strokes are outlines.
     Part partOf(const SvgPath &path) {
         if (path.nodes.size() < 2) {
             return Part::Nothing;

@@ -13,7 +13,7 @@ AffineMap AffineMap::operator*(const AffineMap &inner) const {
 }
 
 double AffineMap::stretch() const {
-    // Greatest singular value of the 2x2 part.
+    // Maximum singular value of the 2x2 part.
     const double sum = 0.5 * (a * a + b * b + c * c + d * d);
     const double determinant = a * d - b * c;
     return std::sqrt(sum + std::sqrt(std::max(0.0, sum * sum - determinant * determinant)));
@@ -21,7 +21,7 @@ double AffineMap::stretch() const {
 
 namespace {
 
-/// One function of the list; nothing when the number of its arguments is wrong.
+/// Returns one function of the list; nothing if it has the wrong number of arguments.
 std::optional<AffineMap> function(std::string_view name, const double *v, std::size_t count) {
     const double radians = std::numbers::pi / 180.0;
     if (name == "matrix" && count == 6) {

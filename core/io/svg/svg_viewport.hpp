@@ -19,7 +19,7 @@ std::optional<SvgLength> parseLength(std::string_view text);
 /// Returns how many user units (pixels at 96 to the inch) one of that unit has; nothing for "%" and unknown units.
 std::optional<double> pixelsPer(std::string_view unit);
 
-/// Which extent of the viewport a percentage refers to.
+/// The extent of the viewport that a percentage refers to.
 enum class SvgExtent { Width, Height, Diagonal };
 
 /// Returns a length in user units, percentages being of the viewport; nothing where it is malformed or its unit

@@ -13,7 +13,7 @@ namespace forefront {
 
 namespace {
 
-/// Opens a file of a name not taken yet beside `target`; its permissions are those a new file gets.
+/// Opens a file with an unused name beside `target` and default permissions.
 int createBeside(const std::filesystem::path &target, std::string &name) {
     constexpr int kAttempts = 1000;
     constexpr mode_t kNewFileMode = 0666;

@@ -17,7 +17,7 @@ namespace FOREFRONT_API forefront {
 /// device or pipe is written directly.
 class AtomicFile final : public ByteSink {
   public:
-    /// `expectedBytes` scales the reported progress; 0: nothing is reported.
+    /// `expectedBytes` scales the reported progress; 0: no progress.
     explicit AtomicFile(const std::filesystem::path &path, const Progress &progress = {},
                         std::size_t expectedBytes = 0);
     ~AtomicFile() override;

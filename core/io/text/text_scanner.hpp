@@ -13,7 +13,7 @@ namespace forefront {
 /// Parses the whole of `text` as a finite or infinite number or NaN, also with a leading '+' or Fortran's D exponent.
 std::optional<double> parseReal(std::string_view text);
 
-/// What a number in a file is for, in the words of a message that is composed only when needed.
+/// The purpose of a number in a file, for messages that are composed only when needed.
 struct Expect {
     const char *what;           ///< "the coordinates of node"
     std::uint64_t number = kNo; ///< appended: "... of node 17"
@@ -62,7 +62,7 @@ class TextScanner {
     /// Reads a number of items that follow, each at least `bytes` long.
     bool count(std::size_t &value, std::size_t bytes, Expect expect);
 
-    /// Passes on the next line that holds more than blanks and comments, as a scanner at its first word. Returns false
+    /// Gives a scanner of the next line that is not blank or a comment, at its first word. Returns false
     /// at the end.
     bool nextLine(TextScanner &line);
     /// Returns the rest of this text without surrounding blanks.

@@ -66,7 +66,7 @@ class TextWriter {
         return *this << std::string_view(static_cast<const char *>(data), size);
     }
 
-    /// Returns false once the sink has refused bytes; long loops should end then.
+    /// Returns false once the sink has refused bytes; long loops should then end.
     bool ok() const { return ok_; }
     bool flush() {
         if (used_ > 0) {

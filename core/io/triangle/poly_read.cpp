@@ -214,7 +214,7 @@ class PolyReader {
                          expect.words() + " refers to node " + std::to_string(number) + ", which does not exist");
     }
 
-    /// Triangle keeps vertices that no segment uses.
+    /// Nodes that no segment uses become constraint points, as in Triangle.
     void isolatedNodes() {
         degrees_.assign(domain_.nodes.size(), 0);
         for (const DomainSegment &segment : domain_.segments) {
@@ -284,7 +284,7 @@ class PolyReader {
 
 } // namespace
 
-bool takesNodesFromBeside(const SourceText &poly) {
+bool hasNodesInNodeFile(const SourceText &poly) {
     TextScanner scanner(poly, '#');
     std::int64_t nodes = -1;
     return scanner.integer(nodes, 0, 0, {"the number of nodes"});

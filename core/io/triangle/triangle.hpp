@@ -23,6 +23,6 @@ Status writeTriangle(const std::filesystem::path &path, const Mesh &mesh, const 
 /// Reads a .poly file: nodes, segments, holes and regions, with their markers and attributes.
 Result<Domain> readPoly(const SourceText &source);
 /// Returns true if the .node file beside the .poly file holds its nodes.
-bool takesNodesFromBeside(const SourceText &poly);
+bool hasNodesInNodeFile(const SourceText &poly);
 
 } // namespace forefront

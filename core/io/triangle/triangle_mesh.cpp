@@ -46,7 +46,8 @@ void writeEdges(const Mesh &mesh, TextWriter &out) {
 
 } // namespace
 
-/// Writes the files of J. R. Shewchuk's Triangle: nodes with markers, triangles with the region as attribute, the tagged edges.
+/// Writes the files of J. R. Shewchuk's Triangle: nodes with markers, triangles with the region as attribute, the
+/// tagged edges.
 Status writeTriangle(const std::filesystem::path &path, const Mesh &mesh, const Progress &progress) {
     using Write = void (*)(const Mesh &, TextWriter &);
     static constexpr std::array<Write, kTriangleExtensions.size()> kWrites{writeNodes, writeElements, writeEdges};
@@ -138,7 +139,7 @@ class TriangleMeshReader {
                 return fail(scanner);
             }
             if (marker == 0) {
-                builder_.mesh.edges.pop_back(); // an edge inside
+                builder_.mesh.edges.pop_back(); // an inner edge
             } else {
                 builder_.mesh.edges.back().tag = static_cast<std::int32_t>(std::max<std::int64_t>(marker, 1));
             }

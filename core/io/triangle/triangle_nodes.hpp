@@ -14,8 +14,8 @@ struct TriangleNodes {
     std::vector<Vec2> places;
     std::vector<std::int32_t> markers; ///< >= 1
     NodeTable table;
-    std::int64_t attributes = 0;      ///< of each node, which are read but not kept
-    std::vector<std::size_t> offsets; ///< of their lines; filled where the source asks for origins
+    std::int64_t attributes = 0;      ///< per node, read but not kept
+    std::vector<std::size_t> offsets; ///< of their lines; filled if the source asks for origins
 
     /// Reads the list; failures are recorded in the scanner. An empty list is allowed where the nodes may be in another
     /// file.

@@ -25,7 +25,7 @@ std::map<std::string, std::vector<std::int32_t>> vtkNameFields(const Mesh &mesh)
 
 namespace {
 
-/// The first of several usual names of an array of tags.
+/// Returns the first array of tags with one of the usual names.
 const std::vector<std::int64_t> *tagArray(const VtkGrid &grid, const char *own) {
     for (const char *name : {own, "CellEntityIds", "gmsh:physical", "medit:ref", "region"}) {
         const auto found = grid.cellArrays.find(name);
@@ -72,12 +72,12 @@ bool meshOfVtk(const VtkGrid &grid, TextScanner &scanner, Mesh &mesh) {
     for (std::size_t c = 0; c < grid.types.size(); ++c) {
         const std::int64_t end = grid.ends[c];
         const std::int64_t type = grid.types[c];
-        const std::int64_t wanted = type == kVtkTriangle ? 3 : type == kVtkLine ? 2 : type == kVtkVertex ? 1 : 0;
-        if (wanted == 0) {
+        const std::int64_t expected = type == kVtkTriangle ? 3 : type == kVtkLine ? 2 : type == kVtkVertex ? 1 : 0;
+        if (expected == 0) {
             return refuse("unknown-element", "cell " + std::to_string(c) + " is of VTK type " + std::to_string(type) +
                                                  "; only triangles (5), lines (3) and vertices (1) can be read");
         }
-        if (end - begin != wanted || begin < 0 || end > static_cast<std::int64_t>(grid.connectivity.size())) {
+        if (end - begin != expected || begin < 0 || end > static_cast<std::int64_t>(grid.connectivity.size())) {
             return refuse("bad-count", "cell " + std::to_string(c) + " has a wrong number of nodes");
         }
         NodeId nodes[3] = {};
@@ -90,7 +90,7 @@ bool meshOfVtk(const VtkGrid &grid, TextScanner &scanner, Mesh &mesh) {
             nodes[k - begin] = NodeId{static_cast<std::uint32_t>(node)};
         }
         begin = end;
-        if (!requireDistinct(scanner, grid.offset, std::span(nodes).first(static_cast<std::size_t>(wanted)),
+        if (!requireDistinct(scanner, grid.offset, std::span(nodes).first(static_cast<std::size_t>(expected)),
                              {"cell", c})) {
             return false;
         }

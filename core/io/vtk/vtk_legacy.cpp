@@ -231,7 +231,7 @@ class VtkReader {
         return true;
     }
 
-    /// Numbers of any kind; as tags, those that are whole are kept.
+    /// Reads numbers of any type; only integers are kept as tags.
     template <class Kept>
     bool values(std::size_t count, std::vector<Kept> &kept) {
         constexpr double kWhole = 1e15;
@@ -249,7 +249,7 @@ class VtkReader {
         return true;
     }
 
-    /// The values of an array after its head, kept where they may be wanted: one component, of points or cells.
+    /// Reads the values of an array after its header; keeps those of points and cells with one component.
     bool arrayOf(const std::string &name, std::size_t components, std::size_t tuples) {
         const std::size_t place = scanner_.offset();
         std::vector<std::int64_t> tags;
@@ -257,7 +257,7 @@ class VtkReader {
         const bool ofPoints = items_ > 0 && !inCells_;
         const bool fits = components == 0 || tuples <= scanner_.remaining() / components + 1;
         if (!fits || !(ofPoints ? values(components * tuples, reals) : values(components * tuples, tags))) {
-            return scanner_.fail(place, "bad-count", "more values are announced than follow");
+            return scanner_.fail(place, "bad-count", "fewer values follow than announced");
         }
         if (ofPoints && components == 1) {
             grid_.pointArrays[name] = std::move(reals);
@@ -288,7 +288,7 @@ class VtkReader {
         return arrayOf(name, components, items_);
     }
 
-    /// A table of colours; those that our writer adds carry a name of a tag.
+    /// Reads a look-up table; our writer uses them for names of tags.
     bool lookupTable() {
         constexpr std::size_t kComponents = 4;
         const std::string name = percentDecoded(scanner_.word());

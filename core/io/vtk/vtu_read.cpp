@@ -78,7 +78,7 @@ void convert(NumberType type, std::string_view bytes, std::vector<Target> &value
 /// Reads an unstructured grid of one piece; arrays as ASCII, base64 or appended (raw or base64), not compressed.
 class VtuReader {
   public:
-    /// Point data are read only where they are wanted: those of others may be of kinds that cannot be read.
+    /// Point data are read only on request, since they may have types that cannot be read.
     VtuReader(const SourceText &source, bool wantsPointData)
         : scanner_(source), text_(source.text), wantsPointData_(wantsPointData) {}
 
@@ -97,7 +97,7 @@ class VtuReader {
         return static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug(), 0));
     }
 
-    /// The XML ends where raw data begin; what is cut off is closed again.
+    /// The XML ends where raw data begin; open elements are closed again.
     bool parse() {
         const std::size_t appended = text_.find("<AppendedData");
         std::string head(text_.substr(0, appended));
@@ -228,7 +228,7 @@ class VtuReader {
         const std::size_t place = offsetOf(node);
         values.clear();
         if (type == NumberType::None) {
-            return scanner_.fail(place, "bad-field", "the type of the array is not known");
+            return scanner_.fail(place, "bad-field", "unknown array type");
         }
         if (format == "ascii") {
             return ascii(node, values);
@@ -259,19 +259,19 @@ class VtuReader {
         }
         std::uint64_t length = 0;
         if (bytes.size() < headerBytes_) {
-            return scanner_.fail(place, "bad-count", "the array has been cut short");
+            return scanner_.fail(place, "bad-count", "the array is truncated");
         }
         std::memcpy(&length, bytes.data(), headerBytes_);
         if (length > bytes.size() - headerBytes_ || length % sizeOf(type) != 0) {
             return scanner_.fail(place, "bad-count",
-                                 "the array is said to have " + std::to_string(length) + " bytes, but " +
+                                 "the array should have " + std::to_string(length) + " bytes, but " +
                                      std::to_string(bytes.size() - headerBytes_) + " follow");
         }
         convert(type, bytes.substr(headerBytes_, static_cast<std::size_t>(length)), values);
         return true;
     }
 
-    /// The base64 text of one appended array; its length stands at its beginning.
+    /// Returns the base64 text of one appended array, which begins with its length.
     std::string_view block(std::string_view text) const {
         const std::size_t headerDigits = headerBytes_ == 8 ? 12 : 8;
         const auto decoded = fromBase64(text.substr(0, headerDigits));
@@ -284,7 +284,7 @@ class VtuReader {
         return text.substr(0, static_cast<std::size_t>(std::min<std::uint64_t>(total, text.size())));
     }
 
-    /// The text between the tags of an array, as it stands in the file.
+    /// Returns the text between the tags of an array, unchanged.
     std::string_view content(const pugi::xml_node &node) const {
         const std::size_t begin = text_.find('>', offsetOf(node));
         if (begin == std::string_view::npos || text_[begin - 1] == '/') {

@@ -32,7 +32,7 @@ class SiteTreeBuilder {
     std::optional<SiteTree> run(const Progress &progress) {
         startAtRoot();
         for (int level = kTopLevel; !cells_.empty(); --level) {
-            full_ = tree_.cells_.size() + 4 * cells_.size() > kMostCells || tree_.lists_.size() > kMostEntries;
+            full_ = tree_.cells_.size() + 4 * cells_.size() > kMaxCells || tree_.lists_.size() > kMaxEntries;
             nextCells_.clear();
             nextLists_.clear();
             for (std::size_t i = 0; i < cells_.size(); ++i) {
@@ -58,8 +58,8 @@ class SiteTreeBuilder {
     static constexpr std::size_t kLongestTested = 48;
     static constexpr double kThinning = 4e-4; ///< per level, relative
     static constexpr std::size_t kLongestList = 64;
-    static constexpr std::size_t kMostCells = 2'000'000;
-    static constexpr std::size_t kMostEntries = 4'000'000;
+    static constexpr std::size_t kMaxCells = 2'000'000;
+    static constexpr std::size_t kMaxEntries = 4'000'000;
 
     struct Cell {
         std::uint32_t slot = 0; ///< where its entry is; unused above the table
@@ -151,9 +151,9 @@ class SiteTreeBuilder {
         double length = 0.0;   ///< of the site
         std::int32_t sector = -1;
     };
-    /// Of many far sites seen in the same direction keeps the best one. Of two sites whose nearest points lie e apart
+    /// Keeps the best one of many distant sites in the same direction. Of two sites whose nearest points lie e apart
     /// at distances of at least d, the difference changes within reach by at most reach·growth·e / (d − reach): where
-    /// that is beyond the lead of the better one by no more than kThinning of the spacing, the other is not missed.
+    /// that is beyond the lead of the better one by no more than kThinning of the spacing, the other can be dropped.
     void thin(Vec2 centre, double reach) {
         double low = std::numeric_limits<double>::infinity();
         double growth = 0.0;
@@ -315,7 +315,7 @@ class SiteTreeBuilder {
             tree_.lists_.push_back(competitor.site);
             const SizeSite &s = site(competitor);
             tree_.minimum_ = std::min(tree_.minimum_, std::max(s.size, competitor.value - s.growth * reach));
-            double most = 0.0; // distance to a convex shape is greatest at a corner
+            double most = 0.0; // distance to a convex shape is maximal at a corner
             for (std::uint32_t corner = 0; corner < 4; ++corner) {
                 most = std::max(most, s.at(placeOf(cell.x + (corner & 1U) * span, cell.y + (corner >> 1) * span)));
             }

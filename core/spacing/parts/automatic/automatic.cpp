@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kAcross = 45.0;         ///< elements along the diagonal of the domain's box
 constexpr double kAcrossGap = 2.0;       ///< elements across a narrow place
-constexpr double kFinestGap = 1e-4;      ///< of the diagonal; narrower places are not resolved further
+constexpr double kFinestGap = 1e-4;      ///< fraction of the diagonal; narrower places are not resolved further
 constexpr double kGapElements = 3.0e4;   ///< about this many elements may be spent on narrow places ...
 constexpr double kGapElementsEach = 8.0; ///< ... plus this many per domain segment
 

@@ -36,7 +36,7 @@ struct Gap {
 class GapFinder {
   public:
     /// `longest` is the maximum spacing; stretches shorter than `shortest` are not divided. `index` holds the segments,
-    /// then the lone points, whose `index` counts on from the segments.
+    /// then the lone points, whose `index` continues that of the segments.
     GapFinder(const Domain &domain, const SegmentIndex &index, double longest, double shortest,
               const Progress &progress);
 

@@ -104,7 +104,7 @@ class BackgroundBuilder {
   private:
     static constexpr std::size_t kShortList = 6;
     static constexpr int kDeepest = 20;
-    static constexpr std::size_t kMostCells = 6'000'000;
+    static constexpr std::size_t kMaxCells = 6'000'000;
 
     /// False when cancelled.
     bool addTriangles(const Progress &progress) {
@@ -173,7 +173,7 @@ class BackgroundBuilder {
     bool fillTable(const Progress &progress) {
         std::vector<std::size_t> begins(part_.cells_.size() + 1, 0);
         const auto visit = [&](auto use) {
-            PacedProgress pace(progress, "locating the background mesh", mesh_.elements.size());
+            PacedProgress pace(progress, "indexing the background mesh", mesh_.elements.size());
             for (std::uint32_t e = 0; e < mesh_.elements.size(); ++e) {
                 if (!pace.next()) {
                     return false;
@@ -214,7 +214,7 @@ class BackgroundBuilder {
         return true;
     }
     void treat(const Cell &cell) {
-        if (cell.count <= kShortList || cell.depth == kDeepest || part_.cells_.size() > kMostCells) {
+        if (cell.count <= kShortList || cell.depth == kDeepest || part_.cells_.size() > kMaxCells) {
             store(cell);
             return;
         }

@@ -3,7 +3,7 @@
 namespace forefront {
 namespace {
 
-constexpr std::size_t kMaxLength = 4000; ///< characters; keeps parsing short whatever is pasted
+constexpr std::size_t kMaxLength = 4000; ///< characters; keeps parsing fast for any pasted text
 
 Diagnostics syntaxError(const std::string &message, std::size_t column) {
     Diagnostics faults = error("expression-syntax", "expression, column " + std::to_string(column) + ": " + message,

@@ -25,9 +25,9 @@ constexpr double greater(double a, double b) {
     return a < b ? b : a;
 }
 
-/// One jump to the operation: calls on.push(f) with f(p, k), on.unary(f) with f(a, k), on.binary(f) with f(a, b, p) or
-/// on.select(), k being the constant of the instruction. One definition serves single and bulk evaluation, so that both
-/// give the same doubles.
+/// Dispatches an operation with one jump: calls on.push(f) with f(p, k), on.unary(f) with f(a, k), on.binary(f) with
+/// f(a, b, p) or on.select(), k being the constant of the instruction. One definition serves single and bulk
+/// evaluation, so that both give the same doubles.
 template <class On>
 inline void dispatch(ExpressionOp op, On &&on) {
     using Op = ExpressionOp;

@@ -11,7 +11,7 @@ namespace {
 constexpr int kRoots = 128;        ///< cells along the longer side to start with
 constexpr int kDeepest = 24;       ///< halvings of those
 constexpr double kAccuracy = 0.03; ///< side of the finest cells times gradation, relative to the spacing there
-constexpr std::size_t kMostCells = 3'000'000;
+constexpr std::size_t kMaxCells = 3'000'000;
 
 constexpr SiteLabel kReach{SpacingOrigin::Expression, SiteReason::ExpressionEdge, 0};
 
@@ -34,7 +34,7 @@ class SlopeSearch {
         double side = size;
         for (int depth = 0; depth <= kDeepest && !cells.empty(); ++depth, side *= 0.5) {
             std::vector<Vec2> next;
-            const bool last = depth == kDeepest || seen + 4 * cells.size() > kMostCells;
+            const bool last = depth == kDeepest || seen + 4 * cells.size() > kMaxCells;
             for (const Vec2 corner : cells) {
                 if ((++seen & 255U) == 0 && progress.cancelled()) {
                     return;
@@ -106,7 +106,7 @@ class SlopeSearch {
             sites_.add(SizeSite::point(foot, rho_.at(foot), gradation_), kReach);
         }
     }
-    /// The place of the least value near p by pattern search: in a kink the samples may stand high on its sides. Any
+    /// Finds the minimum near p by pattern search: at a kink, all samples may be well above it. Any
     /// place is a valid site; a lower one is a better one.
     Vec2 descended(Vec2 p, double step) const {
         double value = rho_.at(p);

@@ -27,7 +27,7 @@ std::vector<Vec2> probePlaces(const Domain &domain, const Box2 &box) {
 
 const char *faultOf(double value, const SpacingSpec &spec) {
     if (std::isnan(value)) {
-        return "no number";
+        return "a value that is not a number";
     }
     if (value <= 0.0 && !spec.minimum) {
         return value == 0.0 ? "zero" : "a negative number";
@@ -59,7 +59,7 @@ Result<ExpressionSpacing> ExpressionSpacing::build(const SpacingSpec &spec, cons
             Diagnostics faults =
                 error("expression-value",
                       std::string("the spacing expression gives ") + fault + "; expected a number above 0",
-                      "keep it above zero everywhere in the domain's box, for example by max(0.1, ...)");
+                      "keep it above zero everywhere in the bounding box of the domain, for example by max(0.1, ...)");
             faults.front().at = places[i];
             return faults;
         }

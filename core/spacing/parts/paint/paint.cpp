@@ -56,7 +56,7 @@ std::optional<LatticeDisc> latticeDisc(const PaintedSpacing &paint, Vec2 centre,
 }
 
 /// Calls change(value, distance to the centre in pitches) for the nodes of the disc; true from it: changed. Tiles are
-/// copied before their first change, and dropped when nothing is painted in them any more.
+/// copied before their first change, and dropped once nothing is painted in them.
 template <class Change>
 void changeDisc(PaintedSpacing &paint, const LatticeDisc &disc, bool mayCreate, Change change) {
     for (std::int32_t tj = tileOf(disc.rows.first); tj <= tileOf(disc.rows.last); ++tj) {
@@ -127,19 +127,19 @@ PaintedSpacing paint(const PaintedSpacing &before, const Dab &dab) {
     const double rim = disc->radius - core;
     const auto ambient = dab.ambient > 0.0 && std::isfinite(dab.ambient) ? static_cast<float>(dab.ambient) : 0.0F;
     changeDisc(after, *disc, true, [&](float &value, double d) {
-        float wanted = target;
+        float blended = target;
         if (d > core) {
             const double s = (d - core) / rim;
             const double fading = s * s * (3.0 - 2.0 * s); // 0 at the core, 1 at the radius
             const float old = value > 0.0F ? value : ambient;
             if (old > 0.0F) {
-                wanted = static_cast<float>(target * std::pow(static_cast<double>(old) / target, fading));
+                blended = static_cast<float>(target * std::pow(static_cast<double>(old) / target, fading));
             } else if (s > 0.5) {
                 return false;
             }
         }
-        const bool changed = value != wanted;
-        value = wanted;
+        const bool changed = value != blended;
+        value = blended;
         return changed;
     });
     return after;

@@ -9,7 +9,7 @@ namespace forefront {
 struct Dab {
     Vec2 centre;
     double radius = 1.0;   ///< > 0
-    double spacing = 0.1;  ///< wanted in the core, > 0
+    double spacing = 0.1;  ///< target in the core, > 0
     double hardness = 0.7; ///< the core is this part of the radius, 0..1; beyond, the paint fades out to the radius
     /// Spacing that the paint fades into where nothing is painted yet, such as ρ at the centre before the stroke. With
     /// 0 the paint ends in the middle of the fading rim, and gradation blends it outwards.

@@ -12,7 +12,7 @@
 namespace forefront {
 
 /// Returns the spacing whose triangles keep to a maximum area: the side of an equilateral triangle of 0.6 times that
-/// area, since the largest triangles of a mesh have about 1.65 times the area that the spacing stands for. On seven
+/// area, since the largest triangles of a mesh have about 1.65 times the area that the spacing implies. On seven
 /// domains with both methods, the largest triangle then had between 0.8 and 1.0 times `maxArea`.
 double spacingForArea(double maxArea);
 
