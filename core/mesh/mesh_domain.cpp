@@ -76,7 +76,7 @@ class MeshOutline {
     std::size_t findTag(NodeId a, NodeId b) const {
         const std::tuple key(static_cast<std::uint32_t>(std::min(a, b)), static_cast<std::uint32_t>(std::max(a, b)));
         const auto place = std::lower_bound(tags_.begin(), tags_.end(), key,
-                                            [](const Tagged &tag, const auto &key) { return tag.key() < key; });
+                                            [](const Tagged &tag, const auto &sought) { return tag.key() < sought; });
         return place != tags_.end() && place->key() == key ? static_cast<std::size_t>(place - tags_.begin())
                                                            : tags_.size();
     }

@@ -156,7 +156,7 @@ bool FastAdvancer<Grid, Trace>::trySimple(const Base &base, AdvanceDelta &delta,
         return false;
     }
     const double atA = cosine(base.slotA), atB = cosine(base.slotB);
-    const SlotId first = atB >= atA ? base.slotA : before; // of the two segments at the sharper corner
+    const SlotId first = atB >= atA ? base.slotA : before; // the first of the two segments at the sharper corner
     if (std::max(atA, atB) > kSharp) {
         return tryCorner(base, first, delta, apex);
     }

@@ -474,7 +474,7 @@ class Refusing(Case):
                       ["mesh", "plate.poly", "-o", "a.msh", "--spacing-file", "plate.msh", "--stats", "plate.msh"],
                       ["adapt", "plate.msh", "--expression", "x", "--error", "0.1", "-o", "plate.msh"]):
             self.assertIn("it is an input", self.call(*words, code=1).stderr)
-        # Triangle's files stand side by side however they are named, and a .poly without nodes takes them from one.
+        # Triangle's files are side by side however they are named, and a .poly without nodes takes them from one.
         for words in (["plate.node", "-o", "plate.ELE"], ["plate.node", "-o", "plate", "--format", "triangle"]):
             self.assertIn("it is an input", self.call("mesh", *words, code=1).stderr)
         lines = self.read("plate.poly").splitlines()

@@ -118,7 +118,7 @@ void project(std::string_view bytes) {
     demand(again.ok() && projectText(*again) == text, "a project survives being written and read");
 }
 
-/// Nodes, elements and edges in one input, parted by lines "%%".
+/// Nodes, elements and edges in one input, separated by lines "%%".
 void triangle(std::string_view bytes) {
     constexpr std::string_view kCut = "%%\n";
     const std::size_t first = std::min(bytes.find(kCut), bytes.size());

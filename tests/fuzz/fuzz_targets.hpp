@@ -7,7 +7,7 @@
 
 namespace forefront::fuzz {
 
-/// Feeds one reader with bytes; aborts when the result breaks a promise: faults without a place, a mesh with bad
+/// Feeds bytes to one reader; aborts if the result breaks a promise: faults without a place, a mesh with bad
 /// indices or numbers, a project that does not survive being written.
 struct Target {
     const char *name;
@@ -16,7 +16,7 @@ struct Target {
 std::span<const Target> targets();
 const Target *find(std::string_view name);
 
-/// Small sound inputs for a target.
+/// Returns small valid inputs for a target.
 std::vector<std::string> seeds(std::string_view name);
 
 } // namespace forefront::fuzz

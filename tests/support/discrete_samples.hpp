@@ -11,13 +11,13 @@ namespace forefront::testing {
 /// A node spacing from any function of the plane.
 std::shared_ptr<const SpacingField> spacingOf(std::function<double(Vec2)> rho);
 
-/// Builder of small discretised domains, edge by edge.
+/// Builds small discretised domains, edge by edge.
 class DiscreteBuilder {
   public:
     std::uint32_t node(Vec2 p);
-    /// Closed chain; counter-clockwise: the domain lies inside.
+    /// Adds a closed chain; if counter-clockwise, the domain lies inside.
     DiscreteBuilder &loop(const std::vector<Vec2> &nodes, std::uint32_t left = 0, std::uint32_t right = kOutside);
-    /// Open chain inside the domain: both sides are meshed.
+    /// Adds an open chain inside the domain: both sides are meshed.
     DiscreteBuilder &chain(const std::vector<Vec2> &nodes);
     DiscreteBuilder &point(Vec2 p);
     DiscreteBuilder &region(std::int32_t tag, double area);

@@ -19,7 +19,7 @@ inline Vec2 polar(Vec2 centre, double radius, double angle) {
     return {centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)};
 }
 
-/// Puts loops and chains together.
+/// Builds a domain from loops and chains.
 class DomainBuilder {
   public:
     std::uint32_t node(Vec2 at) {
@@ -63,12 +63,12 @@ inline std::vector<Vec2> star(RandomSource &random, Vec2 centre, double radius, 
     return polygon;
 }
 
-/// Radius of a disc that lies inside of every such star (angles between neighbours up to 1.6/count of a turn).
+/// Returns the radius of a disc that lies inside every such star (angles between neighbours up to 1.6/count of a turn).
 inline double innerRadius(double radius, double low, int count) {
     return 0.98 * radius * low * std::cos(1.6 * std::numbers::pi / count);
 }
 
-/// Up to `count` discs inside of the given one, well apart, their radii in [low, high]·its radius.
+/// Returns up to `count` discs inside the given one, well apart, their radii in [low, high]·its radius.
 inline std::vector<Disc> scatter(RandomSource &random, Disc within, int count, double low, double high) {
     std::vector<Disc> discs;
     for (int attempt = 0; attempt < 20 * count && static_cast<int>(discs.size()) < count; ++attempt) {

@@ -33,9 +33,9 @@ inline SpacingFunction constantSpacing(double rho) {
     return {[rho](Vec2) { return rho; }, rho, rho};
 }
 
-/// ρ = max(least, growth · distance to `centre`): steep, with a kink.
-inline SpacingFunction spacingAround(Vec2 centre, double least, double growth) {
-    return {[=](Vec2 p) { return std::fmax(least, growth * distance(p, centre)); }, least,
+/// ρ = max(minimum, growth · distance to `centre`): steep, with a kink.
+inline SpacingFunction spacingAround(Vec2 centre, double minimum, double growth) {
+    return {[=](Vec2 p) { return std::fmax(minimum, growth * distance(p, centre)); }, minimum,
             std::numeric_limits<double>::infinity()};
 }
 

@@ -61,7 +61,7 @@ inline bool insideEvenOdd(const Domain &domain, Vec2 p) {
     return inside;
 }
 
-/// Small deterministic generator for property tests.
+/// A small deterministic generator for property tests.
 class Random {
   public:
     explicit Random(std::uint64_t seed) : state_(seed * 0x9e3779b97f4a7c15ULL + 1) {}

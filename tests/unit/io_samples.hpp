@@ -24,21 +24,21 @@ Mesh twoRegionMesh(std::size_t columns = 8, std::size_t rows = 5);
 /// equal.
 std::string difference(const Mesh &a, const Mesh &b);
 
-/// Text that a format's writer makes of a mesh.
+/// Returns the text that a format writes for a mesh.
 std::string written(void (*write)(const Mesh &, TextWriter &), const Mesh &mesh);
 
-/// Source text for a reader, not backed by a file.
+/// Returns source text for a reader, without a file.
 inline SourceText sourceOf(std::string_view text, std::string name = "memory") {
     return {text, std::move(name), {}, {}};
 }
 
-/// All messages of a list, one a line.
+/// Returns all messages of a list, one per line.
 std::string messages(const Diagnostics &faults);
 
-/// True if one of the faults has that code.
+/// Returns true if one of the faults has that code.
 bool hasCode(const Diagnostics &faults, std::string_view code);
 
-/// True if every error names its file and line.
+/// Returns true if every error names its file and line.
 bool allLocated(const Diagnostics &faults);
 
 } // namespace forefront::testing

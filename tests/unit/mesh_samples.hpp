@@ -16,7 +16,7 @@ inline NodeId node(std::size_t n) {
     return NodeId{static_cast<std::uint32_t>(n)};
 }
 
-/// Small deterministic generator (xorshift64*), uniform in [0, 1).
+/// A small deterministic generator (xorshift64*), uniform in [0, 1).
 class Random {
   public:
     explicit Random(std::uint64_t seed) : state_(seed * 0x9e3779b97f4a7c15ULL + 1) {}
@@ -33,7 +33,7 @@ class Random {
     std::uint64_t state_;
 };
 
-/// Square [0,1]² moved by `offset`, of columns x rows cells with two triangles each, diagonals by chance; inner nodes
+/// The square [0,1]² moved by `offset`, of columns x rows cells with two triangles each, random diagonals; inner nodes
 /// displaced by up to `jitter` cells (below 0.25 nothing folds). Boundary edges tagged 1 bottom, 2 right, 3 top, 4
 /// left.
 inline Mesh square(std::size_t columns, std::size_t rows, double jitter = 0.0, Vec2 offset = {},
@@ -102,7 +102,7 @@ inline std::string list(const Diagnostics &diagnostics) {
     return text;
 }
 
-/// Square whose right half is another region, with a tagged inner line and a tagged inner point.
+/// A square whose right half is another region, with a tagged inner line and a tagged inner point.
 inline Mesh constrainedSquare(std::size_t n, double jitter, Vec2 offset, std::uint64_t seed) {
     Mesh mesh = samples::square(n, n, jitter, offset, seed);
     for (const Element &e : mesh.elements) {

@@ -14,7 +14,7 @@ using namespace forefront::testing;
 
 namespace {
 
-/// Needs a front of many lengths and directions: nested polygons that shrink by a factor each.
+/// A front of many lengths and directions: nested polygons, each smaller than the last by a factor.
 std::shared_ptr<const DiscreteDomain> nest(Vec2 offset) {
     DiscreteBuilder builder;
     double radius = 1.0;
@@ -49,7 +49,8 @@ std::set<std::uint32_t> delivered(const Grid &grid, const GenerationFront &front
     return slots;
 }
 
-/// All that meet the box must be there, and none whose own box is well away from the part of it inside the grid.
+/// Checks that all segments that meet the box are delivered, and none whose box is far from the part of it inside the
+/// grid.
 template <class Grid>
 void checkNear(const Grid &grid, const GenerationFront &front, const Box2 &box, const Box2 &bounds) {
     std::set<std::uint32_t> slots;

@@ -22,7 +22,7 @@ std::vector<SpacingFunction> spacings(const Domain &domain) {
             spacingAround(domain.nodes[0], 1e-5 * size, 0.3)};
 }
 
-/// Pieces of each domain segment: a chain of nodes from its a to its b, straight within rounding.
+/// Checks the pieces of each domain segment: a chain of nodes from its a to its b, straight within rounding.
 void checkChains(const Domain &domain, const DiscreteDomain &discrete) {
     const Box2 box = domain.bounds();
     const double magnitude =
@@ -57,7 +57,7 @@ void checkChains(const Domain &domain, const DiscreteDomain &discrete) {
     }
 }
 
-/// Simple, and each side of a segment has the region that the faces of the discrete segments themselves give.
+/// Checks that the domain is simple and that each side of a segment has the region given by the faces of the segments.
 void checkRegions(const Domain &domain, const DiscreteDomain &discrete) {
     Domain cut = domain; // the discrete segments as a domain of their own
     cut.nodes = discrete.nodes;
@@ -114,7 +114,7 @@ void checkAreas(const DiscreteDomain &discrete) {
     REQUIRE(discrete.area() == doctest::Approx(total).epsilon(1e-14));
 }
 
-/// ∫ds/ρ by brute force.
+/// Computes ∫ds/ρ by brute force.
 double spacingLength(const SpacingField &spacing, Vec2 a, Vec2 b) {
     constexpr int kSteps = 400;
     double sum = 0.0;

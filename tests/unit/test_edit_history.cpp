@@ -18,7 +18,7 @@ Document withPoint(const Document &document, Vec2 at) {
     return *std::move(next);
 }
 
-/// One random command on what is there.
+/// Applies a random command to the document.
 Document randomCommand(const Document &document, Random &random) {
     const auto some = [&](const Result<Document> &next) { return next ? *next : document; };
     Selection selection;

@@ -44,7 +44,7 @@ Subdivision subdivide(const Domain &domain) {
     return result;
 }
 
-/// Twice the area of each face by its edges; the unbounded one has minus the sum of the others.
+/// Returns twice the area of each face from its edges; the unbounded one has minus the sum of the others.
 std::vector<double> twiceAreas(const std::vector<Vec2> &points, const std::vector<PlaneEdge> &edges,
                                const Faces &faces) {
     std::vector<double> areas(faces.count, 0.0);
@@ -200,7 +200,7 @@ TEST_CASE("Faces: random subdivisions obey Euler's formula, and every bounded fa
 
 namespace {
 
-/// Counted along a ray to the right, exactly.
+/// Counts along a ray to the right, exactly.
 bool crossesBoundaryOddly(const Domain &domain, Vec2 p) {
     bool odd = false;
     for (const DomainSegment &segment : domain.segments) {

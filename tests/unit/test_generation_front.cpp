@@ -21,7 +21,7 @@ std::uint64_t hashOf(const GenerationFront &front) {
     return hash.value();
 }
 
-/// Slot of the segment that starts at p.
+/// Returns the slot of the segment that starts at p.
 SlotId slotAt(const GenerationFront &front, Vec2 p) {
     for (std::uint32_t i = 0; i < front.capacity(); ++i) {
         if (front[SlotId{i}].alive && front.start(SlotId{i}) == p) {

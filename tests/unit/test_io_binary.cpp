@@ -23,7 +23,7 @@ std::string with(std::string bytes, std::size_t place, T value) {
     return bytes;
 }
 
-/// First byte behind a section's name and line end.
+/// Returns the first byte after the name of a section and its line end.
 std::size_t behind(const std::string &bytes, const std::string &section) {
     const std::size_t place = bytes.find("$" + section + "\n");
     REQUIRE(place != std::string::npos);

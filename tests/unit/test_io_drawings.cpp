@@ -19,7 +19,7 @@ namespace {
 
 using Areas = std::map<std::string, double>;
 
-/// Area of each region of a valid domain, by its name.
+/// Returns the area of each region of a valid domain, by name.
 Areas areas(const Domain &domain) {
     for (const Diagnostic &fault : validate(domain)) {
         FAIL(toString(fault));

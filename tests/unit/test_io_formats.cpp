@@ -16,7 +16,7 @@ using namespace forefront::testing;
 
 namespace {
 
-/// OBJ collects the faces of a group.
+/// OBJ stores faces by group.
 Mesh byRegion(Mesh mesh) {
     const Mesh old = mesh;
     std::size_t next = 0;

@@ -13,7 +13,7 @@ using namespace forefront::testing;
 
 namespace {
 
-/// One origin for each part that a reader makes.
+/// Checks that there is one origin for each part that a reader makes.
 void checkComplete(const DomainOrigin &origin, const Domain &domain) {
     CHECK(origin.of(DomainPartKind::Node).size() == domain.nodes.size());
     CHECK(origin.of(DomainPartKind::Segment).size() == domain.segments.size());

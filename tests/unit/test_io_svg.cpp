@@ -35,7 +35,7 @@ Diagnostic faultOf(const std::string &text) {
     return domain.faults()[0];
 }
 
-/// Area enclosed by the boundary segments, by its absolute value; for drawings of one loop.
+/// Returns the absolute area enclosed by the boundary segments, for drawings of one loop.
 double areaOf(const Domain &domain) {
     double area = 0.0;
     for (const DomainSegment &segment : domain.segments) {

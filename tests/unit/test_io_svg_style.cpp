@@ -34,7 +34,7 @@ std::set<std::string> namesIn(const Domain &domain) {
     return names;
 }
 
-/// Names of the squares that are read of a drawing with the squares a to f.
+/// Returns the names of the squares that are read from a drawing with the squares a to f.
 std::set<std::string> visible(const std::string &style, const std::string &attributes) {
     std::string content = "<style>" + style + "</style>\n";
     for (const char id : {'a', 'b', 'c'}) {

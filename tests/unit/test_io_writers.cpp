@@ -84,7 +84,7 @@ Mesh randomTaggedMesh(samples::Random &random) {
     return mesh;
 }
 
-/// What a file must keep of a mesh, in an order that does not depend on that of elements, edges and points.
+/// The parts of a mesh that a file must keep, independently of the order of elements, edges and points.
 auto content(const Mesh &mesh) {
     std::set<std::tuple<Element, std::int32_t>> elements;
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {

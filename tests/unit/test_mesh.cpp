@@ -50,7 +50,7 @@ TEST_CASE("meshHash: absent regions are the same as region 1 everywhere") {
 
 namespace {
 
-/// Neighbours by comparing all pairs of elements.
+/// Finds neighbours by comparing all pairs of elements.
 std::vector<std::array<ElementId, 3>> neighboursByPairs(const Mesh &mesh) {
     std::vector<std::array<ElementId, 3>> result(mesh.elements.size(), {kNoElement, kNoElement, kNoElement});
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
@@ -66,7 +66,7 @@ std::vector<std::array<ElementId, 3>> neighboursByPairs(const Mesh &mesh) {
     return result;
 }
 
-/// n triangles about node 0 in an order by chance.
+/// Returns n triangles about node 0 in random order.
 Mesh fan(std::size_t n) {
     Mesh mesh;
     mesh.nodes.push_back({});

@@ -42,7 +42,7 @@ Run runOn(const PreparedJob &prepared, Method method, GridKind grid) {
     return {meshHash(toMesh(mesher->state(), *prepared.boundary)), mesher->state().work.tested};
 }
 
-/// Every other advance explained before it is done; every seventh done, taken back and done again.
+/// Explains every other advance before it is done; does every seventh, undoes it and does it again.
 Run runTracedAndStepped(const PreparedJob &prepared, Method method) {
     MeshingOptions options;
     options.method = method;

@@ -51,7 +51,7 @@ bool before(Vec2 a, Vec2 b) {
     return a.x < b.x || (a.x == b.x && a.y < b.y);
 }
 
-/// Lower end first, as the sweep sees it.
+/// Returns the edge with its lower end first, as in the sweep.
 std::pair<Vec2, Vec2> ends(const Picture &picture, std::size_t edge) {
     const Vec2 a = picture.points[picture.edges[edge].a], b = picture.points[picture.edges[edge].b];
     return before(a, b) ? std::pair{a, b} : std::pair{b, a};
@@ -61,7 +61,7 @@ bool spans(Vec2 low, Vec2 high, Vec2 p) {
     return before(low, p) && before(p, high);
 }
 
-/// Where an edge passes the abscissa x; the upper end of a vertical one.
+/// Returns the point of an edge at the abscissa x; the upper end of a vertical edge.
 double heightAt(Vec2 low, Vec2 high, double x) {
     return low.x == high.x ? high.y : low.y + (high.y - low.y) * (x - low.x) / (high.x - low.x);
 }

@@ -35,7 +35,7 @@ int rationalInCircle(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
                   (cx * cx + cy * cy) * crossOf(ax, ay, bx, by));
 }
 
-/// How segments meet, from the parameters of their common points in rational arithmetic.
+/// Returns how segments meet, from the parameters of their common points in rational arithmetic.
 SegmentMeeting rationalMeeting(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
     const Rational ax(a.x), ay(a.y), ux = Rational(b.x) - ax, uy = Rational(b.y) - ay;
     const Rational cx(c.x), cy(c.y), vx = Rational(d.x) - cx, vy = Rational(d.y) - cy;
@@ -102,7 +102,7 @@ class NumberSource {
         }
     }
 
-    /// Around the least and greatest numbers that expansions are used for.
+    /// Numbers near the minimum and maximum for which expansions are used.
     double edge() {
         constexpr int kExponents[] = {-400, 480, -200, 240, 0};
         const double value = std::ldexp(nudged(1.0), kExponents[integer(0, 4)] + integer(-1, 1));

@@ -53,7 +53,7 @@ Domain repaired(const Domain &domain) {
     return result->domain;
 }
 
-/// Area inside, by the faces.
+/// Returns the area inside, from the faces.
 double insideArea(const Domain &domain) {
     const DomainGraph graph = graphOf(domain);
     const PlaneSweepResult sweep = sweepPlane(graph.points, graph.edges);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kJunkFamilies = 6;
 
-/// Places of nodes that are hard to repair: for each family another reason.
+/// Positions of nodes that are hard to repair, for a different reason in each family.
 Vec2 junkPlace(int family, RandomSource &random) {
     const auto grid = [&](int size) { return static_cast<double>(random.integer(0, size)); };
     const double ulp = std::numeric_limits<double>::epsilon();

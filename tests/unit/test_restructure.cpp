@@ -30,14 +30,14 @@ Triple turned(Triple t) {
     return t;
 }
 
-/// Elements of a cutout by local nodes.
+/// Returns the elements of a cutout by local nodes.
 std::set<Triple> elementsOf(const Cutout &cutout) {
     std::set<Triple> all;
     cutout.forEachElement([&](unsigned a, unsigned b, unsigned c) { CHECK(all.insert(turned({a, b, c})).second); });
     return all;
 }
 
-/// Directed sides that have no other side in the set.
+/// Returns the directed sides without a partner in the set.
 std::set<std::pair<unsigned, unsigned>> rimOf(const std::set<Triple> &elements) {
     std::set<std::pair<unsigned, unsigned>> sides;
     for (const Triple &t : elements) {
@@ -103,7 +103,7 @@ double areaOf(const Mesh &mesh, std::int32_t region) {
     return area;
 }
 
-/// All that must be where it was after any change of the nodes.
+/// The parts of a mesh that no change of the nodes may move.
 void checkKept(const Mesh &mesh, const Mesh &before) {
     const Diagnostics faults = verify(mesh);
     REQUIRE_MESSAGE(faults.empty(), samples::list(faults));
@@ -121,7 +121,7 @@ void checkKept(const Mesh &mesh, const Mesh &before) {
     }
 }
 
-/// Neighbours, valences and rings are those of the mesh.
+/// Checks that neighbours, valences and rings are those of the mesh.
 void checkFits(const ImproveWorkspace &work) {
     Mesh copy = work.mesh;
     ThreadPool pool(1);

@@ -15,7 +15,7 @@ using forefront::testing::RandomSource;
 
 namespace {
 
-/// Random domains to mesh: FOREFRONT_THREADS_DOMAINS, or a few that take some seconds.
+/// Random domains to mesh: FOREFRONT_THREADS_DOMAINS, or a few that take several seconds.
 std::uint64_t domainCount() {
     const char *const requested = std::getenv("FOREFRONT_THREADS_DOMAINS");
     if (requested != nullptr) {
@@ -28,7 +28,7 @@ std::uint64_t domainCount() {
 #endif
 }
 
-/// Some 10,000 elements: enough that threads share the work. Every other domain is graded.
+/// About 10,000 elements: enough that threads share the work. Every other domain is graded.
 MeshingJob jobOf(std::uint64_t seed) {
     MeshingJob job;
     job.domain = randomDomain(seed);

@@ -230,8 +230,8 @@ TEST_CASE("verify: elements that go twice around an inner node overlap, though a
 
 namespace {
 
-/// True if the interiors of two counter-clockwise triangles meet: no side of either has the other all on its right.
-/// Exact for small whole coordinates.
+/// Returns true if the interiors of two counter-clockwise triangles meet: no side of either has the whole other on its
+/// right. Exact for small whole coordinates.
 bool interiorsMeet(const std::array<Vec2, 3> &t, const std::array<Vec2, 3> &u) {
     const auto parted = [](const std::array<Vec2, 3> &p, const std::array<Vec2, 3> &q) {
         for (std::size_t k = 0; k < 3; ++k) {

@@ -11,7 +11,7 @@ using namespace forefront;
 namespace {
 
 /// Maximum work per element, about 10 % above that measured when this was written. Raise a bound only with a reason: an
-/// element that costs more work takes longer on every machine, which no test by the clock can tell.
+/// element that costs more work takes longer on every machine, which no timing test can show.
 struct Bounds {
     const char *scene;
     double size;

@@ -38,7 +38,7 @@ std::uint32_t NodeTable::finish() {
 
 std::uint32_t NodeTable::findSorted(std::int64_t number) const {
     const auto place = std::lower_bound(sorted_.begin(), sorted_.end(), number,
-                                        [&](std::uint32_t a, std::int64_t wanted) { return numbers_[a] < wanted; });
+                                        [&](std::uint32_t a, std::int64_t sought) { return numbers_[a] < sought; });
     return place != sorted_.end() && numbers_[*place] == number ? *place : kNoIndex;
 }
 

@@ -102,8 +102,8 @@ MshGroups::MshGroups(const Mesh &mesh) {
 
 std::int32_t MshGroups::number(int dimension, std::int32_t tag) const {
     const auto found = std::lower_bound(groups_.begin(), groups_.end(), std::pair(dimension, tag),
-                                        [](const MshGroup &group, const std::pair<int, std::int32_t> &wanted) {
-                                            return std::pair(group.dimension, group.tag) < wanted;
+                                        [](const MshGroup &group, const std::pair<int, std::int32_t> &key) {
+                                            return std::pair(group.dimension, group.tag) < key;
                                         });
     return found->number;
 }

@@ -20,7 +20,7 @@ struct MshGroup {
     std::string label;       ///< in the file
 };
 
-/// The physical groups of a mesh, numbered and named so that no two have the same number or name, whatever their
+/// The physical groups of a mesh, numbered and named so that no two have the same number or name, even in different
 /// dimensions: meshio keeps one table of names, GetFEM one of numbers.
 ///
 /// Edges keep their tags. Where a region has the tag of an edge or point, all regions are numbered tag + B, and where a

@@ -168,13 +168,13 @@ class ObjReader {
             TextScanner line = scanner_.part(item.offset, std::min(text.find('\n', item.offset), text.size()));
             const Expect expect{item.kind == Kind::Face ? "face" : "line or point", k + 1};
             NodeId nodes[3] = {};
-            const std::size_t wanted = item.kind == Kind::Face ? 3 : item.kind == Kind::Line ? 2 : 1;
-            for (std::size_t n = 0; n < wanted; ++n) {
+            const std::size_t expected = item.kind == Kind::Face ? 3 : item.kind == Kind::Line ? 2 : 1;
+            for (std::size_t n = 0; n < expected; ++n) {
                 if (!node(line, item, nodes[n], expect)) {
                     return false;
                 }
             }
-            if (!requireDistinct(scanner_, item.offset, std::span(nodes).first(wanted), expect)) {
+            if (!requireDistinct(scanner_, item.offset, std::span(nodes).first(expected), expect)) {
                 return false;
             }
             const std::int32_t tag = tagOf(item);

@@ -69,7 +69,7 @@ class ProjectReader {
         }
     }
 
-    /// Records where the parts of the document's domain stand in the text. The corners of a rectangle and of a circle
+    /// Records the places of the parts of the document's domain in the text. The corners of a rectangle and of a circle
     /// are at the list of its two nodes.
     void recordOrigins() {
         DomainSources sources;

@@ -11,7 +11,7 @@ namespace forefront {
 
 namespace {
 
-constexpr double kSameNode = 1e-6; ///< of the drawing's size: what relative path data loses by rounding
+constexpr double kSameNode = 1e-6; ///< part of the drawing's size: the rounding error of relative path data
 
 /// Closes a path that ends where it begins.
 void joinEnds(SvgPath &path, double tolerance) {

@@ -5,7 +5,8 @@
 namespace forefront {
 namespace {
 
-/// True if `strong` asks for no more than `weak` at every point of it, and so, growing no faster, everywhere.
+/// Returns true if `strong` asks for at most the spacing of `weak` at all its points, and so everywhere, growing no
+/// faster.
 bool dominates(const SizeSite &strong, const SizeSite &weak) {
     const double allowance = weak.size - weak.growth * weak.radius;
     return strong.growth <= weak.growth && strong.at(weak.a) <= allowance && strong.at(weak.a + weak.ab) <= allowance;

@@ -338,7 +338,7 @@ class SiteTreeBuilder {
     SiteTree tree_;
     std::uint32_t rows_ = 1;
     bool full_ = false;
-    std::vector<Cell> cells_; ///< of the level in work, and their candidates
+    std::vector<Cell> cells_; ///< cells of the current level, and their candidates
     std::vector<std::uint32_t> lists_;
     std::vector<Cell> nextCells_;
     std::vector<std::uint32_t> nextLists_;

@@ -97,7 +97,7 @@ std::uint32_t RegionPart::faceAt(Vec2 p) const {
             return true;
         }
         const double y = heightAt(wall.a, wall.b, p.x);
-        // Walls that meet the ray in their common left end are told apart by their slopes.
+        // Walls that meet the ray in their common left end are distinguished by their slopes.
         const bool lower =
             y < height || (first != nullptr && y == height && cross(wall.b - wall.a, first->b - first->a) > 0.0);
         if (y >= p.y && lower) {
