@@ -3,7 +3,7 @@
 ///
 /// @mainpage Forefront
 /// Forefront fills a planar domain with triangles by the advancing front technique. The same input gives the same mesh
-/// bit for bit, whatever the number of threads.
+/// bit for bit, for any number of threads.
 ///
 /// Ten lines mesh a rectangle and write it for Gmsh:
 /// @code{.cpp}

@@ -11,7 +11,7 @@
 
 namespace forefront {
 
-/// A static tree over boxes, for finding the items near a place whatever their sizes and distribution.
+/// A static tree over boxes, for finding the items near a place. Works for any sizes and distribution.
 ///
 /// Items lie in Morton order of their centres, `kFan` children to a box. Building sorts once, O(n log n). A query
 /// visits items in an order that depends on the boxes alone. Boxes may be degenerate, or as large as doubles go; an

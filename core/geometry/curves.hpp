@@ -10,7 +10,7 @@ namespace forefront {
 // most `tolerance` (domain units, > 0). It appends the nodes after the start; the last one is exactly the end. Nodes
 // equal to their predecessor are omitted. A curve with non-finite data becomes its end point alone.
 
-/// Maximum number of segments per curve, whatever the tolerance.
+/// Maximum number of segments per curve, for any tolerance.
 inline constexpr int kMaxCurveSegments = 10000;
 
 /// Flattens a quadratic Bézier curve.

@@ -133,7 +133,7 @@ def check_meshio(sample, file, regions=None, edges=None, kind=None, numbers=lamb
 
 
 def check_meshio_msh(sample, file):
-    """meshio keeps one table of names, whatever their dimension."""
+    """meshio keeps one table of names for all dimensions."""
     mesh = check_meshio(sample, file, "gmsh:physical", "gmsh:physical", numbers=sample.msh_number)
     found = {name: (int(tag), int(dimension)) for name, (tag, dimension) in mesh.field_data.items()}
     expected = {}
@@ -283,7 +283,7 @@ def check_freefem_vtk(sample, file, folder):
 
 
 def check_getfem(sample, file):
-    """GetFEM keeps one table of physical numbers, whatever their dimension."""
+    """GetFEM keeps one table of physical numbers for all dimensions."""
     getfem.util_trace_level(0)
     mesh = getfem.Mesh("import", "gmsh", file)
     places = mesh.pts().T

@@ -32,7 +32,7 @@ class DrawingBuilder {
     bool hasOutlines() const { return !input_.contours.empty(); }
 
     /// Arranges everything. Lines that form closed loops bound the domain if there are no outlines. Faults: those of
-    /// arrange(); empty-domain; with ImportOptions::strict whatever would have been changed.
+    /// arrange(); empty-domain; with ImportOptions::strict, every change that would be needed.
     Result<Domain> finish();
 
   private:

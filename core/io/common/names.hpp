@@ -58,7 +58,7 @@ struct FileNames {
     std::map<std::int32_t, std::string> edges, points, regions;
 };
 
-/// Makes an identifier of each name. No two are the same, whatever the kinds of their tags.
+/// Makes an identifier of each name. No two are the same, even for tags of different kinds.
 FileNames identifiersOf(const TagList &tags, UniqueNames &unique);
 
 /// Returns a note that lists the names which differ in the file, or nothing where none does.

@@ -129,8 +129,8 @@ void writeElements(const Mesh &mesh, const MshModel &model, TextWriter &out) {
 
 } // namespace
 
-/// MSH 4.1, binary: integers have four bytes, counts and the numbers of nodes and elements eight. The names of sections
-/// and of physical groups stay text.
+/// Writes MSH 4.1, binary. Integers have four bytes, counts and the numbers of nodes and elements eight. Section names
+/// and names of physical groups stay text.
 void writeMsh4Binary(const Mesh &mesh, TextWriter &out) {
     const MshGroups groups(mesh);
     const MshModel model(mesh, groups);

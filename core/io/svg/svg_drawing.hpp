@@ -35,7 +35,7 @@ struct SvgPaths {
 };
 
 /// Returns the visible shapes of an SVG drawing as polylines, those drawn by <use> included, in the order of painting.
-/// Notes name whatever is left out.
+/// Notes name everything left out.
 Result<SvgPaths> drawnPaths(const SourceText &source);
 
 } // namespace forefront
