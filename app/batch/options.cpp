@@ -64,20 +64,20 @@ CLI::Validator nonNegativeNumber() {
     });
 }
 
-CLI::Validator numberWithin(double least, double greatest) {
-    return check("a number from " + shown(least) + " to " + shown(greatest),
-                 [least, greatest](const std::string &text) {
+CLI::Validator numberWithin(double minimum, double maximum) {
+    return check("a number from " + shown(minimum) + " to " + shown(maximum),
+                 [minimum, maximum](const std::string &text) {
                      const auto value = parse<double>(text);
-                     return value && *value >= least && *value <= greatest;
+                     return value && *value >= minimum && *value <= maximum;
                  });
 }
 
-CLI::Validator wholeNumberWithin(int least, int greatest) {
-    return check("a whole number from " + std::to_string(least) + " to " + std::to_string(greatest),
-                 [least, greatest](const std::string &text) {
+CLI::Validator wholeNumberWithin(int minimum, int maximum) {
+    return check("a whole number from " + std::to_string(minimum) + " to " + std::to_string(maximum),
+                 [minimum, maximum](const std::string &text) {
                      const auto value = parse<int>(text);
                      const bool octal = value && text.ends_with('0' + std::to_string(*value)); // as CLI11 would read it
-                     return value && !octal && *value >= least && *value <= greatest;
+                     return value && !octal && *value >= minimum && *value <= maximum;
                  });
 }
 

@@ -15,8 +15,8 @@ namespace forefront {
 /// Checks of option values. A fault reads "--size: expected a positive number, got 'abc'".
 CLI::Validator positiveNumber();
 CLI::Validator nonNegativeNumber();
-CLI::Validator numberWithin(double least, double greatest);
-CLI::Validator wholeNumberWithin(int least, int greatest);
+CLI::Validator numberWithin(double minimum, double maximum);
+CLI::Validator wholeNumberWithin(int minimum, int maximum);
 CLI::Validator oneOf(std::vector<std::string> words);
 
 /// Adds the options --size and --spacing, which several commands share.

@@ -40,19 +40,19 @@ struct Axis {
 };
 
 Axis axisOf(const LogPlot &plot, double Vec2::*coordinate, double from, double to) {
-    double least = INFINITY, greatest = 0.0;
+    double minimum = INFINITY, maximum = 0.0;
     for (const PlotSeries &series : plot.series) {
         for (const Vec2 p : series.points) {
             if (p.*coordinate > 0.0) {
-                least = std::min(least, p.*coordinate);
-                greatest = std::max(greatest, p.*coordinate);
+                minimum = std::min(minimum, p.*coordinate);
+                maximum = std::max(maximum, p.*coordinate);
             }
         }
     }
     Axis axis{0, 1, from, to};
-    if (greatest > 0.0) {
-        axis.first = static_cast<int>(std::floor(std::log10(least)));
-        axis.last = std::max(axis.first + 1, static_cast<int>(std::ceil(std::log10(greatest))));
+    if (maximum > 0.0) {
+        axis.first = static_cast<int>(std::floor(std::log10(minimum)));
+        axis.last = std::max(axis.first + 1, static_cast<int>(std::ceil(std::log10(maximum))));
     }
     return axis;
 }

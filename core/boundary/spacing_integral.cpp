@@ -45,10 +45,10 @@ SpacingIntegral::Outcome SpacingIntegral::integrate(const SpacingField &spacing,
         if (!isValid(density)) {
             return fail(place);
         }
-        const double greatest = std::max({interval.density0, density, interval.density1});
-        const double least = std::min({interval.density0, density, interval.density1});
-        const double pieces = greatest * step;
-        if ((pieces > 1.0 || step > longestStep || (pieces > 0.1 && greatest > 2.0 * least)) && step > kMinStep) {
+        const double maximum = std::max({interval.density0, density, interval.density1});
+        const double minimum = std::min({interval.density0, density, interval.density1});
+        const double pieces = maximum * step;
+        if ((pieces > 1.0 || step > longestStep || (pieces > 0.1 && maximum > 2.0 * minimum)) && step > kMinStep) {
             stack_.push_back({middle, interval.t1, density, interval.density1});
             stack_.push_back({interval.t0, middle, interval.density0, density});
             continue;
@@ -101,9 +101,9 @@ double roughSpacingIntegral(const SpacingField &spacing, Vec2 a, Vec2 b, double 
         stack.pop_back();
         const double middle = 0.5 * (interval.t0 + interval.t1), step = interval.t1 - interval.t0;
         const double density = span / spacing.at(lerp(a, b, middle));
-        const double greatest = std::max({interval.density0, density, interval.density1});
-        const double least = std::min({interval.density0, density, interval.density1});
-        if (greatest > 2.0 * least && greatest * step > 1.0 && step > kMinStep && samples < kMaxSamples) {
+        const double maximum = std::max({interval.density0, density, interval.density1});
+        const double minimum = std::min({interval.density0, density, interval.density1});
+        if (maximum > 2.0 * minimum && maximum * step > 1.0 && step > kMinStep && samples < kMaxSamples) {
             stack.push_back({middle, interval.t1, density, interval.density1});
             stack.push_back({interval.t0, middle, interval.density0, density});
         } else {

@@ -91,13 +91,13 @@ Snapped snap(const PickIndex &index, const SnapQuery &query) {
 }
 
 double gridPitch(double unitsPerPixel, double minPixels) {
-    const double least = unitsPerPixel * minPixels;
-    if (!(least > 0.0) || !std::isfinite(least)) {
+    const double minimum = unitsPerPixel * minPixels;
+    if (!(minimum > 0.0) || !std::isfinite(minimum)) {
         return 0.0;
     }
-    const double decade = std::pow(10.0, std::floor(std::log10(least)));
+    const double decade = std::pow(10.0, std::floor(std::log10(minimum)));
     for (const double step : {1.0, 2.0, 5.0}) {
-        if (step * decade >= least) {
+        if (step * decade >= minimum) {
             return step * decade;
         }
     }

@@ -12,8 +12,10 @@ void append(Vec2 p, Vec2 previous, std::vector<Vec2> &nodes) {
     }
 }
 
-int clampedCount(double count, int least) {
-    return count <= least ? least : count < kMaxCurveSegments ? static_cast<int>(std::ceil(count)) : kMaxCurveSegments;
+int clampedCount(double count, int minimum) {
+    return count <= minimum            ? minimum
+           : count < kMaxCurveSegments ? static_cast<int>(std::ceil(count))
+                                       : kMaxCurveSegments;
 }
 
 /// Returns the number of segments n for a tolerance: n equal parameter steps deviate from the curve by at most

@@ -109,16 +109,16 @@ namespace {
 SegmentMeeting meetCollinear(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
     const bool alongX = a.x != b.x || c.x != d.x;
     const auto position = [alongX](Vec2 p) { return alongX ? p.x : p.y; };
-    const double least = std::max(std::min(position(a), position(b)), std::min(position(c), position(d)));
-    const double greatest = std::min(std::max(position(a), position(b)), std::max(position(c), position(d)));
-    if (least > greatest) {
+    const double minimum = std::max(std::min(position(a), position(b)), std::min(position(c), position(d)));
+    const double maximum = std::min(std::max(position(a), position(b)), std::max(position(c), position(d)));
+    if (minimum > maximum) {
         return SegmentMeeting::Apart;
     }
-    if (least < greatest) {
+    if (minimum < maximum) {
         return SegmentMeeting::Overlapping;
     }
-    const bool endOfFirst = position(a) == least || position(b) == least;
-    const bool endOfSecond = position(c) == least || position(d) == least;
+    const bool endOfFirst = position(a) == minimum || position(b) == minimum;
+    const bool endOfSecond = position(c) == minimum || position(d) == minimum;
     return endOfFirst && endOfSecond ? SegmentMeeting::SharedEnd : SegmentMeeting::Touching;
 }
 

@@ -36,7 +36,7 @@ void MeshingSession::clear() {
     worker_->mailbox().push(ClearCommand{});
 }
 void MeshingSession::want(SnapshotLayers layers) {
-    worker_->mailbox().push(WantCommand{layers});
+    worker_->mailbox().push(LayersCommand{layers});
 }
 std::shared_ptr<const SessionSnapshot> MeshingSession::latest() const {
     return worker_->mailbox().latest();

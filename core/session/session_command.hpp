@@ -28,11 +28,11 @@ struct FinishCommand {};
 struct PauseCommand {};
 struct CancelCommand {};
 struct ClearCommand {};
-struct WantCommand {
+struct LayersCommand {
     SnapshotLayers layers;
 };
 
 using SessionCommand = std::variant<StartCommand, PlayCommand, StepCommand, SeekCommand, FinishCommand, PauseCommand,
-                                    CancelCommand, ClearCommand, WantCommand>;
+                                    CancelCommand, ClearCommand, LayersCommand>;
 
 } // namespace forefront

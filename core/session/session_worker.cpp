@@ -31,7 +31,7 @@ void SessionWorker::loop() {
         SessionCommand command = PauseCommand{};
         try {
             if (mailbox_.take(command, travel_ ? travel_->workDue() : std::nullopt)) {
-                quiet_ = quiet_ && std::holds_alternative<WantCommand>(command); // the user takes over
+                quiet_ = quiet_ && std::holds_alternative<LayersCommand>(command); // the user takes over
                 std::visit([this](const auto &c) { execute(c); }, command);
             } else if (travel_ && !travel_->resting() && mailbox_.open()) {
                 follow(travel_->work());
@@ -119,7 +119,7 @@ void SessionWorker::execute(const PauseCommand &) {
     }
 }
 
-void SessionWorker::execute(const WantCommand &command) {
+void SessionWorker::execute(const LayersCommand &command) {
     const bool changed = !(layers_ == command.layers);
     layers_ = command.layers;
     if (changed) {

@@ -36,7 +36,7 @@ class SessionWorker {
     void execute(const PauseCommand &command);
     void execute(const CancelCommand &command);
     void execute(const ClearCommand &command);
-    void execute(const WantCommand &command);
+    void execute(const LayersCommand &command);
 
     /// Discards the run with its mesh and timeline.
     void forget();

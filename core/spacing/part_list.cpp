@@ -12,7 +12,7 @@ namespace {
 
 void neverFaulty(const SpacingSpec &, const Domain &, Diagnostics &) {}
 
-/// Returns true if both are null or their contents are equal; shared content is equal without a look inside.
+/// Returns true if both are null or their contents are equal; shared content is not compared.
 template <class T>
 bool samePointed(const std::shared_ptr<const T> &a, const std::shared_ptr<const T> &b) {
     return a == b || (a && b && *a == *b);

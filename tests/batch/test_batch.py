@@ -170,7 +170,7 @@ class Meshing(Case):
             self.assertGreater(len(triangles[0]), 0)
         self.assertIn("keep, drop", self.call("mesh", "inner.poly", "-o", "a.msh", "--inner-edges", "no", code=2).stderr)
 
-    def test_names_that_a_format_changes_are_told(self):
+    def test_names_that_a_format_changes_are_reported(self):
         self.write("named.poly", poly([SQUARE]) + '# boundary 1 "4th wall"\n')
         done = self.call("mesh", "named.poly", "-o", "named.inp", "-o", "named.vtu")
         self.assertRegex(done.stderr, r"^named.inp: note: .*'4th wall' is n_4th_wall.* \[changed-names\]\n$")
@@ -204,7 +204,7 @@ class Meshing(Case):
         self.call("mesh", "plate.poly", "-o", "b.ele", "-o", "c.ele", "--format", "triangle")
         self.assertEqual(self.read("b.ele"), self.read("c.ele"))
 
-    def test_a_project_keeps_its_spacing_whatever_it_is_called(self):
+    def test_a_project_keeps_its_spacing_under_any_name(self):
         self.write("plate.json", PROJECT)
         expected = self.stats("plate.json")["hash"]
         self.assertNotEqual(expected, self.stats("plate.json", "--size", "1")["hash"])
@@ -335,7 +335,7 @@ class Imports(Case):
         self.assertIn("[lines-as-outline]", self.call("mesh", "a.geojson", "-o", "a.msh").stderr)
         self.call("check", "a.msh", "--domain", "a.geojson")
 
-    def test_drawings_and_maps_are_arranged_and_every_change_is_told(self):
+    def test_drawings_and_maps_are_arranged_and_every_change_is_reported(self):
         polygon = ('{"type": "Feature", "properties": {"name": "%s"}, "geometry": {"type": "Polygon", "coordinates": '
                    '[[[%g,0],[%g,0],[%g,1],[%g,1],[%g,0]]]}}')
         pair = [polygon % ("A", 0, 1, 1, 0, 0), polygon % ("B", 0.99, 2, 2, 0.99, 0.99)]
@@ -363,7 +363,7 @@ class Imports(Case):
 
 
 class Refusing(Case):
-    def test_faults_are_told_with_their_place_one_a_line(self):
+    def test_faults_are_printed_with_their_place_one_per_line(self):
         self.write("bow.poly", poly([BOW]))
         done = self.call("mesh", "bow.poly", "-o", "bow.msh", code=1)
         self.assertFalse((self.path / "bow.msh").exists())
@@ -423,7 +423,7 @@ class Refusing(Case):
         for line in left:
             self.assertTrue(line.startswith("open.poly: error: ") and "(line" not in line, output)
 
-    def test_a_pipe_that_says_nothing_can_be_interrupted(self):
+    def test_a_silent_pipe_can_be_interrupted(self):
         os.mkfifo(self.path / "pipe.poly")
         for command in (["mesh", "pipe.poly"], ["mesh", "plate.poly", "--spacing-file", "pipe.poly"],
                         ["adapt", "pipe.poly", "--expression", "x", "--error", "0.1"]):
@@ -434,7 +434,7 @@ class Refusing(Case):
                 _, errors = process.communicate(timeout=60)
             self.assertEqual((process.returncode, errors), (3, "cancelled\n"))
 
-    def test_repair_splits_crossings_and_says_so(self):
+    def test_repair_splits_crossings_and_reports_it(self):
         self.write("bow.poly", poly([BOW]))
         done = self.call("mesh", "bow.poly", "-o", "bow.msh", "--repair")
         self.assertIn("(2, 1.5)", done.stderr)
@@ -448,7 +448,7 @@ class Refusing(Case):
         self.call("mesh", "nan.poly", "-o", "a.msh", code=1)
         self.call("check", "missing.msh", code=1)
 
-    def test_outputs_that_cannot_be_written_are_told(self):
+    def test_outputs_that_cannot_be_written_are_reported(self):
         self.call("mesh", "plate.poly", "-o", "plate.msh")
         (self.path / "folder.msh").mkdir()
         for command in (["mesh", "missing.poly"], ["adapt", "missing.msh", "--expression", "x", "--error", "0.1"]):
@@ -511,7 +511,7 @@ class Refusing(Case):
         self.assertIn("expression", self.call("adapt", "plate.msh", "--domain", "bow.poly", "--expression", "1+*x",
                                               "--error", "0.1", "-o", "new.msh", code=2).stderr)
 
-    def test_check_tells_how_well_a_spacing_is_kept(self):
+    def test_check_reports_how_well_a_spacing_is_kept(self):
         def kept(*words):
             found = re.search(r"^spacing conformity: mean ([\d.]+)$", self.call("check", *words).stdout, re.M)
             return float(found[1]) if found else None

@@ -127,9 +127,9 @@ TEST_CASE("elementSpacing: elements at the minimum size do not make the rest eve
     estimate.total = 1.0;
     estimate.norm = 10.0;
     const double h = std::sqrt(4.0 / std::sqrt(3.0) * 0.5 * 0.0025);
-    for (const double least : {0.0, 0.5 * h}) {
-        const std::vector<double> spacing = *elementSpacing(mesh, estimate, {0.01, least, 1e9, 0.3});
-        CHECK(spacing[400] == doctest::Approx(std::max(h / 6.0, least)));
+    for (const double minimum : {0.0, 0.5 * h}) {
+        const std::vector<double> spacing = *elementSpacing(mesh, estimate, {0.01, minimum, 1e9, 0.3});
+        CHECK(spacing[400] == doctest::Approx(std::max(h / 6.0, minimum)));
         CHECK(spacing[0] > 2.0 * h);
     }
 }
@@ -254,7 +254,7 @@ TEST_CASE("adapt: every stage of a round can be cancelled at each of its reports
     };
     REQUIRE(run().empty());
     const std::vector<std::string> all = reports;
-    for (const auto &[stage, least] : std::map<std::string, std::ptrdiff_t>{
+    for (const auto &[stage, minimum] : std::map<std::string, std::ptrdiff_t>{
              {"computing the gradient", 4},
              {"finding the elements around nodes", 8},
              {"recovering the gradient", 3},
@@ -268,7 +268,7 @@ TEST_CASE("adapt: every stage of a round can be cancelled at each of its reports
              {"finding the border of the background mesh", 3},
          }) {
         CAPTURE(stage);
-        CHECK(std::count(all.begin(), all.end(), stage) >= least);
+        CHECK(std::count(all.begin(), all.end(), stage) >= minimum);
     }
     for (most = 1; most <= all.size(); ++most) {
         stop = std::stop_source();

@@ -256,11 +256,11 @@ TEST_CASE("Advance: the α of an accepted candidate is the minimum of the elemen
             if (accepted == e.candidates.end()) {
                 continue;
             }
-            double least = 1.0;
+            double minimum = 1.0;
             for (const auto &[p, q, r] : e.made) {
-                least = std::min(least, shapeFactor(p, q, r));
+                minimum = std::min(minimum, shapeFactor(p, q, r));
             }
-            REQUIRE(accepted->alpha == doctest::Approx(least));
+            REQUIRE(accepted->alpha == doctest::Approx(minimum));
             REQUIRE(accepted->score > 0.0);
             REQUIRE((accepted->node == kNoNode || (accepted->node != e.nodeA && accepted->node != e.nodeB)));
             REQUIRE(accepted->score == doctest::Approx(accepted->alpha * accepted->deltaAC * accepted->deltaCB));

@@ -58,19 +58,19 @@ TEST_CASE("discretise: a unit square with spacing 0.1 has forty nodes a tenth ap
 }
 
 TEST_CASE("discretise: spacing that grows over twelve orders of magnitude is followed, not refused") {
-    for (const double least : {1e-6, 1e-9, 1e-12}) {
-        CAPTURE(least);
-        const auto discrete = discretise(kSquare, spacingAround({0, 0}, least, 0.3), false);
+    for (const double minimum : {1e-6, 1e-9, 1e-12}) {
+        CAPTURE(minimum);
+        const auto discrete = discretise(kSquare, spacingAround({0, 0}, minimum, 0.3), false);
         REQUIRE(discrete.ok());
-        // The integral along a side from the origin: growth up to `least` / 0.3, then logarithmic.
-        const double pieces = (1.0 + std::log(0.3 / least)) / 0.3;
+        // The integral along a side from the origin: growth up to `minimum` / 0.3, then logarithmic.
+        const double pieces = (1.0 + std::log(0.3 / minimum)) / 0.3;
         CHECK(std::fabs(static_cast<double>(piecesOf(*discrete, 0)) - pieces) < 1.5);
         CHECK(piecesOf(*discrete, 0) == piecesOf(*discrete, 3));
         double shortest = 1.0;
         for (const DiscreteSegment &s : discrete->segments) {
             shortest = std::min(shortest, distance(discrete->nodes[s.a], discrete->nodes[s.b]));
         }
-        CHECK(shortest == doctest::Approx(least).epsilon(0.2));
+        CHECK(shortest == doctest::Approx(minimum).epsilon(0.2));
     }
 }
 

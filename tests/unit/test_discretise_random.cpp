@@ -92,7 +92,7 @@ void checkRegions(const Domain &domain, const DiscreteDomain &discrete) {
 void checkAreas(const DiscreteDomain &discrete) {
     const Vec2 origin = discrete.bounds().centre();
     std::vector<CompensatedSum> twice(discrete.regions.size());
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (const DiscreteSegment &piece : discrete.segments) {
         const double part = cross(discrete.nodes[piece.a] - origin, discrete.nodes[piece.b] - origin);
         if (piece.leftRegion != kOutside) {
@@ -108,7 +108,7 @@ void checkAreas(const DiscreteDomain &discrete) {
         const double area = discrete.regions[region].area;
         REQUIRE(area > 0.0);
         REQUIRE(std::fabs(area - 0.5 * twice[region].value()) <= 1e-12 * size * size);
-        least = std::min(least, area);
+        minimum = std::min(minimum, area);
         total += area;
     }
     REQUIRE(discrete.area() == doctest::Approx(total).epsilon(1e-14));

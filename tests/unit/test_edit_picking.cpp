@@ -60,7 +60,7 @@ TEST_CASE("BoxTree: query and nearest agree with looking at every box") {
             const Box2 window = boxAround(random.place(12), random.real(0, 3));
             std::set<std::uint32_t> found, expected;
             tree.query(window, [&](std::uint32_t item) { CHECK(found.insert(item).second); });
-            double limit = 5.0, least = 5.0;
+            double limit = 5.0, minimum = 5.0;
             const Vec2 p = random.place(12);
             const auto toCorner = [&](std::uint32_t item) { return distance(p, boxes[item].min); };
             const std::uint32_t nearest = tree.nearest(p, limit, toCorner);
@@ -69,14 +69,14 @@ TEST_CASE("BoxTree: query and nearest agree with looking at every box") {
                 if (boxes[item].overlaps(window)) {
                     expected.insert(item);
                 }
-                if (toCorner(item) < least) {
-                    least = toCorner(item);
+                if (toCorner(item) < minimum) {
+                    minimum = toCorner(item);
                     oracle = item;
                 }
             }
             REQUIRE(found == expected);
             REQUIRE(nearest == oracle);
-            REQUIRE(limit == least);
+            REQUIRE(limit == minimum);
         }
     }
 }

@@ -42,11 +42,11 @@ bool crossingsAreOdd(const DiscreteDomain &domain, Vec2 p) {
     return odd;
 }
 
-/// The integral of `spacingAround(centre, least, growth)` in polar coordinates about the centre, logarithmic in the
+/// The integral of `spacingAround(centre, minimum, growth)` in polar coordinates about the centre, logarithmic in the
 /// radius.
-double polarReference(const DiscreteDomain &domain, const SpacingField &spacing, Vec2 centre, double least) {
+double polarReference(const DiscreteDomain &domain, const SpacingField &spacing, Vec2 centre, double minimum) {
     constexpr int kRays = 500, kRings = 160;
-    const double from = std::log(least * 1e-2), step = (std::log(domain.bounds().diagonal()) - from) / kRings;
+    const double from = std::log(minimum * 1e-2), step = (std::log(domain.bounds().diagonal()) - from) / kRings;
     double sum = 0.0;
     for (int ray = 0; ray < kRays; ++ray) {
         const double angle = 2.0 * std::numbers::pi * (ray + 0.37) / kRays;
@@ -129,11 +129,11 @@ TEST_CASE(
         const DiscreteDomain discrete = asGiven(domain);
         const double size = domain.bounds().diagonal();
         const Vec2 centre = domain.nodes[domain.segments[0].a];
-        for (const double least : {3e-2 * size, 1e-3 * size, 1e-6 * size}) {
+        for (const double minimum : {3e-2 * size, 1e-3 * size, 1e-6 * size}) {
             CAPTURE(seed);
-            CAPTURE(least);
-            const SpacingFunction spacing = spacingAround(centre, least, 0.2);
-            const double reference = polarReference(discrete, spacing, centre, least);
+            CAPTURE(minimum);
+            const SpacingFunction spacing = spacingAround(centre, minimum, 0.2);
+            const double reference = polarReference(discrete, spacing, centre, minimum);
             REQUIRE(estimateElements(discrete, spacing) == doctest::Approx(reference).epsilon(0.1));
         }
     }

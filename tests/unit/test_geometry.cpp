@@ -11,15 +11,15 @@ using namespace forefront;
 namespace {
 
 double greatestDistance(const std::vector<Vec2> &polyline, const std::vector<Vec2> &points) {
-    double greatest = 0.0;
+    double maximum = 0.0;
     for (const Vec2 p : points) {
-        double least = std::numeric_limits<double>::infinity();
+        double minimum = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i + 1 < polyline.size(); ++i) {
-            least = std::min(least, distanceToSegment(polyline[i], polyline[i + 1], p));
+            minimum = std::min(minimum, distanceToSegment(polyline[i], polyline[i + 1], p));
         }
-        greatest = std::max(greatest, least);
+        maximum = std::max(maximum, minimum);
     }
-    return greatest;
+    return maximum;
 }
 
 } // namespace

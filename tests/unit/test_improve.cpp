@@ -46,10 +46,10 @@ TEST_CASE("improve: keeps validity, tags, fixed nodes, regions and minimum α of
                     improve(mesh, {seed % 2 == 0 ? ImproveLevel::Default : ImproveLevel::Best, 2, nullptr});
                 const Diagnostics faults = verify(mesh);
                 REQUIRE_MESSAGE(faults.empty(), samples::list(faults));
-                const double least = measure(mesh, nullptr).alphaMin;
+                const double minimum = measure(mesh, nullptr).alphaMin;
                 CHECK(report.alphaMinBefore == measure(before, nullptr).alphaMin);
-                CHECK(report.alphaMinAfter == least);
-                CHECK(least >= report.alphaMinBefore);
+                CHECK(report.alphaMinAfter == minimum);
+                CHECK(minimum >= report.alphaMinBefore);
                 if (seed % 2 == 0) {
                     CHECK(mesh.nodes.size() == before.nodes.size());
                     CHECK(mesh.elements.size() == before.elements.size());
@@ -88,9 +88,9 @@ TEST_CASE("improve: improving again does not lower the minimum α") {
     Mesh mesh = samples::square(30, 30, 0.24, {}, 5);
     improve(mesh);
     for (int i = 0; i < 4; ++i) {
-        const double least = measure(mesh, nullptr).alphaMin;
+        const double minimum = measure(mesh, nullptr).alphaMin;
         const ImproveReport report = improve(mesh);
-        CHECK(report.alphaMinAfter >= least);
+        CHECK(report.alphaMinAfter >= minimum);
     }
 }
 
@@ -138,7 +138,7 @@ TEST_CASE("improve: a cancelled improvement leaves a valid mesh") {
 
 TEST_CASE("improve: cancelled by another thread at any moment it leaves a valid mesh with no lower minimum α") {
     const Mesh raw = samples::square(250, 250, 0.24, {}, 5);
-    const double least = measure(raw, nullptr).alphaMin;
+    const double minimum = measure(raw, nullptr).alphaMin;
     std::size_t stopped = 0;
     for (int delay = 0; delay < 40; ++delay) {
         Mesh mesh = raw;
@@ -152,7 +152,7 @@ TEST_CASE("improve: cancelled by another thread at any moment it leaves a valid 
         const ImproveReport report = improve(mesh, {ImproveLevel::Default, 1U + delay % 3U, nullptr}, progress);
         stopped += report.moves == 0 ? 1 : 0;
         CHECK(verify(mesh).empty());
-        CHECK(measure(mesh, nullptr).alphaMin >= least);
+        CHECK(measure(mesh, nullptr).alphaMin >= minimum);
         CHECK(report.alphaMinAfter >= report.alphaMinBefore);
     }
     CHECK(stopped > 0);
@@ -233,9 +233,9 @@ TEST_CASE("cleanUpWorst: brings elements that smoothing leaves poor to the minim
         Mesh mesh = samples::square(30, 30, 0.24, {}, 11);
         ThreadPool pool(threads);
         ImproveWorkspace work(mesh, pool);
-        const double least = work.measureAlpha();
+        const double minimum = work.measureAlpha();
         const MeshQuality before = measure(mesh, nullptr);
-        const CleanupCounts counts = cleanUpWorst(work, {0.75, 32.0, 6}, least, {});
+        const CleanupCounts counts = cleanUpWorst(work, {0.75, 32.0, 6}, minimum, {});
         const MeshQuality after = measure(mesh, nullptr);
         CHECK(counts.moves > 0);
         CHECK(counts.swaps > 0);

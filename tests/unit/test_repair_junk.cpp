@@ -74,11 +74,11 @@ bool same(const Domain &first, const Domain &second) {
 }
 
 double distanceToAny(const Domain &domain, Vec2 p) {
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (const DomainSegment &s : domain.segments) {
-        least = std::min(least, distanceToSegment(domain.nodes[s.a], domain.nodes[s.b], p));
+        minimum = std::min(minimum, distanceToSegment(domain.nodes[s.a], domain.nodes[s.b], p));
     }
-    return least;
+    return minimum;
 }
 
 const std::set<std::string> kRepairable{"zero-length",       "duplicate-node",    "duplicate-segment",

@@ -320,8 +320,8 @@ TEST_CASE("restructure: fewer irregular nodes, better shapes, fixed parts unchan
         const Mesh before = made.mesh;
         ThreadPool pool(2);
         ImproveWorkspace work(made.mesh, pool);
-        const double least = work.measureAlpha();
-        const RestructureCounts counts = restructure(work, made.rho, least, {});
+        const double minimum = work.measureAlpha();
+        const RestructureCounts counts = restructure(work, made.rho, minimum, {});
         checkFits(work);
         CHECK(counts.swapped > 0);
         CHECK(counts.merged + counts.divided > 0);
@@ -329,7 +329,7 @@ TEST_CASE("restructure: fewer irregular nodes, better shapes, fixed parts unchan
         CHECK(made.mesh.elements.size() == before.elements.size() - 2 * counts.merged + 2 * counts.divided);
         CHECK(irregular(made.mesh) < irregular(before));
         CHECK(measure(made.mesh, nullptr).alphaMean > measure(before, nullptr).alphaMean);
-        CHECK(measure(made.mesh, nullptr).alphaMin >= least);
+        CHECK(measure(made.mesh, nullptr).alphaMin >= minimum);
         checkKept(made.mesh, before);
     }
 }

@@ -11,9 +11,9 @@ std::uint32_t NodeTable::finish() {
     if (numbers_.empty()) {
         return kNoIndex;
     }
-    const auto [least, greatest] = std::minmax_element(numbers_.begin(), numbers_.end());
-    lowest_ = *least;
-    const std::uint64_t span = static_cast<std::uint64_t>(*greatest) - static_cast<std::uint64_t>(*least);
+    const auto [minimum, maximum] = std::minmax_element(numbers_.begin(), numbers_.end());
+    lowest_ = *minimum;
+    const std::uint64_t span = static_cast<std::uint64_t>(*maximum) - static_cast<std::uint64_t>(*minimum);
     constexpr std::uint64_t kGaps = 4;
     if (span < kGaps * numbers_.size()) {
         dense_.assign(static_cast<std::size_t>(span) + 1, kNoIndex);

@@ -109,11 +109,11 @@ std::int32_t MshGroups::number(int dimension, std::int32_t tag) const {
 }
 
 std::int32_t MshGroups::unusedNumbers(std::size_t count) const {
-    std::int32_t greatest = 0;
+    std::int32_t maximum = 0;
     for (const MshGroup &group : groups_) {
-        greatest = std::max(greatest, group.number);
+        maximum = std::max(maximum, group.number);
     }
-    return count < static_cast<std::size_t>(kGreatest - greatest) ? greatest + 1 : 1;
+    return count < static_cast<std::size_t>(kGreatest - maximum) ? maximum + 1 : 1;
 }
 
 void MshGroups::writeNames(TextWriter &out) const {

@@ -58,14 +58,14 @@ double JsonCheck::notNegative(const JsonValue &value, std::string_view what) {
     return *result;
 }
 
-std::int64_t JsonCheck::integer(const JsonValue &value, std::int64_t least, std::int64_t greatest,
+std::int64_t JsonCheck::integer(const JsonValue &value, std::int64_t minimum, std::int64_t maximum,
                                 std::string_view what) {
     const auto result = value.integer();
-    if (!result || *result < least || *result > greatest) {
+    if (!result || *result < minimum || *result > maximum) {
         fault(value, "bad-number",
-              "expected an integer from " + std::to_string(least) + " to " + std::to_string(greatest) + " for " +
+              "expected an integer from " + std::to_string(minimum) + " to " + std::to_string(maximum) + " for " +
                   std::string(what));
-        return least;
+        return minimum;
     }
     return *result;
 }

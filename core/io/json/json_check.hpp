@@ -30,7 +30,7 @@ class JsonCheck {
     /// Reads a number > 0.
     double positive(const JsonValue &value, std::string_view what);
     double notNegative(const JsonValue &value, std::string_view what);
-    std::int64_t integer(const JsonValue &value, std::int64_t least, std::int64_t greatest, std::string_view what);
+    std::int64_t integer(const JsonValue &value, std::int64_t minimum, std::int64_t maximum, std::string_view what);
     std::int32_t tag(const JsonValue &value);
     bool flag(const JsonValue &value, std::string_view what);
     std::string string(const JsonValue &value, std::string_view what);

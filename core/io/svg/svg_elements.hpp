@@ -17,7 +17,7 @@ std::string_view prefixOf(const pugi::xml_node &node);
 bool isDefinition(std::string_view name);
 /// Returns true for the elements that have an outline.
 bool isShape(std::string_view name);
-/// Returns why an element that other programs show is left out, as the rest of a message.
+/// Returns the reason why a visible element is left out, as the end of a message.
 std::string whyIgnored(std::string_view name);
 
 } // namespace forefront

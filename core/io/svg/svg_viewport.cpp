@@ -66,10 +66,10 @@ AffineMap viewBoxMap(const ViewBox &box, Vec2 size, std::string_view preserveAsp
         const bool slice = preserveAspectRatio.find("slice") != std::string_view::npos;
         const double factor = slice ? std::max(scale.x, scale.y) : std::min(scale.x, scale.y);
         scale = {factor, factor};
-        const auto part = [&](std::string_view least, std::string_view greatest) {
-            return preserveAspectRatio.find(least) != std::string_view::npos      ? 0.0
-                   : preserveAspectRatio.find(greatest) != std::string_view::npos ? 1.0
-                                                                                  : 0.5;
+        const auto part = [&](std::string_view minimum, std::string_view maximum) {
+            return preserveAspectRatio.find(minimum) != std::string_view::npos   ? 0.0
+                   : preserveAspectRatio.find(maximum) != std::string_view::npos ? 1.0
+                                                                                 : 0.5;
         };
         share = {part("xMin", "xMax"), part("YMin", "YMax")};
     }

@@ -190,7 +190,7 @@ class VtuReader {
             return scanner_.fail(offsetOf(node), "bad-count", "the points are not triples of coordinates");
         }
         Box2 box;
-        double least = std::numeric_limits<double>::infinity(), greatest = -least;
+        double minimum = std::numeric_limits<double>::infinity(), maximum = -minimum;
         for (std::size_t k = 0; k < values.size(); k += 3) {
             const Vec2 p{values[k], values[k + 1]};
             if (!isFinite(p) || !std::isfinite(values[k + 2])) {
@@ -198,12 +198,12 @@ class VtuReader {
                                      "the coordinates of node " + std::to_string(k / 3) + " must be finite");
             }
             box.add(p);
-            least = std::min(least, values[k + 2]);
-            greatest = std::max(greatest, values[k + 2]);
+            minimum = std::min(minimum, values[k + 2]);
+            maximum = std::max(maximum, values[k + 2]);
             grid_.nodes.push_back(p);
         }
         constexpr double kFlat = 1e-9;
-        return !(greatest - least > kFlat * box.diagonal()) ||
+        return !(maximum - minimum > kFlat * box.diagonal()) ||
                scanner_.fail(offsetOf(node), "not-planar", "the nodes do not lie in one plane z = constant");
     }
 

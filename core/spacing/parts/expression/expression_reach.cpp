@@ -49,10 +49,10 @@ class SlopeSearch {
     static constexpr std::size_t kSamples = 9;
     using Samples = std::array<double, kSamples>; ///< 3 x 3, row by row
 
-    /// Least and greatest slope seen in a cell, and how much it may change within it.
+    /// Least and maximum slope seen in a cell, and how much it may change within it.
     struct Slopes {
-        double least = std::numeric_limits<double>::infinity();
-        double greatest = 0.0;
+        double minimum = std::numeric_limits<double>::infinity();
+        double maximum = 0.0;
         double change = 0.0;
     };
     static Slopes slopesOf(const Samples &v, double half) {
@@ -61,8 +61,8 @@ class SlopeSearch {
             const double dx = 0.5 * (v[n + 1] - v[n] + v[n + 4] - v[n + 3]) / half;
             const double dy = 0.5 * (v[n + 3] - v[n] + v[n + 4] - v[n + 1]) / half;
             const double slope = std::sqrt(dx * dx + dy * dy);
-            slopes.least = std::min(slopes.least, slope);
-            slopes.greatest = std::max(slopes.greatest, slope);
+            slopes.minimum = std::min(slopes.minimum, slope);
+            slopes.maximum = std::max(slopes.maximum, slope);
             slopes.change = std::max(slopes.change, std::fabs(v[n] - v[n + 1] - v[n + 3] + v[n + 4]) / half);
         }
         for (std::size_t n = 0; n < 3; ++n) {
@@ -84,12 +84,12 @@ class SlopeSearch {
         rho_.atMany(places, values);
         const auto lowest = static_cast<std::size_t>(std::min_element(values.begin(), values.end()) - values.begin());
         const Slopes slopes = slopesOf(values, 0.5 * side);
-        if (slopes.greatest + 2.0 * slopes.change < 1.005 * gradation_) {
+        if (slopes.maximum + 2.0 * slopes.change < 1.005 * gradation_) {
             return; // gentle all over; a slope that equals the gradation must not be searched to the last cell
         }
         const Box2 inner{box_.min + 1e-9 * box_.size(), box_.max - 1e-9 * box_.size()};
         const bool inside = inner.contains(corner) && inner.contains(corner + Vec2{side, side});
-        if (inside && slopes.least - 2.0 * slopes.change > gradation_) {
+        if (inside && slopes.minimum - 2.0 * slopes.change > gradation_) {
             return; // downhill all over: no foot of a slope, but where it leaves the box
         }
         // A foot may lie half a cell off its true place, and the next one is a cell away.

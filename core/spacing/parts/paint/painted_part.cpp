@@ -132,7 +132,7 @@ class SiteFinder {
         return nodes_.at(i, j) == 0.0F && nodes_.at(i + 1, j) == 0.0F && nodes_.at(i, j + 1) == 0.0F &&
                nodes_.at(i + 1, j + 1) == 0.0F;
     }
-    /// Least value just beyond an edge of a cell; infinity where it is unpainted.
+    /// Returns the minimum value just beyond an edge of a cell; infinity if unpainted.
     float beyond(Step cell, Step edge, Step along) const {
         if (unpainted(cell.i, cell.j)) {
             return std::numeric_limits<float>::infinity();
@@ -152,7 +152,7 @@ class SiteFinder {
         const float other = low == here ? beyond(far, near, along) : beyond(near, near, along);
         return low < other * 0.999F ? low : 0.0F;
     }
-    /// Edges of 16 cells in a row, runs of equal ones joined.
+    /// Adds the edges of a row of 16 cells, with runs of equal ones joined.
     void addEdges(Step cell, Step along, Step across) {
         float run = 0.0F;
         Step begin = cell;
