@@ -48,7 +48,7 @@ class ChecksPanel final : public Panel {
     }
 
   private:
-    static void drawList(Shell &context, const Diagnostics &faults) {
+    static void drawList(Workspace &context, const Diagnostics &faults) {
         ImGui::PushFont(context.fonts.small);
         for (std::size_t k = 0; k < faults.size(); ++k) {
             const Diagnostic &fault = faults[k];

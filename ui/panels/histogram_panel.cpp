@@ -38,7 +38,7 @@ class HistogramPanel final : public Panel {
     }
 
   private:
-    static void drawSummary(Shell &context, const MeshQuality &quality) {
+    static void drawSummary(Workspace &context, const MeshQuality &quality) {
         if (context.view.isolatedBin) {
             const int bin = *context.view.isolatedBin;
             const std::string text =
@@ -54,7 +54,7 @@ class HistogramPanel final : public Panel {
     }
 
     /// The ends of the colour map; they fit the mesh until the user sets them.
-    static void drawRange(Shell &context, const MeshQuality &quality) {
+    static void drawRange(Workspace &context, const MeshQuality &quality) {
         const ColourRange fitted = fittedQualityRange(quality);
         ColourRange range = context.view.qualityRange.value_or(fitted);
         ImGui::AlignTextToFramePadding();
@@ -85,7 +85,7 @@ class HistogramPanel final : public Panel {
 
     /// Draws bars whose height is proportional to the square root of the count, so that a few bad elements stay visible
     /// beside thousands of good ones.
-    static void drawBars(Shell &context, const MeshQuality &quality, ImVec2 at, ImVec2 size) {
+    static void drawBars(Workspace &context, const MeshQuality &quality, ImVec2 at, ImVec2 size) {
         const ColourRange range = context.view.qualityRange.value_or(fittedQualityRange(quality));
         const auto &bins = quality.alphaHistogram;
         const double largest =
@@ -125,7 +125,7 @@ class HistogramPanel final : public Panel {
         }
     }
 
-    static void drawAxis(Shell &context, ImVec2 at, float width) {
+    static void drawAxis(WidgetContext &context, ImVec2 at, float width) {
         ImDrawList &list = *ImGui::GetWindowDrawList();
         list.AddLine(at, {at.x + width, at.y}, context.theme.line);
         ImGui::PushFont(context.fonts.small);

@@ -41,7 +41,7 @@ class InspectorPanel final : public Panel {
     std::uint64_t pruned_ = 0; ///< revision for which deleted parts were last removed from the selection
 };
 
-void heading(Shell &context, const std::string &text) {
+void heading(WidgetContext &context, const std::string &text) {
     ImGui::PushFont(context.fonts.strong);
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopFont();
@@ -77,7 +77,7 @@ void useRow(Shell &context, const std::set<std::uint32_t> &ids, ShapeUse use) {
 
 /// Returns the node spacing under the pointer and the part of the spacing that sets it, or the reason why there is
 /// none.
-std::string spacingHere(const Shell &context) {
+std::string spacingHere(const Workspace &context) {
     const std::shared_ptr<const SpacingField> &spacing = context.preview->spacing;
     const std::shared_ptr<const Domain> &domain = context.preview->domain;
     if (!spacing) {

@@ -32,7 +32,7 @@ class LogPanel final : public Panel {
     }
 
   private:
-    static void drawEntry(Shell &context, const MessageLog::Entry &entry) {
+    static void drawEntry(Workspace &context, const MessageLog::Entry &entry) {
         const Diagnostic &d = entry.diagnostic;
         const Theme &theme = context.theme;
         const bool error = d.severity == Severity::Error, warning = d.severity == Severity::Warning;

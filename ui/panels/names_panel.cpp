@@ -51,7 +51,7 @@ class NamesPanel final : public Panel {
 
   private:
     template <class Rename>
-    static void row(Shell &context, const std::string &prefix, std::int32_t tag, const std::string &name,
+    static void row(WidgetContext &context, const std::string &prefix, std::int32_t tag, const std::string &name,
                     Rename rename) {
         ImGui::AlignTextToFramePadding();
         ui::muted(context, std::to_string(tag));

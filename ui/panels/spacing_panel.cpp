@@ -26,7 +26,7 @@ class SpacingPanel final : public Panel {
 };
 
 /// Returns the fault of the expression if the preview found one, else null.
-const Diagnostic *expressionFault(const Shell &context) {
+const Diagnostic *expressionFault(const Workspace &context) {
     for (const Diagnostic &fault : context.preview->faults) {
         if (fault.code.starts_with("expression")) {
             return &fault;
@@ -35,7 +35,7 @@ const Diagnostic *expressionFault(const Shell &context) {
     return nullptr;
 }
 
-void drawExpressionFault(Shell &context, const Diagnostic &fault, const std::string &expression) {
+void drawExpressionFault(WidgetContext &context, const Diagnostic &fault, const std::string &expression) {
     ImGui::PushFont(context.fonts.small);
     if (fault.column > 0 && static_cast<std::size_t>(fault.column) <= expression.size() + 1) {
         // Show the expression around the fault; the part from the fault on is in the error colour.

@@ -39,7 +39,7 @@ class StatisticsPanel final : public Panel {
 
   private:
     /// A label and its value in two columns of the table; the tooltip covers both.
-    static void cell(Shell &context, const char *label, const std::string &value, const char *meaning) {
+    static void cell(WidgetContext &context, const char *label, const std::string &value, const char *meaning) {
         ImGui::TableNextColumn();
         const ImVec2 from = ImGui::GetCursorScreenPos();
         ui::muted(context, label);
@@ -51,7 +51,7 @@ class StatisticsPanel final : public Panel {
         ui::tooltipOver(context, rect, meaning);
     }
 
-    static void rows(Shell &context, const SessionSnapshot &run) {
+    static void rows(WidgetContext &context, const SessionSnapshot &run) {
         const MeshQuality &q = run.quality;
         const WorkCounters &w = run.work;
         cell(context, "Nn", ui::count(q.nodes), "Nodes");

@@ -40,7 +40,7 @@ class Plate {
     Plate &operator=(const Plate &) = delete;
 };
 
-void key(Shell &context, const char *text) {
+void key(WidgetContext &context, const char *text) {
     const ImVec2 size = ImGui::CalcTextSize(text);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 pad{context.px(6), context.px(2)};
@@ -57,7 +57,7 @@ struct Hint {
 };
 
 /// Returns the width of a hint in the strip, including the gap after it, in pixels.
-float widthOf(const Shell &context, const Hint &hint) {
+float widthOf(const WidgetContext &context, const Hint &hint) {
     return ImGui::CalcTextSize(hint.key).x + ImGui::CalcTextSize(hint.text).x + context.px(12 + 6 + 16);
 }
 
@@ -96,13 +96,13 @@ void drawHints(Shell &context, const PixelRect &canvas) {
 }
 
 /// Returns the maximum width of a plate without its padding, in pixels.
-float roomOfPlates(const Shell &context, const PixelRect &canvas) {
+float roomOfPlates(const WidgetContext &context, const PixelRect &canvas) {
     return static_cast<float>(canvas.width) - context.px(2 * 12 + 2 * 12);
 }
 
 /// Returns the top of the plate at the right: beside the tool options if it fits there, else below them. Uses the
 /// rectangles of the last frame.
-double topOfNotes(const Shell &context, const PixelRect &canvas) {
+double topOfNotes(const WidgetContext &context, const PixelRect &canvas) {
     const double gap = 12.0 * static_cast<double>(context.scale);
     const WidgetRegistry::Widget *const options = context.widgets.find("options");
     const WidgetRegistry::Widget *const plate = context.widgets.find("canvas/plate");
@@ -140,7 +140,7 @@ void drawOutOfDate(Shell &context, const PixelRect &canvas) {
     ui::markWindow(context, "canvas/plate");
 }
 
-void drawBar(Shell &context, double progress) {
+void drawBar(WidgetContext &context, double progress) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 size{context.px(180), context.px(6)};
     const float y = at.y + (ImGui::GetFrameHeight() - size.y) / 2;
@@ -197,7 +197,7 @@ std::string withPlace(const Diagnostic &diagnostic) {
 
 /// Returns the newest message if it is recent and, for a fault, still concerns the current document; otherwise null. If
 /// several faults were reported at once, returns the first and counts the others in `more`.
-const MessageLog::Entry *newsOf(Shell &context, std::size_t &more) {
+const MessageLog::Entry *newsOf(Workspace &context, std::size_t &more) {
     constexpr double kShown = 9.0; // seconds
     const auto &entries = context.log.entries();
     const auto last = std::find_if(entries.rbegin(), entries.rend(), [](const auto &entry) { return entry.told; });
@@ -236,7 +236,7 @@ void drawNewsButtons(Shell &context, ui::Flow &flow, const Diagnostic &diagnosti
 }
 
 /// Draws a message at most `room` pixels wide; `more` counts the faults that followed it.
-void drawMessage(Shell &context, const Diagnostic &diagnostic, float room, std::size_t more) {
+void drawMessage(WidgetContext &context, const Diagnostic &diagnostic, float room, std::size_t more) {
     const bool fault = diagnostic.severity == Severity::Error, note = diagnostic.severity == Severity::Note;
     const Theme &theme = context.theme;
     ImGui::AlignTextToFramePadding();

@@ -12,7 +12,7 @@ namespace forefront::shell {
 namespace {
 
 /// Draws an edge that can be dragged. Returns the distance dragged in this frame, in pixels along its normal.
-float splitter(Shell &context, const char *name, const PixelRect &rect, bool vertical) {
+float splitter(WidgetContext &context, const char *name, const PixelRect &rect, bool vertical) {
     // Dear ImGui clips at half of the padding, which would hide the edge.
     const ImVec2 corner{static_cast<float>(rect.x), static_cast<float>(rect.y)};
     ImGui::PushClipRect(corner, {static_cast<float>(rect.x + rect.width), static_cast<float>(rect.y + rect.height)},
@@ -39,7 +39,7 @@ float splitter(Shell &context, const char *name, const PixelRect &rect, bool ver
 }
 
 /// Draws the heading of a panel, which folds it. Returns true if the panel is unfolded; Dear ImGui's storage remembers.
-bool panelHeading(Shell &context, const Panel &panel) {
+bool panelHeading(WidgetContext &context, const Panel &panel) {
     const std::string name = std::string("panel/") + panel.id();
     bool *folded = ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID(panel.id()), false);
     const ImVec2 at = ImGui::GetCursorScreenPos();

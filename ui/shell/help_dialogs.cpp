@@ -72,14 +72,14 @@ class ShortcutSheet final : public Dialog {
     }};
 
     template <class Rows>
-    static void group(Shell &context, const char *name, const char *title, float width, Rows rows) {
+    static void group(WidgetContext &context, const char *name, const char *title, float width, Rows rows) {
         ui::heading(context, title);
         rows();
         ImGui::Dummy({width, context.px(8)});
         ui::mark(context, name);
     }
 
-    static void row(Shell &context, float width, const std::string &keys, const std::string &text) {
+    static void row(WidgetContext &context, float width, const std::string &keys, const std::string &text) {
         const float left = ImGui::GetCursorPosX();
         ImGui::PushStyleColor(ImGuiCol_Text, context.theme.accent);
         ImGui::TextUnformatted(keys.c_str());

@@ -46,7 +46,7 @@ void drawMenu(Shell &context, const char *menu) {
     }
 }
 
-std::string titleText(const Shell &context) {
+std::string titleText(const Workspace &context) {
     std::string title = context.document.title();
     if (context.document.dirty()) {
         title += " \xe2\x80\xa2";
@@ -56,7 +56,7 @@ std::string titleText(const Shell &context) {
 
 /// Draws the title of the document, centred in the bar if menus and icons leave room, and shortened if it does not
 /// fit.
-void drawTitle(Shell &context, const PixelRect &rect, float from, float to) {
+void drawTitle(Workspace &context, const PixelRect &rect, float from, float to) {
     const std::string title = titleText(context);
     const ImVec2 size = ImGui::CalcTextSize(title.c_str());
     if (to - from < std::min(size.x, context.px(48))) {

@@ -15,7 +15,7 @@ constexpr Modifiers kNone{};
 constexpr Modifiers kShift{Modifiers::kShift};
 constexpr Modifiers kControl{Modifiers::kControl};
 
-Box2 drawingBounds(const Shell &context) {
+Box2 drawingBounds(const Workspace &context) {
     Box2 box;
     for (const auto &shape : context.document.current()->shapes) {
         const bool circle = shape->kind == ShapeKind::Circle && shape->nodes.size() >= 2;
@@ -89,7 +89,7 @@ void addInterfaceActions(ActionRegistry &actions) {
                  .checked = [](const Shell &c) { return c.settings.hints; }});
 }
 
-bool canMesh(const Shell &context) {
+bool canMesh(const Workspace &context) {
     return !context.document.current()->shapes.empty();
 }
 

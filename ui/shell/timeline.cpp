@@ -48,7 +48,7 @@ void drawTransport(Shell &context) {
 }
 
 /// Draws the speed slider and the step size; `narrow` makes both smaller.
-void drawSpeed(Shell &context, bool narrow) {
+void drawSpeed(Workspace &context, bool narrow) {
     const double speed = context.run.speed();
     const double slowest = std::log10(RunControl::kSlowest), span = std::log10(RunControl::kFastest) - slowest;
     double t = (std::log10(speed) - slowest) / span;
@@ -74,7 +74,7 @@ void drawSpeed(Shell &context, bool narrow) {
 /// Draws the marks below the bar. Where marks of new nodes and closures would overlap, only one is drawn; rare marks
 /// are always drawn.
 template <class Place>
-void drawMarks(Shell &context, const std::vector<TimelineMark> &marks, Place place, float middle) {
+void drawMarks(WidgetContext &context, const std::vector<TimelineMark> &marks, Place place, float middle) {
     ImDrawList &list = *ImGui::GetWindowDrawList();
     float last = -1e9F;
     for (const TimelineMark &mark : marks) {
@@ -91,7 +91,7 @@ void drawMarks(Shell &context, const std::vector<TimelineMark> &marks, Place pla
 }
 
 /// Draws the bar of the timeline with its marks, and seeks while it is dragged.
-void drawScrubber(Shell &context, float width, float height) {
+void drawScrubber(Workspace &context, float width, float height) {
     const SessionSnapshot &run = context.run.now();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton("##scrubber", {width, height});
@@ -155,7 +155,7 @@ std::string faultText(const Diagnostic &fault) {
 }
 
 /// Returns a hint on how to get started while there is no mesh.
-std::string invitation(const Shell &context) {
+std::string invitation(const Workspace &context) {
     return context.document.current()->shapes.empty()
                ? "Draw a domain: R rectangle, P polygon, C circle. A shape inside another is a hole. Or open a file "
                  "(Ctrl+O) or a sample (Learn)."
