@@ -38,7 +38,8 @@ Diagnostics checkRange(const ArrangementInput &input, const Box2 &box) {
     return {};
 }
 
-/// Every contour must come to each of its nodes as often as it leaves it; even-odd ones an even number of times.
+/// Checks that each contour enters each of its nodes as often as it leaves it; even-odd contours must pass an even
+/// number of times.
 Diagnostics checkClosed(const ArrangementInput &input, const SnappedLines &snapped) {
     std::vector<std::uint64_t> balance(input.contours.size(), 0);
     const auto mix = [](std::uint64_t node) { // SplitMix64 (S. Vigna): sums of such numbers vanish only by pairs
@@ -117,7 +118,7 @@ Result<Arrangement> arrange(const ArrangementInput &input, std::stop_token stop)
     for (const ArrangementPiece &piece : input.pieces) {
         lines.push_back({piece.a, piece.b});
     }
-    // A few last digits of the coordinates: with less, rounding could turn the order of nodes and edges around.
+    // A few last digits of the coordinates: with a smaller radius, rounding could reverse the order of nodes and edges.
     constexpr double kResolution = 4e-15;
     const double magnitude =
         box.empty()

@@ -11,20 +11,20 @@
 #include <string>
 #include <vector>
 
-// From the lines that a file holds to a domain that can be meshed.
+// Turns the lines of a file into a domain that can be meshed.
 //
-// Why no library does this. Measured against what is needed (labels on every piece of boundary, results that depend on
-// nothing but the geometry, no vertex moved without reason, a permissive licence):
+// Why no library does this: we need labels on every piece of the boundary, results that depend on the geometry alone,
+// vertices that stay where they are unless something is close, and a permissive licence.
 // - GEOS 3.11 (LGPL): overlays two geometries at a time and rounds every vertex to a grid when given a precision; the
 //   noder that keeps labels is internal C++ without a stable interface; no winding numbers.
 // - CGAL 5.5: Snap_rounding_2 and Arrangement_2 do most of it, but are GPL, and snap rounding moves every vertex.
 // - Boost.Polygon (Boost licence): integer coordinates of 32 bits, and the sets it returns carry no labels.
 // - Clipper 6 (Boost licence): integer coordinates, closed paths without labels, no faces.
-// What the core has already (exact predicates, plane sweep, faces) is the larger half of the work.
+// The core already has the larger half of the work: exact predicates, plane sweep, faces.
 
 namespace forefront {
 
-/// What a piece of a drawing means.
+/// The role of a piece of a drawing.
 enum class PieceRole : std::uint8_t {
     Outline,    ///< part of a contour: counts for inside and outside
     Constraint, ///< a line that the mesh must contain
@@ -38,24 +38,24 @@ struct ArrangementPiece {
     std::uint32_t contour = 0; ///< of an Outline: index into ArrangementInput::contours
     std::int32_t tag = 1;      ///< of the boundary part or point
     PieceRole role = PieceRole::Outline;
-    /// The part of a curve that the piece stands for, if the caller numbers its curves; stretches of the piece come
-    /// back with their part of the range.
+    /// The parameter range of the curve that the piece approximates, if the caller numbers its curves. Each stretch of
+    /// the piece is returned with its share of the range.
     std::uint32_t curve = 0xffffffffU;
     double t0 = 0.0;
     double t1 = 1.0;
 };
 
-/// Which winding numbers are inside.
+/// The rule that says which winding numbers are inside.
 enum class FillRule : std::uint8_t { NonZero, EvenOdd };
 
 /// Closed loops whose winding numbers are added: all subpaths of an SVG path, or one ring of a polygon.
 struct ArrangementContour {
     std::uint32_t shape = 0;
     FillRule rule = FillRule::NonZero;
-    bool hole = false; ///< what it encloses is taken out of its shape
+    bool hole = false; ///< the area it encloses is removed from its shape
 };
 
-/// What one path or polygon covers: everything inside at least one of its outer contours and inside none of its holes.
+/// The area of one path or polygon: everything inside at least one of its outer contours and inside none of its holes.
 struct ArrangementShape {
     std::uint32_t feature = 0;
 };
@@ -71,7 +71,7 @@ struct ArrangementInput {
     std::uint32_t addFeature(std::int32_t regionTag, std::string name = {});
     std::uint32_t addShape(std::uint32_t feature);
     std::uint32_t addContour(std::uint32_t shape, FillRule rule = FillRule::NonZero, bool hole = false);
-    /// A closed loop of a contour, its first node not repeated. Nodes equal to the one before are passed over.
+    /// A closed loop of a contour, its first node not repeated. Nodes equal to the previous one are skipped.
     void addRing(std::uint32_t contour, std::span<const Vec2> nodes, std::int32_t tag);
     /// A line that the mesh must contain.
     void addChain(std::span<const Vec2> nodes, std::int32_t tag);
@@ -81,8 +81,8 @@ struct ArrangementInput {
     std::vector<ArrangementContour> contours;
     std::vector<ArrangementShape> shapes;
     std::vector<ArrangementFeature> features;
-    /// Nodes and segments closer than this are joined, in domain units. The resolution of doubles at these coordinates
-    /// is the least that is used.
+    /// Nodes and segments closer than this are joined, in domain units. The minimum is the resolution of
+    /// doubles at these coordinates.
     double tolerance = 0.0;
     OverlapRule overlap = OverlapRule::Later;
     bool markRegions = false; ///< put a region marker into every face
@@ -103,13 +103,13 @@ struct Arrangement {
     std::vector<PieceStretch> stretches;      ///< per segment: the first piece that runs along it
     std::vector<std::uint32_t> pointPiece;    ///< per constraint point
     std::vector<std::uint32_t> markerFeature; ///< per region marker: the feature that its face belongs to
-    double radius = 0.0; ///< what was joined: the tolerance, or less where several things crowd within it
+    double radius = 0.0; ///< joining distance: the tolerance, or less if several things crowd within it
     std::vector<ArrangementChange> changes; ///< one entry per kind
 };
 
-/// The planar arrangement of labelled pieces as a domain: crossings, touchings and overlaps are found exactly and
-/// become nodes; what is closer than the tolerance is joined (see snapLines); inside is what the shapes cover.
-/// Outlines with the same feature on both sides disappear, except where two of its shapes only touch.
+/// Builds a domain from labelled pieces as their planar arrangement: crossings, touchings and overlaps are found
+/// exactly and become nodes; things closer than the tolerance are joined (see snapLines); the inside is what the shapes
+/// cover. Outlines with the same feature on both sides disappear, except where two of its shapes only touch.
 /// - Nothing moves by more than the tolerance. Nodes that nothing comes close to keep their coordinates bit for bit.
 /// - A valid domain comes back with its nodes and segments in the order of the pieces.
 /// - The result depends on the set of pieces, not on their order, which only numbers nodes and segments, chooses

@@ -82,7 +82,7 @@ void Assembler::reportNodes() {
     }
 }
 
-/// How the way of a piece differs from it.
+/// Records how the way of a piece differs from the piece.
 void Assembler::reportPiece(std::uint32_t piece) {
     const ArrangementPiece &about = input_.pieces[piece];
     if (about.a != about.b && snapped_.starts[piece] == snapped_.starts[piece + 1]) {
@@ -121,7 +121,7 @@ void Assembler::reportPiece(std::uint32_t piece) {
     }
 }
 
-/// True if features cover the face of which none lies inside the other.
+/// Returns true if several features cover the face and neither lies inside the other.
 bool Assembler::overlap(std::uint32_t face) const {
     const std::uint32_t first = cover_.rivalStarts[face], last = cover_.rivalStarts[face + 1];
     for (std::uint32_t i = first; i < last; ++i) {

@@ -6,7 +6,7 @@ namespace forefront {
 
 namespace {
 
-/// How a kind of change is told: the words go around the count.
+/// Words of a message about one kind of change; the count goes between them.
 struct Words {
     ChangeKind kind;
     const char *code;

@@ -15,10 +15,10 @@ enum class ChangeKind : std::uint8_t {
     ShortPieces,      ///< a piece vanished because its ends were welded
     CrossingSegments, ///< a node was added where pieces cross
     TouchingSegments, ///< a piece was split at a node on it
-    BentSegments,     ///< a piece was led through a node near it
+    BentSegments,     ///< a piece was routed through a node near it
     FoldedOutlines,   ///< an outline runs back along itself; both parts vanish
     OverlapsDecided,  ///< several features cover a face, and one was chosen
-    InnerOutlines,    ///< an outline with the same on both sides vanished
+    InnerOutlines,    ///< an outline with the same feature on both sides vanished
     OutsideLines,     ///< a constraint line outside the domain vanished
     OutsidePoints     ///< a constraint point outside the domain vanished
 };
@@ -30,13 +30,13 @@ struct ArrangementChange {
 
     ChangeKind kind = ChangeKind::WeldedNodes;
     std::size_t count = 0;
-    double displacement = 0.0; ///< the greatest, in domain units; of OverlapsDecided the area instead
+    double displacement = 0.0; ///< maximum, in domain units; for OverlapsDecided the area instead
     std::vector<Vec2> places;  ///< the first ones, at most kPlaces
     std::uint32_t piece = 0;   ///< the first piece concerned
-    std::string between;       ///< of OverlapsDecided: names of the first two features
+    std::string between;       ///< for OverlapsDecided: names of the first two features
 };
 
-/// True if the change makes the domain something else than what its file says; false for outlines that vanish because
+/// Returns true if the change makes the domain differ from what its file says; false for outlines that vanish because
 /// the fill rule or the union of shapes makes them meaningless.
 bool altersInput(ChangeKind kind);
 

@@ -162,7 +162,7 @@ class CoverFinder {
         }
     }
 
-    /// Standing in the left face of the edge.
+    /// Starts in the left face of the edge.
     void countEnds(std::uint32_t edge) {
         touched_.clear();
         for (std::uint32_t k = runs_.starts[edge]; k < runs_.starts[edge + 1]; ++k) {

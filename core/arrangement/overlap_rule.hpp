@@ -10,7 +10,7 @@ namespace FOREFRONT_API forefront {
 /// keeps its own area.
 enum class OverlapRule : std::uint8_t {
     Later,  ///< the one that comes later in the file, as in a painting
-    Smaller ///< the one with the smaller area; of equal ones the later
+    Smaller ///< the one with the smaller area; the later of equal ones
 };
 
 } // namespace forefront

@@ -13,10 +13,10 @@ namespace forefront {
 /// Finds equal places in a list that it appends to: a hash table with open addressing.
 class PlaceTable {
   public:
-    /// `limit`: the greatest number of places looked up.
+    /// `limit`: maximum number of places looked up.
     explicit PlaceTable(std::size_t limit) : slots_(std::bit_ceil(2 * limit + 2), kNoIndex) {}
 
-    /// Index of the place in the list, where it is appended if it is new.
+    /// Returns the index of the place in the list; appends it if it is new.
     std::uint32_t indexOf(Vec2 p, std::vector<Vec2> &places) {
         Hash64 hash;
         hash.add(p.x);

@@ -7,7 +7,7 @@
 
 namespace forefront {
 
-/// Per face: the least one of those that it forms one face with, now that some edges are gone.
+/// Returns, per face, the smallest index of the faces it has merged with now that some edges are gone.
 std::vector<std::uint32_t> Assembler::joinFaces() const {
     std::vector<std::uint32_t> root(faces_.count);
     std::iota(root.begin(), root.end(), 0U);

@@ -13,10 +13,10 @@ namespace forefront {
 namespace {
 
 constexpr int kMostAttempts = 8;
-/// Of the radius: what rounding may add to a distance.
+/// Share of the radius that rounding may add to a distance.
 constexpr double kSlack = 1.0 + 1e-9;
 
-/// Lines, some of them cut into parts at places that shall not move.
+/// Lines, some of them cut into parts at places that must not move.
 class PinnedLines {
   public:
     PinnedLines(std::span<const SnapLine> lines, double radius) : lines_(lines), radius_(radius) {}

@@ -24,12 +24,12 @@ struct SnappedLines {
     std::vector<std::uint32_t> starts; ///< per line and one more: where its way begins
     std::vector<std::uint32_t> ways;   ///< 2e: along edge e from a to b; 2e + 1: back
     std::vector<std::uint32_t> first;  ///< per line: the node that its first end became
-    double radius = 0.0;               ///< what was joined lay no farther apart than this
-    double displacement = 0.0;         ///< the greatest distance between a line and its way
+    double radius = 0.0;               ///< things joined were at most this far apart
+    double displacement = 0.0;         ///< maximum distance between a line and its way
     bool finished = true;              ///< false if asked to stop
 };
 
-/// Joins what is closer than the tolerance (positive) and moves nothing farther than that.
+/// Joins everything closer than the tolerance (positive) and moves nothing farther than that.
 /// Afterwards all nodes are farther than `radius` from one another, edges meet only in common ends, and no node is
 /// within the radius of the inside of an edge, except where going through it would make a part of the edge longer than
 /// the edge. So joining again with that radius changes nothing. The radius is the tolerance, but where several things
@@ -37,7 +37,7 @@ struct SnappedLines {
 ///
 /// Ends of lines become nodes as they are; of several within the radius the first one does, by x, then y, and the
 /// others move onto it (as snap rounding does with the pixels of a grid: J. Hershberger, Stable snap rounding, 2013).
-/// Then edges near a node are led through it, and edges that cross get a node there, until nothing is left to do. This
+/// Then edges near a node are routed through it, and crossing edges get a node, until nothing is left to do. This
 /// ends, since nodes keep apart and edges only get shorter. O(n log n) for the usual few rounds.
 SnappedLines snapLines(std::span<const SnapLine> lines, double tolerance, const std::stop_token &stop = {});
 

@@ -14,7 +14,7 @@ namespace forefront {
 
 namespace {
 
-constexpr std::size_t kMostBoxes = 64; // of one edge
+constexpr std::size_t kMaxBoxesPerEdge = 64;
 
 } // namespace
 
@@ -81,7 +81,7 @@ void Snapper::index(std::uint32_t firstEdge) {
         const Vec2 a = places_[edges_[e].a], b = places_[edges_[e].b];
         const double slant = std::min(std::fabs(b.x - a.x), std::fabs(b.y - a.y));
         const double wanted = boxLength_ > 0.0 ? std::ceil(slant / boxLength_) : 1.0;
-        const auto count = static_cast<std::size_t>(std::clamp(wanted, 1.0, static_cast<double>(kMostBoxes)));
+        const auto count = static_cast<std::size_t>(std::clamp(wanted, 1.0, static_cast<double>(kMaxBoxesPerEdge)));
         for (std::size_t k = 0; k < count; ++k) {
             const auto part = [&](std::size_t i) {
                 return i == count ? b : lerp(a, b, static_cast<double>(i) / static_cast<double>(count));
@@ -162,7 +162,7 @@ void Snapper::compare(std::uint32_t edge, std::uint32_t other) {
     }
 }
 
-/// Leads the edge through the node if that is near its inside and makes both parts shorter than the whole.
+/// Routes the edge through the node if the node is near its inside and makes both parts shorter than the whole.
 bool Snapper::cutNear(std::uint32_t edge, std::uint32_t node) {
     const Edge &e = edges_[edge];
     if (node == e.a || node == e.b) {
@@ -202,7 +202,7 @@ void Snapper::addCrossing(std::uint32_t edge, std::uint32_t other) {
             nearest = node;
         }
     }
-    // Led through the nearest of the four ends, the other edge gets shorter, whatever the angles are.
+    // Routing the other edge through the nearest of the four ends makes it shorter at any angle.
     const std::uint32_t through = distance(places_[nearest], at) <= radius_ ? nearest : nodeWithin(at);
     if (through == kNoIndex) {
         crossings_.push_back({at, first, second});
@@ -276,7 +276,7 @@ void Snapper::splitEdges() {
     cuts_.clear();
 }
 
-/// All at once where that makes every part shorter, else at the nearest node alone.
+/// Splits at all nodes at once if that makes every part shorter, otherwise at the nearest node alone.
 void Snapper::split(std::uint32_t edge, std::vector<Cut> &cuts) {
     if (cuts.size() > 1 && !shortens(edge, cuts)) {
         Cut nearest = cuts.front();

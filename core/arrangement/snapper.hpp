@@ -10,7 +10,7 @@ namespace forefront {
 /// Joins lines with one radius, without a limit on how far steps add up.
 class Snapper {
   public:
-    /// `preferred`: per line, true if its first end shall stay where it is.
+    /// `preferred`: per line, true if its first end must stay where it is.
     Snapper(std::span<const SnapLine> lines, std::span<const std::uint8_t> preferred, double radius);
 
     SnappedLines run(const std::stop_token &stop);
@@ -62,7 +62,7 @@ class Snapper {
         BoxTree tree;
         std::vector<std::uint32_t> edge; ///< per box
     };
-    std::vector<Layer> layers_; ///< edges of each round; split ones are passed over
+    std::vector<Layer> layers_; ///< edges of each round; split ones are skipped
     double boxLength_ = 0.0;    ///< longer slanting edges have several boxes
     std::vector<Cut> cuts_;
     std::vector<Crossing> crossings_;
