@@ -6,11 +6,14 @@
 
 #include <span>
 
-namespace FOREFRONT_API forefront {
-
+// Declared outside of FOREFRONT_API: these types are not part of the public surface.
+namespace forefront {
 struct Base;
 struct Candidate;
 struct Fan;
+} // namespace forefront
+
+namespace FOREFRONT_API forefront {
 
 /// Records nothing and costs nothing: every call compiles to nothing.
 struct NoTrace {

@@ -263,7 +263,7 @@ TEST_CASE("adapt: every stage of a round can be cancelled at each of its reports
              {"limiting the gradation", 3},
              {"checking the background mesh", 4},
              {"preparing the background mesh", 4},
-             {"locating the background mesh", 8},
+             {"indexing the background mesh", 8},
              {"dividing the background mesh", 2},
              {"finding the border of the background mesh", 3},
          }) {
