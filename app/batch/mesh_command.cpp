@@ -94,7 +94,7 @@ Diagnostics writeOutputs(const MeshArguments &arguments, const Mesh &mesh, const
     const Mesh outline = drops ? withoutInnerEdges(mesh) : Mesh();
     Diagnostics notes;
     for (const Output &output : pairFormats(arguments.outputs, arguments.formats)) {
-        const Diagnostics faults = writeOutput(output, drops ? outline : mesh, progress);
+        Diagnostics faults = writeOutput(output, drops ? outline : mesh, progress);
         if (hasErrors(faults)) {
             return faults;
         }

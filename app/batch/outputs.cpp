@@ -76,7 +76,7 @@ std::string checkFormats(const std::vector<std::filesystem::path> &outputs, cons
         return "-o -: standard output is given twice";
     }
     for (const Output &output : pairFormats(outputs, formats)) {
-        const std::string wrong = checkFormat(output.path, output.format);
+        std::string wrong = checkFormat(output.path, output.format);
         if (!wrong.empty()) {
             return wrong;
         }
