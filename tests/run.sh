@@ -3,18 +3,21 @@
 # files, the batch program, the installed library, the editor with and without a window, then the sanitizers and
 # clang-tidy. Prints how long each step takes. Safe to repeat.
 #
-#   sh tests/run.sh [--quick]
+#   sh tests/run.sh [--quick | --thorough]
 #
-#   --quick   skip the sanitizers and clang-tidy
+#   --quick      skip the sanitizers and clang-tidy
+#   --thorough   also run the editor's tests with the sanitizers, which takes much longer
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 cd "$root"
 quick=no
+thorough=no
 case ${1-} in
 '') ;;
 --quick) quick=yes ;;
+--thorough) thorough=yes ;;
 -h | --help)
-    sed -n '2,8s/^# \{0,1\}//p' "$0"
+    sed -n '2,9s/^# \{0,1\}//p' "$0"
     exit 0
     ;;
 *)
@@ -70,12 +73,20 @@ step 'format' sh tests/format.sh
 need 'build release' sh app/build.sh release -DFOREFRONT_TESTS=ON
 step 'tests, release' run_tests release
 if [ $quick = no ]; then
+    programs=forefront_unit_tests
+    cases=unit
+    if [ $thorough = yes ]; then
+        programs="$programs forefront_ui_tests"
+        cases='(unit|ui)'
+    fi
+    # shellcheck disable=SC2086  # a list of programs
     step 'build with address and undefined-behaviour sanitizers' sh app/build.sh asan-ubsan \
-        forefront forefront_unit_tests forefront_ui_tests forefront_fuzz_regression
+        forefront forefront_fuzz_regression $programs
     step 'tests with address and undefined-behaviour sanitizers' \
-        run_tests asan-ubsan -R '^(unit/|ui/|batch$|fuzz_regression$)' -LE slow
-    step 'build with thread sanitizer' sh app/build.sh tsan forefront_unit_tests forefront_ui_tests
-    step 'tests with thread sanitizer' run_tests tsan -R '^(unit|ui)/' -L threads
+        run_tests asan-ubsan -R "^($cases/|batch\$|fuzz_regression\$)" -LE slow
+    # shellcheck disable=SC2086
+    step 'build with thread sanitizer' sh app/build.sh tsan $programs
+    step 'tests with thread sanitizer' run_tests tsan -R "^$cases/" -L threads
     step 'clang-tidy on changed files' sh tests/tidy.sh
 fi
 finish
