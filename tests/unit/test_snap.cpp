@@ -176,7 +176,7 @@ TEST_CASE("snapLines: a gap narrower than the radius closes, a wider one stays")
     CHECK(gapOf(0.011).displacement == 0.0);
 }
 
-TEST_CASE("snapLines: random lines end clear of each other, whatever their order, and stay so") {
+TEST_CASE("snapLines: random lines keep clear of each other in any order, and a second pass changes nothing") {
     const char *wanted = std::getenv("FOREFRONT_ARRANGEMENTS"); // 2,000 outside of quick runs
     const int runs = wanted != nullptr ? std::atoi(wanted) : 200;
     for (int run = 0; run < runs; ++run) {
