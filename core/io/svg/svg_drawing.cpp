@@ -1,8 +1,10 @@
 #include "core/io/svg/svg_drawing.hpp"
 
 #include "core/io/common/names.hpp"
+#include "core/io/svg/svg_axes.hpp"
 #include "core/io/svg/svg_css.hpp"
 #include "core/io/svg/svg_elements.hpp"
+#include "core/io/svg/svg_notes.hpp"
 #include "core/io/svg/svg_pen.hpp"
 #include "core/io/svg/svg_viewport.hpp"
 
@@ -79,10 +81,6 @@ class SvgDrawer {
     };
     static constexpr auto kNoUse = static_cast<std::size_t>(-1);
 
-    static std::size_t offsetOf(const pugi::xml_node &node) {
-        return static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug(), 0));
-    }
-
     /// Records a fault at byte `within` of an attribute value, if it can be located in the text.
     void fail(const pugi::xml_node &node, const char *attribute, std::size_t within, std::string code,
               std::string message, std::string advice = {}) {
@@ -136,46 +134,12 @@ class SvgDrawer {
         });
     }
 
-    /// The y axis of a domain points up: the drawing is turned over within its view box. Where the document's size is
-    /// given in millimetres or the like, so are the coordinates.
     void placeAxes() {
-        const auto width = parseLength(root_.attribute("width").value());
-        const auto height = parseLength(root_.attribute("height").value());
-        const auto physical = [](const std::optional<SvgLength> &length) {
-            return length && length->value > 0.0 && length->unit != "px" && length->unit != "" &&
-                   pixelsPer(length->unit);
-        };
-        const auto pixels = [](const std::optional<SvgLength> &length) {
-            return length ? length->value * pixelsPer(length->unit).value_or(0.0) : 0.0;
-        };
-        axes_ = AffineMap{1, 0, 0, -1, 0, 0};
-        Vec2 scale{1.0, 1.0};
-        if (const auto box = parseViewBox(root_.attribute("viewBox").value())) {
-            axes_.f = 2.0 * box->corner.y + box->size.y;
-            viewport_ = box->size;
-            if (physical(width)) {
-                const double unit = *pixelsPer(width->unit);
-                scale.x = width->value / box->size.x;
-                const double tall = !physical(height)             ? scale.x * box->size.y
-                                    : height->unit == width->unit ? height->value
-                                                                  : pixels(height) / unit;
-                scale.y = tall / box->size.y;
-                const std::string_view keep = root_.attribute("preserveAspectRatio").value();
-                if (keep.find("none") == std::string_view::npos) {
-                    const bool slice = keep.find("slice") != std::string_view::npos;
-                    scale.x = scale.y = slice ? std::max(scale.x, scale.y) : std::min(scale.x, scale.y);
-                }
-            }
-        } else {
-            viewport_ = {pixels(width), pixels(height)};
-            axes_.f = viewport_.y;
-            scale.x = physical(width) ? 1.0 / *pixelsPer(width->unit) : 1.0;
-            scale.y = scale.x;
-        }
-        axes_ = AffineMap{scale.x, 0, 0, scale.y, 0, 0} * axes_;
-        if (scale.x != 1.0) {
-            note(root_, "svg-units",
-                 "coordinates are in " + std::string(width->unit) + ", the unit of the document's size");
+        const SvgAxes axes = axesOf(root_);
+        axes_ = axes.map;
+        viewport_ = axes.viewport;
+        if (!axes.unit.empty()) {
+            note(root_, "svg-units", "coordinates are in " + axes.unit + ", the unit of the document's size");
         }
     }
 
@@ -210,9 +174,9 @@ class SvgDrawer {
             return;
         }
         if (reports) {
-            noteUnusedStyle(visit.node);
+            noteUnusedStyle(source_, styles_, visit.node);
         }
-        inheritPaint(visit);
+        visit.paint = paintOf(visit.node, styles_, visit.paint);
         if (const pugi::xml_attribute text = visit.node.attribute("transform")) {
             const auto own = parseTransform(text.value());
             if (!own) {
@@ -262,52 +226,6 @@ class SvgDrawer {
             visit.visible = own != "hidden" && own != "collapse";
         }
         return false;
-    }
-
-    /// Inherits fill, stroke and fill rule, or takes those of the element.
-    void inheritPaint(Visit &visit) const {
-        const auto given = [&](const char *property) {
-            const std::string value = styles_.value(visit.node, property);
-            return value == "inherit" ? std::string() : value;
-        };
-        const auto paints = [](const std::string &value) { return value != "none" && value != "transparent"; };
-        if (const std::string fill = given("fill"); !fill.empty()) {
-            visit.paint.filled = paints(fill);
-            visit.paint.fillGiven = true;
-        }
-        if (const std::string stroke = given("stroke"); !stroke.empty()) {
-            visit.paint.stroked = paints(stroke);
-        }
-        if (const std::string rule = given("fill-rule"); !rule.empty()) {
-            visit.paint.rule = rule == "evenodd" ? FillRule::EvenOdd : FillRule::NonZero;
-        }
-    }
-
-    /// Reports what would change the outline in a browser.
-    void noteUnusedStyle(const pugi::xml_node &node) const {
-        const auto given = [&](const char *property) {
-            const std::string value = styles_.value(node, property);
-            return !value.empty() && value != "none";
-        };
-        if (given("clip-path")) {
-            note(node, "svg-clip-path", "clip paths are ignored: what they clip is taken whole");
-        }
-        if (given("mask")) {
-            note(node, "svg-mask", "masks are ignored: what they mask is taken whole");
-        }
-        // The attribute is read; the property of CSS, which overrides it, is not.
-        const std::string transform = styles_.value(node, "transform");
-        const bool attribute = !node.attribute("transform").empty();
-        if (!transform.empty() && transform != "none" &&
-            (!attribute || std::string_view(node.attribute("style").value()).find("transform") != std::string::npos)) {
-            note(node, "svg-css-transform", "CSS transforms are ignored; use the attribute transform");
-        }
-        for (pugi::xml_node child : node.children()) {
-            const std::string_view name = localName(child);
-            if (name.starts_with("animate") || name == "set") {
-                note(child, "svg-animation", "animations are ignored: the drawing is read as it begins");
-            }
-        }
     }
 
     void enterViewport(Visit &visit, std::string_view name) {

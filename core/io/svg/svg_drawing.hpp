@@ -1,22 +1,15 @@
 #pragma once
 
-#include "core/arrangement/arrangement.hpp"
 #include "core/base/result.hpp"
+#include "core/base/vec2.hpp"
 #include "core/io/source/source.hpp"
+#include "core/io/svg/svg_paint.hpp"
 
 #include <cstddef>
 #include <string>
 #include <vector>
 
 namespace forefront {
-
-/// How a shape is painted.
-struct SvgPaint {
-    bool filled = true;
-    bool fillGiven = false; ///< the drawing says so, rather than the default
-    bool stroked = false;
-    FillRule rule = FillRule::NonZero;
-};
 
 /// A polyline of a drawing in the coordinates of the domain.
 struct SvgPath {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
 namespace forefront {
 
@@ -17,6 +18,10 @@ std::string_view prefixOf(const pugi::xml_node &node) {
     return colon == std::string_view::npos ? std::string_view() : name.substr(0, colon);
 }
 
+std::size_t offsetOf(const pugi::xml_node &node) {
+    return static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug(), 0));
+}
+
 bool isDefinition(std::string_view name) {
     constexpr std::array kDefinitions = {"defs",     "symbol",       "clipPath",       "mask",           "pattern",
                                          "marker",   "style",        "linearGradient", "radialGradient", "filter",
@@ -28,15 +33,6 @@ bool isDefinition(std::string_view name) {
 bool isShape(std::string_view name) {
     constexpr std::array kShapes = {"path", "polygon", "polyline", "line", "rect", "circle", "ellipse"};
     return std::find(kShapes.begin(), kShapes.end(), name) != kShapes.end();
-}
-
-std::string whyIgnored(std::string_view name) {
-    if (name == "text" || name == "tspan" || name == "textPath") {
-        return ": text has no outline; convert it to paths in the drawing program";
-    }
-    return name == "image"           ? ": images have no outline; trace them in the drawing program"
-           : name == "foreignObject" ? ": it holds no SVG"
-                                     : ": it is not a shape";
 }
 
 } // namespace forefront

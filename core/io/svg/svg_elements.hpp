@@ -2,7 +2,7 @@
 
 #include <pugixml.hpp>
 
-#include <string>
+#include <cstddef>
 #include <string_view>
 
 namespace forefront {
@@ -11,13 +11,13 @@ namespace forefront {
 std::string_view localName(const pugi::xml_node &node);
 /// Returns the namespace prefix of an element; empty: none.
 std::string_view prefixOf(const pugi::xml_node &node);
+/// Returns the byte of the text at which an element begins; 0 if unknown.
+std::size_t offsetOf(const pugi::xml_node &node);
 
-/// Returns true for elements that draw nothing themselves: definitions, which other elements refer to, and words about
-/// the drawing.
+/// Returns true for elements that draw nothing themselves: definitions, which other elements refer to, and
+/// metadata.
 bool isDefinition(std::string_view name);
 /// Returns true for the elements that have an outline.
 bool isShape(std::string_view name);
-/// Returns the reason why a visible element is left out, as the end of a message.
-std::string whyIgnored(std::string_view name);
 
 } // namespace forefront

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/base/vec2.hpp"
+#include "core/io/svg/svg_transform.hpp"
+
+#include <pugixml.hpp>
+
+#include <string>
+
+namespace forefront {
+
+/// The coordinates of a drawing in the domain.
+struct SvgAxes {
+    AffineMap map;    ///< from user space to the domain
+    Vec2 viewport;    ///< size of the outermost viewport in user units; 0 if unknown
+    std::string unit; ///< "mm" or the like, if the document's size changes the unit of coordinates
+};
+
+/// Returns the axes of the root element. The y axis of a domain points up, so the drawing is turned over within its
+/// view box. If the document's size is given in millimetres or the like, so are the coordinates.
+SvgAxes axesOf(const pugi::xml_node &root);
+
+} // namespace forefront

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/io/source/source.hpp"
+#include "core/io/svg/svg_css.hpp"
+
+#include <pugixml.hpp>
+
+#include <string>
+#include <string_view>
+
+namespace forefront {
+
+/// Reports the styles and animations of an element that are not read although they change its outline in a browser.
+void noteUnusedStyle(const SourceText &source, const SvgStyles &styles, const pugi::xml_node &node);
+/// Returns the reason why a visible element is left out, as the end of a message.
+std::string whyIgnored(std::string_view name);
+
+} // namespace forefront
