@@ -121,18 +121,14 @@ void Assembler::reportPiece(std::uint32_t piece) {
     }
 }
 
-/// Returns true if several features cover the face and neither lies inside the other.
+/// Returns true if several features cover the face and do not lie one inside the other.
 bool Assembler::overlap(std::uint32_t face) const {
-    const std::uint32_t first = cover_.rivalStarts[face], last = cover_.rivalStarts[face + 1];
-    for (std::uint32_t i = first; i < last; ++i) {
-        for (std::uint32_t j = i + 1; j < last; ++j) {
-            const std::uint32_t f = cover_.rivals[i], g = cover_.rivals[j];
-            if (cover_.nested.count({f, g}) == 0 && cover_.nested.count({g, f}) == 0) {
-                return true;
-            }
-        }
-    }
-    return false;
+    const auto rival = [&](std::uint32_t k) { return cover_.rivals.begin() + cover_.rivalStarts[face + k]; };
+    std::vector<std::uint32_t> features(rival(0), rival(1));
+    std::sort(features.begin(), features.end(),
+              [&](std::uint32_t f, std::uint32_t g) { return cover_.holders[f].size() > cover_.holders[g].size(); });
+    return std::adjacent_find(features.begin(), features.end(),
+                              [&](std::uint32_t f, std::uint32_t g) { return !cover_.nested(f, g); }) != features.end();
 }
 
 void Assembler::reportOverlaps() {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 #include <span>
+#include <utility>
 
 namespace forefront {
 
@@ -15,7 +16,8 @@ class Covering {
   public:
     explicit Covering(const ArrangementInput &input)
         : input_(input), winding_(input.contours.size(), 0), outer_(input.shapes.size(), 0),
-          hole_(input.shapes.size(), 0), ofFeature_(input.features.size(), 0), place_(input.features.size(), 0) {}
+          hole_(input.shapes.size(), 0), ofFeature_(input.features.size(), 0), place_(input.features.size(), 0),
+          isListed_(input.features.size(), 0) {}
 
     /// Crosses an outline to the side where the winding number is greater by `change`.
     void add(std::uint32_t contour, std::int32_t change) {
@@ -37,6 +39,15 @@ class Covering {
     std::uint32_t shapes() const { return shapes_; }
     bool covers(std::uint32_t shape) const { return outer_[shape] > 0 && hole_[shape] == 0; }
     const std::vector<std::uint32_t> &features() const { return features_; }
+    bool coversFeature(std::uint32_t feature) const { return ofFeature_[feature] > 0; }
+
+    /// Returns the features that started or ceased to cover the place since the last call, or did both.
+    std::vector<std::uint32_t> takeSwitched() {
+        for (const std::uint32_t feature : switched_) {
+            isListed_[feature] = 0;
+        }
+        return std::exchange(switched_, {});
+    }
 
   private:
     bool inside(std::uint32_t contour) const {
@@ -51,6 +62,7 @@ class Covering {
             if (ofFeature_[feature]++ == 0) {
                 place_[feature] = static_cast<std::uint32_t>(features_.size());
                 features_.push_back(feature);
+                listSwitched(feature);
             }
         } else {
             --shapes_;
@@ -59,7 +71,15 @@ class Covering {
                 features_[place_[feature]] = last;
                 place_[last] = place_[feature];
                 features_.pop_back();
+                listSwitched(feature);
             }
+        }
+    }
+
+    void listSwitched(std::uint32_t feature) {
+        if (isListed_[feature] == 0) {
+            isListed_[feature] = 1;
+            switched_.push_back(feature);
         }
     }
 
@@ -70,6 +90,64 @@ class Covering {
     std::vector<std::uint32_t> ofFeature_; // per feature: shapes that cover the place
     std::vector<std::uint32_t> features_;  // that do so
     std::vector<std::uint32_t> place_;     // in features_
+    std::vector<std::uint32_t> switched_;  // see takeSwitched()
+    std::vector<std::uint8_t> isListed_;   // per feature: in switched_
+};
+
+/// Finds which features cover all faces of a feature, from what covers one face after the other. Looks only at the
+/// features that differ from one face to the next, so that deep nesting costs no more than listing what covers a face.
+class HolderFinder {
+  public:
+    explicit HolderFinder(std::size_t features) : holders_(features), state_(features, State::New) {}
+
+    /// Takes a face, and the features that may have changed since the last one.
+    void visit(const Covering &covering, const std::vector<std::uint32_t> &switched) {
+        std::vector<std::uint32_t> gone, fresh;
+        for (const std::uint32_t feature : switched) {
+            const bool covers = covering.coversFeature(feature);
+            if (covers != (state_[feature] == State::Here)) {
+                (covers ? fresh : gone).push_back(feature);
+            }
+        }
+        for (const std::uint32_t feature : gone) {
+            state_[feature] = State::Away;
+        }
+        for (const std::uint32_t feature : covering.features()) {
+            if (state_[feature] == State::Here) { // all its holders were here
+                drop(holders_[feature], gone);
+            }
+        }
+        for (const std::uint32_t feature : fresh) {
+            std::vector<std::uint32_t> &holders = holders_[feature];
+            if (state_[feature] == State::New) {
+                holders = covering.features();
+                std::erase(holders, feature);
+                std::sort(holders.begin(), holders.end());
+            } else {
+                std::erase_if(holders, [&](std::uint32_t holder) { return !covering.coversFeature(holder); });
+            }
+        }
+        for (const std::uint32_t feature : fresh) {
+            state_[feature] = State::Here;
+        }
+    }
+
+    std::vector<std::vector<std::uint32_t>> take() { return std::move(holders_); }
+
+  private:
+    enum class State : std::uint8_t { New, Here, Away };
+
+    static void drop(std::vector<std::uint32_t> &sorted, const std::vector<std::uint32_t> &gone) {
+        for (std::size_t i = 0; i < gone.size() && !sorted.empty(); ++i) {
+            const auto at = std::lower_bound(sorted.begin(), sorted.end(), gone[i]);
+            if (at != sorted.end() && *at == gone[i]) {
+                sorted.erase(at);
+            }
+        }
+    }
+
+    std::vector<std::vector<std::uint32_t>> holders_;
+    std::vector<State> state_; // per feature: at the last face
 };
 
 /// Walks over all faces from the unbounded one, back and forth over a tree of edges.
@@ -77,14 +155,16 @@ class CoverFinder {
   public:
     CoverFinder(const ArrangementInput &input, const std::vector<Vec2> &nodes, const std::vector<PlaneEdge> &edges,
                 const EdgeRuns &runs, const Faces &faces)
-        : input_(input), nodes_(nodes), edges_(edges), runs_(runs), faces_(faces), covering_(input) {}
+        : input_(input), nodes_(nodes), edges_(edges), runs_(runs), faces_(faces), covering_(input),
+          holders_(input.features.size()) {}
 
     FaceCover run() {
         measureFaces();
         linkFaces();
         walk();
         flattenRivals();
-        findNested();
+        result_.holders = holders_.take();
+        measureFeatures();
         chooseOwners();
         return std::move(result_);
     }
@@ -183,6 +263,7 @@ class CoverFinder {
 
     void visit(std::uint32_t face) {
         result_.shapes[face] = covering_.shapes();
+        holders_.visit(covering_, covering_.takeSwitched());
         const std::vector<std::uint32_t> &features = covering_.features();
         if (features.size() == 1) {
             result_.owner[face] = features.front();
@@ -215,44 +296,41 @@ class CoverFinder {
             .subspan(result_.rivalStarts[face], result_.rivalStarts[face + 1] - result_.rivalStarts[face]);
     }
 
-    /// A feature lies inside another one if that covers all its faces, and more.
-    void findNested() {
-        std::vector<std::uint32_t> faceCount(input_.features.size(), 0);
-        std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> common;
+    void measureFeatures() {
         featureArea_.assign(input_.features.size(), 0.0);
         for (std::uint32_t face = 1; face < faces_.count; ++face) {
             if (result_.owner[face] != kNoIndex) {
-                ++faceCount[result_.owner[face]];
                 featureArea_[result_.owner[face]] += result_.area[face];
             }
-            const auto rivals = rivalsOf(face);
-            for (std::size_t i = 0; i < rivals.size(); ++i) {
-                ++faceCount[rivals[i]];
-                featureArea_[rivals[i]] += result_.area[face];
-                for (std::size_t j = i + 1; j < rivals.size(); ++j) {
-                    ++common[{rivals[i], rivals[j]}];
-                }
-            }
-        }
-        for (const auto &[pair, count] : common) {
-            const auto [f, g] = pair;
-            if (count == faceCount[f] && count < faceCount[g]) {
-                result_.nested[{f, g}] = true;
-            } else if (count == faceCount[g] && count < faceCount[f]) {
-                result_.nested[{g, f}] = true;
+            for (const std::uint32_t feature : rivalsOf(face)) {
+                featureArea_[feature] += result_.area[face];
             }
         }
     }
 
+    /// A feature that holds another one in the face leaves the face to it.
     void chooseOwners() {
+        std::vector<std::uint32_t> leavesFace(input_.features.size(), 0), order;
+        std::uint32_t turn = 0;
         for (const Crowd &crowd : crowded_) {
-            std::uint32_t best = kNoIndex;
+            ++turn;
             const auto rivals = rivalsOf(crowd.face);
+            order.assign(rivals.begin(), rivals.end());
+            std::sort(order.begin(), order.end(), [&](std::uint32_t f, std::uint32_t g) {
+                const std::size_t held = result_.holders[f].size(), heldToo = result_.holders[g].size();
+                return held != heldToo ? held > heldToo : f < g;
+            });
+            for (const std::uint32_t inner : order) {
+                if (leavesFace[inner] == turn) {
+                    continue; // so do all that hold it
+                }
+                for (const std::uint32_t holder : result_.holders[inner]) {
+                    leavesFace[holder] = result_.nested(inner, holder) ? turn : leavesFace[holder];
+                }
+            }
+            std::uint32_t best = kNoIndex;
             for (const std::uint32_t feature : rivals) {
-                const bool holdsAnother = std::any_of(rivals.begin(), rivals.end(), [&](std::uint32_t other) {
-                    return result_.nested.count({other, feature}) != 0;
-                });
-                if (!holdsAnother && (best == kNoIndex || wins(feature, best))) {
+                if (leavesFace[feature] != turn && (best == kNoIndex || wins(feature, best))) {
                     best = feature;
                 }
             }
@@ -271,6 +349,7 @@ class CoverFinder {
     const EdgeRuns &runs_;
     const Faces &faces_;
     Covering covering_;
+    HolderFinder holders_;
     std::vector<std::uint32_t> starts_, around_; // edges of each face
     std::vector<std::uint32_t> touched_;
     struct Crowd {
@@ -283,6 +362,13 @@ class CoverFinder {
 };
 
 } // namespace
+
+bool FaceCover::nested(std::uint32_t inner, std::uint32_t outer) const {
+    const auto holds = [&](std::uint32_t f, std::uint32_t g) {
+        return std::binary_search(holders[f].begin(), holders[f].end(), g);
+    };
+    return holds(inner, outer) && !holds(outer, inner);
+}
 
 FaceCover coverFaces(const ArrangementInput &input, const std::vector<Vec2> &nodes, const std::vector<PlaneEdge> &edges,
                      const EdgeRuns &runs, const Faces &faces) {

@@ -5,8 +5,6 @@
 #include "core/domain/faces.hpp"
 
 #include <cstdint>
-#include <map>
-#include <utility>
 #include <vector>
 
 namespace forefront {
@@ -31,10 +29,12 @@ struct FaceCover {
     std::vector<std::uint32_t> rivalStarts; ///< features that cover a face, if several: a range of rivals per face
     std::vector<std::uint32_t> rivals;      ///< by index
     std::vector<double> area;               ///< per face; meaningless for the unbounded face
-    /// Pairs of features where the first lies inside the second.
-    std::map<std::pair<std::uint32_t, std::uint32_t>, bool> nested;
+    std::vector<std::vector<std::uint32_t>> holders; ///< per feature: the features that cover all its faces, by index
     /// Per edge: how many shapes cover its left face but not its right one.
     std::vector<std::uint32_t> ends;
+
+    /// Returns true if the second feature covers all faces of the first, and more.
+    bool nested(std::uint32_t inner, std::uint32_t outer) const;
 };
 
 /// Computes the winding numbers of all contours on all faces, and what covers each face. Each contour must consist of

@@ -104,6 +104,28 @@ TEST_CASE("arrange: a path is filled by its rule") {
     CHECK(areas(arranged(evenOdd).domain) == Areas{{1, 64.0}});
 }
 
+// One pair of features after the other, a search for what lies inside what takes minutes here.
+TEST_CASE("arrange: a thousand features inside each other keep an area each") {
+    constexpr int kDepth = 1000;
+    for (const OverlapRule rule : {OverlapRule::Later, OverlapRule::Smaller}) {
+        ArrangementInput input;
+        input.overlap = rule;
+        for (int i = 0; i < kDepth; ++i) { // every other one turned around, so that neither rule sees them in order
+            const double half = i % 2 == 0 ? i + 1.0 : kDepth - i + 1.0;
+            addPolygon(input, i + 1, {rectangle(-half, -half, 2.0 * half, 2.0 * half)});
+        }
+        const Arrangement result = arranged(input);
+        CHECK(find(result, ChangeKind::OverlapsDecided) == nullptr);
+        const Areas found = areas(result.domain);
+        REQUIRE(found.size() == kDepth);
+        for (const auto &[tag, area] : found) {
+            const int i = tag - 1;
+            const double half = i % 2 == 0 ? i + 1.0 : kDepth - i + 1.0;
+            CHECK(area == doctest::Approx(4.0 * (half * half - (half - 1.0) * (half - 1.0))));
+        }
+    }
+}
+
 TEST_CASE("arrange: painted paths are united, and where they only touch their border stays") {
     ArrangementInput nested, beside;
     addPath(nested, FillRule::EvenOdd, {rectangle(0, 0, 10, 10)});
