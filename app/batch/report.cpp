@@ -38,6 +38,19 @@ std::string sharpCornerLines(const SharpCorners &sharp) {
     return lines;
 }
 
+std::string narrowPlaceLines(const SharpCorners &sharp) {
+    if (sharp.narrow.empty()) {
+        return {};
+    }
+    char text[200];
+    const NarrowPlace &place = sharp.narrow.front();
+    std::snprintf(text, sizeof text,
+                  "%zu narrow place%s with angles below %.0f degrees; the narrowest is %.3g wide at (%.8g, %.8g)\n",
+                  sharp.narrow.size(), sharp.narrow.size() == 1 ? "" : "s", kSharpCorner, place.width, place.at.x,
+                  place.at.y);
+    return text;
+}
+
 } // namespace
 
 RunReport reportOf(const MeshingOutcome &outcome, const MeshingOptions &options) {
@@ -59,6 +72,7 @@ std::string statisticsJson(const RunReport &report) {
     nlohmann::ordered_json json;
     json["nodes"] = q.nodes;
     json["elements"] = q.elements;
+    json["area"] = q.area;
     json["alpha_mean"] = q.alphaMean;
     json["alpha_geometric_mean"] = q.alphaGeometricMean;
     json["alpha_min"] = q.alphaMin;
@@ -69,6 +83,11 @@ std::string statisticsJson(const RunReport &report) {
     json["sharp_corners"] = nlohmann::ordered_json::array();
     for (const SharpCorner &corner : report.sharp.corners) {
         json["sharp_corners"].push_back({{"x", corner.at.x}, {"y", corner.at.y}, {"angle_deg", corner.angle}});
+    }
+    json["narrow_places"] = nlohmann::ordered_json::array();
+    for (const NarrowPlace &place : report.sharp.narrow) {
+        json["narrow_places"].push_back(
+            {{"x", place.at.x}, {"y", place.at.y}, {"width", place.width}, {"elements", place.elements}});
     }
     json["front_mean"] = report.work.frontMean();
     json["neighbours_mean"] = report.work.neighboursMean();
@@ -101,7 +120,7 @@ std::string summary(const RunReport &report) {
                   q.minAngle, q.maxAngle, q.deltaMean, cpu, report.secondsPrepare, report.secondsMesh,
                   report.secondsImprove, cpu > 0.0 ? static_cast<double>(q.elements) / cpu : 0.0,
                   static_cast<double>(report.peakBytes) / 1e6);
-    return sharpCornerLines(report.sharp) + text;
+    return sharpCornerLines(report.sharp) + narrowPlaceLines(report.sharp) + text;
 }
 
 } // namespace forefront

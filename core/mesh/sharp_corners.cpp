@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
+#include <utility>
 
 namespace forefront {
 
@@ -74,34 +76,102 @@ double minAngle(const Mesh &mesh, const Element &e) {
     return std::atan2(twiceArea, cosines) * kDegrees;
 }
 
-/// The elements that cannot be reached from the tips across common sides.
-std::vector<Element> notReached(std::vector<Element> reached, const std::vector<Element> &elements) {
-    using Side = std::pair<NodeId, NodeId>;
-    std::map<Side, std::size_t> withSide; // each direction of a side has one element
-    for (std::size_t i = 0; i < elements.size(); ++i) {
-        for (unsigned k = 0; k < 3; ++k) {
-            withSide[{elements[i][k], elements[i][(k + 1) % 3]}] = i;
-        }
-    }
-    std::vector<std::uint8_t> done(elements.size(), 0);
-    while (!reached.empty()) {
-        const Element e = reached.back();
-        reached.pop_back();
-        for (unsigned k = 0; k < 3; ++k) {
-            const auto across = withSide.find({e[(k + 1) % 3], e[k]});
-            if (across != withSide.end() && done[across->second] == 0) {
-                done[across->second] = 1;
-                reached.push_back(elements[across->second]);
+/// Elements that reach from one tagged edge to another, and which of them lie side by side.
+class Bands {
+  public:
+    explicit Bands(std::vector<Element> elements) : elements_(std::move(elements)), taken_(elements_.size(), 0) {
+        for (std::size_t i = 0; i < elements_.size(); ++i) {
+            for (unsigned k = 0; k < 3; ++k) {
+                withSide_[{elements_[i][k], elements_[i][(k + 1) % 3]}] = i;
             }
         }
     }
-    std::vector<Element> others;
-    for (std::size_t i = 0; i < elements.size(); ++i) {
-        if (done[i] == 0) {
-            others.push_back(elements[i]);
+
+    /// Takes the elements that can be reached from others across common sides and were not taken before.
+    std::vector<Element> take(std::vector<Element> from) {
+        std::vector<Element> found;
+        while (!from.empty()) {
+            const Element e = from.back();
+            from.pop_back();
+            for (unsigned k = 0; k < 3; ++k) {
+                const auto across = withSide_.find({e[(k + 1) % 3], e[k]});
+                if (across != withSide_.end() && taken_[across->second] == 0) {
+                    taken_[across->second] = 1;
+                    from.push_back(elements_[across->second]);
+                    found.push_back(elements_[across->second]);
+                }
+            }
+        }
+        return found;
+    }
+
+    /// Takes the next element that was not taken and all that can be reached from it. Returns none if none is left.
+    std::vector<Element> takeNext() {
+        while (next_ < elements_.size() && taken_[next_] != 0) {
+            ++next_;
+        }
+        if (next_ == elements_.size()) {
+            return {};
+        }
+        taken_[next_] = 1;
+        std::vector<Element> found = take({elements_[next_]});
+        found.push_back(elements_[next_]);
+        return found;
+    }
+
+  private:
+    std::vector<Element> elements_;
+    std::vector<std::uint8_t> taken_;
+    std::size_t next_ = 0;
+    std::map<std::pair<NodeId, NodeId>, std::size_t> withSide_; // each direction of a side has one element
+};
+
+/// Finds elements that cut off a flat corner between two tagged edges: no gap forces them.
+class FlatCorners {
+  public:
+    explicit FlatCorners(const Mesh &mesh) : mesh_(mesh) {
+        sides_.reserve(mesh.edges.size());
+        for (const TaggedEdge &edge : mesh.edges) {
+            sides_.push_back(std::minmax(edge.a, edge.b));
+        }
+        std::sort(sides_.begin(), sides_.end());
+    }
+
+    bool has(const Element &e) const {
+        for (unsigned k = 0; k < 3; ++k) {
+            const NodeId at = e[k], b = e[(k + 1) % 3], c = e[(k + 2) % 3];
+            const Vec2 p = mesh_.nodes[index(at)];
+            const Vec2 u = mesh_.nodes[index(b)] - p, v = mesh_.nodes[index(c)] - p;
+            if (dot(u, v) < -0.5 * length(u) * length(v)) { // at most one angle is beyond 120 degrees
+                return isTagged(at, b) && isTagged(at, c);
+            }
+        }
+        return false;
+    }
+
+  private:
+    bool isTagged(NodeId a, NodeId b) const {
+        return std::binary_search(sides_.begin(), sides_.end(), std::pair<NodeId, NodeId>(std::minmax(a, b)));
+    }
+
+    const Mesh &mesh_;
+    std::vector<std::pair<NodeId, NodeId>> sides_;
+};
+
+NarrowPlace placeOf(const Mesh &mesh, const std::vector<Element> &band) {
+    NarrowPlace place{{}, std::numeric_limits<double>::infinity(), band.size()};
+    for (const Element &e : band) {
+        const Vec2 a = mesh.nodes[index(e[0])], b = mesh.nodes[index(e[1])], c = mesh.nodes[index(e[2])];
+        const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
+        const double height = longest > 0.0 ? std::max(0.0, cross(b - a, c - a)) / longest : 0.0;
+        const Vec2 centre = (1.0 / 3.0) * (a + b + c);
+        if (height < place.width ||
+            (height == place.width && std::pair(centre.x, centre.y) < std::pair(place.at.x, place.at.y))) {
+            place.width = height;
+            place.at = centre;
         }
     }
-    return others;
+    return place;
 }
 
 } // namespace
@@ -118,7 +188,8 @@ SharpCorners sharpCorners(const Mesh &mesh, double limit) {
     }
     SharpCorners result;
     result.minAngleElsewhere = mesh.elements.empty() ? 0.0 : 60.0;
-    std::vector<Element> tips, strips;
+    const FlatCorners flat(mesh);
+    std::vector<Element> tips, bands;
     for (const Element &e : mesh.elements) {
         bool inCorner = false;
         for (unsigned k = 0; k < 3; ++k) {
@@ -139,15 +210,16 @@ SharpCorners sharpCorners(const Mesh &mesh, double limit) {
             continue;
         }
         const double angle = minAngle(mesh, e);
-        if (angle < limit && !wedges.empty() &&
-            (tagged[index(e[0])] & tagged[index(e[1])] & tagged[index(e[2])]) != 0) {
-            strips.push_back(e);
+        if (angle < limit && (tagged[index(e[0])] & tagged[index(e[1])] & tagged[index(e[2])]) != 0 && !flat.has(e)) {
+            bands.push_back(e);
         } else {
             result.minAngleElsewhere = std::min(result.minAngleElsewhere, angle);
         }
     }
-    for (const Element &e : notReached(tips, strips)) {
-        result.minAngleElsewhere = std::min(result.minAngleElsewhere, minAngle(mesh, e));
+    Bands rest(std::move(bands));
+    rest.take(tips);
+    for (std::vector<Element> band = rest.takeNext(); !band.empty(); band = rest.takeNext()) {
+        result.narrow.push_back(placeOf(mesh, band));
     }
     for (const Wedge &w : wedges) {
         if (w.meshed) {
@@ -156,6 +228,8 @@ SharpCorners sharpCorners(const Mesh &mesh, double limit) {
     }
     std::stable_sort(result.corners.begin(), result.corners.end(),
                      [](const SharpCorner &c, const SharpCorner &d) { return c.angle < d.angle; });
+    std::stable_sort(result.narrow.begin(), result.narrow.end(),
+                     [](const NarrowPlace &p, const NarrowPlace &q) { return p.width < q.width; });
     return result;
 }
 

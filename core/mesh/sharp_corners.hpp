@@ -13,14 +13,24 @@ struct SharpCorner {
     double angle = 0.0; ///< between the two edges, degrees
 };
 
+/// A gap between tagged edges, filled with elements that have no room for good angles.
+struct NarrowPlace {
+    Vec2 at;                  ///< centre of its narrowest element
+    double width = 0.0;       ///< minimum height of its elements
+    std::size_t elements = 0; ///< number of elements sharper than the limit
+};
+
 struct SharpCorners {
     std::vector<SharpCorner> corners; ///< sharpest first
+    std::vector<NarrowPlace> narrow;  ///< narrowest first
     double minAngleElsewhere = 0.0;   ///< minimum angle of the other elements, degrees
 };
 
-/// The corners of a mesh. A corner owns the elements at its tip and, from one to the next across their sides, those
-/// sharper than the limit with all nodes on tagged edges: the band along its two edges without room for a node.
-/// Finds the meshed corners between adjacent tagged edges that are sharper than `limit` degrees, in time O(elements).
+/// Finds the places of a mesh where the domain itself forces small angles: corners and narrow places. A corner owns the
+/// elements at its tip and, from one to the next across their sides, those sharper than `limit` degrees with all nodes
+/// on tagged edges: the band along its two edges without room for a node. The other elements of this kind, side by
+/// side, make the narrow places, except those that cut off a flat corner. Corners count if adjacent tagged edges are
+/// sharper than the limit and elements lie between them. O(n log n) in tagged edges.
 SharpCorners sharpCorners(const Mesh &mesh, double limit);
 
 } // namespace forefront

@@ -20,10 +20,10 @@ import time
 import unittest
 
 PROGRAM = os.path.abspath(sys.argv.pop(1))
-STATS = ["nodes", "elements", "alpha_mean", "alpha_geometric_mean", "alpha_min", "delta_mean", "min_angle_deg",
+STATS = ["nodes", "elements", "area", "alpha_mean", "alpha_geometric_mean", "alpha_min", "delta_mean", "min_angle_deg",
          "max_angle_deg", "front_mean", "neighbours_mean", "tests_mean", "cells_mean",
          "candidates_mean", "forced_mean", "seconds_mesh", "seconds_improve",
-         "improve", "sharp_corners", "min_angle_elsewhere_deg", "peak_bytes", "hash"]
+         "improve", "sharp_corners", "narrow_places", "min_angle_elsewhere_deg", "peak_bytes", "hash"]
 
 SQUARE = [(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)]
 HOLE = [(1.0, 1.0), (1.0, 2.0), (2.0, 2.0), (2.0, 1.0)]

@@ -51,6 +51,33 @@ TEST_CASE("sharpCorners: elements along a needle belong to its tip, a needle els
     CHECK(both.minAngleElsewhere == doctest::Approx(5.71).epsilon(0.01));
 }
 
+TEST_CASE("sharpCorners: names a slot without room for good elements, but not a cut-off flat corner") {
+    // A slot of width 0.01 and length 3, closed at its right end, with nodes at 0, 1, 2, 3 on both sides.
+    Mesh mesh;
+    for (int i = 0; i <= 3; ++i) {
+        mesh.nodes.insert(mesh.nodes.end(), {{1.0 * i, 0.0}, {1.0 * i, 0.01}});
+    }
+    for (unsigned i = 0; i < 6; i += 2) {
+        mesh.elements.push_back({node(i), node(i + 2), node(i + 1)});
+        mesh.elements.push_back({node(i + 2), node(i + 3), node(i + 1)});
+        mesh.edges.push_back({node(i), node(i + 2), 1});
+        mesh.edges.push_back({node(i + 1), node(i + 3), 1});
+    }
+    mesh.edges.push_back({node(6), node(7), 1});
+    const SharpCorners slot = sharpCorners(mesh, 20.0);
+    CHECK(slot.corners.empty());
+    REQUIRE(slot.narrow.size() == 1);
+    CHECK(slot.narrow[0].elements == 6);
+    CHECK(slot.narrow[0].width == doctest::Approx(0.01).epsilon(0.001));
+    CHECK(slot.minAngleElsewhere == 60.0);
+    mesh.nodes.insert(mesh.nodes.end(), {{5, 0}, {6, -0.01}, {7, 0}});
+    mesh.elements.push_back({node(8), node(9), node(10)});
+    mesh.edges.insert(mesh.edges.end(), {{node(8), node(9), 1}, {node(9), node(10), 1}});
+    const SharpCorners both = sharpCorners(mesh, 20.0);
+    CHECK(both.narrow.size() == 1);
+    CHECK(both.minAngleElsewhere < 1.0);
+}
+
 TEST_CASE("sharpCorners: a wedge outside the mesh does not count, one between inner lines does") {
     Mesh mesh = needle();
     mesh.elements.erase(mesh.elements.begin()); // what is left lies beyond the tip
