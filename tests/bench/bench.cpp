@@ -46,7 +46,7 @@ double peakBytes() {
 int runCase(const std::string &name, double size, const Settings &settings) {
     std::optional<bench::Scene> made = bench::makeScene(name, size);
     if (!made) {
-        std::fprintf(stderr, "no scene %s: square, disc, graded, ramp, islands\n", name.c_str());
+        std::fprintf(stderr, "no scene %s: square, disc, graded, ramp, islands, coast\n", name.c_str());
         return 1;
     }
     bench::Scene &scene = *made;
@@ -64,16 +64,16 @@ int runCase(const std::string &name, double size, const Settings &settings) {
     const MeshQuality quality = measure(outcome->mesh, outcome->spacing.get());
     const auto elements = static_cast<double>(quality.elements);
     const WorkCounters &work = outcome->work;
-    std::printf(
-        "%s,%g,%s,%s,%s,%u,%zu,%.4f,%.4f,%.4f,%.0f,%.0f,%.1f,%.5f,%.4f,%.2f,%.4f,%.0f,%.3f,%.4f,%.3f,%.4f,%llu,%s\n",
-        name.c_str(), size, wordOf(settings.method).data(), wordOf(settings.grid).data(),
-        wordOf(settings.improve).data(), settings.threads, quality.elements, outcome->secondsMesh,
-        outcome->secondsImprove, outcome->secondsWall, elements / outcome->secondsMesh,
-        elements / (outcome->secondsMesh + outcome->secondsImprove), peak / elements, quality.alphaMean,
-        quality.alphaMin, quality.minAngle, quality.deltaMean, work.frontMean(), work.neighboursMean(),
-        work.testsMean(), static_cast<double>(work.cellsVisited) / elements,
-        static_cast<double>(work.candidates) / elements, static_cast<unsigned long long>(work.forced),
-        toHex(meshHash(outcome->mesh)).c_str());
+    std::printf("%s,%g,%s,%s,%s,%u,%zu,%.4f,%.4f,%.4f,%.4f,%.0f,%.0f,%.1f,%.5f,%.4f,%.2f,%.4f,%.0f,%.3f,%.4f,%.3f,%.4f,"
+                "%llu,%s\n",
+                name.c_str(), size, wordOf(settings.method).data(), wordOf(settings.grid).data(),
+                wordOf(settings.improve).data(), settings.threads, quality.elements, outcome->secondsPrepare,
+                outcome->secondsMesh, outcome->secondsImprove, outcome->secondsWall, elements / outcome->secondsMesh,
+                elements / (outcome->secondsMesh + outcome->secondsImprove), peak / elements, quality.alphaMean,
+                quality.alphaMin, quality.minAngle, quality.deltaMean, work.frontMean(), work.neighboursMean(),
+                work.testsMean(), static_cast<double>(work.cellsVisited) / elements,
+                static_cast<double>(work.candidates) / elements, static_cast<unsigned long long>(work.forced),
+                toHex(meshHash(outcome->mesh)).c_str());
     return 0;
 }
 
@@ -107,9 +107,9 @@ bool parse(int argc, char **argv, Settings &settings) {
         }
     }
     if (settings.cases.empty()) {
-        settings.cases = {{"square", 1e4},   {"square", 1e5}, {"square", 1e6}, {"disc", 1e4},
-                          {"disc", 1e5},     {"disc", 1e6},   {"graded", 0.1}, {"graded", 0.02},
-                          {"graded", 0.005}, {"ramp", 1e5},   {"islands", 1e5}};
+        settings.cases = {{"square", 1e4},  {"square", 1e5}, {"square", 1e6},  {"disc", 1e4},     {"disc", 1e5},
+                          {"disc", 1e6},    {"graded", 0.1}, {"graded", 0.02}, {"graded", 0.005}, {"ramp", 1e5},
+                          {"islands", 1e5}, {"coast", 1e4},  {"coast", 1e5}};
     }
     return true;
 }
@@ -124,7 +124,8 @@ int main(int argc, char **argv) {
                              "                       [--repeat N] [SCENE SIZE]...\n");
         return 2;
     }
-    std::printf("scene,size,method,grid,improve,threads,triangles,seconds_mesh,seconds_improve,seconds_wall,triangles_"
+    std::printf("scene,size,method,grid,improve,threads,triangles,seconds_prepare,seconds_mesh,seconds_improve,seconds_"
+                "wall,triangles_"
                 "per_second_raw,"
                 "triangles_per_second,"
                 "peak_bytes_per_triangle,alpha_mean,alpha_min,min_angle_deg,delta_mean,Nb,Nc,Ns,cells_per_triangle,"

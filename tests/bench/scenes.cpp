@@ -74,6 +74,53 @@ Scene islands(double triangles) {
     return scene;
 }
 
+/// Returns a number in [-1, 1] that depends on the arguments alone (SplitMix64 of S. Vigna).
+double noiseAt(std::uint64_t seed, std::uint64_t octave, std::uint64_t bump) {
+    std::uint64_t x = (seed * 64 + octave + 1) * 0x9e3779b97f4a7c15ULL + bump * 0xd1342543de82ef95ULL;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
+    return static_cast<double>((x ^ (x >> 31)) >> 11) * 0x1p-52 - 1.0;
+}
+
+/// A circle whose radius varies in all octaves down to its segments, as that of a coast does; it never meets itself.
+std::vector<Vec2> fractalCoast(Vec2 centre, double radius, int nodes, std::uint64_t seed) {
+    constexpr double kAmplitude = 0.12, kRoughness = 0.55; // amplitude of the first octave; factor from one to the next
+    constexpr int kFirstBumps = 5;
+    std::vector<Vec2> line;
+    for (int i = 0; i < nodes; ++i) {
+        const double turn = static_cast<double>(i) / nodes;
+        double height = 0.0, amplitude = kAmplitude;
+        std::uint64_t bumps = kFirstBumps;
+        for (std::uint64_t octave = 0; 2 * bumps < static_cast<std::uint64_t>(nodes); ++octave, bumps *= 2) {
+            const double along = turn * static_cast<double>(bumps);
+            const auto bump = static_cast<std::uint64_t>(along);
+            const double from = noiseAt(seed, octave, bump), to = noiseAt(seed, octave, (bump + 1) % bumps);
+            height += amplitude * (from + (along - static_cast<double>(bump)) * (to - from));
+            amplitude *= kRoughness;
+        }
+        const double angle = 2.0 * std::numbers::pi * turn, r = radius * (1.0 + height);
+        line.push_back(centre + Vec2{r * std::cos(angle), r * std::sin(angle)});
+    }
+    return line;
+}
+
+Scene coastline(double segments) {
+    constexpr int kIslands = 40;
+    constexpr double kShare = 0.6; ///< of the segments on the outer coast
+    Scene scene{"coast", {}};
+    addLoop(scene.job.domain, fractalCoast({0, 0}, 10.0, static_cast<int>(kShare * segments), 1), 1);
+    const int each = std::max(8, static_cast<int>((1.0 - kShare) * segments / kIslands));
+    for (int i = 0; i < kIslands; ++i) {
+        const double radius = 5.6 * std::sqrt((i + 0.5) / kIslands);
+        const double angle = 2.399963229728653 * i;
+        addLoop(scene.job.domain,
+                fractalCoast({radius * std::cos(angle), radius * std::sin(angle)}, 0.15 + 0.01 * (i * 7 % 17), each,
+                             static_cast<std::uint64_t>(i) + 2),
+                2);
+    }
+    return scene;
+}
+
 } // namespace
 
 std::optional<Scene> makeScene(std::string_view name, double size) {
@@ -88,6 +135,9 @@ std::optional<Scene> makeScene(std::string_view name, double size) {
     }
     if (name == "islands") {
         return islands(size);
+    }
+    if (name == "coast") {
+        return coastline(size);
     }
     if (name == "square") {
         return square(size);
