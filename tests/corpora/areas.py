@@ -1,0 +1,147 @@
+"""Computes the true area of a drawing or map, without Forefront: by a renderer or by GEOS."""
+
+import collections
+import io
+import json
+import pathlib
+import re
+import subprocess
+import xml.etree.ElementTree as xml
+
+PIXELS = 1600  # along the longer side of a rendered drawing
+
+
+def area_of(path):
+    """Returns the area of a file of a corpus, or None if no reference is defined for it."""
+    path = pathlib.Path(path)
+    if path.suffix == ".geojson":
+        return area_of_map(json.loads(path.read_text(encoding="utf-8-sig")))
+    text = path.read_text(encoding="utf-8")
+    return area_of_lines(text) if 'fill="none" stroke' in text else area_painted(text)
+
+
+def area_painted(text):
+    """Returns the area that librsvg paints, in units of the drawing: the sum of the coverage of all pixels.
+
+    The view is widened so that nothing is clipped.
+    """
+    from PIL import Image, ImageStat  # pylint: disable=import-outside-toplevel
+
+    root = xml.fromstring(text)
+    x, y, width, height = (float(word) for word in re.split(r"[\s,]+", root.attrib["viewBox"].strip()))
+    margin = 0.125 * max(width, height)
+    root.set("viewBox", f"{x - margin} {y - margin} {width + 2 * margin} {height + 2 * margin}")
+    for name in ("width", "height"):
+        root.attrib.pop(name, None)
+    scale = PIXELS / (max(width, height) + 2 * margin)
+    columns, rows = round((width + 2 * margin) * scale), round((height + 2 * margin) * scale)
+    png = subprocess.run(["rsvg-convert", f"--width={columns}", f"--height={rows}", "--format=png"],
+                         input=xml.tostring(root), check=True, capture_output=True).stdout
+    coverage = Image.open(io.BytesIO(png)).convert("RGBA").getchannel("A")
+    return ImageStat.Stat(coverage).mean[0] / 255.0 * (width + 2 * margin) * (height + 2 * margin)
+
+
+def winding(lines, place):
+    """Returns how often directed lines run around a place: those that cross the ray to the right, by direction."""
+    turns = 0
+    for (ax, ay), (bx, by) in lines:
+        if (ay > place.y) != (by > place.y) and place.x < ax + (place.y - ay) / (by - ay) * (bx - ax):
+            turns += 1 if by > ay else -1
+    return turns
+
+
+def faces_of(lines):
+    """Returns the faces that lines enclose as polygons."""
+    from shapely.geometry import LineString  # pylint: disable=import-outside-toplevel
+    from shapely.ops import polygonize, unary_union  # pylint: disable=import-outside-toplevel
+
+    return list(polygonize(unary_union([LineString(line) for line in lines if line[0] != line[1]])))
+
+
+def without_free_ends(edges):
+    """Returns the edges of a graph that are left when chains with a free end are taken away."""
+    while True:
+        degree = collections.Counter(end for edge in edges for end in edge)
+        kept = {edge for edge in edges if all(degree[end] > 1 for end in edge)}
+        if len(kept) == len(edges):
+            return kept
+        edges = kept
+
+
+def components_of(edges):
+    """Yields the connected parts of a graph as lists of edges."""
+    around = collections.defaultdict(list)
+    for edge in edges:
+        for end in edge:
+            around[end].append(edge)
+    while edges:
+        part, open_edges = set(), [next(iter(edges))]
+        while open_edges:
+            edge = open_edges.pop()
+            if edge not in part:
+                part.add(edge)
+                open_edges += around[edge[0]] + around[edge[1]]
+        edges = edges - part
+        yield part
+
+
+def area_of_lines(text):
+    """Returns the area of a drawing of lines alone.
+
+    Connected lines bound by the even-odd rule where all of their nodes are even, else the outermost of them do.
+    """
+    from shapely.geometry import LineString, Polygon  # pylint: disable=import-outside-toplevel
+    from shapely.ops import unary_union  # pylint: disable=import-outside-toplevel
+
+    lines = []
+    for found in re.finditer(r'd="M(\S+),(\S+?)L(\S+),(\S+?)"', text):
+        lines.append(((float(found[1]), float(found[2])), (float(found[3]), float(found[4]))))
+    noded = unary_union([LineString(line) for line in lines if line[0] != line[1]])
+    edges = {tuple(sorted(pair)) for line in getattr(noded, "geoms", [noded])
+             for pair in zip(line.coords, line.coords[1:])}
+    covered = Polygon()
+    for part in components_of(without_free_ends(edges)):
+        degree = collections.Counter(end for edge in part for end in edge)
+        faces = faces_of(part)
+        if all(count % 2 == 0 for count in degree.values()):
+            inside = [face for face in faces if winding(part, face.representative_point()) % 2 != 0]
+        else:
+            inside = [Polygon(face.exterior) for face in faces]
+        covered = covered.symmetric_difference(unary_union(inside))
+    return covered.area
+
+
+def geometries_of(data):
+    if data is None:
+        return []
+    kind = data.get("type")
+    if kind == "FeatureCollection":
+        return [g for feature in data["features"] for g in geometries_of(feature)]
+    if kind == "Feature":
+        return geometries_of(data.get("geometry"))
+    if kind == "GeometryCollection":
+        return [g for part in data["geometries"] for g in geometries_of(part)]
+    return [data]
+
+
+def area_of_map(data):
+    """Returns the area of the union of all polygons: of each, what its outline covers without what its holes cover."""
+    from shapely.geometry import Polygon  # pylint: disable=import-outside-toplevel
+    from shapely.ops import unary_union  # pylint: disable=import-outside-toplevel
+
+    def covered(ring):
+        """What a ring runs around at least once."""
+        ring = [tuple(place[:2]) for place in ring]
+        if len(set(ring)) < 3 or Polygon(ring).is_valid:
+            return Polygon(ring) if len(set(ring)) > 2 else Polygon()
+        lines = list(zip(ring, ring[1:] + ring[:1]))
+        return unary_union([face for face in faces_of(lines) if winding(lines, face.representative_point()) != 0])
+
+    shapes = []
+    for geometry in geometries_of(data):
+        polygons = {"Polygon": lambda c: [c], "MultiPolygon": lambda c: c}.get(geometry["type"], lambda c: [])
+        for rings in polygons(geometry["coordinates"]):
+            if rings:
+                holes = unary_union([covered(ring) for ring in rings[1:]])
+                shapes.append(covered(rings[0]).difference(holes) if not holes.is_empty else covered(rings[0]))
+    return unary_union(shapes).area
