@@ -35,6 +35,7 @@
 #pragma once
 
 #include "core/adapt/adaptive_meshing.hpp"
+#include "core/arrangement/repair.hpp"
 #include "core/base/version.hpp"
 #include "core/domain/add_loop.hpp"
 #include "core/domain/validate.hpp"

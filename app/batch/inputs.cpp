@@ -1,32 +1,45 @@
 #include "app/batch/inputs.hpp"
 
 #include "app/batch/exit_code.hpp"
-#include "core/io/files.hpp"
 #include "core/io/source/source.hpp"
 
 #include <algorithm>
 #include <memory>
+#include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 namespace forefront {
 
-bool Input::isProject() const {
-    constexpr std::string_view kProject = "project";
+const FileFormat *Input::format() const {
     if (!options.formatId.empty()) {
-        return options.formatId == kProject;
+        const auto formats = fileFormats();
+        const auto given = std::find_if(formats.begin(), formats.end(),
+                                        [&](const FileFormat &known) { return options.formatId == known.id; });
+        return given == formats.end() ? nullptr : &*given;
     }
     std::error_code none;
-    const FileFormat *format = nullptr;
     if (options.content != nullptr) {
-        format = fileFormatOf({}, *options.content);
-    } else if (std::filesystem::is_regular_file(path, none)) {
-        format = fileFormatOf(path);
-    } else { // a pipe can be read only once
-        const std::vector<const FileFormat *> named = fileFormatsNamed(path);
-        format = named.empty() ? nullptr : named.front();
+        return fileFormatOf({}, *options.content);
     }
-    return format != nullptr && format->id == kProject;
+    if (std::filesystem::is_regular_file(path, none)) {
+        return fileFormatOf(path);
+    }
+    const std::vector<const FileFormat *> named = fileFormatsNamed(path); // a pipe can be read only once
+    return named.empty() ? nullptr : named.front();
+}
+
+bool Input::isProject() const {
+    const FileFormat *const found = format();
+    return found != nullptr && std::string_view(found->id) == "project";
+}
+
+std::string checkWeld(const std::optional<double> &tolerance, const Input &input, bool repairs) {
+    const FileFormat *const format = tolerance && !repairs ? input.format() : nullptr;
+    return format == nullptr || format->arranges ? std::string()
+                                                 : "--weld: " + std::string(format->name) +
+                                                       " files are read as they are; add --repair to join what is near";
 }
 
 Result<Input> openInput(const std::filesystem::path &path, const std::string &formatId) {

@@ -2,6 +2,7 @@
 
 #include "core/base/diagnostic.hpp"
 #include "core/base/result.hpp"
+#include "core/io/files.hpp"
 #include "core/io/source/import_notes.hpp"
 #include "core/io/source/import_options.hpp"
 
@@ -25,6 +26,8 @@ struct Input {
     std::filesystem::path path; ///< as shown in messages
     ImportOptions options;      ///< with the content of standard input
 
+    /// Returns the format by option, content or extension; null if unknown.
+    const FileFormat *format() const;
     bool isProject() const;
 };
 
@@ -36,6 +39,10 @@ Result<Input> openInput(const std::filesystem::path &path, const std::string &fo
 /// valid.
 std::string checkInputs(std::initializer_list<std::optional<std::filesystem::path>> inputs,
                         const std::string &formatId = {});
+
+/// Returns the fault of a weld tolerance given for an input that is not joined; empty if valid. `repairs`: --repair is
+/// given.
+std::string checkWeld(const std::optional<double> &tolerance, const Input &input, bool repairs);
 
 /// Returns the ids of the formats that can be read, as --input-format takes them, separated by commas.
 std::string inputFormatIds();

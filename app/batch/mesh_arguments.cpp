@@ -66,7 +66,8 @@ void addFrontOptions(CLI::App &app, MeshArguments &arguments, Words &words) {
     app.add_flag("--keep-boundary", arguments.keepBoundary,
                  "keep the given segments as mesh edges; do not subdivide them");
     app.add_flag("--repair", arguments.repair,
-                 "merge duplicate nodes and segments and split crossings first, and report every change");
+                 "split segments where they cross, join what coincides and drop what lies outside first, and report "
+                 "every change; drawings and maps are arranged in any case");
     auto *improve = app.add_option("--improve", words.level,
                                    "improve the shapes: none (fastest; the front is left as it is), default, best "
                                    "(slower; also adds and removes inner nodes)")
@@ -77,7 +78,7 @@ void addFrontOptions(CLI::App &app, MeshArguments &arguments, Words &words) {
 
 void addImportOptions(CLI::App &app, MeshArguments &arguments) {
     addArrangementOptions(app, arguments.weldTolerance, arguments.overlap);
-    app.add_flag("--strict", arguments.strict, "refuse drawings and maps that would have to be changed")
+    app.add_flag("--strict", arguments.strict, "refuse an input that would have to be changed")
         ->excludes(app.get_option("--repair"));
 }
 

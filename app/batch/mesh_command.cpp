@@ -3,10 +3,11 @@
 #include "app/batch/inputs.hpp"
 #include "app/batch/interrupt.hpp"
 #include "app/batch/mesh_arguments.hpp"
+#include "app/batch/options.hpp"
 #include "app/batch/outputs.hpp"
 #include "app/batch/progress_bar.hpp"
 #include "app/batch/report.hpp"
-#include "core/domain/validate.hpp"
+#include "core/arrangement/repair.hpp"
 #include "core/edit/document.hpp"
 #include "core/io/files.hpp"
 #include "core/io/inner_edges.hpp"
@@ -75,13 +76,13 @@ void applyOptions(const MeshArguments &arguments, MeshingOptions &options) {
     options.threads = arguments.threads.value_or(options.threads);
 }
 
-Diagnostics repairDomain(const MeshArguments &arguments, const Input &input, Domain &domain) {
-    Result<Repaired> repaired = repair(domain);
+Diagnostics repairDomain(const MeshArguments &arguments, const Input &input, const Progress &progress, Domain &domain) {
+    Result<Repaired> repaired = repair(domain, arguments.weldTolerance.value_or(0.0), progress.stop);
     if (!repaired) {
         return locateFaults(input.path, repaired.faults(), input.options);
     }
     if (!arguments.quiet) {
-        printFaults(locateFaults(input.path, std::move(repaired->changes), input.options));
+        printFaults(locateFaults(input.path, notesWithPlaces(repaired->changes), input.options));
     }
     domain = std::move(repaired->domain);
     return {};
@@ -134,6 +135,10 @@ int runMesh(const MeshArguments &arguments) {
         bar.clear();
         return refuse(input.faults(), interrupt);
     }
+    if (const std::string wrong = checkWeld(arguments.weldTolerance, *input, arguments.repair); !wrong.empty()) {
+        bar.clear();
+        return wrongUsage("forefront mesh", wrong);
+    }
     input->options.weldTolerance = arguments.weldTolerance;
     input->options.overlap = arguments.overlap;
     input->options.strict = arguments.strict;
@@ -142,7 +147,7 @@ int runMesh(const MeshArguments &arguments) {
     bar.clear();
     interrupt.deferToStop();
     if (faults.empty() && arguments.repair) {
-        faults = repairDomain(arguments, *input, job->domain);
+        faults = repairDomain(arguments, *input, progress, job->domain);
     }
     if (!faults.empty()) {
         return refuse(faults, interrupt);

@@ -114,7 +114,8 @@ void addInnerEdgesOption(CLI::App &app, InnerEdges &innerEdges) {
 
 void addArrangementOptions(CLI::App &app, std::optional<double> &weldTolerance, OverlapRule &overlap) {
     app.add_option("--weld", weldTolerance,
-                   "join nodes and segments of drawings and maps closer than this (default: 1e-6 of the diagonal)")
+                   "join nodes and segments closer than this (default: 1e-6 of the diagonal for drawings and maps; 0 "
+                   "for other files, which are joined only with --repair)")
         ->check(nonNegativeNumber())
         ->type_name("T");
     app.add_option_function<std::string>(

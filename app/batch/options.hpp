@@ -25,7 +25,7 @@ void addSpacingOptions(CLI::App &group, std::optional<double> &size, std::option
 /// Adds the option --inner-edges of the commands that write meshes.
 void addInnerEdgesOption(CLI::App &app, InnerEdges &innerEdges);
 
-/// Adds the options --weld and --overlap for drawings and maps.
+/// Adds the options --weld and --overlap.
 void addArrangementOptions(CLI::App &app, std::optional<double> &weldTolerance, OverlapRule &overlap);
 
 /// Parses the command line. Returns the exit code with which to leave (help shown: 0; usage error printed: 2), or

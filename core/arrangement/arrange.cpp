@@ -4,7 +4,6 @@
 #include "core/domain/coordinate_range.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace forefront {
@@ -118,14 +117,7 @@ Result<Arrangement> arrange(const ArrangementInput &input, std::stop_token stop)
     for (const ArrangementPiece &piece : input.pieces) {
         lines.push_back({piece.a, piece.b});
     }
-    // A few last digits of the coordinates: with a smaller radius, rounding could reverse the order of nodes and edges.
-    constexpr double kResolution = 4e-15;
-    const double magnitude =
-        box.empty()
-            ? 0.0
-            : std::max({std::fabs(box.min.x), std::fabs(box.max.x), std::fabs(box.min.y), std::fabs(box.max.y)});
-    const double tolerance = std::max({input.tolerance, kResolution * magnitude, std::numeric_limits<double>::min()});
-    const SnappedLines snapped = snapLines(lines, tolerance, stop);
+    const SnappedLines snapped = snapLines(lines, std::max(input.tolerance, resolutionOf(box)), stop);
     if (!snapped.finished) {
         return error("cancelled", "joining the pieces was cancelled");
     }
@@ -136,7 +128,7 @@ Result<Arrangement> arrange(const ArrangementInput &input, std::stop_token stop)
     if (sweep.droppedCount != 0) {
         return error("arrangement-failed", "the pieces still meet after joining", "report this file as a fault");
     }
-    Arrangement result = Assembler(input, snapped, findFaces(snapped.nodes, snapped.edges, sweep)).run();
+    Arrangement result = Assembler(input, lines, snapped, findFaces(snapped.nodes, snapped.edges, sweep)).run();
     result.radius = snapped.radius;
     return result;
 }

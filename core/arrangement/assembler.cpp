@@ -7,8 +7,9 @@
 
 namespace forefront {
 
-Assembler::Assembler(const ArrangementInput &input, const SnappedLines &snapped, Faces faces)
-    : input_(input), snapped_(snapped), faces_(std::move(faces)) {}
+Assembler::Assembler(const ArrangementInput &input, std::span<const SnapLine> lines, const SnappedLines &snapped,
+                     Faces faces)
+    : input_(input), lines_(lines), snapped_(snapped), faces_(std::move(faces)) {}
 
 Arrangement Assembler::run() {
     collectRuns();
@@ -181,7 +182,7 @@ bool Assembler::pointInside(std::uint32_t node) const {
 void Assembler::addPoint(std::uint32_t piece) {
     const std::uint32_t at = snapped_.first[piece];
     if (!pointInside(at)) {
-        note(ChangeKind::OutsidePoints, snapped_.nodes[at], 0.0, piece);
+        changes_.add(ChangeKind::OutsidePoints, snapped_.nodes[at], 0.0, piece);
         return;
     }
     if (hasPoint_[at] == 0) {

@@ -1,16 +1,22 @@
 #pragma once
 
 #include "core/arrangement/arrangement.hpp"
+#include "core/arrangement/change.hpp"
 #include "core/arrangement/cover.hpp"
 #include "core/arrangement/snap.hpp"
 #include "core/domain/faces.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
 
 namespace forefront {
 
 /// Puts the domain together from snapped pieces and their faces.
 class Assembler {
   public:
-    Assembler(const ArrangementInput &input, const SnappedLines &snapped, Faces faces);
+    /// `lines`: the pieces as lines.
+    Assembler(const ArrangementInput &input, std::span<const SnapLine> lines, const SnappedLines &snapped, Faces faces);
 
     Arrangement run();
 
@@ -31,16 +37,17 @@ class Assembler {
     std::vector<std::uint32_t> joinFaces() const;
     void markRegions();
     void report();
-    void reportNodes();
     void reportPiece(std::uint32_t piece);
     void reportOverlaps();
+    Vec2 placeInside(std::uint32_t face) const;
+    std::uint32_t firstPieceAround(std::uint32_t face) const;
     bool overlap(std::uint32_t face) const;
-    void note(ChangeKind kind, Vec2 at, double displacement, std::uint32_t piece);
 
     bool inside(std::uint32_t face) const { return cover_.shapes[face] > 0; }
     bool kept(std::uint32_t edge) const { return fate_[edge] == Fate::Boundary || fate_[edge] == Fate::Constraint; }
 
     const ArrangementInput &input_;
+    std::span<const SnapLine> lines_;
     const SnappedLines &snapped_;
     Faces faces_;
     EdgeRuns runs_;
@@ -52,6 +59,7 @@ class Assembler {
     std::vector<std::uint32_t> number_;  ///< per snapped node: its index in the domain
     std::vector<std::uint8_t> nodeSide_; ///< per snapped node: 1 if it has edges, 2 if some face around is inside
     std::vector<std::uint8_t> hasPoint_; ///< per snapped node: it is a constraint point of the domain
+    ChangeList changes_;
     Arrangement result_;
 };
 

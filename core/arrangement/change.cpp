@@ -1,6 +1,8 @@
 #include "core/arrangement/change.hpp"
 
+#include <algorithm>
 #include <cstdio>
+#include <utility>
 
 namespace forefront {
 
@@ -17,14 +19,23 @@ struct Words {
 
 constexpr Words kWords[] = {
     {ChangeKind::WeldedNodes, "welded-nodes", "moved 1 node onto another one", "moved %zu nodes onto others", true},
+    {ChangeKind::RepeatedNodes, "duplicate-node", "merged 1 node with another one at the same place",
+     "merged %zu nodes with others at the same place", true},
     {ChangeKind::ShortPieces, "short-segments", "dropped 1 segment shorter than the tolerance",
      "dropped %zu segments shorter than the tolerance", true},
+    {ChangeKind::EmptySegments, "zero-length", "dropped 1 segment of zero length",
+     "dropped %zu segments of zero length", true},
     {ChangeKind::CrossingSegments, "crossing-segments", "added a node where segments cross",
      "added nodes in %zu places where segments cross", true},
     {ChangeKind::TouchingSegments, "touching-segments", "split 1 segment at a node on it",
      "split segments at %zu nodes on them", true},
     {ChangeKind::BentSegments, "bent-segments", "led 1 segment through a node near it",
      "led segments through nodes near them in %zu places", true},
+    {ChangeKind::RepeatedSegments, "duplicate-segment", "dropped 1 segment that repeats another one",
+     "dropped %zu segments that repeat others", true},
+    {ChangeKind::SharedBoundaries, "overlapping-segments",
+     "turned 1 boundary segment shared by neighbours into a constraint",
+     "turned %zu boundary segments shared by neighbours into constraints", true},
     {ChangeKind::FoldedOutlines, "folded-outlines", "dropped 1 segment where an outline runs back along itself",
      "dropped %zu segments where outlines run back along themselves", true},
     {ChangeKind::OverlapsDecided, "overlapping-features", "decided 1 overlap of features",
@@ -35,6 +46,10 @@ constexpr Words kWords[] = {
      "dropped %zu segments of lines outside the domain", true},
     {ChangeKind::OutsidePoints, "point-outside", "dropped 1 point outside the domain",
      "dropped %zu points outside the domain", true},
+    {ChangeKind::OutsideMarkers, "hole-outside", "dropped 1 hole marker in a hole that is open to the outside",
+     "dropped %zu hole markers in holes that are open to the outside", true},
+    {ChangeKind::UnusedNodes, "unreferenced-node", "dropped 1 node that belongs to no segment",
+     "dropped %zu nodes that belong to no segment", true},
 };
 
 const Words &wordsOf(ChangeKind kind) {
@@ -54,6 +69,32 @@ std::string shown(Vec2 p) {
 }
 
 } // namespace
+
+void ChangeList::add(ChangeKind kind, Vec2 at, double displacement, std::uint32_t piece) {
+    ArrangementChange *change = find(kind);
+    if (change == nullptr) {
+        changes_.push_back({kind, 0, 0.0, {}, piece, {}, {}});
+        change = &changes_.back();
+    }
+    ++change->count;
+    change->displacement = kind == ChangeKind::OverlapsDecided ? change->displacement + displacement
+                                                               : std::max(change->displacement, displacement);
+    if (change->places.size() < ArrangementChange::kPlaces) {
+        change->places.push_back(at);
+    }
+}
+
+std::vector<ArrangementChange> ChangeList::take() {
+    std::sort(changes_.begin(), changes_.end(),
+              [](const ArrangementChange &s, const ArrangementChange &t) { return s.kind < t.kind; });
+    return std::exchange(changes_, {});
+}
+
+ArrangementChange *ChangeList::find(ChangeKind kind) {
+    const auto known = std::find_if(changes_.begin(), changes_.end(),
+                                    [&](const ArrangementChange &change) { return change.kind == kind; });
+    return known == changes_.end() ? nullptr : &*known;
+}
 
 bool altersInput(ChangeKind kind) {
     return wordsOf(kind).alters;
@@ -83,7 +124,19 @@ Diagnostics notesOf(const std::vector<ArrangementChange> &changes) {
         if (!change.places.empty()) {
             note.at = change.places.front();
         }
+        if (change.part) {
+            note.parts.push_back(*change.part);
+        }
         notes.push_back(std::move(note));
+    }
+    return notes;
+}
+
+Diagnostics notesWithPlaces(const std::vector<ArrangementChange> &changes) {
+    Diagnostics notes = notesOf(changes);
+    for (std::size_t k = 0; k < notes.size(); ++k) {
+        notes[k].message += placesOf(changes[k]);
+        notes[k].at.reset();
     }
     return notes;
 }

@@ -1,11 +1,15 @@
 #include "core/arrangement/snap.hpp"
 
 #include "core/arrangement/cluster.hpp"
+#include "core/arrangement/place_table.hpp"
 #include "core/arrangement/snapper.hpp"
 #include "core/geometry/polygon.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <compare>
+#include <limits>
+#include <unordered_map>
 #include <utility>
 
 namespace forefront {
@@ -122,6 +126,37 @@ class PinnedLines {
 };
 
 } // namespace
+
+double resolutionOf(const Box2 &box) {
+    constexpr double kResolution = 4e-15;
+    double magnitude = 0.0;
+    if (!box.empty()) {
+        magnitude = std::max({std::fabs(box.min.x), std::fabs(box.max.x), std::fabs(box.min.y), std::fabs(box.max.y)});
+    }
+    return std::max(kResolution * magnitude, std::numeric_limits<double>::min());
+}
+
+SnappedLines unsnapped(std::span<const SnapLine> lines) {
+    SnappedLines result;
+    PlaceTable table(2 * lines.size());
+    std::unordered_map<std::uint64_t, std::uint32_t> edgeOf; // only looked up
+    result.starts.push_back(0);
+    for (const SnapLine &line : lines) {
+        const std::uint32_t a = table.indexOf(line.a, result.nodes), b = table.indexOf(line.b, result.nodes);
+        result.first.push_back(a);
+        if (a != b) {
+            const std::uint64_t key = (std::uint64_t{std::min(a, b)} << 32) | std::max(a, b);
+            const auto [entry, added] = edgeOf.try_emplace(key, static_cast<std::uint32_t>(result.edges.size()));
+            if (added) {
+                result.edges.push_back({a, b});
+            }
+            result.ways.push_back(2 * entry->second + (result.edges[entry->second].a == a ? 0U : 1U));
+        }
+        result.starts.push_back(static_cast<std::uint32_t>(result.ways.size()));
+    }
+    result.crossing.assign(result.nodes.size(), 0);
+    return result;
+}
 
 SnappedLines snapLines(std::span<const SnapLine> lines, double tolerance, const std::stop_token &stop) {
     SnappedLines result;

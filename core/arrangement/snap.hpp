@@ -29,6 +29,13 @@ struct SnappedLines {
     bool finished = true;              ///< false if asked to stop
 };
 
+/// Returns the minimum tolerance for lines within a box: a few units in the last place of the coordinates. With a
+/// smaller one, rounding could reverse the order of nodes and edges.
+double resolutionOf(const Box2 &box);
+
+/// Returns the lines as they are, without joining anything but ends at the same place and repeated lines.
+SnappedLines unsnapped(std::span<const SnapLine> lines);
+
 /// Joins everything closer than the tolerance (positive) and moves nothing farther than that.
 /// Afterwards all nodes are farther than `radius` from one another, edges meet only in common ends, and no node is
 /// within the radius of the inside of an edge, except where going through it would make a part of the edge longer than

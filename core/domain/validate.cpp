@@ -275,7 +275,7 @@ class Validator {
         for (std::uint32_t e = 0; e < graph.edges.size() && !anyOpen; ++e) {
             if (labels.inside[faces.left[e]] == 0 && labels.inside[faces.right[e]] == 0) {
                 add("segment-outside", "a segment lies outside the domain",
-                    "remove it, or extend the boundary around it",
+                    "remove it, extend the boundary around it, or repair the domain",
                     midpoint(graph.points[graph.edges[e].a], graph.points[graph.edges[e].b]),
                     {aSegment(graph.segment[e])});
             }
@@ -343,8 +343,8 @@ class Validator {
             }
             const std::uint32_t face = faces.ofPoint[point];
             if (face != kNoIndex && labels.inside[face] == 0) {
-                add("point-outside", "a constraint point lies outside the domain", "move or remove it",
-                    graph.points[point], {aNode(node)});
+                add("point-outside", "a constraint point lies outside the domain",
+                    "move it, remove it, or repair the domain", graph.points[point], {aNode(node)});
             }
         }
     }

@@ -26,6 +26,8 @@ struct FileFormat {
     const char *name;      ///< "Gmsh MSH 2.2"
     const char *extension; ///< with the dot, ".msh"
     bool readsDomain, readsMesh, writesMesh;
+    /// Its lines may cross, touch and overlap: reading arranges them (see ImportOptions::weldTolerance).
+    bool arranges = false;
 };
 /// Returns all formats, in the order of menus.
 std::span<const FileFormat> fileFormats();

@@ -414,10 +414,10 @@ class Refusing(Case):
     def test_faults_left_by_a_repair_name_the_file_and_no_segments_that_it_does_not_have(self):
         self.write("bow.geojson", '{"type": "Polygon", "coordinates": [[[0, 0], [4, 3], [4, 0], [0, 3], [0, 0]]]}')
         self.assertIn("bow.geojson:1:38: note: ", self.call("mesh", "bow.geojson", "-o", "a.msh", "--repair").stderr)
-        self.write("open.poly", poly([BOW]).replace("4 4 1 1", "4 4 4 1"))
+        self.write("open.poly", poly([BOW]).replace("4 4 1 1\n", "").replace("\n4 1\n", "\n3 1\n"))
         output = self.call("mesh", "open.poly", "-o", "a.msh", "--repair", code=1).stderr.splitlines()
         notes = [line for line in output if "note: " in line]
-        self.assertTrue(any("(line 9)" in line for line in notes), output)
+        self.assertTrue(any("(line 7)" in line for line in notes), output)
         left = [line for line in output if line not in notes]
         self.assertTrue(left)
         for line in left:
@@ -437,8 +437,24 @@ class Refusing(Case):
     def test_repair_splits_crossings_and_reports_it(self):
         self.write("bow.poly", poly([BOW]))
         done = self.call("mesh", "bow.poly", "-o", "bow.msh", "--repair")
-        self.assertIn("(2, 1.5)", done.stderr)
+        self.assertEqual(done.stderr, "bow.poly:7: note: added a node where segments cross at (2, 1.5): "
+                                      "segment 1 (line 7) [crossing-segments]\n")
         self.call("check", "bow.msh")
+
+    def test_repair_closes_gaps_within_the_weld_tolerance_and_only_then(self):
+        self.write("gap.poly", "5 2\n1 0 0\n2 4 0\n3 4 3\n4 0 3\n5 0 0.01\n4\n1 1 2\n2 2 3\n3 3 4\n4 4 5\n0\n")
+        self.call("mesh", "gap.poly", "-o", "gap.msh", "--repair", code=1)
+        done = self.call("mesh", "gap.poly", "-o", "gap.msh", "--repair", "--weld", "0.02")
+        self.assertIn("note: moved 1 node onto another one, at most 0.01 away at (0, 0.01)", done.stderr)
+        self.call("check", "gap.msh")
+        self.assertIn("--weld: Triangle domain files are read as they are; add --repair",
+                      self.call("mesh", "gap.poly", "-o", "gap.msh", "--weld", "0.02", code=2).stderr)
+
+    def test_strict_accepts_an_exact_file_that_needs_no_change_and_refuses_one_that_does(self):
+        self.call("mesh", "plate.poly", "-o", "plate.msh", "--strict")
+        self.write("bow.poly", poly([BOW]))
+        self.call("mesh", "bow.poly", "-o", "bow.msh", "--strict", code=1)
+        self.call("mesh", "plate.poly", "-o", "plate.msh", "--strict", "--repair", code=2)
 
     def test_files_that_cannot_be_read_are_refused(self):
         self.call("mesh", "missing.poly", "-o", "a.msh", code=1)

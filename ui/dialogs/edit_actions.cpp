@@ -1,4 +1,4 @@
-#include "core/domain/validate.hpp"
+#include "core/arrangement/repair.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
 #include "core/edit/spacing_commands.hpp"
@@ -152,7 +152,7 @@ void addSelectionActions(ActionRegistry &actions) {
     actions.add({.id = "edit.repair",
                  .menu = "Edit",
                  .title = "Repair drawing",
-                 .run = repairDrawing,
+                 .run = [](Shell &c) { repairDrawing(c); },
                  .enabled = [](const Shell &c) { return anyRepairable(c.preview->faults); }});
     actions.add({.id = "edit.clearPaint",
                  .menu = "Edit",

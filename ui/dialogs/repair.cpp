@@ -1,13 +1,12 @@
 #include "ui/dialogs/repair.hpp"
 
-#include "core/domain/validate.hpp"
+#include "core/edit/repair_drawing.hpp"
 #include "ui/parts/shell.hpp"
 
 namespace forefront {
 
 void repairDrawing(Shell &context) {
-    const std::shared_ptr<const Document> before = context.document.current();
-    Result<Repaired> repaired = repair(toDomain(*before));
+    Result<RepairedDrawing> repaired = repairDrawing(*context.document.current());
     if (!repaired) {
         context.log.add(repaired.faults());
         return;
@@ -16,26 +15,17 @@ void repairDrawing(Shell &context) {
         context.log.tell("Found nothing to repair");
         return;
     }
-    const Document drawing = fromDomain(repaired->domain);
-    Document next = *before;
-    // Ids continue, so that no new shape is mistaken for an old one.
-    next.shapes.clear();
-    for (const auto &shape : drawing.shapes) {
-        auto copy = std::make_shared<Shape>(*shape);
-        copy->id = next.nextId++;
-        next.shapes.push_back(std::move(copy));
+    context.document.apply(std::move(repaired->document), "Repair drawing");
+    context.selection.prune(*context.document.current());
+    context.log.add(notesOf(repaired->changes));
+    std::size_t count = 0;
+    for (const ArrangementChange &change : repaired->changes) {
+        count += change.count;
     }
-    next.regionMarkers = drawing.regionMarkers;
-    next.boundaryNames = drawing.boundaryNames;
-    next.regionNames = drawing.regionNames;
-    context.document.apply(std::move(next), "Repair drawing");
-    context.selection.clear();
-    context.log.add(repaired->changes);
-    const Diagnostics left = validate(repaired->domain);
-    const auto counted = [](std::size_t count, const char *what) {
-        return std::to_string(count) + what + (count == 1 ? "" : "s");
+    const auto counted = [](std::size_t number, const char *what) {
+        return std::to_string(number) + what + (number == 1 ? "" : "s");
     };
-    context.log.tell(counted(repaired->changes.size(), " repair") + ", " + counted(left.size(), " fault") + " left");
+    context.log.tell(counted(count, " change") + ", " + counted(repaired->left.size(), " fault") + " left");
 }
 
 } // namespace forefront

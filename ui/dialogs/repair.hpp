@@ -4,8 +4,8 @@ namespace forefront {
 
 struct Shell;
 
-/// Repairs the drawing as one command and reports every change, with its place, in the log. Shapes become polygons and
-/// polylines; spacing, names and options stay.
+/// Repairs the drawing as one command and reports each kind of change, with its first place, in the log. Shapes that
+/// the repair changes become polygons and polylines.
 void repairDrawing(Shell &context);
 
 } // namespace forefront

@@ -1,4 +1,4 @@
-#include "core/domain/validate.hpp"
+#include "core/arrangement/repair.hpp"
 #include "ui/panels/edit_panels.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/text_wrap.hpp"
@@ -41,8 +41,8 @@ class ChecksPanel final : public Panel {
             if (ui::button(context, "checks/repair", "Repair", ui::ButtonKind::Primary, true, 78.0F)) {
                 context.actions.run("edit.repair", context);
             }
-            ui::tooltip(context, "Merge duplicate nodes and segments, and split segments where they cross. The log "
-                                 "lists every change.");
+            ui::tooltip(context, "Split segments where they cross, join what coincides, and drop what lies outside. "
+                                 "The log reports every change.");
         }
         drawList(context, faults);
     }

@@ -1,4 +1,4 @@
-#include "core/domain/validate.hpp"
+#include "core/arrangement/repair.hpp"
 #include "ui/shell/shell.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/text_wrap.hpp"

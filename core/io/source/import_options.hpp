@@ -15,10 +15,10 @@ struct ImportOptions {
     /// Maximum distance between a curve and its polyline, in file units; 0: 1/2000 of the drawing's size.
     double curveTolerance = 0.0;
     /// Nodes and segments of drawings and maps that are closer than this are joined, in domain units; nothing: 1e-6 of
-    /// the diagonal.
+    /// the diagonal. Other formats are read as they are.
     std::optional<double> weldTolerance = {};
     OverlapRule overlap = OverlapRule::Later;    ///< between features of a map
-    bool strict = false;                         ///< refuse drawings and maps that would have to be changed
+    bool strict = false;                         ///< refuse a drawing or map that would have to be changed
     std::size_t maxBytes = std::size_t{2} << 30; ///< larger files are refused
     /// Format by its id, such as "geojson"; empty: by content, then by extension.
     std::string formatId = {};

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "core/arrangement/repair.hpp"
+#include "core/arrangement/snap.hpp"
+#include "core/domain/domain_graph.hpp"
+#include "core/domain/faces.hpp"
+
+#include <optional>
+
+namespace forefront {
+
+/// Repairs one domain; see repair().
+class Repairer {
+  public:
+    explicit Repairer(const Domain &domain) : given_(domain) {}
+
+    Result<Repaired> run(double tolerance, const std::stop_token &stop);
+
+  private:
+    /// What is known of a joined edge and what becomes of it.
+    struct Edge {
+        std::uint32_t source = kNoIndex; ///< the given segment whose tag it takes
+        std::uint32_t boundaries = 0;    ///< number of boundary segments along it; 0: a constraint
+        bool shared = false;             ///< boundaries that cancelled out
+        bool dropped = false;
+    };
+
+    bool valid(const DomainSegment &segment) const;
+    void collectLines();
+    bool join(double tolerance, const std::stop_token &stop);
+    void collectEdges();
+    void resolveRepeats();
+    void dropOutside();
+    bool closed(const Domain &joined, const Faces &faces, const FaceLabels &labels) const;
+    std::vector<std::uint8_t> outsideEdges(const Domain &joined, const Faces &faces, const FaceLabels &labels) const;
+    void dropEdge(std::uint32_t edge);
+    void dropPoints(const DomainGraph &graph, const Faces &faces, const FaceLabels &labels);
+    void dropHoleMarkers(const DomainGraph &graph, const Faces &faces);
+    Domain joinedDomain() const;
+
+    void build();
+    void mapNodes();
+    void addNodes();
+    void addSegments();
+    std::uint32_t nodeNumber(std::uint32_t joinedNode);
+    std::uint32_t renumbered(std::uint32_t node) const;
+    void locateChanges();
+    DomainPart partOfLine(std::uint32_t line) const;
+
+    const Domain &given_;
+    std::vector<SnapLine> lines_;          ///< valid segments, then constraint points
+    std::vector<std::uint32_t> segmentOf_; ///< per line that is a segment
+    std::vector<std::uint32_t> pointOf_;   ///< per line that is a constraint point
+    SnappedLines joined_;
+    std::vector<Edge> edges_;                 ///< per joined edge
+    std::vector<std::uint8_t> pointDropped_;  ///< per given constraint point
+    std::vector<std::uint8_t> markerDropped_; ///< per given hole marker
+    std::vector<std::uint32_t> joinedNode_;   ///< per given node: the joined node it became, or kNoIndex
+    std::vector<std::uint32_t> number_;       ///< per joined node: its index in the result, or kNoIndex
+    std::vector<std::uint32_t> ownNumber_;    ///< per given node that was not joined: likewise
+    ChangeList changes_;
+    Repaired result_;
+};
+
+} // namespace forefront

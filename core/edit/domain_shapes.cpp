@@ -1,0 +1,85 @@
+#include "core/edit/domain_shapes.hpp"
+
+#include "core/base/ids.hpp"
+#include "core/edit/boundary_loops.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace forefront {
+namespace {
+
+Shape polygonOf(const Domain &domain, const BoundaryLoop &loop) {
+    Shape shape;
+    shape.kind = ShapeKind::Polygon;
+    shape.use = ShapeUse::Boundary;
+    for (std::size_t k = 0; k < loop.nodes.size(); ++k) {
+        shape.nodes.push_back(domain.nodes[loop.nodes[k]]);
+        shape.segmentTags.push_back(domain.segments[loop.segments[k]].tag);
+    }
+    shape.tag = shape.segmentTags.front();
+    if (std::all_of(shape.segmentTags.begin(), shape.segmentTags.end(), [&](auto tag) { return tag == shape.tag; })) {
+        shape.segmentTags.clear();
+    }
+    return shape;
+}
+
+} // namespace
+
+std::vector<Shape> shapesOf(const Domain &domain) {
+    std::vector<Shape> shapes;
+    const auto loops = boundaryLoops(domain);
+    std::vector<std::uint32_t> rest, points(domain.points.size());
+    std::iota(points.begin(), points.end(), 0U);
+    for (std::uint32_t s = 0; s < domain.segments.size(); ++s) {
+        if (!loops || domain.segments[s].role == SegmentRole::Constraint) {
+            rest.push_back(s);
+        }
+    }
+    if (loops) {
+        for (const BoundaryLoop &loop : *loops) {
+            shapes.push_back(polygonOf(domain, loop));
+        }
+    }
+    for (const auto &shape : fromDomain(partOf(domain, rest, points)).shapes) {
+        shapes.push_back(*shape);
+        shapes.back().id = 0;
+    }
+    return shapes;
+}
+
+Domain partOf(const Domain &domain, std::span<const std::uint32_t> segments, std::span<const std::uint32_t> points) {
+    std::vector<std::uint32_t> number(domain.nodes.size(), kNoIndex);
+    const auto use = [&](std::uint32_t node) {
+        if (node < number.size()) {
+            number[node] = 0;
+        }
+    };
+    for (const std::uint32_t s : segments) {
+        use(domain.segments[s].a);
+        use(domain.segments[s].b);
+    }
+    for (const std::uint32_t p : points) {
+        use(domain.points[p].node);
+    }
+    Domain part;
+    for (std::size_t n = 0; n < number.size(); ++n) {
+        if (number[n] != kNoIndex) {
+            number[n] = static_cast<std::uint32_t>(part.nodes.size());
+            part.nodes.push_back(domain.nodes[n]);
+        }
+    }
+    const auto renumbered = [&](std::uint32_t node) { return node < number.size() ? number[node] : kNoIndex; };
+    for (const std::uint32_t s : segments) {
+        DomainSegment segment = domain.segments[s];
+        segment.a = renumbered(segment.a);
+        segment.b = renumbered(segment.b);
+        part.segments.push_back(segment);
+    }
+    for (const std::uint32_t p : points) {
+        part.points.push_back({renumbered(domain.points[p].node), domain.points[p].tag});
+    }
+    return part;
+}
+
+} // namespace forefront

@@ -1,0 +1,150 @@
+#include "core/edit/repair_drawing.hpp"
+
+#include "core/arrangement/repair.hpp"
+#include "core/domain/validate.hpp"
+#include "core/edit/domain_shapes.hpp"
+#include "core/edit/domain_sources.hpp"
+#include "core/edit/shape_geometry.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace forefront {
+namespace {
+
+/// Two places in any order, as a key.
+using Ends = std::tuple<double, double, double, double>;
+Ends endsOf(Vec2 a, Vec2 b) {
+    const bool swapped = std::tie(b.x, b.y) < std::tie(a.x, a.y);
+    return swapped ? Ends{b.x, b.y, a.x, a.y} : Ends{a.x, a.y, b.x, b.y};
+}
+
+/// A set of finite places.
+class Places {
+  public:
+    void add(Vec2 p) {
+        if (isFinite(p)) {
+            places_.emplace(p.x, p.y);
+        }
+    }
+    bool has(Vec2 p) const { return isFinite(p) && places_.contains({p.x, p.y}); }
+
+  private:
+    std::set<std::pair<double, double>> places_;
+};
+
+/// Finds out which shapes a repair changed, and makes shapes of what became of them.
+class DrawingRepair {
+  public:
+    explicit DrawingRepair(const Document &document) : document_(document), given_(toDomain(document, sources_)) {}
+
+    Result<RepairedDrawing> run(double tolerance) {
+        Result<Repaired> repaired = repair(given_, tolerance);
+        if (!repaired) {
+            return repaired.faults();
+        }
+        RepairedDrawing result{document_, std::move(repaired->changes), validate(repaired->domain)};
+        if (!result.changes.empty()) {
+            findChanged(*repaired);
+            replaceChanged(repaired->domain, repaired->segmentSource, result.document);
+        }
+        return result;
+    }
+
+  private:
+    /// A shape is unchanged if each of its segments, or its point, is part of the result as it was.
+    void findChanged(const Repaired &repaired) {
+        const Domain &domain = repaired.domain;
+        std::vector<std::uint8_t> kept(given_.segments.size(), 0);
+        for (std::size_t s = 0; s < domain.segments.size(); ++s) {
+            const DomainSegment &now = domain.segments[s], &then = given_.segments[repaired.segmentSource[s]];
+            if (now.role == then.role && sameEnds(now, then, domain)) {
+                kept[repaired.segmentSource[s]] = 1;
+            }
+        }
+        changed_.assign(document_.shapes.size(), 0);
+        for (std::size_t s = 0; s < given_.segments.size(); ++s) {
+            if (kept[s] == 0) {
+                changed_[sources_.segments[s].shape] = 1;
+            }
+        }
+        Places points, nodes;
+        for (const ConstraintPoint &point : domain.points) {
+            points.add(domain.nodes[point.node]);
+        }
+        for (const Vec2 node : domain.nodes) {
+            nodes.add(node);
+        }
+        for (std::size_t k = 0; k < document_.shapes.size(); ++k) {
+            const Shape &shape = *document_.shapes[k];
+            if (shape.kind == ShapeKind::Point) {
+                const bool stays = (shape.use == ShapeUse::Constraint ? points : nodes).has(shape.nodes.front());
+                changed_[k] = stays ? 0 : 1;
+                if (stays && shape.use == ShapeUse::Constraint) {
+                    unchangedPoints_.add(shape.nodes.front());
+                }
+            }
+        }
+    }
+
+    bool sameEnds(const DomainSegment &now, const DomainSegment &then, const Domain &domain) const {
+        const auto valid = [](const DomainSegment &segment, const Domain &of) {
+            return std::max(segment.a, segment.b) < of.nodes.size();
+        };
+        return valid(now, domain) && valid(then, given_) &&
+               endsOf(domain.nodes[now.a], domain.nodes[now.b]) == endsOf(given_.nodes[then.a], given_.nodes[then.b]);
+    }
+
+    void replaceChanged(const Domain &domain, const std::vector<std::uint32_t> &segmentSource, Document &next) const {
+        std::vector<std::uint32_t> segments, points;
+        std::map<Ends, std::uint32_t> shapeAt;
+        for (std::uint32_t s = 0; s < domain.segments.size(); ++s) {
+            const DomainSegment &segment = domain.segments[s];
+            const std::uint32_t shape = sources_.segments[segmentSource[s]].shape;
+            if (changed_[shape] != 0 && std::max(segment.a, segment.b) < domain.nodes.size()) {
+                segments.push_back(s);
+                shapeAt.emplace(endsOf(domain.nodes[segment.a], domain.nodes[segment.b]), shape);
+            }
+        }
+        for (std::uint32_t p = 0; p < domain.points.size(); ++p) {
+            const Vec2 at = domain.nodes[domain.points[p].node];
+            if (!unchangedPoints_.has(at)) {
+                points.push_back(p);
+            }
+        }
+        next.shapes.clear();
+        for (std::size_t k = 0; k < document_.shapes.size(); ++k) {
+            if (changed_[k] == 0) {
+                next.shapes.push_back(document_.shapes[k]);
+            }
+        }
+        for (Shape &made : shapesOf(partOf(domain, segments, points))) {
+            made.id = next.nextId++;
+            const Outline outline = outlineOf(made, document_.circleTolerance);
+            if (outline.segmentCount() > 0) {
+                const auto from = shapeAt.find(endsOf(outline.from(0), outline.to(0)));
+                made.name = from != shapeAt.end() ? document_.shapes[from->second]->name : std::string();
+            }
+            next.shapes.push_back(std::make_shared<const Shape>(std::move(made)));
+        }
+    }
+
+    const Document &document_;
+    DomainSources sources_;
+    Domain given_;
+    std::vector<std::uint8_t> changed_; ///< per shape
+    Places unchangedPoints_;
+};
+
+} // namespace
+
+Result<RepairedDrawing> repairDrawing(const Document &document, double tolerance) {
+    return DrawingRepair(document).run(tolerance);
+}
+
+} // namespace forefront

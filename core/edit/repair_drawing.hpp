@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/arrangement/change.hpp"
+#include "core/base/result.hpp"
+#include "core/edit/document.hpp"
+
+#include <vector>
+
+namespace forefront {
+
+/// A repaired drawing.
+struct RepairedDrawing {
+    Document document;
+    std::vector<ArrangementChange> changes; ///< one entry per kind; empty: nothing to repair
+    Diagnostics left;                       ///< faults that cannot be repaired
+};
+
+/// Repairs the drawing of a document: see repair(). Shapes that it does not change stay as they are; the others are
+/// replaced by polygons, polylines and points with new ids and the names of the shapes they come from.
+Result<RepairedDrawing> repairDrawing(const Document &document, double tolerance = 0.0);
+
+} // namespace forefront

@@ -1,0 +1,80 @@
+#include "core/domain/validate.hpp"
+#include "core/edit/repair_drawing.hpp"
+#include "core/edit/shape_commands.hpp"
+#include "core/edit/shape_geometry.hpp"
+#include "tests/unit/edit_support.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+using namespace forefront;
+using namespace forefront::edit_test;
+
+namespace {
+
+Document documentOf(std::vector<Shape> shapes) {
+    Result<Document> document = addShapes({}, std::move(shapes));
+    REQUIRE(document.ok());
+    return *std::move(document);
+}
+
+RepairedDrawing repaired(const Document &document, double tolerance = 0.0) {
+    Result<RepairedDrawing> result = repairDrawing(document, tolerance);
+    REQUIRE(result.ok());
+    const Result<RepairedDrawing> again = repairDrawing(result->document, tolerance);
+    REQUIRE(again.ok());
+    CHECK(again->changes.empty());
+    return *std::move(result);
+}
+
+} // namespace
+
+TEST_CASE("repairDrawing: shapes that it does not change stay the same objects") {
+    Shape bow = makeShape(ShapeKind::Polygon, {{0, 0}, {4, 4}, {4, 0}, {0, 4}}, ShapeUse::Boundary, 3);
+    bow.name = "bow";
+    Document document = documentOf({makeShape(ShapeKind::Circle, {{20, 0}, {21, 0}}), bow,
+                                    makeShape(ShapeKind::Point, {{20, 0.5}}, ShapeUse::Constraint, 6)});
+    document.regionMarkers = {{{20, 0}, 4, 0.5}};
+    document.boundaryNames = {{3, "ribbon"}};
+    const RepairedDrawing result = repaired(document);
+    CHECK(result.left.empty());
+    REQUIRE(result.document.shapes.size() == 4);
+    CHECK(result.document.shapes[0] == document.shapes[0]);
+    CHECK(result.document.shapes[1] == document.shapes[2]);
+    for (std::size_t k = 2; k < 4; ++k) {
+        const Shape &half = *result.document.shapes[k];
+        CHECK(half.kind == ShapeKind::Polygon);
+        CHECK(half.name == "bow");
+        CHECK(half.tag == 3);
+        CHECK(half.id > 3);
+        CHECK(areaOf(half) == doctest::Approx(4.0));
+    }
+    CHECK(result.document.regionMarkers == document.regionMarkers);
+    CHECK(result.document.boundaryNames == document.boundaryNames);
+}
+
+TEST_CASE("repairDrawing: neighbours become one outline with a constraint between them, points outside go") {
+    const Document document = documentOf({square({0, 0}, 2), square({2, 0}, 2), square({9, 9}, 1),
+                                          makeShape(ShapeKind::Point, {{7, 7}}, ShapeUse::Constraint),
+                                          makeShape(ShapeKind::Point, {{1, 1}}, ShapeUse::Boundary)});
+    const RepairedDrawing result = repaired(document);
+    CHECK(result.left.empty());
+    REQUIRE(result.document.shapes.size() == 3);
+    CHECK(result.document.shapes[0] == document.shapes[2]);
+    CHECK(areaOf(*result.document.shapes[1]) == doctest::Approx(8.0));
+    CHECK(result.document.shapes[2]->use == ShapeUse::Constraint);
+}
+
+TEST_CASE("repairDrawing: a valid drawing has no changes; an open one keeps its fault") {
+    CHECK(repaired(documentOf({square({0, 0}, 2), makeShape(ShapeKind::Circle, {{1, 1}, {1.5, 1}})})).changes.empty());
+    const RepairedDrawing open =
+        repaired(documentOf({makeShape(ShapeKind::Polyline, {{0, 0}, {2, 0}, {2, 2}, {0, 0.1}})}));
+    CHECK(open.changes.empty());
+    CHECK(hasErrors(open.left));
+    const RepairedDrawing closed =
+        repaired(documentOf({makeShape(ShapeKind::Polyline, {{0, 0}, {2, 0}, {2, 2}, {0, 0.1}})}), 0.2);
+    CHECK(closed.left.empty());
+    REQUIRE(closed.document.shapes.size() == 1);
+    CHECK(closed.document.shapes.front()->kind == ShapeKind::Polygon);
+}

@@ -1,0 +1,287 @@
+#include "core/arrangement/repair.hpp"
+#include "core/domain/domain_graph.hpp"
+#include "core/domain/validate.hpp"
+#include "core/geometry/polygon.hpp"
+#include "tests/support/random_domains.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+using namespace forefront;
+using namespace forefront::testing;
+
+namespace {
+
+/// Kinds of faults to put into a valid domain; none changes what it means.
+enum class Fault : std::uint8_t {
+    RepeatedNode,
+    NearNode,
+    RepeatedSegment,
+    EmptySegment,
+    UnusedNode,
+    Overlap,
+    Crossing
+};
+constexpr int kFaults = 7;
+
+/// A valid domain with faults that a repair must mend.
+class FaultyDomain {
+  public:
+    FaultyDomain(std::uint64_t seed, double tolerancePart) : random_(seed), clean(randomDomain(seed)), faulty(clean) {
+        clean.boundaryNames = faulty.boundaryNames = {{1, "shore"}, {3, "pier"}};
+        clean.regionNames = faulty.regionNames = {{2, "mud"}};
+        tolerance = tolerancePart * clean.bounds().diagonal();
+        if (random_.chance(0.2)) { // the whole boundary twice
+            for (const DomainSegment &segment : clean.segments) {
+                if (segment.role == SegmentRole::Boundary) {
+                    faulty.segments.push_back(segment);
+                }
+            }
+        }
+        for (int i = random_.integer(1, 12); i > 0; --i) {
+            add(static_cast<Fault>(random_.integer(0, kFaults - 1)));
+        }
+    }
+
+  private:
+    RandomSource random_;
+
+    DomainSegment &anySegment(Domain &domain) {
+        return domain
+            .segments[static_cast<std::size_t>(random_.integer(0, static_cast<int>(domain.segments.size()) - 1))];
+    }
+    std::uint32_t addNode(Vec2 at) {
+        faulty.nodes.push_back(at);
+        return static_cast<std::uint32_t>(faulty.nodes.size() - 1);
+    }
+    Vec2 nudge() { return 0.3 * tolerance * Vec2{random_.between(-1.0, 1.0), random_.between(-1.0, 1.0)}; }
+    void addLine(Vec2 a, Vec2 b) {
+        const std::uint32_t from = addNode(a), to = addNode(b);
+        faulty.segments.push_back({from, to, 9, SegmentRole::Constraint});
+    }
+
+    void add(Fault fault) {
+        switch (fault) {
+        case Fault::RepeatedNode:
+        case Fault::NearNode: {
+            DomainSegment &segment = anySegment(faulty);
+            const Vec2 at = faulty.nodes[segment.a];
+            segment.a = addNode(fault == Fault::NearNode ? at + nudge() : at);
+            break;
+        }
+        case Fault::RepeatedSegment: {
+            DomainSegment copy = anySegment(clean);
+            std::swap(copy.a, copy.b);
+            copy.role = SegmentRole::Constraint;
+            copy.tag = 8;
+            faulty.segments.push_back(copy);
+            break;
+        }
+        case Fault::EmptySegment: {
+            const std::uint32_t node = addNode(faulty.nodes[anySegment(faulty).a]);
+            faulty.segments.push_back({node, node, 7, SegmentRole::Boundary});
+            break;
+        }
+        case Fault::UnusedNode:
+            addNode(clean.bounds().centre() + nudge());
+            break;
+        case Fault::Overlap: { // a line along a segment, off by rounding or a part of the tolerance
+            const DomainSegment &segment = anySegment(clean);
+            const Vec2 a = clean.nodes[segment.a], b = clean.nodes[segment.b];
+            addLine(lerp(a, b, random_.between(0.0, 0.4)) + nudge(), lerp(a, b, random_.between(0.6, 1.0)) + nudge());
+            break;
+        }
+        case Fault::Crossing: {
+            const Box2 box = clean.bounds();
+            const auto place = [&] {
+                return Vec2{random_.between(box.min.x, box.max.x), random_.between(box.min.y, box.max.y)};
+            };
+            const Vec2 from = place();
+            addLine(from, place());
+            break;
+        }
+        }
+    }
+
+  public:
+    Domain clean, faulty;
+    double tolerance = 0.0;
+};
+
+/// Returns the area inside.
+double insideArea(const Domain &domain) {
+    const DomainGraph graph = graphOf(domain);
+    const Faces faces = findFaces(graph.points, graph.edges, sweepPlane(graph.points, graph.edges));
+    const FaceLabels labels = labelFaces(domain, graph, faces);
+    const Vec2 origin = domain.bounds().centre();
+    double twice = 0.0;
+    for (std::size_t e = 0; e < graph.edges.size(); ++e) {
+        const double part = cross(graph.points[graph.edges[e].a] - origin, graph.points[graph.edges[e].b] - origin);
+        twice += labels.inside[faces.left[e]] * part - labels.inside[faces.right[e]] * part;
+    }
+    return 0.5 * twice;
+}
+
+/// Returns the length of the boundary by tag.
+std::map<std::int32_t, double> boundaryLengths(const Domain &domain) {
+    std::map<std::int32_t, double> lengths;
+    for (const DomainSegment &segment : domain.segments) {
+        if (segment.role == SegmentRole::Boundary) {
+            lengths[segment.tag] += distance(domain.nodes[segment.a], domain.nodes[segment.b]);
+        }
+    }
+    return lengths;
+}
+
+bool sameSegments(const Domain &a, const Domain &b) {
+    return std::ranges::equal(a.segments, b.segments, [](const DomainSegment &s, const DomainSegment &t) {
+        return s.a == t.a && s.b == t.b && s.tag == t.tag && s.role == t.role;
+    });
+}
+
+/// Checks that the repaired domain means what the clean one did.
+void checkMeaning(const FaultyDomain &given, const Domain &repaired) {
+    const Box2 box = given.clean.bounds();
+    const double slack = 4.0 * given.tolerance + 1e-9 * box.diagonal() + 1e-13 * length(box.max);
+    double perimeter = 0.0;
+    const auto lengths = boundaryLengths(repaired), expected = boundaryLengths(given.clean);
+    REQUIRE(lengths.size() == expected.size());
+    for (const auto &[tag, length] : expected) {
+        perimeter += length;
+        REQUIRE(lengths.contains(tag));
+        const double nodes = static_cast<double>(repaired.nodes.size());
+        REQUIRE(std::fabs(lengths.at(tag) - length) <= nodes * slack);
+    }
+    REQUIRE(std::fabs(insideArea(repaired) - insideArea(given.clean)) <= perimeter * slack);
+    REQUIRE(repaired.regionMarkers == given.faulty.regionMarkers);
+    REQUIRE(repaired.boundaryNames == given.faulty.boundaryNames);
+    REQUIRE(repaired.regionNames == given.faulty.regionNames);
+    REQUIRE(repaired.points.size() == given.clean.points.size());
+}
+
+/// Checks that each segment of the result follows its source, with its tag.
+void checkSources(const FaultyDomain &given, const Repaired &repaired) {
+    const double limit = given.tolerance * (1.0 + 1e-9) + 1e-14 * given.clean.bounds().diagonal() +
+                         1e-14 * length(given.clean.bounds().max);
+    REQUIRE(repaired.segmentSource.size() == repaired.domain.segments.size());
+    for (std::size_t s = 0; s < repaired.domain.segments.size(); ++s) {
+        const DomainSegment &segment = repaired.domain.segments[s];
+        const DomainSegment &source = given.faulty.segments[repaired.segmentSource[s]];
+        REQUIRE(segment.tag == source.tag);
+        for (const std::uint32_t end : {segment.a, segment.b}) {
+            REQUIRE(distanceToSegment(given.faulty.nodes[source.a], given.faulty.nodes[source.b],
+                                      repaired.domain.nodes[end]) <= limit);
+        }
+    }
+    for (const ArrangementChange &change : repaired.changes) {
+        REQUIRE(change.displacement <= limit);
+    }
+}
+
+void checkRepairs(double tolerancePart, int runs) {
+    for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(runs); ++seed) {
+        CAPTURE(seed);
+        const FaultyDomain given(seed, tolerancePart);
+        const auto repaired = repair(given.faulty, given.tolerance);
+        REQUIRE(repaired.ok());
+        for (const Diagnostic &fault : validate(repaired->domain)) {
+            FAIL(toString(fault));
+        }
+        if (given.tolerance == 0.0) {
+            REQUIRE(hasErrors(validate(given.faulty)) == !repaired->changes.empty());
+        }
+        checkMeaning(given, repaired->domain);
+        checkSources(given, *repaired);
+        const auto twice = repair(repaired->domain, repaired->radius);
+        REQUIRE(twice.ok());
+        REQUIRE(twice->changes.empty());
+        REQUIRE(twice->domain.nodes == repaired->domain.nodes);
+        REQUIRE(sameSegments(twice->domain, repaired->domain));
+    }
+}
+
+} // namespace
+
+TEST_CASE("repair: mends faults put into random domains, without welding") {
+    checkRepairs(0.0, 1000);
+}
+
+TEST_CASE("repair: mends faults and gaps within the tolerance, and moves nothing farther") {
+    checkRepairs(1e-7, 1000);
+}
+
+TEST_CASE("repair: a gap in the outline closes if it is within the tolerance, and stays open if not") {
+    Domain domain;
+    domain.nodes = {{0, 0}, {4, 0}, {4, 3}, {0, 3}, {0, 0.01}};
+    domain.segments = {{0, 1, 1}, {1, 2, 2}, {2, 3, 3}, {3, 4, 4}};
+    const auto open = repair(domain);
+    REQUIRE(open.ok());
+    CHECK(open->changes.empty());
+    CHECK(hasErrors(validate(open->domain)));
+    const auto closed = repair(domain, 0.02);
+    REQUIRE(closed.ok());
+    CHECK(validate(closed->domain).empty());
+    REQUIRE(closed->changes.size() == 1);
+    CHECK(closed->changes.front().kind == ChangeKind::WeldedNodes);
+    CHECK(closed->changes.front().displacement == doctest::Approx(0.01));
+    CHECK(closed->domain.segments.size() == 4);
+}
+
+TEST_CASE("repair: what lies outside disappears, but nothing does while the boundary is open") {
+    Domain domain;
+    domain.nodes = {{0, 0}, {4, 0}, {4, 3}, {0, 3}, {3, 1}, {6, 1}, {8, 8}};
+    domain.segments = {{0, 1, 1}, {1, 2, 1}, {2, 3, 1}, {3, 0, 1}, {4, 5, 5, SegmentRole::Constraint}};
+    domain.points = {{6, 3}};
+    const auto closed = repair(domain);
+    REQUIRE(closed.ok());
+    CHECK(validate(closed->domain).empty());
+    CHECK(closed->domain.points.empty());
+    CHECK(closed->domain.nodes.size() == 6); // four corners, one end of the line, its crossing
+    domain.segments.erase(domain.segments.begin() + 3);
+    const auto open = repair(domain);
+    REQUIRE(open.ok());
+    CHECK(open->domain.points.size() == 1);
+    CHECK(open->domain.segments.size() == 6);
+}
+
+TEST_CASE("repair: holes stay holes by their markers; one that is open to the outside loses its marker") {
+    Domain domain;
+    domain.insideRule = InsideRule::HoleMarkers;
+    domain.nodes = {{0, 0}, {6, 0}, {6, 4}, {0, 4}, {1, 1}, {2, 1}, {2, 2}, {1, 2}, {4, 0}, {5, 0}, {5, 1}, {4, 1}};
+    const auto loop = [&](std::initializer_list<std::uint32_t> nodes, std::int32_t tag) {
+        std::uint32_t last = *(nodes.end() - 1);
+        for (const std::uint32_t node : nodes) {
+            domain.segments.push_back({last, node, tag});
+            last = node;
+        }
+    };
+    loop({0, 1, 2, 3}, 1);
+    loop({4, 5, 6, 7}, 2);
+    loop({8, 9, 10, 11}, 3); // a hole on the outline
+    domain.holeMarkers = {{1.5, 1.5}, {4.5, 0.5}};
+    domain.regionMarkers = {{{0.5, 0.5}, 4, 0.25}};
+    const auto repaired = repair(domain);
+    REQUIRE(repaired.ok());
+    CHECK(validate(repaired->domain).empty());
+    CHECK(insideArea(repaired->domain) == doctest::Approx(22.0));
+    CHECK(repaired->domain.holeMarkers == std::vector<Vec2>{{1.5, 1.5}});
+    CHECK(repaired->domain.regionMarkers == domain.regionMarkers);
+    CHECK(boundaryLengths(repaired->domain).at(3) == doctest::Approx(3.0));
+}
+
+TEST_CASE("repair: with hole markers, a second outline with a gap is not taken for a line outside") {
+    Domain domain;
+    domain.insideRule = InsideRule::HoleMarkers;
+    domain.nodes = {{0, 0}, {1, 0}, {0, 1}, {5, 0}, {6, 0}, {5, 1}};
+    domain.segments = {{0, 1}, {1, 2}, {2, 0}, {3, 4, 1, SegmentRole::Constraint}, {4, 5, 1, SegmentRole::Constraint}};
+    const auto repaired = repair(domain);
+    REQUIRE(repaired.ok());
+    CHECK(repaired->changes.empty());
+    const Diagnostics faults = validate(repaired->domain);
+    REQUIRE(faults.size() == 2);
+    CHECK(faults.front().code == "segment-outside");
+}
