@@ -305,6 +305,39 @@ TEST_CASE("Inspector: typed numbers change the shape; a click on the canvas comm
     CHECK(boundsOf(*driver.document().shapes[0]) == Box2{{1, 1}, {5, 4}});
 }
 
+TEST_CASE("Shapes: union, difference, intersection, exclusion and divide are one command each, by key and by menu") {
+    const struct {
+        char key;
+        const char *id, *label;
+        std::size_t shapes;
+    } operations[] = {{'U', "edit.union", "Union", 1},
+                      {'D', "edit.difference", "Difference", 1},
+                      {'I', "edit.intersection", "Intersection", 1},
+                      {'X', "edit.exclusion", "Exclusion", 2},
+                      {'V', "edit.divide", "Divide", 2}};
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {5, 5});
+    CHECK_FALSE(driver.context().actions.find("edit.union")->enabled(driver.context()));
+    driver.rectangle({3, 3}, {8, 8});
+    for (const auto &operation : operations) {
+        CAPTURE(operation.label);
+        driver.key('A', {Modifiers::kControl});
+        REQUIRE(driver.context().actions.find(operation.id)->enabled(driver.context()));
+        driver.key(operation.key, {Modifiers::kControl | Modifiers::kShift});
+        driver.settle();
+        CHECK(driver.undoLabel() == operation.label);
+        CHECK(driver.document().shapes.size() == operation.shapes);
+        CHECK(driver.context().selection.shapes.size() == operation.shapes);
+        CHECK(driver.context().preview->faults.empty());
+        driver.key('Z', {Modifiers::kControl});
+        CHECK(driver.document().shapes.size() == 2);
+    }
+    driver.key('A', {Modifiers::kControl});
+    driver.click("menu/Edit");
+    driver.click("menu/edit.union");
+    CHECK(driver.document().shapes.size() == 1);
+}
+
 TEST_CASE("Regions: a click fills a face, a second click replaces its region, a click outside is refused") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});

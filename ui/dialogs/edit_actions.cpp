@@ -1,4 +1,5 @@
 #include "core/arrangement/repair.hpp"
+#include "core/edit/combine_shapes.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
 #include "core/edit/spacing_commands.hpp"
@@ -103,6 +104,36 @@ void addHistoryActions(ActionRegistry &actions) {
                  .repeats = true});
 }
 
+/// Adds the commands that combine the areas of the selected shapes.
+void addShapeOperations(ActionRegistry &actions) {
+    const struct {
+        ShapeOperation operation;
+        const char *id, *title;
+        int key;
+    } operations[] = {{ShapeOperation::Union, "edit.union", "Union", 'U'},
+                      {ShapeOperation::Difference, "edit.difference", "Difference", 'D'},
+                      {ShapeOperation::Intersection, "edit.intersection", "Intersection", 'I'},
+                      {ShapeOperation::Exclusion, "edit.exclusion", "Exclusion", 'X'},
+                      {ShapeOperation::Divide, "edit.divide", "Divide", 'V'}};
+    for (const auto &entry : operations) {
+        actions.add(
+            {.id = entry.id,
+             .menu = "Edit",
+             .title = entry.title,
+             .shortcuts = {{entry.key, kControlShift}},
+             .run =
+                 [operation = entry.operation, title = entry.title](Shell &c) {
+                     Selection made;
+                     const Document &before = *c.document.current();
+                     if (EditState::apply(c, combineShapes(before, c.selection.shapes, operation, &made), title)) {
+                         c.selection = std::move(made);
+                     }
+                 },
+             .enabled = [](const Shell &c) { return canCombine(*c.document.current(), c.selection); },
+             .separatorBefore = entry.operation == ShapeOperation::Union});
+    }
+}
+
 void addSelectionActions(ActionRegistry &actions) {
     actions.add({.id = "edit.delete",
                  .menu = "Edit",
@@ -149,6 +180,7 @@ void addSelectionActions(ActionRegistry &actions) {
                      },
                  .enabled = [](const Shell &c) { return !c.selection.shapes.empty(); },
                  .separatorBefore = true});
+    addShapeOperations(actions);
     actions.add({.id = "edit.repair",
                  .menu = "Edit",
                  .title = "Repair drawing",
