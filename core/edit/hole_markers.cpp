@@ -21,6 +21,9 @@ Domain withEvenOddRoles(const Domain &domain) {
     for (std::size_t edge = 0; edge < graph.edges.size(); ++edge) {
         const bool left = labels.inside[faces.left[edge]] != 0, right = labels.inside[faces.right[edge]] != 0;
         const std::uint32_t segment = graph.segment[edge];
+        if (faces.left[edge] == 0 && faces.right[edge] == 0 && domain.segments[segment].role == SegmentRole::Boundary) {
+            continue;
+        }
         result.segments[segment].role = left != right ? SegmentRole::Boundary : SegmentRole::Constraint;
         boundsNothing[segment] = !left && !right ? 1 : 0;
     }

@@ -5,9 +5,9 @@
 namespace forefront {
 
 /// Converts a domain with hole markers to the even-odd rule with the same inside: a segment with the inside on one side
-/// becomes Boundary, on both sides Constraint; a segment with the outside on both sides is removed. Nodes, tags,
-/// points, names and region markers stay; hole markers are removed. If segments cross there are no faces: all segments
-/// keep their roles, and validation reports the crossings.
+/// becomes Boundary, on both sides Constraint; a segment with the outside on both sides is removed, unless it belongs
+/// to an open outline, which validation reports. Nodes, tags, points, names and region markers stay; hole markers are
+/// removed. If segments cross there are no faces: all segments keep their roles, and validation reports the crossings.
 Domain withEvenOddRoles(const Domain &domain);
 
 } // namespace forefront

@@ -319,6 +319,55 @@ TEST_CASE("Import: a drawing is added to the current one, scaled by the chosen u
     CHECK(driver.undoLabel() == "Import drawing");
 }
 
+TEST_CASE("Import: the weld tolerance closes gaps of a map, and the dialog says what changed") {
+    const TemporaryFolder place;
+    const auto polygon = [](const char *name, const char *corners) {
+        return std::string(R"({"type": "Feature", "properties": {"name": ")") + name +
+               R"("}, "geometry": {"type": "Polygon", "coordinates": [[)" + corners + "]]}}";
+    };
+    std::ofstream(place.path / "map.geojson")
+        << R"({"type": "FeatureCollection", "features": [)" << polygon("A", "[0,0],[4,0],[4,3],[0,3],[0,0]") << ", "
+        << polygon("B", "[4.01,0],[8,0],[8,3],[4.01,3],[4.01,0]") << "]}";
+    Draughtsman driver;
+    driver.key('I', {Modifiers::kControl});
+    driver.frames(5);
+    typeName(driver, "import", place.path / "map.geojson");
+    REQUIRE(driver.has("dialog/importoptions/weld"));
+    CHECK(driver.has("dialog/importoptions/overlap/later wins"));
+    CHECK_FALSE(driver.has("dialog/importoptions/note/0"));
+    driver.click("dialog/importoptions/weld");
+    driver.type("0.02");
+    driver.key(key::kEnter);
+    driver.settle();
+    REQUIRE(driver.has("dialog/importoptions/note/0"));
+    driver.click("dialog/importoptions/ok");
+    driver.settle();
+    const Domain domain = toDomain(driver.document());
+    CHECK(domain.nodes.size() == 6);
+    CHECK(driver.logHas("welded-nodes"));
+}
+
+TEST_CASE("Import: an exact file is repaired only with a weld tolerance") {
+    const TemporaryFolder place;
+    std::ofstream(place.path / "gap.poly")
+        << "5 2\n1 0 0\n2 4 0\n3 4 3\n4 0 3\n5 0 0.01\n4\n1 1 2\n2 2 3\n3 3 4\n4 4 5\n0\n";
+    Draughtsman driver;
+    driver.key('I', {Modifiers::kControl});
+    driver.frames(5);
+    typeName(driver, "import", place.path / "gap.poly");
+    REQUIRE(driver.has("dialog/importoptions/weld"));
+    CHECK_FALSE(driver.has("dialog/importoptions/overlap/later wins"));
+    driver.click("dialog/importoptions/weld");
+    driver.type("0.02");
+    driver.key(key::kEnter);
+    driver.settle();
+    CHECK(driver.has("dialog/importoptions/note/0"));
+    driver.click("dialog/importoptions/ok");
+    driver.settle();
+    REQUIRE(driver.document().shapes.size() == 1);
+    CHECK(driver.document().shapes.front()->kind == ShapeKind::Polygon);
+}
+
 TEST_CASE("Quit: asks about unsaved changes; Cancel stays, Don't save leaves") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});

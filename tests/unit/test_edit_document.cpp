@@ -220,6 +220,17 @@ TEST_CASE("fromDomain: faces that share segments keep their inside, and what lie
     CHECK(even.segments.size() == 8);
 }
 
+TEST_CASE("fromDomain: an open outline of a domain with hole markers stays, for validation to report") {
+    Domain domain;
+    domain.insideRule = InsideRule::HoleMarkers;
+    domain.nodes = {{0, 0}, {4, 0}, {4, 3}, {0, 3}};
+    domain.segments = {{0, 1}, {1, 2}, {2, 3}};
+    const Document document = fromDomain(domain);
+    REQUIRE(document.shapes.size() == 1);
+    CHECK(document.shapes.front()->use == ShapeUse::Boundary);
+    CHECK(document.shapes.front()->nodes.size() == 4);
+}
+
 TEST_CASE("withEvenOddRoles: agrees with the markers on random cell patterns") {
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         Random random(seed);

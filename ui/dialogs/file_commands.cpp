@@ -192,12 +192,11 @@ void importDrawing(Shell &context) {
     request.filters = drawings();
     request.folder = startFolder(context);
     request.chosen = [](Shell &c, const std::filesystem::path &file, const FileFilter &) -> Diagnostics {
-        ImportNotes notes;
-        Result<Document> drawing = readDocument(file, {}, &notes);
-        if (!drawing) {
-            return drawing.faults();
+        Result<std::unique_ptr<ImportDialog>> dialog = ImportDialog::open(file);
+        if (!dialog) {
+            return dialog.faults();
         }
-        c.dialogs.open(std::make_unique<ImportDialog>(file, std::move(drawing).value(), std::move(notes)));
+        c.dialogs.open(std::move(*dialog));
         return {};
     };
     context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));

@@ -1,16 +1,102 @@
 #include "ui/dialogs/import_dialog.hpp"
 
+#include "core/arrangement/repair.hpp"
 #include "core/edit/insert_document.hpp"
+#include "core/edit/repair_drawing.hpp"
 #include "core/edit/shape_geometry.hpp"
+#include "core/io/files.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/number_field.hpp"
 
 #include <imgui.h>
 
-#include <cmath>
+#include <array>
+#include <optional>
+#include <string_view>
+#include <utility>
 
 namespace forefront {
+
+namespace {
+
+constexpr float kLabels = 130.0F; ///< width of the labels, in design pixels
+
+std::string extent(const Box2 &box, double scale) {
+    return box.empty() ? std::string("nothing")
+                       : ui::number(scale * box.size().x) + " \xc3\x97 " + ui::number(scale * box.size().y);
+}
+
+/// A drawing, and what reading it ignored and changed.
+struct Reading {
+    Document drawing;
+    Diagnostics notes;
+};
+
+Result<Reading> readAsItIs(const std::filesystem::path &file, const ImportOptions &options) {
+    ImportNotes notes;
+    Result<Document> drawing = readDocument(file, options, &notes);
+    if (!drawing) {
+        return drawing.faults();
+    }
+    return Reading{*std::move(drawing), notes.diagnostics()};
+}
+
+Diagnostics joined(Diagnostics notes, const std::vector<ArrangementChange> &changes) {
+    const Diagnostics more = notesWithPlaces(changes);
+    notes.insert(notes.end(), more.begin(), more.end());
+    return notes;
+}
+
+/// A project keeps the shapes that the repair does not change, as they are.
+Result<Reading> readRepaired(const std::filesystem::path &file, const ImportOptions &options) {
+    const double tolerance = options.weldTolerance.value_or(0.0);
+    const FileFormat *const format = fileFormatOf(file);
+    ImportNotes notes;
+    if (format != nullptr && std::string_view(format->id) == "project") {
+        const Result<Document> document = readDocument(file, options, &notes);
+        Result<RepairedDrawing> repaired = document ? repairDrawing(*document, tolerance) : document.faults();
+        if (!repaired) {
+            return repaired.faults();
+        }
+        return Reading{std::move(repaired->document), joined(notes.diagnostics(), repaired->changes)};
+    }
+    const Result<Domain> domain = readDomain(file, options, &notes);
+    const Result<Repaired> repaired = domain ? repair(*domain, tolerance) : domain.faults();
+    if (!repaired) {
+        return repaired.faults();
+    }
+    return Reading{fromDomain(repaired->domain), joined(notes.diagnostics(), repaired->changes)};
+}
+
+void label(Shell &context, const char *text) {
+    ImGui::AlignTextToFramePadding();
+    ui::muted(context, text);
+    ImGui::SameLine(context.px(kLabels));
+}
+
+} // namespace
+
+Result<std::unique_ptr<ImportDialog>> ImportDialog::open(const std::filesystem::path &file) {
+    std::unique_ptr<ImportDialog> dialog(new ImportDialog(file));
+    const FileFormat *const format = fileFormatOf(file);
+    dialog->arranges_ = format != nullptr && format->arranges;
+    dialog->read();
+    if (!dialog->faults_.empty()) {
+        return std::move(dialog->faults_);
+    }
+    return dialog;
+}
+
+void ImportDialog::read() {
+    const bool repairs = !arranges_ && options_.weldTolerance.value_or(0.0) > 0.0;
+    Result<Reading> reading = repairs ? readRepaired(file_, options_) : readAsItIs(file_, options_);
+    faults_ = reading ? Diagnostics() : reading.faults();
+    if (reading) {
+        drawing_ = std::move(reading->drawing);
+        notes_ = std::move(reading->notes);
+    }
+}
 
 void ImportDialog::insert(Shell &context) const {
     Selection added;
@@ -20,24 +106,21 @@ void ImportDialog::insert(Shell &context) const {
     const std::size_t count = drawing_.shapes.size();
     context.log.tell(ui::count(count) + (count == 1 ? " shape" : " shapes") + " imported from " +
                      file_.filename().string());
-    context.log.add(notes_.diagnostics());
+    context.log.add(notes_);
 }
 
-bool ImportDialog::draw(Shell &context) {
+void ImportDialog::drawSizes(Shell &context) const {
     std::size_t nodes = 0;
     for (const auto &shape : drawing_.shapes) {
         nodes += shape->nodes.size();
     }
-    const Box2 box = boundsOf(drawing_), here = boundsOf(*context.document.current());
-    const auto extent = [](const Box2 &b, double scale) {
-        return b.empty() ? std::string("nothing")
-                         : ui::number(scale * b.size().x) + " \xc3\x97 " + ui::number(scale * b.size().y);
-    };
-    ui::field(context, "Shapes", ui::count(drawing_.shapes.size()), 130.0F);
-    ui::field(context, "Nodes", ui::count(nodes), 130.0F);
-    ui::field(context, "Size in file", extent(box, 1.0), 130.0F);
-    ui::field(context, "Current drawing", extent(here, 1.0), 130.0F);
-    ImGui::Dummy({0, context.px(6)});
+    ui::field(context, "Shapes", ui::count(drawing_.shapes.size()), kLabels);
+    ui::field(context, "Nodes", ui::count(nodes), kLabels);
+    ui::field(context, "Size in file", extent(boundsOf(drawing_), 1.0), kLabels);
+    ui::field(context, "Current drawing", extent(boundsOf(*context.document.current()), 1.0), kLabels);
+}
+
+void ImportDialog::drawUnit(Shell &context) {
     ImGui::AlignTextToFramePadding();
     ui::muted(context, "1 unit in the file =");
     ImGui::SameLine();
@@ -63,18 +146,61 @@ bool ImportDialog::draw(Shell &context) {
         ImGui::SameLine();
     }
     ImGui::NewLine();
-    ui::field(context, "Size after import", extent(box, scale_), 130.0F);
-    for (const ImportNote &note : notes_.entries()) {
-        ui::small(context, note.message + (note.count > 1 ? " (" + ui::count(note.count) + " times)" : ""), true);
+    ui::field(context, "Size after import", extent(boundsOf(drawing_), scale_), kLabels);
+}
+
+/// Asks for the weld tolerance and the overlap rule, and shows what they change.
+void ImportDialog::drawJoining(Shell &context) {
+    label(context, "Weld tolerance");
+    std::string typed = options_.weldTolerance ? ui::number(*options_.weldTolerance, 6) : std::string();
+    if (ui::entry(context, "dialog/importoptions/weld", typed, arranges_ ? "auto" : "0", 100.0F, true)) {
+        const std::optional<double> entered = typed.empty() ? std::nullopt : ui::typedNumber(context, typed);
+        if (typed.empty() || (entered && *entered >= 0.0)) {
+            options_.weldTolerance = entered;
+            read();
+        }
     }
+    ui::tooltip(context, arranges_
+                             ? "Join nodes and lines closer than this, in units of the file. Auto: 1e-6 of the "
+                               "drawing's diagonal."
+                             : "Join nodes and lines closer than this, in units of the file. 0: leave the drawing "
+                               "as it is.");
+    ImGui::SameLine();
+    ui::muted(context, "units of the file");
+    if (arranges_) {
+        label(context, "Where areas overlap");
+        static constexpr std::array<const char *, 2> kRules{"later wins", "smaller wins"};
+        int rule = options_.overlap == OverlapRule::Smaller ? 1 : 0;
+        if (ui::segmented(context, "dialog/importoptions/overlap", kRules, rule, 220.0F)) {
+            options_.overlap = rule == 1 ? OverlapRule::Smaller : OverlapRule::Later;
+            read();
+        }
+    }
+    for (const Diagnostic &fault : faults_) {
+        ImGui::PushStyleColor(ImGuiCol_Text, context.theme.bad);
+        ui::small(context, fault.message, true);
+        ImGui::PopStyleColor();
+    }
+    for (std::size_t k = 0; k < notes_.size(); ++k) {
+        ui::small(context, notes_[k].message, true);
+        ui::mark(context, "dialog/importoptions/note/" + std::to_string(k));
+    }
+}
+
+bool ImportDialog::draw(Shell &context) {
+    drawSizes(context);
+    ImGui::Dummy({0, context.px(6)});
+    drawUnit(context);
+    ImGui::Dummy({0, context.px(6)});
+    drawJoining(context);
     ImGui::Dummy({0, context.px(8)});
     ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - context.px(258));
     if (ui::button(context, "dialog/importoptions/cancel", "Cancel", ui::ButtonKind::Plain, true, 124.0F)) {
         return false;
     }
     ImGui::SameLine(0, context.px(10));
-    if (ui::button(context, "dialog/importoptions/ok", "Import", ui::ButtonKind::Primary, !drawing_.shapes.empty(),
-                   124.0F)) {
+    if (ui::button(context, "dialog/importoptions/ok", "Import", ui::ButtonKind::Primary,
+                   !drawing_.shapes.empty() && faults_.empty(), 124.0F)) {
         insert(context);
         return false;
     }

@@ -1,31 +1,45 @@
 #pragma once
 
+#include "core/base/diagnostic.hpp"
+#include "core/base/result.hpp"
 #include "core/edit/document.hpp"
-#include "core/io/source/import_notes.hpp"
+#include "core/io/source/import_options.hpp"
 #include "ui/parts/dialog.hpp"
 
 #include <filesystem>
-#include <utility>
+#include <memory>
+#include <string>
+#include <vector>
 
 namespace forefront {
 
-/// Shows the size of a drawing read from a file, and asks for its unit, before adding it to the current drawing.
+/// Shows the size of a drawing read from a file, what reading it ignored and changed, and asks for its unit and weld
+/// tolerance, before adding it to the current drawing.
 class ImportDialog final : public Dialog {
   public:
-    /// `notes` lists what the reader did not use.
-    ImportDialog(std::filesystem::path file, Document drawing, ImportNotes notes)
-        : file_(std::move(file)), drawing_(std::move(drawing)), notes_(std::move(notes)) {}
+    /// Reads the file. Faults: those of readDocument().
+    static Result<std::unique_ptr<ImportDialog>> open(const std::filesystem::path &file);
 
     const char *id() const override { return "importoptions"; }
     std::string title() const override { return "Import " + file_.filename().string(); }
     bool draw(Shell &context) override;
 
   private:
+    explicit ImportDialog(std::filesystem::path file) : file_(std::move(file)) {}
+
+    /// Reads the file with the current options. If that fails, the drawing read before stays, and `faults_` says why.
+    void read();
+    void drawSizes(Shell &context) const;
+    void drawUnit(Shell &context);
+    void drawJoining(Shell &context);
     void insert(Shell &context) const;
 
     std::filesystem::path file_;
+    ImportOptions options_;
+    bool arranges_ = false; ///< the format is a drawing or map, whose lines may cross and overlap
     Document drawing_;
-    ImportNotes notes_;
+    Diagnostics notes_; ///< what reading ignored and changed
+    Diagnostics faults_;
     double scale_ = 1.0;
 };
 
