@@ -2,6 +2,7 @@
 #include "app/batch/exit_code.hpp"
 #include "app/batch/inputs.hpp"
 #include "app/batch/options.hpp"
+#include "core/arrangement/repair.hpp"
 #include "core/base/hash.hpp"
 #include "core/io/boundary_parts.hpp"
 #include "core/io/files.hpp"
@@ -36,6 +37,7 @@ struct CheckArguments {
     std::optional<std::filesystem::path> domain;
     std::optional<double> weldTolerance; ///< of the domain
     OverlapRule overlap = OverlapRule::Later;
+    bool repair = false;
     std::optional<double> size;
     std::optional<std::string> expression;
 };
@@ -61,15 +63,22 @@ Diagnostics checkAgainst(const Mesh &mesh, const CheckArguments &arguments) {
     }
     input->options.weldTolerance = arguments.weldTolerance;
     input->options.overlap = arguments.overlap;
-    const Result<Domain> domain = readDomain(input->path, input->options);
+    Result<Domain> domain = readDomain(input->path, input->options);
     if (!domain) {
         return domain.faults();
     }
+    if (arguments.repair) {
+        Result<Repaired> repaired = repair(*domain, arguments.weldTolerance.value_or(0.0));
+        if (!repaired) {
+            return locateFaults(input->path, repaired.faults(), input->options);
+        }
+        domain = std::move(repaired->domain);
+    }
     Diagnostics faults = verifyAgainst(mesh, *domain);
     if (!hasErrors(faults)) {
-        return checkBoundaryParts(mesh, input->path, input->options);
+        return arguments.repair ? faults : checkBoundaryParts(mesh, input->path, input->options);
     }
-    return meshingFaults(faults, *domain, *input, true);
+    return meshingFaults(faults, *domain, *input, !arguments.repair);
 }
 
 int check(const CheckArguments &arguments) {
@@ -124,6 +133,7 @@ int checkCommand(int argc, const char *const *argv) {
         ->type_name("ID");
     app.add_option("--domain", arguments.domain, "domain or project that the mesh was made from")->type_name("IN");
     addArrangementOptions(app, arguments.weldTolerance, arguments.overlap);
+    app.add_flag("--repair", arguments.repair, "the mesh was made with --repair: repair the domain first");
     auto *spacing = app.add_option_group("Spacing", "report how well the mesh keeps this spacing; at most one");
     addSpacingOptions(*spacing, arguments.size, arguments.expression);
     spacing->require_option(0, 1);

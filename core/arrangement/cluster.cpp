@@ -22,13 +22,13 @@ class Strip {
     /// The nearest one within the radius, by x and y among equals; kNoIndex if there is none.
     std::uint32_t nearest(Vec2 p) const {
         std::uint32_t best = kNoIndex;
-        double least = radius_;
+        double limit = radius_;
         for (auto it = byHeight_.lower_bound({p.y - radius_, 0}); it != byHeight_.end() && it->first <= p.y + radius_;
              ++it) {
             const Vec2 q = places_[it->second];
             const double gap = distance(p, q);
-            if (gap < least || (gap == least && (best == kNoIndex || comesBefore(q, places_[best])))) {
-                least = gap;
+            if (gap < limit || (gap == limit && (best == kNoIndex || comesBefore(q, places_[best])))) {
+                limit = gap;
                 best = it->second;
             }
         }

@@ -9,10 +9,11 @@ void Repairer::build() {
     number_.assign(joined_.nodes.size(), kNoIndex);
     ownNumber_.assign(given_.nodes.size(), kNoIndex);
     Domain &domain = result_.domain;
-    domain.insideRule = given_.insideRule;
-    domain.regionMarkers = given_.regionMarkers;
-    domain.boundaryNames = given_.boundaryNames;
-    domain.regionNames = given_.regionNames;
+    domain = given_;
+    domain.nodes.clear();
+    domain.segments.clear();
+    domain.points.clear();
+    domain.holeMarkers.clear();
     addNodes();
     addSegments();
     for (std::size_t i = 0; i < given_.points.size(); ++i) {

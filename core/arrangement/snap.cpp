@@ -16,7 +16,7 @@ namespace forefront {
 
 namespace {
 
-constexpr int kMostAttempts = 8;
+constexpr int kMaxAttempts = 8;
 /// Share of the radius that rounding may add to a distance.
 constexpr double kSlack = 1.0 + 1e-9;
 
@@ -27,7 +27,7 @@ class PinnedLines {
 
     SnappedLines run(const std::stop_token &stop) {
         SnappedLines result = Snapper(lines_, {}, radius_).run(stop);
-        for (int attempt = 0; result.finished && attempt < kMostAttempts; ++attempt) {
+        for (int attempt = 0; result.finished && attempt < kMaxAttempts; ++attempt) {
             const std::size_t before = pins_.size();
             result.displacement = measure(result);
             if (pins_.size() == before) {
@@ -53,32 +53,32 @@ class PinnedLines {
         return comesBefore(given.b, given.a) ? SnapLine{given.b, given.a} : given;
     }
 
-    /// The greatest distance between a line and its way; pins lines where it is beyond the radius.
+    /// Returns the maximum distance between a line and its way, and pins lines where it is beyond the radius.
     double measure(const SnappedLines &snapped) {
-        double greatest = 0.0;
+        double maximum = 0.0;
         for (std::uint32_t i = 0; i < lines_.size(); ++i) {
             std::uint32_t node = snapped.first[i];
             Vec2 worst = snapped.nodes[node];
-            double most = distance(lines_[i].a, worst);
+            double farthest = distance(lines_[i].a, worst);
             for (std::uint32_t k = snapped.starts[i]; k < snapped.starts[i + 1]; ++k) {
                 const PlaneEdge &edge = snapped.edges[snapped.ways[k] / 2];
                 node = edge.a == node ? edge.b : edge.a;
                 const Vec2 p = snapped.nodes[node];
                 const bool last = k + 1 == snapped.starts[i + 1];
                 const double gap = last ? distance(lines_[i].b, p) : distanceToSegment(lines_[i].a, lines_[i].b, p);
-                if (gap > most || (gap == most && comesBefore(p, worst))) {
-                    most = gap;
+                if (gap > farthest || (gap == farthest && comesBefore(p, worst))) {
+                    farthest = gap;
                     worst = p;
                 }
             }
-            greatest = std::max(greatest, most);
-            if (most > kSlack * radius_) {
+            maximum = std::max(maximum, farthest);
+            if (farthest > kSlack * radius_) {
                 const SnapLine line = ordered(i);
                 const Vec2 along = line.b - line.a;
                 pins_.push_back({i, dot(worst - line.a, along) / lengthSquared(along)});
             }
         }
-        return greatest;
+        return maximum;
     }
 
     SnappedLines runPinned(const std::stop_token &stop) {

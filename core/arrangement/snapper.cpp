@@ -101,13 +101,13 @@ void Snapper::visitNear(std::uint32_t edge, const Visit &visit) const {
     // Boxes of slanting edges are cut with rounding; the radius is larger than that.
     const double reach = 2.0 * radius_;
     const Box2 around = boxOf(a, places_[edges_[edge].b]).grown(reach);
-    const double width = std::fabs(ab.x), height = std::fabs(ab.y), most = reach * (width + height);
+    const double width = std::fabs(ab.x), height = std::fabs(ab.y), margin = reach * (width + height);
     const auto meets = [&](const Box2 &box) {
         if (!box.overlaps(around)) {
             return false;
         }
         const Vec2 half = 0.5 * box.size();
-        return std::fabs(cross(ab, box.centre() - a)) <= width * half.y + height * half.x + 2.0 * most;
+        return std::fabs(cross(ab, box.centre() - a)) <= width * half.y + height * half.x + 2.0 * margin;
     };
     for (const Layer &layer : layers_) {
         layer.tree.search(meets, [&](std::uint32_t item) {
@@ -220,8 +220,8 @@ std::uint32_t Snapper::nodeWithin(Vec2 at) const {
             const Edge &e = edges_[layer.edge[item]];
             for (const std::uint32_t node : {e.a, e.b}) {
                 const double gap = distance(places_[node], at);
-                const double least = best == kNoIndex ? radius_ : distance(places_[best], at);
-                if (gap < least || (gap == least && (best == kNoIndex || comesBefore(places_[node], places_[best])))) {
+                const double limit = best == kNoIndex ? radius_ : distance(places_[best], at);
+                if (gap < limit || (gap == limit && (best == kNoIndex || comesBefore(places_[node], places_[best])))) {
                     best = node;
                 }
             }
@@ -281,8 +281,8 @@ void Snapper::split(std::uint32_t edge, std::vector<Cut> &cuts) {
     if (cuts.size() > 1 && !shortens(edge, cuts)) {
         Cut nearest = cuts.front();
         for (const Cut &cut : cuts) {
-            const double gapHere = gap(edge, cut.node), least = gap(edge, nearest.node);
-            if (gapHere < least || (gapHere == least && comesBefore(places_[cut.node], places_[nearest.node]))) {
+            const double gapHere = gap(edge, cut.node), smallest = gap(edge, nearest.node);
+            if (gapHere < smallest || (gapHere == smallest && comesBefore(places_[cut.node], places_[nearest.node]))) {
                 nearest = cut;
             }
         }

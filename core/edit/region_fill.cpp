@@ -1,5 +1,6 @@
 #include "core/edit/region_fill.hpp"
 
+#include "core/arrangement/repair.hpp"
 #include "core/base/ids.hpp"
 #include "core/domain/domain_graph.hpp"
 #include "core/edit/region_commands.hpp"
@@ -7,15 +8,14 @@
 namespace forefront {
 
 Result<Document> fillRegion(const Document &document, Vec2 at, std::int32_t tag) {
-    Domain domain = toDomain(document);
+    Result<Repaired> repaired = repair(toDomain(document)); // where segments cross, the faces are those after a repair
+    if (!repaired) {
+        return repaired.faults();
+    }
+    Domain &domain = repaired->domain;
     domain.regionMarkers.push_back({at, tag});
     const DomainGraph graph = graphOf(domain);
-    const PlaneSweepResult sweep = sweepPlane(graph.points, graph.edges);
-    if (sweep.droppedCount > 0) {
-        return error("not-possible", "cannot fill a region while segments cross or overlap",
-                     "repair the drawing first");
-    }
-    const Faces faces = findFaces(graph.points, graph.edges, sweep);
+    const Faces faces = findFaces(graph.points, graph.edges, sweepPlane(graph.points, graph.edges));
     const FaceLabels labels = labelFaces(domain, graph, faces);
     const auto faceOf = [&](std::size_t marker) {
         const std::uint32_t point = graph.regionMarker[marker];

@@ -5,9 +5,9 @@
 
 namespace forefront {
 
-/// Makes the face at p a region: replaces the markers in it by one with the tag at p; a maximum area is kept. Errors:
-/// region-marker-outside (p is outside the domain or on a line), bad-tag, not-possible (segments cross, so there are no
-/// faces).
+/// Makes the face at p a region: replaces the markers in it by one with the tag at p; a maximum area is kept. Where
+/// segments cross, the faces are those between the pieces into which a repair would split them. Errors:
+/// region-marker-outside (p is outside the domain or on a line), bad-tag, out-of-range.
 Result<Document> fillRegion(const Document &document, Vec2 at, std::int32_t tag);
 
 } // namespace forefront

@@ -440,6 +440,8 @@ class Refusing(Case):
         self.assertEqual(done.stderr, "bow.poly:7: note: added a node where segments cross at (2, 1.5): "
                                       "segment 1 (line 7) [crossing-segments]\n")
         self.call("check", "bow.msh")
+        self.call("check", "bow.msh", "--domain", "bow.poly", "--repair")
+        self.call("check", "bow.msh", "--domain", "bow.poly", code=1)
 
     def test_repair_closes_gaps_within_the_weld_tolerance_and_only_then(self):
         self.write("gap.poly", "5 2\n1 0 0\n2 4 0\n3 4 3\n4 0 3\n5 0 0.01\n4\n1 1 2\n2 2 3\n3 3 4\n4 4 5\n0\n")

@@ -10,6 +10,8 @@
 #include "core/io/vtk/vtk.hpp"
 #include "tests/fuzz/fuzz_targets.hpp"
 
+#include <random>
+
 namespace forefront::fuzz {
 
 namespace {
@@ -98,6 +100,16 @@ std::string binaryValues() {
     return section + "\n$EndNodeData\n";
 }
 
+/// Bytes of every value, the same for the same seed.
+std::string anyBytes(std::uint32_t seed) {
+    std::mt19937 random(seed);
+    std::string bytes;
+    for (int k = 0; k < 200; ++k) {
+        bytes += static_cast<char>(random() % 256);
+    }
+    return bytes;
+}
+
 } // namespace
 
 std::vector<std::string> seeds(std::string_view name) {
@@ -116,6 +128,9 @@ std::vector<std::string> seeds(std::string_view name) {
                      : name == "inp"   ? writeAbaqus
                      : name == "su2"   ? writeSu2
                                        : writeObj)};
+    }
+    if (name == "repair") {
+        return {anyBytes(1)};
     }
     if (name == "geojson") {
         return {kGeoJson, kLines};

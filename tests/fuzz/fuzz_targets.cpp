@@ -1,5 +1,7 @@
 #include "tests/fuzz/fuzz_targets.hpp"
 
+#include "core/arrangement/repair.hpp"
+#include "core/domain/validate.hpp"
 #include "core/io/abaqus/abaqus.hpp"
 #include "core/io/geojson/geojson.hpp"
 #include "core/io/gmsh/gmsh.hpp"
@@ -16,6 +18,7 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 
 namespace forefront::fuzz {
 
@@ -141,6 +144,70 @@ void msh(std::string_view bytes) {
     }
 }
 
+/// Reads numbers from bytes, 0 at the end of them.
+class ByteNumbers {
+  public:
+    explicit ByteNumbers(std::string_view bytes) : bytes_(bytes) {}
+
+    bool atEnd() const { return at_ >= bytes_.size(); }
+    unsigned byte() { return atEnd() ? 0U : static_cast<unsigned char>(bytes_[at_++]); }
+    /// A multiple of 1/8 in [0, 32), a few with a last digit off.
+    double coordinate() {
+        const double value = 0.125 * byte();
+        return byte() % 16 == 0 ? value * (1.0 + std::numeric_limits<double>::epsilon()) : value;
+    }
+
+  private:
+    std::string_view bytes_;
+    std::size_t at_ = 0;
+};
+
+Domain domainFrom(ByteNumbers &numbers) {
+    Domain domain;
+    domain.insideRule = numbers.byte() % 2 == 0 ? InsideRule::EvenOdd : InsideRule::HoleMarkers;
+    const unsigned nodes = 1 + numbers.byte() % 64;
+    for (unsigned n = 0; n < nodes; ++n) {
+        const double x = numbers.coordinate();
+        domain.nodes.push_back({x, numbers.coordinate()});
+    }
+    while (!numbers.atEnd()) {
+        const unsigned kind = numbers.byte(), a = numbers.byte() % nodes, b = numbers.byte() % nodes;
+        if (kind % 8 == 7) {
+            domain.points.push_back({a, 1});
+        } else {
+            const SegmentRole role = kind % 8 < 5 ? SegmentRole::Boundary : SegmentRole::Constraint;
+            domain.segments.push_back({a, b, static_cast<std::int32_t>(1 + kind / 8), role});
+        }
+    }
+    return domain;
+}
+
+void checkRepair(const Domain &domain, double tolerance) {
+    const auto once = repair(domain, tolerance);
+    if (!once) {
+        demand(!once.faults().front().message.empty(), "a refusal says why");
+        return;
+    }
+    checkDomain(once->domain);
+    for (const Diagnostic &fault : validate(once->domain)) {
+        demand(domain.insideRule == InsideRule::HoleMarkers || !repairable(fault), "a repair leaves nothing to repair");
+    }
+    for (const ArrangementChange &change : once->changes) {
+        demand(change.displacement <= std::max(tolerance, 1e-9), "nothing moves farther than the tolerance");
+    }
+    const auto twice = repair(once->domain, once->radius);
+    demand(twice.ok() && twice->changes.empty() && twice->domain.nodes == once->domain.nodes,
+           "a second repair changes nothing");
+}
+
+/// Bytes as a domain: its nodes, then segments and points between them.
+void repairs(std::string_view bytes) {
+    ByteNumbers numbers(bytes);
+    const Domain domain = domainFrom(numbers);
+    checkRepair(domain, 0.0);
+    checkRepair(domain, 0.25);
+}
+
 constexpr std::array kTargets = {
     Target{"project", project},
     Target{"geojson", domain<readGeoJson>},
@@ -154,6 +221,7 @@ constexpr std::array kTargets = {
     Target{"su2", mesh<readSu2>},
     Target{"triangle", triangle},
     Target{"obj", mesh<readObj>},
+    Target{"repair", repairs},
 };
 
 } // namespace

@@ -7,8 +7,8 @@
 
 namespace forefront::fuzz {
 
-/// Feeds bytes to one reader; aborts if the result breaks a promise: faults without a place, a mesh with bad
-/// indices or numbers, a project that does not survive being written.
+/// Feeds bytes to one reader, or to the repair; aborts if the result breaks a promise: faults without a place, a mesh
+/// with bad indices or numbers, a project that does not survive being written, a repair that leaves something to do.
 struct Target {
     const char *name;
     void (*run)(std::string_view bytes);

@@ -185,6 +185,22 @@ TEST_CASE("arrange: where features overlap the later or the smaller one wins, an
     CHECK(areas(arranged(three).domain) == Areas{{1, 3.0}, {2, 3.0}, {3, 4.0}});
 }
 
+TEST_CASE("arrange: overlaps are reported by area, the largest first, at places inside them") {
+    ArrangementInput input;
+    addPolygon(input, 1, {rectangle(0, 0, 10, 1)}, "A");
+    addPolygon(input, 2, {rectangle(1, 0.5, 1, 1)}, "B");
+    addPolygon(input, 3, {rectangle(4, 0.5, 4, 1)}, "C");
+    const Arrangement result = arranged(input);
+    const ArrangementChange *overlap = find(result, ChangeKind::OverlapsDecided);
+    REQUIRE(overlap != nullptr);
+    CHECK(overlap->count == 2);
+    CHECK(overlap->displacement == doctest::Approx(2.5));
+    CHECK(overlap->between == "A and C");
+    REQUIRE(overlap->places.size() == 2);
+    CHECK(Box2{{4, 0.5}, {8, 1}}.contains(overlap->places[0]));
+    CHECK(Box2{{1, 0.5}, {2, 1}}.contains(overlap->places[1]));
+}
+
 TEST_CASE("arrange: what is valid stays as it is, in its order") {
     ArrangementInput input;
     addPolygon(input, 3, {rectangle(0.1, 0.2, 1.3, 0.7), rectangle(0.3, 0.4, 0.1, 0.2)});

@@ -2,6 +2,7 @@
 #include "core/edit/insert_document.hpp"
 #include "core/edit/region_commands.hpp"
 #include "core/edit/region_fill.hpp"
+#include "core/edit/repair_drawing.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/spacing_commands.hpp"
 #include "tests/unit/edit_support.hpp"
@@ -41,9 +42,17 @@ TEST_CASE("fillRegion: is refused outside the domain and in holes, with the plac
     CHECK_FALSE(fillRegion({}, {0, 0}, 1).ok());
 }
 
-TEST_CASE("fillRegion: while segments cross there is no face to fill") {
-    const Document document = *addShapes({}, {square({0, 0}, 10), square({5, 5}, 10)});
-    CHECK(fillRegion(document, {1, 1}, 2).faults().front().code == "not-possible");
+TEST_CASE("fillRegion: where shapes cross, the faces between the crossings are filled") {
+    Document document = *addShapes({}, {square({0, 0}, 10), square({5, 5}, 10)});
+    document = *fillRegion(document, {1, 1}, 2);
+    document = *fillRegion(document, {14, 14}, 3);
+    document = *fillRegion(document, {9, 1}, 4); // the same face as (1, 1)
+    CHECK(document.regionMarkers.size() == 2);
+    CHECK(fillRegion(document, {7, 7}, 5).faults().front().code == "region-marker-outside"); // covered twice
+    const Result<RepairedDrawing> repaired = repairDrawing(document);
+    REQUIRE(repaired.ok());
+    CHECK(repaired->left.empty());
+    CHECK(repaired->document.regionMarkers == document.regionMarkers);
 }
 
 TEST_CASE("insertDrawing: shapes get new ids, are scaled, and become the selection; names already there win") {
