@@ -156,6 +156,34 @@ TEST_CASE("Automatic spacing: keeps the gradation within 2 % and its own bounds"
     }
 }
 
+TEST_CASE("Automatic spacing: of very many segments, some may grow by half, and the gradation stays within 6 %") {
+    std::mt19937 random(29);
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    std::vector<Vec2> loop;
+    while (loop.size() < 3 * kManySites) {
+        const double angle = 2.0 * std::numbers::pi * static_cast<double>(loop.size()) / (3.0 * kManySites);
+        loop.push_back((10.0 + 2.0 * std::sin(9.0 * angle) + 0.002 * share(random)) *
+                       Vec2{std::cos(angle), std::sin(angle)});
+    }
+    const Domain domain = loopOf(loop);
+    const auto field = automatic(domain);
+    double atMost = 0.0;
+    for (const PlacedSegment &segment : placedSegments(domain)) {
+        const double ratio = field->at(midpoint(segment.a, segment.b)) / segment.length();
+        REQUIRE(ratio < 1.6);
+        atMost = std::max(atMost, ratio);
+    }
+    CHECK(atMost > 1.1); // not every segment has a site of its own
+    for (int i = 0; i < 4000; ++i) {
+        const auto somewhere = [&] { return Vec2{24 * share(random) - 12, 24 * share(random) - 12}; };
+        const Vec2 p = somewhere();
+        const Vec2 q = i % 2 == 0 ? somewhere() : p + 0.01 * somewhere();
+        const double a = field->at(p);
+        const double b = field->at(q);
+        REQUIRE(std::fabs(a - b) <= 0.25 * distance(p, q) + 0.06 * std::max(a, b));
+    }
+}
+
 TEST_CASE("Automatic spacing: broken domains neither crash nor give unusable values") {
     Domain domain;
     CHECK(automatic(domain)->at({0, 0}) > 0.0);

@@ -2,39 +2,56 @@
 
 #include "core/geometry/box_tree.hpp"
 
+#include <algorithm>
+#include <numeric>
+
 namespace forefront {
 namespace {
 
-/// Returns true if `strong` asks for at most the spacing of `weak` at all its points, and so everywhere, growing no
-/// faster.
-bool dominates(const SizeSite &strong, const SizeSite &weak) {
-    const double allowance = weak.size - weak.growth * weak.radius;
+/// How much larger the spacing may get at a site that is dropped among many others. On a coast of 100,000 segments, 1.5
+/// keeps a third of the sites, preparing takes a third of the time, and α falls from .970 to .969.
+constexpr double kSlackOfMany = 1.5;
+
+/// Returns true if `strong` asks for at most `slack` times the spacing of `weak` at all its points, and so everywhere,
+/// growing no faster.
+bool dominates(const SizeSite &strong, const SizeSite &weak, double slack) {
+    const double allowance = slack * weak.size - weak.growth * weak.radius;
     return strong.growth <= weak.growth && strong.at(weak.a) <= allowance && strong.at(weak.a + weak.ab) <= allowance;
 }
 
 } // namespace
 
 void SiteSet::dropDominated() {
+    const double slack = sites.size() > kManySites ? kSlackOfMany : 1.0;
     std::vector<Box2> boxes;
     boxes.reserve(sites.size());
     for (const SizeSite &site : sites) {
         boxes.push_back(boxOf(site.a, site.a + site.ab));
     }
     const BoxTree tree(boxes);
-    std::size_t kept = 0;
-    std::vector<bool> dropped(sites.size(), false);
-    for (std::size_t i = 0; i < sites.size(); ++i) {
+    std::vector<std::uint32_t> order(sites.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+        return sites[i].size != sites[j].size ? sites[i].size < sites[j].size : i < j;
+    });
+    enum : std::uint8_t { Later, Kept, Dropped };
+    std::vector<std::uint8_t> state(sites.size(), Later);
+    for (const std::uint32_t i : order) {
         // Only what is near can ask for less: growth·distance must stay below the size.
-        const double reach = sites[i].growth > 0.0 ? sites[i].size / sites[i].growth : 0.0;
-        tree.query(boxAround(sites[i].a, reach), [&](std::uint32_t j) {
-            const bool before = sites[j].size != sites[i].size ? sites[j].size < sites[i].size : j < i;
-            if (before && !dropped[i] && dominates(sites[j], sites[i])) {
-                dropped[i] = true;
-            }
-        });
+        const double reach = sites[i].growth > 0.0 ? slack * sites[i].size / sites[i].growth : 0.0;
+        state[i] = Kept;
+        tree.search([box = boxAround(sites[i].a, reach)](const Box2 &other) { return other.overlaps(box); },
+                    [&](std::uint32_t j) {
+                        const bool counts = state[j] == Kept || (state[j] == Dropped && slack == 1.0);
+                        if (j != i && counts && dominates(sites[j], sites[i], slack)) {
+                            state[i] = Dropped;
+                        }
+                        return state[i] == Kept;
+                    });
     }
+    std::size_t kept = 0;
     for (std::size_t i = 0; i < sites.size(); ++i) {
-        if (!dropped[i]) {
+        if (state[i] == Kept) {
             sites[kept] = sites[i];
             labels[kept++] = labels[i];
         }

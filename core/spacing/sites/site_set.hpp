@@ -38,7 +38,8 @@ struct SiteSet {
         sites.push_back(site);
         labels.push_back(label);
     }
-    /// Drops sites that another one undercuts everywhere; of equal ones the first stays. Sites must have no radius.
+    /// Drops sites that another one undercuts everywhere; of equal ones the first stays. Of more than kManySites, drops
+    /// also those that one that stays nearly undercuts. Sites must have no radius.
     void dropDominated();
 };
 

@@ -9,6 +9,9 @@ class SiteTreeBuilder {
   public:
     SiteTreeBuilder(std::vector<SizeSite> sites, const Box2 &box) {
         tree_.sites_ = std::move(sites);
+        aims_ = tree_.sites_.size() > kManySites ? kAimsOfMany : kAims;
+        maxCells_ = std::max(kMaxCells, kMaxCellsPerSite * tree_.sites_.size());
+        maxEntries_ = std::max(kMaxEntries, kMaxEntriesPerSite * tree_.sites_.size());
         const double extent = std::max({box.size().x, box.size().y, 1e-300});
         tree_.corner_ = box.min;
         tree_.scale_ = extent;
@@ -32,7 +35,7 @@ class SiteTreeBuilder {
     std::optional<SiteTree> run(const Progress &progress) {
         startAtRoot();
         for (int level = kTopLevel; !cells_.empty(); --level) {
-            full_ = tree_.cells_.size() + 4 * cells_.size() > kMaxCells || tree_.lists_.size() > kMaxEntries;
+            full_ = tree_.cells_.size() + 4 * cells_.size() > maxCells_ || tree_.lists_.size() > maxEntries_;
             nextCells_.clear();
             nextLists_.clear();
             for (std::size_t i = 0; i < cells_.size(); ++i) {
@@ -54,12 +57,20 @@ class SiteTreeBuilder {
     static constexpr int kTableBits = 6;
     static constexpr std::uint32_t kTableCells = 1U << kTableBits;
     static constexpr int kTopLevel = SiteTree::kBits + kTableBits;
-    static constexpr std::size_t kShortList = 5;
+    /// What building aims at: `shortList` sites in a list, `thinning` per level and `tolerance` relative to the value.
+    struct Aims {
+        std::size_t shortList;
+        double thinning, tolerance;
+    };
+    static constexpr Aims kAims{5, 4e-4, SiteTree::kTolerance};
+    /// With many sites, building would take several times as long as meshing.
+    static constexpr Aims kAimsOfMany{12, 6.4e-3, 2.0 * SiteTree::kTolerance};
     static constexpr std::size_t kLongestTested = 48;
-    static constexpr double kThinning = 4e-4; ///< per level, relative
     static constexpr std::size_t kLongestList = 64;
     static constexpr std::size_t kMaxCells = 2'000'000;
     static constexpr std::size_t kMaxEntries = 4'000'000;
+    static constexpr std::size_t kMaxCellsPerSite = 8;
+    static constexpr std::size_t kMaxEntriesPerSite = 24;
 
     struct Cell {
         std::uint32_t slot = 0; ///< where its entry is; unused above the table
@@ -153,7 +164,7 @@ class SiteTreeBuilder {
     };
     /// Keeps the best one of many distant sites in the same direction. Of two sites whose nearest points lie e apart
     /// at distances of at least d, the difference changes within reach by at most reach·growth·e / (d − reach): where
-    /// that is beyond the lead of the better one by no more than kThinning of the spacing, the other can be dropped.
+    /// that is beyond the lead of the better one by no more than a part of the spacing, the other can be dropped.
     void thin(Vec2 centre, double reach) {
         double low = std::numeric_limits<double>::infinity();
         double growth = 0.0;
@@ -161,7 +172,7 @@ class SiteTreeBuilder {
             low = std::min(low, std::max(site(c).size, c.value - site(c).growth * reach));
             growth = std::max(growth, site(c).growth);
         }
-        const double allowance = kThinning * low;
+        const double allowance = aims_.thinning * low;
         const double perTurn = 4.0 * growth * reach / allowance;
         const auto sectors = static_cast<std::int32_t>(std::clamp(perTurn, 8.0, 4096.0));
         sights_.clear();
@@ -226,7 +237,7 @@ class SiteTreeBuilder {
             return;
         }
         const bool last = level == 0 || full_;
-        if (competitors_.size() <= kShortList || (last && competitors_.size() <= kLongestList)) {
+        if (competitors_.size() <= aims_.shortList || (last && competitors_.size() <= kLongestList)) {
             storeList(cell, span, reach);
         } else if (last || isSmooth(cell, span, size)) {
             storeSmooth(cell, span);
@@ -248,7 +259,7 @@ class SiteTreeBuilder {
             middle = std::min(middle, competitor.value);
             touched = touched || competitor.value - s.size <= 0.8 * size * s.growth;
         }
-        if (growth * size <= SiteTree::kTolerance * low) {
+        if (growth * size <= aims_.tolerance * low) {
             return true; // cannot change more than the tolerance
         }
         // A kink at a site could hide between the samples.
@@ -262,8 +273,8 @@ class SiteTreeBuilder {
         const double b = least(placeOf(x + span, y));
         const double c = least(placeOf(x, y + span));
         const double d = least(placeOf(x + span, y + span));
-        const auto near = [](double exact, double interpolated) {
-            return std::fabs(exact - interpolated) <= SiteTree::kTolerance * exact;
+        const auto near = [this](double exact, double interpolated) {
+            return std::fabs(exact - interpolated) <= aims_.tolerance * exact;
         };
         return near(middle, 0.25 * (a + b + c + d)) && near(least(placeOf(x + h, y)), 0.5 * (a + b)) &&
                near(least(placeOf(x, y + h)), 0.5 * (a + c)) && near(least(placeOf(x + span, y + h)), 0.5 * (b + d)) &&
@@ -338,6 +349,8 @@ class SiteTreeBuilder {
     SiteTree tree_;
     std::uint32_t rows_ = 1;
     bool full_ = false;
+    Aims aims_ = kAims;
+    std::size_t maxCells_ = kMaxCells, maxEntries_ = kMaxEntries;
     std::vector<Cell> cells_; ///< cells of the current level, and their candidates
     std::vector<std::uint32_t> lists_;
     std::vector<Cell> nextCells_;

@@ -17,8 +17,9 @@ namespace forefront {
 /// A table of equal square cells, each the root of a quadtree. A leaf holds either the few sites that can win in it
 /// (exact) or, where many sites compete far away and their minimum is smooth, its values at the four corners
 /// (bilinear), with a relative error of about kTolerance, checked at the centre and the middles of the sides while
-/// building. Outside the box, the value at the nearest point of the box counts. Immutable; uses less than about 60 MB,
-/// for which leaves get longer lists or larger errors if necessary.
+/// building. With more than kManySites sites, values may be a few percent too large where the nearest site changes.
+/// Outside the box, the value at the nearest point of the box counts. Immutable; uses less than about 60 MB, or 200
+/// bytes per site if that is more, for which leaves get longer lists or larger errors if necessary.
 ///
 /// A tree of its own: the box tree of core/geometry would have to search for the minimum at every point, which takes
 /// 10 µs instead of 0.1 µs with 5,000 sites along a closed line, and 110 µs with 50,000.

@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace forefront {
+
+/// From this number of sites on, evaluating them exactly takes longer than meshing, and simplifications set in.
+inline constexpr std::size_t kManySites = 4096;
 
 /// A place that demands a spacing: `size` within `radius` of the segment from `a` to a + `ab` (a point if ab = 0),
 /// growing by `growth` per unit of distance beyond. The common form of size sources, boundary lengths, features and
