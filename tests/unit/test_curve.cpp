@@ -1,0 +1,267 @@
+#include "core/geometry/curve.hpp"
+#include "core/geometry/polygon.hpp"
+#include "tests/support/random_domains.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+using namespace forefront;
+using forefront::testing::RandomSource;
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+Vec2 randomPoint(RandomSource &random) {
+    return {random.between(-5, 5), random.between(-5, 5)};
+}
+
+Curve randomCurve(RandomSource &random, int kind) {
+    switch (kind % 4) {
+    case 0:
+        return Curve::cubic(randomPoint(random), randomPoint(random), randomPoint(random), randomPoint(random));
+    case 1:
+        return Curve::arc(randomPoint(random), randomPoint(random), randomPoint(random), random.between(-4, 4),
+                          random.between(-6.2, 6.2));
+    case 2:
+        return Curve::circle(randomPoint(random), randomPoint(random));
+    default:
+        return Curve::line(randomPoint(random), randomPoint(random));
+    }
+}
+
+std::vector<Vec2> samples(const Curve &curve, double t0, double t1, int count) {
+    std::vector<Vec2> points;
+    for (int i = 0; i <= count; ++i) {
+        points.push_back(curve.point(std::lerp(t0, t1, static_cast<double>(i) / count)));
+    }
+    return points;
+}
+
+double polylineLength(const std::vector<Vec2> &points) {
+    double sum = 0.0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        sum += distance(points[i - 1], points[i]);
+    }
+    return sum;
+}
+
+} // namespace
+
+TEST_CASE("curve: points of a cubic are those of its Bernstein form") {
+    const Vec2 a{0, 1}, b{4, 7}, c{-3, 5}, d{2, -1};
+    const Curve cubic = Curve::cubic(a, b, c, d);
+    for (int i = 0; i <= 16; ++i) {
+        const double t = i / 16.0, s = 1.0 - t;
+        const Vec2 p = s * s * s * a + 3.0 * s * s * t * b + 3.0 * s * t * t * c + t * t * t * d;
+        CHECK(distance(cubic.point(t), p) < 1e-14);
+    }
+    CHECK(cubic.point(0.0) == a);
+    CHECK(cubic.point(1.0) == d);
+}
+
+TEST_CASE("curve: a quadratic raised to a cubic has the points of the quadratic") {
+    const Vec2 a{5, 5}, b{8, 9}, c{12, 5};
+    const Curve raised = Curve::quadratic(a, b, c);
+    for (const double t : {0.0, 0.1, 0.5, 0.75, 1.0}) {
+        const double s = 1.0 - t;
+        CHECK(distance(raised.point(t), s * s * a + 2.0 * s * t * b + t * t * c) < 1e-14);
+    }
+}
+
+TEST_CASE("curve: points of an elliptical arc satisfy the equation of the ellipse") {
+    const double phi = 0.4;
+    const Vec2 axis{std::cos(phi), std::sin(phi)};
+    const Curve arc = Curve::arc({3, -2}, 5.0 * axis, 2.0 * leftNormal(axis), 0.3, -4.0);
+    for (int i = 0; i <= 20; ++i) {
+        const Vec2 arm = arc.point(i / 20.0) - Vec2{3, -2};
+        const double x = dot(arm, axis) / 5.0, y = dot(arm, leftNormal(axis)) / 2.0;
+        CHECK(x * x + y * y == doctest::Approx(1.0).epsilon(1e-14));
+    }
+    CHECK(distance(Curve::circle({1, 1}, {4, 5}).point(0.25), {-3, 4}) < 1e-14);
+}
+
+TEST_CASE("curve: derivatives, tangent and curvature agree with finite differences") {
+    RandomSource random(1);
+    for (int i = 0; i < 400; ++i) {
+        const Curve curve = randomCurve(random, i);
+        const double t = random.between(0.05, 0.95), h = 1e-4;
+        const Vec2 before = curve.point(t - h), at = curve.point(t), after = curve.point(t + h);
+        const Vec2 first = (0.5 / h) * (after - before);
+        const Vec2 second = (1.0 / (h * h)) * (after - 2.0 * at + before);
+        CHECK(distance(curve.derivative(t), first) < 1e-5);
+        CHECK(distance(curve.secondDerivative(t), second) < 1e-4 * (1.0 + length(second)));
+        if (length(first) > 0.5) {
+            CHECK(distance(curve.tangent(t), (1.0 / length(first)) * first) < 1e-4);
+            // The circle through three points has the curvature 4 area / (product of the sides).
+            const double sides = distance(before, at) * distance(at, after) * distance(before, after);
+            const double circle = 2.0 * cross(at - before, after - before) / sides;
+            CHECK(curve.curvature(t) == doctest::Approx(circle).epsilon(1e-3).scale(0.1));
+        }
+    }
+}
+
+TEST_CASE("curve: the tangent is defined where the derivative vanishes") {
+    const Curve bothEnds = Curve::cubic({0, 0}, {0, 0}, {3, 4}, {3, 4}); // a line
+    CHECK(distance(bothEnds.tangent(0.0), {0.6, 0.8}) < 1e-14);
+    CHECK(distance(bothEnds.tangent(1.0), {0.6, 0.8}) < 1e-14);
+    const Curve cusp = Curve::cubic({-1, 0}, {1, 1}, {-1, 1}, {1, 0}); // turns back at t = 1/2
+    CHECK(length(cusp.derivative(0.5)) < 1e-14);
+    CHECK(length(cusp.tangent(0.5)) == doctest::Approx(1.0));
+    const Curve triple = Curve::cubic({0, 0}, {0, 0}, {0, 0}, {0, 2});
+    CHECK(triple.tangent(0.0) == Vec2{0, 1});
+    const Curve point = Curve::cubic({1, 1}, {1, 1}, {1, 1}, {1, 1});
+    CHECK(point.tangent(0.5) == Vec2{0, 0});
+}
+
+TEST_CASE("curve: lengths agree with fine polylines and with closed forms") {
+    RandomSource random(2);
+    for (int i = 0; i < 60; ++i) {
+        const Curve curve = randomCurve(random, i);
+        const double t0 = random.unit(), t1 = random.unit();
+        // Chords are short by O(h²), so two of them extrapolate.
+        const double coarse = polylineLength(samples(curve, t0, t1, 4000));
+        const double fine = polylineLength(samples(curve, t0, t1, 8000));
+        CHECK(curve.length(t0, t1) == doctest::Approx(fine + (fine - coarse) / 3.0).epsilon(1e-7));
+    }
+    CHECK(Curve::circle({1, 2}, {4, 6}).length() == doctest::Approx(10.0 * kPi).epsilon(1e-14));
+    CHECK(Curve::line({1, 2}, {4, 6}).length(0.2, 0.6) == doctest::Approx(2.0).epsilon(1e-15));
+    // The parabola y = x² from 0 to 1: (2 √5 + asinh 2) / 4.
+    const Curve parabola = Curve::quadratic({0, 0}, {0.5, 0}, {1, 1});
+    CHECK(parabola.length() == doctest::Approx((2.0 * std::sqrt(5.0) + std::asinh(2.0)) / 4.0).epsilon(1e-13));
+    // The circumference of an ellipse with the half-axes 2 and 1 (complete elliptic integral of the second kind).
+    CHECK(Curve::arc({0, 0}, {2, 0}, {0, 1}).length() == doctest::Approx(9.6884482205476761984).epsilon(1e-12));
+    // A cubic that goes along the x axis to 1.25 and back.
+    CHECK(Curve::cubic({0, 0}, {2, 0}, {2, 0}, {-0.5, 0}).length() > 1.5);
+}
+
+TEST_CASE("curve: turning is the sum of the angles of a fine polyline") {
+    RandomSource random(3);
+    for (int i = 0; i < 80; ++i) {
+        const Curve curve = randomCurve(random, i);
+        const double t0 = random.unit(), t1 = random.unit();
+        const std::vector<Vec2> points = samples(curve, t0, t1, 20000);
+        double sum = 0.0;
+        for (std::size_t k = 2; k < points.size(); ++k) {
+            const Vec2 in = points[k - 1] - points[k - 2], out = points[k] - points[k - 1];
+            sum += std::fabs(std::atan2(cross(in, out), dot(in, out)));
+        }
+        CHECK(curve.turning(t0, t1) == doctest::Approx(sum).epsilon(1e-3).scale(1.0));
+    }
+    CHECK(Curve::circle({0, 0}, {1, 0}).turning() == doctest::Approx(2.0 * kPi));
+    CHECK(Curve::cubic({-1, 0}, {1, 1}, {-1, 1}, {1, 0}).turning() > kPi); // the cusp counts
+}
+
+TEST_CASE("curve: the box holds the curve and touches it on all sides") {
+    RandomSource random(4);
+    for (int i = 0; i < 100; ++i) {
+        const Curve curve = randomCurve(random, i);
+        const double t0 = random.unit(), t1 = random.unit();
+        Box2 sampled;
+        for (const Vec2 p : samples(curve, t0, t1, 5000)) {
+            sampled.add(p);
+        }
+        const Box2 box = curve.bounds(t0, t1);
+        CHECK(box.grown(1e-12).contains(sampled.min));
+        CHECK(box.grown(1e-12).contains(sampled.max));
+        CHECK(distance(box.min, sampled.min) < 1e-5);
+        CHECK(distance(box.max, sampled.max) < 1e-5);
+    }
+    const Box2 box = Curve::circle({1, 2}, {4, 6}).bounds();
+    CHECK(distance(box.min, {-4, -3}) < 1e-14);
+    CHECK(distance(box.max, {6, 7}) < 1e-14);
+}
+
+TEST_CASE("curve: the deviation is the greatest distance from the chord") {
+    RandomSource random(5);
+    for (int i = 0; i < 100; ++i) {
+        const Curve curve = randomCurve(random, i);
+        const double t0 = random.unit(), t1 = random.unit();
+        double greatest = 0.0;
+        for (const Vec2 p : samples(curve, t0, t1, 5000)) {
+            greatest = std::max(greatest, distanceToSegment(curve.point(t0), curve.point(t1), p));
+        }
+        const double least = curve.turning(t0, t1) < 0.5 * kPi ? greatest - 1e-12 : 0.95 * greatest;
+        CHECK(curve.deviation(t0, t1) >= least);
+        CHECK(curve.deviation(t0, t1) <= greatest + 1e-4);
+    }
+    CHECK(Curve::circle({0, 0}, {2, 0}).deviation() == doctest::Approx(4.0)); // from the point it starts and ends in
+}
+
+TEST_CASE("curve: a part has the points of the whole, a reversed curve runs back") {
+    RandomSource random(6);
+    for (int i = 0; i < 100; ++i) {
+        const Curve curve = randomCurve(random, i);
+        const double t0 = random.unit(), t1 = random.unit();
+        const Curve part = curve.part(t0, t1), back = curve.reversed();
+        for (const double s : {0.0, 0.3, 0.5, 0.9, 1.0}) {
+            CHECK(distance(part.point(s), curve.point(std::lerp(t0, t1, s))) < 1e-13);
+            CHECK(distance(back.point(s), curve.point(1.0 - s)) < 1e-13);
+        }
+        CHECK(part.kind() == curve.kind());
+    }
+}
+
+TEST_CASE("curve: the affine image of a curve has the images of its points") {
+    RandomSource random(7);
+    for (int i = 0; i < 100; ++i) {
+        const Curve curve = randomCurve(random, i);
+        const Vec2 x = randomPoint(random), y = randomPoint(random), shift = randomPoint(random);
+        const auto map = [&](Vec2 p) { return p.x * x + p.y * y + shift; };
+        const Curve image = curve.mapped(map);
+        for (const double t : {0.0, 0.2, 0.5, 0.8, 1.0}) {
+            CHECK(distance(image.point(t), map(curve.point(t))) < 1e-12);
+        }
+    }
+}
+
+TEST_CASE("curve: a flattened curve stays within the tolerance and ends exactly") {
+    RandomSource random(8);
+    for (int i = 0; i < 100; ++i) {
+        const Curve curve = randomCurve(random, i);
+        const double t0 = random.unit(), t1 = random.unit();
+        for (const double tolerance : {1.0, 0.03, 1e-4}) {
+            const std::vector<double> ends = curve.flatten(tolerance, t0, t1);
+            REQUIRE(ends.back() == t1);
+            double from = t0;
+            for (const double to : ends) {
+                double worst = 0.0;
+                for (const Vec2 p : samples(curve, from, to, 20)) {
+                    worst = std::max(worst, distanceToSegment(curve.point(from), curve.point(to), p));
+                }
+                CHECK(worst <= tolerance * (1.0 + 1e-9));
+                CHECK(curve.turning(from, to) < (curve.kind() == CurveKind::Cubic ? 0.5 * kPi + 1e-9 : kPi));
+                CHECK((to > from) == (t1 > t0));
+                from = to;
+            }
+            CHECK(ends.size() < 24.0 + 12.0 / std::sqrt(tolerance)); // the sagitta falls with the square
+        }
+    }
+    CHECK(Curve::circle({0, 0}, {1, 0}).flatten(1e-4).size() == 223); // pi / acos(1 - 1e-4) = 222.14
+    CHECK(Curve::line({0, 0}, {1, 0}).flatten(1e-4).size() == 1);
+}
+
+TEST_CASE("curve: data that is not finite and absurd tolerances give a bounded number of pieces") {
+    for (const double bad : {kInfinity, -kInfinity, std::numeric_limits<double>::quiet_NaN()}) {
+        CHECK_FALSE(Curve::cubic({0, 0}, {bad, 1}, {1, 1}, {2, 0}).finite());
+        CHECK(Curve::cubic({0, 0}, {bad, 1}, {1, 1}, {2, 0}).flatten(0.1).size() == 1);
+        CHECK(Curve::arc({0, 0}, {bad, 0}, {0, 1}).flatten(0.1).size() == 1);
+    }
+    for (const double size : {1e-300, 1.0, 1e150}) {
+        CHECK(Curve::cubic({0, 0}, {size, size}, {size, -size}, {0, 1}).flatten(1e-30).size() <= Curve::kMaxPieces);
+        CHECK(Curve::arc({0, 0}, {size, 0}, {0, size}).flatten(1e-30).size() <= Curve::kMaxPieces);
+    }
+}
+
+TEST_CASE("curve: numbers give the same curve back") {
+    RandomSource random(9);
+    for (int i = 0; i < 8; ++i) {
+        const Curve curve = randomCurve(random, i);
+        CHECK(Curve::fromNumbers(curve.kind(), curve.numbers()) == curve);
+    }
+}
