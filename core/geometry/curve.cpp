@@ -305,6 +305,31 @@ double Curve::deviation(double t0, double t1) const {
     return maximum;
 }
 
+double Curve::nearest(Vec2 p, double t0, double t1) const {
+    constexpr int kSamples = 16;
+    const auto at = [&](int i) { return i == kSamples ? t1 : std::lerp(t0, t1, i / double{kSamples}); };
+    int best = 0;
+    for (int i = 1; i <= kSamples; ++i) {
+        best = distanceSquared(point(at(i)), p) < distanceSquared(point(at(best)), p) ? i : best;
+    }
+    // Halves the interval in which the distance stops to fall.
+    double low = at(std::max(best - 1, 0)), high = at(std::min(best + 1, kSamples));
+    const double forward = t1 >= t0 ? 1.0 : -1.0;
+    const auto falls = [&](double t) { return forward * dot(point(t) - p, derivative(t)) < 0.0; };
+    if (!falls(low) || falls(high)) {
+        const double ends[] = {low, at(best), high};
+        return *std::min_element(std::begin(ends), std::end(ends), [&](double s, double t) {
+            return distanceSquared(point(s), p) < distanceSquared(point(t), p);
+        });
+    }
+    constexpr int kHalvings = 52;
+    for (int i = 0; i < kHalvings; ++i) {
+        const double middle = std::midpoint(low, high);
+        (falls(middle) ? low : high) = middle;
+    }
+    return std::midpoint(low, high);
+}
+
 Curve Curve::part(double t0, double t1) const {
     Curve part = *this;
     switch (kind_) {

@@ -60,6 +60,10 @@ class Curve {
     /// a hundred, if the part turns by more than a quarter turn, so that it may reach beyond the ends of its chord.
     double deviation(double t0 = 0.0, double t1 = 1.0) const;
 
+    /// Returns the parameter between two where the curve is nearest to a point; a local minimum if the part between
+    /// bends by more than a quarter turn in a sixteenth of the parameter.
+    double nearest(Vec2 p, double t0 = 0.0, double t1 = 1.0) const;
+
     /// Returns the part from t0 to t1 with a parameter from 0 to 1; reversed if t1 < t0.
     Curve part(double t0, double t1) const;
     Curve reversed() const { return part(1.0, 0.0); }

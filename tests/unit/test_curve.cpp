@@ -193,6 +193,18 @@ TEST_CASE("curve: the deviation is the greatest distance from the chord") {
     CHECK(Curve::circle({0, 0}, {2, 0}).deviation() == doctest::Approx(4.0)); // from the point it starts and ends in
 }
 
+TEST_CASE("curve: the nearest point of a curve is found") {
+    RandomSource random(10);
+    for (int i = 0; i < 200; ++i) {
+        const Curve curve = randomCurve(random, i);
+        const double t0 = random.unit(), t1 = random.unit(), t = std::lerp(t0, t1, random.unit());
+        const Vec2 on = curve.point(t), beside = on + 1e-3 * leftNormal(curve.tangent(t));
+        CHECK(distance(curve.point(curve.nearest(on, t0, t1)), on) < 1e-7);
+        CHECK(distance(curve.point(curve.nearest(beside, t0, t1)), beside) <= 1.001e-3);
+        CHECK(curve.nearest(curve.point(t0), t0, t1) == doctest::Approx(t0).epsilon(1e-9).scale(1.0));
+    }
+}
+
 TEST_CASE("curve: a part has the points of the whole, a reversed curve runs back") {
     RandomSource random(6);
     for (int i = 0; i < 100; ++i) {
