@@ -86,19 +86,23 @@ std::uint32_t ArrangementInput::addContour(std::uint32_t shape, FillRule rule, b
     return static_cast<std::uint32_t>(contours.size() - 1);
 }
 
-void ArrangementInput::addRing(std::uint32_t contour, std::span<const Vec2> nodes, std::int32_t tag) {
+void ArrangementInput::addRing(std::uint32_t contour, std::span<const Vec2> nodes, std::int32_t tag,
+                               std::span<const CurveStretch> stretches) {
     for (std::size_t k = 0; k < nodes.size(); ++k) {
         const Vec2 a = nodes[k], b = nodes[(k + 1) % nodes.size()];
         if (a != b) {
-            pieces.push_back({a, b, contour, tag, PieceRole::Outline});
+            pieces.push_back(
+                {a, b, contour, tag, PieceRole::Outline, k < stretches.size() ? stretches[k] : CurveStretch{}});
         }
     }
 }
 
-void ArrangementInput::addChain(std::span<const Vec2> nodes, std::int32_t tag) {
+void ArrangementInput::addChain(std::span<const Vec2> nodes, std::int32_t tag,
+                                std::span<const CurveStretch> stretches) {
     for (std::size_t k = 1; k < nodes.size(); ++k) {
         if (nodes[k - 1] != nodes[k]) {
-            pieces.push_back({nodes[k - 1], nodes[k], 0, tag, PieceRole::Constraint});
+            pieces.push_back({nodes[k - 1], nodes[k], 0, tag, PieceRole::Constraint,
+                              k - 1 < stretches.size() ? stretches[k - 1] : CurveStretch{}});
         }
     }
 }

@@ -38,11 +38,9 @@ struct ArrangementPiece {
     std::uint32_t contour = 0; ///< of an Outline: index into ArrangementInput::contours
     std::int32_t tag = 1;      ///< of the boundary part or point
     PieceRole role = PieceRole::Outline;
-    /// The parameter range of the curve that the piece approximates, if the caller numbers its curves. Each stretch of
-    /// the piece is returned with its share of the range.
-    std::uint32_t curve = 0xffffffffU;
-    double t0 = 0.0;
-    double t1 = 1.0;
+    /// The part of a curve, by its index into ArrangementInput::curves, that the piece is a chord of. Segments along
+    /// the piece follow their share of it.
+    CurveStretch stretch = {};
 };
 
 /// The rule that says which winding numbers are inside.
@@ -71,12 +69,15 @@ struct ArrangementInput {
     std::uint32_t addFeature(std::int32_t regionTag, std::string name = {});
     std::uint32_t addShape(std::uint32_t feature);
     std::uint32_t addContour(std::uint32_t shape, FillRule rule = FillRule::NonZero, bool hole = false);
-    /// A closed loop of a contour, its first node not repeated. Nodes equal to the previous one are skipped.
-    void addRing(std::uint32_t contour, std::span<const Vec2> nodes, std::int32_t tag);
+    /// A closed loop of a contour, its first node not repeated. Nodes equal to the previous one are skipped. The
+    /// stretches, if given, are those of the pieces that begin at the nodes; the last ones may be missing.
+    void addRing(std::uint32_t contour, std::span<const Vec2> nodes, std::int32_t tag,
+                 std::span<const CurveStretch> stretches = {});
     /// A line that the mesh must contain.
-    void addChain(std::span<const Vec2> nodes, std::int32_t tag);
+    void addChain(std::span<const Vec2> nodes, std::int32_t tag, std::span<const CurveStretch> stretches = {});
     void addPoint(Vec2 at, std::int32_t tag);
 
+    std::vector<Curve> curves; ///< that pieces are chords of
     std::vector<ArrangementPiece> pieces;
     std::vector<ArrangementContour> contours;
     std::vector<ArrangementShape> shapes;
@@ -92,12 +93,12 @@ struct ArrangementInput {
 /// The part of a piece that a segment of the result follows.
 struct PieceStretch {
     std::uint32_t piece = 0;
-    double t0 = 0.0; ///< in the range of the piece's curve
-    double t1 = 1.0;
+    CurveStretch stretch; ///< the share of the piece's curve
 };
 
 struct Arrangement {
-    /// Even-odd, without names. Nodes, segments and points come in the order of the pieces.
+    /// Even-odd, without names, with the curves that segments follow. Nodes, segments and points come in the order of
+    /// the pieces.
     Domain domain;
     std::vector<std::uint32_t> nodePiece;     ///< per node: the first piece that passes through it
     std::vector<PieceStretch> stretches;      ///< per segment: the first piece that runs along it

@@ -3,6 +3,7 @@
 #include "core/base/ids.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace forefront {
@@ -144,6 +145,23 @@ void Assembler::buildDomain() {
     for (std::uint32_t i = 0; i < input_.pieces.size(); ++i) {
         input_.pieces[i].role == PieceRole::Point ? addPoint(i) : addSegments(i);
     }
+    takeCurves();
+}
+
+/// Takes the curves that segments follow, numbered in the order of the segments.
+void Assembler::takeCurves() {
+    std::vector<std::uint32_t> number(input_.curves.size(), kNoCurve);
+    for (std::size_t s = 0; s < result_.domain.segments.size(); ++s) {
+        const CurveStretch &stretch = result_.stretches[s].stretch;
+        if (stretch.curve >= number.size()) {
+            continue;
+        }
+        if (number[stretch.curve] == kNoCurve) {
+            number[stretch.curve] = static_cast<std::uint32_t>(result_.domain.curves.size());
+            result_.domain.curves.push_back(input_.curves[stretch.curve]);
+        }
+        result_.domain.segments[s].stretch = {number[stretch.curve], stretch.t0, stretch.t1};
+    }
 }
 
 /// Adds the edges along a piece that no piece before it has added.
@@ -170,9 +188,16 @@ PieceStretch Assembler::stretchOf(std::uint32_t piece, std::uint32_t from, std::
     const Vec2 along = about.b - about.a;
     const auto parameter = [&](std::uint32_t node) {
         const double part = dot(snapped_.nodes[node] - about.a, along) / lengthSquared(along);
-        return about.t0 + std::clamp(part, 0.0, 1.0) * (about.t1 - about.t0);
+        // Exactly those of the piece at its ends, so that its neighbours continue there.
+        if (part <= 0.0 || part >= 1.0) {
+            return part <= 0.0 ? about.stretch.t0 : about.stretch.t1;
+        }
+        return about.stretch.curve < input_.curves.size()
+                   ? input_.curves[about.stretch.curve].nearest(snapped_.nodes[node], about.stretch.t0,
+                                                                about.stretch.t1)
+                   : 0.0;
     };
-    return {piece, parameter(from), parameter(to)};
+    return {piece, {about.stretch.curve, parameter(from), parameter(to)}};
 }
 
 bool Assembler::pointInside(std::uint32_t node) const {

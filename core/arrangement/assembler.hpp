@@ -29,6 +29,7 @@ class Assembler {
     Fate fateOf(std::uint32_t edge) const;
     void chooseTags();
     void buildDomain();
+    void takeCurves();
     void addSegments(std::uint32_t piece);
     void addPoint(std::uint32_t piece);
     std::uint32_t node(std::uint32_t snappedNode, std::uint32_t piece);

@@ -3,12 +3,17 @@
 #include "core/base/cancelled.hpp"
 #include "core/base/ids.hpp"
 #include "core/base/number_text.hpp"
+#include "core/boundary/curve_cuts.hpp"
+#include "core/boundary/misplaced_nodes.hpp"
 #include "core/boundary/spacing_integral.hpp"
 #include "core/domain/domain_graph.hpp"
+#include "core/geometry/box_tree.hpp"
 #include "core/geometry/edge_meetings.hpp"
 #include "core/geometry/polygon.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <optional>
 
 namespace forefront {
 
@@ -49,6 +54,9 @@ class Discretiser {
         }
         most_.assign(domain_.segments.size(), keepBoundary_ ? 1U : kNoIndex);
         if (!keepBoundary_) {
+            if (!domain_.curves.empty()) {
+                curves_.emplace(domain_);
+            }
             if (!sampleNodes()) {
                 return cancelled("discretising the boundary");
             }
@@ -57,20 +65,24 @@ class Discretiser {
             }
         }
         // Rounding may push an inserted node across a part that is closer than the last digits: such segments are cut
-        // into fewer pieces until nothing meets. As given they meet nothing, so this ends.
+        // into fewer pieces until nothing meets. Pieces of curves are halved, or replaced by the chords of the domain,
+        // where they meet others or have them on the wrong side. As given the domain meets nothing, so this ends.
         for (;;) {
             if (Status faults = cutSegments(); !faults.empty()) {
                 return faults;
             }
             progress_("checking the boundary", 0.0);
-            const std::vector<std::uint32_t> meeting = sourcesThatMeet();
+            const Meetings meetings = findMeetingParts();
             if (progress_.cancelled()) {
                 return cancelled("discretising the boundary");
             }
-            if (meeting.empty()) {
+            if (meetings.none()) {
                 break;
             }
-            if (!relax(meeting)) {
+            const bool relaxed = relax(meetings.segments);
+            if (!meetings.pieces.empty()) {
+                curves_->refine(meetings.pieces);
+            } else if (!relaxed) {
                 return notValid();
             }
         }
@@ -79,6 +91,14 @@ class Discretiser {
     }
 
   private:
+    /// What has to change before nothing meets.
+    struct Meetings {
+        std::vector<std::uint32_t> segments; ///< straight segments of the domain
+        std::vector<ChainPiece> pieces;      ///< of curves
+
+        bool none() const { return segments.empty() && pieces.empty(); }
+    };
+
     /// Regions by face, and the sides of the segments as given.
     Status findRegions() {
         const DomainGraph graph = graphOf(domain_);
@@ -120,7 +140,7 @@ class Discretiser {
                     return notValid();
                 }
                 listed[point.node] = 1;
-                result_.points.push_back(point);
+                points_.push_back(point);
                 pointRegion_.push_back(region[face]);
                 pointBelow_.push_back(sweep.below[sweep.canonical[point.node]]);
             }
@@ -169,9 +189,11 @@ class Discretiser {
     }
 
     Status cutSegments() {
-        result_.nodes = domain_.nodes;
+        takeNodes();
         result_.segments.clear();
         result_.segments.reserve(domain_.segments.size());
+        result_.stretches.clear();
+        pieces_.clear();
         count_.assign(domain_.segments.size(), 1U);
         for (std::uint32_t s = 0; s < domain_.segments.size(); ++s) {
             if (s % 4096 == 0) {
@@ -180,11 +202,90 @@ class Discretiser {
             if (s % 256 == 0 && progress_.cancelled()) {
                 return cancelled("discretising the boundary");
             }
-            if (Status faults = cutSegment(s); !faults.empty()) {
+            const std::uint32_t chain = curves_ ? curves_->chainOf(s) : kNoIndex;
+            if (chain != kNoIndex && curves_->firstSegment(chain) != s) {
+                continue; // the whole chain comes at its first segment
+            }
+            if (Status faults = chain == kNoIndex ? cutSegment(s) : cutChain(chain); !faults.empty()) {
                 return faults;
             }
         }
         return {};
+    }
+
+    /// Takes the nodes of the domain but for those that only divide curves into chords.
+    void takeNodes() {
+        result_.points = points_;
+        number_.clear();
+        if (!curves_ || !curves_->any()) {
+            result_.nodes = domain_.nodes;
+            return;
+        }
+        result_.nodes.clear();
+        number_.assign(domain_.nodes.size(), kNoIndex);
+        for (std::uint32_t n = 0; n < domain_.nodes.size(); ++n) {
+            if (!curves_->vanishes(n)) {
+                number_[n] = static_cast<std::uint32_t>(result_.nodes.size());
+                result_.nodes.push_back(domain_.nodes[n]);
+            }
+        }
+        for (ConstraintPoint &point : result_.points) {
+            point.node = number_[point.node];
+        }
+    }
+
+    std::uint32_t number(std::uint32_t node) const { return number_.empty() ? node : number_[node]; }
+
+    /// Returns the fault of an integral that was not completed.
+    Status faultOf(SpacingIntegral::Outcome outcome, Vec2 middle) const {
+        switch (outcome) {
+        case SpacingIntegral::Outcome::Done:
+            break;
+        case SpacingIntegral::Outcome::BadSpacing:
+            return located("expression-value", "the spacing is not a positive number",
+                           "make it finite and positive everywhere in the domain", integral_.badPlace());
+        case SpacingIntegral::Outcome::TooMany:
+            return tooMany(static_cast<double>(result_.segments.size()) + integral_.total(), middle);
+        case SpacingIntegral::Outcome::Cancelled:
+            return cancelled("discretising the boundary");
+        }
+        return {};
+    }
+
+    Status cutChain(std::uint32_t c) {
+        const CurveChain &chain = curves_->chain(c);
+        const Curve &curve = curves_->curve(c);
+        if (curves_->cuts(c).empty()) {
+            const double room = kMaxPieces - static_cast<double>(result_.segments.size());
+            const auto outcome = curves_->divide(c, spacing_, longest_, room, progress_, integral_);
+            if (outcome != SpacingIntegral::Outcome::Done) {
+                return faultOf(outcome, curve.point(std::midpoint(chain.t0, chain.t1)));
+            }
+        }
+        const std::vector<double> &cuts = curves_->cuts(c);
+        std::uint32_t from = number(chain.start);
+        for (std::uint32_t i = 0; i + 1 < cuts.size(); ++i) {
+            std::uint32_t to = number(chain.end);
+            if (i + 2 < cuts.size()) {
+                to = static_cast<std::uint32_t>(result_.nodes.size());
+                result_.nodes.push_back(curve.point(cuts[i + 1]));
+            }
+            const std::uint32_t source = curves_->source({c, i});
+            const bool forward = domain_.segments[source].stretch.t0 < domain_.segments[source].stretch.t1;
+            result_.segments.push_back({from, to, domain_.segments[source].tag,
+                                        forward ? left_[source] : right_[source],
+                                        forward ? right_[source] : left_[source], source});
+            recordPiece({chain.curve, cuts[i], cuts[i + 1]}, {c, i});
+            from = to;
+        }
+        return {};
+    }
+
+    void recordPiece(const CurveStretch &stretch, const ChainPiece &piece) {
+        if (!domain_.curves.empty()) {
+            result_.stretches.push_back(stretch);
+            pieces_.push_back(piece);
+        }
     }
 
     Status cutSegment(std::uint32_t s) {
@@ -198,41 +299,45 @@ class Discretiser {
             const double rhoLow = rho_[forward ? segment.a : segment.b],
                          rhoHigh = rho_[forward ? segment.b : segment.a];
             const double room = kMaxPieces - static_cast<double>(result_.segments.size());
-            switch (integral_.integrate(spacing_, low, high, rhoLow, rhoHigh, longest_, room, progress_)) {
-            case SpacingIntegral::Outcome::Done:
-                break;
-            case SpacingIntegral::Outcome::BadSpacing:
-                return located("expression-value", "the spacing is not a positive number",
-                               "make it finite and positive everywhere in the domain", integral_.badPlace());
-            case SpacingIntegral::Outcome::TooMany:
-                return tooMany(static_cast<double>(result_.segments.size()) + integral_.total(), midpoint(a, b));
-            case SpacingIntegral::Outcome::Cancelled:
-                return cancelled("discretising the boundary");
+            const auto outcome = integral_.integrate(spacing_, low, high, rhoLow, rhoHigh, longest_, room, progress_);
+            if (outcome != SpacingIntegral::Outcome::Done) {
+                return faultOf(outcome, midpoint(a, b));
             }
             count_[s] = std::min(most_[s], static_cast<std::uint32_t>(integral_.pieces()));
             integral_.cut(count_[s], fractions_);
         }
-        std::uint32_t from = segment.a;
+        std::uint32_t from = number(segment.a);
         for (std::size_t i = 0; i < fractions_.size(); ++i) {
             const auto to = static_cast<std::uint32_t>(result_.nodes.size());
             result_.nodes.push_back(lerp(low, high, fractions_[forward ? i : fractions_.size() - 1 - i]));
             addPiece(from, to, s);
             from = to;
         }
-        addPiece(from, segment.b, s);
+        addPiece(from, number(segment.b), s);
         return {};
     }
 
     void addPiece(std::uint32_t a, std::uint32_t b, std::uint32_t source) {
         result_.segments.push_back({a, b, domain_.segments[source].tag, left_[source], right_[source], source});
+        recordPiece(fractions_.empty() ? domain_.segments[source].stretch : CurveStretch{}, {kNoIndex, 0});
     }
 
-    /// Domain segments whose pieces meet others, coincide in a node, or have pushed a constraint point to another
-    /// region.
-    std::vector<std::uint32_t> sourcesThatMeet() const {
-        std::vector<std::uint32_t> sources;
-        if (result_.segments.size() == domain_.segments.size()) {
-            return sources;
+    bool isCurved(std::uint32_t piece) const { return !pieces_.empty() && pieces_[piece].chain != kNoIndex; }
+
+    void addPart(std::uint32_t piece, Meetings &meetings) const {
+        if (isCurved(piece)) {
+            meetings.pieces.push_back(pieces_[piece]);
+        } else {
+            meetings.segments.push_back(result_.segments[piece].source);
+        }
+    }
+
+    /// Finds the parts whose pieces meet others, coincide in a node, or have pushed something to another region.
+    Meetings findMeetingParts() const {
+        Meetings meetings;
+        const bool curved = curves_ && curves_->any();
+        if (!curved && result_.segments.size() == domain_.segments.size()) {
+            return meetings;
         }
         std::vector<PlaneEdge> edges;
         edges.reserve(result_.segments.size());
@@ -240,50 +345,96 @@ class Discretiser {
             edges.push_back({piece.a, piece.b});
         }
         const PlaneSweepResult sweep = sweepPlane(result_.nodes, edges, progress_.stop);
-        const auto add = [&](std::uint32_t edge) { sources.push_back(result_.segments[edge].source); };
         if (progress_.cancelled()) {
-            return sources;
+            return meetings;
         }
         if (sweep.order.size() != result_.nodes.size() || sweep.droppedCount != 0) {
-            std::vector<std::uint32_t> dropped;
-            for (std::uint32_t e = 0; e < edges.size(); ++e) {
-                const bool moved =
-                    sweep.canonical[edges[e].a] != edges[e].a || sweep.canonical[edges[e].b] != edges[e].b;
-                if (sweep.dropped[e] != 0 || moved) {
-                    dropped.push_back(e);
-                    add(e);
-                }
-            }
-            for (const EdgeMeeting &meeting : findMeetings(result_.nodes, edges, dropped, 1'000'000).list) {
-                add(meeting.first);
-                add(meeting.second);
-            }
+            addMeetings(edges, sweep, meetings);
         } else {
-            for (std::size_t i = 0; i < result_.points.size(); ++i) {
-                const std::uint32_t node = result_.points[i].node;
-                if (sweep.on[node] != kNoIndex) {
-                    add(sweep.on[node]);
-                } else if (const std::uint32_t below = sweep.below[node]; regionAbove(below) != pointRegion_[i]) {
-                    // Either the segment below it as given has been pushed above it, or the one below it now under it.
-                    sources.push_back(pointBelow_[i]);
-                    if (below != kNoIndex) {
-                        add(below);
-                    }
-                }
-            }
+            addMisplaced(sweep, meetings);
         }
-        std::sort(sources.begin(), sources.end());
-        sources.erase(std::unique(sources.begin(), sources.end()), sources.end());
-        return sources;
+        std::sort(meetings.segments.begin(), meetings.segments.end());
+        meetings.segments.erase(std::unique(meetings.segments.begin(), meetings.segments.end()),
+                                meetings.segments.end());
+        return meetings;
     }
 
-    std::uint32_t regionAbove(std::uint32_t edge) const {
-        if (edge == kNoIndex) {
-            return kOutside;
+    /// Where a curved piece meets a straight one, only the curved one gives way.
+    void addMeetings(std::span<const PlaneEdge> edges, const PlaneSweepResult &sweep, Meetings &meetings) const {
+        std::vector<std::uint32_t> dropped;
+        for (std::uint32_t e = 0; e < edges.size(); ++e) {
+            const bool moved = sweep.canonical[edges[e].a] != edges[e].a || sweep.canonical[edges[e].b] != edges[e].b;
+            if (sweep.dropped[e] != 0 || moved) {
+                dropped.push_back(e);
+            }
         }
-        const DiscreteSegment &piece = result_.segments[edge];
-        const Vec2 a = result_.nodes[piece.a], b = result_.nodes[piece.b];
-        return (a.x != b.x ? a.x < b.x : a.y < b.y) ? piece.leftRegion : piece.rightRegion;
+        std::vector<std::uint8_t> meetsCurve(edges.size(), 0);
+        for (const EdgeMeeting &meeting : findMeetings(result_.nodes, edges, dropped, 1'000'000).list) {
+            const bool curved = isCurved(meeting.first) || isCurved(meeting.second);
+            for (const std::uint32_t e : {meeting.first, meeting.second}) {
+                meetsCurve[e] = curved ? 1 : meetsCurve[e];
+                if (!curved || isCurved(e)) {
+                    addPart(e, meetings);
+                }
+            }
+        }
+        for (const std::uint32_t e : dropped) {
+            if (meetsCurve[e] == 0) {
+                addPart(e, meetings);
+            }
+        }
+    }
+
+    /// Nothing meets: adds what may have pushed constraint points or whole loops to another region.
+    void addMisplaced(const PlaneSweepResult &sweep, Meetings &meetings) const {
+        std::vector<std::uint32_t> misplaced;
+        if (curves_ && curves_->any()) {
+            misplaced = misplacedNodes(result_, sweep);
+        }
+        for (std::size_t i = 0; i < result_.points.size(); ++i) {
+            const std::uint32_t node = result_.points[i].node, on = sweep.on[node], below = sweep.below[node];
+            if (on != kNoIndex) {
+                addPart(on, meetings);
+            } else if (regionAbove(result_, below) != pointRegion_[i]) {
+                misplaced.push_back(node);
+                // Either the segment below it as given has been pushed above it, or the one below it now under it.
+                if (const std::uint32_t given = pointBelow_[i];
+                    given != kNoIndex && (!curves_ || curves_->chainOf(given) == kNoIndex)) {
+                    meetings.segments.push_back(given);
+                }
+                if (below != kNoIndex) {
+                    addPart(below, meetings);
+                }
+            }
+        }
+        if (curves_ && curves_->any() && !misplaced.empty()) {
+            addCurvesAround(misplaced, meetings);
+        }
+    }
+
+    /// Adds the curved pieces that may have a node between them and their curve; all, if there are none at some node.
+    void addCurvesAround(const std::vector<std::uint32_t> &nodes, Meetings &meetings) const {
+        std::vector<std::uint32_t> curved;
+        std::vector<Box2> boxes;
+        for (std::uint32_t e = 0; e < result_.segments.size(); ++e) {
+            if (isCurved(e)) {
+                const CurveStretch &stretch = result_.stretches[e];
+                curved.push_back(e);
+                boxes.push_back(domain_.curves[stretch.curve].bounds(stretch.t0, stretch.t1));
+                boxes.back().add(boxOf(result_.nodes[result_.segments[e].a], result_.nodes[result_.segments[e].b]));
+            }
+        }
+        const BoxTree tree(boxes);
+        for (const std::uint32_t node : nodes) {
+            bool found = false;
+            tree.query(boxAround(result_.nodes[node], 0.0), [&](std::uint32_t item) {
+                addPart(curved[item], meetings);
+                found = true;
+            });
+            for (std::size_t k = 0; k < curved.size() && !found; ++k) {
+                addPart(curved[k], meetings);
+            }
+        }
     }
 
     /// Halves the numbers of pieces. Returns false if none of these segments is divided.
@@ -320,6 +471,7 @@ class Discretiser {
         for (std::size_t region = 0; region < twice.size(); ++region) {
             result_.regions[region].area = 0.5 * twice[region].value();
         }
+        result_.curves = domain_.curves;
         result_.boundaryNames = domain_.boundaryNames;
         result_.regionNames = domain_.regionNames;
         progress_("discretising", 1.0);
@@ -331,8 +483,12 @@ class Discretiser {
     bool keepBoundary_;
     double longest_; // without evaluating the spacing
     DiscreteDomain result_;
+    std::optional<CurveCuts> curves_;         // unless the boundary is kept
+    std::vector<std::uint32_t> number_;       // per node of the domain: its index in the result; empty if the same
+    std::vector<ConstraintPoint> points_;     // isolated ones, by nodes of the domain
+    std::vector<ChainPiece> pieces_;          // per result_.segments; without a chain for straight ones
     std::vector<std::uint32_t> left_, right_; // per domain segment: regions
-    std::vector<std::uint32_t> pointRegion_;  // per result_.points
+    std::vector<std::uint32_t> pointRegion_;  // per points_
     std::vector<std::uint32_t> pointBelow_;   // likewise: the domain segment directly below
     std::vector<std::uint32_t> most_, count_; // per domain segment: pieces allowed and made
     std::vector<double> rho_;                 // at the nodes of the domain

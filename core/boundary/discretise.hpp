@@ -31,10 +31,14 @@ struct DiscreteRegion {
 };
 
 /// The discretised boundary B from which the front starts: simple, oriented and closed, since the domain was validated.
-/// Nodes 0..k-1 are the domain's nodes in order, including those of constraints and isolated points.
+/// The first nodes are those of the domain in order, including those of constraints and isolated points, but without
+/// those that only divided a curve into chords.
 struct DiscreteDomain {
     std::vector<Vec2> nodes;
     std::vector<DiscreteSegment> segments;
+    std::vector<Curve> curves; ///< those of the domain
+    /// Per segment, the part of a curve that it is a chord of; empty if the domain has no curves.
+    std::vector<CurveStretch> stretches;
     std::vector<ConstraintPoint> points; ///< nodes that the mesh must contain besides those of segments
     std::vector<DiscreteRegion> regions; ///< every connected face inside the domain
     std::map<std::int32_t, std::string> boundaryNames;
@@ -49,8 +53,14 @@ struct DiscreteDomain {
 
 /// Divides the segments of a validated domain so that their lengths follow the spacing, or keeps them exactly as given,
 /// and finds the faces and their regions. The number of pieces follows from ∫ds/ρ, with nodes at equal fractions of it.
-/// Deterministic; the geometry does not depend on the order or orientation of loops. Errors: cancelled, too-many-nodes,
-/// invalid-domain.
+/// Deterministic; the geometry does not depend on the order or orientation of loops.
+///
+/// Segments that follow one curve through nodes where nothing else meets are divided as one, with every node on the
+/// curve and at most Domain::curveTolerance between the curve and its edges. Pieces that meet others, or have others on
+/// the wrong side, are halved until none does; where that does not help, because curves cross although their chords do
+/// not, the chords are taken as they are.
+///
+/// Errors: cancelled, too-many-nodes, invalid-domain.
 Result<DiscreteDomain> discretise(const Domain &domain, const SpacingField &spacing, bool keepBoundary,
                                   const Progress &progress = {});
 

@@ -1,12 +1,28 @@
 #pragma once
 
 #include "core/base/progress.hpp"
+#include "core/geometry/curve.hpp"
 #include "core/spacing/spacing_field.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
 namespace forefront {
+
+/// The part of a curve that is to be divided.
+struct CurvePath {
+    const Curve *curve = nullptr;
+    double t0 = 0.0;
+    double t1 = 1.0;
+    double tolerance = 0.0; ///< maximum distance of a piece from the curve, in domain units
+
+    Vec2 at(double fraction) const { return curve->point(std::lerp(t0, t1, fraction)); }
+    /// Returns the pieces per unit of the fraction that the spacing `rho` and the bend of the curve ask for.
+    double density(double fraction, double rho) const;
+    /// Returns true if a piece is close enough to the curve and does not turn too far.
+    bool allows(double from, double to) const;
+};
 
 /// The integral N(t) = ∫ds/ρ from the start of a segment to the fraction t of its length: the number of pieces that the
 /// spacing asks for up to there.
@@ -23,6 +39,10 @@ class SpacingIntegral {
     /// if ρ is not finite and positive somewhere.
     Outcome integrate(const SpacingField &spacing, Vec2 a, Vec2 b, double rhoA, double rhoB, double longest,
                       double limit, const Progress &progress);
+
+    /// Integrates along a curve, as above; the integral counts the pieces that its bend asks for, too.
+    Outcome integrate(const SpacingField &spacing, const CurvePath &path, double longest, double limit,
+                      const Progress &progress);
 
     /// Returns the integral over the whole segment.
     double total() const { return samples_.back().integral; }
@@ -45,6 +65,9 @@ class SpacingIntegral {
         double t0 = 0.0, t1 = 0.0, density0 = 0.0, density1 = 0.0;
     };
 
+    template <class Path>
+    Outcome follow(const SpacingField &spacing, const Path &path, double densityA, double densityB, double longestStep,
+                   double limit, const Progress &progress);
     void append(double t, double density);
     Outcome fail(Vec2 place);
 

@@ -2,6 +2,7 @@
 
 #include "core/base/api.hpp"
 #include "core/base/vec2.hpp"
+#include "core/geometry/curve.hpp"
 
 #include <cstdint>
 #include <map>
@@ -28,6 +29,8 @@ struct DomainSegment {
     std::uint32_t b = 0;
     std::int32_t tag = 1; ///< >= 1
     SegmentRole role = SegmentRole::Boundary;
+    /// The part of a curve that the segment is a chord of, from a to b. Straight segments follow none.
+    CurveStretch stretch = {};
 };
 
 /// Attributes of the face that contains a point.
@@ -47,6 +50,10 @@ struct ConstraintPoint {
 
 /// A planar domain as given: segments over nodes in any order, with holes, islands, constraints, tags and names.
 /// Nothing about it can be relied on until `validate` has accepted it.
+///
+/// Curved parts are given twice: as straight segments, which decide what is inside, and as the curves that these are
+/// chords of, which the mesh follows. The chords must be fine enough that nothing lies between them and their curves;
+/// where something does, the mesh follows the chords.
 struct Domain {
     std::vector<Vec2> nodes;
     std::vector<DomainSegment> segments;
@@ -54,6 +61,9 @@ struct Domain {
     std::vector<Vec2> holeMarkers;
     std::vector<RegionMarker> regionMarkers;
     InsideRule insideRule = InsideRule::EvenOdd;
+    std::vector<Curve> curves; ///< exact curves that segments follow
+    /// Maximum distance of a curve from its edges in the mesh, in domain units; 0: 1/2000 of the domain's diagonal.
+    double curveTolerance = 0.0;
     /// Names of boundary parts and regions by tag; a tag without an entry is named "boundary_TAG" or "region_TAG".
     std::map<std::int32_t, std::string> boundaryNames;
     std::map<std::int32_t, std::string> regionNames;

@@ -225,15 +225,17 @@ TEST_CASE("arrange: what is valid stays as it is, in its order") {
 TEST_CASE("arrange: tags and curve parameters survive splitting") {
     ArrangementInput input;
     addPolygon(input, 7, {rectangle(0, 0, 4, 4)});
-    input.pieces[0].curve = 3;
-    input.pieces[0].t0 = 10.0;
-    input.pieces[0].t1 = 20.0;
+    input.curves = {Curve::line({0, 0}, {0, 1}), Curve::line({0, 0}, {8, 0})};
+    input.pieces[0].stretch = {1, 0.0, 0.5};
     input.addChain(std::vector<Vec2>{{1, -1}, {1, 2}}, 9);
     const Arrangement result = arranged(input);
     CHECK(result.domain.segments.size() == 6);
     CHECK(result.domain.segments[0].tag == 7);
-    CHECK(result.stretches[0].t1 == doctest::Approx(12.5));
-    CHECK(result.stretches[1].t0 == doctest::Approx(12.5));
+    REQUIRE(result.domain.curves.size() == 1); // without the one that nothing follows
+    CHECK(result.domain.curves[0] == input.curves[1]);
+    CHECK(result.domain.segments[0].stretch == CurveStretch{0, 0.0, 0.125});
+    CHECK(result.domain.segments[1].stretch == CurveStretch{0, 0.125, 0.5});
+    CHECK_FALSE(result.domain.segments[2].stretch.follows());
     CHECK(result.domain.segments.back().tag == 9);
     const ArrangementChange *outside = find(result, ChangeKind::OutsideLines);
     REQUIRE(outside != nullptr);

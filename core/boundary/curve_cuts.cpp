@@ -1,0 +1,146 @@
+#include "core/boundary/curve_cuts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace forefront {
+
+namespace {
+
+constexpr double kDefaultTolerance = 1.0 / 2000.0; ///< part of the domain's diagonal
+/// Pieces this much finer than the chords of the domain that still meet others show that the curves themselves do.
+constexpr double kFinest = 1.0 / 8.0;
+
+double lower(const CurveStretch &stretch) {
+    return std::min(stretch.t0, stretch.t1);
+}
+double upper(const CurveStretch &stretch) {
+    return std::max(stretch.t0, stretch.t1);
+}
+
+} // namespace
+
+CurveCuts::CurveCuts(const Domain &domain)
+    : domain_(domain),
+      tolerance_(domain.curveTolerance > 0.0 ? domain.curveTolerance : kDefaultTolerance * domain.bounds().diagonal()),
+      straight_(domain.segments.size(), 0) {
+    findChains();
+}
+
+void CurveCuts::findChains() {
+    chains_ = curveChains(domain_, straight_);
+    cuts_.assign(chains_.list.size(), {});
+    first_.clear();
+    inner_.clear();
+    if (!any()) {
+        return;
+    }
+    inner_.assign(domain_.nodes.size(), 0);
+    for (const CurveChain &chain : chains_.list) {
+        first_.push_back(*std::min_element(chain.segments.begin(), chain.segments.end()));
+        for (const std::uint32_t s : chain.segments) {
+            const DomainSegment &segment = domain_.segments[s];
+            inner_[segment.a] = inner_[segment.b] = 1;
+        }
+    }
+    for (const CurveChain &chain : chains_.list) {
+        inner_[chain.start] = inner_[chain.end] = 0;
+    }
+}
+
+std::uint32_t CurveCuts::source(const ChainPiece &piece) const {
+    const std::vector<double> &cuts = cuts_[piece.chain];
+    const double middle = 0.5 * (cuts[piece.index] + cuts[piece.index + 1]);
+    const std::vector<std::uint32_t> &segments = chains_.list[piece.chain].segments;
+    const auto after = std::partition_point(segments.begin(), segments.end() - 1, [&](std::uint32_t s) {
+        return upper(domain_.segments[s].stretch) < middle;
+    });
+    return *after;
+}
+
+SpacingIntegral::Outcome CurveCuts::divide(std::uint32_t chain, const SpacingField &spacing, double longest,
+                                           double limit, const Progress &progress, SpacingIntegral &integral) {
+    const CurveChain &about = chains_.list[chain];
+    const CurvePath path{&curve(chain), about.t0, about.t1, tolerance_};
+    const SpacingIntegral::Outcome outcome = integral.integrate(spacing, path, longest, limit, progress);
+    if (outcome != SpacingIntegral::Outcome::Done) {
+        return outcome;
+    }
+    const double least = about.start == about.end ? 3.0 : 1.0; // a loop needs three
+    const auto cutInto = [&](double count) {
+        std::vector<double> fractions;
+        integral.cut(static_cast<std::uint32_t>(std::max(least, count)), fractions);
+        fractions.insert(fractions.begin(), 0.0);
+        fractions.push_back(1.0);
+        return fractions;
+    };
+    const auto allowed = [&](const std::vector<double> &fractions) {
+        for (std::size_t i = 1; i < fractions.size(); ++i) {
+            if (!path.allows(fractions[i - 1], fractions[i])) {
+                return false;
+            }
+        }
+        return true;
+    };
+    std::vector<double> fractions = cutInto(integral.pieces());
+    if (!allowed(fractions)) {
+        fractions = cutInto(std::ceil(integral.total()));
+    }
+    constexpr int kMaxRounds = 12; // the integral asks for nearly enough
+    for (int round = 0; round < kMaxRounds && !allowed(fractions); ++round) {
+        std::vector<double> finer = {0.0};
+        for (std::size_t i = 1; i < fractions.size(); ++i) {
+            if (!path.allows(fractions[i - 1], fractions[i])) {
+                finer.push_back(std::midpoint(fractions[i - 1], fractions[i]));
+            }
+            finer.push_back(fractions[i]);
+        }
+        fractions = std::move(finer);
+    }
+    cuts_[chain].clear();
+    for (const double fraction : fractions) {
+        cuts_[chain].push_back(std::lerp(about.t0, about.t1, fraction));
+    }
+    return outcome;
+}
+
+bool CurveCuts::isFine(const ChainPiece &piece) const {
+    const std::vector<double> &cuts = cuts_[piece.chain];
+    const CurveStretch &chord = domain_.segments[source(piece)].stretch;
+    return cuts[piece.index + 1] - cuts[piece.index] < kFinest * (upper(chord) - lower(chord));
+}
+
+/// Takes the chords along a piece as straight segments.
+void CurveCuts::straighten(const ChainPiece &piece) {
+    const double from = cuts_[piece.chain][piece.index], to = cuts_[piece.chain][piece.index + 1];
+    for (const std::uint32_t s : chains_.list[piece.chain].segments) {
+        const CurveStretch &stretch = domain_.segments[s].stretch;
+        if (lower(stretch) <= to && upper(stretch) >= from) {
+            straight_[s] = 1;
+        }
+    }
+}
+
+void CurveCuts::refine(std::vector<ChainPiece> pieces) {
+    std::sort(pieces.begin(), pieces.end());
+    pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
+    bool straightened = false;
+    for (const ChainPiece &piece : pieces) {
+        if (isFine(piece)) {
+            straighten(piece);
+            straightened = true;
+        }
+    }
+    if (straightened) {
+        findChains();
+        return;
+    }
+    for (std::size_t i = pieces.size(); i-- > 0;) { // from behind, so that the indices before stay
+        std::vector<double> &cuts = cuts_[pieces[i].chain];
+        const std::uint32_t index = pieces[i].index;
+        cuts.insert(cuts.begin() + index + 1, std::midpoint(cuts[index], cuts[index + 1]));
+    }
+}
+
+} // namespace forefront

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/domain/domain.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace forefront {
+
+/// Consecutive segments that follow one curve through nodes where nothing else meets.
+struct CurveChain {
+    std::uint32_t curve = 0;
+    std::uint32_t start = 0; ///< node at the parameter t0
+    std::uint32_t end = 0;
+    double t0 = 0.0;
+    double t1 = 1.0;
+    std::vector<std::uint32_t> segments; ///< in the order of the parameter, which increases
+};
+
+struct CurveChains {
+    std::vector<CurveChain> list;
+    std::vector<std::uint32_t> ofSegment; ///< per segment: its chain, or kNoIndex
+};
+
+/// Finds the chains of a domain, which need not be valid. Segments marked in `straight`, if given, are left out, as are
+/// those whose ends are nowhere near their curve. An inner node of a chain is on the curve, belongs to no other segment
+/// and is no constraint point; all segments of a chain have one tag and role.
+CurveChains curveChains(const Domain &domain, std::span<const std::uint8_t> straight = {});
+
+} // namespace forefront

@@ -1,0 +1,224 @@
+#include "tests/support/random_curves.hpp"
+
+#include "core/arrangement/arrangement.hpp"
+#include "tests/support/domain_builder.hpp"
+#include "tests/support/random_domains.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace forefront::testing {
+
+namespace {
+
+using std::numbers::pi;
+
+/// Collects the chords of curves for the arrangement.
+class CurveDrawing {
+  public:
+    explicit CurveDrawing(double tolerance) : tolerance_(tolerance) {
+        contour_ = input_.addContour(input_.addShape(input_.addFeature(1)), FillRule::EvenOdd);
+    }
+
+    void loop(const CurveLoop &curves, std::int32_t tag) {
+        flatten(curves);
+        nodes_.pop_back(); // the first one again
+        input_.addRing(contour_, nodes_, tag, stretches_);
+    }
+    void line(const CurveLoop &curves, std::int32_t tag) {
+        flatten(curves);
+        input_.addChain(nodes_, tag, stretches_);
+    }
+    void point(Vec2 at) { input_.addPoint(at, 3); }
+
+    Domain domain() const {
+        const auto arranged = arrange(input_);
+        return arranged ? arranged->domain : Domain{};
+    }
+
+  private:
+    /// Each curve begins exactly where the previous one ends.
+    void flatten(const CurveLoop &curves) {
+        nodes_ = {curves.front().point(0.0)};
+        stretches_.clear();
+        for (const Curve &curve : curves) {
+            const auto id = static_cast<std::uint32_t>(input_.curves.size());
+            input_.curves.push_back(curve);
+            double from = 0.0;
+            for (const double to : curve.flatten(tolerance_)) {
+                nodes_.push_back(curve.point(to));
+                stretches_.push_back({id, from, to});
+                from = to;
+            }
+        }
+    }
+
+    double tolerance_;
+    std::uint32_t contour_ = 0;
+    ArrangementInput input_;
+    std::vector<Vec2> nodes_;
+    std::vector<CurveStretch> stretches_;
+};
+
+/// Draws a smooth closed curve through points (Catmull-Rom tangents).
+CurveLoop blobThrough(const std::vector<Vec2> &points) {
+    CurveLoop loop;
+    const std::size_t n = points.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vec2 before = points[(i + n - 1) % n], a = points[i], b = points[(i + 1) % n],
+                   after = points[(i + 2) % n];
+        loop.push_back(Curve::cubic(a, a + (1.0 / 6.0) * (b - before), b - (1.0 / 6.0) * (after - a), b));
+    }
+    return loop;
+}
+
+CurveLoop roundedPolygon(const std::vector<Vec2> &corners, double radius) {
+    CurveLoop loop;
+    const std::size_t n = corners.size();
+    std::vector<Vec2> before(n), after(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vec2 in = corners[(i + n - 1) % n] - corners[i], out = corners[(i + 1) % n] - corners[i];
+        before[i] = corners[i] + std::min(radius / length(in), 0.4) * in;
+        after[i] = corners[i] + std::min(radius / length(out), 0.4) * out;
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        loop.push_back(Curve::quadratic(before[i], corners[i], after[i]));
+        loop.push_back(Curve::line(after[i], before[(i + 1) % n]));
+    }
+    return loop;
+}
+
+void circles(CurveDrawing &drawing, RandomSource &random) {
+    Vec2 centre{random.between(-1, 1), random.between(-1, 1)};
+    double radius = random.between(0.5, 2.0);
+    for (int depth = random.integer(1, 5); depth > 0; --depth) {
+        drawing.loop({Curve::circle(centre, polar(centre, radius, random.between(0.0, 6.28)))}, depth);
+        const double inner =
+            radius * (random.chance(0.4) ? 1.0 - random.between(1e-3, 0.02) : random.between(0.1, 0.9));
+        centre = polar(centre, 0.97 * random.unit() * (radius - inner), random.between(0.0, 6.28));
+        radius = inner;
+    }
+}
+
+void rounded(CurveDrawing &drawing, RandomSource &random) {
+    const double radius = std::pow(10.0, random.between(-3.0, -0.3));
+    drawing.loop(roundedPolygon(star(random, {0, 0}, 1.0, 0.6, 1.0, random.integer(3, 12)), radius), 1);
+    if (random.chance(0.5)) {
+        drawing.loop(roundedPolygon(star(random, {0, 0}, 0.2, 0.5, 1.0, random.integer(3, 8)), 0.5 * radius), 2);
+    }
+}
+
+void blobs(CurveDrawing &drawing, RandomSource &random) {
+    const std::vector<Vec2> points = star(random, {0, 0}, 1.0, random.between(0.3, 0.9), 1.0, random.integer(4, 20));
+    drawing.loop(blobThrough(points), 1);
+    const double scale = 1.0 - std::pow(10.0, random.between(-2.5, -0.3));
+    std::vector<Vec2> inner;
+    for (const Vec2 p : points) {
+        inner.push_back(scale * p);
+    }
+    drawing.loop(blobThrough(inner), 2);
+}
+
+void ellipses(CurveDrawing &drawing, RandomSource &random) {
+    for (int count = random.integer(1, 6); count > 0; --count) {
+        const Vec2 centre{random.between(-1, 1), random.between(-1, 1)};
+        const Vec2 u = polar({0, 0}, random.between(0.1, 1.0), random.between(0.0, 6.28));
+        const Vec2 v = random.between(0.02, 1.0) * leftNormal(u) + random.between(-0.3, 0.3) * u;
+        const double first = random.between(0.0, 6.28), half = random.chance(0.5) ? pi : -pi;
+        drawing.loop({Curve::arc(centre, u, v, first, half), Curve::arc(centre, u, v, first + half, half)}, count);
+    }
+}
+
+void crescents(CurveDrawing &drawing, RandomSource &random) {
+    for (int count = random.integer(1, 4); count > 0; --count) {
+        const Vec2 a{3.0 * count, random.between(-1, 1)}, b = a + Vec2{random.between(0.5, 2.0), random.between(-1, 1)};
+        const Vec2 normal = leftNormal(b - a);
+        const double outer = random.between(-1.5, 1.5), inner = outer + random.between(0.01, 0.4);
+        const auto bulge = [&](double height) {
+            return Curve::cubic(a, lerp(a, b, 0.2) + height * normal, lerp(a, b, 0.8) + height * normal, b);
+        };
+        drawing.loop({bulge(outer), bulge(inner).reversed()}, count);
+    }
+}
+
+void constraints(CurveDrawing &drawing, RandomSource &random) {
+    drawing.loop({Curve::circle({0, 0}, {2, 0})}, 1);
+    for (int count = random.integer(1, 4); count > 0; --count) {
+        const auto inside = [&] { return polar({0, 0}, random.between(0.0, 1.5), random.between(0.0, 6.28)); };
+        drawing.line({Curve::cubic(inside(), inside(), inside(), inside())}, 2);
+    }
+    for (int count = random.integer(0, 12); count > 0; --count) { // many close to the circle
+        drawing.point(polar({0, 0}, 2.0 - std::pow(10.0, random.between(-2.5, 0.0)), random.between(0.0, 6.28)));
+    }
+}
+
+void cusps(CurveDrawing &drawing, RandomSource &random) {
+    for (int count = random.integer(1, 3); count > 0; --count) {
+        const Vec2 a{random.between(-1, 1), random.between(-1, 1)}, b = a + Vec2{2, random.between(-0.2, 0.2)};
+        const Vec2 high{0, random.between(0.5, 2.0)};
+        CurveLoop loop;
+        switch (random.integer(0, 2)) {
+        case 0:
+            loop = {Curve::cubic(a, b + high, a + high, b)}; // a cusp or a loop
+            break;
+        case 1:
+            loop = {Curve::cubic(a, a, b + high, b)};
+            break;
+        default:
+            loop = {Curve::cubic(a, a + high, b + high, b)};
+            break;
+        }
+        loop.push_back(Curve::cubic(b, b, a - high, a));
+        drawing.loop(loop, count);
+    }
+}
+
+} // namespace
+
+const char *nameOf(CurveFamily family) {
+    constexpr const char *kNames[] = {"circles", "rounded", "blobs", "ellipses", "crescents", "constraints", "cusps"};
+    return kNames[static_cast<int>(family)];
+}
+
+Domain curvedDomain(const std::vector<CurveLoop> &loops, double tolerance) {
+    CurveDrawing drawing(tolerance);
+    for (const CurveLoop &loop : loops) {
+        drawing.loop(loop, 1);
+    }
+    return drawing.domain();
+}
+
+Domain randomCurvedDomain(CurveFamily family, std::uint64_t seed) {
+    RandomSource random(seed * kCurveFamilies + static_cast<std::uint64_t>(family));
+    CurveDrawing drawing(std::pow(10.0, random.between(-4.0, -2.5)));
+    switch (family) {
+    case CurveFamily::Circles:
+        circles(drawing, random);
+        break;
+    case CurveFamily::Rounded:
+        rounded(drawing, random);
+        break;
+    case CurveFamily::Blobs:
+        blobs(drawing, random);
+        break;
+    case CurveFamily::Ellipses:
+        ellipses(drawing, random);
+        break;
+    case CurveFamily::Crescents:
+        crescents(drawing, random);
+        break;
+    case CurveFamily::Constraints:
+        constraints(drawing, random);
+        break;
+    case CurveFamily::Cusps:
+        cusps(drawing, random);
+        break;
+    }
+    return drawing.domain();
+}
+
+Domain randomCurvedDomain(std::uint64_t seed) {
+    return randomCurvedDomain(static_cast<CurveFamily>(seed % kCurveFamilies), seed / kCurveFamilies);
+}
+
+} // namespace forefront::testing

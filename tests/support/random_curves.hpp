@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/domain/domain.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace forefront::testing {
+
+/// Families of domains with curved boundaries.
+enum class CurveFamily : std::uint8_t {
+    Circles,     ///< circles inside one another, some of them nearly touching
+    Rounded,     ///< polygons with rounded corners of any radius
+    Blobs,       ///< smooth closed Bézier curves, one inside another at a small distance
+    Ellipses,    ///< ellipses anywhere, which may cross
+    Crescents,   ///< pairs of arcs that share their ends and bend the same way
+    Constraints, ///< a circle with curved lines and points in it
+    Cusps        ///< closed cubics with cusps, loops and vanishing derivatives, which cross themselves
+};
+inline constexpr int kCurveFamilies = 7;
+const char *nameOf(CurveFamily family);
+
+/// A closed curve in parts, each beginning where the previous one ends.
+using CurveLoop = std::vector<Curve>;
+
+/// Builds the domain that the loops bound by the even-odd rule, from chords that deviate by at most `tolerance`.
+Domain curvedDomain(const std::vector<CurveLoop> &loops, double tolerance);
+
+/// A valid domain; the same for the same family and seed.
+Domain randomCurvedDomain(CurveFamily family, std::uint64_t seed);
+/// The families in turn: seed modulo kCurveFamilies.
+Domain randomCurvedDomain(std::uint64_t seed);
+
+} // namespace forefront::testing

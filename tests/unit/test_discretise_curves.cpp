@@ -1,0 +1,211 @@
+#include "core/base/ids.hpp"
+#include "core/boundary/discretise.hpp"
+#include "core/domain/curve_chains.hpp"
+#include "core/domain/validate.hpp"
+#include "core/geometry/polygon.hpp"
+#include "tests/support/discrete_checks.hpp"
+#include "tests/support/random_curves.hpp"
+#include "tests/support/random_domains.hpp"
+#include "tests/support/spacing_samples.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+using namespace forefront;
+using namespace forefront::testing;
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// Checks that the nodes between the ends of chains are those of the curve, and that edges stay near it.
+void checkOnCurves(const Domain &domain, const DiscreteDomain &discrete) {
+    REQUIRE(discrete.stretches.size() == discrete.segments.size());
+    const double size = domain.bounds().diagonal();
+    const double tolerance = domain.curveTolerance > 0.0 ? domain.curveTolerance : size / 2000.0;
+    for (std::size_t s = 0; s < discrete.segments.size(); ++s) {
+        const CurveStretch &stretch = discrete.stretches[s];
+        if (!stretch.follows()) {
+            continue;
+        }
+        const Curve &curve = discrete.curves[stretch.curve];
+        const Vec2 a = discrete.nodes[discrete.segments[s].a], b = discrete.nodes[discrete.segments[s].b];
+        const bool atEnd = std::find(domain.nodes.begin(), domain.nodes.end(), a) != domain.nodes.end();
+        REQUIRE((atEnd || a == curve.point(stretch.t0)));
+        REQUIRE(distance(a, curve.point(stretch.t0)) <= 0.01 * size); // at crossings of chords, near the curve
+        REQUIRE(distance(b, curve.point(stretch.t1)) <= 0.01 * size);
+        REQUIRE(curve.deviation(stretch.t0, stretch.t1) <= 1.001 * tolerance);
+    }
+}
+
+std::size_t countFollowing(const DiscreteDomain &discrete) {
+    return static_cast<std::size_t>(std::count_if(discrete.stretches.begin(), discrete.stretches.end(),
+                                                  [](const CurveStretch &stretch) { return stretch.follows(); }));
+}
+
+Domain circleDomain(double tolerance = 1e-3) {
+    return curvedDomain({{Curve::circle({0, 0}, {1, 0})}}, tolerance);
+}
+
+} // namespace
+
+TEST_CASE("discretise: random domains of curves stay simple, with nodes on the curves, regions and areas") {
+    std::size_t curved = 0, straightened = 0;
+    for (std::uint64_t seed = 0; seed < 420; ++seed) {
+        CAPTURE(seed);
+        const Domain domain = randomCurvedDomain(seed);
+        REQUIRE(validate(domain).empty());
+        const double size = domain.bounds().diagonal();
+        const SpacingFunction fields[] = {constantSpacing(0.3 * size), constantSpacing(0.013 * size),
+                                          spacingAround(domain.bounds().min, 1e-3 * size, 0.15),
+                                          spacingAround(domain.nodes[0], 1e-4 * size, 0.3)};
+        for (const SpacingFunction &spacing : fields) {
+            const auto discrete = discretise(domain, spacing, false);
+            REQUIRE(discrete.ok());
+            checkRegions(domain, *discrete);
+            checkAreas(*discrete);
+            checkOnCurves(domain, *discrete);
+            curved += countFollowing(*discrete);
+            straightened += discrete->segments.size() - countFollowing(*discrete);
+        }
+    }
+    CHECK(curved > 20 * straightened / 10); // straight parts of rounded polygons among them
+}
+
+TEST_CASE("discretise: a circle is divided by the spacing, whatever its chords were") {
+    for (const double tolerance : {0.02, 1e-3, 1e-5}) {
+        for (const double rho : {0.02, 0.05, 0.11}) {
+            Domain domain = circleDomain(tolerance);
+            domain.curveTolerance = 0.01;
+            const auto discrete = discretise(domain, constantSpacing(rho), false);
+            REQUIRE(discrete.ok());
+            const double ideal = 2.0 * kPi / rho;
+            CHECK(std::fabs(static_cast<double>(discrete->segments.size()) - ideal) <= 1.0);
+            const double chord = 2.0 * std::sin(kPi / static_cast<double>(discrete->segments.size()));
+            for (const DiscreteSegment &s : discrete->segments) {
+                CHECK(distance(discrete->nodes[s.a], discrete->nodes[s.b]) == doctest::Approx(chord).epsilon(1e-6));
+            }
+            CHECK(countFollowing(*discrete) == discrete->segments.size());
+        }
+    }
+}
+
+TEST_CASE("discretise: edges stay within the curve tolerance however large the spacing") {
+    for (const double tolerance : {0.1, 1e-2, 1e-3, 1e-4}) {
+        Domain domain = circleDomain();
+        domain.curveTolerance = tolerance;
+        const auto discrete = discretise(domain, constantSpacing(100.0), false);
+        REQUIRE(discrete.ok());
+        const auto n = static_cast<double>(discrete->segments.size());
+        CHECK(1.0 - std::cos(kPi / n) <= tolerance);
+        CHECK(n <= std::max(10.0, 1.3 * kPi / std::acos(1.0 - tolerance) + 1.0));
+    }
+}
+
+TEST_CASE("discretise: what lies between a coarse edge and its curve stays on its side") {
+    // A hole and constraint points closer to the circle than the sagitta of the edges that the spacing asks for.
+    Domain domain = curvedDomain({{Curve::circle({0, 0}, {1, 0})},
+                                  {Curve::circle({0.0, 0.985}, {0.003, 0.985})},
+                                  {Curve::circle({-0.7, -0.69}, {-0.702, -0.69})}},
+                                 1e-4);
+    domain.curveTolerance = 0.2;
+    domain.points.push_back({static_cast<std::uint32_t>(domain.nodes.size()), 1});
+    domain.nodes.push_back({std::cos(0.2) * 0.999, std::sin(0.2) * 0.999});
+    REQUIRE(validate(domain).empty());
+    const auto discrete = discretise(domain, constantSpacing(2.0), false);
+    REQUIRE(discrete.ok());
+    checkRegions(domain, *discrete);
+    checkAreas(*discrete);
+    CHECK(countFollowing(*discrete) == discrete->segments.size());
+    CHECK(discrete->segments.size() < 60); // only refined where something is near
+}
+
+TEST_CASE("discretise: curves that cross although their chords do not are taken as their chords there") {
+    // Two circles 1e-4 apart, of chords much coarser than that which lie beside each other.
+    const auto polygon = [](Domain &domain, double radius, std::uint32_t curve) {
+        const auto first = static_cast<std::uint32_t>(domain.nodes.size());
+        domain.curves.push_back(Curve::circle({0, 0}, {radius, 0}));
+        for (std::uint32_t i = 0; i < 12; ++i) {
+            domain.nodes.push_back(domain.curves.back().point(i / 12.0));
+            domain.segments.push_back(
+                {first + i, first + (i + 1) % 12, 1, SegmentRole::Boundary, {curve, i / 12.0, (i + 1) / 12.0}});
+        }
+    };
+    Domain domain;
+    polygon(domain, 1.0, 0);
+    polygon(domain, 0.9999, 1);
+    domain.curves[1] = Curve::arc({0, 0}, {0.9999, 0}, {0, 0.9999 + 2e-4}); // an ellipse that leaves the circle
+    for (std::uint32_t i = 0; i < 12; ++i) {
+        const double angle = i * kPi / 6.0;
+        domain.nodes[12 + i] = {0.9999 * std::cos(angle), 0.9999 * std::sin(angle)};
+    }
+    REQUIRE(validate(domain).empty());
+    for (const double rho : {1.0, 0.05, 0.004}) {
+        const auto discrete = discretise(domain, constantSpacing(rho), false);
+        REQUIRE(discrete.ok());
+        checkRegions(domain, *discrete);
+        checkAreas(*discrete);
+    }
+}
+
+TEST_CASE("discretise: a kept boundary keeps the chords and remembers their curve") {
+    const Domain domain = circleDomain();
+    const auto discrete = discretise(domain, constantSpacing(1.0), true);
+    REQUIRE(discrete.ok());
+    CHECK(discrete->nodes == domain.nodes);
+    REQUIRE(discrete->stretches.size() == domain.segments.size());
+    for (std::size_t s = 0; s < domain.segments.size(); ++s) {
+        CHECK(discrete->stretches[s] == domain.segments[s].stretch);
+    }
+}
+
+TEST_CASE("discretise: curves give the same nodes in any order and direction of the segments") {
+    for (std::uint64_t seed = 0; seed < 42; ++seed) {
+        CAPTURE(seed);
+        const Domain domain = randomCurvedDomain(seed);
+        Domain other = domain;
+        std::reverse(other.segments.begin(), other.segments.end());
+        for (std::size_t s = 0; s < other.segments.size(); s += 2) {
+            std::swap(other.segments[s].a, other.segments[s].b);
+            other.segments[s].stretch = other.segments[s].stretch.reversed();
+        }
+        const SpacingFunction spacing = spacingAround(domain.bounds().min, 0.01 * domain.bounds().diagonal(), 0.1);
+        const auto first = discretise(domain, spacing, false), second = discretise(other, spacing, false);
+        REQUIRE(first.ok());
+        REQUIRE(second.ok());
+        const auto sorted = [](std::vector<Vec2> nodes) {
+            std::sort(nodes.begin(), nodes.end(), [](Vec2 p, Vec2 q) { return p.x != q.x ? p.x < q.x : p.y < q.y; });
+            return nodes;
+        };
+        CHECK(sorted(first->nodes) == sorted(second->nodes));
+    }
+}
+
+TEST_CASE("curveChains: a chain ends where something else meets it, or the curve does not continue") {
+    Domain domain = circleDomain(1e-2);
+    const std::size_t chords = domain.segments.size();
+    CHECK(curveChains(domain).list.size() == 1);
+    CHECK(curveChains(domain).list[0].segments.size() == chords);
+    CHECK(curveChains(domain).list[0].start == curveChains(domain).list[0].end);
+
+    Domain tagged = domain;
+    tagged.segments[3].tag = 7;
+    CHECK(curveChains(tagged).list.size() == 3); // the start of the circle, too
+    Domain pointed = domain;
+    pointed.points.push_back({pointed.segments[4].b, 1});
+    CHECK(curveChains(pointed).list.size() == 2);
+    Domain moved = domain;
+    moved.nodes[moved.segments[4].b] += Vec2{1e-5, 0};
+    CHECK(curveChains(moved).list.size() == 2);
+    Domain wrong = domain;
+    wrong.segments[2].stretch = {0, 0.5, 0.9};
+    wrong.segments[5].stretch.curve = 9;
+    const CurveChains chains = curveChains(wrong);
+    CHECK(chains.ofSegment[2] == kNoIndex);
+    CHECK(chains.ofSegment[5] == kNoIndex);
+    domain.curves.clear();
+    CHECK(curveChains(domain).list.empty());
+}
