@@ -364,7 +364,7 @@ std::vector<double> Curve::flatten(double tolerance, double t0, double t1) const
         const double uu = lengthSquared(p_[1]), vv = lengthSquared(p_[2]), uv = dot(p_[1], p_[2]);
         const double longest = std::sqrt(0.5 * (uu + vv) + std::hypot(0.5 * (uu - vv), uv));
         const double turn = tolerance < longest ? 4.0 * std::asin(std::sqrt(0.5 * tolerance / longest)) : kMostTurn;
-        const double pieces = std::ceil(std::fabs((t1 - t0) * p_[3].y) / std::min(turn, kMostTurn) - 1e-9);
+        const double pieces = std::ceil(std::fabs((t1 - t0) * p_[3].y) / std::clamp(turn, 1e-9, kMostTurn) - 1e-9);
         const auto count = static_cast<std::size_t>(std::clamp(pieces, 1.0, static_cast<double>(kMaxPieces)));
         for (std::size_t i = 1; i < count; ++i) {
             result.push_back(std::lerp(t0, t1, static_cast<double>(i) / static_cast<double>(count)));

@@ -3,6 +3,7 @@
 #include "core/base/api.hpp"
 #include "core/base/ids.hpp"
 #include "core/base/vec2.hpp"
+#include "core/geometry/curve.hpp"
 
 #include <array>
 #include <cstdint>
@@ -35,6 +36,10 @@ struct Mesh {
     std::vector<std::int32_t> regions; ///< region tag per element; empty: all 1
     std::vector<TaggedEdge> edges;     ///< boundary and constraint edges
     std::vector<TaggedNode> points;    ///< constraint points
+    std::vector<Curve> curves;         ///< that edges are chords of
+    /// Per tagged edge, the part of a curve that it is a chord of; empty if the domain had no curves. Known for meshes
+    /// made here; no file format keeps it.
+    std::vector<CurveStretch> edgeStretches;
     std::map<std::int32_t, std::string> boundaryNames;
     std::map<std::int32_t, std::string> regionNames;
 

@@ -1,9 +1,14 @@
+#include "core/domain/curve_chains.hpp"
 #include "core/domain/validate.hpp"
+#include "core/geometry/polygon.hpp"
 #include "core/mesh/edge_table.hpp"
 #include "core/mesh/verify.hpp"
 #include "core/mesh/verify_discrete.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
 
 namespace forefront {
 
@@ -79,14 +84,81 @@ std::vector<NodeId> chain(const Mesh &mesh, const ChainEdges &edges, NodeId from
     return nodes;
 }
 
+/// Walks along the curve of a chain from one of its ends to the other.
+class CurveWalk {
+  public:
+    CurveWalk(const Domain &domain, const CurveChain &chain, double tolerance)
+        : domain_(domain), chain_(chain), curve_(domain.curves[chain.curve]), tolerance_(tolerance) {}
+
+    /// Returns the nodes of the mesh on the curve or its chords; empty when they do not reach the end.
+    std::vector<NodeId> nodes(const Mesh &mesh, const ChainEdges &edges, NodeId from, NodeId to) const {
+        std::vector<NodeId> nodes{from};
+        double reached = chain_.t0;
+        do {
+            NodeId best = kNoNode;
+            double bestAt = std::numeric_limits<double>::infinity();
+            for (const NodeId next : edges.at(nodes.back())) {
+                const double at = next == to ? chain_.t1 : parameter(mesh.nodes[index(next)], reached);
+                const bool back = next == to && from == to && nodes.size() < 3; // along the edge it came by
+                if (at > reached && at < bestAt && !back) {
+                    best = next;
+                    bestAt = at;
+                }
+            }
+            if (best == kNoNode) {
+                return {};
+            }
+            nodes.push_back(best);
+            reached = bestAt;
+        } while (nodes.back() != to);
+        return nodes;
+    }
+
+  private:
+    /// Returns the parameter of a place beyond another parameter, or NaN if it lies on neither curve nor chords.
+    double parameter(Vec2 p, double reached) const {
+        const double at = curve_.nearest(p, reached, chain_.t1);
+        const auto upper = [&](std::uint32_t s) {
+            return std::max(domain_.segments[s].stretch.t0, domain_.segments[s].stretch.t1);
+        };
+        const auto &segments = chain_.segments;
+        bool on = distance(curve_.point(at), p) <= tolerance_;
+        auto chord = std::partition_point(segments.begin(), segments.end(), [&](auto s) { return upper(s) < at; });
+        chord -= chord == segments.begin() ? 0 : 1;
+        for (int k = 0; k < 3 && !on && chord != segments.end(); ++k, ++chord) {
+            const DomainSegment &s = domain_.segments[*chord];
+            on = distanceToSegment(domain_.nodes[s.a], domain_.nodes[s.b], p) <= tolerance_;
+        }
+        return on ? at : std::numeric_limits<double>::quiet_NaN();
+    }
+
+    const Domain &domain_;
+    const CurveChain &chain_;
+    const Curve &curve_;
+    double tolerance_;
+};
+
 /// Returns the domain with its segments divided as the mesh divides them.
-DiscreteDomain cutAsMeshed(const Mesh &mesh, const DiscreteDomain &given, double tolerance, FaultList &faults) {
+DiscreteDomain cutAsMeshed(const Mesh &mesh, const Domain &domain, const CurveChains &chains,
+                           const DiscreteDomain &given, double tolerance, FaultList &faults) {
     DiscreteDomain cut;
     cut.nodes = mesh.nodes;
     cut.regions = given.regions;
     const NodeFinder finder(mesh);
     const ChainEdges edges(mesh);
-    for (const DiscreteSegment &s : given.segments) {
+    for (DiscreteSegment s : given.segments) {
+        const std::uint32_t number = chains.ofSegment[s.source];
+        const CurveChain *const curved = number == kNoIndex ? nullptr : &chains.list[number];
+        if (curved != nullptr) {
+            if (s.source != curved->segments.front()) {
+                continue; // the chain as a whole is taken at its first segment
+            }
+            if (domain.segments[s.source].stretch.t1 < domain.segments[s.source].stretch.t0) {
+                std::swap(s.leftRegion, s.rightRegion);
+            }
+            s.a = curved->start;
+            s.b = curved->end;
+        }
         const Vec2 a = given.nodes[s.a], b = given.nodes[s.b];
         const NodeId from = finder.find(a), to = finder.find(b);
         const std::string name = std::to_string(s.source) + " (tag " + std::to_string(s.tag) + ')';
@@ -95,7 +167,9 @@ DiscreteDomain cutAsMeshed(const Mesh &mesh, const DiscreteDomain &given, double
                        from == kNoNode ? a : b, {s.source});
             continue;
         }
-        const std::vector<NodeId> nodes = chain(mesh, edges, from, to, tolerance);
+        const std::vector<NodeId> nodes = curved != nullptr
+                                              ? CurveWalk(domain, *curved, tolerance).nodes(mesh, edges, from, to)
+                                              : chain(mesh, edges, from, to, tolerance);
         if (nodes.empty()) {
             faults.add("missing-segment", "domain segment " + name + " is not covered by edges of the mesh",
                        midpoint(a, b), {s.source});
@@ -153,12 +227,14 @@ Diagnostics verifyAgainst(const Mesh &mesh, const Domain &domain, std::size_t li
         return given.faults();
     }
     FaultList faults(limit);
-    DiscreteDomain cut = cutAsMeshed(mesh, *given, 1e-9 * domain.bounds().diagonal(), faults);
+    const CurveChains chains = curveChains(domain);
+    DiscreteDomain cut = cutAsMeshed(mesh, domain, chains, *given, 1e-9 * domain.bounds().diagonal(), faults);
     if (!faults.clean()) {
         return faults.take();
     }
     const EnclosedArea whole = enclosedArea(*given);
-    if (!(std::abs(meshArea(mesh) - whole.area) <= areaTolerance(*given, whole))) {
+    // Along curves, the edges of the mesh cut off other areas than the chords of the domain.
+    if (chains.list.empty() && !(std::abs(meshArea(mesh) - whole.area) <= areaTolerance(*given, whole))) {
         faults.add("area",
                    "the area of the mesh is " + std::to_string(meshArea(mesh)) + " instead of " +
                        std::to_string(whole.area),

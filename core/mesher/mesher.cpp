@@ -148,6 +148,13 @@ void addTags(Mesh &mesh, const DiscreteDomain &boundary, const std::vector<std::
         const bool reversed = s.leftRegion == kOutside;
         mesh.edges.push_back({NodeId{reversed ? s.b : s.a}, NodeId{reversed ? s.a : s.b}, s.tag});
     }
+    mesh.curves = boundary.curves;
+    mesh.edgeStretches = boundary.stretches;
+    for (std::size_t i = 0; i < mesh.edgeStretches.size(); ++i) {
+        if (boundary.segments[i].leftRegion == kOutside) {
+            mesh.edgeStretches[i] = mesh.edgeStretches[i].reversed();
+        }
+    }
     for (const ConstraintPoint &point : boundary.points) {
         mesh.points.push_back({NodeId{point.node}, point.tag});
     }

@@ -1,6 +1,7 @@
 #include "core/spacing/part_list.hpp"
 
 #include "core/spacing/parts/automatic/boundary_spacing.hpp"
+#include "core/spacing/parts/curvature/curvature_sites.hpp"
 #include "core/spacing/parts/sources/source_sites.hpp"
 #include "core/spacing/spec/spec_check.hpp"
 
@@ -79,6 +80,12 @@ Diagnostics addBoundary(const PartInput &input, FieldParts &parts) {
     return {};
 }
 
+Diagnostics addBends(const PartInput &input, FieldParts &parts) {
+    addCurvatureSites(input.domain, curveChains(input.domain), *input.spec.segmentsPerTurn, input.minimum,
+                      input.gradation, SpacingOrigin::Boundary, parts.few);
+    return {};
+}
+
 Diagnostics addRegions(const PartInput &input, FieldParts &parts) {
     for (const RegionMarker &marker : input.domain.regionMarkers) {
         parts.words.regions.push_back(regionName(input.domain.regionNames, marker.tag));
@@ -109,6 +116,14 @@ constexpr auto kKinds = std::to_array<SpacingPartKind>({
      [](const SpacingSpec &a, const SpacingSpec &b) { return a.sources == b.sources; }, addSources},
     {"fromBoundary", true, [](const SpacingSpec &spec, const Domain &) { return spec.fromBoundary; }, neverFaulty,
      [](const SpacingSpec &a, const SpacingSpec &b) { return a.fromBoundary == b.fromBoundary; }, addBoundary},
+    {"segmentsPerTurn", false,
+     [](const SpacingSpec &spec, const Domain &domain) {
+         return spec.segmentsPerTurn.value_or(0.0) > 0.0 && !domain.curves.empty();
+     },
+     [](const SpacingSpec &spec, const Domain &, Diagnostics &faults) {
+         checkSegmentsPerTurn(spec.segmentsPerTurn, faults);
+     },
+     [](const SpacingSpec &a, const SpacingSpec &b) { return a.segmentsPerTurn == b.segmentsPerTurn; }, addBends},
     {"", false,
      [](const SpacingSpec &, const Domain &domain) {
          return std::any_of(domain.regionMarkers.begin(), domain.regionMarkers.end(),

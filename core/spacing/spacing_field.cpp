@@ -5,6 +5,7 @@
 #include "core/spacing/part_list.hpp"
 #include "core/spacing/parts/automatic/automatic.hpp"
 #include "core/spacing/parts/automatic/boundary_spacing.hpp"
+#include "core/spacing/parts/curvature/curvature_sites.hpp"
 
 #include <limits>
 
@@ -67,8 +68,8 @@ class FieldBuilder {
         }
     }
     void addAutomatic() {
-        AutomaticSpacing automatic =
-            automaticSpacing(input_.domain, input_.box, input_.minimum, input_.gradation, input_.progress);
+        AutomaticSpacing automatic = automaticSpacing(input_.domain, input_.box, input_.minimum, input_.gradation,
+                                                      spec_.segmentsPerTurn ? 0.0 : kSegmentsPerTurn, input_.progress);
         auto &background = parts_.point<FilledBackground>();
         if (!background) {
             parts_.lowerCap(automatic.maximum, SpacingOrigin::Automatic);

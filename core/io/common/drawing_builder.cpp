@@ -41,20 +41,29 @@ std::uint32_t DrawingBuilder::addContour(std::uint32_t shape, FillRule rule, boo
     return input_.addContour(shape, rule, hole);
 }
 
-void DrawingBuilder::addRing(std::uint32_t contour, std::span<const Vec2> nodes, std::int32_t tag) {
+void DrawingBuilder::addCurves(std::span<const Curve> curves, std::span<CurveStretch> stretches) {
+    const auto first = static_cast<std::uint32_t>(input_.curves.size());
+    input_.curves.insert(input_.curves.end(), curves.begin(), curves.end());
+    for (CurveStretch &stretch : stretches) {
+        stretch.curve += stretch.follows() ? first : 0;
+    }
+}
+
+void DrawingBuilder::addRing(std::uint32_t contour, std::span<const Vec2> nodes, std::int32_t tag,
+                             std::span<const CurveStretch> stretches) {
+    input_.addRing(contour, nodes, tag, stretches);
     for (std::size_t k = 0; k < nodes.size(); ++k) {
         const std::size_t next = (k + 1) % nodes.size();
         if (nodes[k] != nodes[next]) {
-            input_.pieces.push_back({nodes[k], nodes[next], contour, tag, PieceRole::Outline});
             places_.insert(places_.end(), {offset(k), offset(next)});
         }
     }
 }
 
-void DrawingBuilder::addChain(std::span<const Vec2> nodes, std::int32_t tag) {
+void DrawingBuilder::addChain(std::span<const Vec2> nodes, std::int32_t tag, std::span<const CurveStretch> stretches) {
+    input_.addChain(nodes, tag, stretches);
     for (std::size_t k = 1; k < nodes.size(); ++k) {
         if (nodes[k - 1] != nodes[k]) {
-            input_.pieces.push_back({nodes[k - 1], nodes[k], 0, tag, PieceRole::Constraint});
             places_.insert(places_.end(), {offset(k - 1), offset(k)});
         }
     }
@@ -123,10 +132,12 @@ Result<Arrangement> DrawingBuilder::arrangeLines() {
 ArrangementInput DrawingBuilder::bounded(const Arrangement &lines) const {
     ArrangementInput outlines;
     const Domain &domain = lines.domain;
+    outlines.curves = domain.curves;
     const std::uint32_t contour = outlines.addContour(outlines.addShape(outlines.addFeature(1)), FillRule::EvenOdd);
     for (const DomainSegment &segment : domain.segments) {
         outlines.pieces.push_back({domain.nodes[segment.a], domain.nodes[segment.b], contour, segment.tag,
-                                   segment.role == SegmentRole::Boundary ? PieceRole::Outline : PieceRole::Constraint});
+                                   segment.role == SegmentRole::Boundary ? PieceRole::Outline : PieceRole::Constraint,
+                                   segment.stretch});
     }
     for (const ConstraintPoint &point : domain.points) {
         outlines.addPoint(domain.nodes[point.node], point.tag);

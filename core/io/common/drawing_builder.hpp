@@ -21,10 +21,14 @@ class DrawingBuilder {
     std::uint32_t addFeature(std::int32_t regionTag, std::string name = {});
     std::uint32_t addShape(std::uint32_t feature) { return input_.addShape(feature); }
     std::uint32_t addContour(std::uint32_t shape, FillRule rule, bool hole = false);
-    /// Adds a closed loop to a contour, its first node not repeated.
-    void addRing(std::uint32_t contour, std::span<const Vec2> nodes, std::int32_t tag);
+    /// Adds curves and renumbers the stretches that refer to them.
+    void addCurves(std::span<const Curve> curves, std::span<CurveStretch> stretches);
+    /// Adds a closed loop to a contour, its first node not repeated. The stretches, if given, are the parts of curves
+    /// that the segments from each node on are chords of; the last ones may be missing.
+    void addRing(std::uint32_t contour, std::span<const Vec2> nodes, std::int32_t tag,
+                 std::span<const CurveStretch> stretches = {});
     /// Adds a line; where it lies on an outline, that takes the tag of the line.
-    void addChain(std::span<const Vec2> nodes, std::int32_t tag);
+    void addChain(std::span<const Vec2> nodes, std::int32_t tag, std::span<const CurveStretch> stretches = {});
     void addPoint(Vec2 at, std::int32_t tag);
     /// Puts region markers into the domain; without them all elements have the tag 1.
     void markRegions() { input_.markRegions = true; }

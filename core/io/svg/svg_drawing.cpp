@@ -394,6 +394,11 @@ class SvgDrawer {
                 return;
             }
         }
+        for (Curve &curve : subpath.curves) {
+            curve = curve.mapped(visit.map);
+        }
+        path.curves = std::move(subpath.curves);
+        path.stretches = std::move(subpath.stretches);
         nodeCount_ += path.nodes.size();
         if (nodeCount_ > kSpareNodes + kNodesPerByte * source_.text.size()) {
             fail(visit.node, "", 0, "too-large", "the curves need too many nodes", "give a larger tolerance");

@@ -2,6 +2,7 @@
 
 #include "core/base/result.hpp"
 #include "core/base/vec2.hpp"
+#include "core/geometry/curve.hpp"
 #include "core/io/source/source.hpp"
 #include "core/io/svg/svg_paint.hpp"
 
@@ -11,9 +12,11 @@
 
 namespace forefront {
 
-/// A polyline of a drawing in the coordinates of the domain.
+/// A polyline of a drawing in the coordinates of the domain, with the curves that it is drawn along.
 struct SvgPath {
     std::vector<Vec2> nodes;
+    std::vector<Curve> curves;
+    std::vector<CurveStretch> stretches; ///< per segment between consecutive nodes
     bool closed = false;
     bool isLine = false; ///< of a <line> or <polyline>
     SvgPaint paint;

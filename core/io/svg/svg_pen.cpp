@@ -5,58 +5,81 @@
 
 namespace forefront {
 
-std::vector<Vec2> &SvgPen::nodes() {
+SvgSubpath &SvgPen::subpath() {
     if (subpaths_.empty() || closedLast_) {
-        subpaths_.push_back({{at_}, false});
+        subpaths_.push_back({{at_}, {}, {}, false});
         start_ = at_;
         closedLast_ = false;
     }
-    return subpaths_.back().nodes;
+    return subpaths_.back();
 }
 
 void SvgPen::moveTo(Vec2 p) {
     at_ = start_ = p;
     closedLast_ = false;
-    subpaths_.push_back({{p}, false});
+    subpaths_.push_back({{p}, {}, {}, false});
+}
+
+void SvgPen::straightTo(Vec2 p) {
+    SvgSubpath &line = subpath();
+    line.nodes.push_back(p);
+    line.stretches.emplace_back();
+    at_ = p;
+}
+
+/// Flattens a curve that ends in p up to rounding.
+void SvgPen::curveTo(const Curve &curve, Vec2 p) {
+    if (!curve.finite() || curve.kind() == CurveKind::Line) {
+        straightTo(p);
+        return;
+    }
+    SvgSubpath &line = subpath();
+    const auto id = static_cast<std::uint32_t>(line.curves.size());
+    line.curves.push_back(curve);
+    double from = 0.0;
+    for (const double to : curve.flatten(*tolerance_)) {
+        line.nodes.push_back(to == 1.0 ? p : curve.point(to));
+        line.stretches.push_back({id, from, to});
+        from = to;
+    }
+    at_ = p;
 }
 
 void SvgPen::lineTo(Vec2 p) {
-    nodes().push_back(p);
-    at_ = p;
+    straightTo(p);
 }
 
 void SvgPen::quadraticTo(Vec2 control, Vec2 p) {
-    std::vector<Vec2> &line = nodes();
     if (tolerance_) {
-        flattenQuadratic(at_, control, p, *tolerance_, line);
-    } else {
-        line.insert(line.end(), {control, p});
+        curveTo(Curve::quadratic(at_, control, p), p);
+        return;
     }
-    at_ = p;
+    straightTo(control);
+    straightTo(p);
 }
 
 void SvgPen::cubicTo(Vec2 control1, Vec2 control2, Vec2 p) {
-    std::vector<Vec2> &line = nodes();
     if (tolerance_) {
-        flattenCubic(at_, control1, control2, p, *tolerance_, line);
-    } else {
-        line.insert(line.end(), {control1, control2, p});
+        curveTo(Curve::cubic(at_, control1, control2, p), p);
+        return;
     }
-    at_ = p;
+    straightTo(control1);
+    straightTo(control2);
+    straightTo(p);
 }
 
 void SvgPen::arcTo(const EllipticalArc &arc, Vec2 p) {
-    std::vector<Vec2> &line = nodes();
     if (tolerance_) {
-        flattenArc(at_, arc, p, *tolerance_, line);
-    } else {
-        if (arc.largeArc) {
-            const double reach = 2.0 * std::max(std::fabs(arc.radiusX), std::fabs(arc.radiusY));
-            line.insert(line.end(), {at_ + Vec2{reach, reach}, at_ - Vec2{reach, reach}});
-        }
-        line.push_back(p);
+        curveTo(curveOf(at_, arc, p), p);
+        return;
     }
-    at_ = p;
+    if (arc.largeArc) {
+        const double reach = 2.0 * std::max(std::fabs(arc.radiusX), std::fabs(arc.radiusY));
+        const Vec2 from = at_;
+        straightTo(from + Vec2{reach, reach});
+        straightTo(from - Vec2{reach, reach});
+    }
+    straightTo(p);
 }
 
 void SvgPen::close() {
@@ -68,12 +91,14 @@ void SvgPen::close() {
 }
 
 void SvgPen::ellipse(Vec2 centre, double radiusX, double radiusY) {
-    const EllipticalArc quarter{radiusX, radiusY, 0.0, false, true};
-    moveTo(centre + Vec2{radiusX, 0.0});
-    arcTo(quarter, centre + Vec2{0.0, radiusY});
-    arcTo(quarter, centre - Vec2{radiusX, 0.0});
-    arcTo(quarter, centre - Vec2{0.0, radiusY});
-    arcTo(quarter, centre + Vec2{radiusX, 0.0});
+    const Vec2 start = centre + Vec2{radiusX, 0.0};
+    moveTo(start);
+    if (tolerance_) {
+        curveTo(Curve::arc(centre, {radiusX, 0.0}, {0.0, radiusY}), start);
+    } else {
+        straightTo(centre + Vec2{-radiusX, radiusY});
+        straightTo(centre + Vec2{radiusX, -radiusY});
+    }
     close();
 }
 

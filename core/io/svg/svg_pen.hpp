@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/vec2.hpp"
-#include "core/geometry/curves.hpp"
+#include "core/geometry/elliptical_arc.hpp"
 
 #include <optional>
 #include <string>
@@ -10,14 +10,16 @@
 
 namespace forefront {
 
-/// A polyline drawn by the pen, in the coordinates of its element.
+/// A polyline drawn by the pen, in the coordinates of its element, with the curves that it is drawn along.
 struct SvgSubpath {
     std::vector<Vec2> nodes;
+    std::vector<Curve> curves;
+    std::vector<CurveStretch> stretches; ///< per segment between consecutive nodes
     bool closed = false;
 };
 
-/// Turns path data and basic shapes into polylines. In a first pass, which only measures the drawing, curves are
-/// replaced by points that bound them.
+/// Turns path data and basic shapes into polylines along exact curves. In a first pass, which only measures the
+/// drawing, curves are replaced by points that bound them.
 class SvgPen {
   public:
     /// `tolerance` in the element's units; nothing: measure only.
@@ -38,7 +40,9 @@ class SvgPen {
     std::vector<SvgSubpath> take() { return std::move(subpaths_); }
 
   private:
-    std::vector<Vec2> &nodes();
+    SvgSubpath &subpath();
+    void straightTo(Vec2 p);
+    void curveTo(const Curve &curve, Vec2 p);
 
     std::optional<double> tolerance_;
     std::vector<SvgSubpath> subpaths_;

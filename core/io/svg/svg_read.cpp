@@ -19,6 +19,8 @@ void joinEnds(SvgPath &path, double tolerance) {
     while (nodes.size() > 1 && distance(nodes.front(), nodes.back()) <= tolerance) {
         path.closed = path.closed || nodes.size() > 3;
         nodes.pop_back();
+        // The segment to the node that is gone now leads to the first one.
+        path.stretches.resize(std::min(path.stretches.size(), nodes.size()));
     }
 }
 
@@ -37,18 +39,19 @@ class SvgBuilder {
 
     Result<Domain> run() {
         const std::uint32_t feature = builder_.addFeature(1);
-        for (const SvgPath &path : paths_) {
+        for (SvgPath &path : paths_) {
             const std::int32_t tag = path.nodes.size() < 2 ? 0 : tags_.of(path.name);
             builder_.from({path.offset});
+            builder_.addCurves(path.curves, path.stretches);
             switch (partOf(path)) {
             case Part::Painted:
                 if (painted_ != path.element) {
                     painted_ = path.element;
                     contour_ = builder_.addContour(builder_.addShape(feature), path.paint.rule);
                 }
-                builder_.addRing(contour_, path.nodes, tag);
+                builder_.addRing(contour_, path.nodes, tag, path.stretches);
                 if (path.paint.stroked && !path.closed) {
-                    builder_.addChain(path.nodes, tag);
+                    builder_.addChain(path.nodes, tag, path.stretches);
                 }
                 break;
             case Part::Outline:
@@ -56,7 +59,7 @@ class SvgBuilder {
                     painted_ = path.element;
                     contour_ = builder_.addContour(builder_.addShape(feature), FillRule::EvenOdd);
                 }
-                builder_.addRing(contour_, path.nodes, tag);
+                builder_.addRing(contour_, path.nodes, tag, path.stretches);
                 break;
             case Part::Line:
                 addLine(path, tag);
@@ -68,6 +71,7 @@ class SvgBuilder {
         Result<Domain> domain = builder_.finish();
         if (domain) {
             domain->boundaryNames = tags_.names();
+            domain->curveTolerance = source_.options.curveTolerance;
         }
         return domain;
     }
@@ -106,7 +110,7 @@ class SvgBuilder {
         if (path.closed && nodes.size() > 2) {
             nodes.push_back(nodes.front());
         }
-        builder_.addChain(nodes, tag);
+        builder_.addChain(nodes, tag, path.stretches);
     }
 
     const SourceText &source_;

@@ -30,6 +30,8 @@ std::string describe(const SiteLabel &label, const SiteWords &words) {
     }
     case SiteReason::SegmentLength:
         return "length of boundary segment " + number;
+    case SiteReason::Bend:
+        return "bend of the curve at boundary segment " + number;
     case SiteReason::Channel:
         return "narrow channel at boundary segment " + number;
     case SiteReason::Corner:

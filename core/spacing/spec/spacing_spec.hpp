@@ -65,15 +65,18 @@ struct BackgroundMesh {
 ///
 /// The given parts, and the maximum areas of the domain's region markers, are combined by minimum, clamped to [minimum,
 /// maximum], then limited so that |∇ρ| <= gradation. Where nothing covers the whole domain (no size, expression, source
-/// or boundary lengths), automatic spacing applies: from boundary lengths, narrow places and domain size, graded. It is
-/// combined by minimum with paint and region areas, and fills in outside a background mesh.
+/// or boundary lengths), automatic spacing applies: from boundary lengths, bends, narrow places and domain size,
+/// graded. It is combined by minimum with paint and region areas, and fills in outside a background mesh.
 struct SpacingSpec {
     std::optional<double> size;            ///< constant spacing, > 0
     std::optional<std::string> expression; ///< formula in x and y, for example "max(0.1, 0.2*sqrt(x*x+y*y))"
     std::vector<SizeSource> sources;
     PaintedSpacing paint;
     std::shared_ptr<const BackgroundMesh> background;
-    bool fromBoundary = false;     ///< the given lengths of boundary segments act as sources
+    bool fromBoundary = false; ///< the given lengths of boundary segments act as sources
+    /// Edges per full turn of curved boundaries, >= 0; 0: the bend does not count. Absent: 40 where the spacing is
+    /// automatic, 0 elsewhere.
+    std::optional<double> segmentsPerTurn;
     std::optional<double> minimum; ///< > 0
     std::optional<double> maximum; ///< > 0
     /// Maximum |∇ρ|, > 0; absent: 0.25 for painted, boundary, region and automatic parts, no limit for the others. The

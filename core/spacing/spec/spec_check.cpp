@@ -29,6 +29,15 @@ void checkSize(const std::optional<double> &value, const std::string &name, Diag
     }
 }
 
+void checkSegmentsPerTurn(const std::optional<double> &value, Diagnostics &faults) {
+    if (value && !isNotNegative(*value)) {
+        faults.push_back(error("bad-size",
+                               "invalid number of segments per turn " + text(*value) + "; expected 0 or more",
+                               "enter a number such as 40, or 0 to ignore the bend of curves")
+                             .front());
+    }
+}
+
 void checkSource(const SizeSource &source, std::uint32_t index, Diagnostics &faults) {
     const auto fault = [&](const std::string &what, const char *expected) {
         Diagnostic diagnostic;

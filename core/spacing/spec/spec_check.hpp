@@ -22,6 +22,9 @@ void checkSources(std::span<const SizeSource> sources, Diagnostics &faults);
 /// Faults: bad-region-area, with the marker as part.
 void checkRegionAreas(std::span<const RegionMarker> markers, Diagnostics &faults);
 
+/// Faults: bad-size unless the number is absent, or finite and >= 0.
+void checkSegmentsPerTurn(const std::optional<double> &value, Diagnostics &faults);
+
 /// Checks minimum, maximum and gradation. Faults: bad-size.
 void checkLimits(const SpacingSpec &spec, Diagnostics &faults);
 

@@ -1,6 +1,9 @@
 #include "core/spacing/parts/automatic/automatic.hpp"
 
 #include "core/spacing/parts/automatic/gap_finder.hpp"
+#include "core/spacing/parts/curvature/curvature_sites.hpp"
+
+#include <utility>
 
 namespace forefront {
 namespace {
@@ -55,20 +58,28 @@ std::vector<PlacedSegment> thingsOf(const Domain &domain) {
 } // namespace
 
 AutomaticSpacing automaticSpacing(const Domain &domain, const Box2 &box, double minimum, double gradation,
-                                  const Progress &progress) {
+                                  double segmentsPerTurn, const Progress &progress) {
     AutomaticSpacing automatic;
     automatic.maximum = box.diagonal() / kAcross;
     const auto add = [&](const SizeSite &site, SiteReason reason, std::uint32_t index) {
         automatic.sites.add(limited(site, minimum, gradation), {SpacingOrigin::Automatic, reason, index});
     };
+    const CurveChains chains = curveChains(domain);
     std::vector<PlacedSegment> segments = placedSegments(domain);
+    takeCurvesWhole(domain, chains, segments);
     dropDominated(domain, gradation, segments);
     for (const PlacedSegment &segment : segments) {
-        if (const double length = segment.length(); length < automatic.maximum) {
+        if (const double length = segment.whole; length < automatic.maximum) {
             add(SizeSite::segment(segment.a, segment.b, length, gradation), SiteReason::SegmentLength, segment.index);
         }
     }
-    const SegmentIndex things(thingsOf(domain));
+    if (segmentsPerTurn > 0.0) {
+        addCurvatureSites(domain, chains, segmentsPerTurn, minimum, gradation, SpacingOrigin::Automatic,
+                          automatic.sites);
+    }
+    std::vector<PlacedSegment> placed = thingsOf(domain);
+    takeCurvesWhole(domain, chains, placed);
+    const SegmentIndex things(std::move(placed));
     const GapFinder finder(domain, things, automatic.maximum, kFinestGap * box.diagonal(), progress);
     const std::vector<Gap> gaps = finder.find();
     const double budget = kGapElements + kGapElementsEach * static_cast<double>(domain.segments.size());
@@ -76,8 +87,7 @@ AutomaticSpacing automaticSpacing(const Domain &domain, const Box2 &box, double 
     for (const Gap &gap : gaps) {
         const double size = std::max(gap.width / kAcrossGap, floor);
         const double length = distance(gap.a, gap.b);
-        const auto &ends = domain.segments[gap.segment];
-        const double own = std::min(automatic.maximum, distance(domain.nodes[ends.a], domain.nodes[ends.b]));
+        const double own = std::min(automatic.maximum, gap.whole);
         if (size < 0.95 * own && length > 0.0) {
             add(SizeSite::segment(gap.a, gap.b, size, gradation), gap.corner ? SiteReason::Corner : SiteReason::Channel,
                 gap.segment);

@@ -12,8 +12,9 @@ struct AutomaticSpacing {
     SiteSet sites;
 };
 
-/// Chooses a graded spacing that keeps short segments whole and makes the domain about 45 elements across.
+/// Chooses a graded spacing that keeps short segments and curves whole, makes the domain about 45 elements across, and
+/// gives curves `segmentsPerTurn` edges a turn (0: as many as the rest asks for).
 AutomaticSpacing automaticSpacing(const Domain &domain, const Box2 &box, double minimum, double gradation,
-                                  const Progress &progress = {});
+                                  double segmentsPerTurn, const Progress &progress = {});
 
 } // namespace forefront

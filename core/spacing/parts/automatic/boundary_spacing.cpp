@@ -1,5 +1,9 @@
 #include "core/spacing/parts/automatic/boundary_spacing.hpp"
 
+#include "core/base/ids.hpp"
+
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace forefront {
@@ -16,13 +20,28 @@ std::vector<PlacedSegment> placedSegments(const Domain &domain) {
         if (segment.a >= domain.nodes.size() || segment.b >= domain.nodes.size()) {
             continue;
         }
-        const PlacedSegment candidate{domain.nodes[segment.a], domain.nodes[segment.b], static_cast<std::uint32_t>(i)};
-        const double length = candidate.length();
-        if (isUsable(candidate.a) && isUsable(candidate.b) && length > 0.0) {
+        PlacedSegment candidate{domain.nodes[segment.a], domain.nodes[segment.b], static_cast<std::uint32_t>(i)};
+        candidate.whole = candidate.length();
+        if (isUsable(candidate.a) && isUsable(candidate.b) && candidate.whole > 0.0) {
             placed.push_back(candidate);
         }
     }
     return placed;
+}
+
+void takeCurvesWhole(const Domain &domain, const CurveChains &chains, std::vector<PlacedSegment> &segments) {
+    if (chains.list.empty()) {
+        return;
+    }
+    std::vector<double> lengths;
+    for (const CurveChain &chain : chains.list) {
+        lengths.push_back(domain.curves[chain.curve].length(chain.t0, chain.t1));
+    }
+    for (PlacedSegment &segment : segments) {
+        if (segment.index < chains.ofSegment.size() && chains.ofSegment[segment.index] != kNoIndex) {
+            segment.whole = std::max(segment.whole, lengths[chains.ofSegment[segment.index]]);
+        }
+    }
 }
 
 Box2 spacingBox(const Domain &domain) {
@@ -46,11 +65,11 @@ void dropDominated(const Domain &domain, double gradation, std::vector<PlacedSeg
     const auto ends = [&](const PlacedSegment &segment) { return domain.segments[segment.index]; };
     for (const PlacedSegment &segment : segments) {
         for (const std::uint32_t node : {ends(segment).a, ends(segment).b}) {
-            shortest[node] = std::min(shortest[node], segment.length());
+            shortest[node] = std::min(shortest[node], segment.whole);
         }
     }
     std::erase_if(segments, [&](const PlacedSegment &segment) {
-        const double length = segment.length();
+        const double length = segment.whole;
         const auto neighbour = [&](std::uint32_t node) {
             return shortest[node] < length ? shortest[node] : std::numeric_limits<double>::infinity();
         };

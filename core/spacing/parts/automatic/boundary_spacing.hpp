@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/domain/domain.hpp"
+#include "core/domain/curve_chains.hpp"
 #include "core/spacing/sites/site_set.hpp"
 
 namespace forefront {
@@ -10,6 +10,7 @@ struct PlacedSegment {
     Vec2 a;
     Vec2 b;
     std::uint32_t index = 0; ///< into Domain::segments
+    double whole = 0.0;      ///< its length, or that of the curve that it is one of the chords of
     double length() const { return distance(a, b); }
 };
 
@@ -18,6 +19,9 @@ bool isUsable(Vec2 p);
 
 /// Returns the segments with valid, usable, distinct ends of a domain that need not be validated.
 std::vector<PlacedSegment> placedSegments(const Domain &domain);
+
+/// Sets the whole length of the segments that are chords of a curve: how finely it was flattened must not count.
+void takeCurvesWhole(const Domain &domain, const CurveChains &chains, std::vector<PlacedSegment> &segments);
 
 /// Returns the box of the domain's usable nodes: the unit square if there are none, widened if it has no extent.
 Box2 spacingBox(const Domain &domain);

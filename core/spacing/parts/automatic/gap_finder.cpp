@@ -144,7 +144,12 @@ void GapFinder::divide(std::uint32_t position, double from, double to, double re
         const double atA = facing(position, a, a, 2.0 * reach, sides).width;
         const double atB = facing(position, b, b, 2.0 * reach, sides).width;
         const double narrowest = std::min(nearest.width, std::min(atA, atB));
-        if (nearest.tip || (length(b - a) > narrowest && std::max(atA, atB) > 2.0 * narrowest)) {
+        // A side between two rounded or cut corners is narrow at both ends alone.
+        const auto varies = [&] {
+            return std::max(atA, atB) > 2.0 * narrowest ||
+                   facing(position, midpoint(a, b), midpoint(a, b), 2.0 * reach, sides).width > 2.0 * narrowest;
+        };
+        if (nearest.tip || (length(b - a) > narrowest && varies())) {
             const double middle = 0.5 * (from + to);
             divide(position, from, middle, reach, sides, gaps);
             divide(position, middle, to, reach, sides, gaps);
@@ -152,8 +157,8 @@ void GapFinder::divide(std::uint32_t position, double from, double to, double re
         }
     }
     if (!wide) {
-        gaps.push_back({a, b, std::max(nearest.width, nearest.corner ? 2.0 * kCornerFloor * reach : 0.0), own.index,
-                        nearest.corner});
+        gaps.push_back({a, b, own.whole, std::max(nearest.width, nearest.corner ? 2.0 * kCornerFloor * reach : 0.0),
+                        own.index, nearest.corner});
     }
 }
 
@@ -164,7 +169,7 @@ std::vector<Gap> GapFinder::find() const {
         if (isPoint(segment)) {
             continue;
         }
-        const double reach = std::min(longest_, segment.length());
+        const double reach = std::min(longest_, segment.whole);
         // Most segments are far from everything, so the sides are computed only if something is near.
         const Facing any = facing(i, segment.a, segment.b, 2.0 * reach, {true, true});
         if (any.width == kNothing && !any.tip) {

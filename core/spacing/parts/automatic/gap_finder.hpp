@@ -22,6 +22,7 @@ struct SegmentIndex {
 struct Gap {
     Vec2 a;
     Vec2 b;
+    double whole = 0.0;        ///< length of the segment or curve that the stretch belongs to
     double width = 0.0;        ///< minimum distance across the domain to what faces the stretch
     std::uint32_t segment = 0; ///< index into Domain::segments
     bool corner = false;       ///< the facing segment is a neighbour at a sharp corner

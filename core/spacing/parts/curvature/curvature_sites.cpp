@@ -1,0 +1,78 @@
+#include "core/spacing/parts/curvature/curvature_sites.hpp"
+
+#include "core/domain/domain_graph.hpp"
+#include "core/geometry/polygon.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace forefront {
+namespace {
+
+constexpr double kVisible = 1.0 / 5000.0; ///< distance from a curve that counts, as a part of the diagonal
+constexpr double kAreaError = 0.002;      ///< part of the area that all edges together may cut off
+constexpr double kCorner = 3.0;           ///< bends with a smaller radius, in visible distances, are corners
+
+/// Returns the area inside, from the chords; nothing where segments cross.
+std::optional<double> areaInside(const Domain &domain) {
+    const DomainGraph graph = graphOf(domain);
+    const PlaneSweepResult sweep = sweepPlane(graph.points, graph.edges);
+    if (sweep.droppedCount != 0) {
+        return std::nullopt;
+    }
+    const Faces faces = findFaces(graph.points, graph.edges, sweep);
+    const FaceLabels labels = labelFaces(domain, graph, faces);
+    const Vec2 origin = domain.bounds().centre();
+    CompensatedSum twice;
+    for (std::size_t e = 0; e < graph.edges.size(); ++e) {
+        const bool left = labels.inside[faces.left[e]] != 0, right = labels.inside[faces.right[e]] != 0;
+        if (left != right) {
+            const Vec2 a = graph.points[graph.edges[e].a] - origin, b = graph.points[graph.edges[e].b] - origin;
+            twice.add(left ? cross(a, b) : cross(b, a));
+        }
+    }
+    return 0.5 * twice.value();
+}
+
+/// Returns the distance between edges and curves that does not count. An edge of length c cuts off c³κ/12; with
+/// c² = 8 δ / κ that is 2δ/3 for each unit of length.
+double invisibleDistance(const Domain &domain, const CurveChains &chains) {
+    double along = 0.0;
+    for (const CurveChain &chain : chains.list) {
+        along += domain.curves[chain.curve].length(chain.t0, chain.t1);
+    }
+    const double distance = kVisible * domain.bounds().diagonal();
+    const std::optional<double> area = areaInside(domain);
+    return area && *area > 0.0 ? std::min(distance, 1.5 * kAreaError * *area / along) : distance;
+}
+
+} // namespace
+
+void addCurvatureSites(const Domain &domain, const CurveChains &chains, double segmentsPerTurn, double minimum,
+                       double gradation, SpacingOrigin origin, SiteSet &sites) {
+    if (chains.list.empty()) {
+        return;
+    }
+    const double invisible = invisibleDistance(domain, chains);
+    for (const CurveChain &chain : chains.list) {
+        const Curve &curve = domain.curves[chain.curve];
+        for (const std::uint32_t s : chain.segments) {
+            const DomainSegment &segment = domain.segments[s];
+            // The mean curvature along the chord: at a point it may be infinite.
+            const double turning = curve.turning(segment.stretch.t0, segment.stretch.t1);
+            const double radius = curve.length(segment.stretch.t0, segment.stretch.t1) / turning;
+            if (!(radius > kCorner * invisible) || !std::isfinite(radius)) {
+                continue;
+            }
+            const double size =
+                std::max(2.0 * std::numbers::pi * radius / segmentsPerTurn, std::sqrt(8.0 * invisible * radius));
+            const Vec2 a = domain.nodes[segment.a], b = domain.nodes[segment.b];
+            sites.add(limited(SizeSite::segment(a, b, size, gradation), minimum, gradation),
+                      {origin, SiteReason::Bend, s});
+        }
+    }
+}
+
+} // namespace forefront

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/domain/curve_chains.hpp"
+#include "core/spacing/sites/site_set.hpp"
+
+namespace forefront {
+
+/// Edges per full turn of a curved boundary where the spacing is automatic: the polygon of a circle then covers 99.6 %
+/// of its area.
+inline constexpr double kSegmentsPerTurn = 40.0;
+
+/// The curvature rule: spacing of 2π / (n κ) along curves of the curvature κ, growing by `gradation`.
+///
+/// Where that would be needlessly fine, the spacing is such that edges leave at most a small fraction of the diagonal
+/// between them and the curve, and all curves together at most a small part of the area. Bends that this makes
+/// invisible, such as a corner rounded by a hair, count as corners.
+void addCurvatureSites(const Domain &domain, const CurveChains &chains, double segmentsPerTurn, double minimum,
+                       double gradation, SpacingOrigin origin, SiteSet &sites);
+
+} // namespace forefront
