@@ -34,12 +34,20 @@ void takeCurvesWhole(const Domain &domain, const CurveChains &chains, std::vecto
         return;
     }
     std::vector<double> lengths;
+    std::vector<std::uint8_t> isEnd(domain.nodes.size(), 0);
     for (const CurveChain &chain : chains.list) {
         lengths.push_back(domain.curves[chain.curve].length(chain.t0, chain.t1));
+        isEnd[chain.start] = isEnd[chain.end] = 1;
     }
     for (PlacedSegment &segment : segments) {
-        if (segment.index < chains.ofSegment.size() && chains.ofSegment[segment.index] != kNoIndex) {
-            segment.whole = std::max(segment.whole, lengths[chains.ofSegment[segment.index]]);
+        if (segment.index >= domain.segments.size()) {
+            continue; // a lone point
+        }
+        const DomainSegment &ends = domain.segments[segment.index];
+        const std::uint32_t chain = chains.ofSegment[segment.index];
+        segment.besideCurve = chain != kNoIndex || isEnd[ends.a] != 0 || isEnd[ends.b] != 0;
+        if (chain != kNoIndex) {
+            segment.whole = std::max(segment.whole, lengths[chain]);
         }
     }
 }

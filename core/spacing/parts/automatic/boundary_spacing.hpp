@@ -9,8 +9,9 @@ namespace forefront {
 struct PlacedSegment {
     Vec2 a;
     Vec2 b;
-    std::uint32_t index = 0; ///< into Domain::segments
-    double whole = 0.0;      ///< its length, or that of the curve that it is one of the chords of
+    std::uint32_t index = 0;  ///< into Domain::segments
+    double whole = 0.0;       ///< its length, or that of the curve that it is one of the chords of
+    bool besideCurve = false; ///< it is a chord of a curve or ends where one does
     double length() const { return distance(a, b); }
 };
 
@@ -20,7 +21,8 @@ bool isUsable(Vec2 p);
 /// Returns the segments with valid, usable, distinct ends of a domain that need not be validated.
 std::vector<PlacedSegment> placedSegments(const Domain &domain);
 
-/// Sets the whole length of the segments that are chords of a curve: how finely it was flattened must not count.
+/// Marks the segments that are chords of a curve or end in one, and sets the whole length of the chords: how finely a
+/// curve was flattened must not count.
 void takeCurvesWhole(const Domain &domain, const CurveChains &chains, std::vector<PlacedSegment> &segments);
 
 /// Returns the box of the domain's usable nodes: the unit square if there are none, widened if it has no extent.

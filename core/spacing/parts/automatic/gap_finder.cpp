@@ -144,9 +144,12 @@ void GapFinder::divide(std::uint32_t position, double from, double to, double re
         const double atA = facing(position, a, a, 2.0 * reach, sides).width;
         const double atB = facing(position, b, b, 2.0 * reach, sides).width;
         const double narrowest = std::min(nearest.width, std::min(atA, atB));
-        // A side between two rounded or cut corners is narrow at both ends alone.
+        // A side between two rounded corners is narrow at both ends alone.
         const auto varies = [&] {
-            return std::max(atA, atB) > 2.0 * narrowest ||
+            if (std::max(atA, atB) > 2.0 * narrowest) {
+                return true;
+            }
+            return own.besideCurve &&
                    facing(position, midpoint(a, b), midpoint(a, b), 2.0 * reach, sides).width > 2.0 * narrowest;
         };
         if (nearest.tip || (length(b - a) > narrowest && varies())) {
