@@ -2,9 +2,11 @@
 """Writes a CTest file in which each case of a doctest program is a test of its own.
 
     discover.py PROGRAM PREFIX LABELS OUTPUT
+    discover.py --sources LABEL LABELS SOURCE...
 
 Each test is named PREFIX/CASE. Its labels are PREFIX, those that the file LABELS gives to the case or its source file,
-and the words of the case's suite. Cases that are not labelled slow are labelled fast.
+and the words of the case's suite. Cases that are not labelled slow are labelled fast. The second form prints the sources
+that hold a case to which LABELS gives the label, and those without any case, separated by semicolons.
 """
 
 import fnmatch
@@ -31,6 +33,22 @@ def cases(program):
     return document.findall("TestCase")
 
 
+def labels_of(case, source, given):
+    """The labels that the file gives to a case of the source file."""
+    return {label for label, pattern in given
+            if fnmatch.fnmatchcase(source, pattern) or fnmatch.fnmatchcase(case, pattern)}
+
+
+def sources_with(label, labels_file, *sources):
+    given = list(rules(pathlib.Path(labels_file)))
+    kept = []
+    for source in map(pathlib.Path, sources):
+        names = re.findall(r'^TEST_CASE\(\s*"((?:[^"\\]|\\.)*)"', source.read_text(), re.MULTILINE)
+        if not names or any(label in labels_of(name, source.name, given) for name in names):
+            kept.append(str(source))
+    print(";".join(kept), end="")
+
+
 def quoted(text):
     equals = "=" * (max((len(run) for run in re.findall("=+", text)), default=0) + 1)
     return f"[{equals}[{text}]{equals}]"
@@ -45,9 +63,7 @@ def main(program, prefix, labels_file, output):
         if name in names:
             sys.exit(f"{source}: two cases are named '{name}'; each needs a name of its own")
         names.add(name)
-        labels = {prefix} | {label for label, pattern in given
-                             if fnmatch.fnmatchcase(source, pattern) or fnmatch.fnmatchcase(name, pattern)}
-        labels |= set(case.get("testsuite", "").split())
+        labels = {prefix} | labels_of(name, source, given) | set(case.get("testsuite", "").split())
         if "slow" not in labels:
             labels.add("fast")
         test = quoted(f"{prefix}/{name}")
@@ -59,4 +75,7 @@ def main(program, prefix, labels_file, output):
     pathlib.Path(output).write_text("\n".join(lines) + "\n")
 
 
-main(*sys.argv[1:])
+if sys.argv[1] == "--sources":
+    sources_with(*sys.argv[2:])
+else:
+    main(*sys.argv[1:])

@@ -75,17 +75,19 @@ step 'tests, release' run_tests release
 if [ $quick = no ]; then
     programs=forefront_unit_tests
     cases=unit
+    editor=OFF
     if [ $thorough = yes ]; then
         programs="$programs forefront_ui_tests"
         cases='(unit|ui)'
+        editor=ON
     fi
     # shellcheck disable=SC2086  # a list of programs
     step 'build with address and undefined-behaviour sanitizers' sh app/build.sh asan-ubsan \
-        forefront forefront_fuzz_regression $programs
+        forefront forefront_fuzz_regression $programs -DFOREFRONT_EDITOR=$editor
     step 'tests with address and undefined-behaviour sanitizers' \
         run_tests asan-ubsan -R "^($cases/|batch\$|fuzz_regression\$)" -LE slow
     # shellcheck disable=SC2086
-    step 'build with thread sanitizer' sh app/build.sh tsan $programs
+    step 'build with thread sanitizer' sh app/build.sh tsan $programs -DFOREFRONT_EDITOR=$editor
     step 'tests with thread sanitizer' run_tests tsan -R "^$cases/" -L threads
     step 'clang-tidy on changed files' sh tests/tidy.sh
 fi
