@@ -27,7 +27,8 @@ struct StraightPath {
 // be much finer than the tolerance, as on the rounding of an edge, by 1/3.
 constexpr double kMaxTurn = std::numbers::pi / 4.0;
 constexpr double kMaxTinyTurn = 2.0 * std::numbers::pi / 3.0;
-constexpr double kTiny = 1.0 / 16.0; ///< of the tolerance
+constexpr double kTiny = 1.0 / 16.0;  ///< of the tolerance
+constexpr double kCusp = 1.0 / 256.0; ///< likewise; such a part may even turn back
 
 /// Returns the longest chord of a curve with the given curvature: its sagitta is chord² · curvature / 8.
 double maxChord(double curvature, double tolerance) {
@@ -57,7 +58,8 @@ bool CurvePath::allows(double from, double to) const {
     const double a = std::lerp(t0, t1, from), b = std::lerp(t0, t1, to);
     const double deviation = curve->deviation(a, b), turning = curve->turning(a, b);
     return (deviation <= tolerance && turning <= kSlack * kMaxTurn) ||
-           (deviation <= kSlack * kTiny * tolerance && turning <= kSlack * kMaxTinyTurn);
+           (deviation <= kSlack * kTiny * tolerance && turning <= kSlack * kMaxTinyTurn) ||
+           deviation <= kCusp * tolerance;
 }
 
 void SpacingIntegral::append(double t, double density) {

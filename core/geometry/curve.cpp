@@ -306,23 +306,30 @@ double Curve::deviation(double t0, double t1) const {
 }
 
 double Curve::nearest(Vec2 p, double t0, double t1) const {
-    constexpr int kSamples = 16;
-    const auto at = [&](int i) { return i == kSamples ? t1 : std::lerp(t0, t1, i / double{kSamples}); };
-    int best = 0;
-    for (int i = 1; i <= kSamples; ++i) {
-        best = distanceSquared(point(at(i)), p) < distanceSquared(point(at(best)), p) ? i : best;
+    // Zooms in on the nearest of some samples, so that close to a cusp, too, one minimum is left.
+    constexpr int kSamples = 16, kZooms = 4;
+    double low = t0, high = t1, best = t0;
+    for (int zoom = 0; zoom < kZooms; ++zoom) {
+        const auto at = [&](int i) { return i == kSamples ? high : std::lerp(low, high, i / double{kSamples}); };
+        int nearest = 0;
+        for (int i = 1; i <= kSamples; ++i) {
+            nearest = distanceSquared(point(at(i)), p) < distanceSquared(point(at(nearest)), p) ? i : nearest;
+        }
+        best = at(nearest);
+        const double before = at(std::max(nearest - 1, 0)), after = at(std::min(nearest + 1, kSamples));
+        low = before;
+        high = after;
     }
     // Halves the interval in which the distance stops to fall.
-    double low = at(std::max(best - 1, 0)), high = at(std::min(best + 1, kSamples));
     const double forward = t1 >= t0 ? 1.0 : -1.0;
     const auto falls = [&](double t) { return forward * dot(point(t) - p, derivative(t)) < 0.0; };
     if (!falls(low) || falls(high)) {
-        const double ends[] = {low, at(best), high};
+        const double ends[] = {low, best, high};
         return *std::min_element(std::begin(ends), std::end(ends), [&](double s, double t) {
             return distanceSquared(point(s), p) < distanceSquared(point(t), p);
         });
     }
-    constexpr int kHalvings = 52;
+    constexpr int kHalvings = 42;
     for (int i = 0; i < kHalvings; ++i) {
         const double middle = std::midpoint(low, high);
         (falls(middle) ? low : high) = middle;
@@ -375,10 +382,12 @@ std::vector<double> Curve::flatten(double tolerance, double t0, double t1) const
     std::vector<std::pair<double, int>> open = {{t1, 0}}; // ends of pieces and how often they were halved
     double from = t0;
     constexpr int kMostHalvings = 24;
+    constexpr double kCusp = 0.125; // a part this small, in tolerances, may turn back
     while (!open.empty()) {
         const auto [to, halvings] = open.back();
         const bool fine = halvings == kMostHalvings || result.size() + open.size() >= kMaxPieces ||
-                          (deviation(from, to) <= tolerance && turning(from, to) <= kMostTurn);
+                          (deviation(from, to) <= tolerance &&
+                           (turning(from, to) <= kMostTurn || bounds(from, to).diagonal() <= kCusp * tolerance));
         if (fine) {
             result.push_back(to);
             from = to;

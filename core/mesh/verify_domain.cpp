@@ -88,7 +88,14 @@ std::vector<NodeId> chain(const Mesh &mesh, const ChainEdges &edges, NodeId from
 class CurveWalk {
   public:
     CurveWalk(const Domain &domain, const CurveChain &chain, double tolerance)
-        : domain_(domain), chain_(chain), curve_(domain.curves[chain.curve]), tolerance_(tolerance) {}
+        : domain_(domain), chain_(chain), curve_(domain.curves[chain.curve]), tolerance_(tolerance) {
+        for (const std::uint32_t number : chain.segments) {
+            const DomainSegment &segment = domain.segments[number];
+            boxes_.push_back(curve_.bounds(segment.stretch.t0, segment.stretch.t1));
+            boxes_.back().add(boxOf(domain.nodes[segment.a], domain.nodes[segment.b]));
+            boxes_.back() = boxes_.back().grown(tolerance);
+        }
+    }
 
     /// Returns the nodes of the mesh on the curve or its chords; empty when they do not reach the end.
     std::vector<NodeId> nodes(const Mesh &mesh, const ChainEdges &edges, NodeId from, NodeId to) const {
@@ -98,9 +105,11 @@ class CurveWalk {
             NodeId best = kNoNode;
             double bestAt = std::numeric_limits<double>::infinity();
             for (const NodeId next : edges.at(nodes.back())) {
+                if (nodes.size() > 1 && next == nodes[nodes.size() - 2]) {
+                    continue; // where it came from
+                }
                 const double at = next == to ? chain_.t1 : parameter(mesh.nodes[index(next)], reached);
-                const bool back = next == to && from == to && nodes.size() < 3; // along the edge it came by
-                if (at > reached && at < bestAt && !back) {
+                if (at > reached && at < bestAt) {
                     best = next;
                     bestAt = at;
                 }
@@ -115,27 +124,31 @@ class CurveWalk {
     }
 
   private:
-    /// Returns the parameter of a place beyond another parameter, or NaN if it lies on neither curve nor chords.
+    /// Returns the first parameter of a place beyond another one, or NaN if it lies on neither the curve nor its
+    /// chords.
     double parameter(Vec2 p, double reached) const {
-        const double at = curve_.nearest(p, reached, chain_.t1);
-        const auto upper = [&](std::uint32_t s) {
-            return std::max(domain_.segments[s].stretch.t0, domain_.segments[s].stretch.t1);
-        };
-        const auto &segments = chain_.segments;
-        bool on = distance(curve_.point(at), p) <= tolerance_;
-        auto chord = std::partition_point(segments.begin(), segments.end(), [&](auto s) { return upper(s) < at; });
-        chord -= chord == segments.begin() ? 0 : 1;
-        for (int k = 0; k < 3 && !on && chord != segments.end(); ++k, ++chord) {
-            const DomainSegment &s = domain_.segments[*chord];
-            on = distanceToSegment(domain_.nodes[s.a], domain_.nodes[s.b], p) <= tolerance_;
+        for (std::size_t k = 0; k < boxes_.size(); ++k) {
+            const DomainSegment &segment = domain_.segments[chain_.segments[k]];
+            const double low = std::max(reached, std::min(segment.stretch.t0, segment.stretch.t1));
+            const double high = std::max(segment.stretch.t0, segment.stretch.t1);
+            const Vec2 a = domain_.nodes[segment.a], b = domain_.nodes[segment.b];
+            if (high <= reached || !boxes_[k].contains(p)) {
+                continue;
+            }
+            const double at = curve_.nearest(p, low, high);
+            if (at > reached &&
+                (distance(curve_.point(at), p) <= tolerance_ || distanceToSegment(a, b, p) <= tolerance_)) {
+                return at;
+            }
         }
-        return on ? at : std::numeric_limits<double>::quiet_NaN();
+        return std::numeric_limits<double>::quiet_NaN();
     }
 
     const Domain &domain_;
     const CurveChain &chain_;
     const Curve &curve_;
     double tolerance_;
+    std::vector<Box2> boxes_; ///< per segment of the chain
 };
 
 /// Returns the domain with its segments divided as the mesh divides them.

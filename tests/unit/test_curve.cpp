@@ -247,7 +247,9 @@ TEST_CASE("curve: a flattened curve stays within the tolerance and ends exactly"
                     worst = std::max(worst, distanceToSegment(curve.point(from), curve.point(to), p));
                 }
                 CHECK(worst <= tolerance * (1.0 + 1e-9));
-                CHECK(curve.turning(from, to) < (curve.kind() == CurveKind::Cubic ? 0.5 * kPi + 1e-9 : kPi));
+                const double mostTurn = curve.kind() == CurveKind::Cubic ? 0.5 * kPi + 1e-9 : kPi;
+                const bool tiny = curve.bounds(from, to).diagonal() <= 0.125 * tolerance; // at a cusp
+                CHECK((tiny || curve.turning(from, to) < mostTurn));
                 CHECK((to > from) == (t1 > t0));
                 from = to;
             }

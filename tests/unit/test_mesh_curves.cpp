@@ -1,0 +1,87 @@
+#include "core/domain/curve_chains.hpp"
+#include "core/mesh/verify.hpp"
+#include "core/mesher/pipeline.hpp"
+#include "tests/support/random_curves.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+using namespace forefront;
+using namespace forefront::testing;
+
+namespace {
+
+std::string textOf(const Diagnostics &faults) {
+    std::string text;
+    for (const Diagnostic &fault : faults) {
+        text += toString(fault) + '\n';
+    }
+    return text;
+}
+
+// Instrumented builds run the same checks on fewer domains.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr std::uint64_t kShare = 23; // not a divisor of the number of families
+#else
+constexpr std::uint64_t kShare = 1;
+#endif
+
+/// Meshes a domain and checks the result against it.
+MeshingOutcome meshed(const MeshingJob &job) {
+    auto outcome = meshDomain(job);
+    REQUIRE_MESSAGE(outcome, textOf(outcome ? Diagnostics{} : outcome.faults()));
+    const Diagnostics faults = verifyAgainst(outcome->mesh, job.domain);
+    REQUIRE_MESSAGE(faults.empty(), textOf(faults));
+    return std::move(*outcome);
+}
+
+} // namespace
+
+TEST_CASE("Meshing curves: one valid mesh for all grids and numbers of threads, by either method") {
+    for (std::uint64_t seed = 0; seed < 42; seed += kShare) {
+        CAPTURE(seed);
+        MeshingJob job;
+        job.domain = randomCurvedDomain(seed);
+        job.spacing.size = job.domain.bounds().diagonal() / 12.0;
+        for (const Method method : {Method::Fast, Method::Classic}) {
+            job.options.method = method;
+            job.options.grid = GridKind::Uniform;
+            job.options.threads = 1;
+            const std::uint64_t hash = meshHash(meshed(job).mesh);
+            for (const GridKind grid : {GridKind::None, GridKind::Hierarchical}) {
+                job.options.grid = grid;
+                CHECK(meshHash(meshed(job).mesh) == hash);
+            }
+            for (const int threads : {2, 3, 8}) {
+                job.options.threads = threads;
+                CHECK(meshHash(meshed(job).mesh) == hash);
+            }
+        }
+    }
+}
+
+TEST_CASE("Meshing curves: random domains of curves give valid meshes on their curves") {
+    for (std::uint64_t seed = 1000; seed < 1210; seed += kShare) {
+        CAPTURE(seed);
+        MeshingJob job;
+        job.domain = randomCurvedDomain(seed);
+        job.options.keepBoundary = seed % 5 == 0;
+        job.options.improve = static_cast<ImproveLevel>(seed % 3);
+        job.options.method = seed % 4 < 3 ? Method::Fast : Method::Classic;
+        if (seed % 11 != 0) { // the rest by the automatic spacing
+            job.spacing.size = job.domain.bounds().diagonal() / 15.0;
+        }
+        const MeshingOutcome outcome = meshed(job);
+        REQUIRE(outcome.mesh.edgeStretches.size() == outcome.mesh.edges.size());
+        const double size = job.domain.bounds().diagonal();
+        for (std::size_t e = 0; e < outcome.mesh.edges.size(); ++e) {
+            const CurveStretch &stretch = outcome.mesh.edgeStretches[e];
+            if (stretch.follows()) { // crossings of chords are near the curve, all other nodes on it
+                const Curve &curve = outcome.mesh.curves[stretch.curve];
+                const Vec2 a = outcome.mesh.nodes[index(outcome.mesh.edges[e].a)];
+                REQUIRE(distance(curve.point(stretch.t0), a) < 0.01 * size);
+            }
+        }
+    }
+}
