@@ -25,7 +25,7 @@ struct Repaired {
 /// - Inside and outside follow the domain's own rule. Of boundary segments that coincide an even number of times, one
 ///   stays if the boundary is then closed (a loop given twice is one loop); otherwise they bound nothing and become a
 ///   constraint inside the domain and disappear outside. Once the boundary is closed, lines and points outside
-///   disappear too; with hole markers, only lines connected to the domain.
+///   disappear too. With hole markers, a line that nearly closes stays: it may be an outline with a gap.
 /// - Segments and points keep tags, markers and names stay. Where segments coincide, the tag is that of the first
 ///   boundary segment, else of the first constraint.
 /// - Nodes keep their order. Nothing moves farther than the tolerance. With the tolerance 0, a domain whose segments

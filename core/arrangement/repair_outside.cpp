@@ -5,6 +5,63 @@
 
 namespace forefront {
 
+namespace {
+
+/// The connected parts of the segments of a domain.
+class OpenLines {
+  public:
+    explicit OpenLines(const Domain &domain) : root_(domain.nodes.size()), parts_(domain.nodes.size()) {
+        std::iota(root_.begin(), root_.end(), 0U);
+        std::vector<std::uint32_t> degree(domain.nodes.size(), 0);
+        for (const DomainSegment &segment : domain.segments) {
+            root_[rootOf(segment.a)] = rootOf(segment.b);
+            ++degree[segment.a];
+            ++degree[segment.b];
+        }
+        for (std::uint32_t node = 0; node < root_.size(); ++node) {
+            root_[node] = rootOf(node);
+        }
+        for (const DomainSegment &segment : domain.segments) {
+            parts_[root_[segment.a]].length += distance(domain.nodes[segment.a], domain.nodes[segment.b]);
+        }
+        for (std::uint32_t node = 0; node < root_.size(); ++node) {
+            Part &part = parts_[root_[node]];
+            part.branches = part.branches || degree[node] > 2;
+            if (degree[node] == 1) {
+                (part.ends == 0 ? part.first : part.last) = domain.nodes[node];
+                ++part.ends;
+            }
+        }
+    }
+
+    /// Returns true if the part with this node is a line whose ends are nearer to each other than half its length: it
+    /// may be meant as an outline.
+    bool nearlyCloses(std::uint32_t node) const {
+        const Part &part = parts_[root_[node]];
+        return part.ends == 2 && !part.branches && distance(part.first, part.last) < 0.5 * part.length;
+    }
+
+  private:
+    struct Part {
+        double length = 0.0;
+        std::uint32_t ends = 0;
+        Vec2 first, last;
+        bool branches = false;
+    };
+
+    std::uint32_t rootOf(std::uint32_t node) {
+        while (root_[node] != node) {
+            node = root_[node] = root_[root_[node]];
+        }
+        return node;
+    }
+
+    std::vector<std::uint32_t> root_; ///< per node
+    std::vector<Part> parts_;         ///< by root
+};
+
+} // namespace
+
 /// Returns the joined lines as a domain, edge by edge; nodes and edges have the same indices.
 Domain Repairer::joinedDomain() const {
     Domain domain;
@@ -50,32 +107,18 @@ void Repairer::dropOutside() {
     }
 }
 
-/// Returns, per edge, true if it can be dropped: both sides are outside. With HoleMarkers an outline with a gap cannot
-/// be told from a line outside, so there what is not connected to the domain stays, and validation reports it.
+/// Returns, per edge, true if it can be dropped: both sides are outside. With HoleMarkers an outline with a gap is a
+/// line outside, too; there a line that nearly closes stays, and validation reports it.
 std::vector<std::uint8_t> Repairer::outsideEdges(const Domain &joined, const Faces &faces,
                                                  const FaceLabels &labels) const {
     std::vector<std::uint8_t> outside(edges_.size(), 0);
-    std::vector<std::uint32_t> root(joined.nodes.size());
-    std::iota(root.begin(), root.end(), 0U);
-    const auto rootOf = [&](std::uint32_t node) {
-        while (root[node] != node) {
-            node = root[node] = root[root[node]];
-        }
-        return node;
-    };
     for (std::size_t e = 0; e < edges_.size(); ++e) {
         outside[e] = labels.inside[faces.left[e]] == 0 && labels.inside[faces.right[e]] == 0 ? 1 : 0;
-        root[rootOf(joined.segments[e].a)] = rootOf(joined.segments[e].b);
     }
     if (given_.insideRule == InsideRule::HoleMarkers) {
-        std::vector<std::uint8_t> connected(joined.nodes.size(), 0);
+        const OpenLines lines(joined);
         for (std::size_t e = 0; e < edges_.size(); ++e) {
-            if (outside[e] == 0) {
-                connected[rootOf(joined.segments[e].a)] = 1;
-            }
-        }
-        for (std::size_t e = 0; e < edges_.size(); ++e) {
-            outside[e] = outside[e] != 0 && connected[rootOf(joined.segments[e].a)] != 0 ? 1 : 0;
+            outside[e] = outside[e] != 0 && !lines.nearlyCloses(joined.segments[e].a) ? 1 : 0;
         }
     }
     return outside;

@@ -284,4 +284,9 @@ TEST_CASE("repair: with hole markers, a second outline with a gap is not taken f
     const Diagnostics faults = validate(repaired->domain);
     REQUIRE(faults.size() == 2);
     CHECK(faults.front().code == "segment-outside");
+    domain.nodes[5] = {7, 0.1}; // no longer near its beginning
+    const auto dropped = repair(domain);
+    REQUIRE(dropped.ok());
+    CHECK(validate(dropped->domain).empty());
+    CHECK(dropped->domain.segments.size() == 3);
 }
