@@ -1,5 +1,6 @@
 #include "core/arrangement/assembler.hpp"
 
+#include "core/arrangement/stretch_part.hpp"
 #include "core/base/ids.hpp"
 
 #include <algorithm>
@@ -185,19 +186,8 @@ void Assembler::addSegments(std::uint32_t piece) {
 /// The part of the piece's curve between two nodes on its way.
 PieceStretch Assembler::stretchOf(std::uint32_t piece, std::uint32_t from, std::uint32_t to) const {
     const ArrangementPiece &about = input_.pieces[piece];
-    const Vec2 along = about.b - about.a;
-    const auto parameter = [&](std::uint32_t node) {
-        const double part = dot(snapped_.nodes[node] - about.a, along) / lengthSquared(along);
-        // Exactly those of the piece at its ends, so that its neighbours continue there.
-        if (part <= 0.0 || part >= 1.0) {
-            return part <= 0.0 ? about.stretch.t0 : about.stretch.t1;
-        }
-        return about.stretch.curve < input_.curves.size()
-                   ? input_.curves[about.stretch.curve].nearest(snapped_.nodes[node], about.stretch.t0,
-                                                                about.stretch.t1)
-                   : 0.0;
-    };
-    return {piece, {about.stretch.curve, parameter(from), parameter(to)}};
+    return {piece,
+            stretchAlong(about.stretch, input_.curves, {about.a, about.b}, snapped_.nodes[from], snapped_.nodes[to])};
 }
 
 bool Assembler::pointInside(std::uint32_t node) const {

@@ -1,5 +1,6 @@
 #include "core/arrangement/repairer.hpp"
 #include "core/arrangement/snap_report.hpp"
+#include "core/arrangement/stretch_part.hpp"
 
 namespace forefront {
 
@@ -112,10 +113,14 @@ void Repairer::addSegments() {
             }
             added[e] = 1;
             const bool back = joined_.ways[k] % 2 != 0;
-            const std::uint32_t a = nodeNumber(back ? joined_.edges[e].b : joined_.edges[e].a);
-            const std::uint32_t b = nodeNumber(back ? joined_.edges[e].a : joined_.edges[e].b);
-            const SegmentRole role = edges_[e].boundaries > 0 ? SegmentRole::Boundary : SegmentRole::Constraint;
-            domain.segments.push_back({a, b, given_.segments[edges_[e].source].tag, role});
+            DomainSegment segment = given_.segments[edges_[e].source];
+            const SnapLine chord{given_.nodes[segment.a], given_.nodes[segment.b]};
+            segment.a = nodeNumber(back ? joined_.edges[e].b : joined_.edges[e].a);
+            segment.b = nodeNumber(back ? joined_.edges[e].a : joined_.edges[e].b);
+            segment.role = edges_[e].boundaries > 0 ? SegmentRole::Boundary : SegmentRole::Constraint;
+            segment.stretch =
+                stretchAlong(segment.stretch, given_.curves, chord, domain.nodes[segment.a], domain.nodes[segment.b]);
+            domain.segments.push_back(segment);
             result_.segmentSource.push_back(edges_[e].source);
         }
     }

@@ -63,6 +63,8 @@ Domain partOf(const Domain &domain, std::span<const std::uint32_t> segments, std
         use(domain.points[p].node);
     }
     Domain part;
+    part.curves = domain.curves;
+    part.curveTolerance = domain.curveTolerance;
     for (std::size_t n = 0; n < number.size(); ++n) {
         if (number[n] != kNoIndex) {
             number[n] = static_cast<std::uint32_t>(part.nodes.size());

@@ -231,6 +231,41 @@ TEST_CASE("repair: a gap in the outline closes if it is within the tolerance, an
     CHECK(closed->domain.segments.size() == 4);
 }
 
+TEST_CASE("repair: segments keep their parts of a curve, also where they are split") {
+    constexpr std::uint32_t kChords = 12;
+    Domain domain;
+    domain.curves = {Curve::circle({1, 2}, {4, 2})};
+    domain.curveTolerance = 0.01;
+    for (std::uint32_t k = 0; k < kChords; ++k) {
+        const double t0 = static_cast<double>(k) / kChords, t1 = static_cast<double>(k + 1) / kChords;
+        domain.nodes.push_back(domain.curves[0].point(t0));
+        domain.segments.push_back({k, (k + 1) % kChords, 3, SegmentRole::Boundary, {0, t0, t1}});
+    }
+    const auto same = repair(domain);
+    REQUIRE(same.ok());
+    for (std::size_t s = 0; s < kChords; ++s) {
+        CHECK(same->domain.segments[s].stretch == domain.segments[s].stretch);
+    }
+    domain.nodes.insert(domain.nodes.end(), {{1, 2}, {9, 3}}); // a line across the outline
+    domain.segments.push_back({kChords, kChords + 1, 4, SegmentRole::Constraint});
+    const auto split = repair(domain);
+    REQUIRE(split.ok());
+    CHECK(validate(split->domain).empty());
+    CHECK(split->domain.curves == domain.curves);
+    CHECK(split->domain.curveTolerance == 0.01);
+    double range = 0.0;
+    for (const DomainSegment &segment : split->domain.segments) {
+        if (segment.role == SegmentRole::Boundary) {
+            range += segment.stretch.t1 - segment.stretch.t0;
+            CHECK(segment.stretch.curve == 0);
+            CHECK(distance(domain.curves[0].point(segment.stretch.t0), split->domain.nodes[segment.a]) < 0.11);
+            CHECK(distance(domain.curves[0].point(segment.stretch.t1), split->domain.nodes[segment.b]) < 0.11);
+        }
+    }
+    CHECK(range == doctest::Approx(1.0));
+    CHECK(split->domain.segments.size() == kChords + 2);
+}
+
 TEST_CASE("repair: what lies outside disappears, but nothing does while the boundary is open") {
     Domain domain;
     domain.nodes = {{0, 0}, {4, 0}, {4, 3}, {0, 3}, {3, 1}, {6, 1}, {8, 8}};
