@@ -5,7 +5,9 @@
 #include "core/domain/domain_graph.hpp"
 #include "core/domain/faces.hpp"
 
-#include <optional>
+#include <cstdint>
+#include <stop_token>
+#include <vector>
 
 namespace forefront {
 

@@ -3,6 +3,7 @@
 #include "core/base/result.hpp"
 #include "core/edit/references.hpp"
 
+#include <cstdint>
 #include <set>
 
 namespace forefront {
