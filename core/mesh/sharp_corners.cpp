@@ -76,7 +76,7 @@ double minAngle(const Mesh &mesh, const Element &e) {
     return std::atan2(twiceArea, cosines) * kDegrees;
 }
 
-/// Elements that reach from one tagged edge to another, and which of them lie side by side.
+/// Sharp elements, and which of them lie side by side.
 class Bands {
   public:
     explicit Bands(std::vector<Element> elements) : elements_(std::move(elements)), taken_(elements_.size(), 0) {
@@ -189,7 +189,7 @@ SharpCorners sharpCorners(const Mesh &mesh, double limit) {
     SharpCorners result;
     result.minAngleElsewhere = mesh.elements.empty() ? 0.0 : 60.0;
     const FlatCorners flat(mesh);
-    std::vector<Element> tips, bands;
+    std::vector<Element> tips, bands, others;
     for (const Element &e : mesh.elements) {
         bool inCorner = false;
         for (unsigned k = 0; k < 3; ++k) {
@@ -212,8 +212,19 @@ SharpCorners sharpCorners(const Mesh &mesh, double limit) {
         const double angle = minAngle(mesh, e);
         if (angle < limit && (tagged[index(e[0])] & tagged[index(e[1])] & tagged[index(e[2])]) != 0 && !flat.has(e)) {
             bands.push_back(e);
+        } else if (angle < limit) {
+            others.push_back(e);
         } else {
             result.minAngleElsewhere = std::min(result.minAngleElsewhere, angle);
+        }
+    }
+    std::vector<Element> forced = tips;
+    forced.insert(forced.end(), bands.begin(), bands.end());
+    Bands beside(std::move(others));
+    beside.take(std::move(forced)); // the end of a band is a short side of the element beyond it
+    for (std::vector<Element> some = beside.takeNext(); !some.empty(); some = beside.takeNext()) {
+        for (const Element &e : some) {
+            result.minAngleElsewhere = std::min(result.minAngleElsewhere, minAngle(mesh, e));
         }
     }
     Bands rest(std::move(bands));

@@ -23,7 +23,7 @@ struct NarrowPlace {
 struct SharpCorners {
     std::vector<SharpCorner> corners; ///< sharpest first
     std::vector<NarrowPlace> narrow;  ///< narrowest first
-    double minAngleElsewhere = 0.0;   ///< minimum angle of the other elements, degrees
+    double minAngleElsewhere = 0.0;   ///< minimum angle of elements neither in nor beside them, degrees
 };
 
 /// Finds the places of a mesh where the domain itself forces small angles: corners and narrow places. A corner owns the

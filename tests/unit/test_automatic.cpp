@@ -1,5 +1,8 @@
 #include "core/domain/add_loop.hpp"
 #include "core/domain/domain.hpp"
+#include "core/mesh/quality.hpp"
+#include "core/mesh/sharp_corners.hpp"
+#include "core/mesher/pipeline.hpp"
 #include "core/spacing/parts/automatic/automatic.hpp"
 #include "core/spacing/parts/automatic/boundary_spacing.hpp"
 #include "core/spacing/spacing_field.hpp"
@@ -108,7 +111,46 @@ TEST_CASE("Automatic spacing: orientation and order of the segments do not matte
 TEST_CASE("Automatic spacing: a needle is refined towards its tip, within a limit") {
     const auto field = automatic(loopOf({{0, 0}, {10, 0}, {10, 0.6}}));
     CHECK(field->at({1.0, 0.03}) < 0.08);
-    CHECK(field->minimum() > 0.01);
+    CHECK(field->minimum() > 0.003); // 1/64 of the size beside it
+}
+
+TEST_CASE("Automatic spacing: a slit far narrower than the elements beside it is not refined, and is named") {
+    // Two basins of 4 x 4 joined by a slit of width 0.001; elements are 0.24 long at most.
+    MeshingJob job;
+    job.domain = loopOf(
+        {{0, 0}, {4, 0}, {4, 1.9}, {6, 1.9}, {6, 0}, {10, 0}, {10, 4}, {6, 4}, {6, 1.901}, {4, 1.901}, {4, 4}, {0, 4}});
+    const auto field = automatic(job.domain);
+    CHECK(field->at({5, 1.9005}) == doctest::Approx(field->maximum()));
+    const auto outcome = meshDomain(job);
+    REQUIRE(outcome.ok());
+    const SharpCorners forced = sharpCorners(outcome->mesh, 20.0);
+    CHECK(forced.corners.empty());
+    REQUIRE(forced.narrow.size() == 1);
+    CHECK(forced.narrow[0].width == doctest::Approx(0.001).epsilon(0.01));
+    CHECK(forced.narrow[0].elements < 40);
+    CHECK(forced.minAngleElsewhere > 20.0);
+}
+
+TEST_CASE("Automatic spacing: a narrow place between two tips is refined, however narrow") {
+    // Two basins that meet in a passage of width 0.001 between two corners of 90 degrees.
+    MeshingJob job;
+    job.domain =
+        loopOf({{0, 0}, {4, 0}, {5, 1}, {6, 0}, {10, 0}, {10, 2.002}, {6, 2.002}, {5, 1.001}, {4, 2.002}, {0, 2.002}});
+    CHECK(automatic(job.domain)->at({5, 1.0005}) < 0.002);
+    const auto outcome = meshDomain(job);
+    REQUIRE(outcome.ok());
+    CHECK(measure(outcome->mesh, nullptr).minAngle > 20.0);
+    CHECK(outcome->mesh.elements.size() < 4000);
+}
+
+TEST_CASE("Automatic spacing: a wedge of half a degree costs thousands of elements at most, most of them good") {
+    MeshingJob job;
+    job.domain = loopOf({{0, 0}, {10, 0}, {10, 0.0873}});
+    const auto outcome = meshDomain(job);
+    REQUIRE(outcome.ok());
+    CHECK(outcome->mesh.elements.size() < 6000);
+    CHECK(measure(outcome->mesh, nullptr).alphaGeometricMean > 0.9);
+    CHECK(sharpCorners(outcome->mesh, 20.0).minAngleElsewhere > 20.0);
 }
 
 TEST_CASE("Automatic spacing: a very long and thin channel stays affordable") {

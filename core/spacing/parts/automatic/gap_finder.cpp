@@ -10,6 +10,11 @@ constexpr double kNothing = std::numeric_limits<double>::infinity();
 constexpr double kFacing = 0.5; ///< cosine of the widest angle to the normal
 /// Beside a sharp corner the width falls to zero; stretches there are at least this fraction of their reach.
 constexpr double kCornerFloor = 0.125;
+constexpr double kNeedle = 0.9396926207859084; ///< cosine of 20 degrees
+/// Gaps and tips of needles narrower than this part of their reach are left to the spacing around them. However fine
+/// the elements, some remain poor, and the finer the more: a needle of angle θ and elements of one size has about 2/θ.
+constexpr double kNegligibleGap = 1.0 / 32.0;
+constexpr double kLongGap = 12.0; ///< in widths; a shorter gap, between two tips, costs few elements
 
 struct Pair {
     Vec2 p;
@@ -94,7 +99,7 @@ GapFinder::Facing GapFinder::facing(std::uint32_t position, Vec2 a, Vec2 b, doub
     const PlacedSegment &own = index_.segments[position];
     const DomainSegment &ends = domain_.segments[own.index];
     const Vec2 normal = (1.0 / own.length()) * leftNormal(own.b - own.a);
-    Facing best{kNothing, false, false};
+    Facing best;
     double square = reach * reach;
     index_.tree.query(boxOf(a, b).grown(reach), [&](std::uint32_t other) {
         if (other == position) {
@@ -119,10 +124,14 @@ GapFinder::Facing GapFinder::facing(std::uint32_t position, Vec2 a, Vec2 b, doub
         }
         square = pair.square;
         best.width = std::sqrt(square);
-        best.corner = false;
+        best.corner = best.needle = false;
         if (!isPoint(wall)) {
             const DomainSegment &far = domain_.segments[wall.index];
-            best.corner = far.a == ends.a || far.a == ends.b || far.b == ends.a || far.b == ends.b;
+            const bool atA = far.a == ends.a || far.b == ends.a;
+            best.corner = atA || far.a == ends.b || far.b == ends.b;
+            const Vec2 along = atA ? own.b - own.a : own.a - own.b;
+            const Vec2 back = far.a == (atA ? ends.a : ends.b) ? wall.b - wall.a : wall.a - wall.b;
+            best.needle = best.corner && dot(along, back) > kNeedle * length(along) * length(back);
         }
     });
     return best;
@@ -159,9 +168,12 @@ void GapFinder::divide(std::uint32_t position, double from, double to, double re
             return;
         }
     }
-    if (!wide) {
-        gaps.push_back({a, b, own.whole, std::max(nearest.width, nearest.corner ? 2.0 * kCornerFloor * reach : 0.0),
-                        own.index, nearest.corner});
+    const bool blunt = nearest.corner && !nearest.needle;
+    const bool hopeless = nearest.width < kNegligibleGap * reach &&
+                          (nearest.needle || (!blunt && length(b - a) > kLongGap * nearest.width));
+    if (!wide && !hopeless) {
+        gaps.push_back({a, b, own.whole, std::max(nearest.width, blunt ? 2.0 * kCornerFloor * reach : 0.0), own.index,
+                        nearest.corner});
     }
 }
 

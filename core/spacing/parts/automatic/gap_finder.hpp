@@ -6,6 +6,7 @@
 #include "core/spacing/parts/automatic/boundary_spacing.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace forefront {
@@ -33,7 +34,8 @@ struct Gap {
 /// For each stretch of a boundary or constraint, looks for the facing part of the domain within twice the longest
 /// useful element, at most 60 degrees off the normal. Divides stretches until the width along each varies by less than
 /// a factor of 2, or they are `shortest` long. Decides inside and outside by even-odd counting in floating point, which
-/// is good enough for sizes under either inside rule.
+/// is good enough for sizes under either inside rule. Leaves out long gaps, and tips of corners below 20 degrees, that
+/// are narrower than 1/32 of the longest useful element: finer elements would only be more, not better.
 class GapFinder {
   public:
     /// `longest` is the maximum spacing; stretches shorter than `shortest` are not divided. `index` holds the segments,
@@ -48,9 +50,10 @@ class GapFinder {
 
   private:
     struct Facing {
-        double width = 0.0; ///< infinite: nothing faces the stretch
-        bool corner = false;
-        bool tip = false; ///< the stretch starts at a corner of less than 60 degrees
+        double width = std::numeric_limits<double>::infinity(); ///< infinite: nothing faces the stretch
+        bool corner = false;                                    ///< what faces it is a neighbour
+        bool needle = false; ///< what faces it is a neighbour at a corner of less than 20 degrees
+        bool tip = false;    ///< the stretch starts at a corner of less than 60 degrees
     };
     struct Sides {
         bool left = false;
