@@ -21,6 +21,7 @@
 /// | to do | use |
 /// |---|---|
 /// | describe or read a domain | forefront::Domain, forefront::addLoop, forefront::readDomain |
+/// | give it exact curves | forefront::Curve, forefront::CurveStretch |
 /// | check and repair it | forefront::validate, forefront::repair |
 /// | set the element size | forefront::SpacingSpec |
 /// | mesh it | forefront::MeshingJob, forefront::meshDomain |

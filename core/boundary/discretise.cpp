@@ -4,11 +4,9 @@
 #include "core/base/ids.hpp"
 #include "core/base/number_text.hpp"
 #include "core/boundary/curve_cuts.hpp"
-#include "core/boundary/misplaced_nodes.hpp"
+#include "core/boundary/meeting_parts.hpp"
 #include "core/boundary/spacing_integral.hpp"
 #include "core/domain/domain_graph.hpp"
-#include "core/geometry/box_tree.hpp"
-#include "core/geometry/edge_meetings.hpp"
 #include "core/geometry/polygon.hpp"
 
 #include <algorithm>
@@ -52,6 +50,7 @@ class Discretiser {
         if (Status faults = findRegions(); !faults.empty()) {
             return faults;
         }
+        result_.curves = domain_.curves;
         most_.assign(domain_.segments.size(), keepBoundary_ ? 1U : kNoIndex);
         if (!keepBoundary_) {
             if (!domain_.curves.empty()) {
@@ -72,7 +71,12 @@ class Discretiser {
                 return faults;
             }
             progress_("checking the boundary", 0.0);
-            const Meetings meetings = findMeetingParts();
+            const bool curved = curves_ && curves_->any();
+            MeetingParts meetings;
+            if (curved || result_.segments.size() > domain_.segments.size()) {
+                meetings = findMeetingParts({result_, curved ? &*curves_ : nullptr, pieces_, pointRegion_, pointBelow_},
+                                            progress_.stop);
+            }
             if (progress_.cancelled()) {
                 return cancelled("discretising the boundary");
             }
@@ -91,14 +95,6 @@ class Discretiser {
     }
 
   private:
-    /// What has to change before nothing meets.
-    struct Meetings {
-        std::vector<std::uint32_t> segments; ///< straight segments of the domain
-        std::vector<ChainPiece> pieces;      ///< of curves
-
-        bool none() const { return segments.empty() && pieces.empty(); }
-    };
-
     /// Regions by face, and the sides of the segments as given.
     Status findRegions() {
         const DomainGraph graph = graphOf(domain_);
@@ -322,121 +318,6 @@ class Discretiser {
         recordPiece(fractions_.empty() ? domain_.segments[source].stretch : CurveStretch{}, {kNoIndex, 0});
     }
 
-    bool isCurved(std::uint32_t piece) const { return !pieces_.empty() && pieces_[piece].chain != kNoIndex; }
-
-    void addPart(std::uint32_t piece, Meetings &meetings) const {
-        if (isCurved(piece)) {
-            meetings.pieces.push_back(pieces_[piece]);
-        } else {
-            meetings.segments.push_back(result_.segments[piece].source);
-        }
-    }
-
-    /// Finds the parts whose pieces meet others, coincide in a node, or have pushed something to another region.
-    Meetings findMeetingParts() const {
-        Meetings meetings;
-        const bool curved = curves_ && curves_->any();
-        if (!curved && result_.segments.size() == domain_.segments.size()) {
-            return meetings;
-        }
-        std::vector<PlaneEdge> edges;
-        edges.reserve(result_.segments.size());
-        for (const DiscreteSegment &piece : result_.segments) {
-            edges.push_back({piece.a, piece.b});
-        }
-        const PlaneSweepResult sweep = sweepPlane(result_.nodes, edges, progress_.stop);
-        if (progress_.cancelled()) {
-            return meetings;
-        }
-        if (sweep.order.size() != result_.nodes.size() || sweep.droppedCount != 0) {
-            addMeetings(edges, sweep, meetings);
-        } else {
-            addMisplaced(sweep, meetings);
-        }
-        std::sort(meetings.segments.begin(), meetings.segments.end());
-        meetings.segments.erase(std::unique(meetings.segments.begin(), meetings.segments.end()),
-                                meetings.segments.end());
-        return meetings;
-    }
-
-    /// Where a curved piece meets a straight one, only the curved one gives way.
-    void addMeetings(std::span<const PlaneEdge> edges, const PlaneSweepResult &sweep, Meetings &meetings) const {
-        std::vector<std::uint32_t> dropped;
-        for (std::uint32_t e = 0; e < edges.size(); ++e) {
-            const bool moved = sweep.canonical[edges[e].a] != edges[e].a || sweep.canonical[edges[e].b] != edges[e].b;
-            if (sweep.dropped[e] != 0 || moved) {
-                dropped.push_back(e);
-            }
-        }
-        std::vector<std::uint8_t> meetsCurve(edges.size(), 0);
-        for (const EdgeMeeting &meeting : findMeetings(result_.nodes, edges, dropped, 1'000'000).list) {
-            const bool curved = isCurved(meeting.first) || isCurved(meeting.second);
-            for (const std::uint32_t e : {meeting.first, meeting.second}) {
-                meetsCurve[e] = curved ? 1 : meetsCurve[e];
-                if (!curved || isCurved(e)) {
-                    addPart(e, meetings);
-                }
-            }
-        }
-        for (const std::uint32_t e : dropped) {
-            if (meetsCurve[e] == 0) {
-                addPart(e, meetings);
-            }
-        }
-    }
-
-    /// Nothing meets: adds what may have pushed constraint points or whole loops to another region.
-    void addMisplaced(const PlaneSweepResult &sweep, Meetings &meetings) const {
-        std::vector<std::uint32_t> misplaced;
-        if (curves_ && curves_->any()) {
-            misplaced = misplacedNodes(result_, sweep);
-        }
-        for (std::size_t i = 0; i < result_.points.size(); ++i) {
-            const std::uint32_t node = result_.points[i].node, on = sweep.on[node], below = sweep.below[node];
-            if (on != kNoIndex) {
-                addPart(on, meetings);
-            } else if (regionAbove(result_, below) != pointRegion_[i]) {
-                misplaced.push_back(node);
-                // Either the segment below it as given has been pushed above it, or the one below it now under it.
-                if (const std::uint32_t given = pointBelow_[i];
-                    given != kNoIndex && (!curves_ || curves_->chainOf(given) == kNoIndex)) {
-                    meetings.segments.push_back(given);
-                }
-                if (below != kNoIndex) {
-                    addPart(below, meetings);
-                }
-            }
-        }
-        if (curves_ && curves_->any() && !misplaced.empty()) {
-            addCurvesAround(misplaced, meetings);
-        }
-    }
-
-    /// Adds the curved pieces that may have a node between them and their curve; all, if there are none at some node.
-    void addCurvesAround(const std::vector<std::uint32_t> &nodes, Meetings &meetings) const {
-        std::vector<std::uint32_t> curved;
-        std::vector<Box2> boxes;
-        for (std::uint32_t e = 0; e < result_.segments.size(); ++e) {
-            if (isCurved(e)) {
-                const CurveStretch &stretch = result_.stretches[e];
-                curved.push_back(e);
-                boxes.push_back(domain_.curves[stretch.curve].bounds(stretch.t0, stretch.t1));
-                boxes.back().add(boxOf(result_.nodes[result_.segments[e].a], result_.nodes[result_.segments[e].b]));
-            }
-        }
-        const BoxTree tree(boxes);
-        for (const std::uint32_t node : nodes) {
-            bool found = false;
-            tree.query(boxAround(result_.nodes[node], 0.0), [&](std::uint32_t item) {
-                addPart(curved[item], meetings);
-                found = true;
-            });
-            for (std::size_t k = 0; k < curved.size() && !found; ++k) {
-                addPart(curved[k], meetings);
-            }
-        }
-    }
-
     /// Halves the numbers of pieces. Returns false if none of these segments is divided.
     bool relax(const std::vector<std::uint32_t> &sources) {
         bool changed = false;
@@ -471,7 +352,6 @@ class Discretiser {
         for (std::size_t region = 0; region < twice.size(); ++region) {
             result_.regions[region].area = 0.5 * twice[region].value();
         }
-        result_.curves = domain_.curves;
         result_.boundaryNames = domain_.boundaryNames;
         result_.regionNames = domain_.regionNames;
         progress_("discretising", 1.0);

@@ -1,5 +1,6 @@
 #include "core/domain/validate.hpp"
 
+#include "core/base/number_text.hpp"
 #include "core/domain/coordinate_range.hpp"
 #include "core/domain/domain_meetings.hpp"
 
@@ -116,11 +117,36 @@ class Validator {
                     {aSegment(s)});
                 continue;
             }
+            checkCurve(s);
             const Vec2 a = domain_.nodes[segment.a], b = domain_.nodes[segment.b];
             checkTag("a segment", aSegment(s), segment.tag, midpoint(a, b));
             if (a == b) {
                 add("zero-length", "a segment has zero length", "remove it, or repair the domain", a, {aSegment(s)});
             }
+        }
+    }
+
+    /// The nodes at the ends decide where a segment is; how far they are from its curve is not a fault.
+    void checkCurve(std::uint32_t s) {
+        const CurveStretch &stretch = domain_.segments[s].stretch;
+        if (!stretch.follows()) {
+            return;
+        }
+        const Vec2 at = domain_.nodes[domain_.segments[s].a];
+        const auto inRange = [](double t) { return t >= 0.0 && t <= 1.0; };
+        if (stretch.curve >= domain_.curves.size()) {
+            add("bad-index",
+                "a segment refers to curve " + number(stretch.curve) + "; expected an index below " +
+                    number(domain_.curves.size()),
+                "correct the curve's index, or make the segment straight", at, {aSegment(s)});
+        } else if (!domain_.curves[stretch.curve].finite()) {
+            add("non-finite", "a segment follows a curve with a number that is not finite", "correct the curve", at,
+                {aSegment(s)});
+        } else if (!inRange(stretch.t0) || !inRange(stretch.t1)) {
+            add("bad-parameter",
+                "a segment follows its curve from " + numberText(stretch.t0, 6) + " to " + numberText(stretch.t1, 6) +
+                    "; expected parameters between 0 and 1",
+                "correct the parameters, or make the segment straight", at, {aSegment(s)});
         }
     }
 

@@ -11,7 +11,7 @@ namespace FOREFRONT_API forefront {
 /// Returns all faults of a domain, each with coordinates and parts; empty if the domain can be meshed.
 ///
 /// Codes: non-finite, out-of-range (beyond 1e60, smaller than 1e-60, or too far from the origin for four digits),
-/// empty-domain, bad-index, bad-tag, zero-length, duplicate-node, duplicate-segment, crossing-segments,
+/// empty-domain, bad-index, bad-parameter, bad-tag, zero-length, duplicate-node, duplicate-segment, crossing-segments,
 /// touching-segments (parts: node, segment), overlapping-segments, open-chain, unreferenced-node, hole-outside,
 /// region-marker-outside, region-marker-conflict, point-outside, segment-outside. The last five depend on inside and
 /// outside, so they are checked only if the segments are simple and closed. Exact predicates throughout; O(n log n) for

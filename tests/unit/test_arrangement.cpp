@@ -233,8 +233,13 @@ TEST_CASE("arrange: tags and curve parameters survive splitting") {
     CHECK(result.domain.segments[0].tag == 7);
     REQUIRE(result.domain.curves.size() == 1); // without the one that nothing follows
     CHECK(result.domain.curves[0] == input.curves[1]);
-    CHECK(result.domain.segments[0].stretch == CurveStretch{0, 0.0, 0.125});
-    CHECK(result.domain.segments[1].stretch == CurveStretch{0, 0.125, 0.5});
+    const CurveStretch first = result.domain.segments[0].stretch, second = result.domain.segments[1].stretch;
+    CHECK(first.curve == 0);
+    CHECK(first.t0 == 0.0);
+    CHECK(first.t1 == doctest::Approx(0.125).epsilon(1e-9));
+    CHECK(second.curve == 0);
+    CHECK(second.t0 == first.t1); // exactly, so that the chain continues
+    CHECK(second.t1 == 0.5);
     CHECK_FALSE(result.domain.segments[2].stretch.follows());
     CHECK(result.domain.segments.back().tag == 9);
     const ArrangementChange *outside = find(result, ChangeKind::OutsideLines);

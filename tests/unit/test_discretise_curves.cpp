@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 using namespace forefront;
@@ -182,6 +183,29 @@ TEST_CASE("discretise: curves give the same nodes in any order and direction of 
         };
         CHECK(sorted(first->nodes) == sorted(second->nodes));
     }
+}
+
+TEST_CASE("validate: segments refer to curves that exist, with finite numbers and parameters between 0 and 1") {
+    const Domain domain = circleDomain();
+    REQUIRE(validate(domain).empty());
+    const auto codeOf = [](const Domain &bad) {
+        const Diagnostics faults = validate(bad);
+        REQUIRE(faults.size() == 1);
+        CHECK(faults[0].at.has_value());
+        return faults[0].code;
+    };
+    Domain bad = domain;
+    bad.segments[2].stretch.curve = 7;
+    CHECK(codeOf(bad) == "bad-index");
+    bad = domain;
+    bad.segments[2].stretch.t1 = 1.5;
+    CHECK(codeOf(bad) == "bad-parameter");
+    bad.segments[2].stretch.t1 = std::numeric_limits<double>::quiet_NaN();
+    CHECK(codeOf(bad) == "bad-parameter");
+    bad = domain;
+    bad.curves.push_back(Curve::circle({0, 0}, {std::numeric_limits<double>::infinity(), 0}));
+    bad.segments[2].stretch.curve = 1;
+    CHECK(codeOf(bad) == "non-finite");
 }
 
 TEST_CASE("curveChains: a chain ends where something else meets it, or the curve does not continue") {
