@@ -16,6 +16,6 @@ namespace FOREFRONT_API forefront {
 /// region-marker-outside, region-marker-conflict, point-outside, segment-outside. The last five depend on inside and
 /// outside, so they are checked only if the segments are simple and closed. Exact predicates throughout; O(n log n) for
 /// any input, plus the time to list the meetings. At most `limit` faults are listed; a last Note counts the rest.
-Diagnostics validate(const Domain &domain, std::size_t limit = 200);
+Diagnostics validate(const Domain &domain, std::size_t limit = kMaxListedFaults);
 
 } // namespace forefront

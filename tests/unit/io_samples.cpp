@@ -54,6 +54,7 @@ Document fullDocument() {
     document.regionMarkers = {{{0.5, 0.5}, 3}, {{-1e-300, 1e300}, 1}};
     document.boundaryNames = {{1, "wall"}, {7, "inlet"}};
     document.regionNames = {{3, "water"}};
+    document.spacing.segmentsPerTurn = 24.0;
     document.spacing.size = 0.1;
     document.spacing.expression = "max(0.1, \"x\"*x)";
     document.spacing.sources = {{SourceShape::Point, {1, 2}, {}, 0.0, 0.05, 0.3, "head"},

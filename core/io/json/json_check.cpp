@@ -105,6 +105,17 @@ Vec2 JsonCheck::point(const JsonValue &value, std::string_view what) {
     return {numbers[0], numbers[1]};
 }
 
+std::vector<Vec2> JsonCheck::points(const JsonValue &list, std::string_view what) {
+    std::vector<Vec2> nodes;
+    for (const JsonValue node : list) {
+        if (full()) {
+            break;
+        }
+        nodes.push_back(point(node, what));
+    }
+    return nodes;
+}
+
 std::size_t JsonCheck::choice(const JsonValue &value, std::span<const std::string_view> words, std::string_view what) {
     const std::string word = value.string();
     std::string list;

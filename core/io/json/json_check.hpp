@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace forefront {
 
@@ -19,7 +20,7 @@ class JsonCheck {
     void fault(const JsonValue &value, std::string code, std::string message, std::string advice = {});
     const Diagnostics &faults() const { return faults_; }
     /// Returns true once the list of faults is full.
-    bool full() const { return faults_.size() >= kMaxFaults; }
+    bool full() const { return faults_.size() >= kMaxListedFaults; }
 
     /// Returns the member, or records that it is missing.
     std::optional<JsonValue> member(const JsonValue &object, std::string_view name, std::string_view of);
@@ -36,11 +37,12 @@ class JsonCheck {
     std::string string(const JsonValue &value, std::string_view what);
     /// Reads an array of exactly two numbers.
     Vec2 point(const JsonValue &value, std::string_view what);
+    /// Reads a list of points.
+    std::vector<Vec2> points(const JsonValue &list, std::string_view what);
     /// Returns the index of one of `words`.
     std::size_t choice(const JsonValue &value, std::span<const std::string_view> words, std::string_view what);
 
   private:
-    static constexpr std::size_t kMaxFaults = 50;
     const SourceText &source_;
     Diagnostics faults_;
 };

@@ -1,13 +1,12 @@
 #include "core/edit/domain_sources.hpp"
 #include "core/io/json/json_check.hpp"
 #include "core/io/project/project.hpp"
+#include "core/io/project/project_spacing.hpp"
 #include "core/io/project/project_words.hpp"
-#include "core/io/project/tile_code.hpp"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <limits>
 #include <set>
 
@@ -15,8 +14,7 @@ namespace forefront {
 
 namespace {
 
-constexpr std::int64_t kGreatestInt = std::numeric_limits<std::int32_t>::max();
-constexpr std::int64_t kGreatestId = std::numeric_limits<std::uint32_t>::max() - 1;
+constexpr std::int64_t kMaxId = std::numeric_limits<std::uint32_t>::max() - 1;
 
 class ProjectReader {
   public:
@@ -33,7 +31,7 @@ class ProjectReader {
         names(root, "boundaryNames", document_.boundaryNames);
         names(root, "regionNames", document_.regionNames);
         if (const auto spec = root.find("spacing"); spec && check_.expect(*spec, JsonKind::Object, "\"spacing\"")) {
-            spacing(*spec);
+            document_.spacing = readSpacing(*spec, check_);
         }
         if (const auto given = root.find("options"); given && check_.expect(*given, JsonKind::Object, "\"options\"")) {
             options(*given);
@@ -133,7 +131,7 @@ class ProjectReader {
         Shape shape;
         offsets_.emplace_back();
         if (const auto id = check_.member(item, "id", "the shape")) {
-            shape.id = static_cast<std::uint32_t>(check_.integer(*id, 1, kGreatestId, "the id of a shape"));
+            shape.id = static_cast<std::uint32_t>(check_.integer(*id, 1, kMaxId, "the id of a shape"));
             if (!ids_.insert(shape.id).second) {
                 check_.fault(*id, "duplicate-id", "another shape has the id " + std::to_string(shape.id));
             }
@@ -152,7 +150,7 @@ class ProjectReader {
         }
         if (const auto nodes = check_.member(item, "nodes", "the shape");
             nodes && check_.expect(*nodes, JsonKind::Array, "the nodes of a shape")) {
-            shape.nodes = points(*nodes, "a node of a shape");
+            shape.nodes = check_.points(*nodes, "a node of a shape");
             offsets_.back().push_back(nodes->offset());
             for (const JsonValue node : *nodes) {
                 if (source_.origin != nullptr) {
@@ -169,17 +167,6 @@ class ProjectReader {
             segmentTagCount(shape, *tags);
         }
         return shape;
-    }
-
-    std::vector<Vec2> points(const JsonValue &list, std::string_view what) {
-        std::vector<Vec2> nodes;
-        for (const JsonValue node : list) {
-            if (check_.full()) {
-                break;
-            }
-            nodes.push_back(check_.point(node, what));
-        }
-        return nodes;
     }
 
     void nodeCount(const Shape &shape, const JsonValue &place) {
@@ -246,163 +233,6 @@ class ProjectReader {
         }
     }
 
-    void optional(const JsonValue &object, std::string_view name, std::optional<double> &target) {
-        if (const auto value = object.find(name)) {
-            target = check_.positive(*value, name);
-        }
-    }
-
-    void spacing(const JsonValue &object) {
-        SpacingSpec &spec = document_.spacing;
-        optional(object, "size", spec.size);
-        optional(object, "minimum", spec.minimum);
-        optional(object, "maximum", spec.maximum);
-        optional(object, "gradation", spec.gradation);
-        if (const auto flag = object.find("fromBoundary")) {
-            spec.fromBoundary = check_.flag(*flag, "\"fromBoundary\"");
-        }
-        if (const auto text = object.find("expression")) {
-            spec.expression = check_.string(*text, "\"expression\"");
-        }
-        if (const auto list = object.find("sources"); list && check_.expect(*list, JsonKind::Array, "\"sources\"")) {
-            for (const JsonValue item : *list) {
-                if (check_.full()) {
-                    return;
-                }
-                spec.sources.push_back(source(item));
-            }
-        }
-        if (const auto paint = object.find("paint"); paint && check_.expect(*paint, JsonKind::Object, "\"paint\"")) {
-            painted(*paint);
-        }
-        if (const auto mesh = object.find("background");
-            mesh && check_.expect(*mesh, JsonKind::Object, "\"background\"")) {
-            background(*mesh);
-        }
-    }
-
-    SizeSource source(const JsonValue &item) {
-        SizeSource source;
-        if (const auto shape = check_.member(item, "shape", "the source")) {
-            source.shape =
-                static_cast<SourceShape>(check_.choice(*shape, wordsOf<SourceShape>(), "the shape of a source"));
-        }
-        if (const auto a = check_.member(item, "a", "the source")) {
-            source.a = check_.point(*a, "a source");
-        }
-        if (const auto b = item.find("b")) {
-            source.b = check_.point(*b, "a source");
-        }
-        if (const auto radius = item.find("radius")) {
-            source.radius = check_.notNegative(*radius, "the radius of a source");
-        }
-        if (const auto size = check_.member(item, "size", "the source")) {
-            source.size = check_.positive(*size, "the size of a source");
-        }
-        if (const auto growth = item.find("growth")) {
-            source.growth = check_.notNegative(*growth, "the growth of a source");
-        }
-        if (const auto name = item.find("name")) {
-            source.name = check_.string(*name, "the name of a source");
-        }
-        return source;
-    }
-
-    void painted(const JsonValue &object) {
-        PaintedSpacing &paint = document_.spacing.paint;
-        if (const auto origin = check_.member(object, "origin", "the paint")) {
-            paint.origin = check_.point(*origin, "the origin of the paint");
-        }
-        if (const auto pitch = check_.member(object, "pitch", "the paint")) {
-            paint.pitch = check_.positive(*pitch, "the pitch of the paint");
-        }
-        const auto tiles = check_.member(object, "tiles", "the paint");
-        if (!tiles || !check_.expect(*tiles, JsonKind::Array, "\"tiles\"")) {
-            return;
-        }
-        for (const JsonValue item : *tiles) {
-            if (check_.full()) {
-                return;
-            }
-            tile(item);
-        }
-    }
-
-    void tile(const JsonValue &item) {
-        if (!item.is(JsonKind::Array) || item.count() != 3) {
-            check_.fault(item, "bad-tile", "expected [column, row, \"values\"] for a painted tile");
-            return;
-        }
-        auto field = item.begin();
-        const auto column = static_cast<std::int32_t>(
-            check_.integer(*field, -kGreatestInt, kGreatestInt, "the column of a painted tile"));
-        ++field;
-        const auto row =
-            static_cast<std::int32_t>(check_.integer(*field, -kGreatestInt, kGreatestInt, "the row of a painted tile"));
-        ++field;
-        const auto values = decodeTile((*field).string());
-        const bool sound = values && std::all_of(values->begin(), values->end(),
-                                                 [](float value) { return std::isfinite(value) && value >= 0.0F; });
-        if (!sound) {
-            check_.fault(*field, "bad-tile", "the values of this painted tile are damaged");
-            return;
-        }
-        const auto shared = std::make_shared<const PaintedSpacing::Tile>(*values);
-        if (!document_.spacing.paint.tiles.emplace(std::pair(column, row), shared).second) {
-            check_.fault(item, "bad-tile", "duplicate painted tile");
-        }
-    }
-
-    void background(const JsonValue &object) {
-        const auto nodes = check_.member(object, "nodes", "the background mesh");
-        const auto elements = check_.member(object, "elements", "the background mesh");
-        const auto values = check_.member(object, "values", "the background mesh");
-        if (!nodes || !elements || !values || !check_.expect(*nodes, JsonKind::Array, "\"nodes\"") ||
-            !check_.expect(*elements, JsonKind::Array, "\"elements\"") ||
-            !check_.expect(*values, JsonKind::Array, "\"values\"")) {
-            return;
-        }
-        BackgroundMesh mesh;
-        mesh.nodes = points(*nodes, "a node of the background mesh");
-        for (const JsonValue item : *elements) {
-            if (check_.full()) {
-                return;
-            }
-            mesh.elements.push_back(backgroundElement(item, mesh.nodes.size()));
-        }
-        for (const JsonValue value : *values) {
-            if (check_.full()) {
-                return;
-            }
-            mesh.values.push_back(check_.positive(value, "a spacing of the background mesh"));
-        }
-        if (mesh.values.size() != mesh.nodes.size()) {
-            check_.fault(*values, "bad-count",
-                         "expected one spacing for each of the " + std::to_string(mesh.nodes.size()) +
-                             " nodes, found " + std::to_string(mesh.values.size()));
-        }
-        document_.spacing.background = std::make_shared<const BackgroundMesh>(std::move(mesh));
-    }
-
-    std::array<std::uint32_t, 3> backgroundElement(const JsonValue &item, std::size_t nodes) {
-        std::array<std::uint32_t, 3> element{};
-        std::size_t count = 0;
-        for (const JsonValue node : item) {
-            const auto number = node.integer();
-            if (!number || *number < 0 || static_cast<std::size_t>(*number) >= nodes) {
-                check_.fault(node, "bad-index",
-                             "expected the index of a node, from 0 to less than " + std::to_string(nodes));
-            } else if (count < 3) {
-                element[count] = static_cast<std::uint32_t>(*number);
-            }
-            ++count;
-        }
-        if (!item.is(JsonKind::Array) || count != 3) {
-            check_.fault(item, "bad-count", "expected 3 node indices for an element");
-        }
-        return element;
-    }
-
     void options(const JsonValue &object) {
         MeshingOptions &options = document_.options;
         if (const auto method = object.find("method")) {
@@ -439,7 +269,7 @@ class ProjectReader {
     void nextId(const JsonValue &root) {
         document_.nextId = ids_.empty() ? 1 : *ids_.rbegin() + 1;
         if (const auto value = root.find("nextId")) {
-            const std::int64_t next = check_.integer(*value, 1, kGreatestId + 1, "\"nextId\"");
+            const std::int64_t next = check_.integer(*value, 1, kMaxId + 1, "\"nextId\"");
             document_.nextId = std::max(document_.nextId, static_cast<std::uint32_t>(next));
         }
     }
