@@ -47,6 +47,16 @@ constexpr const auto &wordsOf() {
     return EnumWords<Enum>::kList;
 }
 
+/// Returns all values, in order.
+template <class Enum>
+constexpr auto valuesOf() {
+    std::array<Enum, wordsOf<Enum>().size()> values{};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] = static_cast<Enum>(i);
+    }
+    return values;
+}
+
 /// Returns the word of a value.
 template <class Enum>
 constexpr std::string_view wordOf(Enum value) {

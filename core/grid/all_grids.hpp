@@ -6,6 +6,6 @@
 #include "core/grid/uniform_grid.hpp"
 
 /// Expands apply(argument, Grid) for every background grid. To add a grid: write its class with the members of NoGrid,
-/// add its kind and word to grid_kind.hpp, add the class to this list, and add a makeGrid() to mesher.cpp.
+/// add its kind and word to grid_kind.hpp, and add the class to this list.
 #define FOREFRONT_FOR_EACH_GRID(apply, argument)                                                                       \
     apply(argument, NoGrid) apply(argument, UniformGrid) apply(argument, HierarchicalGrid)

@@ -21,6 +21,11 @@ HierarchicalGrid::HierarchicalGrid(const Box2 &bounds, double slack, double cell
     addTable({bounds.min, {bounds.min.x + columns * cellSize, bounds.min.y + rows * cellSize}}, columns, rows, 0);
 }
 
+HierarchicalGrid HierarchicalGrid::create(const GridRequest &request) {
+    const Box2 bounds = request.domain.bounds();
+    return {bounds, gridSlack(bounds), request.cellPerLength};
+}
+
 std::uint32_t HierarchicalGrid::addTable(const Box2 &box, int columns, int rows, std::uint32_t above) {
     const Vec2 size = box.size();
     Table table;

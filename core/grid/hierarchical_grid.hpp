@@ -4,6 +4,7 @@
 #include "core/grid/cell_layout.hpp"
 #include "core/grid/cell_lists.hpp"
 #include "core/grid/grid_kind.hpp"
+#include "core/grid/grid_request.hpp"
 
 #include <vector>
 
@@ -19,6 +20,7 @@ class HierarchicalGrid {
     /// `slack`: at least gridSlack() of the box of all segments. A cell splits for a segment shorter than its width
     /// divided by 2·`cellPerLength`, into cells at least `cellPerLength` times as wide as the segment is long.
     HierarchicalGrid(const Box2 &bounds, double slack, double cellPerLength);
+    static HierarchicalGrid create(const GridRequest &request);
 
     void insert(const GenerationFront &front, SlotId id);
     void remove(const GenerationFront &front, SlotId id);

@@ -2,6 +2,7 @@
 
 #include "core/front/generation_front.hpp"
 #include "core/grid/grid_kind.hpp"
+#include "core/grid/grid_request.hpp"
 
 namespace forefront {
 
@@ -9,6 +10,8 @@ namespace forefront {
 class NoGrid {
   public:
     static constexpr GridKind kKind = GridKind::None;
+
+    static NoGrid create(const GridRequest &) { return {}; }
 
     void insert(const GenerationFront &, SlotId) {}
     void remove(const GenerationFront &, SlotId) {}

@@ -1,5 +1,11 @@
 #include "core/grid/uniform_grid.hpp"
 
+#include "core/boundary/estimate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 namespace forefront {
 
 namespace {
@@ -16,6 +22,19 @@ CellLayout layoutOver(const Box2 &bounds, int columns, int rows) {
 UniformGrid::UniformGrid(const Box2 &bounds, int columns, int rows)
     : layout_(layoutOver(bounds, columns, rows)), slack_(gridSlack(bounds)),
       lists_(static_cast<std::size_t>(layout_.columns) * static_cast<std::size_t>(layout_.rows)) {}
+
+UniformGrid UniformGrid::create(const GridRequest &request) {
+    constexpr double kMaxCells = 4e6;
+    const Box2 bounds = request.domain.bounds();
+    const Vec2 size = bounds.size();
+    const double elementArea = request.domain.area() / estimateElements(request.domain, request.spacing);
+    const double meanSpacing = std::sqrt(elementArea * 4.0 / std::numbers::sqrt3);
+    const double cell = std::max(3.0 * meanSpacing, std::sqrt(size.x * size.y / kMaxCells));
+    const auto cellsAlong = [&](double extent, int given) {
+        return given > 0 ? given : static_cast<int>(std::clamp(std::ceil(extent / cell), 1.0, kMaxCells));
+    };
+    return {bounds, cellsAlong(size.x, request.columns), cellsAlong(size.y, request.rows)};
+}
 
 void UniformGrid::insert(const GenerationFront &front, SlotId id) {
     const Box2 box = boxOf(front.start(id), front.end(id));

@@ -4,6 +4,7 @@
 #include "core/grid/cell_layout.hpp"
 #include "core/grid/cell_lists.hpp"
 #include "core/grid/grid_kind.hpp"
+#include "core/grid/grid_request.hpp"
 
 #include <vector>
 
@@ -16,6 +17,8 @@ class UniformGrid {
     static constexpr GridKind kKind = GridKind::Uniform;
 
     UniformGrid(const Box2 &bounds, int columns, int rows);
+    /// Creates a grid with the requested cells, or with cells about three mean node spacings wide.
+    static UniformGrid create(const GridRequest &request);
 
     void insert(const GenerationFront &front, SlotId id);
     void remove(const GenerationFront &front, SlotId id);

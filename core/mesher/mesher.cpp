@@ -1,15 +1,12 @@
 #include "core/mesher/mesher.hpp"
 
 #include "core/base/large_pages.hpp"
-#include "core/boundary/estimate.hpp"
 #include "core/grid/all_grids.hpp"
 #include "core/mesher/classic_advancer.hpp"
 #include "core/mesher/fast_advancer.hpp"
 #include "core/mesher/strip_runner.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <type_traits>
 
 namespace forefront {
@@ -88,44 +85,12 @@ class GridMesher final : public Mesher {
     Advancer<Grid, NoTrace> advancer_;
 };
 
-/// The inputs of a background grid.
-struct GridRequest {
-    const DiscreteDomain &domain;
-    const SpacingField &spacing;
-    const MeshingOptions &options;
-    double cellPerLength; ///< see the advancer
-};
-
-NoGrid makeGrid(std::type_identity<NoGrid>, const GridRequest &) {
-    return {};
-}
-
-/// Returns the cells given by the options, else cells about three mean node spacings wide, from the estimated number of
-/// elements.
-UniformGrid makeGrid(std::type_identity<UniformGrid>, const GridRequest &request) {
-    constexpr double kMaxCells = 4e6;
-    const Box2 bounds = request.domain.bounds();
-    const Vec2 size = bounds.size();
-    const double elementArea = request.domain.area() / estimateElements(request.domain, request.spacing);
-    const double meanSpacing = std::sqrt(elementArea * 4.0 / std::numbers::sqrt3);
-    const double cell = std::max(3.0 * meanSpacing, std::sqrt(size.x * size.y / kMaxCells));
-    const auto cellsAlong = [&](double extent, int given) {
-        return given > 0 ? given : static_cast<int>(std::clamp(std::ceil(extent / cell), 1.0, kMaxCells));
-    };
-    return {bounds, cellsAlong(size.x, request.options.gridColumns), cellsAlong(size.y, request.options.gridRows)};
-}
-
-HierarchicalGrid makeGrid(std::type_identity<HierarchicalGrid>, const GridRequest &request) {
-    const Box2 bounds = request.domain.bounds();
-    return {bounds, gridSlack(bounds), request.cellPerLength};
-}
-
 template <class Grid>
 std::unique_ptr<Mesher> createOn(std::shared_ptr<const DiscreteDomain> boundary,
                                  std::shared_ptr<const SpacingField> spacing, const MeshingOptions &options) {
     const auto create = [&]<template <class, class> class Advancer>() -> std::unique_ptr<Mesher> {
-        Grid grid = makeGrid(std::type_identity<Grid>{},
-                             {*boundary, *spacing, options, Advancer<Grid, NoTrace>::kCellPerLength});
+        Grid grid = Grid::create(
+            {*boundary, *spacing, options.gridColumns, options.gridRows, Advancer<Grid, NoTrace>::kCellPerLength});
         return std::make_unique<GridMesher<Advancer, Grid>>(std::move(boundary), std::move(spacing),
                                                             careFor(options.improve), std::move(grid));
     };

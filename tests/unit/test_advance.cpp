@@ -19,14 +19,7 @@ using namespace forefront::testing;
 namespace {
 
 constexpr Method kMethods[] = {Method::Fast, Method::Classic};
-/// All kinds of background grid.
-constexpr auto kGrids = [] {
-    std::array<GridKind, wordsOf<GridKind>().size()> grids{};
-    for (std::size_t i = 0; i < grids.size(); ++i) {
-        grids[i] = static_cast<GridKind>(i);
-    }
-    return grids;
-}();
+constexpr auto kGrids = valuesOf<GridKind>();
 
 std::unique_ptr<Mesher> mesherOn(std::shared_ptr<const DiscreteDomain> domain, double rho,
                                  GridKind grid = GridKind::Hierarchical, Method method = Method::Classic) {

@@ -72,9 +72,11 @@ TEST_CASE("Meshing: the same mesh for every grid, traced or not, stepped or run,
         REQUIRE_MESSAGE(prepared, textOf(prepared ? Diagnostics{} : prepared.faults()));
         for (const Method method : {Method::Fast, Method::Classic}) {
             const Run none = runOn(*prepared, method, GridKind::None);
-            for (const Run &run :
-                 {runOn(*prepared, method, GridKind::Uniform), runOn(*prepared, method, GridKind::Hierarchical),
-                  runTracedAndStepped(*prepared, method)}) {
+            std::vector<Run> runs{runTracedAndStepped(*prepared, method)};
+            for (const GridKind grid : valuesOf<GridKind>()) {
+                runs.push_back(runOn(*prepared, method, grid));
+            }
+            for (const Run &run : runs) {
                 REQUIRE(run.hash == none.hash);
                 if (method == Method::Classic) { // the fast one stops at the first obstacle that the grid delivers
                     REQUIRE(run.tested == none.tested);

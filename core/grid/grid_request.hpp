@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/boundary/discretise.hpp"
+#include "core/spacing/spacing_field.hpp"
+
+namespace forefront {
+
+/// What a background grid is built for.
+struct GridRequest {
+    const DiscreteDomain &domain;
+    const SpacingField &spacing;
+    int columns = 0, rows = 0;  ///< cells of a uniform grid; 0: automatic
+    double cellPerLength = 1.0; ///< see HierarchicalGrid
+};
+
+} // namespace forefront
