@@ -11,9 +11,10 @@ namespace {
 
 constexpr int kRounds = 3000;
 
-/// A few random edits: bytes flipped, overwritten by telling ones, parts cut out or doubled.
+/// A few random edits: bytes flipped or overwritten by characters that matter in the formats, parts cut out or
+/// doubled.
 std::string mutated(std::string text, std::mt19937 &random) {
-    constexpr std::string_view kTelling = "09-+.eE\"'<>[]{}(),:/#%$*\n \xff";
+    constexpr std::string_view kMeaningful = "09-+.eE\"'<>[]{}(),:/#%$*\n \xff";
     for (unsigned edits = 1 + random() % 4; edits > 0 && !text.empty(); --edits) {
         const std::size_t at = random() % text.size();
         const std::size_t length = 1 + random() % 20;
@@ -22,7 +23,7 @@ std::string mutated(std::string text, std::mt19937 &random) {
             text[at] = static_cast<char>(text[at] ^ (1 << (random() % 8)));
             break;
         case 1:
-            text[at] = kTelling[random() % kTelling.size()];
+            text[at] = kMeaningful[random() % kMeaningful.size()];
             break;
         case 2:
             text.erase(at, length);
@@ -39,8 +40,8 @@ std::string mutated(std::string text, std::mt19937 &random) {
 
 } // namespace
 
-/// Runs every target over its seeds and fixed mutations of them. A broken promise aborts. Arguments: files whose first
-/// folder names the target, to repeat a finding: forefront_fuzz_regression TARGET FILE.
+/// Runs every target over its seeds and fixed mutations of them. A broken promise aborts. To repeat a
+/// finding: forefront_fuzz_regression TARGET FILE.
 int main(int argc, char **argv) {
     if (argc == 3) {
         const Target *target = find(argv[1]);
@@ -60,7 +61,7 @@ int main(int argc, char **argv) {
     for (const Target &target : targets()) {
         std::mt19937 random(1);
         std::size_t inputs = 0;
-        for (const std::string &seed : seeds(target.name)) {
+        for (const std::string &seed : seeds(target)) {
             target.run(seed);
             for (int round = 0; round < kRounds; ++round, ++inputs) {
                 target.run(mutated(seed, random));

@@ -1,15 +1,8 @@
-#include "core/io/abaqus/abaqus.hpp"
-#include "core/io/geojson/geojson.hpp"
 #include "core/io/gmsh/gmsh.hpp"
-#include "core/io/medit/medit.hpp"
-#include "core/io/obj/obj.hpp"
 #include "core/io/project/project.hpp"
-#include "core/io/su2/su2.hpp"
-#include "core/io/svg/svg.hpp"
-#include "core/io/triangle/triangle.hpp"
-#include "core/io/vtk/vtk.hpp"
 #include "tests/fuzz/fuzz_targets.hpp"
 
+#include <map>
 #include <random>
 
 namespace forefront::fuzz {
@@ -110,35 +103,33 @@ std::string anyBytes(std::uint32_t seed) {
     return bytes;
 }
 
-} // namespace
-
-std::vector<std::string> seeds(std::string_view name) {
-    if (name == "project") {
+/// Inputs with what the writers never write, by the id of the format.
+std::vector<std::string> handMade(std::string_view id) {
+    if (id == "project") {
         return {projectText(smallDocument()), projectText({})};
     }
-    if (name == "msh") {
+    if (id == "msh2") {
         return {text(writeMsh2) + kValues, text(writeMsh4) + kValues, text(writeMsh4Binary) + binaryValues()};
     }
-    if (name == "vtu") {
-        return {text(writeVtu), kVtuAscii};
-    }
-    if (name == "vtk" || name == "medit" || name == "inp" || name == "su2" || name == "obj") {
-        return {text(name == "vtk"     ? writeVtk
-                     : name == "medit" ? writeMedit
-                     : name == "inp"   ? writeAbaqus
-                     : name == "su2"   ? writeSu2
-                                       : writeObj)};
-    }
-    if (name == "repair") {
+    static const std::map<std::string_view, std::vector<std::string>> kTexts = {
+        {"geojson", {kGeoJson, kLines}}, {"poly", {kPoly}},    {"svg", {kSvg, kStyledSvg}},
+        {"triangle", {kTriangle}},       {"vtu", {kVtuAscii}},
+    };
+    const auto found = kTexts.find(id);
+    return found != kTexts.end() ? found->second : std::vector<std::string>();
+}
+
+} // namespace
+
+std::vector<std::string> seeds(const Target &target) {
+    if (target.format == nullptr) {
         return {anyBytes(1)};
     }
-    if (name == "geojson") {
-        return {kGeoJson, kLines};
+    std::vector<std::string> list = handMade(target.name);
+    if (target.format->writeMesh != nullptr) {
+        list.push_back(text(target.format->writeMesh));
     }
-    if (name == "svg") {
-        return {kSvg, kStyledSvg};
-    }
-    return {name == "poly" ? kPoly : kTriangle};
+    return list;
 }
 
 } // namespace forefront::fuzz

@@ -2,20 +2,12 @@
 
 #include "core/arrangement/repair.hpp"
 #include "core/domain/validate.hpp"
-#include "core/io/abaqus/abaqus.hpp"
-#include "core/io/geojson/geojson.hpp"
-#include "core/io/gmsh/gmsh.hpp"
-#include "core/io/medit/medit.hpp"
-#include "core/io/obj/obj.hpp"
+#include "core/io/format.hpp"
 #include "core/io/project/project.hpp"
-#include "core/io/su2/su2.hpp"
-#include "core/io/svg/svg.hpp"
 #include "core/io/triangle/triangle.hpp"
-#include "core/io/vtk/vtk.hpp"
 #include "core/mesh/mesh_domain.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
@@ -79,50 +71,57 @@ void checkDomain(const Domain &domain) {
     }
 }
 
-template <Result<Mesh> (*read)(const SourceText &)>
-void mesh(std::string_view bytes) {
+/// Calls a reader, checks its notes and, if it refuses the bytes, its faults.
+template <class Content>
+Result<Content> readWith(Result<Content> (*read)(const SourceText &), std::string_view bytes) {
     ImportNotes notes;
     SourceText source = sourceOf(bytes);
     source.notes = &notes;
-    const auto result = read(source);
+    auto result = read(source);
     checkNotes(notes);
     if (!result) {
         checkFaults(result.faults());
-        return;
     }
-    checkMesh(*result);
-    if (const auto domain = domainOfMesh(*result)) {
-        checkDomain(*domain);
-    }
+    return result;
 }
 
-template <Result<Domain> (*read)(const SourceText &)>
-void domain(std::string_view bytes) {
-    ImportNotes notes;
-    SourceText source = sourceOf(bytes);
-    source.notes = &notes;
-    const auto result = read(source);
-    checkNotes(notes);
-    if (result) {
-        checkDomain(*result);
-    } else {
-        checkFaults(result.faults());
-    }
-}
-
-void project(std::string_view bytes) {
-    const auto result = readProjectText(sourceOf(bytes));
-    if (!result) {
-        checkFaults(result.faults());
-        return;
-    }
-    const std::string text = projectText(*result);
+void checkDocument(const Document &document) {
+    const std::string text = projectText(document);
     const auto again = parseProject(text, "again");
     demand(again.ok() && projectText(*again) == text, "a project survives being written and read");
 }
 
+/// Runs all readers of a format.
+void runFormat(const Format &format, std::string_view bytes) {
+    if (format.readDocument != nullptr) {
+        if (const auto document = readWith(format.readDocument, bytes)) {
+            checkDocument(*document);
+        }
+    }
+    if (format.readDomain != nullptr) {
+        if (const auto domain = readWith(format.readDomain, bytes)) {
+            checkDomain(*domain);
+        }
+    }
+    if (format.readMesh != nullptr) {
+        if (const auto mesh = readWith(format.readMesh, bytes)) {
+            checkMesh(*mesh);
+            if (const auto domain = domainOfMesh(*mesh)) {
+                checkDomain(*domain);
+            }
+        }
+    }
+    if (format.readSpacing != nullptr) {
+        static_cast<void>(readWith(format.readSpacing, bytes));
+    }
+}
+
+bool sameReaders(const Format &a, const Format &b) {
+    return a.readDocument == b.readDocument && a.readDomain == b.readDomain && a.readMesh == b.readMesh;
+}
+
 /// Nodes, elements and edges in one input, separated by lines "%%".
-void triangle(std::string_view bytes) {
+void runTriangle(std::string_view bytes) {
     constexpr std::string_view kCut = "%%\n";
     const std::size_t first = std::min(bytes.find(kCut), bytes.size());
     const std::string_view rest = bytes.substr(std::min(first + kCut.size(), bytes.size()));
@@ -137,11 +136,18 @@ void triangle(std::string_view bytes) {
     }
 }
 
-void msh(std::string_view bytes) {
-    mesh<readMsh>(bytes);
-    if (const auto spacing = readMshSpacing(sourceOf(bytes)); !spacing) {
-        checkFaults(spacing.faults());
+/// One target for each format with readers of its own. Triangle's files come in one input, since the reader finds its
+/// companions only beside a file.
+std::vector<Target> listTargets() {
+    std::vector<Target> list;
+    for (const Format &format : formats()) {
+        const auto same = [&](const Target &target) { return sameReaders(*target.format, format); };
+        if (std::none_of(list.begin(), list.end(), same)) {
+            list.push_back({format.about.id, &format});
+        }
     }
+    list.push_back({"repair", nullptr});
+    return list;
 }
 
 /// Reads numbers from bytes, 0 at the end of them.
@@ -201,38 +207,35 @@ void checkRepair(const Domain &domain, double tolerance) {
 }
 
 /// Bytes as a domain: its nodes, then segments and points between them.
-void repairs(std::string_view bytes) {
+void runRepair(std::string_view bytes) {
     ByteNumbers numbers(bytes);
     const Domain domain = domainFrom(numbers);
     checkRepair(domain, 0.0);
     checkRepair(domain, 0.25);
 }
 
-constexpr std::array kTargets = {
-    Target{"project", project},
-    Target{"geojson", domain<readGeoJson>},
-    Target{"svg", domain<readSvg>},
-    Target{"poly", domain<readPoly>},
-    Target{"msh", msh},
-    Target{"vtu", mesh<readVtu>},
-    Target{"vtk", mesh<readVtk>},
-    Target{"medit", mesh<readMedit>},
-    Target{"inp", mesh<readAbaqus>},
-    Target{"su2", mesh<readSu2>},
-    Target{"triangle", triangle},
-    Target{"obj", mesh<readObj>},
-    Target{"repair", repairs},
-};
-
 } // namespace
 
-std::span<const Target> targets() {
-    return kTargets;
+void Target::run(std::string_view bytes) const {
+    if (format == nullptr) {
+        runRepair(bytes);
+    } else if (format->readMesh == readTriangle) {
+        runTriangle(bytes);
+    } else {
+        runFormat(*format, bytes);
+    }
+}
+
+const std::vector<Target> &targets() {
+    static const std::vector<Target> list = listTargets();
+    return list;
 }
 
 const Target *find(std::string_view name) {
-    const auto found = std::find_if(kTargets.begin(), kTargets.end(), [&](const Target &t) { return name == t.name; });
-    return found != kTargets.end() ? &*found : nullptr;
+    const auto &list = targets();
+    const auto found =
+        std::find_if(list.begin(), list.end(), [&](const Target &target) { return name == target.name; });
+    return found != list.end() ? &*found : nullptr;
 }
 
 } // namespace forefront::fuzz

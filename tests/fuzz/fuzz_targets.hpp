@@ -1,22 +1,27 @@
 #pragma once
 
-#include <span>
+#include "core/io/format.hpp"
+
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace forefront::fuzz {
 
-/// Feeds bytes to one reader, or to the repair; aborts if the result breaks a promise: faults without a place, a mesh
-/// with bad indices or numbers, a project that does not survive being written, a repair that leaves something to do.
+/// Feeds bytes to the readers of one format, or to the repair of domains.
 struct Target {
     const char *name;
-    void (*run)(std::string_view bytes);
+    const Format *format; ///< null: the repair
+
+    /// Aborts if the result breaks a promise: faults without a place, a mesh with bad indices or numbers, a project
+    /// that does not survive being written, a repair that leaves something to do.
+    void run(std::string_view bytes) const;
 };
-std::span<const Target> targets();
+/// Returns the targets in the order of the list of formats, then the repair.
+const std::vector<Target> &targets();
 const Target *find(std::string_view name);
 
-/// Returns small valid inputs for a target.
-std::vector<std::string> seeds(std::string_view name);
+/// Returns small inputs for a target: a mesh in its format, if it has a writer, and hand-made ones.
+std::vector<std::string> seeds(const Target &target);
 
 } // namespace forefront::fuzz

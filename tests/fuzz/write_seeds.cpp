@@ -12,7 +12,7 @@ int main(int argc, char **argv) {
         const std::filesystem::path folder = std::filesystem::path(argv[1]) / target.name;
         std::filesystem::create_directories(folder);
         int number = 0;
-        for (const std::string &seed : forefront::fuzz::seeds(target.name)) {
+        for (const std::string &seed : forefront::fuzz::seeds(target)) {
             if (!forefront::writeFileAtomically(folder / ("seed" + std::to_string(number++)), seed).empty()) {
                 std::fprintf(stderr, "cannot write to %s\n", folder.c_str());
                 return 1;
