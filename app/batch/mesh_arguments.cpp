@@ -25,9 +25,9 @@ Examples:
   cat lake.geojson | forefront mesh - -o - --format vtu > lake.vtu
         from standard input to standard output
 
-Exit codes: 0 done, 1 the input is refused (faults on stderr, one a line), 2 wrong usage, 3 cancelled.)help";
+Exit codes: 0 done, 1 the input is refused (faults on stderr, one per line), 2 wrong usage, 3 cancelled.)help";
 
-/// Parses "none", "uniform", "uniform:COLSxROWS" or "hierarchical"; returns an error message for anything else.
+/// Parses the word of a grid or "uniform:COLSxROWS"; returns an error message for anything else.
 std::string parseGrid(const std::string &text, MeshArguments &arguments) {
     arguments.grid = fromWord<GridKind>(text);
     if (arguments.grid) {
@@ -47,33 +47,30 @@ std::string parseGrid(const std::string &text, MeshArguments &arguments) {
             }
         }
     }
-    return "--grid: unknown grid '" + text + "'; expected none, uniform, uniform:COLSxROWS or hierarchical";
+    return "--grid: unknown grid '" + text + "'; expected " + wordList<GridKind>() + ", or uniform:COLSxROWS";
 }
 
-/// The option values as text.
-struct Words {
-    std::string grid, method, level;
-    bool noImprove = false;
-};
-
-void addFrontOptions(CLI::App &app, MeshArguments &arguments, Words &words) {
-    app.add_option("--method", words.method,
-                   "fast (default), or classic: the ten steps after S. H. Lo, shortest segment first")
-        ->check(oneOf({"fast", "classic"}))
+void addFrontOptions(CLI::App &app, MeshArguments &arguments, std::string &grid) {
+    addWordOption<Method>(app, "--method", arguments.method,
+                          "fast (default), or classic: the ten steps after S. H. Lo, shortest segment first")
         ->type_name("METHOD");
-    app.add_option("--grid", words.grid, "background grid: none, uniform[:COLSxROWS], hierarchical (default)")
+    app.add_option("--grid", grid,
+                   "background grid: " + wordList<GridKind>() + ", or uniform:COLSxROWS; default " +
+                       std::string(wordOf(MeshingOptions().grid)))
         ->type_name("KIND");
     app.add_flag("--keep-boundary", arguments.keepBoundary,
                  "keep the given segments as mesh edges; do not subdivide them");
     app.add_flag("--repair", arguments.repair,
                  "split segments where they cross, join what coincides and drop what lies outside first, and report "
                  "every change; drawings and maps are arranged in any case");
-    auto *improve = app.add_option("--improve", words.level,
-                                   "improve the shapes: none (fastest; the front is left as it is), default, best "
-                                   "(slower; also adds and removes inner nodes)")
-                        ->check(oneOf({"none", "default", "best"}))
-                        ->type_name("LEVEL");
-    app.add_flag("--no-improve", words.noImprove, "the same as --improve none")->excludes(improve);
+    auto *improve =
+        addWordOption<ImproveLevel>(app, "--improve", arguments.improve,
+                                    "improve the shapes: none (fastest; the front is left as it is), default, best "
+                                    "(slower; also adds and removes inner nodes)")
+            ->type_name("LEVEL");
+    app.add_flag_callback(
+           "--no-improve", [&arguments] { arguments.improve = ImproveLevel::None; }, "the same as --improve none")
+        ->excludes(improve);
 }
 
 void addImportOptions(CLI::App &app, MeshArguments &arguments) {
@@ -82,24 +79,11 @@ void addImportOptions(CLI::App &app, MeshArguments &arguments) {
         ->excludes(app.get_option("--repair"));
 }
 
-/// Returns the first fault of the option values; empty if all are valid.
-std::string takeWords(const Words &words, MeshArguments &arguments) {
-    if (!words.method.empty()) {
-        arguments.method = words.method == "classic" ? Method::Classic : Method::Fast;
-    }
-    if (words.noImprove || words.level == "none") {
-        arguments.improve = ImproveLevel::None;
-    } else if (!words.level.empty()) {
-        arguments.improve = words.level == "best" ? ImproveLevel::Best : ImproveLevel::Default;
-    }
-    return words.grid.empty() ? std::string() : parseGrid(words.grid, arguments);
-}
-
 } // namespace
 
 std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const *argv) {
     MeshArguments arguments;
-    Words words;
+    std::string grid;
     CLI::App app("Meshes a planar domain with triangles by the advancing front technique.", "forefront mesh");
     app.footer(kExamples);
     app.add_option("IN", arguments.input,
@@ -126,7 +110,7 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     app.add_option("--gradation", arguments.gradation, "maximum change of edge length per unit of distance")
         ->check(positiveNumber())
         ->type_name("G");
-    addFrontOptions(app, arguments, words);
+    addFrontOptions(app, arguments, grid);
     addImportOptions(app, arguments);
     app.add_option("--threads", arguments.threads, "number of threads, 1 to 256; the mesh does not depend on it")
         ->check(wholeNumberWithin(1, 256))
@@ -137,7 +121,7 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     if (const auto code = parseOptions(app, argc, argv)) {
         return *code;
     }
-    std::string wrong = takeWords(words, arguments);
+    std::string wrong = grid.empty() ? std::string() : parseGrid(grid, arguments);
     if (wrong.empty()) {
         wrong = checkFormats(arguments.outputs, arguments.formats);
     }

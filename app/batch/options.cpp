@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <utility>
+#include <vector>
 
 namespace forefront {
 
@@ -81,12 +82,13 @@ CLI::Validator wholeNumberWithin(int minimum, int maximum) {
                  });
 }
 
-CLI::Validator oneOf(std::vector<std::string> words) {
+CLI::Validator oneOf(std::span<const std::string_view> words) {
     std::string expected = "one of ";
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        expected += (i == 0 ? "" : ", ") + words[i];
+    for (const std::string_view word : words) {
+        expected += word;
+        expected += word == words.back() ? "" : ", ";
     }
-    return check(std::move(expected), [words = std::move(words)](const std::string &text) {
+    return check(std::move(expected), [words](const std::string &text) {
         return std::find(words.begin(), words.end(), text) != words.end();
     });
 }
@@ -101,14 +103,10 @@ void addSpacingOptions(CLI::App &group, std::optional<double> &size, std::option
 }
 
 void addInnerEdgesOption(CLI::App &app, InnerEdges &innerEdges) {
-    app.add_option_function<std::string>(
-           "--inner-edges",
-           [&innerEdges](const std::string &word) {
-               innerEdges = word == "drop" ? InnerEdges::Drop : InnerEdges::Keep;
-           },
-           "tagged edges inside the domain, in the written meshes: keep (default) or drop, for programs such as "
-           "deal.II that accept tags on the boundary only")
-        ->check(oneOf({"keep", "drop"}))
+    addWordOption<InnerEdges>(
+        app, "--inner-edges", innerEdges,
+        "tagged edges inside the domain, in the written meshes: keep (default) or drop, for programs such as "
+        "deal.II that accept tags on the boundary only")
         ->type_name("WORD");
 }
 
@@ -118,14 +116,10 @@ void addArrangementOptions(CLI::App &app, std::optional<double> &weldTolerance, 
                    "for other files, which are joined only with --repair)")
         ->check(nonNegativeNumber())
         ->type_name("T");
-    app.add_option_function<std::string>(
-           "--overlap",
-           [&overlap](const std::string &word) {
-               overlap = word == "smaller" ? OverlapRule::Smaller : OverlapRule::Later;
-           },
-           "where polygons of a map overlap, the later (default) or the smaller one wins; one inside another always "
-           "keeps its area")
-        ->check(oneOf({"later", "smaller"}))
+    addWordOption<OverlapRule>(
+        app, "--overlap", overlap,
+        "where polygons of a map overlap, the later (default) or the smaller one wins; one inside another always "
+        "keeps its area")
         ->type_name("RULE");
 }
 

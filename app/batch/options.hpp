@@ -1,14 +1,15 @@
 #pragma once
 
 #include "core/arrangement/overlap_rule.hpp"
+#include "core/base/enum_words.hpp"
 #include "core/io/inner_edges.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace forefront {
 
@@ -17,7 +18,16 @@ CLI::Validator positiveNumber();
 CLI::Validator nonNegativeNumber();
 CLI::Validator numberWithin(double minimum, double maximum);
 CLI::Validator wholeNumberWithin(int minimum, int maximum);
-CLI::Validator oneOf(std::vector<std::string> words);
+CLI::Validator oneOf(std::span<const std::string_view> words);
+
+/// Adds an option that takes a word of an enumeration. `Value` is the enumeration or an optional of it.
+template <class Enum, class Value>
+CLI::Option *addWordOption(CLI::App &app, const std::string &name, Value &value, const std::string &help) {
+    return app
+        .add_option_function<std::string>(
+            name, [&value](const std::string &word) { value = *fromWord<Enum>(word); }, help)
+        ->check(oneOf(wordsOf<Enum>()));
+}
 
 /// Adds the options --size and --spacing, which several commands share.
 void addSpacingOptions(CLI::App &group, std::optional<double> &size, std::optional<std::string> &expression);

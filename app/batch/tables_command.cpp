@@ -50,7 +50,7 @@ std::string parseLists(const std::vector<std::string> &rows, const std::vector<s
     for (const std::string &name : grids) {
         const auto grid = parseTableGrid(name);
         if (!grid) {
-            return "--grids: unknown grid '" + name + "'; expected none, COLUMNSxROWS or hierarchical";
+            return "--grids: unknown grid '" + name + "'; expected " + tableGridList();
         }
         const auto same = [&](const TableGrid &other) { return other.name == grid->name; };
         if (std::any_of(arguments.grids.begin(), arguments.grids.end(), same)) {
@@ -107,8 +107,7 @@ int tablesCommand(int argc, const char *const *argv) {
                    "rows to run, separated by commas: 1A to 1E, 2A to 2E, 3*, 4* (*: our own cases); default all")
         ->delimiter(',')
         ->type_name("ROWS");
-    app.add_option("--grids", grids,
-                   "background grids: none, COLUMNSxROWS, hierarchical; default none,30x20,60x40,hierarchical")
+    app.add_option("--grids", grids, "background grids: " + tableGridList() + "; default none,30x20,60x40,hierarchical")
         ->delimiter(',')
         ->type_name("GRIDS");
     app.add_option("--csv", arguments.csv, "write the figures as CSV")->type_name("FILE");

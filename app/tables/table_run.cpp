@@ -57,7 +57,7 @@ Result<GridRun> advanceWith(const TableGrid &grid, const MeshingJob &job, const 
     return best;
 }
 
-/// ∫ 4/(√3·ρ²) dA with one point an element.
+/// ∫ 4/(√3·ρ²) dA with one point per element.
 double integralOfDensity(const Mesh &mesh, const SpacingField &spacing) {
     double sum = 0.0;
     for (const Element &nodes : mesh.elements) {
@@ -129,7 +129,8 @@ Status describeError(const Mesh &mesh, const RowJob &found, const PreparedJob &p
 }
 
 void fillEfficiencies(std::vector<GridFigures> &grids) {
-    const auto none = std::find_if(grids.begin(), grids.end(), [](const GridFigures &g) { return g.grid == "none"; });
+    const auto none =
+        std::find_if(grids.begin(), grids.end(), [](const GridFigures &g) { return g.grid == wordOf(GridKind::None); });
     if (none != grids.end()) {
         const double without = none->seconds;
         for (GridFigures &grid : grids) {
@@ -148,8 +149,8 @@ bool parseCount(std::string_view text, int &count) {
 
 std::optional<TableGrid> parseTableGrid(std::string_view text) {
     TableGrid grid{std::string(text), GridKind::Uniform, 0, 0};
-    if (text == "none" || text == "hierarchical") {
-        grid.kind = text == "none" ? GridKind::None : GridKind::Hierarchical;
+    if (const auto kind = fromWord<GridKind>(text); kind && *kind != GridKind::Uniform) {
+        grid.kind = *kind;
         return grid;
     }
     const std::size_t by = text.find('x');
@@ -158,6 +159,12 @@ std::optional<TableGrid> parseTableGrid(std::string_view text) {
         return std::nullopt;
     }
     return grid;
+}
+
+std::string tableGridList() {
+    std::string list = wordList<GridKind>();
+    const std::string_view uniform = wordOf(GridKind::Uniform);
+    return list.replace(list.find(uniform), uniform.size(), "COLUMNSxROWS");
 }
 
 Result<RowFigures> runTableRow(const TableCase &row, const std::vector<TableGrid> &grids, const Progress &progress) {

@@ -19,13 +19,15 @@ struct TableGrid {
 };
 /// Returns nothing for any other text.
 std::optional<TableGrid> parseTableGrid(std::string_view text);
+/// Returns what parseTableGrid() takes: "none, COLUMNSxROWS or hierarchical".
+std::string tableGridList();
 
 /// The figures that depend on the grid: the work, never the mesh.
 struct GridFigures {
     std::string grid;
     double seconds = 0.0; ///< CPU time of the front alone, from discretised boundary to Γ = ∅; minimum of several runs
     double neighbours = 0.0; ///< Nc; without a grid every segment of Γ is delivered
-    double efficiency = 0.0; ///< time without grid / time with it; 0 where the row was not run without a grid
+    double efficiency = 0.0; ///< time without grid / time with it; 0 if the row was not run without a grid
 };
 
 /// The result of the adaptive refinement of a row.

@@ -1,8 +1,11 @@
 #pragma once
 
 #include "core/base/api.hpp"
+#include "core/base/enum_words.hpp"
 
+#include <array>
 #include <cstdint>
+#include <string_view>
 
 namespace FOREFRONT_API forefront {
 
@@ -11,6 +14,12 @@ namespace FOREFRONT_API forefront {
 enum class OverlapRule : std::uint8_t {
     Later,  ///< the one that comes later in the file, as in a painting
     Smaller ///< the one with the smaller area; the later of equal ones
+};
+
+template <>
+struct EnumWords<OverlapRule> {
+    static constexpr auto kLast = OverlapRule::Smaller;
+    static constexpr std::array<std::string_view, 2> kList = {"later", "smaller"};
 };
 
 } // namespace forefront

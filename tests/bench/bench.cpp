@@ -1,4 +1,4 @@
-// Benchmark of the standard cases. One process a case, so that each has a memory peak of its own; CSV on stdout.
+// Benchmark of the standard cases. One process per case, so that each has its own memory peak; CSV on stdout.
 //   forefront_bench [--classic] [--grid none|uniform|hierarchical] [--improve none|default|best] [--threads N]
 //                   [--repeat N] [SCENE SIZE]...
 #include "core/base/cpu_clock.hpp"
@@ -119,9 +119,11 @@ bool parse(int argc, char **argv, Settings &settings) {
 int main(int argc, char **argv) {
     Settings settings;
     if (!parse(argc, argv, settings)) {
-        std::fprintf(stderr, "usage: forefront_bench [--classic] [--grid none|uniform|hierarchical] [--improve "
-                             "none|default|best] [--threads N]\n"
-                             "                       [--repeat N] [SCENE SIZE]...\n");
+        std::fprintf(stderr,
+                     "usage: forefront_bench [--classic] [--grid KIND] [--improve LEVEL] [--threads N] [--repeat N] "
+                     "[SCENE SIZE]...\n"
+                     "KIND: %s; LEVEL: %s\n",
+                     wordList<GridKind>().c_str(), wordList<ImproveLevel>().c_str());
         return 2;
     }
     std::printf("scene,size,method,grid,improve,threads,triangles,seconds_prepare,seconds_mesh,seconds_improve,seconds_"

@@ -6,6 +6,7 @@
 #include "ui/panels/edit_panels.hpp"
 #include "ui/panels/form.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/widgets/enum_choice.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/edit_state.hpp"
@@ -66,12 +67,9 @@ void boundaryTagRow(Shell &context, std::int32_t tag, const BoundaryPart &part) 
 }
 
 void useRow(Shell &context, const std::set<std::uint32_t> &ids, ShapeUse use) {
-    static constexpr std::array<const char *, 2> kUses{"Boundary", "Constraint"};
     form::label(context, "Role");
-    int choice = static_cast<int>(use);
-    if (ui::segmented(context, "inspector/use", kUses, choice)) {
-        EditState::apply(context, setShapeUse(*context.document.current(), ids, static_cast<ShapeUse>(choice)),
-                         "Change role");
+    if (ui::segmented(context, "inspector/use", use)) {
+        EditState::apply(context, setShapeUse(*context.document.current(), ids, use), "Change role");
     }
 }
 

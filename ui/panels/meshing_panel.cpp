@@ -2,12 +2,9 @@
 #include "ui/panels/edit_panels.hpp"
 #include "ui/panels/form.hpp"
 #include "ui/parts/shell.hpp"
-#include "ui/widgets/widgets.hpp"
+#include "ui/widgets/enum_choice.hpp"
 
 #include <imgui.h>
-
-#include <algorithm>
-#include <array>
 
 namespace forefront {
 namespace {
@@ -21,24 +18,14 @@ class MeshingPanel final : public Panel {
         MeshingOptions options = context.document.current()->options;
         bool changed = false;
         form::label(context, "Method");
-        static constexpr const char *kMethods[] = {"Fast", "Classic"};
-        int method = static_cast<int>(options.method);
         ImGui::BeginGroup();
-        if (ui::segmented(context, "meshing/method", kMethods, method)) {
-            options.method = static_cast<Method>(method);
-            changed = true;
-        }
+        changed = ui::segmented(context, "meshing/method", options.method) || changed;
         ImGui::EndGroup();
         ui::rowTooltip(context, "Fast: walks along the front and makes up to three elements per advance. Classic: the "
                                 "ten steps, one element per advance.");
         form::label(context, "Improve");
-        static constexpr const char *kLevels[] = {"None", "Default", "Best"};
-        int level = static_cast<int>(options.improve);
         ImGui::BeginGroup();
-        if (ui::segmented(context, "meshing/improve", kLevels, level)) {
-            options.improve = static_cast<ImproveLevel>(level);
-            changed = true;
-        }
+        changed = ui::segmented(context, "meshing/improve", options.improve) || changed;
         ImGui::EndGroup();
         ui::rowTooltip(context,
                        "Improve the finished mesh. Default: swap edges and move inner nodes. Best: slower, also "
@@ -47,17 +34,7 @@ class MeshingPanel final : public Panel {
         changed = ui::checkbox(context, "meshing/keepboundary", "Keep segments", options.keepBoundary) || changed;
         ui::rowTooltip(context, "Keep the drawn segments as mesh edges; do not subdivide them.");
         form::label(context, "Grid");
-        static constexpr auto kGrids = [] { // string literals, which are null-terminated
-            std::array<const char *, wordsOf<GridKind>().size()> names{};
-            const auto &words = wordsOf<GridKind>();
-            std::transform(words.begin(), words.end(), names.begin(), [](auto word) { return word.data(); });
-            return names;
-        }();
-        int grid = static_cast<int>(options.grid);
-        if (ui::combo(context, "meshing/grid", kGrids, grid)) {
-            options.grid = static_cast<GridKind>(grid);
-            changed = true;
-        }
+        changed = ui::combo(context, "meshing/grid", options.grid) || changed;
         ui::rowTooltip(context, "Background grid that speeds up searches on the front. It changes the work, never the "
                                 "mesh. Turn on the layer Grid cells to see it.");
         if (changed) {

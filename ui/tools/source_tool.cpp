@@ -4,6 +4,7 @@
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/tools/tool_options.hpp"
+#include "ui/widgets/enum_choice.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -91,9 +92,8 @@ void SourceTool::drawSketch(CanvasPainter &painter, Shell &context) {
 }
 
 void SourceTool::drawOptions(Shell &context, ui::Flow &flow) {
-    static constexpr std::array<const char *, 3> kShapes{"Point", "Line", "Circle"};
     flow.item("shape");
-    if (ui::segmented(context, "options/source/shape", kShapes, state_->sourceShape, 190.0F)) {
+    if (ui::segmented(context, "options/source/shape", state_->sourceShape, 190.0F)) {
         cancel();
     }
     double shown = size(context, context.view.camera.centre);

@@ -28,7 +28,7 @@ class SourceTool final : public DrawingTool {
     bool dragPlaces() const override { return true; }
 
   private:
-    SourceShape shape() const { return static_cast<SourceShape>(state_->sourceShape); }
+    SourceShape shape() const { return state_->sourceShape; }
     double size(const Shell &context, Vec2 at) const;
     void add(Shell &context, Vec2 a, Vec2 b);
 

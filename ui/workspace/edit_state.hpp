@@ -25,8 +25,8 @@ struct EditState {
     std::int32_t constraintTag = 2; ///< for the next constraint drawn
     double brushRadius = 0.0;       ///< domain units; 0: derived from the view on first use
     double brushSpacing = 0.0;      ///< painted ρ; 0: derived from the current ρ on first use
-    int sourceShape = 0;            ///< SourceShape
-    double sourceSize = 0.0;        ///< 0: derived from ρ under the pointer
+    SourceShape sourceShape = SourceShape::Point;
+    double sourceSize = 0.0; ///< 0: derived from ρ under the pointer
     double sourceGrowth = 0.2;
 
     /// Returns the index of the current document; rebuilds it if the document has changed.
