@@ -1,6 +1,7 @@
 #version 330 core
-layout(location = 0) in vec4 least;
-layout(location = 1) in vec4 greatest;
+// One instanced box each; the corners are split doubles (high x, high y, low x, low y).
+layout(location = 0) in vec4 lower;
+layout(location = 1) in vec4 upper;
 layout(location = 2) in vec4 fill;
 layout(location = 3) in vec4 frame;
 
@@ -15,12 +16,12 @@ flat out vec4 fillTint;
 flat out vec4 frameTint;
 
 vec2 toPixels(vec4 p) {
-    return ((p.xz - centreHigh) + (p.yw - centreLow)) * zoom;
+    return ((p.xy - centreHigh) + (p.zw - centreLow)) * zoom;
 }
 
 void main() {
-    vec2 p = toPixels(least);
-    vec2 q = toPixels(greatest);
+    vec2 p = toPixels(lower);
+    vec2 q = toPixels(upper);
     vec2 corner = vec2(gl_VertexID & 1, (gl_VertexID >> 1) & 1);
     size = q - p;
     inside = corner * size;

@@ -1,5 +1,5 @@
 #version 330 core
-// One instanced quad per segment; places are split doubles (x high, x low, y high, y low).
+// One instanced quad per segment; places are split doubles (high x, high y, low x, low y).
 layout(location = 0) in vec4 a;
 layout(location = 1) in vec4 b;
 layout(location = 2) in vec4 colour;
@@ -17,7 +17,7 @@ flat out float span;   // length of the segment, pixels
 flat out vec4 tint;
 
 vec2 toPixels(vec4 p) {
-    return ((p.xz - centreHigh) + (p.yw - centreLow)) * zoom;
+    return ((p.xy - centreHigh) + (p.zw - centreLow)) * zoom;
 }
 
 void main() {

@@ -8,7 +8,7 @@ uniform float edgeWidth;  // pixels, of the whole edge
 uniform int coloured;     // 1: by value and map
 uniform sampler2D map;
 uniform vec2 range;       // values at the ends of the map
-uniform float veil;       // opacity of edges too dense to be distinguished
+uniform float denseEdges; // opacity of edges too dense to be distinguished
 uniform float badBelow;   // elements below are hatched
 uniform vec4 hatch;
 uniform vec2 isolate;     // values shown alone; x > y: all
@@ -20,7 +20,7 @@ void main() {
     float nearest = min(min(pixels.x, pixels.y), pixels.z);
     // Edges of triangles only a few pixels high would cover the colours beneath them, so they fade out.
     float height = 1.0 / max(max(rate.x, rate.y), rate.z);
-    float line = mix(veil, clamp(0.5 * edgeWidth + 0.5 - nearest, 0.0, 1.0), smoothstep(2.0, 9.0, height));
+    float line = mix(denseEdges, clamp(0.5 * edgeWidth + 0.5 - nearest, 0.0, 1.0), smoothstep(2.0, 9.0, height));
     float t = clamp((shade - range.x) / (range.y - range.x), 0.0, 1.0);
     vec4 fill = coloured == 1 ? vec4(texture(map, vec2(t * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb, 1.0) : face;
     if (coloured == 1 && shade < badBelow) {

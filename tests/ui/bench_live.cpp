@@ -62,7 +62,7 @@ class DragBench {
 
     void move(double time) {
         const double angle = 1.5 * (time - std::floor(time)) * 2.0 * 3.14159265358979;
-        const Vec2 at = driver_.pixel({7.5 + 0.4 * std::cos(angle), 7.5 + 0.4 * std::sin(angle)});
+        const Pixel at = driver_.pixel({7.5 + 0.4 * std::cos(angle), 7.5 + 0.4 * std::sin(angle)});
         driver_.editor().input().push({.kind = InputKind::MouseMove, .x = at.x, .y = at.y});
         inputs_.push_back({time, 0});
     }

@@ -1,6 +1,7 @@
 #include "tests/ui/driver.hpp"
 
 #include <doctest/doctest.h>
+#include <glm/common.hpp>
 
 #include <chrono>
 #include <sstream>
@@ -81,39 +82,39 @@ bool Driver::click(std::string_view name) {
     return true;
 }
 
-void Driver::moveTo(Vec2 pixel) {
+void Driver::moveTo(Pixel pixel) {
     push({.kind = InputKind::MouseMove, .x = pixel.x, .y = pixel.y});
     drain();
 }
 
-void Driver::press(Vec2 pixel) {
+void Driver::press(Pixel pixel) {
     push({.kind = InputKind::MouseMove, .x = pixel.x, .y = pixel.y});
     push({.kind = InputKind::MouseButton, .code = 0, .pressed = true});
     drain();
 }
 
-void Driver::release(Vec2 pixel) {
+void Driver::release(Pixel pixel) {
     push({.kind = InputKind::MouseMove, .x = pixel.x, .y = pixel.y});
     push({.kind = InputKind::MouseButton, .code = 0, .pressed = false});
     drain();
 }
 
-void Driver::clickAt(Vec2 pixel) {
+void Driver::clickAt(Pixel pixel) {
     push({.kind = InputKind::MouseMove, .x = pixel.x, .y = pixel.y});
     push({.kind = InputKind::MouseButton, .code = 0, .pressed = true});
     push({.kind = InputKind::MouseButton, .code = 0, .pressed = false});
     drain();
 }
 
-void Driver::drag(Vec2 from, Vec2 to, int steps) {
+void Driver::drag(Pixel from, Pixel to, int steps) {
     press(from);
     for (int i = 1; i <= steps; ++i) {
-        moveTo(lerp(from, to, static_cast<double>(i) / steps));
+        moveTo(glm::mix(from, to, static_cast<double>(i) / steps));
     }
     release(to);
 }
 
-void Driver::scroll(Vec2 pixel, double steps) {
+void Driver::scroll(Pixel pixel, double steps) {
     push({.kind = InputKind::MouseMove, .x = pixel.x, .y = pixel.y});
     push({.kind = InputKind::Scroll, .y = steps});
     drain();

@@ -32,16 +32,16 @@ class Driver {
     /// Clicks the middle of a widget. Returns false, and fails a check, if it is not drawn or not enabled.
     bool click(std::string_view widget);
     bool hover(std::string_view widget);
-    void moveTo(Vec2 pixel);
-    void clickAt(Vec2 pixel);
-    void press(Vec2 pixel);
-    void release(Vec2 pixel);
-    void drag(Vec2 from, Vec2 to, int steps = 8);
+    void moveTo(Pixel pixel);
+    void clickAt(Pixel pixel);
+    void press(Pixel pixel);
+    void release(Pixel pixel);
+    void drag(Pixel from, Pixel to, int steps = 8);
     void key(int code, Modifiers modifiers = {});
     void type(std::string_view text);
     /// Types lower-case letters and digits like a keyboard: each key, then its character.
     void keys(std::string_view text);
-    void scroll(Vec2 pixel, double steps);
+    void scroll(Pixel pixel, double steps);
     /// Runs a script with one command per line: `click WIDGET`, `key NAME` ("2", "Space", "Ctrl+Z", "."), `type TEXT`,
     /// `settle`.
     bool script(std::string_view commands);

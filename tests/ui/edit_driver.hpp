@@ -16,7 +16,7 @@ class Draughtsman : public Driver {
         settle();
     }
 
-    Vec2 pixel(Vec2 place) { return context().view.camera.toPixel(place); }
+    Pixel pixel(Vec2 place) { return context().view.camera.toPixel(place); }
     void clickPlace(Vec2 place) {
         clickAt(pixel(place));
         frames(30); // so that the next click does not make a double-click

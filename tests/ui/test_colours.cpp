@@ -5,6 +5,8 @@
 #include "ui/style/quality_range.hpp"
 
 #include <doctest/doctest.h>
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,15 +17,11 @@ namespace {
 
 /// Returns the largest difference between two colours in any channel, 0 to 255.
 int difference(Colour a, Colour b) {
-    int largest = 0;
-    for (unsigned shift = 0; shift < 24; shift += 8) {
-        const int u = static_cast<int>((a >> shift) & 0xffU), v = static_cast<int>((b >> shift) & 0xffU);
-        largest = std::max(largest, std::abs(u - v));
-    }
-    return largest;
+    const glm::ivec3 d = glm::abs(glm::ivec3(a) - glm::ivec3(b));
+    return std::max({d.r, d.g, d.b});
 }
 
-Colour colourAt(const Driver::Picture &picture, Vec2 pixel) {
+Colour colourAt(const Driver::Picture &picture, Pixel pixel) {
     const auto at = 4 * (static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(picture.size.width) +
                          static_cast<std::size_t>(pixel.x));
     return rgb(static_cast<std::uint32_t>(picture.rgba[at] << 16 | picture.rgba[at + 1] << 8 | picture.rgba[at + 2]));
@@ -54,7 +52,7 @@ struct MeshedSquare : Draughtsman {
         settle();
         return picture();
     }
-    Vec2 middleOf(std::size_t element) {
+    Pixel middleOf(std::size_t element) {
         const Mesh &mesh = run().mesh->mesh;
         const Element &e = mesh.elements[element];
         return pixel((1.0 / 3.0) * (mesh.nodes[index(e[0])] + mesh.nodes[index(e[1])] + mesh.nodes[index(e[2])]));
@@ -196,7 +194,7 @@ TEST_CASE("Colours: the edges of a dense mesh fade and leave the quality colours
     driver.context().animate();
     driver.settle();
     const Driver::Picture without = driver.picture();
-    const Vec2 from = driver.pixel({1.5, 7.5}), to = driver.pixel({8.5, 1.5});
+    const Pixel from = driver.pixel({1.5, 7.5}), to = driver.pixel({8.5, 1.5});
     CHECK(withEdges.differences(without, {from.x, from.y, to.x - from.x, to.y - from.y}) == 0);
 }
 

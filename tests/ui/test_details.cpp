@@ -96,7 +96,7 @@ TEST_CASE("Faults: a fault is marked on the canvas as soon as it is drawn, witho
     driver.settle();
     REQUIRE(driver.run().state == RunState::Empty);
     const auto around = [&](Vec2 place) {
-        const Vec2 p = driver.pixel(place);
+        const Pixel p = driver.pixel(place);
         return PixelRect{p.x - 14, p.y - 14, 28, 28};
     };
     const Vec2 crossing{5, 4.5};
@@ -110,7 +110,7 @@ TEST_CASE("Faults: a fault is marked on the canvas as soon as it is drawn, witho
     showLayer(driver.context().layers, "faults", true);
     driver.moveToPlace(crossing);
     driver.settle();
-    const Vec2 p = driver.pixel(crossing); // its explanation is to its right
+    const Pixel p = driver.pixel(crossing); // its explanation is to its right
     CHECK(driver.picture().differences(plain, {p.x + 16, p.y - 30, 120, 26}) > 500);
 }
 
@@ -286,11 +286,11 @@ TEST_CASE("Fonts: all digits have the same width") {
 
 TEST_CASE("Text: labels and captions contrast with their background in both themes") {
     const auto luminance = [](Colour colour) {
-        const auto channel = [&](unsigned shift) {
-            const double c = static_cast<double>((colour >> shift) & 0xffU) / 255.0;
+        const auto linear = [&](std::uint8_t channel) {
+            const double c = channel / 255.0;
             return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
         };
-        return 0.2126 * channel(0) + 0.7152 * channel(8) + 0.0722 * channel(16);
+        return 0.2126 * linear(colour.r) + 0.7152 * linear(colour.g) + 0.0722 * linear(colour.b);
     };
     const auto contrast = [&](Colour a, Colour b) { // as WCAG defines it
         const double u = luminance(a), v = luminance(b);

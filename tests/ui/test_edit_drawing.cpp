@@ -32,7 +32,7 @@ TEST_CASE("Pen: a click on the first node closes the path; Backspace and undo re
     driver.clickPlace({1, 9});
     CHECK(driver.document().shapes.empty());
     // A few pixels from the first node are close enough.
-    driver.clickAt(driver.pixel({1, 1}) + Vec2{3, -3});
+    driver.clickAt(driver.pixel({1, 1}) + Pixel(3, -3));
     REQUIRE(driver.document().shapes.size() == 1);
     CHECK(driver.document().shapes[0]->nodes == std::vector<Vec2>{{1, 1}, {9, 1}, {9, 9}, {1, 9}});
 }
@@ -123,7 +123,7 @@ TEST_CASE("Snapping: the pointer snaps to nodes, Ctrl disables it, Shift snaps t
     Draughtsman driver;
     driver.polygon({{1, 1}, {9, 1}, {9, 9}});
     driver.key('L');
-    driver.clickAt(driver.pixel({9, 9}) + Vec2{4, 3});
+    driver.clickAt(driver.pixel({9, 9}) + Pixel(4, 3));
     driver.frames(30);
     // Shift: from (9, 9) down to the left, near 225 degrees.
     driver.context().widgets.find("canvas");
@@ -144,10 +144,10 @@ TEST_CASE("Polyline: a line between two boundaries connects them, and the drawin
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.key('L');
-    driver.clickAt(driver.pixel({1, 4.2}) + Vec2{3, 0}); // snaps to the segment
+    driver.clickAt(driver.pixel({1, 4.2}) + Pixel(3, 0)); // snaps to the segment
     driver.frames(30);
     driver.clickPlace({5, 5});
-    driver.clickAt(driver.pixel({9, 6.3}) - Vec2{2, 0});
+    driver.clickAt(driver.pixel({9, 6.3}) - Pixel(2, 0));
     driver.frames(30);
     driver.key(key::kEnter);
     driver.settle();

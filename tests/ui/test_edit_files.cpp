@@ -225,10 +225,10 @@ TEST_CASE("Export: a message on the canvas reports the file and its size, or the
     askForExport(driver);
     typeName(driver, "export", place.path / "bay.msh");
     REQUIRE(driver.has("canvas/note"));
-    const std::string told = driver.context().log.entries().back().diagnostic.message;
-    CHECK(told.find((place.path / "bay.msh").string()) != std::string::npos);
-    CHECK(told.find(ui::count(driver.run().quality.elements) + " triangles") != std::string::npos);
-    CHECK(told.find(fileSizeText(std::filesystem::file_size(place.path / "bay.msh"))) != std::string::npos);
+    const std::string message = driver.context().log.entries().back().diagnostic.message;
+    CHECK(message.find((place.path / "bay.msh").string()) != std::string::npos);
+    CHECK(message.find(ui::count(driver.run().quality.elements) + " triangles") != std::string::npos);
+    CHECK(message.find(fileSizeText(std::filesystem::file_size(place.path / "bay.msh"))) != std::string::npos);
     driver.frames(600);
     CHECK_FALSE(driver.has("canvas/note"));
 

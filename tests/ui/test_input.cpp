@@ -134,12 +134,12 @@ TEST_CASE("Camera: zooming keeps the place under the pointer") {
     camera.viewport = {100, 50, 800, 600};
     camera.centre = {1.0e5, -2.0e5};
     camera.zoom = 37.0;
-    const Vec2 pixel{230, 411};
+    const Pixel pixel{230, 411};
     const Vec2 place = camera.toPlane(pixel);
     for (int i = 0; i < 40; ++i) {
         camera.zoomAt(pixel, i % 3 == 0 ? 0.7 : 1.3);
     }
-    const Vec2 after = camera.toPixel(place);
+    const Pixel after = camera.toPixel(place);
     CHECK(std::abs(after.x - pixel.x) < 1e-3);
     CHECK(std::abs(after.y - pixel.y) < 1e-3);
 }
@@ -149,7 +149,7 @@ TEST_CASE("Camera: fit shows the whole box, even a thin one") {
     camera.viewport = {0, 0, 900, 500};
     for (const Box2 &box : {Box2{{0, 0}, {10, 7}}, Box2{{1e5, 1e5}, {1e5 + 1, 1e5}}, Box2{{-3, -1e-9}, {-3, 1e-9}}}) {
         camera.fit(box, camera.viewport);
-        const Vec2 low = camera.toPixel(box.min), high = camera.toPixel(box.max);
+        const Pixel low = camera.toPixel(box.min), high = camera.toPixel(box.max);
         CHECK(low.x >= 0.0);
         CHECK(low.y <= 500.0);
         CHECK(high.x <= 900.0);
@@ -161,7 +161,7 @@ TEST_CASE("Editor: ten quick clicks on a switch are ten clicks") {
     Driver driver;
     const auto *widget = driver.context().widgets.find("layer/labels");
     REQUIRE(widget != nullptr);
-    const Vec2 at = widget->rect.centre();
+    const Pixel at = widget->rect.centre();
     const bool before = driver.context().layer("labels")->visible;
     InputQueue &input = driver.editor().input();
     input.push(move(at.x, at.y));

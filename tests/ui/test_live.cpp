@@ -29,7 +29,7 @@ struct LiveDrag : Draughtsman {
     /// Moves the node a little further and draws one frame, like a drag without a pause.
     void moveOn() {
         const double angle = 0.3 * ++moves_;
-        const Vec2 at = pixel({7.5 + 0.4 * std::cos(angle), 7.5 + 0.4 * std::sin(angle)});
+        const Pixel at = pixel({7.5 + 0.4 * std::cos(angle), 7.5 + 0.4 * std::sin(angle)});
         editor().input().push({.kind = InputKind::MouseMove, .x = at.x, .y = at.y});
         frames(1);
     }

@@ -54,7 +54,7 @@ std::shared_ptr<MeshView> lattice(std::uint32_t n, std::size_t elements, std::ui
     return view;
 }
 
-std::vector<std::uint8_t> draw(Stage &stage, MeshBatch &batch, double veil = 0.0) {
+std::vector<std::uint8_t> draw(Stage &stage, MeshBatch &batch, double opacity = 0.0) {
     glBindFramebuffer(GL_FRAMEBUFFER, stage.platform->targetFramebuffer());
     glViewport(0, 0, kSize.width, kSize.height);
     glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
@@ -62,7 +62,7 @@ std::vector<std::uint8_t> draw(Stage &stage, MeshBatch &batch, double veil = 0.0
     MeshStyle style;
     style.face = rgb(0x3060a0);
     style.edge = rgb(0xffffff);
-    style.veil = veil;
+    style.denseEdges = opacity;
     batch.draw(*stage.gl, stage.camera, style);
     return stage.platform->pixels();
 }
@@ -121,21 +121,21 @@ TEST_CASE("MeshBatch: elements already on the GPU are not uploaded again") {
     CHECK(batch.sent() == 800 + 390);
 }
 
-TEST_CASE("MeshBatch: edges too dense to be distinguished fade to the opacity of the style's veil") {
+TEST_CASE("MeshBatch: edges too dense to be distinguished fade to the opacity of the style") {
     Stage stage;
     stage.camera.fit({{0, 0}, {800, 800}}, stage.camera.viewport);
     MeshBatch batch;
     batch.update(lattice(800, 640000, 1), false); // half of it
-    for (const double veil : {0.0, 0.4}) {
-        CAPTURE(veil);
-        const std::vector<std::uint8_t> picture = draw(stage, batch, veil);
-        std::size_t veiled = 0, bare = 0;
+    for (const double opacity : {0.0, 0.4}) {
+        CAPTURE(opacity);
+        const std::vector<std::uint8_t> picture = draw(stage, batch, opacity);
+        std::size_t faded = 0, bare = 0;
         for (std::size_t i = 0; i < picture.size(); i += 4) {
-            veiled += picture[i] > 0x30 + 30 && picture[i] < 0xff - 60 ? 1 : 0; // red: between face and edge
+            faded += picture[i] > 0x30 + 30 && picture[i] < 0xff - 60 ? 1 : 0; // red: between face and edge
             bare += picture[i] == 0x30 ? 1 : 0;
         }
-        CHECK((veil > 0.0 ? veiled : bare) > 10000);
-        CHECK((veil > 0.0 ? bare < veiled / 20 : veiled < bare / 20));
+        CHECK((opacity > 0.0 ? faded : bare) > 10000);
+        CHECK((opacity > 0.0 ? bare < faded / 20 : faded < bare / 20));
     }
 }
 

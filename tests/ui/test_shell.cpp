@@ -162,7 +162,8 @@ TEST_CASE("Editor: the view stays fitted when window and panels are resized, unt
     const Camera &camera = driver.context().view.camera;
     const auto fits = [&] {
         driver.settle();
-        const Vec2 size = camera.zoom * box.size(), middle = camera.toPixel(box.centre());
+        const Vec2 size = camera.zoom * box.size();
+        const Pixel middle = camera.toPixel(box.centre());
         const PixelRect &room = driver.context().view.room;
         const double part = std::max(size.x / room.width, size.y / room.height);
         return std::abs(part - 0.9) < 1e-9 && distance(middle, room.centre()) < 1e-6;
@@ -177,7 +178,7 @@ TEST_CASE("Editor: the view stays fitted when window and panels are resized, unt
     driver.key(key::kTab);
     CHECK(fits());
     const PixelRect edge = driver.context().widgets.find("splitter/column")->rect;
-    driver.drag(edge.centre(), edge.centre() - Vec2{120, 0});
+    driver.drag(edge.centre(), edge.centre() - Pixel(120, 0));
     CHECK(fits());
     driver.scroll(driver.canvas().centre(), 2);
     const Vec2 centre = camera.centre;
@@ -208,7 +209,8 @@ TEST_CASE("Editor: legends, hints and tool options do not cover a fitted drawing
                 const Camera &camera = driver.context().view.camera;
                 CHECK(zooms.try_emplace(panels, camera.zoom).first->second == camera.zoom); // no jump for a layer
                 const Box2 box = toDomain(*driver.context().document.current()).bounds();
-                const Vec2 corner = camera.toPixel({box.min.x, box.max.y}), extent = camera.zoom * box.size();
+                const Pixel corner = camera.toPixel({box.min.x, box.max.y});
+                const Vec2 extent = camera.zoom * box.size();
                 const PixelRect drawing{corner.x, corner.y, extent.x, extent.y};
                 CHECK(within(drawing, each.first));
                 std::size_t legends = 0;
@@ -239,7 +241,7 @@ TEST_CASE("Editor: nothing overlaps in a small window") {
         for (const auto &tool : driver.context().tools.tools) {
             CAPTURE(tool->id());
             driver.context().tools.choose(tool->id(), driver.context());
-            driver.context().log.tell(std::string(120, 'x') + " and " + std::string(60, 'y'));
+            driver.context().log.announce(std::string(120, 'x') + " and " + std::string(60, 'y'));
             driver.settle();
             const WidgetRegistry::Map &all = driver.context().widgets.all();
             const PixelRect canvas = driver.canvas();
@@ -296,7 +298,7 @@ TEST_CASE("Editor: the splitter of the right column can be dragged, within bound
     Driver driver;
     const PixelRect edge = driver.context().widgets.find("splitter/column")->rect;
     const double before = driver.canvas().width;
-    driver.drag(edge.centre(), edge.centre() - Vec2{80, 0});
+    driver.drag(edge.centre(), edge.centre() - Pixel(80, 0));
     CHECK(std::abs(driver.canvas().width - (before - 80.0)) < 3.0);
     const PixelRect moved = driver.context().widgets.find("splitter/column")->rect;
     driver.drag(moved.centre(), {1279, moved.centre().y});
@@ -357,19 +359,19 @@ TEST_CASE("Editor: keys choose tools, each with a button in the strip") {
 
 TEST_CASE("Editor: wheel zooms at the pointer, middle drag and Space with drag pan") {
     Driver driver;
-    const Vec2 at{400, 300};
+    const Pixel at{400, 300};
     const Vec2 place = driver.context().view.camera.toPlane(at);
     driver.scroll(at, 4);
-    const Vec2 zoomed = driver.context().view.camera.toPixel(place);
+    const Pixel zoomed = driver.context().view.camera.toPixel(place);
     CHECK(std::abs(zoomed.x - at.x) < 0.01);
     CHECK(std::abs(zoomed.y - at.y) < 0.01);
     InputQueue &input = driver.editor().input();
     input.push({.kind = InputKind::Key, .code = key::kSpace, .pressed = true});
     driver.frames(2);
-    driver.drag(at, at + Vec2{60, 25});
+    driver.drag(at, at + Pixel(60, 25));
     input.push({.kind = InputKind::Key, .code = key::kSpace, .pressed = false});
     driver.frames(2);
-    const Vec2 panned = driver.context().view.camera.toPixel(place);
+    const Pixel panned = driver.context().view.camera.toPixel(place);
     CHECK(std::abs(panned.x - (at.x + 60)) < 0.01);
     CHECK(std::abs(panned.y - (at.y + 25)) < 0.01);
     CHECK(driver.run().state == RunState::Empty); // holding Space to pan is not a tap

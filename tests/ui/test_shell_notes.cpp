@@ -149,13 +149,13 @@ TEST_CASE("MessageLog: an entry belongs to a revision of the document") {
     REQUIRE(document.revision() != first);
     log.add(error("b", "late"), first);
     log.note("seen anyway");
-    log.tell("done");
+    log.announce("done");
     const auto &entries = log.entries();
     CHECK(entries[0].revision == first);
     CHECK(entries[1].revision == first);
-    CHECK(entries[0].told);
-    CHECK_FALSE(entries[2].told);
-    CHECK(entries[3].told);
+    CHECK(entries[0].announced);
+    CHECK_FALSE(entries[2].announced);
+    CHECK(entries[3].announced);
     CHECK(entries[3].revision == document.revision());
 }
 
@@ -248,7 +248,7 @@ TEST_CASE("Tooltips: a tooltip of a panel covers none of its fields") {
 
 TEST_CASE("Tooltips: lie outside the window of their widget and inside the display") {
     const PixelSize display{1280, 800};
-    const Vec2 size{250, 44};
+    const Pixel size{250, 44};
     const auto check = [&](const PixelRect &window, const PixelRect &widget) {
         const PixelRect tip = ui::placeTooltip(widget, window, size, display, widget.centre().x, 6.0);
         CHECK(tip.x >= 0.0);

@@ -1,14 +1,15 @@
 #pragma once
 
 #include "core/base/vec2.hpp"
-#include "ui/platform/pixels.hpp"
+#include "ui/input/pixels.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace forefront {
 
-/// Maps the plane (y up, double precision) to framebuffer pixels (y down).
+/// Maps the plane (y up, double precision) to framebuffer pixels (y down). Not a matrix: the centre is subtracted
+/// before the scale is applied, so that a drawing far from the origin keeps all its digits.
 struct Camera {
     Vec2 centre;            ///< place in the middle of the viewport
     double zoom = 50.0;     ///< pixels per domain unit, > 0
@@ -16,13 +17,14 @@ struct Camera {
     double minZoom = 1e-12; ///< limit of zoom, set from the size of the drawing
     double maxZoom = 1e12;
 
-    Vec2 toPixel(Vec2 p) const {
-        const Vec2 middle = viewport.centre();
-        return {middle.x + (p.x - centre.x) * zoom, middle.y - (p.y - centre.y) * zoom};
-    }
-    Vec2 toPlane(Vec2 pixel) const {
-        const Vec2 middle = viewport.centre();
-        return {centre.x + (pixel.x - middle.x) / zoom, centre.y - (pixel.y - middle.y) / zoom};
+    Pixel toPixel(Vec2 place) const { return viewport.centre() + pixelsOf(place - centre); }
+    Vec2 toPlane(Pixel pixel) const { return centre + displacementOf(pixel - viewport.centre()); }
+    /// Converts a displacement in the plane to pixels.
+    Pixel pixelsOf(Vec2 displacement) const { return glm::dvec2(displacement.x, displacement.y) * scale(); }
+    /// Converts a displacement in pixels to the plane.
+    Vec2 displacementOf(Pixel pixels) const {
+        const glm::dvec2 d = pixels / scale();
+        return {d.x, d.y};
     }
     /// Returns the part of the plane in view.
     Box2 visible() const {
@@ -32,9 +34,9 @@ struct Camera {
     /// Converts a length in pixels to domain units.
     double length(double pixels) const { return pixels / zoom; }
 
-    void pan(Vec2 pixels) { centre = centre - Vec2{pixels.x / zoom, -pixels.y / zoom}; }
+    void pan(Pixel pixels) { centre = centre - displacementOf(pixels); }
     /// Zooms by `factor` and keeps the place under `pixel` fixed.
-    void zoomAt(Vec2 pixel, double factor) {
+    void zoomAt(Pixel pixel, double factor) {
         const Vec2 fixed = toPlane(pixel);
         zoom = std::clamp(zoom * factor, minZoom, maxZoom);
         const Vec2 moved = toPlane(pixel);
@@ -53,11 +55,13 @@ struct Camera {
         const double usable = 1.0 - 2.0 * margin;
         zoom = usable *
                std::min(room.width / std::max(size.x, 1e-3 * extent), room.height / std::max(size.y, 1e-3 * extent));
-        const Vec2 aside = room.centre() - viewport.centre();
-        centre = box.centre() + Vec2{-aside.x / zoom, aside.y / zoom};
+        centre = box.centre() - displacementOf(room.centre() - viewport.centre());
     }
 
     friend bool operator==(const Camera &, const Camera &) = default;
+
+  private:
+    glm::dvec2 scale() const { return {zoom, -zoom}; }
 };
 
 } // namespace forefront

@@ -1,5 +1,6 @@
 #include "ui/canvas/canvas_painter.hpp"
 
+#include <glm/common.hpp>
 #include <imgui.h>
 
 #include <algorithm>
@@ -13,9 +14,9 @@ namespace {
 // Maximum coordinate in pixels; farther out, floats lose the direction of a line.
 constexpr double kFar = 1.0e5;
 
-bool clipToFar(Vec2 &a, Vec2 &b) {
+bool clipToFar(Pixel &a, Pixel &b) {
     // Liang–Barsky against the square [-kFar, kFar]².
-    const Vec2 d = b - a;
+    const Pixel d = b - a;
     double t0 = 0.0, t1 = 1.0;
     const double p[4] = {-d.x, d.x, -d.y, d.y};
     const double q[4] = {a.x + kFar, kFar - a.x, a.y + kFar, kFar - a.y};
@@ -33,14 +34,15 @@ bool clipToFar(Vec2 &a, Vec2 &b) {
     if (!(t0 <= t1)) {
         return false;
     }
-    const Vec2 from = a;
+    const Pixel from = a;
     a = from + t0 * d;
     b = from + t1 * d;
     return true;
 }
 
-ImVec2 im(Vec2 p) {
-    return {static_cast<float>(std::clamp(p.x, -kFar, kFar)), static_cast<float>(std::clamp(p.y, -kFar, kFar))};
+ImVec2 im(Pixel p) {
+    const glm::vec2 near(glm::clamp(p, -kFar, kFar));
+    return {near.x, near.y};
 }
 
 float im(double v) {
@@ -50,41 +52,41 @@ float im(double v) {
 } // namespace
 
 void CanvasPainter::line(Vec2 a, Vec2 b, Colour colour, double width) {
-    Vec2 p = camera_.toPixel(a), q = camera_.toPixel(b);
+    Pixel p = camera_.toPixel(a), q = camera_.toPixel(b);
     if (clipToFar(p, q)) {
         list_.AddLine(im(p), im(q), colour, im(width * scale_));
     }
 }
 
 void CanvasPainter::dashed(Vec2 a, Vec2 b, Colour colour, double width, double dash) {
-    Vec2 p = camera_.toPixel(a), q = camera_.toPixel(b);
+    Pixel p = camera_.toPixel(a), q = camera_.toPixel(b);
     if (!clipToFar(p, q)) {
         return;
     }
-    const double whole = length(q - p), stride = 2.0 * dash * scale_;
+    const double whole = glm::distance(p, q), stride = 2.0 * dash * scale_;
     if (whole < stride || whole / stride > 2000.0) {
         list_.AddLine(im(p), im(q), colour, im(width * scale_));
         return;
     }
     for (double at = 0.0; at < whole; at += stride) {
         const double end = std::min(at + 0.5 * stride, whole);
-        list_.AddLine(im(lerp(p, q, at / whole)), im(lerp(p, q, end / whole)), colour, im(width * scale_));
+        list_.AddLine(im(glm::mix(p, q, at / whole)), im(glm::mix(p, q, end / whole)), colour, im(width * scale_));
     }
 }
 
 void CanvasPainter::arrow(Vec2 a, Vec2 b, Colour colour, double width, double head) {
-    Vec2 p = camera_.toPixel(a), q = camera_.toPixel(b);
+    Pixel p = camera_.toPixel(a), q = camera_.toPixel(b);
     if (!clipToFar(p, q)) {
         return;
     }
-    const double whole = length(q - p);
+    const double whole = glm::distance(p, q);
     const double size = std::min(head * scale_, 0.45 * whole);
     if (size < 2.0) {
         list_.AddLine(im(p), im(q), colour, im(width * scale_));
         return;
     }
-    const Vec2 along = (1.0 / whole) * (q - p);
-    const Vec2 neck = q - size * along, side = 0.42 * size * leftNormal(along);
+    const Pixel along = (1.0 / whole) * (q - p);
+    const Pixel neck = q - size * along, side = 0.42 * size * Pixel(-along.y, along.x);
     list_.AddLine(im(p), im(neck), colour, im(width * scale_));
     list_.AddTriangleFilled(im(q), im(neck + side), im(neck - side), colour);
 }
@@ -124,18 +126,17 @@ void CanvasPainter::ring(Vec2 centre, double radius, Colour colour, double width
 }
 
 void CanvasPainter::handle(Vec2 centre, double radius, Colour fill, Colour border) {
-    const Vec2 p = camera_.toPixel(centre);
+    const Pixel middle = glm::round(camera_.toPixel(centre));
     const double r = std::round(radius * scale_);
-    const Vec2 middle{std::round(p.x), std::round(p.y)};
-    list_.AddRectFilled(im(middle - Vec2{r, r}), im(middle + Vec2{r, r}), fill, im(1.5 * scale_));
-    list_.AddRect(im(middle - Vec2{r, r}), im(middle + Vec2{r, r}), border, im(1.5 * scale_), 0, im(1.25 * scale_));
+    list_.AddRectFilled(im(middle - r), im(middle + r), fill, im(1.5 * scale_));
+    list_.AddRect(im(middle - r), im(middle + r), border, im(1.5 * scale_), 0, im(1.25 * scale_));
 }
 
 void CanvasPainter::cross(Vec2 centre, double radius, Colour colour, double width) {
-    const Vec2 p = camera_.toPixel(centre);
+    const Pixel p = camera_.toPixel(centre);
     const double r = radius * scale_;
-    list_.AddLine(im(p + Vec2{-r, -r}), im(p + Vec2{r, r}), colour, im(width * scale_));
-    list_.AddLine(im(p + Vec2{-r, r}), im(p + Vec2{r, -r}), colour, im(width * scale_));
+    list_.AddLine(im(p - r), im(p + r), colour, im(width * scale_));
+    list_.AddLine(im(p + Pixel(-r, r)), im(p + Pixel(r, -r)), colour, im(width * scale_));
 }
 
 void CanvasPainter::circle(Vec2 centre, double radius, Colour colour, double width) {
@@ -173,15 +174,16 @@ constexpr double kLabelPadX = 5.0, kLabelPadY = 2.0; // design pixels
 
 } // namespace
 
-PixelRect CanvasPainter::labelRect(Vec2 at, Vec2 offset, std::string_view text, ImFont *font) const {
+PixelRect CanvasPainter::labelRect(Vec2 at, Pixel offset, std::string_view text, ImFont *font) const {
     const ImVec2 size = extentOf(font != nullptr ? *font : *ImGui::GetFont(), text);
-    const Vec2 p = camera_.toPixel(at) + scale_ * offset;
+    const Pixel p = camera_.toPixel(at) + scale_ * offset;
     const double padX = kLabelPadX * scale_, padY = kLabelPadY * scale_;
     return {std::round(p.x) - padX, std::round(p.y) - padY, static_cast<double>(size.x) + 2.0 * padX,
             static_cast<double>(size.y) + 2.0 * padY};
 }
 
-PixelRect CanvasPainter::label(Vec2 at, Vec2 offset, std::string_view text, Colour colour, Colour plate, ImFont *font) {
+PixelRect CanvasPainter::label(Vec2 at, Pixel offset, std::string_view text, Colour colour, Colour plate,
+                               ImFont *font) {
     ImFont *used = font != nullptr ? font : ImGui::GetFont();
     const PixelRect rect = labelRect(at, offset, text, used);
     list_.AddRectFilled(im({rect.x, rect.y}), im({rect.x + rect.width, rect.y + rect.height}), plate, im(4.0 * scale_));
@@ -191,13 +193,13 @@ PixelRect CanvasPainter::label(Vec2 at, Vec2 offset, std::string_view text, Colo
     return rect;
 }
 
-bool CanvasPainter::freeLabel(Vec2 at, Vec2 offset, std::string_view text, Colour colour, Colour plate, ImFont *font) {
+bool CanvasPainter::freeLabel(Vec2 at, Pixel offset, std::string_view text, Colour colour, Colour plate, ImFont *font) {
     const PixelRect first = labelRect(at, offset, text, font);
     const double height = first.height / scale_ + 1.0;
     const double mirrored = -offset.x - first.width / scale_ + 2.0 * kLabelPadX;
     for (const double level : {0.0, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0}) {
         for (const double x : {offset.x, mirrored}) {
-            const Vec2 place{x, offset.y + level * height};
+            const Pixel place{x, offset.y + level * height};
             const PixelRect rect = labelRect(at, place, text, font);
             if (std::none_of(taken_.begin(), taken_.end(), [&](const PixelRect &t) { return rect.overlaps(t); })) {
                 label(at, place, text, colour, plate, font);
@@ -211,7 +213,7 @@ bool CanvasPainter::freeLabel(Vec2 at, Vec2 offset, std::string_view text, Colou
 void CanvasPainter::text(Vec2 at, std::string_view text, Colour colour, ImFont *font) {
     ImFont *used = font != nullptr ? font : ImGui::GetFont();
     const ImVec2 size = used->CalcTextSizeA(used->FontSize, 1e9F, 0.0F, text.data(), text.data() + text.size());
-    const Vec2 p = camera_.toPixel(at);
+    const Pixel p = camera_.toPixel(at);
     list_.AddText(used, used->FontSize, im({std::round(p.x - 0.5 * size.x), std::round(p.y - 0.5 * size.y)}), colour,
                   text.data(), text.data() + text.size());
 }

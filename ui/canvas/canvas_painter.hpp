@@ -27,21 +27,21 @@ class CanvasPainter {
     void triangle(Vec2 a, Vec2 b, Vec2 c, Colour fill);
     void rectangle(const Box2 &box, Colour colour, double width = 1.0);
     void fillRectangle(const Box2 &box, Colour fill);
-    /// Radius in design pixels.
+    /// Draws a filled dot; the radius is in design pixels, as is that of ring() and cross().
     void dot(Vec2 centre, double radius, Colour fill);
     void ring(Vec2 centre, double radius, Colour colour, double width = 1.5);
     /// Draws a square node handle; `radius` is half its side in design pixels.
     void handle(Vec2 centre, double radius, Colour fill, Colour border);
     void cross(Vec2 centre, double radius, Colour colour, double width = 1.5);
-    /// Radius in domain units.
+    /// Draws a circle; the radius is in domain units, as is that of disc() and dashedCircle().
     void circle(Vec2 centre, double radius, Colour colour, double width = 1.5);
     void disc(Vec2 centre, double radius, Colour fill);
     void dashedCircle(Vec2 centre, double radius, Colour colour, double width = 1.5);
     /// Draws text on a rounded plate, `offset` design pixels from the place. Returns its rectangle in pixels.
-    PixelRect label(Vec2 at, Vec2 offset, std::string_view text, Colour colour, Colour plate, ImFont *font = nullptr);
+    PixelRect label(Vec2 at, Pixel offset, std::string_view text, Colour colour, Colour plate, ImFont *font = nullptr);
     /// Draws a label where it covers no other label and no reserved area: at `offset`, otherwise on the other side of
     /// the place, above or below it. Returns false, and draws nothing, if all of these are taken.
-    bool freeLabel(Vec2 at, Vec2 offset, std::string_view text, Colour colour, Colour plate, ImFont *font = nullptr);
+    bool freeLabel(Vec2 at, Pixel offset, std::string_view text, Colour colour, Colour plate, ImFont *font = nullptr);
     /// Keeps free labels out of a rectangle of pixels.
     void reserve(const PixelRect &rect) { taken_.push_back(rect); }
     /// Draws text without a plate, centred on the place.
@@ -52,7 +52,7 @@ class CanvasPainter {
     ImDrawList &list() { return list_; }
 
   private:
-    PixelRect labelRect(Vec2 at, Vec2 offset, std::string_view text, ImFont *font) const;
+    PixelRect labelRect(Vec2 at, Pixel offset, std::string_view text, ImFont *font) const;
 
     ImDrawList &list_;
     const Camera &camera_;

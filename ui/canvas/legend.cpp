@@ -43,7 +43,7 @@ std::vector<LegendLabel> legendLabels(ImFont *font, const std::vector<LegendTick
     return labels;
 }
 
-void drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &fonts, Vec2 corner,
+void drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &fonts, Pixel corner,
                    const std::string &title, Colour (*map)(double), const std::vector<LegendTick> &ticks,
                    double hatchedTo) {
     const double s = painter.scale();

@@ -37,7 +37,7 @@ std::vector<LegendLabel> legendLabels(ImFont *font, const std::vector<LegendTick
 
 /// Draws a colour bar with a title and ticks, its lower right corner at `corner` (pixels). The bar is hatched from its
 /// start to `hatchedTo`, in [0, 1].
-void drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &fonts, Vec2 corner,
+void drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &fonts, Pixel corner,
                    const std::string &title, Colour (*map)(double), const std::vector<LegendTick> &ticks,
                    double hatchedTo = 0.0);
 

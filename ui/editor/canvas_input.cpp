@@ -60,7 +60,7 @@ void CanvasInput::dispatch(const InputEvent &event, Shell &context) {
 }
 
 void CanvasInput::move(const InputEvent &event, Shell &context) {
-    const Vec2 before = pixel_;
+    const Pixel before = pixel_;
     pixel_ = {event.x, event.y};
     const bool over = canvasFree(context) && context.view.camera.viewport.contains(pixel_);
     if (panning_) {
@@ -80,7 +80,7 @@ void CanvasInput::move(const InputEvent &event, Shell &context) {
 int CanvasInput::countClicks(const InputEvent &event, Shell &context) {
     const double now = context.platform.now();
     const bool again =
-        now - clickTime_ < 0.35 && distance(pixel_, clickPixel_) < 4.0 * static_cast<double>(context.scale);
+        now - clickTime_ < 0.35 && glm::distance(pixel_, clickPixel_) < 4.0 * static_cast<double>(context.scale);
     clicks_ = again ? clicks_ + 1 : 1;
     clickTime_ = now;
     clickPixel_ = pixel_;

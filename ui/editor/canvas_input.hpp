@@ -27,7 +27,7 @@ class CanvasInput {
     bool offer(CanvasEvent event, Shell &context) const;
     int countClicks(const InputEvent &event, Shell &context);
 
-    Vec2 pixel_;
+    Pixel pixel_{};
     Modifiers modifiers_;
     bool over_ = false;
     bool panning_ = false;
@@ -35,7 +35,7 @@ class CanvasInput {
     bool spaceDown_ = false, spaceUsed_ = false;
     std::optional<Shortcut> waiting_;        ///< runs once the text field is left
     std::optional<InputEvent> waitingPress_; ///< click on the canvas, likewise
-    Vec2 clickPixel_;
+    Pixel clickPixel_{};
     double clickTime_ = -1.0;
     int clicks_ = 0;
 };

@@ -53,10 +53,10 @@ GlKit::~GlKit() {
 
 void GlKit::setCamera(const ShaderProgram &program, const Camera &camera) const {
     const SplitPoint centre(camera.centre);
-    program.set("centreHigh", static_cast<double>(centre.x.high), static_cast<double>(centre.y.high));
-    program.set("centreLow", static_cast<double>(centre.x.low), static_cast<double>(centre.y.low));
+    program.set("centreHigh", centre.high);
+    program.set("centreLow", centre.low);
     program.set("zoom", static_cast<float>(camera.zoom));
-    program.set("viewport", camera.viewport.width, camera.viewport.height);
+    program.set("viewport", glm::vec2(camera.viewport.width, camera.viewport.height));
 }
 
 void GlKit::updateMask(const Domain &domain, std::uint64_t revision, const Camera &camera) {
@@ -98,10 +98,11 @@ void GlKit::drawField(const Domain &domain, std::uint64_t revision, const Camera
         glActiveTexture(GL_TEXTURE2);
         glBindTexture(GL_TEXTURE_2D, spacing_);
         const Vec2 middle{0.5 * camera.viewport.width, 0.5 * camera.viewport.height};
-        const Vec2 least = middle + camera.zoom * (tint->box.min - camera.centre);
-        program.set("rasterLeast", least.x, least.y);
-        program.set("rasterSize", tint->box.size().x * camera.zoom, tint->box.size().y * camera.zoom);
-        program.set("range", tint->minimum, tint->maximum);
+        const Vec2 corner = middle + camera.zoom * (tint->box.min - camera.centre);
+        program.set("rasterCorner", glm::vec2(corner.x, corner.y));
+        const Vec2 size = camera.zoom * tint->box.size();
+        program.set("rasterSize", glm::vec2(size.x, size.y));
+        program.set("range", glm::vec2(tint->minimum, tint->maximum));
         glActiveTexture(GL_TEXTURE0);
     }
     glBindVertexArray(emptyArray_);

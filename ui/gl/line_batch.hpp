@@ -34,7 +34,7 @@ class LineBatch {
   private:
     struct Segment {
         SplitPoint a, b;
-        Colour colour = 0;
+        Colour colour;
     };
 
     std::vector<Segment> segments_;
@@ -58,7 +58,7 @@ class BoxBatch {
   private:
     struct Box {
         SplitPoint min, max;
-        Colour fill = 0, frame = 0;
+        Colour fill, frame;
     };
 
     std::vector<Box> boxes_;

@@ -49,7 +49,7 @@ MeshBatch::MeshBatch() {
     glBindVertexArray(array_);
     glBindBuffer(GL_ARRAY_BUFFER, cornerBuffer_);
     glEnableVertexAttribArray(0);
-    glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, sizeof(Corner), nullptr);
+    glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, sizeof(glm::vec2), nullptr);
     glBindBuffer(GL_ARRAY_BUFFER, valueBuffer_);
     glEnableVertexAttribArray(1);
     glVertexAttribPointer(1, 1, GL_FLOAT, GL_FALSE, sizeof(float), nullptr);
@@ -90,7 +90,7 @@ void MeshBatch::writeElement(const MeshView &view, std::size_t element, Chunk &c
         const Vec2 p = view.mesh.nodes[index(id)];
         const Vec2 d = p - chunk.origin;
         chunk.box.add(p);
-        corners_.push_back({static_cast<float>(d.x), static_cast<float>(d.y)});
+        corners_.emplace_back(d.x, d.y);
         values_.push_back(alpha);
     }
     ++chunk.count;
@@ -134,7 +134,7 @@ void MeshBatch::upload(std::size_t fromElement) {
         capacity_ = std::max(total, std::min(2 * capacity_, total + 262144));
         fromElement = 0;
         glBindBuffer(GL_ARRAY_BUFFER, cornerBuffer_);
-        glBufferData(GL_ARRAY_BUFFER, bytes(capacity_, sizeof(Corner)), nullptr, GL_DYNAMIC_DRAW);
+        glBufferData(GL_ARRAY_BUFFER, bytes(capacity_, sizeof(glm::vec2)), nullptr, GL_DYNAMIC_DRAW);
         glBindBuffer(GL_ARRAY_BUFFER, valueBuffer_);
         glBufferData(GL_ARRAY_BUFFER, bytes(capacity_, sizeof(float)), nullptr, GL_DYNAMIC_DRAW);
     }
@@ -142,7 +142,7 @@ void MeshBatch::upload(std::size_t fromElement) {
         const std::size_t count = total - fromElement;
         sent_ += count;
         glBindBuffer(GL_ARRAY_BUFFER, cornerBuffer_);
-        glBufferSubData(GL_ARRAY_BUFFER, bytes(fromElement, sizeof(Corner)), bytes(count, sizeof(Corner)),
+        glBufferSubData(GL_ARRAY_BUFFER, bytes(fromElement, sizeof(glm::vec2)), bytes(count, sizeof(glm::vec2)),
                         &corners_[3 * fromElement]);
         glBindBuffer(GL_ARRAY_BUFFER, valueBuffer_);
         glBufferSubData(GL_ARRAY_BUFFER, bytes(fromElement, sizeof(float)), bytes(count, sizeof(float)),
@@ -182,16 +182,16 @@ void MeshBatch::draw(const GlKit &gl, const Camera &camera, const MeshStyle &sty
     const ShaderProgram &program = gl.mesh();
     program.use();
     program.set("zoom", static_cast<float>(camera.zoom));
-    program.set("viewport", camera.viewport.width, camera.viewport.height);
+    program.set("viewport", glm::vec2(camera.viewport.width, camera.viewport.height));
     program.set("face", style.face);
     program.set("edge", style.edge);
     program.set("edgeWidth", static_cast<float>(style.edgeWidth));
     program.set("coloured", style.coloured ? 1 : 0);
-    program.set("range", style.range.from, style.range.to);
-    program.set("veil", static_cast<float>(style.veil));
+    program.set("range", glm::vec2(style.range.from, style.range.to));
+    program.set("denseEdges", static_cast<float>(style.denseEdges));
     program.set("badBelow", static_cast<float>(style.badBelow));
     program.set("hatch", style.hatch);
-    program.set("isolate", style.isolateFrom, style.isolateTo);
+    program.set("isolate", glm::vec2(style.isolateFrom, style.isolateTo));
     program.set("map", 0);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, gl.cividis());
@@ -202,7 +202,7 @@ void MeshBatch::draw(const GlKit &gl, const Camera &camera, const MeshStyle &sty
             continue;
         }
         const Vec2 offset = camera.zoom * (chunk.origin - camera.centre);
-        program.set("offset", offset.x, offset.y);
+        program.set("offset", glm::vec2(offset.x, offset.y));
         glDrawArrays(GL_TRIANGLES, static_cast<int>(3 * chunk.first), static_cast<int>(3 * chunk.count));
         ++chunksDrawn_;
     }

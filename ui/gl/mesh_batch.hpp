@@ -5,6 +5,8 @@
 #include "ui/style/colour.hpp"
 #include "ui/style/colour_map.hpp"
 
+#include <glm/vec2.hpp>
+
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -15,14 +17,14 @@ class GlKit;
 
 /// The style in which the elements of a mesh are drawn.
 struct MeshStyle {
-    Colour face = 0;        ///< of elements not coloured by their value; transparent: none
-    Colour edge = 0;        ///< transparent: none
-    double edgeWidth = 1.0; ///< pixels
-    double veil = 0.0;      ///< opacity, relative to `edge`, of edges too dense to be distinguished
-    bool coloured = false;  ///< colour faces by α, opaque, with the cividis map
-    ColourRange range;      ///< of α on the map
-    double badBelow = -1.0; ///< elements with α below it are hatched
-    Colour hatch = 0;
+    Colour face;             ///< of elements not coloured by their value; transparent: none
+    Colour edge;             ///< transparent: none
+    double edgeWidth = 1.0;  ///< pixels
+    double denseEdges = 0.0; ///< opacity, relative to `edge`, of edges too dense to be distinguished
+    bool coloured = false;   ///< colour faces by α, opaque, with the cividis map
+    ColourRange range;       ///< of α on the map
+    double badBelow = -1.0;  ///< elements with α below it are hatched
+    Colour hatch;
     double isolateFrom = 1.0, isolateTo = 0.0; ///< shows only elements with α in [from, to); from > to: all
 };
 
@@ -52,9 +54,6 @@ class MeshBatch {
         Box2 box;
         std::size_t first = 0, count = 0; ///< elements
     };
-    struct Corner {
-        float x = 0.0F, y = 0.0F;
-    };
 
     std::size_t commonPrefix(const MeshView &view) const;
     void truncate(std::size_t elements);
@@ -65,10 +64,10 @@ class MeshBatch {
 
     std::shared_ptr<const MeshView> shown_;
     std::vector<Chunk> chunks_;
-    std::vector<Corner> corners_; ///< three per element, relative to the origin of the chunk
-    std::vector<float> values_;   ///< three per element: α
-    std::size_t uploaded_ = 0;    ///< elements
-    std::size_t capacity_ = 0;    ///< elements that fit into the buffers
+    std::vector<glm::vec2> corners_; ///< three per element, relative to the origin of the chunk
+    std::vector<float> values_;      ///< three per element: α
+    std::size_t uploaded_ = 0;       ///< elements
+    std::size_t capacity_ = 0;       ///< elements that fit into the buffers
     std::size_t sent_ = 0;
     std::size_t chunksDrawn_ = 0;
     bool byPlace_ = false;

@@ -1,6 +1,7 @@
 #include "ui/gl/shader.hpp"
 
 #include <glad/gl.h>
+#include <glm/gtc/type_ptr.hpp>
 
 #include <array>
 #include <cstdio>
@@ -71,12 +72,11 @@ void ShaderProgram::set(const char *uniform, float value) const {
 void ShaderProgram::set(const char *uniform, int value) const {
     glUniform1i(location(uniform), value);
 }
-void ShaderProgram::set(const char *uniform, double x, double y) const {
-    glUniform2f(location(uniform), static_cast<float>(x), static_cast<float>(y));
+void ShaderProgram::set(const char *uniform, const glm::vec2 &value) const {
+    glUniform2fv(location(uniform), 1, glm::value_ptr(value));
 }
-void ShaderProgram::set(const char *uniform, Colour colour) const {
-    const auto channel = [&](unsigned shift) { return static_cast<float>((colour >> shift) & 0xffU) / 255.0F; };
-    glUniform4f(location(uniform), channel(0), channel(8), channel(16), channel(24));
+void ShaderProgram::set(const char *uniform, const Colour &colour) const {
+    glUniform4fv(location(uniform), 1, glm::value_ptr(colour.channels()));
 }
 
 } // namespace forefront

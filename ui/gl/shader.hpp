@@ -2,6 +2,8 @@
 
 #include "ui/style/colour.hpp"
 
+#include <glm/vec2.hpp>
+
 #include <string_view>
 
 namespace forefront {
@@ -22,8 +24,8 @@ class ShaderProgram {
     // The program must be in use.
     void set(const char *uniform, float value) const;
     void set(const char *uniform, int value) const;
-    void set(const char *uniform, double x, double y) const;
-    void set(const char *uniform, Colour colour) const;
+    void set(const char *uniform, const glm::vec2 &value) const;
+    void set(const char *uniform, const Colour &colour) const;
 
   private:
     int location(const char *uniform) const;

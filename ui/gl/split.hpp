@@ -2,23 +2,18 @@
 
 #include "core/base/vec2.hpp"
 
+#include <glm/vec2.hpp>
+
 namespace forefront {
 
-/// A double split into the sum of two floats. Subtracting a camera centre split the same way keeps about 48 bits, so
-/// that a drawing at an offset of 1e5 is as sharp as one at the origin.
-struct SplitFloat {
-    float high = 0.0F, low = 0.0F;
-
-    SplitFloat() = default;
-    explicit SplitFloat(double value)
-        : high(static_cast<float>(value)), low(static_cast<float>(value - static_cast<double>(high))) {}
-};
-
+/// A place split into the sum of two places in single precision. Subtracting a camera centre split the same way keeps
+/// about 48 bits, so that a drawing at an offset of 1e5 is as sharp as one at the origin.
 struct SplitPoint {
-    SplitFloat x, y;
+    glm::vec2 high{}, low{};
 
     SplitPoint() = default;
-    explicit SplitPoint(Vec2 p) : x(p.x), y(p.y) {}
+    explicit SplitPoint(Vec2 p)
+        : high(p.x, p.y), low(p.x - static_cast<double>(high.x), p.y - static_cast<double>(high.y)) {}
 };
 
 } // namespace forefront

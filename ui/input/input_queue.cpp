@@ -13,8 +13,8 @@ constexpr double kWheelJitter = 4.0;
 struct FrameChanges {
     bool button = false, scrolled = false, key = false, text = false;
     bool sharedKey = false; ///< only keys that may share a frame have changed
-    Vec2 pointer;
-    std::optional<Vec2> wheelAt; ///< where the pointer was when the wheel first turned
+    Pixel pointer{};
+    std::optional<Pixel> wheelAt; ///< where the pointer was when the wheel first turned
 
     /// Returns true if `event` must wait for the next frame. A move after a button change would shift the click; two
     /// changes of a button or key would hide each other; text belongs to the key before it. Wheel notches add up, and
@@ -22,7 +22,8 @@ struct FrameChanges {
     bool conflicts(const InputEvent &event, bool shares) const {
         switch (event.kind) {
         case InputKind::MouseMove:
-            return button || (scrolled && !(wheelAt && distance(*wheelAt, {event.x, event.y}) <= kWheelJitter));
+            return button ||
+                   (scrolled && !(wheelAt && glm::distance(*wheelAt, Pixel(event.x, event.y)) <= kWheelJitter));
         case InputKind::MouseButton:
             return button || scrolled || key || sharedKey;
         case InputKind::Scroll:
@@ -38,7 +39,7 @@ struct FrameChanges {
 
     void note(const InputEvent &event, bool shares) {
         if (event.kind == InputKind::MouseMove) {
-            pointer = Vec2{event.x, event.y};
+            pointer = Pixel(event.x, event.y);
         }
         if (event.kind == InputKind::Scroll && !scrolled) {
             wheelAt = pointer;

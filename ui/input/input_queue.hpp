@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/base/vec2.hpp"
 #include "ui/input/keys.hpp"
+#include "ui/input/pixels.hpp"
 
 #include <cstdint>
 #include <deque>
@@ -62,7 +62,7 @@ class InputQueue {
     };
 
     std::deque<InputEvent> events_;
-    Vec2 pointer_; ///< position of the last move taken, pixels
+    Pixel pointer_{}; ///< position of the last move taken, pixels
     std::uint64_t frame_ = 0;
     std::optional<std::uint64_t> recordFrom_;
     std::vector<Timed> recorded_;

@@ -64,8 +64,8 @@ class FrontLayer final : public Layer {
             // down.
             const Vec2 along = (1.0 / distance(e.a, e.b)) * (e.b - e.a);
             const Vec2 right{along.y, -along.x};
-            const auto screen = [](Vec2 v) { return Vec2{v.x, -v.y}; };
-            const Vec2 middle{-9.0, -7.0};
+            const auto screen = [](Vec2 v) { return Pixel(v.x, -v.y); };
+            const Pixel middle{-9.0, -7.0};
             painter.label(e.a, middle + screen(16.0 * right + -14.0 * along), nodeLabel("A", e.nodeA), theme.base,
                           plate, frame.fonts.small);
             painter.label(e.b, middle + screen(16.0 * right + 14.0 * along), nodeLabel("B", e.nodeB), theme.base, plate,

@@ -1,7 +1,9 @@
-#include "ui/canvas/lattice.hpp"
+#include "core/edit/snap.hpp"
 #include "ui/gl/gl_kit.hpp"
 #include "ui/gl/line_batch.hpp"
 #include "ui/layers/layers.hpp"
+
+#include <cmath>
 
 namespace forefront {
 
@@ -15,7 +17,7 @@ class LatticeLayer final : public Layer {
     std::uint64_t stillVersion(const LayerFrame &) const override { return 1; }
 
     void drawStill(const LayerFrame &frame) override {
-        const double pitch = latticePitch(frame.camera, frame.scale);
+        const double pitch = gridPitch(frame.camera.length(frame.scale));
         const Box2 visible = frame.camera.visible();
         lines_.clear();
         const auto colour = [&](double i) {

@@ -46,10 +46,10 @@ class ElementPainter {
         const bool quality = frame.visible("quality");
         const bool tinted = frame.visible("size");
         MeshStyle style;
-        style.face = tinted ? Colour{0} : frame.theme.element;
-        style.edge = !edges ? Colour{0} : quality || tinted ? kEdgeOnColour : frame.theme.mesh;
+        style.face = tinted ? Colour() : frame.theme.element;
+        style.edge = !edges ? Colour() : quality || tinted ? kEdgeOnColour : frame.theme.mesh;
         style.edgeWidth = 1.0 * frame.scale;
-        style.veil = tinted ? 0.2 : 0.0; // shows what is meshed while the front advances
+        style.denseEdges = tinted ? 0.2 : 0.0; // shows what is meshed while the front advances
         style.coloured = quality;
         style.range = frame.qualityRange;
         style.badBelow = quality ? kBad : -2.0;
@@ -121,7 +121,7 @@ class QualityLayer final : public Layer {
     }
 
     bool hasLegend() const override { return true; }
-    bool drawLegend(CanvasPainter &painter, const LayerFrame &frame, Vec2 corner) override {
+    bool drawLegend(CanvasPainter &painter, const LayerFrame &frame, Pixel corner) override {
         drawColourBar(painter, frame.theme, frame.fonts, corner, "shape factor \xce\xb1  (hatched: below 0.5)", cividis,
                       linearTicks(frame.qualityRange), std::clamp(frame.qualityRange.position(kBad), 0.0, 1.0));
         return true;

@@ -38,7 +38,7 @@ class SpacingLayer final : public Layer {
 
     bool coloursByValue() const override { return true; }
     bool hasLegend() const override { return true; }
-    bool drawLegend(CanvasPainter &painter, const LayerFrame &frame, Vec2 corner) override {
+    bool drawLegend(CanvasPainter &painter, const LayerFrame &frame, Pixel corner) override {
         if (!shown_ || shown_->rho.empty()) {
             return false;
         }

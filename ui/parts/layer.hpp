@@ -6,7 +6,7 @@
 #include "ui/style/colour_map.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/theme.hpp"
-#include "ui/workspace/preview.hpp"
+#include "ui/workspace/document_examiner.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -71,7 +71,7 @@ class Layer {
     /// Returns true if the layer can have a legend in the lower right corner of the canvas.
     virtual bool hasLegend() const { return false; }
     /// Draws the legend with its lower right corner at `corner` (pixels). Returns false if there is nothing to explain.
-    virtual bool drawLegend(CanvasPainter &, const LayerFrame &, Vec2 corner) {
+    virtual bool drawLegend(CanvasPainter &, const LayerFrame &, Pixel corner) {
         static_cast<void>(corner);
         return false;
     }

@@ -29,8 +29,8 @@ struct CanvasEvent {
         Text     ///< a character was typed
     };
     Kind kind = Kind::Hover;
-    Vec2 place; ///< under the pointer, in domain units
-    Vec2 pixel; ///< framebuffer pixels
+    Vec2 place;    ///< under the pointer, in domain units
+    Pixel pixel{}; ///< of the pointer
     MouseButton button = MouseButton::Left;
     int clicks = 0;
     int key = 0;           ///< Key: see ui/input/keys.hpp

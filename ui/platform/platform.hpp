@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/input/input_queue.hpp"
-#include "ui/platform/pixels.hpp"
+#include "ui/input/pixels.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -53,9 +53,9 @@ class Target {
     PixelSize size_;
 };
 
-void clearTo(Colour colour) {
-    const auto channel = [&](unsigned shift) { return static_cast<float>((colour >> shift) & 0xffU) / 255.0F; };
-    glClearColor(channel(0), channel(8), channel(16), 1.0F);
+void clearTo(const Colour &colour) {
+    const glm::vec4 channels = colour.channels();
+    glClearColor(channels.r, channels.g, channels.b, 1.0F);
     glClear(GL_COLOR_BUFFER_BIT);
 }
 
@@ -109,7 +109,7 @@ void Canvas::Parts::requestRaster(Shell &context) {
     const LayerSlot *layer = context.layer("size");
     const Box2 bounds = domain.bounds();
     if (layer == nullptr || !layer->visible || bounds.empty()) {
-        context.previews.submitRaster({}, 0, 0);
+        context.examiner.submitRaster({}, 0, 0);
         rasterBox = {};
         return;
     }
@@ -132,7 +132,7 @@ void Canvas::Parts::requestRaster(Shell &context) {
         rasterZoom = camera.zoom;
         const double samples = camera.zoom / (kPixelsPerSample * static_cast<double>(context.scale));
         const auto count = [&](double length) { return std::clamp(static_cast<int>(length * samples), 8, 1400); };
-        context.previews.submitRaster(rasterBox, count(rasterBox.size().x), count(rasterBox.size().y));
+        context.examiner.submitRaster(rasterBox, count(rasterBox.size().x), count(rasterBox.size().y));
     }
 }
 
@@ -184,8 +184,8 @@ void Canvas::Parts::drawLegends(Shell &context, CanvasPainter &painter, const La
     int drawnSoFar = 0;
     for (LayerSlot &slot : context.layers) {
         const int column = drawnSoFar % abreast, row = drawnSoFar / abreast;
-        const Vec2 corner{rect.x + rect.width - (kLegendMargin + column * (kLegendWidth + kLegendGap)) * s,
-                          rect.y + rect.height - (kLegendMargin + row * (kLegendHeight + kLegendGap)) * s};
+        const Pixel corner{rect.x + rect.width - (kLegendMargin + column * (kLegendWidth + kLegendGap)) * s,
+                           rect.y + rect.height - (kLegendMargin + row * (kLegendHeight + kLegendGap)) * s};
         if (slot.visible && slot.layer->drawLegend(painter, frame, corner)) {
             ++drawnSoFar;
             ui::markRect(
@@ -209,7 +209,7 @@ void Canvas::Parts::reservePlates(const Shell &context, CanvasPainter &painter) 
         const Shape *const shape = findShape(*context.document.current(), node.shape);
         const std::vector<Vec2> handles = shape != nullptr ? handlesOf(*shape) : std::vector<Vec2>();
         if (node.node < handles.size()) {
-            const Vec2 p = painter.camera().toPixel(handles[node.node]);
+            const Pixel p = painter.camera().toPixel(handles[node.node]);
             painter.reserve({p.x - half, p.y - half, 2.0 * half, 2.0 * half});
         }
     }
@@ -255,7 +255,7 @@ void Canvas::draw(Shell &context) {
                            .domain = parts_->domain,
                            .revision = context.document.revision(),
                            .preview = *context.preview,
-                           .raster = context.previews.raster(),
+                           .raster = context.examiner.raster(),
                            .selection = context.selection,
                            .pointer = context.view.pointer,
                            .isolatedBin = context.view.isolatedBin,

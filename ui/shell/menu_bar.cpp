@@ -110,7 +110,7 @@ void drawMenuBar(Shell &context, const PixelRect &rect) {
         const bool open = ImGui::IsPopupOpen(popup.c_str());
         ImGui::SetCursorPosY((height - ImGui::GetFrameHeight()) / 2);
         const std::string name = std::string("menu/") + menu;
-        ImGui::PushStyleColor(ImGuiCol_Button, open ? context.theme.hovered : Colour{0});
+        ImGui::PushStyleColor(ImGuiCol_Button, open ? context.theme.hovered : Colour());
         const bool pressed = ImGui::Button(menu);
         ImGui::PopStyleColor();
         ui::mark(context, name);

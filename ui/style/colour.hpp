@@ -1,38 +1,41 @@
 #pragma once
 
-#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/gtc/packing.hpp>
+#include <glm/vec4.hpp>
+
 #include <cstdint>
 
 namespace forefront {
 
-/// A colour with straight alpha, packed as in Dear ImGui: red in the lowest byte.
-using Colour = std::uint32_t;
+/// A colour with straight alpha, 8 bits per channel. Converts to the packed form of Dear ImGui, red in the lowest byte.
+/// Transparent black by default.
+struct Colour : glm::u8vec4 {
+    constexpr Colour() : glm::u8vec4(0, 0, 0, 0) {}
+    constexpr Colour(const glm::u8vec4 &channels) : glm::u8vec4(channels) {}
+    /// Rounds channels in [0, 255] to the nearest integers.
+    static constexpr Colour rounded(const glm::dvec4 &channels) { return glm::u8vec4(channels + 0.5); }
 
-/// Rounds a channel in [0, 255] to the nearest integer. std::lround is not constexpr before C++23.
-constexpr std::uint32_t roundChannel(double value) {
-    return static_cast<std::uint32_t>(value + 0.5); // NOLINT(bugprone-incorrect-roundings): never negative
-}
+    operator std::uint32_t() const { return glm::packUint4x8(*this); }
+    /// Returns the channels in [0, 1], as OpenGL takes them.
+    glm::vec4 channels() const { return glm::vec4(*this) / 255.0F; }
+};
+static_assert(sizeof(Colour) == 4, "arrays of colours are uploaded to the GPU");
 
-/// Packs a colour given as 0xRRGGBB and an opacity in [0, 1].
+/// Returns a colour given as 0xRRGGBB and an opacity in [0, 1].
 constexpr Colour rgb(std::uint32_t hex, double alpha = 1.0) {
-    const auto a = roundChannel(alpha * 255.0);
-    return ((hex >> 16) & 0xffU) | (hex & 0xff00U) | ((hex & 0xffU) << 16) | (a << 24);
+    return Colour::rounded({(hex >> 16) & 0xffU, (hex >> 8) & 0xffU, hex & 0xffU, alpha * 255.0});
 }
 
 /// Multiplies the opacity of a colour by `alpha`.
-constexpr Colour fade(Colour colour, double alpha) {
-    const auto a = roundChannel(static_cast<double>(colour >> 24) * alpha);
-    return (colour & 0x00ffffffU) | (std::min<std::uint32_t>(a, 255U) << 24);
+inline Colour fade(const Colour &colour, double alpha) {
+    return Colour::rounded(glm::min(glm::dvec4(colour) * glm::dvec4(1.0, 1.0, 1.0, alpha), 255.0));
 }
 
 /// Interpolates channel by channel from a at t = 0 to b at t = 1.
-constexpr Colour mix(Colour a, Colour b, double t) {
-    Colour result = 0;
-    for (unsigned shift = 0; shift < 32; shift += 8) {
-        const double u = (a >> shift) & 0xffU, v = (b >> shift) & 0xffU;
-        result |= roundChannel(u + (v - u) * t) << shift;
-    }
-    return result;
+inline Colour mix(const Colour &a, const Colour &b, double t) {
+    const glm::dvec4 from(a), to(b);
+    return Colour::rounded(from + t * (to - from));
 }
 
 } // namespace forefront

@@ -76,12 +76,12 @@ Theme lightTheme() {
     return t;
 }
 
-ImVec4 vector(Colour colour, double alpha = 1.0) {
+ImVec4 vector(const Colour &colour, double alpha = 1.0) {
     return ImGui::ColorConvertU32ToFloat4(fade(colour, alpha));
 }
 
 void applyColours(const Theme &t, ImVec4 *c) {
-    const ImVec4 none = vector(0);
+    const ImVec4 none = vector(Colour());
     c[ImGuiCol_Text] = vector(t.text);
     c[ImGuiCol_TextDisabled] = vector(t.faint);
     c[ImGuiCol_WindowBg] = vector(t.panel);

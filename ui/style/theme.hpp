@@ -13,41 +13,41 @@ struct Theme {
     ThemeKind kind = ThemeKind::Dark;
 
     // surfaces
-    Colour canvas = 0;  ///< outside the domain
-    Colour domain = 0;  ///< inside the domain
-    Colour panel = 0;   ///< panels, bars
-    Colour raised = 0;  ///< fields, buttons
-    Colour hovered = 0; ///< ... under the pointer
-    Colour pressed = 0;
-    Colour line = 0; ///< hairlines between surfaces
-    Colour popup = 0;
-    Colour dim = 0; ///< over the window behind a dialog
+    Colour canvas;  ///< outside the domain
+    Colour domain;  ///< inside the domain
+    Colour panel;   ///< panels, bars
+    Colour raised;  ///< fields, buttons
+    Colour hovered; ///< ... under the pointer
+    Colour pressed;
+    Colour line; ///< hairlines between surfaces
+    Colour popup;
+    Colour dim; ///< over the window behind a dialog
 
     // text
-    Colour text = 0;
-    Colour muted = 0; ///< labels, units
-    Colour faint = 0; ///< disabled, placeholders
-    Colour onAccent = 0;
+    Colour text;
+    Colour muted; ///< labels, units
+    Colour faint; ///< disabled, placeholders
+    Colour onAccent;
 
     // meaning
-    Colour accent = 0; ///< primary action, selection, focus
-    Colour good = 0;   ///< accepted, valid
-    Colour bad = 0;    ///< rejected, error
-    Colour warn = 0;   ///< out of date, warning
+    Colour accent; ///< primary action, selection, focus
+    Colour good;   ///< accepted, valid
+    Colour bad;    ///< rejected, error
+    Colour warn;   ///< out of date, warning
 
     // canvas
-    Colour boundary = 0;   ///< domain boundary
-    Colour constraint = 0; ///< constraint segments and points
-    Colour selection = 0;
-    Colour mesh = 0;      ///< edges of the mesh
-    Colour element = 0;   ///< faces of elements not coloured by a value
-    Colour front = 0;     ///< generation front Γ
-    Colour base = 0;      ///< base segment AB
-    Colour candidate = 0; ///< candidate nodes and segments not yet judged
-    Colour cell = 0;      ///< occupied cells of the background grid
-    Colour visited = 0;   ///< cells visited in this step
-    Colour gridLine = 0;  ///< drawing grid
-    Colour brush = 0;
+    Colour boundary;   ///< domain boundary
+    Colour constraint; ///< constraint segments and points
+    Colour selection;
+    Colour mesh;      ///< edges of the mesh
+    Colour element;   ///< faces of elements not coloured by a value
+    Colour front;     ///< generation front Γ
+    Colour base;      ///< base segment AB
+    Colour candidate; ///< candidate nodes and segments not yet judged
+    Colour cell;      ///< occupied cells of the background grid
+    Colour visited;   ///< cells visited in this step
+    Colour gridLine;  ///< drawing grid
+    Colour brush;
 };
 
 Theme makeTheme(ThemeKind kind);

@@ -37,7 +37,7 @@ bool DrawingTool::handle(const CanvasEvent &event, Shell &context) {
     case Kind::Release:
         follow(event, context);
         if (event.button == MouseButton::Left && dragPlaces() && inProgress() &&
-            distance(event.pixel, pressPixel_) > static_cast<double>(context.px(5))) {
+            glm::distance(event.pixel, pressPixel_) > static_cast<double>(context.px(5))) {
             place(pointer_.at, context);
         }
         return true;

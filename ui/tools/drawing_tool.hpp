@@ -62,7 +62,8 @@ class DrawingTool : public Tool {
     bool typed(const CanvasEvent &event, Shell &context);
     void follow(const CanvasEvent &event, Shell &context);
 
-    Vec2 pressPixel_, place_;
+    Pixel pressPixel_{};
+    Vec2 place_;
 };
 
 } // namespace forefront

@@ -191,7 +191,7 @@ void SelectTool::drag(const CanvasEvent &event, Shell &context) {
         boxPlace_ = event.place;
         return;
     }
-    if (mode_ == Mode::Grabbed && distance(event.pixel, pressPixel_) > static_cast<double>(context.px(3))) {
+    if (mode_ == Mode::Grabbed && glm::distance(event.pixel, pressPixel_) > static_cast<double>(context.px(3))) {
         if (!isSelected(grabbed_, context.selection)) {
             return; // Shift removed it from the selection
         }
@@ -206,7 +206,7 @@ void SelectTool::drag(const CanvasEvent &event, Shell &context) {
                                     event.modifiers.shift() && !adds_, event.modifiers.control());
     query.anchor = grabbed_.at;
     // Do not snap to what is being moved.
-    const auto stands = [this](const Shape &shape) {
+    const auto isUnmoved = [this](const Shape &shape) {
         return !moving_.shapes.contains(shape.id) &&
                std::none_of(moving_.nodes.begin(), moving_.nodes.end(),
                             [&](NodeRef node) { return node.shape == shape.id; }) &&
@@ -214,7 +214,7 @@ void SelectTool::drag(const CanvasEvent &event, Shell &context) {
                             [&](SegmentRef segment) { return segment.shape == shape.id; });
     };
     if (state_->snapToDrawing) {
-        query.filter = stands;
+        query.filter = isUnmoved;
     }
     snapped_ = snap(*startIndex_, query);
     EditState::apply(context, moved(snapped_.at), moveLabel(), stroke_);
@@ -251,7 +251,7 @@ Result<Document> SelectTool::moved(Vec2 to) const {
 }
 
 void SelectTool::release(const CanvasEvent &event, Shell &context) {
-    const bool moved = distance(event.pixel, pressPixel_) > static_cast<double>(context.px(3));
+    const bool moved = glm::distance(event.pixel, pressPixel_) > static_cast<double>(context.px(3));
     if (mode_ == Mode::Boxing && moved) {
         const Box2 box = boxOf(pressPlace_, event.place);
         // A box without a whole shape inside selects the nodes inside it.

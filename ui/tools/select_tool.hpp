@@ -59,7 +59,8 @@ class SelectTool final : public Tool {
     bool wasSelected_ = false;         ///< the pressed item was already selected
     bool adds_ = false;                ///< Shift was down
     std::uint32_t clicked_ = kNoIndex; ///< shape under the last click that did not move anything
-    Vec2 pressPixel_, pressPlace_, boxPlace_;
+    Pixel pressPixel_{};
+    Vec2 pressPlace_, boxPlace_;
     Snapped snapped_;
     std::shared_ptr<const Document> start_; ///< document when the drag began
     std::shared_ptr<const PickIndex> startIndex_;

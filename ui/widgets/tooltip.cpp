@@ -11,7 +11,7 @@
 
 namespace forefront::ui {
 
-PixelRect placeTooltip(const PixelRect &widget, const PixelRect &window, Vec2 size, PixelSize display, double x,
+PixelRect placeTooltip(const PixelRect &widget, const PixelRect &window, Pixel size, PixelSize display, double x,
                        double gap) {
     const double width = display.width, height = display.height;
     const auto within = [](double at, double extent, double room) {

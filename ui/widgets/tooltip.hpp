@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/platform/pixels.hpp"
+#include "ui/input/pixels.hpp"
 #include "ui/platform/platform.hpp"
 
 namespace forefront::ui {
@@ -8,7 +8,7 @@ namespace forefront::ui {
 /// Returns the position of a widget's tooltip within the display: outside the panel, bar or plate of the widget, so
 /// that it hides neither the widget nor its neighbours; above the widget if there is no room outside. All values are in
 /// pixels; `x` is the pointer's.
-PixelRect placeTooltip(const PixelRect &widget, const PixelRect &window, Vec2 size, PixelSize display, double x,
+PixelRect placeTooltip(const PixelRect &widget, const PixelRect &window, Pixel size, PixelSize display, double x,
                        double gap);
 
 } // namespace forefront::ui

@@ -24,7 +24,7 @@ struct WidgetContext {
 
     /// Converts design pixels to pixels.
     float px(double design) const { return static_cast<float>(design) * scale; }
-    /// Requests two more frames: something moves that no event announces.
+    /// Requests two more frames, for changes on the screen that no input event causes.
     void animate() { redraw = std::max(redraw, 2); }
     /// Requests a frame at `time`, in seconds of Platform::now(), although nothing happens (a message that fades).
     void wakeAt(double time) { nextFrameAt = std::min(nextFrameAt, time); }

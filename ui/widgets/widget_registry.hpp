@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/platform/pixels.hpp"
+#include "ui/input/pixels.hpp"
 #include "ui/widgets/field_focus.hpp"
 
 #include <map>

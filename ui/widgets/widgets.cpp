@@ -53,7 +53,7 @@ void pushButtonColours(const Theme &theme, ButtonKind kind, bool on) {
         press = mix(theme.accent, theme.panel, 0.2);
         text = theme.onAccent;
     } else if (kind == ButtonKind::Quiet) {
-        rest = on ? fade(theme.accent, 0.2) : Colour{0};
+        rest = on ? fade(theme.accent, 0.2) : Colour();
         text = on ? theme.accent : theme.text;
     }
     ImGui::PushStyleColor(ImGuiCol_Button, rest);

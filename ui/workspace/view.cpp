@@ -7,12 +7,12 @@ void View::fit(const Box2 &box) {
     fitted = box;
 }
 
-void View::pan(Vec2 pixels) {
+void View::pan(Pixel pixels) {
     camera.pan(pixels);
     fitted.reset();
 }
 
-void View::zoomAt(Vec2 pixel, double factor) {
+void View::zoomAt(Pixel pixel, double factor) {
     camera.zoomAt(pixel, factor);
     fitted.reset();
 }

@@ -22,8 +22,8 @@ struct View {
 
     /// Fits a part of the plane into the view, and keeps it fitted when the canvas is resized.
     void fit(const Box2 &box);
-    void pan(Vec2 pixels);
-    void zoomAt(Vec2 pixel, double factor);
+    void pan(Pixel pixels);
+    void zoomAt(Pixel pixel, double factor);
     /// Adapts the view to a new size of the canvas or of its free room: a fitted box is fitted again, otherwise the
     /// centre stays where it is. Returns false if nothing changed.
     bool resize(const PixelRect &viewport, const PixelRect &roomInIt);
