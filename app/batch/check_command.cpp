@@ -29,7 +29,7 @@ Examples:
   forefront check plate.msh --spacing "max(0.05, 0.2*x)"
         how well do its edges keep that spacing?
 
-Exit codes: 0 valid, 1 not valid or not readable (faults on stderr, one a line), 2 wrong usage.)help";
+Exit codes: 0 valid, 1 not valid or not readable (faults on stderr, one per line), 2 wrong usage.)help";
 
 struct CheckArguments {
     std::filesystem::path mesh; ///< "-": standard input

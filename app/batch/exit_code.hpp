@@ -11,12 +11,12 @@ namespace forefront {
 /// Exit codes of the batch commands.
 enum ExitCode : int {
     kDone = 0,
-    kRefused = 1, ///< the input is refused: faults on stderr, one a line
+    kRefused = 1, ///< the input is refused: faults on stderr, one per line
     kUsage = 2,   ///< wrong usage
     kCancelled = 3
 };
 
-/// Prints faults to stderr, one a line.
+/// Prints faults to stderr, one per line.
 void printFaults(const Diagnostics &faults);
 
 /// Returns true if one of the faults has that code.

@@ -47,7 +47,7 @@ std::string checkWeld(const std::optional<double> &tolerance, const Input &input
 /// Returns the ids of the formats that can be read, as --input-format takes them, separated by commas.
 std::string inputFormatIds();
 
-/// Prints the notes of a reader to stderr, one a line; nothing if `quiet`.
+/// Prints the notes of a reader to stderr, one per line; nothing if `quiet`.
 void printNotes(const ImportNotes &notes, bool quiet);
 
 } // namespace forefront

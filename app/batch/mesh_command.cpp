@@ -20,7 +20,7 @@ namespace forefront {
 
 namespace {
 
-/// Reads the domain of any file; spacing and options too where it is a project.
+/// Reads the domain of any file; also spacing and options if it is a project.
 Result<MeshingJob> readJob(const MeshArguments &arguments, const Input &input) {
     ImportNotes notes;
     if (input.isProject()) {

@@ -15,9 +15,9 @@ namespace forefront {
 /// Returns the ids of the mesh formats that can be written, as --format takes them, separated by commas.
 std::string formatIds();
 
-/// Returns the fault of an output's format; empty if it is valid. `id`: from --format; empty: by the extension. A name
-/// that promises one format for the content of another would mislead whoever reads the file; extensions that no format
-/// has may hold any.
+/// Returns the fault of an output's format; empty if it is valid. `id`: from --format; empty: by the extension. The
+/// extension of one format is refused for the content of another, since readers would be misled; unknown extensions are
+/// fine for any format.
 std::string checkFormat(const std::filesystem::path &output, const std::string &id);
 
 /// A file to be written.

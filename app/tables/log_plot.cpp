@@ -17,7 +17,7 @@ constexpr const char *kQuiet = "#57606a";
 constexpr const char *kDecadeLine = "#d0d7de";
 constexpr const char *kFineLine = "#eef1f4";
 
-std::string number(double value) {
+std::string oneDecimal(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.1f", value);
     return text;
@@ -63,7 +63,8 @@ class Drawing {
         : plot_(plot), x_(axisOf(plot, &Vec2::x, kLeft, kRight)), y_(axisOf(plot, &Vec2::y, kBottom, kTop)) {}
 
     std::string run() {
-        svg_ = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + number(kWidth) + ' ' + number(kHeight) +
+        svg_ = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + oneDecimal(kWidth) + ' ' +
+               oneDecimal(kHeight) +
                "\" font-family=\"Inter, Helvetica, Arial, sans-serif\" font-size=\"13\">\n"
                "<rect width=\"100%\" height=\"100%\" rx=\"8\" fill=\"#ffffff\"/>\n";
         text(kLeft, 30.0, plot_.title, kInk, "font-size=\"17\" font-weight=\"600\"");
@@ -77,15 +78,15 @@ class Drawing {
 
   private:
     void line(Vec2 a, Vec2 b, const std::string &style) {
-        svg_ += "<path d=\"M" + number(a.x) + ' ' + number(a.y) + 'L' + number(b.x) + ' ' + number(b.y) +
-                "\" fill=\"none\" " + style + "/>\n";
+        svg_ += "<path d=\"M" + oneDecimal(a.x) + ' ' + oneDecimal(a.y) + 'L' + oneDecimal(b.x) + ' ' +
+                oneDecimal(b.y) + "\" fill=\"none\" " + style + "/>\n";
     }
     void text(double x, double y, const std::string &words, const char *colour, const std::string &style) {
-        svg_ += "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\" fill=\"" + colour + "\" " + style + '>' +
+        svg_ += "<text x=\"" + oneDecimal(x) + "\" y=\"" + oneDecimal(y) + "\" fill=\"" + colour + "\" " + style + '>' +
                 escaped(words) + "</text>\n";
     }
     static std::string stroke(const std::string &colour, double width, bool dashed = false) {
-        return "stroke=\"" + colour + "\" stroke-width=\"" + number(width) + '"' +
+        return "stroke=\"" + colour + "\" stroke-width=\"" + oneDecimal(width) + '"' +
                (dashed ? " stroke-dasharray=\"5 4\"" : "");
     }
 
@@ -103,9 +104,9 @@ class Drawing {
         text(0.5 * (kLeft + kRight), kBottom + 44.0, plot_.xLabel, kQuiet, "text-anchor=\"middle\"");
         const double middle = 0.5 * (kTop + kBottom);
         text(22.0, middle, plot_.yLabel, kQuiet,
-             "text-anchor=\"middle\" transform=\"rotate(-90 22 " + number(middle) + ")\"");
+             "text-anchor=\"middle\" transform=\"rotate(-90 22 " + oneDecimal(middle) + ")\"");
     }
-    /// The decades, or the fine lines at 2 to 9 times each.
+    /// Draws the lines at the decades, or the fine ones at 2 to 9 times each.
     template <class Ends>
     void gridLines(const Axis &axis, bool decades, Ends &&ends) {
         for (int d = axis.first; d <= axis.last; ++d) {
@@ -124,12 +125,12 @@ class Drawing {
             text(x, y, words, kQuiet, style);
             return;
         }
-        svg_ += "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\" fill=\"" + kQuiet + "\" " + style +
+        svg_ += "<text x=\"" + oneDecimal(x) + "\" y=\"" + oneDecimal(y) + "\" fill=\"" + kQuiet + "\" " + style +
                 ">10<tspan dy=\"-5\" font-size=\"10\">" + std::to_string(decade) + "</tspan></text>\n";
     }
 
     void mark(Vec2 at, const PlotSeries &series) {
-        svg_ += "<circle cx=\"" + number(at.x) + "\" cy=\"" + number(at.y) + "\" r=\"4\" fill=\"" +
+        svg_ += "<circle cx=\"" + oneDecimal(at.x) + "\" cy=\"" + oneDecimal(at.y) + "\" r=\"4\" fill=\"" +
                 (series.published ? "#ffffff" : series.colour) + "\" " + stroke(series.colour, 1.8) + "/>\n";
     }
     void draw(const PlotSeries &series) {

@@ -130,7 +130,7 @@ Result<Arrangement> arrange(const ArrangementInput &input, std::stop_token stop)
     }
     const PlaneSweepResult sweep = sweepPlane(snapped.nodes, snapped.edges);
     if (sweep.droppedCount != 0) {
-        return error("arrangement-failed", "the pieces still meet after joining", "report this file as a fault");
+        return error("arrangement-failed", "the pieces still meet after joining", "please report this file as a bug");
     }
     Arrangement result = Assembler(input, lines, snapped, findFaces(snapped.nodes, snapped.edges, sweep)).run();
     result.radius = snapped.radius;

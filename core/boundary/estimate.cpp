@@ -149,14 +149,14 @@ class MeanDensity {
         if (cell.covered <= 0.0) {
             return;
         }
-        double mean = 0.0, least = centreDensity, greatest = centreDensity;
+        double mean = 0.0, minimum = centreDensity, maximum = centreDensity;
         for (unsigned k = 0; k < 4; ++k) {
             const Vec2 low = coverage.box.min;
             cell.densities[k] =
                 density({low.x + (k % 2 != 0 ? 0.75 : 0.25) * size.x, low.y + (k / 2 != 0 ? 0.75 : 0.25) * size.y});
             mean += 0.25 * cell.densities[k];
-            least = std::min(least, cell.densities[k]);
-            greatest = std::max(greatest, cell.densities[k]);
+            minimum = std::min(minimum, cell.densities[k]);
+            maximum = std::max(maximum, cell.densities[k]);
         }
         cell.value = cell.covered * mean;
         // Where the boundary cuts the cell, its part inside may be anywhere in it: above all along the boundary, which
@@ -164,10 +164,10 @@ class MeanDensity {
         for (std::size_t i = 0; i < std::min(coverage.pieces.size(), kPiecesProbed); ++i) {
             const BoundaryPiece part = partWithin(pieces_[coverage.pieces[i]], coverage.box);
             const double atA = density(part.a), atB = density(part.b);
-            least = std::min({least, atA, atB});
-            greatest = std::max({greatest, atA, atB});
+            minimum = std::min({minimum, atA, atB});
+            maximum = std::max({maximum, atA, atB});
         }
-        cell.error = cell.covered * std::max(std::fabs(mean - centreDensity), cut ? 0.3 * (greatest - least) : 0.0);
+        cell.error = cell.covered * std::max(std::fabs(mean - centreDensity), cut ? 0.3 * (maximum - minimum) : 0.0);
         cell.coverage = std::move(coverage);
         sum_ += cell.value;
         error_ += cell.error;

@@ -40,7 +40,7 @@ class SpacingIntegral {
     Outcome integrate(const SpacingField &spacing, Vec2 a, Vec2 b, double rhoA, double rhoB, double longest,
                       double limit, const Progress &progress);
 
-    /// Integrates along a curve, as above; the integral counts the pieces that its bend asks for, too.
+    /// Integrates along a curve, as above, and adds the pieces that its bend asks for.
     Outcome integrate(const SpacingField &spacing, const CurvePath &path, double longest, double limit,
                       const Progress &progress);
 

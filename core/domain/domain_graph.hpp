@@ -27,7 +27,7 @@ DomainGraph graphOf(const Domain &domain);
 /// Attributes of the faces of a domain.
 struct FaceLabels {
     std::vector<std::uint8_t> inside;  ///< per face
-    std::vector<std::int32_t> tag;     ///< per face, by region markers; 1 where there is none
+    std::vector<std::int32_t> tag;     ///< per face, by region markers; 1 if it has none
     std::vector<std::uint32_t> marker; ///< per face: the first region marker in it, or kNoIndex
 };
 

@@ -14,10 +14,6 @@ namespace {
 /// Maximum number of meetings to search for, so that those not listed can be counted.
 constexpr std::size_t kMaxPairs = 100'000;
 
-std::string number(std::size_t value) {
-    return std::to_string(value);
-}
-
 class Validator {
   public:
     Validator(const Domain &domain, std::size_t limit) : domain_(domain), limit_(limit) {}
@@ -64,8 +60,9 @@ class Validator {
             rest.severity = faults_.empty() ? Severity::Error : Severity::Note;
             rest.code = "more-faults";
             const std::size_t more = count_ - faults_.size();
-            rest.message = more == 0 ? "the search for faults was stopped at its limit; there are more"
-                                     : (allMeetings_ ? "" : "at least ") + number(more) + " more faults are not listed";
+            rest.message =
+                more == 0 ? "the search for faults was stopped at its limit; there are more"
+                          : (allMeetings_ ? "" : "at least ") + std::to_string(more) + " more faults are not listed";
             faults_.push_back(std::move(rest));
         }
         return std::move(faults_);
@@ -112,7 +109,8 @@ class Validator {
                 const std::uint32_t bad = segment.a >= nodeCount ? segment.a : segment.b;
                 const std::uint32_t good = segment.a >= nodeCount ? segment.b : segment.a;
                 add("bad-index",
-                    "a segment refers to node " + number(bad) + "; expected an index below " + number(nodeCount),
+                    "a segment refers to node " + std::to_string(bad) + "; expected an index below " +
+                        std::to_string(nodeCount),
                     "correct the node's index", good < nodeCount ? domain_.nodes[good] : domain_.bounds().min,
                     {aSegment(s)});
                 continue;
@@ -163,8 +161,8 @@ class Validator {
             const DomainPart part{DomainPartKind::ConstraintPoint, i};
             if (point.node >= domain_.nodes.size()) {
                 add("bad-index",
-                    "a constraint point refers to node " + number(point.node) + "; expected an index below " +
-                        number(domain_.nodes.size()),
+                    "a constraint point refers to node " + std::to_string(point.node) + "; expected an index below " +
+                        std::to_string(domain_.nodes.size()),
                     "correct the node's index", domain_.bounds().min, {part});
             } else {
                 checkTag("a constraint point", part, point.tag, domain_.nodes[point.node]);
@@ -280,8 +278,9 @@ class Validator {
             if (degree[n] % 2 != 0) {
                 open_ = true;
                 add("open-chain",
-                    degree[n] == 1 ? "the boundary ends at a node; expected a closed loop"
-                                   : number(degree[n]) + " boundary segments meet at a node; expected an even number",
+                    degree[n] == 1
+                        ? "the boundary ends at a node; expected a closed loop"
+                        : std::to_string(degree[n]) + " boundary segments meet at a node; expected an even number",
                     "close the loop, or turn boundary segments that bound nothing into constraints", domain_.nodes[n],
                     {aNode(n)});
             }

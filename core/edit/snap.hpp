@@ -48,7 +48,8 @@ struct Snapped {
 /// attracts only within the smaller of the tolerance and 0.35 of its pitch.
 Snapped snap(const PickIndex &index, const SnapQuery &query);
 
-/// Returns the pitch of the drawing grid: 1, 2 or 5 times a power of ten, with lines at least `minPixels` apart.
+/// Returns the pitch of the drawing grid: 1, 2 or 5 times a power of ten, with lines at least `minPixels` apart; 0 if
+/// `unitsPerPixel` is not a positive number.
 double gridPitch(double unitsPerPixel, double minPixels = 18.0);
 
 inline constexpr double kSnapAngle = 15.0; ///< degrees

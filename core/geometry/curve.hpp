@@ -51,8 +51,8 @@ class Curve {
 
     /// Returns the length of the part between two parameters, to about 12 digits.
     double length(double t0 = 0.0, double t1 = 1.0) const;
-    /// Returns by how much the direction changes along the part between two parameters, in radians, all turns counted
-    /// as positive.
+    /// Returns the total change of direction along the part between two parameters, in radians; turns to either side
+    /// add up.
     double turning(double t0 = 0.0, double t1 = 1.0) const;
     /// Returns the smallest box that contains the part between two parameters.
     Box2 bounds(double t0 = 0.0, double t1 = 1.0) const;

@@ -100,7 +100,7 @@ class Improvement {
             return false;
         }
         if (!smoother) {
-            giveBackFreeMemory(); // memory use is about to peak
+            releaseFreeMemory(); // memory use is about to peak
             smoother.emplace(work_, options_.spacing, progress_.stop);
         } else {
             smoother->renewSpacing(progress_.stop);

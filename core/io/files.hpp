@@ -33,14 +33,14 @@ struct FileFormat {
 std::span<const FileFormat> fileFormats();
 /// Returns the formats with the extension of a path, in the order of preference.
 std::vector<const FileFormat *> fileFormatsNamed(const std::filesystem::path &path);
-/// Returns the format of a file by its first bytes, else by its extension; null where neither tells.
+/// Returns the format of a file by its first bytes, else by its extension; null if neither tells.
 const FileFormat *fileFormatOf(const std::filesystem::path &path);
-/// Returns the format of a file with that content; else as above.
+/// Returns the format of a file with this content, or else by its extension; null if neither tells.
 const FileFormat *fileFormatOf(const std::filesystem::path &path, std::string_view content);
 
 /// Reads a project file or any domain format, by extension and content: .json/.forefront project, GeoJSON, .poly, .svg,
 /// or the outline of a mesh. Faults carry file and line (or byte) and never depend on trusting a count in the file.
-/// `notes`: where to report what of the file is not used; null: nowhere.
+/// `notes`: collects reports of anything in the file that is not used; may be null.
 Result<Document> readDocument(const std::filesystem::path &path, const ImportOptions &options = {},
                               ImportNotes *notes = nullptr);
 /// Reads the domain of any file that readDocument reads.

@@ -36,7 +36,7 @@ inline constexpr std::size_t kHeadBytes = 4096;
 /// Returns all formats, in the order of menus and, among those of one extension, of preference.
 std::span<const Format> formats();
 
-/// Returns the format of a file by its content, else by its extension; null when neither tells.
+/// Returns the format of a file by its content, else by its extension; null if neither tells.
 const Format *formatOf(const std::filesystem::path &path, std::string_view content);
 /// Returns the first format with the extension of a path for which `accepts` returns true; null if there is none.
 const Format *formatOfExtension(const std::filesystem::path &path, bool (*accepts)(const Format &));

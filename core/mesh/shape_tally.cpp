@@ -25,7 +25,7 @@ void ShapeTally::AngleRange::add(Vec2 a, Vec2 b, Vec2 c) {
         return;
     }
     const double atA = dot(b - a, c - a), atB = dot(a - b, c - b), atC = dot(a - c, b - c);
-    greatestCot_ = std::max(greatestCot_, std::max({atA, atB, atC}) / twiceArea);
+    maxCot_ = std::max(maxCot_, std::max({atA, atB, atC}) / twiceArea);
     minCot_ = std::min(minCot_, std::min({atA, atB, atC}) / twiceArea);
 }
 
@@ -38,7 +38,7 @@ double degreesOfCotangent(double cotangent) {
 } // namespace
 
 double ShapeTally::AngleRange::min() const {
-    return flat_ ? 0.0 : degreesOfCotangent(greatestCot_);
+    return flat_ ? 0.0 : degreesOfCotangent(maxCot_);
 }
 
 double ShapeTally::AngleRange::max() const {

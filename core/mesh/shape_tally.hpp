@@ -12,7 +12,7 @@ class ShapeTally {
     /// Adds an element with these corners; its number is count().
     void add(Vec2 a, Vec2 b, Vec2 c);
     std::size_t count() const { return count_; }
-    /// Writes the figures into `quality` and keeps its others. Writes nothing if no element was added.
+    /// Sets the shape figures of `quality`; leaves them unchanged if no element was added.
     void into(MeshQuality &quality) const;
 
   private:
@@ -35,7 +35,7 @@ class ShapeTally {
         double max() const; ///< degrees
 
       private:
-        double greatestCot_ = -std::numeric_limits<double>::infinity();
+        double maxCot_ = -std::numeric_limits<double>::infinity();
         double minCot_ = std::numeric_limits<double>::infinity();
         bool flat_ = false;
     };

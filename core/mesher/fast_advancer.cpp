@@ -142,7 +142,7 @@ bool FastAdvancer<Grid, Trace>::similar(SlotId first, unsigned segments) const {
     return longest < kSimilar * shortest;
 }
 
-/// Closes a corner, or makes a new node over one to three segments. Returns false where neither is possible.
+/// Closes a corner, or makes a new node over one to three segments. Returns false if neither is possible.
 template <class Grid, class Trace>
 bool FastAdvancer<Grid, Trace>::trySimple(const Base &base, AdvanceDelta &delta, Vec2 &apex) {
     const GenerationFront &front = state_.front;

@@ -43,8 +43,8 @@ class Mesher {
     Mesh takeMesh() &&;
     /// Reserves memory for this many elements, so that growth copies nothing and never doubles the memory.
     void reserve(std::uint64_t elements);
-    /// How much to reserve for each estimated element. The estimate may be a fifth too low, and memory that is never
-    /// touched costs nothing.
+    /// Number of elements to reserve memory for, per estimated element. The estimate may be a fifth too low, and memory
+    /// that is never touched costs nothing.
     static constexpr double kReserve = 1.5;
 
   protected:

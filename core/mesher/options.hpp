@@ -16,7 +16,7 @@ namespace FOREFRONT_API forefront {
 /// The method that advances the front.
 enum class Method : std::uint8_t {
     Fast,   ///< walks along the front; a new node makes up to three elements
-    Classic ///< the ten steps after Lo: shortest segment first, one element an advance
+    Classic ///< the ten steps after Lo: shortest segment first, one element per advance
 };
 
 template <>

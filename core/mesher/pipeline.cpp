@@ -88,7 +88,7 @@ Result<MeshingOutcome> runJob(const MeshingJob &job, const Progress &progress) {
     outcome.mesh = std::move(*mesher).takeMesh();
     mesher.reset();
     if (job.options.threads > 1) {
-        giveBackFreeMemory();
+        releaseFreeMemory();
     }
     outcome.secondsMesh = clock.lap();
 

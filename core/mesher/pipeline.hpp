@@ -16,7 +16,7 @@ namespace FOREFRONT_API forefront {
 
 class Mesher;
 
-/// Maximum number of elements: half-edges, three an element, have ids of 31 bits.
+/// Maximum number of elements: half-edges, three per element, have ids of 31 bits.
 inline constexpr double kMaxElements = 7e8;
 
 /// A job that passed validation, with its discretised boundary and spacing field.

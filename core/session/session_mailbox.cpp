@@ -18,8 +18,8 @@ bool stops(const SessionCommand &command, SessionMailbox::Blocking kind) {
     return endsTheRun(command) || (kind == SessionMailbox::Blocking::Improving && !movesNothing);
 }
 
-/// Merges a command into the one waiting before it: steps in one direction add up, of two places to seek the later
-/// counts. So a held key or a dragged scrubber never gets ahead of what a large mesh can follow.
+/// Merges a command into the one waiting before it: steps in the same direction add up, and a later seek replaces an
+/// earlier one. A held key or a dragged scrubber therefore never queues more work than a large mesh can follow.
 bool mergeInto(SessionCommand &waiting, const SessionCommand &next) {
     if (const auto *step = std::get_if<StepCommand>(&next)) {
         auto *before = std::get_if<StepCommand>(&waiting);

@@ -164,14 +164,14 @@ void SessionWorker::beginMove() {
     stage_ = "advancing the front";
 }
 
-void SessionWorker::follow(Way way) {
-    switch (way) {
-    case Way::Still:
+void SessionWorker::follow(Outcome outcome) {
+    switch (outcome) {
+    case Outcome::Still:
         break;
-    case Way::Moved:
+    case Outcome::Moved:
         publishIfDue();
         break;
-    case Way::Arrived:
+    case Outcome::Arrived:
         arrive();
         break;
     }

@@ -25,7 +25,7 @@ class SessionWorker {
   private:
     using Clock = std::chrono::steady_clock;
     using Blocking = SessionMailbox::Blocking;
-    using Way = TimelineTravel::Way;
+    using Outcome = TimelineTravel::Outcome;
 
     void loop();
     void execute(const StartCommand &command);
@@ -41,7 +41,7 @@ class SessionWorker {
     /// Discards the run with its mesh and timeline.
     void forget();
     void beginMove();
-    void follow(Way way);
+    void follow(Outcome outcome);
     void rest(RunState state);
     void arrive();
     void improveMesh();

@@ -58,20 +58,20 @@ TimelineTravel::Moment TimelineTravel::explain() {
     return moment;
 }
 
-TimelineTravel::Way TimelineTravel::reach(std::uint64_t position) {
+TimelineTravel::Outcome TimelineTravel::reach(std::uint64_t position) {
     eventsDone_ = 0;
     targetLayers_ = 0;
     rateOnArrival_ = 0.0;
     target_ = position;
     activity_ = Activity::Reaching;
-    return timeline_.position() == target_ ? arrive() : Way::Still;
+    return timeline_.position() == target_ ? arrive() : Outcome::Still;
 }
 
-TimelineTravel::Way TimelineTravel::reachEnd() {
+TimelineTravel::Outcome TimelineTravel::reachEnd() {
     return reach(kToTheEnd);
 }
 
-TimelineTravel::Way TimelineTravel::step(Granularity granularity, std::int64_t n) {
+TimelineTravel::Outcome TimelineTravel::step(Granularity granularity, std::int64_t n) {
     switch (granularity) {
     case Granularity::Event:
         settle();
@@ -82,10 +82,10 @@ TimelineTravel::Way TimelineTravel::step(Granularity granularity, std::int64_t n
         settle();
         return stepLayers(n);
     }
-    return Way::Arrived;
+    return Outcome::Arrived;
 }
 
-TimelineTravel::Way TimelineTravel::stepAdvances(std::int64_t count) {
+TimelineTravel::Outcome TimelineTravel::stepAdvances(std::int64_t count) {
     const bool underWay = activity_ == Activity::Reaching && target_ != kToTheEnd;
     const std::uint64_t origin = underWay ? target_ : timeline_.position();
     if (count > 0) {
@@ -104,7 +104,7 @@ void TimelineTravel::settle() {
     activity_ = Activity::Resting;
 }
 
-TimelineTravel::Way TimelineTravel::stepEvents(std::int64_t count) {
+TimelineTravel::Outcome TimelineTravel::stepEvents(std::int64_t count) {
     for (; count > 0; --count) {
         if (eventsDone_ == 0) {
             if (timeline_.mesher().finished()) {
@@ -130,14 +130,14 @@ TimelineTravel::Way TimelineTravel::stepEvents(std::int64_t count) {
     return arrive();
 }
 
-TimelineTravel::Way TimelineTravel::stepLayers(std::int64_t count) {
+TimelineTravel::Outcome TimelineTravel::stepLayers(std::int64_t count) {
     const std::vector<std::uint64_t> &ends = timeline_.layerEnds();
     const std::uint64_t position = timeline_.position();
     if (count > 0) {
         const auto above = std::upper_bound(ends.begin(), ends.end(), position) - ends.begin();
-        const Way way = reachEnd();
+        const Outcome outcome = reachEnd();
         targetLayers_ = static_cast<std::size_t>(above + count);
-        return way;
+        return outcome;
     }
     // Within an advance, the first step back may lead to its start.
     const std::uint64_t from = position + (eventsDone_ > 0 ? 1 : 0);
@@ -169,12 +169,12 @@ void TimelineTravel::rest() {
     activity_ = Activity::Resting;
 }
 
-TimelineTravel::Way TimelineTravel::arrive() {
+TimelineTravel::Outcome TimelineTravel::arrive() {
     rest();
-    return Way::Arrived;
+    return Outcome::Arrived;
 }
 
-TimelineTravel::Way TimelineTravel::work() {
+TimelineTravel::Outcome TimelineTravel::work() {
     switch (activity_) {
     case Activity::Resting:
         break;
@@ -183,7 +183,7 @@ TimelineTravel::Way TimelineTravel::work() {
     case Activity::Playing:
         return playABatch();
     }
-    return Way::Arrived;
+    return Outcome::Arrived;
 }
 
 /// Counts the time of advances as meshing time unless they are repeated.
@@ -203,7 +203,7 @@ std::uint64_t TimelineTravel::move(std::int64_t advances) {
     return done;
 }
 
-TimelineTravel::Way TimelineTravel::reachABatch() {
+TimelineTravel::Outcome TimelineTravel::reachABatch() {
     if (targetLayers_ > 0 && timeline_.layerEnds().size() >= targetLayers_) {
         target_ = timeline_.layerEnds()[targetLayers_ - 1];
         targetLayers_ = 0;
@@ -216,16 +216,16 @@ TimelineTravel::Way TimelineTravel::reachABatch() {
         done = move(-static_cast<std::int64_t>(std::min<std::uint64_t>(position - target_, kBatch)));
     }
     if (timeline_.position() != target_ && done != 0 && !atEnd()) {
-        return Way::Moved;
+        return Outcome::Moved;
     }
     if (rateOnArrival_ != 0.0) {
         startPlaying(rateOnArrival_);
-        return Way::Moved;
+        return Outcome::Moved;
     }
     return arrive();
 }
 
-TimelineTravel::Way TimelineTravel::playABatch() {
+TimelineTravel::Outcome TimelineTravel::playABatch() {
     const auto now = Clock::now();
     owed_ += rate_ * std::chrono::duration<double>(now - lastTick_).count();
     lastTick_ = now;
@@ -234,7 +234,7 @@ TimelineTravel::Way TimelineTravel::playABatch() {
     owed_ = std::clamp(owed_, -most, most);
     const auto due = static_cast<std::int64_t>(owed_);
     if (due == 0) {
-        return Way::Still;
+        return Outcome::Still;
     }
     owed_ -= static_cast<double>(due);
     measuredRate_ = std::abs(rate_);
@@ -247,7 +247,7 @@ TimelineTravel::Way TimelineTravel::playABatch() {
             return arrive();
         }
     }
-    return rate_ > 0.0 && atEnd() ? arrive() : Way::Moved;
+    return rate_ > 0.0 && atEnd() ? arrive() : Outcome::Moved;
 }
 
 } // namespace forefront

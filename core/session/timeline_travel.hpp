@@ -15,7 +15,7 @@ class TimelineTravel {
   public:
     using Clock = std::chrono::steady_clock;
     /// The result of a call. Arrived: at rest at the target, or as close to it as the run goes.
-    enum class Way : std::uint8_t { Still, Moved, Arrived };
+    enum class Outcome : std::uint8_t { Still, Moved, Arrived };
     /// An explained advance and a moment in it: the index of an event, or the number of events for the whole advance.
     struct Moment {
         std::shared_ptr<const AdvanceExplanation> advance;
@@ -41,30 +41,30 @@ class TimelineTravel {
     Moment explain();
 
     /// Begins a move to a position. Positions beyond the known ones are computed.
-    Way reach(std::uint64_t position);
+    Outcome reach(std::uint64_t position);
     /// Begins a move to the end of the run.
-    Way reachEnd();
+    Outcome reachEnd();
     /// Begins a move of n steps, back if negative, from the cursor or from its target, so that fast steps add up. n
     /// must not be 0.
-    Way step(Granularity granularity, std::int64_t n);
+    Outcome step(Granularity granularity, std::int64_t n);
     /// Begins to move at a number of advances per second, backward if negative. Starts at the beginning if at the end.
     void play(double rate);
     /// Ends the move.
     void rest();
     /// Performs one batch of the move.
-    Way work();
+    Outcome work();
 
   private:
     enum class Activity : std::uint8_t { Resting, Reaching, Playing };
 
-    Way stepAdvances(std::int64_t count);
-    Way stepEvents(std::int64_t count);
-    Way stepLayers(std::int64_t count);
+    Outcome stepAdvances(std::int64_t count);
+    Outcome stepEvents(std::int64_t count);
+    Outcome stepLayers(std::int64_t count);
     void settle();
     void startPlaying(double rate);
-    Way reachABatch();
-    Way playABatch();
-    Way arrive();
+    Outcome reachABatch();
+    Outcome playABatch();
+    Outcome arrive();
     std::uint64_t move(std::int64_t advances);
     bool followed() const;
     std::shared_ptr<const AdvanceExplanation> explainNext();

@@ -87,7 +87,7 @@ struct FieldParts {
 
     /// Lowers the cap to `size` if that is less.
     void lowerCap(double size, SpacingOrigin origin);
-    /// The point part of type `Part`.
+    /// Returns the point part of type `Part`, empty if it is not given.
     template <class Part>
     std::optional<Part> &point() {
         return std::get<std::optional<Part>>(points);

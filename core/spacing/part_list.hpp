@@ -27,7 +27,7 @@ struct SpacingPartKind {
 std::span<const SpacingPartKind> spacingPartKinds();
 
 /// Returns all faults of the numbers in a specification. Codes: bad-size (sizes, limits, gradation), bad-source,
-/// bad-region-area; sources and markers by index in `ids`, with a place where there is one. Paint and background meshes
+/// bad-region-area; sources and markers by index in `ids`, with a place if known. Paint and background meshes
 /// are checked while they are built.
 Diagnostics checkSpacing(const SpacingSpec &spec, const Domain &domain);
 

@@ -341,7 +341,7 @@ class Imports(Case):
         pair = [polygon % ("A", 0, 1, 1, 0, 0), polygon % ("B", 0.99, 2, 2, 0.99, 0.99)]
         self.write("map.geojson", '{"type": "FeatureCollection", "features": [%s]}' % ", ".join(pair))
         output = self.call("mesh", "map.geojson", "-o", "map.msh").stderr
-        self.assertRegex(output, r"map\.geojson:\d+:\d+: note: decided 1 overlap of features, 0\.01 in area, between A and B at \(")
+        self.assertRegex(output, r"map\.geojson:\d+:\d+: note: resolved 1 overlap of features, 0\.01 in area, between A and B at \(")
         self.call("check", "map.msh", "--domain", "map.geojson")
         self.call("mesh", "map.geojson", "-o", "map.msh", "--strict", code=1)
         self.assertIn("moved 2 nodes onto others, at most 0.01 away",

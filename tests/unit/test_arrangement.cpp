@@ -304,7 +304,7 @@ TEST_CASE("notesOf: one line per kind, with count, displacement and places") {
     CHECK(notes[0].at == Vec2{1, 2});
     CHECK(placesOf(changes[0]) == ", first at (1, 2), (3, 4), (5, 6)");
     CHECK(notes[0].severity == Severity::Note);
-    CHECK(notes[1].message == "decided 1 overlap of features, 2 in area, between A and B");
+    CHECK(notes[1].message == "resolved 1 overlap of features, 2 in area, between A and B");
     CHECK(placesOf(changes[1]) == " at (1, 1)");
 }
 

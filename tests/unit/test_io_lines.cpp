@@ -46,9 +46,9 @@ Result<Domain> geoJson(const std::string &geometry, ImportNotes &notes) {
 
 TEST_CASE("Lines as outline: lines that form a loop are the outline, and their free ends are not") {
     Domain domain = lines({{{0, 0}, {1, 0}}, {{1, 1}, {1, 0}}, {{1, 1}, {0, 1}}, {{0, 0}, {0, 1}}, {{1, 1}, {2, 2}}});
-    CHECK(boundByLines(domain) == 4);
+    CHECK(takeLinesAsOutline(domain) == 4);
     CHECK(domain.segments[4].role == SegmentRole::Constraint);
-    CHECK(boundByLines(domain) == 0); // it has a boundary now
+    CHECK(takeLinesAsOutline(domain) == 0); // it has a boundary now
 }
 
 TEST_CASE("Lines as outline: the outermost of nested lines are the outline") {
@@ -62,14 +62,14 @@ TEST_CASE("Lines as outline: the outermost of nested lines are the outline") {
                            {{3, 1}, {4, 1}},
                            {{4, 1}, {3, 2}},
                            {{3, 2}, {3, 1}}});
-    CHECK(boundByLines(domain) == 7);
+    CHECK(takeLinesAsOutline(domain) == 7);
     CHECK(domain.segments[4].role == SegmentRole::Constraint);
     CHECK(domain.segments[5].role == SegmentRole::Constraint);
 }
 
 TEST_CASE("Lines as outline: open lines bound nothing") {
     Domain domain = lines({{{0, 0}, {1, 0}}, {{1, 0}, {1, 1}}, {{1, 1}, {0, 1}}});
-    CHECK(boundByLines(domain) == 0);
+    CHECK(takeLinesAsOutline(domain) == 0);
     CHECK(boundaryCount(domain) == 0);
     const Diagnostics faults = validate(domain);
     REQUIRE(faults.size() == 1);

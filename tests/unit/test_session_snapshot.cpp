@@ -71,7 +71,7 @@ TEST_CASE("TimelineTravel: playing from the end first returns to the start in ba
     std::size_t batches = 0;
     std::uint64_t before = end;
     while (travel.timeline().position() > 0) {
-        REQUIRE(travel.work() == TimelineTravel::Way::Moved);
+        REQUIRE(travel.work() == TimelineTravel::Outcome::Moved);
         REQUIRE(travel.timeline().position() < before);
         CHECK(before - travel.timeline().position() <= 2000);
         before = travel.timeline().position();
@@ -80,7 +80,7 @@ TEST_CASE("TimelineTravel: playing from the end first returns to the start in ba
     CHECK(batches > 2);
     CHECK_FALSE(travel.resting());
     REQUIRE(travel.workDue());
-    CHECK(travel.work() != TimelineTravel::Way::Arrived); // playing now, forward
+    CHECK(travel.work() != TimelineTravel::Outcome::Arrived); // playing now, forward
     travel.rest();
     CHECK_FALSE(travel.workDue());
 }

@@ -119,8 +119,8 @@ Diagnostics write(Shell &context, const std::filesystem::path &file, const FileF
         return hasErrors(written) ? written : exportNotes(file, exported, format);
     };
     const auto done = [file, format = filter.id, triangles = mesh->mesh.elements.size()](Shell &c) {
-        c.log.tell("Exported mesh to " + file.string() + ": " + ui::count(triangles) + " triangles, " +
-                   fileSizeText(bytesOf(file, format)));
+        c.log.announce("Exported mesh to " + file.string() + ": " + ui::count(triangles) + " triangles, " +
+                       fileSizeText(bytesOf(file, format)));
     };
     context.dialogs.open(std::make_unique<WriteDialog>(file.string(), job, done));
     return {};

@@ -53,7 +53,7 @@ Status save(Shell &context, const std::filesystem::path &file) {
     }
     context.document.markSaved(file);
     rememberFile(context, file);
-    context.log.tell("Saved " + file.string());
+    context.log.announce("Saved " + file.string());
     return {};
 }
 
@@ -91,16 +91,16 @@ void showDocument(Shell &context, const Document &document, const std::filesyste
     context.document.load(document, own ? file : std::filesystem::path(), false,
                           sample != gallery.end() ? sample->title : file.stem().string());
     context.run.clear();
-    context.previews.abandon();
+    context.examiner.abandon();
     context.selection.clear();
     context.view.isolatedBin.reset();
     context.view.fitPending = true;
     context.animate();
     if (!project && format != nullptr) {
         const std::size_t count = document.shapes.size();
-        context.log.tell(file.filename().string() + " (" + format->name + ") opened as a new drawing of " +
-                         ui::count(count) + (count == 1 ? " shape" : " shapes") +
-                         "; save it as a project to keep your changes");
+        context.log.announce(file.filename().string() + " (" + format->name + ") opened as a new drawing of " +
+                             ui::count(count) + (count == 1 ? " shape" : " shapes") +
+                             "; save it as a project to keep your changes");
     }
 }
 
@@ -215,7 +215,7 @@ void importSpacing(Shell &context) {
             return spacing.faults();
         }
         c.document.apply(setSpacing(*c.document.current(), std::move(spacing).value()), "Import spacing");
-        c.log.tell("Imported spacing from " + file.filename().string());
+        c.log.announce("Imported spacing from " + file.filename().string());
         return {};
     };
     context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));

@@ -24,7 +24,7 @@ std::string dateText(std::int64_t modified) {
 }
 
 /// Formats a fault in one line: the place in the file, the message, the advice.
-std::string told(const Diagnostic &fault) {
+std::string lineOf(const Diagnostic &fault) {
     std::string text;
     if (!fault.file.empty()) {
         text = std::filesystem::path(fault.file).filename().string();
@@ -222,7 +222,7 @@ bool FileDialog::choose(Shell &context) {
         faults = request_.chosen(context, file, filter());
     }
     context.log.keep(faults);
-    fault_ = faults.empty() ? std::string() : told(faults.front());
+    fault_ = faults.empty() ? std::string() : lineOf(faults.front());
     return faults.empty();
 }
 

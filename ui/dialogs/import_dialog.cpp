@@ -104,8 +104,8 @@ void ImportDialog::insert(Shell &context) const {
     context.selection = std::move(added);
     context.actions.run("view.fit", context);
     const std::size_t count = drawing_.shapes.size();
-    context.log.tell(ui::count(count) + (count == 1 ? " shape" : " shapes") + " imported from " +
-                     file_.filename().string());
+    context.log.announce(ui::count(count) + (count == 1 ? " shape" : " shapes") + " imported from " +
+                         file_.filename().string());
     context.log.add(notes_);
 }
 

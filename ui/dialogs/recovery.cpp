@@ -44,7 +44,7 @@ bool Recovery::recover(OrphanedJournal &orphan, Shell &context) {
     follow(context);
     journal_.flush();
     orphan.discard();
-    context.log.tell("Recovered unsaved changes; save the document to keep them");
+    context.log.announce("Recovered unsaved changes; save the document to keep them");
     return true;
 }
 

@@ -12,7 +12,7 @@ void repairDrawing(Shell &context) {
         return;
     }
     if (repaired->changes.empty()) {
-        context.log.tell("Found nothing to repair");
+        context.log.announce("Found nothing to repair");
         return;
     }
     context.document.apply(std::move(repaired->document), "Repair drawing");
@@ -25,7 +25,7 @@ void repairDrawing(Shell &context) {
     const auto counted = [](std::size_t number, const char *what) {
         return std::to_string(number) + what + (number == 1 ? "" : "s");
     };
-    context.log.tell(counted(count, " change") + ", " + counted(repaired->left.size(), " fault") + " left");
+    context.log.announce(counted(count, " change") + ", " + counted(repaired->left.size(), " fault") + " left");
 }
 
 } // namespace forefront

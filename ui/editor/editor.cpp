@@ -42,9 +42,9 @@ struct Editor::Parts {
     PixelSize size;
     std::shared_ptr<const SpacingRaster> raster;
     SnapshotPace pace;
-    bool drewNews = false;       ///< this frame draws a new snapshot
-    bool saidCancelling = false; ///< a frame that shows the cancelling has been presented
-    bool toldBusy = false;       ///< the state file says that the editor has not settled
+    bool drewNews = false;         ///< this frame draws a new snapshot
+    bool showedCancelling = false; ///< a frame that shows the cancelling has been presented
+    bool reportedBusy = false;     ///< the state file says that the editor has not settled
 
     bool newsDue() const;
     bool keySharesFrame(const InputEvent &event) const;
@@ -83,7 +83,7 @@ CursorShape cursorOf(ImGuiMouseCursor cursor) {
 } // namespace
 
 bool Editor::Parts::newsDue() const {
-    if (context.run.cancelling() && !saidCancelling) {
+    if (context.run.cancelling() && !showedCancelling) {
         return false; // show the cancelling first: drawing the new snapshot may take long
     }
     const RunState state = context.run.now().state;
@@ -162,7 +162,7 @@ bool Editor::running() const {
 
 bool Editor::settled() const {
     const Shell &c = parts_->context;
-    return parts_->input.empty() && !parts_->input.replaying() && c.redraw <= 0 && !c.previews.busy() &&
+    return parts_->input.empty() && !parts_->input.replaying() && c.redraw <= 0 && !c.examiner.busy() &&
            !c.run.busy() && !c.run.hasNews() && !c.run.hasToFollow();
 }
 
@@ -181,8 +181,8 @@ double Editor::sleepSeconds() const {
 bool Editor::needsFrame() const {
     const Shell &c = parts_->context;
     return sleepSeconds() <= 0.0 || c.platform.now() >= c.nextFrameAt || (c.run.hasNews() && parts_->newsDue()) ||
-           c.run.canFollow() || c.previews.latest() != c.preview || c.previews.raster() != parts_->raster ||
-           !(c.platform.framebufferSize() == parts_->size) || (parts_->toldBusy && settled());
+           c.run.canFollow() || c.examiner.latest() != c.preview || c.examiner.raster() != parts_->raster ||
+           !(c.platform.framebufferSize() == parts_->size) || (parts_->reportedBusy && settled());
 }
 
 bool Editor::open(const std::filesystem::path &file) {
@@ -234,14 +234,14 @@ void Editor::Parts::takeResults(bool cancels) {
         context.run.refresh();
     }
     drewNews = before != context.run.snapshot();
-    context.previews.submit(context.document.current(), context.document.revision());
+    context.examiner.submit(context.document.current(), context.document.revision());
     if (recovery) {
         recovery->follow(context);
     }
     const auto known = context.preview;
     const auto knownRaster = raster;
-    context.preview = context.previews.latest();
-    raster = context.previews.raster();
+    context.preview = context.examiner.latest();
+    raster = context.examiner.raster();
     if (before != context.run.snapshot() || known != context.preview || knownRaster != raster) {
         context.animate();
     }
@@ -371,7 +371,7 @@ void Editor::frame() {
     p.bridge.endFrame();
     c.widgets.endFrame();
     c.platform.present();
-    p.saidCancelling = cancelling;
+    p.showedCancelling = cancelling;
     if (c.run.cancelling()) {
         c.animate();
     }
@@ -385,7 +385,7 @@ void Editor::frame() {
     }
     ++p.frames;
     if (!p.options.stateFile.empty()) {
-        p.toldBusy = !settled();
+        p.reportedBusy = !settled();
         writeStateFile(p.options.stateFile, *this);
     }
 }

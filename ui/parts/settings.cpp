@@ -13,9 +13,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-double numberIn(const Json &json, const char *name, double fallback, double least, double greatest) {
+double numberIn(const Json &json, const char *name, double fallback, double minimum, double maximum) {
     const auto found = json.find(name);
-    return found != json.end() && found->is_number() ? std::clamp(found->get<double>(), least, greatest) : fallback;
+    return found != json.end() && found->is_number() ? std::clamp(found->get<double>(), minimum, maximum) : fallback;
 }
 
 /// Returns the saved position of the window; empty if it is missing or invalid.
@@ -24,8 +24,8 @@ std::optional<WindowPlace> placeIn(const Json &json) {
     if (found == json.end() || !found->is_object()) {
         return std::nullopt;
     }
-    const auto whole = [&](const char *name, double least) {
-        return static_cast<int>(numberIn(*found, name, 0.0, least, 100000.0));
+    const auto whole = [&](const char *name, double minimum) {
+        return static_cast<int>(numberIn(*found, name, 0.0, minimum, 100000.0));
     };
     const auto maximised = found->find("maximised");
     const WindowPlace place{.x = whole("x", -100000.0),

@@ -200,7 +200,7 @@ std::string withPlace(const Diagnostic &diagnostic) {
 const MessageLog::Entry *newsOf(Workspace &context, std::size_t &more) {
     constexpr double kShown = 9.0; // seconds
     const auto &entries = context.log.entries();
-    const auto last = std::find_if(entries.rbegin(), entries.rend(), [](const auto &entry) { return entry.told; });
+    const auto last = std::find_if(entries.rbegin(), entries.rend(), [](const auto &entry) { return entry.announced; });
     if (last == entries.rend() || context.platform.now() - last->time > kShown) {
         return nullptr;
     }
@@ -211,7 +211,7 @@ const MessageLog::Entry *newsOf(Workspace &context, std::size_t &more) {
     context.wakeAt(last->time + kShown);
     auto first = last;
     const auto together = [&](const MessageLog::Entry &entry) {
-        return entry.told && entry.time == last->time && entry.diagnostic.severity != Severity::Note;
+        return entry.announced && entry.time == last->time && entry.diagnostic.severity != Severity::Note;
     };
     while (fault && std::next(first) != entries.rend() && together(*std::next(first))) {
         ++first;

@@ -84,7 +84,7 @@ void addMesh(Cells &cells, Shell &context) {
         cells.add("hash", "hash " + toHex(run.meshHash).substr(0, 8), theme.muted, 92);
         if (cells.clicked("hash")) {
             context.platform.setClipboard(toHex(run.meshHash));
-            context.log.tell("Copied mesh hash " + toHex(run.meshHash));
+            context.log.announce("Copied mesh hash " + toHex(run.meshHash));
         }
         ui::tooltip(context, "Meshes with the same hash are identical bit for bit. Click to copy.");
     }

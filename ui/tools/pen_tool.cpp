@@ -37,8 +37,8 @@ void PenTool::finish(Shell &context) {
     if (path_.size() >= (kind_ == ShapeKind::Polygon ? 3U : 2U)) {
         commit(context, kind_ == ShapeKind::Polygon);
     } else if (!path_.empty()) {
-        context.log.tell(kind_ == ShapeKind::Polygon ? "A polygon needs at least three nodes"
-                                                     : "A polyline needs at least two nodes");
+        context.log.announce(kind_ == ShapeKind::Polygon ? "A polygon needs at least three nodes"
+                                                         : "A polyline needs at least two nodes");
     }
 }
 

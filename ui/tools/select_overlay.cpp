@@ -13,7 +13,7 @@ namespace forefront {
 namespace {
 
 /// Maximum number of handles; more are clutter, and slow to draw.
-constexpr std::size_t kMostHandles = 4000;
+constexpr std::size_t kMaxHandles = 4000;
 
 } // namespace
 
@@ -45,7 +45,7 @@ void SelectTool::drawHandles(CanvasPainter &painter, Shell &context) const {
             painter.polyline(outline.nodes, outline.closed, fade(theme.selection, whole ? 1.0 : 0.5), 2.0);
         }
         const std::vector<Vec2> handles = handlesOf(*shape);
-        for (std::uint32_t k = 0; k < handles.size() && drawn < kMostHandles; ++k) {
+        for (std::uint32_t k = 0; k < handles.size() && drawn < kMaxHandles; ++k) {
             if (visible.contains(handles[k])) {
                 const bool chosen = whole ? shape->kind == ShapeKind::Point : selection.nodes.contains({shape->id, k});
                 painter.handle(handles[k], chosen ? 4.5 : 3.5, chosen ? theme.selection : theme.canvas,

@@ -9,7 +9,7 @@ void FieldFocus::tab(std::string_view name, bool back) {
     back_ = back;
 }
 
-void FieldFocus::arrived(std::string_view name) {
+void FieldFocus::gotFocus(std::string_view name) {
     if (wanted_ == name) {
         wanted_.clear();
     }
@@ -26,12 +26,12 @@ bool FieldFocus::inSight(std::string_view name) const {
 }
 
 void FieldFocus::endFrame() {
-    constexpr int kPatience = 8;
+    constexpr int kMaxFrames = 8;
     leaving_ = false;
     if (entry && !inSight(entry->name)) {
         entry.reset(); // its field is gone
     }
-    if (--patience_ <= 0) {
+    if (--framesLeft_ <= 0) {
         wanted_.clear();
     }
     if (!tabbed_) {
@@ -52,7 +52,7 @@ void FieldFocus::endFrame() {
     }
     wanted_ = group[(at + (back_ ? group.size() - 1 : 1)) % group.size()];
     asked_ = false;
-    patience_ = kPatience;
+    framesLeft_ = kMaxFrames;
 }
 
 } // namespace forefront

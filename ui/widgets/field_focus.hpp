@@ -30,7 +30,7 @@ class FieldFocus {
     /// Returns true once, in the frame in which the field must take the focus.
     bool takes(std::string_view name);
     /// Reports that the field has the focus.
-    void arrived(std::string_view name);
+    void gotFocus(std::string_view name);
     /// True while the focus is moving to a field. Input must wait for it, or keys would be taken for shortcuts.
     bool travelling() const { return !wanted_.empty(); }
 
@@ -53,7 +53,7 @@ class FieldFocus {
     bool back_ = false;
     std::string wanted_; ///< empty: none
     bool asked_ = false; ///< Dear ImGui was asked to give it the focus
-    int patience_ = 0;   ///< frames until the request is dropped
+    int framesLeft_ = 0; ///< frames until the request is dropped
     bool leaving_ = false;
 };
 

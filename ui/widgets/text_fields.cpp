@@ -67,7 +67,7 @@ Drawn drawField(WidgetContext &context, std::string_view name, std::string &valu
         fields.drawn(name, window->RootWindow->ID);
     }
     if (ImGui::GetActiveID() == id) {
-        fields.arrived(name);
+        fields.gotFocus(name);
         const bool tab = ImGui::IsKeyPressed(key::kTab) && !ImGui::GetIO().KeyCtrl && !ImGui::GetIO().KeyAlt;
         if (tab) {
             fields.tab(name, ImGui::GetIO().KeyShift);

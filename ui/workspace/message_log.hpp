@@ -19,7 +19,7 @@ class MessageLog {
         double time = 0.0;          ///< Platform::now() when it was added
         std::uint64_t number = 0;   ///< counts up from 1
         std::uint64_t revision = 0; ///< of the document it is about
-        bool told = false;          ///< also shown on the canvas for a few seconds
+        bool announced = false;     ///< also shown on the canvas for a few seconds
         std::string topic;          ///< see note()
     };
     static constexpr std::size_t kLimit = 1000;
@@ -29,8 +29,8 @@ class MessageLog {
 
     /// Logs a fault of the document with `revision`, by default the current one.
     void add(Diagnostic diagnostic, std::optional<std::uint64_t> revision = {}) {
-        const bool told = diagnostic.severity != Severity::Note;
-        push(std::move(diagnostic), told, revision);
+        const bool announced = diagnostic.severity != Severity::Note;
+        push(std::move(diagnostic), announced, revision);
     }
     void add(const Diagnostics &diagnostics, std::optional<std::uint64_t> revision = {}) {
         for (const Diagnostic &diagnostic : diagnostics) {
@@ -47,7 +47,7 @@ class MessageLog {
         entries_.back().topic = std::move(topic);
     }
     /// Logs the outcome of a command and shows it on the canvas, where the user could not see it otherwise.
-    void tell(std::string message) { push({.severity = Severity::Note, .message = std::move(message)}, true, {}); }
+    void announce(std::string message) { push({.severity = Severity::Note, .message = std::move(message)}, true, {}); }
     /// Logs faults that a dialog already shows.
     void keep(const Diagnostics &diagnostics) {
         for (const Diagnostic &diagnostic : diagnostics) {
@@ -59,8 +59,9 @@ class MessageLog {
     void setTime(double now) { time_ = now; }
 
   private:
-    void push(Diagnostic diagnostic, bool told, std::optional<std::uint64_t> revision) {
-        entries_.push_back({std::move(diagnostic), time_, ++count_, revision.value_or(document_.revision()), told, {}});
+    void push(Diagnostic diagnostic, bool announced, std::optional<std::uint64_t> revision) {
+        entries_.push_back(
+            {std::move(diagnostic), time_, ++count_, revision.value_or(document_.revision()), announced, {}});
         if (entries_.size() > kLimit) {
             entries_.pop_front();
         }

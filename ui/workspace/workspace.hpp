@@ -2,9 +2,9 @@
 
 #include "core/edit/references.hpp"
 #include "ui/widgets/widget_context.hpp"
+#include "ui/workspace/document_examiner.hpp"
 #include "ui/workspace/document_store.hpp"
 #include "ui/workspace/message_log.hpp"
-#include "ui/workspace/preview.hpp"
 #include "ui/workspace/run_control.hpp"
 #include "ui/workspace/view.hpp"
 
@@ -17,14 +17,14 @@ struct Workspace : WidgetContext {
     DocumentStore document;
     MessageLog log{document};
     RunControl run;
-    Preview previews;
+    DocumentExaminer examiner;
     std::shared_ptr<const DocumentPreview> preview; ///< of this frame, never null
     View view;
     Selection selection;
 
     explicit Workspace(Platform &owner)
-        : WidgetContext(owner), run(document, log, [&owner] { owner.wake(); }), previews([&owner] { owner.wake(); }),
-          preview(previews.latest()) {}
+        : WidgetContext(owner), run(document, log, [&owner] { owner.wake(); }), examiner([&owner] { owner.wake(); }),
+          preview(examiner.latest()) {}
 };
 
 } // namespace forefront

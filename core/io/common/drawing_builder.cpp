@@ -104,7 +104,7 @@ Result<Domain> DrawingBuilder::finish() {
 Result<Arrangement> DrawingBuilder::arrangeLines() {
     input_.keepOutside = true;
     Result<Arrangement> lines = arrange(input_);
-    const std::size_t count = lines ? boundByLines(lines->domain) : 0;
+    const std::size_t count = lines ? takeLinesAsOutline(lines->domain) : 0;
     if (count == 0) {
         return lines; // validation says why nothing is enclosed
     }

@@ -162,7 +162,7 @@ class LineGraph {
 
 } // namespace
 
-std::size_t boundByLines(Domain &domain) {
+std::size_t takeLinesAsOutline(Domain &domain) {
     const bool bounded = std::any_of(domain.segments.begin(), domain.segments.end(),
                                      [](const DomainSegment &s) { return s.role == SegmentRole::Boundary; });
     const auto sound = [&](const DomainSegment &s) {

@@ -6,10 +6,10 @@
 
 namespace forefront {
 
-/// Lets lines that chain into closed loops bound a domain that nothing else bounds, and returns the number of segments
-/// that do; 0 where the lines enclose nothing or the domain has a boundary. Programs that export outlines as separate
-/// lines mean this, and a domain without a boundary could only be refused. Loops bound by the even-odd rule; where
-/// three or more lines meet in a node, the outermost of them bound and the others stay constraints.
-std::size_t boundByLines(Domain &domain);
+/// Makes lines that form closed loops the boundary of a domain that has none. Returns the number of segments that
+/// became boundary: 0 if the lines enclose nothing or the domain already has a boundary. Some programs export outlines
+/// as separate lines, and without this such a domain would be refused. Inside and outside follow the even-odd rule;
+/// where three or more lines meet in a node, the outermost ones become boundary and the others stay constraints.
+std::size_t takeLinesAsOutline(Domain &domain);
 
 } // namespace forefront

@@ -61,7 +61,7 @@ struct FileNames {
 /// Makes an identifier of each name. No two are the same, even for tags of different kinds.
 FileNames identifiersOf(const TagList &tags, UniqueNames &unique);
 
-/// Returns a note that lists the names which differ in the file, or nothing where none does.
+/// Returns a note that lists the names which differ in the file, or nothing if none does.
 Diagnostics noteChangedNames(const TagList &tags, const FileNames &written);
 
 /// Adds a name read from a file, unless it only repeats the default name of its tag.

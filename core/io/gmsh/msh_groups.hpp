@@ -43,8 +43,8 @@ class MshGroups {
 
     /// Writes the section $PhysicalNames, which is the same in MSH 2.2 and 4.1.
     void writeNames(TextWriter &out) const;
-    /// Writes the tags and names of the mesh that the file has changed as a section $Comments; nothing where there are
-    /// none. It belongs at the end of the file, since some readers expect no sections but their own before it.
+    /// Writes a section $Comments with the tags and names of the mesh that are different in the file; nothing if none
+    /// are. Must come last, since some readers expect only the standard sections before it.
     void writeOrigins(TextWriter &out) const;
 
   private:

@@ -46,7 +46,7 @@ class MshTags {
 
 namespace {
 
-/// Returns the number of an entity from its mark, at least 1.
+/// Returns the number, at least 1, of the entity that a mark stands for; see ungrouped().
 std::int32_t entityOf(std::int32_t mark) {
     return mark == std::numeric_limits<std::int32_t>::min() ? 1 : -mark;
 }
@@ -54,9 +54,9 @@ std::int32_t entityOf(std::int32_t mark) {
 } // namespace
 
 std::int32_t ungrouped(std::int64_t entity) {
-    constexpr std::int64_t kGreatest = std::numeric_limits<std::int32_t>::max();
+    constexpr std::int64_t kMax = std::numeric_limits<std::int32_t>::max();
     return entity < 1 ? std::numeric_limits<std::int32_t>::min()
-                      : static_cast<std::int32_t>(-std::min<std::int64_t>(entity, kGreatest));
+                      : static_cast<std::int32_t>(-std::min<std::int64_t>(entity, kMax));
 }
 
 void MshFile::resolveTags() {

@@ -13,7 +13,7 @@ struct SvgLength {
     std::string_view unit; ///< as written: "", "px", "mm", "%", ...
 };
 
-/// Returns the number and unit of a length; nothing where it is malformed. The view of the unit is one of `text`.
+/// Returns the number and unit of a length; nothing if it is malformed. The unit is a view into `text`.
 std::optional<SvgLength> parseLength(std::string_view text);
 
 /// Returns how many user units (pixels at 96 to the inch) one of that unit has; nothing for "%" and unknown units.
@@ -22,7 +22,7 @@ std::optional<double> pixelsPer(std::string_view unit);
 /// The extent of the viewport that a percentage refers to.
 enum class SvgExtent { Width, Height, Diagonal };
 
-/// Returns a length in user units, percentages being of the viewport; nothing where it is malformed or its unit
+/// Returns a length in user units, percentages being of the viewport; nothing if it is malformed or its unit
 /// unknown.
 std::optional<double> userLength(std::string_view text, SvgExtent extent, Vec2 viewport);
 
@@ -30,7 +30,7 @@ std::optional<double> userLength(std::string_view text, SvgExtent extent, Vec2 v
 struct ViewBox {
     Vec2 corner, size;
 };
-/// Returns the view box; nothing where it is absent, malformed or empty.
+/// Returns the view box; nothing if it is absent, malformed or empty.
 std::optional<ViewBox> parseViewBox(std::string_view text);
 
 /// Returns the map from a view box to the rectangle from the origin to `size`, by the rules of `preserveAspectRatio`.

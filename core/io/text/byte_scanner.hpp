@@ -37,17 +37,17 @@ class ByteScanner {
         return place != nullptr;
     }
     /// Reads a 32-bit integer within bounds.
-    bool integer(std::int32_t &value, std::int32_t least, std::int32_t greatest, Expect expect) {
+    bool integer(std::int32_t &value, std::int32_t minimum, std::int32_t maximum, Expect expect) {
         const std::size_t place = at_;
         if (!number(value, expect)) {
             return false;
         }
-        return (value >= least && value <= greatest) ||
+        return (value >= minimum && value <= maximum) ||
                fail(place, "out-of-range",
-                    "expected an integer from " + std::to_string(least) + " to " + std::to_string(greatest) + " for " +
+                    "expected an integer from " + std::to_string(minimum) + " to " + std::to_string(maximum) + " for " +
                         expect.words() + ", found " + std::to_string(value));
     }
-    /// Reads a 64-bit number of items that follow, each at least `size` bytes long.
+    /// Reads a 64-bit number of items that follow, each at minimum `size` bytes long.
     bool count(std::size_t &value, std::size_t size, Expect expect) {
         const std::size_t place = at_;
         std::uint64_t items = 0;

@@ -146,7 +146,7 @@ bool TextScanner::real(double &value, Expect expect) {
     return true;
 }
 
-bool TextScanner::integer(std::int64_t &value, std::int64_t least, std::int64_t greatest, Expect expect) {
+bool TextScanner::integer(std::int64_t &value, std::int64_t minimum, std::int64_t maximum, Expect expect) {
     if (!ok()) {
         return false;
     }
@@ -156,9 +156,9 @@ bool TextScanner::integer(std::int64_t &value, std::int64_t least, std::int64_t 
     if (problem == std::errc::invalid_argument || !delimits(static_cast<std::size_t>(stop - text_))) {
         return failExpected("an integer", expect);
     }
-    if (problem != std::errc{} || value < least || value > greatest) {
+    if (problem != std::errc{} || value < minimum || value > maximum) {
         return fail(at_, "out-of-range",
-                    "expected an integer from " + std::to_string(least) + " to " + std::to_string(greatest) + " for " +
+                    "expected an integer from " + std::to_string(minimum) + " to " + std::to_string(maximum) + " for " +
                         expect.words() + ", found " + inQuotes(peek()));
     }
     at_ = static_cast<std::size_t>(stop - text_);

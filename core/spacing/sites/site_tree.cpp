@@ -4,7 +4,7 @@
 
 namespace forefront {
 
-/// Builds level by level, so that a limit of memory strikes everywhere alike.
+/// Builds level by level, so that when memory runs short, the tree is equally deep everywhere.
 class SiteTreeBuilder {
   public:
     SiteTreeBuilder(std::vector<SizeSite> sites, const Box2 &box) {

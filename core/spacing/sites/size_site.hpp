@@ -8,7 +8,7 @@
 
 namespace forefront {
 
-/// From this number of sites on, evaluating them exactly takes longer than meshing, and simplifications set in.
+/// The number of sites from which they are simplified, since evaluating them exactly would take longer than meshing.
 inline constexpr std::size_t kManySites = 4096;
 
 /// A place that demands a spacing: `size` within `radius` of the segment from `a` to a + `ab` (a point if ab = 0),

@@ -15,8 +15,8 @@ double valueAt(const BackgroundMesh &mesh, std::uint32_t node, double minimum) {
     return std::max(mesh.values[node], minimum);
 }
 
-/// An edge as pieces of nearly equal spacing; only its lower end where it is steeper than the gradation, since that end
-/// undercuts the rest.
+/// Adds an edge as sites of nearly equal spacing. If the edge is steeper than the gradation, adds only its end with the
+/// smaller spacing, from which the spacing grows more slowly than along the edge.
 void addEdge(const BackgroundMesh &mesh, std::uint32_t a, std::uint32_t b, double minimum, double gradation,
              SiteSet &sites) {
     if (valueAt(mesh, a, minimum) > valueAt(mesh, b, minimum)) {

@@ -62,7 +62,7 @@ bool isNameStart(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
 
-/// Quotes a character, or names the byte where it is not printable.
+/// Quotes a character, or names the byte if it is not printable.
 std::string quoted(char c) {
     return c >= ' ' && c <= '~' ? "'" + std::string(1, c) + "'"
                                 : "byte " + std::to_string(static_cast<unsigned char>(c));

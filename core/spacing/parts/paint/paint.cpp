@@ -30,7 +30,7 @@ struct LatticeDisc {
     NodeRange rows;
 };
 
-/// Nothing where the numbers are unusable. The disc reaches at least the node nearest to its centre.
+/// Does nothing if the numbers are unusable. The disc reaches at least the node nearest to its centre.
 std::optional<LatticeDisc> latticeDisc(const PaintedSpacing &paint, Vec2 centre, double radius) {
     if (!isFinite(centre) || !isFinite(paint.origin) || !(radius > 0.0) || !std::isfinite(radius) ||
         !(paint.pitch > 0.0) || !std::isfinite(paint.pitch)) {

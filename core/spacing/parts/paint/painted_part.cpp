@@ -116,17 +116,18 @@ class SiteFinder {
         std::int32_t i = 0;
         std::int32_t j = 0;
     };
-    /// Value of a cell that is painted in part: the least painted node. 0: unpainted or wholly painted.
+    /// Value of a cell that is painted in part: the smallest value of its painted nodes. 0: unpainted or wholly
+    /// painted.
     float partValue(std::int32_t i, std::int32_t j) const {
-        float least = 0.0F;
+        float minimum = 0.0F;
         int painted = 0;
         for (const float value : {nodes_.at(i, j), nodes_.at(i + 1, j), nodes_.at(i, j + 1), nodes_.at(i + 1, j + 1)}) {
             if (value > 0.0F) {
-                least = painted == 0 ? value : std::min(least, value);
+                minimum = painted == 0 ? value : std::min(minimum, value);
                 ++painted;
             }
         }
-        return painted < 4 ? least : 0.0F;
+        return painted < 4 ? minimum : 0.0F;
     }
     bool unpainted(std::int32_t i, std::int32_t j) const {
         return nodes_.at(i, j) == 0.0F && nodes_.at(i + 1, j) == 0.0F && nodes_.at(i, j + 1) == 0.0F &&

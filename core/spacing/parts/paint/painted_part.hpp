@@ -59,11 +59,11 @@ class PaintedPart {
             const double high = c + s * (static_cast<double>(d) - c);
             return low + t * (high - low);
         }
-        double least = std::numeric_limits<double>::infinity();
+        double minimum = std::numeric_limits<double>::infinity();
         for (const float value : {a, b, c, d}) {
-            least = value > 0.0F ? std::min(least, static_cast<double>(value)) : least;
+            minimum = value > 0.0F ? std::min(minimum, static_cast<double>(value)) : minimum;
         }
-        return least;
+        return minimum;
     }
 
     Vec2 origin_; ///< lower left node of the first tile of the directory

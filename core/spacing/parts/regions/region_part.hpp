@@ -12,8 +12,8 @@
 namespace forefront {
 
 /// Returns the spacing whose triangles keep to a maximum area: the side of an equilateral triangle of 0.6 times that
-/// area, since the largest triangles of a mesh have about 1.65 times the area that the spacing implies. On seven
-/// domains with both methods, the largest triangle then had between 0.8 and 1.0 times `maxArea`.
+/// area, since the largest triangles of a mesh have about 1.65 times the area that the spacing implies. A test requires
+/// that they stay within `maxArea`.
 double spacingForArea(double maxArea);
 
 /// The maximum element areas of a domain's regions as spacing: constant in each face that has one.

@@ -1,75 +1,26 @@
-#include "ui/workspace/preview.hpp"
+#include "ui/workspace/document_examiner.hpp"
 
+#include "core/boundary/discretise.hpp"
+#include "core/boundary/estimate.hpp"
 #include "core/domain/validate.hpp"
 #include "core/edit/document.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace forefront {
 
-namespace {
-
-/// Collects the x coordinates, sorted, at which a horizontal line crosses boundary segments.
-void crossings(const Domain &domain, double y, std::vector<double> &xs) {
-    xs.clear();
-    for (const DomainSegment &segment : domain.segments) {
-        if (segment.role != SegmentRole::Boundary || segment.a >= domain.nodes.size() ||
-            segment.b >= domain.nodes.size()) {
-            continue;
-        }
-        const Vec2 a = domain.nodes[segment.a], b = domain.nodes[segment.b];
-        if ((a.y <= y) != (b.y <= y)) {
-            xs.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
-        }
-    }
-    std::sort(xs.begin(), xs.end());
-}
-
-/// Returns ∫ 4/(√3 ρ²) dA over the domain: the number of equilateral triangles with side ρ that fill it.
-double estimateElements(const Domain &domain, const SpacingField &spacing) {
-    constexpr int kRows = 160, kColumns = 160;
-    const Box2 box = domain.bounds();
-    if (box.empty()) {
-        return 0.0;
-    }
-    const Vec2 cell{box.size().x / kColumns, box.size().y / kRows};
-    std::vector<double> xs;
-    std::vector<Vec2> points;
-    for (int row = 0; row < kRows; ++row) {
-        const double y = box.min.y + (row + 0.5) * cell.y;
-        crossings(domain, y, xs);
-        for (int column = 0; column < kColumns; ++column) {
-            const double x = box.min.x + (column + 0.5) * cell.x;
-            const auto before = std::lower_bound(xs.begin(), xs.end(), x) - xs.begin();
-            if (before % 2 == 1) {
-                points.push_back({x, y});
-            }
-        }
-    }
-    std::vector<double> rho(points.size());
-    spacing.atMany(points, rho);
-    double sum = 0.0;
-    for (const double r : rho) {
-        sum += 4.0 / (std::sqrt(3.0) * r * r);
-    }
-    return sum * cell.x * cell.y;
-}
-
-} // namespace
-
-Preview::Preview(std::function<void()> wake)
+DocumentExaminer::DocumentExaminer(std::function<void()> wake)
     : wake_(std::move(wake)), preview_(std::make_shared<DocumentPreview>()), raster_(std::make_shared<SpacingRaster>()),
       thread_([this](const std::stop_token &stop) { work(stop); }) {}
 
-Preview::~Preview() {
+DocumentExaminer::~DocumentExaminer() {
     thread_.request_stop();
     const std::lock_guard lock(mutex_);
     examining_.request_stop();
     changed_.notify_all();
 }
 
-void Preview::submit(std::shared_ptr<const Document> document, std::uint64_t revision) {
+void DocumentExaminer::submit(std::shared_ptr<const Document> document, std::uint64_t revision) {
     const std::lock_guard lock(mutex_);
     if (revision == wantedRevision_) {
         return;
@@ -79,13 +30,13 @@ void Preview::submit(std::shared_ptr<const Document> document, std::uint64_t rev
     changed_.notify_all();
 }
 
-void Preview::abandon() {
+void DocumentExaminer::abandon() {
     const std::lock_guard lock(mutex_);
     wantedRevision_ = doneRevision_;
     examining_.request_stop();
 }
 
-void Preview::submitRaster(const Box2 &box, int columns, int rows) {
+void DocumentExaminer::submitRaster(const Box2 &box, int columns, int rows) {
     const std::lock_guard lock(mutex_);
     if (box == wantedRaster_.box && columns == wantedRaster_.columns && rows == wantedRaster_.rows) {
         return;
@@ -94,24 +45,24 @@ void Preview::submitRaster(const Box2 &box, int columns, int rows) {
     changed_.notify_all();
 }
 
-std::shared_ptr<const DocumentPreview> Preview::latest() const {
+std::shared_ptr<const DocumentPreview> DocumentExaminer::latest() const {
     const std::lock_guard lock(mutex_);
     return preview_;
 }
 
-std::shared_ptr<const SpacingRaster> Preview::raster() const {
+std::shared_ptr<const SpacingRaster> DocumentExaminer::raster() const {
     const std::lock_guard lock(mutex_);
     return raster_;
 }
 
-bool Preview::busy() const {
+bool DocumentExaminer::busy() const {
     const std::lock_guard lock(mutex_);
     return doneRevision_ != wantedRevision_ || rasterNumber_ != wantedRaster_.number ||
            rasterRevision_ != doneRevision_;
 }
 
-std::shared_ptr<const DocumentPreview> Preview::examine(const Document &document, std::uint64_t revision,
-                                                        const std::stop_token &stop) const {
+std::shared_ptr<const DocumentPreview> DocumentExaminer::examine(const Document &document, std::uint64_t revision,
+                                                                 const std::stop_token &stop) const {
     auto preview = std::make_shared<DocumentPreview>();
     preview->revision = revision;
     auto domain = std::make_shared<Domain>(toDomain(document));
@@ -129,7 +80,10 @@ std::shared_ptr<const DocumentPreview> Preview::examine(const Document &document
     }
     preview->spacing = *field;
     if (!hasErrors(preview->faults)) {
-        preview->estimatedElements = estimateElements(*domain, **field);
+        // The estimate needs only the faces, so the segments are not divided.
+        if (const Result<DiscreteDomain> outline = discretise(*domain, **field, true, progress)) {
+            preview->estimatedElements = estimateElements(*outline, **field);
+        }
     }
     return preview;
 }
@@ -164,7 +118,7 @@ std::shared_ptr<const SpacingRaster> sampleRaster(const SpacingField *field, con
 
 } // namespace
 
-void Preview::work(const std::stop_token &stop) {
+void DocumentExaminer::work(const std::stop_token &stop) {
     std::unique_lock lock(mutex_);
     while (!stop.stop_requested()) {
         // Raster first, so that it follows the newest finished field even while edits keep coming.

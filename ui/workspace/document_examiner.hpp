@@ -25,7 +25,7 @@ struct DocumentPreview {
     std::shared_ptr<const Domain> domain;
     std::shared_ptr<const SpacingField> spacing; ///< null if it cannot be built
     Diagnostics faults;                          ///< in the domain and the spacing
-    double estimatedElements = 0.0;              ///< ∫ 4/(√3 ρ²) over the domain
+    double estimatedElements = 0.0;              ///< see estimateElements(); 0: unknown
 };
 
 /// ρ sampled at the cell centres of a lattice over a box, row by row from the bottom; 0 outside the field.
@@ -36,12 +36,14 @@ struct SpacingRaster {
     std::vector<float> rho;
 };
 
-class Preview {
+/// Computes the preview of a document, and a raster of its spacing, on a thread of its own.
+class DocumentExaminer {
   public:
-    explicit Preview(std::function<void()> wake);
-    ~Preview();
-    Preview(const Preview &) = delete;
-    Preview &operator=(const Preview &) = delete;
+    /// `wake` is called from that thread when a result is ready.
+    explicit DocumentExaminer(std::function<void()> wake);
+    ~DocumentExaminer();
+    DocumentExaminer(const DocumentExaminer &) = delete;
+    DocumentExaminer &operator=(const DocumentExaminer &) = delete;
 
     /// Sets the document to examine; cheap if the revision has not changed. Work on an earlier revision is finished and
     /// shown first, so that the preview keeps moving when edits come faster than it can be computed.
@@ -50,7 +52,7 @@ class Preview {
     void submitRaster(const Box2 &box, int columns, int rows);
     /// Stops the current work, because another document is about to be opened.
     void abandon();
-    /// Never null.
+    /// Returns the newest preview and the newest raster; never null.
     std::shared_ptr<const DocumentPreview> latest() const;
     std::shared_ptr<const SpacingRaster> raster() const;
     /// Returns true while any submitted work is unfinished.
