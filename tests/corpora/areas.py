@@ -8,7 +8,7 @@ import re
 import subprocess
 import xml.etree.ElementTree as xml
 
-PIXELS = 1600  # along the longer side of a rendered drawing
+PIXELS = 800  # along the longer side of a rendered drawing
 
 
 def area_of(path):
