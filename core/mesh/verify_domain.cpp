@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace forefront {
@@ -103,30 +104,37 @@ class CurveWalk {
         double reached = chain_.t0;
         do {
             NodeId best = kNoNode;
-            double bestAt = std::numeric_limits<double>::infinity();
+            Spot bestSpot;
             for (const NodeId next : edges.at(nodes.back())) {
                 if (nodes.size() > 1 && next == nodes[nodes.size() - 2]) {
                     continue; // where it came from
                 }
-                const double at = next == to ? chain_.t1 : parameter(mesh.nodes[index(next)], reached);
-                if (at > reached && at < bestAt) {
+                const Spot spot = next == to ? Spot{chain_.t1, false} : find(mesh.nodes[index(next)], reached);
+                // Beside a needle, the other side is on the curve within the tolerance, too.
+                if (spot.at > reached && std::tie(spot.beside, spot.at) < std::tie(bestSpot.beside, bestSpot.at)) {
                     best = next;
-                    bestAt = at;
+                    bestSpot = spot;
                 }
             }
             if (best == kNoNode) {
                 return {};
             }
             nodes.push_back(best);
-            reached = bestAt;
+            reached = bestSpot.at;
         } while (nodes.back() != to);
         return nodes;
     }
 
   private:
-    /// Returns the first parameter of a place beyond another one, or NaN if it lies on neither the curve nor its
-    /// chords.
-    double parameter(Vec2 p, double reached) const {
+    /// A place on the curve or its chords.
+    struct Spot {
+        double at = std::numeric_limits<double>::infinity(); ///< parameter; infinite: on neither
+        bool beside = true;                                  ///< only within the tolerance
+    };
+
+    /// Finds the first parameter of a place beyond another one.
+    Spot find(Vec2 p, double reached) const {
+        constexpr double kOn = 1e-4; // of the tolerance
         for (std::size_t k = 0; k < boxes_.size(); ++k) {
             const DomainSegment &segment = domain_.segments[chain_.segments[k]];
             const double low = std::max(reached, std::min(segment.stretch.t0, segment.stretch.t1));
@@ -136,12 +144,12 @@ class CurveWalk {
                 continue;
             }
             const double at = curve_.nearest(p, low, high);
-            if (at > reached &&
-                (distance(curve_.point(at), p) <= tolerance_ || distanceToSegment(a, b, p) <= tolerance_)) {
-                return at;
+            const double offset = std::min(distance(curve_.point(at), p), distanceToSegment(a, b, p));
+            if (at > reached && offset <= tolerance_) {
+                return {at, offset > kOn * tolerance_};
             }
         }
-        return std::numeric_limits<double>::quiet_NaN();
+        return {};
     }
 
     const Domain &domain_;

@@ -85,3 +85,16 @@ TEST_CASE("Meshing curves: random domains of curves give valid meshes on their c
         }
     }
 }
+
+TEST_CASE("Meshing curves: a check follows each side of a needle between two curves") {
+    // Both sides touch the x axis in the origin; near it they are less than the tolerance of the check apart.
+    const Curve low = Curve::quadratic({0, 0}, {0.5, 0}, {1, 1}),
+                high = Curve::quadratic({1, 1.0002}, {0.5, 0}, {0, 0});
+    MeshingJob job;
+    job.domain = curvedDomain({{low, Curve::line({1, 1}, {1, 1.0002}), high}}, 1e-3);
+    job.spacing.maximum = 0.1;
+    for (const double size : {2e-5, 3e-5, 4e-5, 5e-5, 7e-5}) { // either side may have the first node
+        job.spacing.sources = {{SourceShape::Point, {0, 0}, {}, 0.0, size, 0.2, ""}};
+        CHECK(meshed(job).mesh.edges.size() > 80);
+    }
+}
