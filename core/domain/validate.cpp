@@ -134,8 +134,8 @@ class Validator {
         const auto inRange = [](double t) { return t >= 0.0 && t <= 1.0; };
         if (stretch.curve >= domain_.curves.size()) {
             add("bad-index",
-                "a segment refers to curve " + number(stretch.curve) + "; expected an index below " +
-                    number(domain_.curves.size()),
+                "a segment refers to curve " + std::to_string(stretch.curve) + "; expected an index below " +
+                    std::to_string(domain_.curves.size()),
                 "correct the curve's index, or make the segment straight", at, {aSegment(s)});
         } else if (!domain_.curves[stretch.curve].finite()) {
             add("non-finite", "a segment follows a curve with a number that is not finite", "correct the curve", at,
