@@ -110,6 +110,11 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     app.add_option("--gradation", arguments.gradation, "maximum change of edge length per unit of distance")
         ->check(positiveNumber())
         ->type_name("G");
+    app.add_option("--segments-per-turn", arguments.segmentsPerTurn,
+                   "edges per full turn of a curve; 0: only the chord tolerance counts; default: 40 with automatic "
+                   "spacing, else 0")
+        ->check(nonNegativeNumber())
+        ->type_name("N");
     addFrontOptions(app, arguments, grid);
     addImportOptions(app, arguments);
     app.add_option("--threads", arguments.threads, "number of threads, 1 to 256; the mesh does not depend on it")

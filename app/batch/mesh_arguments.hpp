@@ -23,6 +23,7 @@ struct MeshArguments {
     std::optional<std::string> expression;
     std::optional<std::filesystem::path> spacingFile;
     std::optional<double> gradation;
+    std::optional<double> segmentsPerTurn;
     std::optional<GridKind> grid;
     int gridColumns = 0, gridRows = 0;
     bool keepBoundary = false;

@@ -61,6 +61,9 @@ Diagnostics applySpacing(const MeshArguments &arguments, SpacingSpec &spacing) {
     if (arguments.gradation) {
         spacing.gradation = arguments.gradation;
     }
+    if (arguments.segmentsPerTurn) {
+        spacing.segmentsPerTurn = arguments.segmentsPerTurn;
+    }
     return {};
 }
 

@@ -34,7 +34,7 @@ Result<Repaired> Repairer::run(double tolerance, const std::stop_token &stop) {
     }
     collectEdges();
     if (sweepPlane(joined_.nodes, joined_.edges).droppedCount != 0) {
-        return error("repair-failed", "segments still meet after joining", "report this file as a fault");
+        return error("repair-failed", "segments still meet after joining", "please report this file as a bug");
     }
     resolveRepeats();
     dropOutside();

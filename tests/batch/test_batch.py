@@ -104,6 +104,17 @@ class Meshing(Case):
         graded = self.stats("plate.poly", "--spacing", "0.02 + 0.9*max(0, x + y - 0.2)", "--gradation", "0.1")
         self.assertGreater(graded["elements"], 2 * steep["elements"])
 
+    def test_curves_are_divided_by_their_bend(self):
+        (self.path / "disc.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 20 20">'
+                                            '<circle cx="10" cy="10" r="5"/></svg>')
+        edges = {}
+        for turn in ("0", "100", "200"):
+            mesh = self.stats("disc.svg", "--size", "5", "--segments-per-turn", turn)
+            edges[turn] = 2 * mesh["nodes"] - 2 - mesh["elements"]  # by Euler's formula
+        self.assertLess(edges["0"], 80)
+        self.assertLess(abs(edges["100"] - 100), 5)
+        self.assertLess(abs(edges["200"] - 200), 10)
+
     def test_every_grid_and_number_of_threads_gives_the_same_mesh(self):
         choices = ([], ["--grid", "none"], ["--grid", "uniform"], ["--grid", "uniform:7x5"],
                    ["--grid", "hierarchical"], ["--threads", "2"])

@@ -1,5 +1,6 @@
 #include "ui/style/colour_map.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
