@@ -56,29 +56,25 @@ Result<std::shared_ptr<const SpacingField>> readWanted(const CheckArguments &arg
 }
 
 /// Returns the differences between a mesh and the domain it was made from.
-Diagnostics checkAgainst(const Mesh &mesh, const CheckArguments &arguments) {
-    Result<Input> input = openInput(*arguments.domain);
-    if (!input) {
-        return input.faults();
-    }
-    input->options.weldTolerance = arguments.weldTolerance;
-    input->options.overlap = arguments.overlap;
-    Result<Domain> domain = readDomain(input->path, input->options);
+Diagnostics checkAgainst(const Mesh &mesh, const CheckArguments &arguments, Input &input) {
+    input.options.weldTolerance = arguments.weldTolerance;
+    input.options.overlap = arguments.overlap;
+    Result<Domain> domain = readDomain(input.path, input.options);
     if (!domain) {
         return domain.faults();
     }
     if (arguments.repair) {
         Result<Repaired> repaired = repair(*domain, arguments.weldTolerance.value_or(0.0));
         if (!repaired) {
-            return locateFaults(input->path, repaired.faults(), input->options);
+            return locateFaults(input.path, repaired.faults(), input.options);
         }
         domain = std::move(repaired->domain);
     }
     Diagnostics faults = verifyAgainst(mesh, *domain);
     if (!hasErrors(faults)) {
-        return arguments.repair ? faults : checkBoundaryParts(mesh, input->path, input->options);
+        return arguments.repair ? faults : checkBoundaryParts(mesh, input.path, input.options);
     }
-    return meshingFaults(faults, *domain, *input, !arguments.repair);
+    return meshingFaults(faults, *domain, input, !arguments.repair);
 }
 
 int check(const CheckArguments &arguments) {
@@ -94,7 +90,20 @@ int check(const CheckArguments &arguments) {
         return kRefused;
     }
     printNotes(notes, false);
-    Diagnostics faults = arguments.domain ? checkAgainst(*mesh, arguments) : verify(*mesh);
+    Diagnostics faults;
+    if (arguments.domain) {
+        Result<Input> domain = openInput(*arguments.domain);
+        if (!domain) {
+            printFaults(domain.faults());
+            return kRefused;
+        }
+        if (const std::string wrong = checkWeld(arguments.weldTolerance, *domain, arguments.repair); !wrong.empty()) {
+            return wrongUsage("forefront check", wrong);
+        }
+        faults = checkAgainst(*mesh, arguments, *domain);
+    } else {
+        faults = verify(*mesh);
+    }
     if (mesh->elements.empty()) {
         faults = error("empty-mesh", "the mesh has no elements");
     }

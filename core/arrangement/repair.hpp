@@ -27,8 +27,7 @@ struct Repaired {
 ///   constraint inside the domain and disappear outside. Once the boundary is closed, lines and points outside
 ///   disappear too. With hole markers, a line that nearly closes stays: it may be an outline with a gap.
 /// - Segments keep tags and their parts of curves, points their tags; markers and names stay. Where segments coincide,
-/// the tag is that of the first
-///   boundary segment, else of the first constraint.
+///   the tag is that of the first boundary segment, or else of the first constraint.
 /// - Nodes keep their order. Nothing moves farther than the tolerance. With the tolerance 0, a domain whose segments
 ///   meet only in common ends keeps all its nodes.
 /// Open loops, invalid numbers and misplaced markers cannot be repaired; `validate` reports them afterwards.

@@ -8,7 +8,6 @@ namespace forefront {
 
 namespace {
 
-constexpr double kDefaultTolerance = 1.0 / 2000.0; ///< part of the domain's diagonal
 /// Pieces this much finer than the chords of the domain that still meet others show that the curves themselves do.
 constexpr double kFinest = 1.0 / 8.0;
 
@@ -22,9 +21,7 @@ double upper(const CurveStretch &stretch) {
 } // namespace
 
 CurveCuts::CurveCuts(const Domain &domain)
-    : domain_(domain),
-      tolerance_(domain.curveTolerance > 0.0 ? domain.curveTolerance : kDefaultTolerance * domain.bounds().diagonal()),
-      straight_(domain.segments.size(), 0) {
+    : domain_(domain), tolerance_(chordTolerance(domain)), straight_(domain.segments.size(), 0) {
     findChains();
 }
 

@@ -130,6 +130,11 @@ class ChainFinder {
 
 } // namespace
 
+double chordTolerance(const Domain &domain) {
+    constexpr double kDefault = 1.0 / 2000.0; // of the diagonal
+    return domain.curveTolerance > 0.0 ? domain.curveTolerance : kDefault * domain.bounds().diagonal();
+}
+
 CurveChains curveChains(const Domain &domain, std::span<const std::uint8_t> straight) {
     return ChainFinder(domain, straight).run();
 }

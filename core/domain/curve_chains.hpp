@@ -23,6 +23,10 @@ struct CurveChains {
     std::vector<std::uint32_t> ofSegment; ///< per segment: its chain, or kNoIndex
 };
 
+/// Returns how far a curve of the domain may be from its edges in the mesh, in domain units: Domain::curveTolerance or
+/// its default.
+double chordTolerance(const Domain &domain);
+
 /// Finds the chains of a domain, which need not be valid. Segments marked in `straight`, if given, are left out, as are
 /// those whose ends are nowhere near their curve. An inner node of a chain is on the curve, belongs to no other segment
 /// and is no constraint point; all segments of a chain have one tag and role.

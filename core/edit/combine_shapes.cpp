@@ -113,10 +113,13 @@ Result<std::vector<ShapePointer>> chosenShapes(const Document &document, const s
 } // namespace
 
 bool canCombine(const Document &document, const Selection &selection) {
-    return selection.shapes.size() > 1 && std::all_of(selection.shapes.begin(), selection.shapes.end(), [&](auto id) {
-               const Shape *const shape = findShape(document, id);
-               return shape != nullptr && isClosed(*shape);
-           });
+    if (selection.shapes.size() < 2) {
+        return false;
+    }
+    // One pass over the document: menus ask this in every frame.
+    return std::all_of(document.shapes.begin(), document.shapes.end(), [&](const ShapePointer &shape) {
+        return isClosed(*shape) || !selection.shapes.contains(shape->id);
+    });
 }
 
 Result<Document> combineShapes(const Document &document, const std::set<std::uint32_t> &ids, ShapeOperation operation,

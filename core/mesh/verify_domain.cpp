@@ -89,16 +89,23 @@ std::vector<NodeId> chain(const Mesh &mesh, const ChainEdges &edges, NodeId from
 class CurveWalk {
   public:
     CurveWalk(const Domain &domain, const CurveChain &chain, double tolerance)
-        : domain_(domain), chain_(chain), curve_(domain.curves[chain.curve]), tolerance_(tolerance) {
+        : domain_(domain), chain_(chain), curve_(domain.curves[chain.curve]), tolerance_(tolerance),
+          deviation_(chordTolerance(domain)) {
         for (const std::uint32_t number : chain.segments) {
             const DomainSegment &segment = domain.segments[number];
             boxes_.push_back(curve_.bounds(segment.stretch.t0, segment.stretch.t1));
             boxes_.back().add(boxOf(domain.nodes[segment.a], domain.nodes[segment.b]));
             boxes_.back() = boxes_.back().grown(tolerance);
+            deviation_ = std::max(deviation_, curve_.deviation(segment.stretch.t0, segment.stretch.t1));
         }
+        deviation_ *= 1.01; // parameters of nodes are rounded
     }
 
-    /// Returns the nodes of the mesh on the curve or its chords; empty when they do not reach the end.
+    /// Returns the area by which chords of the curve may differ.
+    double areaBetween() const { return 2.0 * deviation_ * curve_.length(chain_.t0, chain_.t1); }
+
+    /// Returns the nodes of the mesh on the curve or its chords; empty when they do not reach the end, or when an edge
+    /// is farther from the curve than it may be.
     std::vector<NodeId> nodes(const Mesh &mesh, const ChainEdges &edges, NodeId from, NodeId to) const {
         std::vector<NodeId> nodes{from};
         double reached = chain_.t0;
@@ -116,7 +123,7 @@ class CurveWalk {
                     bestSpot = spot;
                 }
             }
-            if (best == kNoNode) {
+            if (best == kNoNode || curve_.deviation(reached, bestSpot.at) > deviation_) {
                 return {};
             }
             nodes.push_back(best);
@@ -157,6 +164,7 @@ class CurveWalk {
     const Curve &curve_;
     double tolerance_;
     std::vector<Box2> boxes_; ///< per segment of the chain
+    double deviation_;        ///< maximum distance of an edge from the curve
 };
 
 /// Returns the domain with its segments divided as the mesh divides them.
@@ -255,7 +263,11 @@ Diagnostics verifyAgainst(const Mesh &mesh, const Domain &domain, std::size_t li
     }
     const EnclosedArea whole = enclosedArea(*given);
     // Along curves, the edges of the mesh cut off other areas than the chords of the domain.
-    if (chains.list.empty() && !(std::abs(meshArea(mesh) - whole.area) <= areaTolerance(*given, whole))) {
+    double allowed = areaTolerance(*given, whole);
+    for (const CurveChain &chain : chains.list) {
+        allowed += CurveWalk(domain, chain, 0.0).areaBetween();
+    }
+    if (!(std::abs(meshArea(mesh) - whole.area) <= allowed)) {
         faults.add("area",
                    "the area of the mesh is " + std::to_string(meshArea(mesh)) + " instead of " +
                        std::to_string(whole.area),

@@ -267,8 +267,16 @@ TEST_CASE("percentEncoded: the inverse restores every text") {
 }
 
 TEST_CASE("withoutInnerEdges: only edges on the boundary of the triangles stay") {
-    const Mesh mesh = twoRegionMesh(8, 5);
+    Mesh mesh = twoRegionMesh(8, 5);
+    mesh.edgeStretches.resize(mesh.edges.size());
+    for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
+        mesh.edgeStretches[e].t0 = mesh.edges[e].tag; // to be found again
+    }
     const Mesh outline = withoutInnerEdges(mesh);
+    REQUIRE(outline.edgeStretches.size() == outline.edges.size());
+    for (std::size_t e = 0; e < outline.edges.size(); ++e) {
+        CHECK(outline.edgeStretches[e].t0 == outline.edges[e].tag);
+    }
     CHECK(outline.edges.size() == 26);
     CHECK(mesh.edges.size() == 26 + 5 + 1);
     CHECK(std::none_of(outline.edges.begin(), outline.edges.end(),

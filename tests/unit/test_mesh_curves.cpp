@@ -5,6 +5,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <numbers>
 #include <string>
 
 using namespace forefront;
@@ -26,6 +28,26 @@ constexpr std::uint64_t kShare = 23; // not a divisor of the number of families
 #else
 constexpr std::uint64_t kShare = 1;
 #endif
+
+/// Returns the code of the first fault of a mesh against a domain.
+std::string faultOf(const Mesh &mesh, const Domain &domain) {
+    const Diagnostics faults = verifyAgainst(mesh, domain);
+    return faults.empty() ? "" : faults.front().code;
+}
+
+/// A mesh of triangles over the given nodes, its outline with the tag 1.
+Mesh fan(std::vector<Vec2> nodes) {
+    Mesh mesh;
+    mesh.nodes = std::move(nodes);
+    const auto count = static_cast<std::uint32_t>(mesh.nodes.size());
+    for (std::uint32_t n = 0; n < count; ++n) {
+        mesh.edges.push_back({NodeId{n}, NodeId{(n + 1) % count}, 1});
+        if (n > 0 && n + 1 < count) {
+            mesh.elements.push_back({NodeId{0}, NodeId{n}, NodeId{n + 1}});
+        }
+    }
+    return mesh;
+}
 
 /// Meshes a domain and checks the result against it.
 MeshingOutcome meshed(const MeshingJob &job) {
@@ -97,4 +119,22 @@ TEST_CASE("Meshing curves: a check follows each side of a needle between two cur
         job.spacing.sources = {{SourceShape::Point, {0, 0}, {}, 0.0, size, 0.2, ""}};
         CHECK(meshed(job).mesh.edges.size() > 80);
     }
+}
+
+TEST_CASE("Meshing curves: a check refuses a mesh whose edges cut a curve off") {
+    const Domain disc = curvedDomain({{Curve::circle({0, 0}, {1, 0})}}, 1e-3);
+    std::vector<Vec2> corners;
+    for (const int sides : {3, 12, 100, 400}) {
+        corners.clear();
+        for (int k = 0; k < sides; ++k) {
+            const double angle = 2.0 * std::numbers::pi * k / sides;
+            corners.push_back(k == 0 ? Vec2{1, 0} : Vec2{std::cos(angle), std::sin(angle)});
+        }
+        CHECK(faultOf(fan(corners), disc) == (sides < 100 ? "missing-segment" : ""));
+    }
+    const Curve top = Curve::arc({1, 0}, {1, 0}, {0, 1}, 0.0, std::numbers::pi);
+    const Domain arched = curvedDomain(
+        {{Curve::line({0, -2}, {2, -2}), Curve::line({2, -2}, {2, 0}), top, Curve::line({0, 0}, {0, -2})}}, 1e-3);
+    CHECK(arched.bounds().max.y > 0.99);
+    CHECK(faultOf(fan({{0, -2}, {2, -2}, {2, 0}, {0, 0}}), arched) == "missing-segment");
 }
