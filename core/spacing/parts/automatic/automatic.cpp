@@ -74,7 +74,7 @@ AutomaticSpacing automaticSpacing(const Domain &domain, const Box2 &box, double 
         }
     }
     if (segmentsPerTurn > 0.0) {
-        addCurvatureSites(domain, chains, segmentsPerTurn, minimum, gradation, SpacingOrigin::Automatic,
+        addCurvatureSites(domain, chains, segmentsPerTurn, minimum, gradation, SpacingOrigin::Automatic, true,
                           automatic.sites);
     }
     std::vector<PlacedSegment> placed = thingsOf(domain);

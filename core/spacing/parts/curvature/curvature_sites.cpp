@@ -51,11 +51,11 @@ double invisibleDistance(const Domain &domain, const CurveChains &chains) {
 } // namespace
 
 void addCurvatureSites(const Domain &domain, const CurveChains &chains, double segmentsPerTurn, double minimum,
-                       double gradation, SpacingOrigin origin, SiteSet &sites) {
+                       double gradation, SpacingOrigin origin, bool visibleOnly, SiteSet &sites) {
     if (chains.list.empty()) {
         return;
     }
-    const double invisible = invisibleDistance(domain, chains);
+    const double invisible = visibleOnly ? invisibleDistance(domain, chains) : 0.0;
     for (const CurveChain &chain : chains.list) {
         const Curve &curve = domain.curves[chain.curve];
         for (const std::uint32_t s : chain.segments) {

@@ -11,10 +11,10 @@ inline constexpr double kSegmentsPerTurn = 40.0;
 
 /// The curvature rule: spacing of 2π / (n κ) along curves of the curvature κ, growing by `gradation`.
 ///
-/// Where that would be needlessly fine, the spacing is such that edges leave at most a small fraction of the diagonal
-/// between them and the curve, and all curves together at most a small part of the area. Bends that this makes
-/// invisible, such as a corner rounded by a hair, count as corners.
+/// With `visibleOnly`, where that would be needlessly fine, the spacing is such that edges leave at most a small
+/// fraction of the diagonal between them and the curve, and all curves together at most a small part of the area. Bends
+/// that this makes invisible, such as a corner rounded by a hair, count as corners.
 void addCurvatureSites(const Domain &domain, const CurveChains &chains, double segmentsPerTurn, double minimum,
-                       double gradation, SpacingOrigin origin, SiteSet &sites);
+                       double gradation, SpacingOrigin origin, bool visibleOnly, SiteSet &sites);
 
 } // namespace forefront
