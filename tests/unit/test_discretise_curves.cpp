@@ -76,7 +76,7 @@ TEST_CASE("discretise: random domains of curves stay simple, with nodes on the c
     CHECK(curved > 20 * straightened / 10); // straight parts of rounded polygons among them
 }
 
-TEST_CASE("discretise: a circle is divided by the spacing, whatever its chords were") {
+TEST_CASE("discretise: a circle is divided by the spacing, regardless of its chords") {
     for (const double tolerance : {0.02, 1e-3, 1e-5}) {
         for (const double rho : {0.02, 0.05, 0.11}) {
             Domain domain = circleDomain(tolerance);

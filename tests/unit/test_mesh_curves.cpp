@@ -2,6 +2,7 @@
 #include "core/mesh/verify.hpp"
 #include "core/mesher/pipeline.hpp"
 #include "tests/support/random_curves.hpp"
+#include "tests/unit/mesh_samples.hpp"
 
 #include <doctest/doctest.h>
 
@@ -13,14 +14,6 @@ using namespace forefront;
 using namespace forefront::testing;
 
 namespace {
-
-std::string textOf(const Diagnostics &faults) {
-    std::string text;
-    for (const Diagnostic &fault : faults) {
-        text += toString(fault) + '\n';
-    }
-    return text;
-}
 
 // Instrumented builds run the same checks on fewer domains.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -52,9 +45,9 @@ Mesh fan(std::vector<Vec2> nodes) {
 /// Meshes a domain and checks the result against it.
 MeshingOutcome meshed(const MeshingJob &job) {
     auto outcome = meshDomain(job);
-    REQUIRE_MESSAGE(outcome, textOf(outcome ? Diagnostics{} : outcome.faults()));
+    REQUIRE_MESSAGE(outcome, samples::list(outcome ? Diagnostics{} : outcome.faults()));
     const Diagnostics faults = verifyAgainst(outcome->mesh, job.domain);
-    REQUIRE_MESSAGE(faults.empty(), textOf(faults));
+    REQUIRE_MESSAGE(faults.empty(), samples::list(faults));
     return std::move(*outcome);
 }
 

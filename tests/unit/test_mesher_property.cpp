@@ -3,6 +3,7 @@
 #include "core/mesher/pipeline.hpp"
 #include "core/mesher/timeline.hpp"
 #include "tests/support/random_domains.hpp"
+#include "tests/unit/mesh_samples.hpp"
 
 #include <doctest/doctest.h>
 
@@ -12,14 +13,6 @@ using namespace forefront;
 using forefront::testing::randomDomain;
 
 namespace {
-
-std::string textOf(const Diagnostics &faults) {
-    std::string text;
-    for (const Diagnostic &fault : faults) {
-        text += toString(fault) + '\n';
-    }
-    return text;
-}
 
 // Instrumented builds run the same checks on fewer domains.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -69,7 +62,7 @@ TEST_CASE("Meshing: the same mesh for every grid, traced or not, stepped or run,
         MeshingJob job;
         job.domain = randomDomain(seed);
         const Result<PreparedJob> prepared = prepare(job);
-        REQUIRE_MESSAGE(prepared, textOf(prepared ? Diagnostics{} : prepared.faults()));
+        REQUIRE_MESSAGE(prepared, samples::list(prepared ? Diagnostics{} : prepared.faults()));
         for (const Method method : {Method::Fast, Method::Classic}) {
             const Run none = runOn(*prepared, method, GridKind::None);
             std::vector<Run> runs{runTracedAndStepped(*prepared, method)};
@@ -98,8 +91,8 @@ TEST_CASE("Meshing: 2,000 hostile random domains give valid meshes") {
             job.spacing.size = job.domain.bounds().diagonal() / 20.0;
         }
         const Result<MeshingOutcome> outcome = meshDomain(job);
-        REQUIRE_MESSAGE(outcome, textOf(outcome ? Diagnostics{} : outcome.faults()));
+        REQUIRE_MESSAGE(outcome, samples::list(outcome ? Diagnostics{} : outcome.faults()));
         const Diagnostics faults = verifyAgainst(outcome->mesh, *outcome->boundary);
-        REQUIRE_MESSAGE(faults.empty(), textOf(faults));
+        REQUIRE_MESSAGE(faults.empty(), samples::list(faults));
     }
 }

@@ -39,8 +39,8 @@ struct SiteSet {
         sites.push_back(site);
         labels.push_back(label);
     }
-    /// Drops sites that another one undercuts everywhere; of equal ones the first stays. Of more than kManySites, drops
-    /// also those that one that stays nearly undercuts. Sites must have no radius.
+    /// Drops sites that ask for more than another one everywhere; of equal ones the first stays. If there are more than
+    /// kManySites, also drops sites that ask for little less than one that stays. Sites must have no radius.
     void dropDominated();
 };
 
