@@ -95,7 +95,8 @@ class Covering {
 };
 
 /// Finds which features cover all faces of a feature, from what covers one face after the other. Looks only at the
-/// features that differ from one face to the next, so that deep nesting costs no more than listing what covers a face.
+/// features that differ from one face to the next, so that deep nesting costs no more than a list of the features that
+/// cover each face.
 class HolderFinder {
   public:
     explicit HolderFinder(std::size_t features) : holders_(features), state_(features, State::New) {}

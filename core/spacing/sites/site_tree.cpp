@@ -163,8 +163,9 @@ class SiteTreeBuilder {
         std::int32_t sector = -1;
     };
     /// Keeps the best one of many distant sites in the same direction. Of two sites whose nearest points lie e apart
-    /// at distances of at least d, the difference changes within reach by at most reach·growth·e / (d − reach): where
-    /// that is beyond the lead of the better one by no more than a part of the spacing, the other can be dropped.
+    /// at distances of at least d, the difference changes within reach by at most reach·growth·e / (d − reach). The
+    /// worse one can be dropped if that exceeds the difference at the centre by no more than a small part of the
+    /// spacing.
     void thin(Vec2 centre, double reach) {
         double low = std::numeric_limits<double>::infinity();
         double growth = 0.0;
