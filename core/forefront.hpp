@@ -26,7 +26,7 @@
 /// | set the element size | forefront::SpacingSpec |
 /// | mesh it | forefront::MeshingJob, forefront::meshDomain |
 /// | step through a run, forward and back | forefront::MeshingSession |
-/// | judge a mesh | forefront::verify, forefront::verifyAgainst, forefront::measure |
+/// | judge a mesh | forefront::verify, forefront::verifyAgainst, forefront::measure, forefront::measureValues, forefront::judge |
 /// | adapt a mesh to a field | forefront::adapt |
 /// | read and write meshes | forefront::readMesh, forefront::writeMesh |
 ///
@@ -41,6 +41,8 @@
 #include "core/domain/add_loop.hpp"
 #include "core/domain/validate.hpp"
 #include "core/io/files.hpp"
+#include "core/mesh/limits.hpp"
+#include "core/mesh/measures.hpp"
 #include "core/mesh/quality.hpp"
 #include "core/mesh/verify.hpp"
 #include "core/mesher/pipeline.hpp"

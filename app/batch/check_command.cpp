@@ -1,3 +1,4 @@
+#include "app/batch/check_report.hpp"
 #include "app/batch/commands.hpp"
 #include "app/batch/exit_code.hpp"
 #include "app/batch/inputs.hpp"
@@ -28,8 +29,12 @@ Examples:
         does it also fill exactly that domain, with its tags, regions, constraints and area?
   forefront check plate.msh --spacing "max(0.05, 0.2*x)"
         how well do its edges keep that spacing?
+  forefront check plate.msh --min-angle 25 --max-growth 2
+        does it keep these limits? The worst places are listed
+  forefront check plate.msh --measures
+        how are angles, areas, edge lengths and the other measures distributed?
 
-Exit codes: 0 valid, 1 not valid or not readable (faults on stderr, one per line), 2 wrong usage.)help";
+Exit codes: 0 valid, 1 not valid, limit broken or not readable (faults on stderr, one per line), 2 wrong usage.)help";
 
 struct CheckArguments {
     std::filesystem::path mesh; ///< "-": standard input
@@ -40,6 +45,9 @@ struct CheckArguments {
     bool repair = false;
     std::optional<double> size;
     std::optional<std::string> expression;
+    MeshLimits limits;
+    std::optional<std::filesystem::path> savedLimits; ///< project
+    bool measures = false;                            ///< print the table
 };
 
 /// Builds the requested node spacing; null when none is given.
@@ -77,7 +85,35 @@ Diagnostics checkAgainst(const Mesh &mesh, const CheckArguments &arguments, Inpu
     return meshingFaults(faults, *domain, input, !arguments.repair);
 }
 
-int check(const CheckArguments &arguments) {
+/// Prints what is found about a valid mesh. Returns the exit code.
+int reportQuality(const CheckArguments &arguments, const std::filesystem::path &file, const Mesh &mesh) {
+    const auto spacing = readWanted(arguments, mesh);
+    if (!spacing) {
+        printFaults(spacing.faults());
+        return kUsage;
+    }
+    const MeshQuality quality = measure(mesh, spacing->get());
+    std::printf("valid%s: %zu nodes, %zu elements, hash %s\n"
+                "shape factor: mean %.4f, geometric mean %.4f, minimum %.4f; angles %.1f to %.1f degrees\n",
+                arguments.domain ? " for the domain" : "", quality.nodes, quality.elements,
+                toHex(meshHash(mesh)).c_str(), quality.alphaMean, quality.alphaGeometricMean, quality.alphaMin,
+                quality.minAngle, quality.maxAngle);
+    if (*spacing) {
+        std::printf("spacing conformity: mean %.4f\n", quality.deltaMean);
+    }
+    if (arguments.measures) {
+        printMeasures(mesh, spacing->get());
+    }
+    return printVerdicts(file, mesh, arguments.limits, spacing->get()) ? kDone : kRefused;
+}
+
+int check(CheckArguments &arguments) {
+    if (arguments.savedLimits) {
+        if (const Diagnostics faults = addSavedLimits(*arguments.savedLimits, arguments.limits); !faults.empty()) {
+            printFaults(faults);
+            return kRefused;
+        }
+    }
     const Result<Input> input = openInput(arguments.mesh, arguments.inputFormat);
     if (!input) {
         printFaults(input.faults());
@@ -111,21 +147,7 @@ int check(const CheckArguments &arguments) {
     if (hasErrors(faults)) {
         return kRefused;
     }
-    const auto spacing = readWanted(arguments, *mesh);
-    if (!spacing) {
-        printFaults(spacing.faults());
-        return kUsage;
-    }
-    const MeshQuality quality = measure(*mesh, spacing->get());
-    std::printf("valid%s: %zu nodes, %zu elements, hash %s\n"
-                "shape factor: mean %.4f, geometric mean %.4f, minimum %.4f; angles %.1f to %.1f degrees\n",
-                arguments.domain ? " for the domain" : "", quality.nodes, quality.elements,
-                toHex(meshHash(*mesh)).c_str(), quality.alphaMean, quality.alphaGeometricMean, quality.alphaMin,
-                quality.minAngle, quality.maxAngle);
-    if (*spacing) {
-        std::printf("spacing conformity: mean %.4f\n", quality.deltaMean);
-    }
-    return kDone;
+    return reportQuality(arguments, input->path, *mesh);
 }
 
 } // namespace
@@ -146,11 +168,22 @@ int checkCommand(int argc, const char *const *argv) {
     auto *spacing = app.add_option_group("Spacing", "report how well the mesh keeps this spacing; at most one");
     addSpacingOptions(*spacing, arguments.size, arguments.expression);
     spacing->require_option(0, 1);
+    auto *limits = app.add_option_group("Limits", "refuse a mesh that breaks one of these");
+    addLimitOptions(*limits, arguments.limits);
+    limits->add_option("--limits", arguments.savedLimits, "those saved in a project, unless given here")
+        ->type_name("PROJECT");
+    app.add_flag("--measures", arguments.measures, "print the distribution of each measure");
     if (const auto code = parseOptions(app, argc, argv)) {
         return *code;
     }
     const std::string wrong = checkInputs({arguments.mesh, arguments.domain}, arguments.inputFormat);
-    return wrong.empty() ? check(arguments) : wrongUsage(app.get_name(), wrong);
+    if (!wrong.empty()) {
+        return wrongUsage(app.get_name(), wrong);
+    }
+    if (arguments.limits[MeshLimit::MinDelta] && !arguments.size && !arguments.expression) {
+        return wrongUsage(app.get_name(), "--min-delta needs a spacing; add --size or --spacing");
+    }
+    return check(arguments);
 }
 
 } // namespace forefront

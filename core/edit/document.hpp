@@ -4,6 +4,7 @@
 #include "core/base/enum_words.hpp"
 #include "core/base/result.hpp"
 #include "core/domain/domain.hpp"
+#include "core/mesh/limits.hpp"
 #include "core/mesher/options.hpp"
 #include "core/spacing/spec/spacing_spec.hpp"
 
@@ -66,6 +67,7 @@ struct Document {
     std::map<std::int32_t, std::string> regionNames;
     SpacingSpec spacing;
     MeshingOptions options;
+    MeshLimits limits;              ///< that its meshes have to keep
     double circleTolerance = 0.002; ///< maximum distance between a circle and its polygon, relative to the radius
     std::uint32_t nextId = 1;
 };

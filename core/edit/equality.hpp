@@ -4,7 +4,7 @@
 
 namespace forefront {
 
-/// Returns true if two documents have the same shapes (ids included), markers, names, spacing and options, wherever
+/// Returns true if two documents have the same shapes (ids included), markers, names, spacing, options and limits, wherever
 /// those are in memory; `nextId` does not count.
 bool sameContent(const Document &a, const Document &b);
 

@@ -1,6 +1,7 @@
 #include "core/mesh/quality.hpp"
 
 #include "core/mesh/edge_table.hpp"
+#include "core/mesh/measures.hpp"
 #include "core/mesh/shape_tally.hpp"
 #include "core/spacing/spacing_field.hpp"
 
@@ -78,14 +79,9 @@ void measureShapes(const Mesh &mesh, MeshQuality &quality) {
 
 void measurePercentiles(const Mesh &mesh, MeshQuality &quality) {
     std::vector<float> alpha = shapeFactors(mesh);
-    const auto take = [&alpha](double fraction) {
-        const auto rank = static_cast<std::ptrdiff_t>(fraction * static_cast<double>(alpha.size() - 1));
-        std::nth_element(alpha.begin(), alpha.begin() + rank, alpha.end());
-        return static_cast<double>(alpha[static_cast<std::size_t>(rank)]);
-    };
-    quality.alpha50 = take(0.50);
-    quality.alpha5 = take(0.05);
-    quality.alpha1 = take(0.01);
+    quality.alpha50 = percentile(alpha, 0.50);
+    quality.alpha5 = percentile(alpha, 0.05);
+    quality.alpha1 = percentile(alpha, 0.01);
 }
 
 void measureEdges(const Mesh &mesh, const SpacingField *spacing, MeshQuality &quality) {

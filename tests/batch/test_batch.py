@@ -542,6 +542,53 @@ class Refusing(Case):
         self.assertIn("expression", self.call("adapt", "plate.msh", "--domain", "bow.poly", "--expression", "1+*x",
                                               "--error", "0.1", "-o", "new.msh", code=2).stderr)
 
+    def test_check_judges_by_limits(self):
+        self.call("mesh", "plate.poly", "-o", "plate.msh", "--size", "0.25")
+        kept = self.call("check", "plate.msh", "--min-angle", "1", "--max-growth", "50", "--min-length", "0.01")
+        self.assertEqual(kept.stderr, "")
+        self.assertRegex(kept.stdout, r"\nminimum angle 1°: kept, worst [\d.]+°\nmaximum growth 50: kept, worst ")
+        broken = self.call("check", "plate.msh", "--min-angle", "59.9", "--min-alpha", "0.1", code=1)
+        self.assertRegex(broken.stdout, r"\nminimum angle 59.9°: broken by \d+ of \d+ elements, worst [\d.]+° at \(")
+        self.assertIn("\nminimum α 0.1: kept", broken.stdout)
+        places = broken.stderr.splitlines()
+        self.assertEqual(len(places), 5)
+        for place in places:
+            self.assertRegex(place, r"^plate.msh: error: element \d+: min ∠ [\d.]+° breaks the limit 59.9° at \(.*"
+                                    r"\[min-angle\]$")
+        worst, least = (float(re.search(pattern, broken.stdout).group(1))
+                        for pattern in (r"worst ([\d.]+)°", r"angles ([\d.]+) to"))
+        self.assertAlmostEqual(worst, least, delta=0.051)
+        self.call("check", "plate.msh", "--min-delta", "0.01", "--size", "0.25")
+        self.assertIn("--min-delta needs a spacing", self.call("check", "plate.msh", "--min-delta", "0.1", code=2).stderr)
+        for option, value in (("--min-angle", "61"), ("--max-growth", "0.5"), ("--max-length", "0")):
+            self.assertIn(f"{option}: expected a ", self.call("check", "plate.msh", option, value, code=2).stderr)
+
+    def test_check_takes_the_limits_of_a_project(self):
+        limits = PROJECT.replace('"version": 1,', '"version": 1, "limits": {"minAngle": 59.9, "maxValence": 20},')
+        self.write("plate.json", limits)
+        self.call("mesh", "plate.json", "-o", "plate.msh")
+        done = self.call("check", "plate.msh", "--limits", "plate.json", code=1)
+        self.assertIn("minimum angle 59.9°: broken", done.stdout)
+        self.assertIn("maximum valence 20: kept", done.stdout)
+        done = self.call("check", "plate.msh", "--limits", "plate.json", "--min-angle", "5")
+        self.assertIn("minimum angle 5°: kept", done.stdout)
+        self.write("none.json", PROJECT)
+        self.assertIn("[no-limits]", self.call("check", "plate.msh", "--limits", "none.json", code=1).stderr)
+
+    def test_check_prints_the_distribution_of_measures(self):
+        self.call("mesh", "plate.poly", "-o", "plate.msh", "--size", "0.25")
+        lines = self.call("check", "plate.msh", "--measures").stdout.splitlines()
+        head = next(i for i, line in enumerate(lines) if line.startswith("measure "))
+        self.assertEqual(lines[head].split()[1:],
+                         ["minimum", "1%", "5%", "25%", "50%", "75%", "95%", "99%", "maximum", "mean"])
+        table = {line[:22].strip(): [float(v) for v in line[22:].split()] for line in lines[head + 1:]}
+        self.assertEqual(list(table), ["Shape factor", "Minimum angle", "Maximum angle", "Area", "Area ratio",
+                                       "Edge length", "Valence"])
+        for name, numbers in table.items():
+            self.assertEqual(len(numbers), 10, name)
+            self.assertEqual(sorted(numbers[:9]), numbers[:9], name)
+        self.assertIn("Spacing conformity", self.call("check", "plate.msh", "--measures", "--size", "1").stdout)
+
     def test_check_reports_how_well_a_spacing_is_kept(self):
         def kept(*words):
             found = re.search(r"^spacing conformity: mean ([\d.]+)$", self.call("check", *words).stdout, re.M)

@@ -73,6 +73,9 @@ Document fullDocument() {
     document.options.keepBoundary = true;
     document.options.improve = ImproveLevel::Best;
     document.options.threads = 3;
+    for (const MeshLimit limit : valuesOf<MeshLimit>()) {
+        document.limits[limit] = limitInfo(limit).isMinimum ? 0.5 : 70.5;
+    }
     document.circleTolerance = 0.01;
     document.nextId = 12;
     return document;

@@ -57,6 +57,16 @@ TEST_CASE("Project: every kind of spacing part is written, and read back") {
     }
 }
 
+TEST_CASE("Project: limits are written only if there are some") {
+    Document document;
+    CHECK(projectText(document).find("limits") == std::string::npos);
+    document.limits[MeshLimit::MinAngle] = 25.0;
+    const std::string text = projectText(document);
+    CHECK(text.find("\"limits\": {\"minAngle\": 25}") != std::string::npos);
+    CHECK(parseProject(text, "limits.json")->limits == document.limits);
+    CHECK_FALSE(sameContent(document, Document{}));
+}
+
 TEST_CASE("Project: round trip of an empty document") {
     const auto back = parseProject(projectText(Document{}), "empty.json");
     REQUIRE(back.ok());
@@ -128,6 +138,11 @@ TEST_CASE("Project: wrong values of every kind are refused") {
           R"("options": {"threads": 1.5})",
           R"("options": {"improve": 1})",
           R"("options": {"improve": "better"})",
+          R"("limits": [25])",
+          R"("limits": {"minAngle": "25"})",
+          R"("limits": {"minAngle": 61})",
+          R"("limits": {"maxGrowth": 0.5})",
+          R"("limits": {"minLength": 0})",
           R"("circleTolerance": 0)",
           R"("circleTolerance": 1e-30)",
           R"("boundaryNames": {"0": "x"})",

@@ -36,6 +36,9 @@ class ProjectReader {
         if (const auto given = root.find("options"); given && check_.expect(*given, JsonKind::Object, "\"options\"")) {
             options(*given);
         }
+        if (const auto given = root.find("limits"); given && check_.expect(*given, JsonKind::Object, "\"limits\"")) {
+            limits(*given);
+        }
         if (const auto tolerance = root.find("circleTolerance")) {
             document_.circleTolerance = check_.positive(*tolerance, "\"circleTolerance\"");
             if (document_.circleTolerance < 1e-8 || document_.circleTolerance > 0.5) {
@@ -56,9 +59,9 @@ class ProjectReader {
   private:
     /// Reports unknown members, which a newer or another program may have added.
     void noteUnknownMembers(const JsonValue &root) const {
-        constexpr std::array<std::string_view, 10> kKnown = {
-            "format",      "version", "shapes",  "regionMarkers",   "boundaryNames",
-            "regionNames", "spacing", "options", "circleTolerance", "nextId"};
+        constexpr std::array<std::string_view, 11> kKnown = {
+            "format",  "version", "shapes", "regionMarkers",   "boundaryNames", "regionNames",
+            "spacing", "options", "limits", "circleTolerance", "nextId"};
         for (auto member = root.begin(); member != root.end(); ++member) {
             const std::string key = member.key();
             if (std::find(kKnown.begin(), kKnown.end(), key) == kKnown.end()) {
@@ -255,6 +258,21 @@ class ProjectReader {
         }
         if (const auto threads = object.find("threads")) {
             options.threads = static_cast<unsigned>(check_.integer(*threads, 0, kMaxThreads, "\"threads\""));
+        }
+    }
+
+    void limits(const JsonValue &object) {
+        for (const MeshLimit limit : valuesOf<MeshLimit>()) {
+            const std::string member = limitInfo(limit).member;
+            if (const auto given = object.find(member)) {
+                const std::size_t before = check_.faults().size();
+                const double value = check_.number(*given, inQuotes(member));
+                document_.limits[limit] = value;
+                const std::string fault = limitFault(limit, value);
+                if (!fault.empty() && check_.faults().size() == before) {
+                    check_.fault(*given, "bad-number", inQuotes(member) + ": " + fault);
+                }
+            }
         }
     }
 

@@ -24,6 +24,7 @@ class ProjectWriter {
         names("regionNames", document.regionNames);
         writeSpacing(document.spacing, out_);
         options(document.options);
+        limits(document.limits);
         out_ << ",\n  \"circleTolerance\": ";
         out_.number(document.circleTolerance);
         out_ << ",\n  \"nextId\": " << document.nextId << "\n}\n";
@@ -76,6 +77,22 @@ class ProjectWriter {
              << ", \"gridRows\": " << options.gridRows
              << ", \"keepBoundary\": " << (options.keepBoundary ? "true" : "false") << ", \"improve\": \""
              << wordOf(options.improve) << "\", \"threads\": " << options.threads << '}';
+    }
+
+    void limits(const MeshLimits &limits) {
+        if (!limits.any()) {
+            return;
+        }
+        out_ << ",\n  \"limits\": {";
+        const char *separator = "";
+        for (const MeshLimit limit : valuesOf<MeshLimit>()) {
+            if (limits[limit]) {
+                out_ << separator << '"' << limitInfo(limit).member << "\": ";
+                out_.number(*limits[limit]);
+                separator = ", ";
+            }
+        }
+        out_ << '}';
     }
 
     JsonText out_;

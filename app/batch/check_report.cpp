@@ -1,0 +1,98 @@
+#include "app/batch/check_report.hpp"
+
+#include "app/batch/exit_code.hpp"
+#include "app/batch/options.hpp"
+#include "core/io/files.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace forefront {
+
+namespace {
+
+/// Number of places listed for each broken limit.
+constexpr std::size_t kListedPlaces = 5;
+
+std::string optionHelp(const LimitInfo &info) {
+    std::string text = info.meaning;
+    text.front() = static_cast<char>(text.front() - 'A' + 'a');
+    return text;
+}
+
+/// Pads a text that may hold characters of several bytes to a number of columns.
+std::string padded(std::string text, std::size_t columns) {
+    const auto width = static_cast<std::size_t>(std::count_if(
+        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; }));
+    return text.append(columns - std::min(columns, width), ' ');
+}
+
+} // namespace
+
+void addLimitOptions(CLI::App &group, MeshLimits &limits) {
+    for (const MeshLimit limit : valuesOf<MeshLimit>()) {
+        const LimitInfo &info = limitInfo(limit);
+        const bool unbounded = !std::isfinite(info.greatest);
+        group.add_option("--" + std::string(wordOf(limit)), limits[limit], optionHelp(info))
+            ->check(unbounded ? positiveNumber() : numberWithin(info.least, info.greatest))
+            ->type_name("LIMIT");
+    }
+}
+
+Diagnostics addSavedLimits(const std::filesystem::path &project, MeshLimits &limits) {
+    const Result<Document> document = readDocument(project);
+    if (!document) {
+        return document.faults();
+    }
+    for (const MeshLimit limit : valuesOf<MeshLimit>()) {
+        limits[limit] = limits[limit] ? limits[limit] : document->limits[limit];
+    }
+    if (!limits.any()) {
+        Diagnostics faults = error("no-limits", "the file holds no limits", "set them in the Checks panel and save");
+        faults.front().file = project.string();
+        return faults;
+    }
+    return {};
+}
+
+void printMeasures(const Mesh &mesh, const SpacingField *spacing) {
+    std::printf("%s%10s", padded("measure", 22).c_str(), "minimum");
+    for (const int percent : kPercentiles) {
+        std::printf("%9d%%", percent);
+    }
+    std::printf("%10s%10s\n", "maximum", "mean");
+    const MeshEdges edges = edgesOf(mesh);
+    for (const Measure measure : valuesOf<Measure>()) {
+        if (measure == Measure::Region || measure == Measure::Birth) {
+            continue; // their figures mean nothing
+        }
+        const MeasureSummary summary = summarise(measureValues(measure, mesh, edges, spacing));
+        if (summary.count == 0) {
+            continue;
+        }
+        std::printf("%s%10.4g", padded(infoOf(measure).name, 22).c_str(), summary.minimum);
+        for (const double value : summary.percentiles) {
+            std::printf("%10.4g", value);
+        }
+        std::printf("%10.4g%10.4g\n", summary.maximum, summary.mean);
+    }
+}
+
+bool printVerdicts(const std::filesystem::path &file, const Mesh &mesh, const MeshLimits &limits,
+                   const SpacingField *spacing) {
+    bool kept = true;
+    for (const LimitVerdict &verdict : judge(mesh, limits, spacing, kListedPlaces)) {
+        std::printf("%s\n", toString(verdict).c_str());
+        kept = kept && verdict.kept();
+        Diagnostics faults = faultsOf(verdict);
+        for (Diagnostic &fault : faults) {
+            fault.file = file.string();
+        }
+        printFaults(faults);
+    }
+    return kept;
+}
+
+} // namespace forefront

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/base/diagnostic.hpp"
+#include "core/mesh/limits.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+
+namespace forefront {
+
+/// Adds an option for each limit, "--min-angle" and so on.
+void addLimitOptions(CLI::App &group, MeshLimits &limits);
+
+/// Reads the limits saved in a project and adds those that are not set yet. Returns the faults of the file.
+Diagnostics addSavedLimits(const std::filesystem::path &project, MeshLimits &limits);
+
+/// Prints a table of all measures that judge a mesh, with minimum, percentiles, maximum and mean.
+void printMeasures(const Mesh &mesh, const SpacingField *spacing);
+
+/// Prints the verdict on each limit to stdout and the worst places to stderr. Returns true if all limits are kept.
+bool printVerdicts(const std::filesystem::path &file, const Mesh &mesh, const MeshLimits &limits,
+                   const SpacingField *spacing);
+
+} // namespace forefront

@@ -1,0 +1,209 @@
+#include "core/mesh/limits.hpp"
+#include "core/mesh/measures.hpp"
+#include "core/mesh/quality.hpp"
+#include "core/spacing/spacing_field.hpp"
+#include "tests/unit/mesh_samples.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+using namespace forefront;
+using samples::node;
+
+namespace {
+
+/// A right triangle with legs 3 and 4, an equilateral one of side 4 below its leg, and a node without elements.
+Mesh twoTriangles() {
+    Mesh mesh;
+    mesh.nodes = {{0, 0}, {4, 0}, {0, 3}, {2, -2 * std::numbers::sqrt3}, {9, 9}};
+    mesh.elements = {{node(0), node(1), node(2)}, {node(1), node(0), node(3)}};
+    mesh.regions = {1, 7};
+    return mesh;
+}
+
+std::vector<double> values(Measure measure, const Mesh &mesh, const SpacingField *spacing = nullptr) {
+    return measureValues(measure, mesh, edgesOf(mesh), spacing);
+}
+
+std::shared_ptr<const SpacingField> uniformSpacing(const Mesh &mesh, double size) {
+    SpacingSpec spec;
+    spec.size = size;
+    Domain extent;
+    extent.nodes = mesh.nodes;
+    return SpacingField::build(spec, extent).value();
+}
+
+} // namespace
+
+TEST_CASE("Measures: elements have the values that follow from their corners") {
+    const Mesh mesh = twoTriangles();
+    const double small = std::atan2(3.0, 4.0) * 180.0 / std::numbers::pi;
+    CHECK(values(Measure::MinAngle, mesh)[0] == doctest::Approx(small));
+    CHECK(values(Measure::MaxAngle, mesh)[0] == doctest::Approx(90.0));
+    CHECK(values(Measure::MinAngle, mesh)[1] == doctest::Approx(60.0));
+    CHECK(values(Measure::ShapeFactor, mesh)[1] == doctest::Approx(1.0));
+    CHECK(values(Measure::Area, mesh)[0] == doctest::Approx(6.0));
+    CHECK(values(Measure::Area, mesh)[1] == doctest::Approx(4.0 * std::numbers::sqrt3));
+    const double ratio = 4.0 * std::numbers::sqrt3 / 6.0;
+    CHECK(values(Measure::AreaRatio, mesh)[0] == doctest::Approx(ratio));
+    CHECK(values(Measure::AreaRatio, mesh)[1] == doctest::Approx(ratio));
+    CHECK(values(Measure::Region, mesh) == std::vector<double>{1, 7});
+    CHECK(values(Measure::Birth, mesh) == std::vector<double>{0, 1});
+}
+
+TEST_CASE("Measures: edges are compared with the spacing at their middles") {
+    const Mesh mesh = twoTriangles();
+    const MeshEdges edges = edgesOf(mesh);
+    REQUIRE(edges.edges.size() == 5);
+    CHECK(edges.edges[0].a == node(0)); // 0-1, 0-2, 0-3, 1-2, 1-3
+    CHECK(edges.edges[0].b == node(1));
+    CHECK(edges.edges[0].elements[1] != kNoElement);
+    CHECK(edges.edges[1].elements[1] == kNoElement);
+    CHECK(edges.ofElement[0] == std::array<std::uint32_t, 3>{0, 3, 1});
+    const std::vector<double> lengths = values(Measure::Length, mesh);
+    for (std::size_t k = 0; k < 5; ++k) {
+        CHECK(lengths[k] == doctest::Approx(std::array<double, 5>{4, 3, 4, 5, 4}[k]));
+    }
+    CHECK(values(Measure::SizeRatio, mesh).empty());
+    CHECK(values(Measure::Conformity, mesh).empty());
+    const auto spacing = uniformSpacing(mesh, 4.0);
+    CHECK(values(Measure::SizeRatio, mesh, spacing.get())[3] == doctest::Approx(1.25));
+    CHECK(values(Measure::Conformity, mesh, spacing.get())[3] == doctest::Approx(0.8));
+    CHECK(values(Measure::Conformity, mesh, spacing.get())[1] == doctest::Approx(0.75));
+}
+
+TEST_CASE("Measures: parts without a value are NaN and do not count") {
+    const Mesh mesh = twoTriangles();
+    const std::vector<double> valences = values(Measure::Valence, mesh);
+    CHECK(valences[0] == 2.0);
+    CHECK(valences[2] == 1.0);
+    CHECK(std::isnan(valences[4]));
+    CHECK(summarise(valences).count == 4);
+    Mesh alone = mesh;
+    alone.elements.pop_back();
+    CHECK(std::isnan(values(Measure::AreaRatio, alone)[0]));
+    CHECK(summarise(values(Measure::AreaRatio, alone)).count == 0);
+}
+
+TEST_CASE("Measures: flat and inverted elements have the worst angles and an unbounded area ratio") {
+    Mesh mesh = twoTriangles();
+    std::swap(mesh.elements[0][0], mesh.elements[0][1]);
+    CHECK(values(Measure::MinAngle, mesh)[0] == 0.0);
+    CHECK(values(Measure::MaxAngle, mesh)[0] == 180.0);
+    CHECK(values(Measure::Area, mesh)[0] == doctest::Approx(-6.0));
+    mesh.nodes[2] = {1, 0};
+    CHECK(values(Measure::MaxAngle, mesh)[0] == 180.0);
+    CHECK(std::isinf(values(Measure::AreaRatio, mesh)[1]));
+}
+
+TEST_CASE("Measures: their figures are those of measure()") {
+    const Mesh mesh = samples::square(23, 17, 0.2);
+    const auto spacing = uniformSpacing(mesh, 0.05);
+    const MeshQuality quality = measure(mesh, spacing.get());
+    const MeasureSummary alpha = summarise(values(Measure::ShapeFactor, mesh));
+    CHECK(alpha.count == quality.elements);
+    CHECK(alpha.mean == doctest::Approx(quality.alphaMean));
+    CHECK(alpha.minimum == doctest::Approx(quality.alphaMin));
+    CHECK(alpha.percentiles[0] == doctest::Approx(quality.alpha1));
+    CHECK(alpha.percentiles[1] == doctest::Approx(quality.alpha5));
+    CHECK(alpha.percentiles[3] == doctest::Approx(quality.alpha50));
+    CHECK(summarise(values(Measure::MinAngle, mesh)).minimum == doctest::Approx(quality.minAngle));
+    CHECK(summarise(values(Measure::MaxAngle, mesh)).maximum == doctest::Approx(quality.maxAngle));
+    CHECK(summarise(values(Measure::Length, mesh)).count == quality.segments);
+    CHECK(summarise(values(Measure::Conformity, mesh, spacing.get())).mean == doctest::Approx(quality.deltaMean));
+    const std::vector<double> alphas = values(Measure::ShapeFactor, mesh);
+    const MeasureHistogram bins = histogramOf(alphas, 0.0, 1.0, false, kHistogramBins);
+    CHECK(std::equal(bins.bins.begin(), bins.bins.end(), quality.alphaHistogram.begin()));
+    CHECK(ElementId{worstParts(Measure::ShapeFactor, alphas, 1).front()} == quality.worst);
+}
+
+TEST_CASE("Measures: every value lies in the range that its description states") {
+    const Mesh mesh = samples::square(9, 8, 0.24);
+    const auto spacing = uniformSpacing(mesh, 0.1);
+    for (const Measure measure : valuesOf<Measure>()) {
+        CAPTURE(wordOf(measure));
+        const MeasureSummary summary = summarise(values(measure, mesh, spacing.get()));
+        REQUIRE(summary.count > 0);
+        CHECK(summary.minimum >= infoOf(measure).minimum);
+        CHECK(summary.maximum <= infoOf(measure).maximum);
+        CHECK(std::string_view(infoOf(measure).meaning).size() > 10);
+    }
+}
+
+TEST_CASE("Measures: percentiles are values of that rank") {
+    std::vector<double> numbers;
+    for (int i = 100; i >= 0; --i) {
+        numbers.push_back(i);
+    }
+    const MeasureSummary summary = summarise(numbers);
+    for (std::size_t i = 0; i < kPercentiles.size(); ++i) {
+        CHECK(summary.percentiles[i] == kPercentiles[i]);
+    }
+    CHECK(summary.minimum == 0.0);
+    CHECK(summary.maximum == 100.0);
+    CHECK(summary.mean == doctest::Approx(50.0));
+    CHECK(summarise({}).count == 0);
+}
+
+TEST_CASE("Measures: a histogram counts every value once, outer ones in the end bins") {
+    const std::vector<double> numbers{-5.0, 0.0, 0.24, 0.25, 0.99, 1.0, 7.0, std::nan("")};
+    const MeasureHistogram linear = histogramOf(numbers, 0.0, 1.0, false, 4);
+    CHECK(linear.bins == std::vector<std::uint64_t>{3, 1, 0, 3});
+    CHECK(linear.edge(1) == 0.25);
+    const MeasureHistogram logarithmic =
+        histogramOf(std::vector<double>{-1.0, 0.5, 1.0, 10.0, 99.0}, 1.0, 100.0, true, 2);
+    CHECK(logarithmic.bins == std::vector<std::uint64_t>{3, 2});
+    CHECK(logarithmic.edge(1) == doctest::Approx(10.0));
+}
+
+TEST_CASE("Measures: the worst parts come first, equal ones by number") {
+    const std::vector<double> low{0.5, 0.1, std::nan(""), 0.1, 0.9};
+    CHECK(worstParts(Measure::ShapeFactor, low, 3) == std::vector<std::uint32_t>{1, 3, 0});
+    CHECK(worstParts(Measure::MaxAngle, low, 9) == std::vector<std::uint32_t>{4, 0, 1, 3});
+    CHECK(worstParts(Measure::SizeRatio, std::vector<double>{1.0, 1.9, 0.5, 2.0}, 3) ==
+          std::vector<std::uint32_t>{2, 3, 1});
+    CHECK(worstParts(Measure::Region, low, 3).empty());
+}
+
+TEST_CASE("Limits: verdicts count what breaks a limit and list the worst places") {
+    const Mesh mesh = twoTriangles();
+    MeshLimits limits;
+    CHECK_FALSE(limits.any());
+    CHECK(judge(mesh, limits, nullptr).empty());
+    limits[MeshLimit::MinAngle] = 40.0;
+    limits[MeshLimit::MaxAngle] = 90.0; // exactly that of the right triangle
+    limits[MeshLimit::MinDelta] = 0.9;
+    limits[MeshLimit::MaxLength] = 3.5;
+    const std::vector<LimitVerdict> verdicts = judge(mesh, limits, nullptr, 2);
+    REQUIRE(verdicts.size() == 4);
+    CHECK(verdicts[0].limit == MeshLimit::MinAngle);
+    CHECK(verdicts[0].broken == 1);
+    CHECK(verdicts[0].worst == doctest::Approx(36.8699));
+    REQUIRE(verdicts[0].places.size() == 1);
+    CHECK(verdicts[0].places[0].part == 0);
+    CHECK(distance(verdicts[0].places[0].at, {4.0 / 3.0, 1.0}) < 1e-12);
+    CHECK(toString(verdicts[0]) ==
+          "minimum angle 40\xc2\xb0: broken by 1 of 2 elements, worst 36.87\xc2\xb0 at (1.33333, 1)");
+    REQUIRE(faultsOf(verdicts[0]).size() == 1);
+    CHECK(faultsOf(verdicts[0])[0].message == "element 0: min \xe2\x88\xa0 36.87\xc2\xb0 breaks the limit 40\xc2\xb0");
+    CHECK(verdicts[1].kept());
+    CHECK(toString(verdicts[1]) == "maximum angle 90\xc2\xb0: kept, worst 90\xc2\xb0");
+    CHECK(verdicts[2].broken == 4);
+    CHECK(verdicts[2].places.size() == 2);
+    CHECK(verdicts[2].places[0].value == 5.0);
+    CHECK(verdicts[3].judged == 0);
+    CHECK_FALSE(verdicts[3].kept());
+    const auto spacing = uniformSpacing(mesh, 4.0);
+    CHECK(judge(mesh, limits, spacing.get())[3].broken == 2);
+}
+
+TEST_CASE("Limits: values outside their range are explained") {
+    CHECK(limitFault(MeshLimit::MinAngle, 25.0).empty());
+    CHECK(limitFault(MeshLimit::MinAngle, 70.0) == "expected a number from 0 to 60, got 70");
+    CHECK(limitFault(MeshLimit::MinLength, 0.0) == "expected a positive number, got 0");
+    CHECK(limitFault(MeshLimit::MaxLength, INFINITY) == "expected a positive number, got inf");
+}
