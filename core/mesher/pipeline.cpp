@@ -1,15 +1,18 @@
 #include "core/mesher/pipeline.hpp"
 
+#include "core/base/assert.hpp"
 #include "core/base/cancelled.hpp"
 #include "core/base/cpu_clock.hpp"
 #include "core/base/free_memory.hpp"
 #include "core/boundary/estimate.hpp"
 #include "core/domain/validate.hpp"
 #include "core/mesher/mesher.hpp"
+#include "core/spacing/scaled_field.hpp"
 #include "core/spacing/spacing_field.hpp"
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <new>
 
@@ -23,9 +26,32 @@ std::uint64_t batchFor(const Mesher &mesher) {
     return std::clamp<std::uint64_t>(10'000'000 / (mesher.state().front.segments() + 1), 16, 4096);
 }
 
+/// Discretises the boundary with `spacing` and checks the number of elements.
+Result<PreparedJob> discretised(const MeshingJob &job, std::shared_ptr<const SpacingField> spacing,
+                                const Progress &progress) {
+    progress("discretising the boundary", 0.0);
+    Result<DiscreteDomain> boundary = discretise(job.domain, *spacing, job.options.keepBoundary, progress);
+    if (!boundary) {
+        return boundary.faults();
+    }
+    PreparedJob prepared;
+    prepared.estimatedElements = boundary->estimatedElements = estimateElements(*boundary, *spacing);
+    prepared.requestedElements = prepared.estimatedElements;
+    prepared.spacing = std::move(spacing);
+    prepared.boundary = std::make_shared<const DiscreteDomain>(std::move(*boundary));
+    if (!(prepared.estimatedElements < kMaxElements)) {
+        char text[96];
+        std::snprintf(text, sizeof text, "the node spacing needs about %.2g elements; expected fewer than %.2g",
+                      prepared.estimatedElements, kMaxElements);
+        return error("too-many-elements", text, "choose a larger element size");
+    }
+    return prepared;
+}
+
 } // namespace
 
-Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress) {
+Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress, double budget) {
+    FOREFRONT_ASSERT(budget > 0.0);
     progress("validating", 0.0);
     Diagnostics faults = validate(job.domain);
     if (hasErrors(faults)) {
@@ -43,22 +69,17 @@ Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress) {
     if (!spacing) {
         return spacing.faults();
     }
-    progress("discretising the boundary", 0.0);
-    Result<DiscreteDomain> boundary = discretise(job.domain, **spacing, job.options.keepBoundary, progress);
-    if (!boundary) {
-        return boundary.faults();
+    Result<PreparedJob> prepared = discretised(job, std::move(*spacing), progress);
+    if (!prepared || prepared->estimatedElements <= budget) {
+        return prepared;
     }
-    PreparedJob prepared;
-    prepared.spacing = *spacing;
-    prepared.estimatedElements = boundary->estimatedElements = estimateElements(*boundary, *prepared.spacing);
-    prepared.boundary = std::make_shared<const DiscreteDomain>(std::move(*boundary));
-    if (!(prepared.estimatedElements < kMaxElements)) {
-        char text[96];
-        std::snprintf(text, sizeof text, "the node spacing needs about %.2g elements; expected fewer than %.2g",
-                      prepared.estimatedElements, kMaxElements);
-        return error("too-many-elements", text, "choose a larger element size");
+    const double requested = prepared->estimatedElements, factor = std::sqrt(requested / budget);
+    Result<PreparedJob> coarse = discretised(job, scaledField(prepared->spacing, factor), progress);
+    if (coarse) {
+        coarse->requestedElements = requested;
+        coarse->coarsening = factor;
     }
-    return prepared;
+    return coarse;
 }
 
 namespace {

@@ -9,6 +9,7 @@
 #include "core/mesher/options.hpp"
 #include "core/mesher/statistics.hpp"
 
+#include <limits>
 #include <memory>
 #include <string_view>
 
@@ -24,11 +25,16 @@ struct PreparedJob {
     std::shared_ptr<const DiscreteDomain> boundary;
     std::shared_ptr<const SpacingField> spacing;
     double estimatedElements = 0.0;
+    double requestedElements = 0.0; ///< the estimate for the spacing of the job
+    double coarsening = 1.0;        ///< `spacing` is this many times that of the job; see prepare()
 };
 
-/// Validates the domain, builds the spacing and discretises the boundary. Errors: those of each step,
+/// Validates the domain, builds the spacing and discretises the boundary. If the estimated number of elements exceeds
+/// `budget`, which must be positive, the spacing is multiplied by one factor that brings it down to the budget, for a
+/// preview of the mesh; given nodes and edges stay, so that there may be more. Errors: those of each step,
 /// "too-many-elements", "cancelled".
-Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress = {});
+Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress = {},
+                            double budget = std::numeric_limits<double>::infinity());
 
 /// The result of a run.
 struct MeshingOutcome {

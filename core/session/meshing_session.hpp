@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 
 namespace FOREFRONT_API forefront {
@@ -38,8 +39,9 @@ class MeshingSession {
     MeshingSession &operator=(const MeshingSession &) = delete;
 
     /// Starts a new run and cancels the previous one, which stays visible until the new one is prepared, and for good
-    /// if the new one is refused.
-    void start(std::shared_ptr<const MeshingJob> job, StartMode mode);
+    /// if the new one is refused. A job of more than about `budget` elements is coarsened to it, see prepare().
+    void start(std::shared_ptr<const MeshingJob> job, StartMode mode,
+               double budget = std::numeric_limits<double>::infinity());
     /// Starts a new run with StartMode::Run if `runToEnd`, else with StartMode::Pause.
     void start(std::shared_ptr<const MeshingJob> job, bool runToEnd) {
         start(std::move(job), runToEnd ? StartMode::Run : StartMode::Pause);

@@ -4,6 +4,7 @@
 #include "core/session/meshing_session.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <variant>
 
@@ -13,6 +14,7 @@ namespace forefront {
 struct StartCommand {
     std::shared_ptr<const MeshingJob> job;
     StartMode mode = StartMode::Pause;
+    double budget = std::numeric_limits<double>::infinity(); ///< elements
 };
 struct PlayCommand {
     double rate = 0.0;

@@ -60,7 +60,7 @@ void SessionWorker::execute(const StartCommand &command) {
     quiet_ = command.mode == StartMode::RunQuiet;
     const Progress progress = progressInto(RunState::Preparing, mailbox_.beginBlocking(Blocking::Preparing));
     progress("validating", 0.0);
-    Result<PreparedJob> prepared = prepare(*command.job, progress);
+    Result<PreparedJob> prepared = prepare(*command.job, progress, command.budget);
     mailbox_.endBlocking();
     if (!prepared) {
         const bool cancelled = progress.cancelled();
@@ -76,6 +76,8 @@ void SessionWorker::execute(const StartCommand &command) {
     spacing_ = prepared->spacing;
     boundary_ = prepared->boundary;
     estimatedElements_ = prepared->estimatedElements;
+    requestedElements_ = prepared->requestedElements;
+    coarsening_ = prepared->coarsening;
     quiet_ = quiet_ && estimatedElements_ <= kQuietElements;
     travel_.emplace(Mesher::create(boundary_, spacing_, job_->options));
     stage_ = "advancing the front";
@@ -102,7 +104,8 @@ void SessionWorker::forget() {
     stageProgress_ = 0.0;
     improvementStopped_ = false;
     diagnostics_.clear();
-    secondsImprove_ = 0.0;
+    secondsImprove_ = requestedElements_ = 0.0;
+    coarsening_ = 1.0;
     stage_.clear();
     shownRun_ = 0;
 }
@@ -262,6 +265,8 @@ void SessionWorker::publish(bool resting) {
     snapshot->secondsImprove = secondsImprove_;
     snapshot->boundary = boundary_;
     snapshot->spacing = spacing_;
+    snapshot->requestedElements = requestedElements_;
+    snapshot->coarsening = coarsening_;
     if (travel_) {
         fillFromRun(*snapshot, resting);
     }

@@ -65,7 +65,8 @@ class SessionWorker {
     std::shared_ptr<const MeshView> finalMesh_;
     MeshQuality finalQuality_;
     std::uint64_t finalHash_ = 0;
-    double estimatedElements_ = 0.0;
+    double estimatedElements_ = 0.0, requestedElements_ = 0.0;
+    double coarsening_ = 1.0;
     double secondsImprove_ = 0.0;
     bool quiet_ = false;              ///< publish nothing before the run rests
     bool improvementStopped_ = false; ///< stopped by a command

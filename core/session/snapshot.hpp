@@ -87,7 +87,9 @@ struct SessionSnapshot {
     double rate = 0.0;    ///< advances per second of the last batch
     bool playing = false; ///< at a pace that the user set, rather than as fast as possible
     WorkCounters work;
-    MeshQuality quality; ///< of the mesh shown
+    MeshQuality quality;            ///< of the mesh shown
+    double requestedElements = 0.0; ///< estimate for the spacing of the job; see prepare()
+    double coarsening = 1.0;        ///< > 1: the mesh shown is a preview with this many times the spacing of the job
     std::size_t frontSegments = 0;
     std::uint64_t stateHash = 0;                    ///< of front and mesh at this position; 0 while moving
     std::uint64_t meshHash = 0;                     ///< set when complete
