@@ -11,17 +11,32 @@ uniform vec2 range;       // ln ρ at the ends of the map
 uniform sampler2D map;
 uniform vec4 plain;
 uniform int tinted; // 1: coloured by ρ, 0: plain
+uniform float levels[8];    // ln ρ of the contour lines
+uniform int levelCount;
+uniform float contourWidth; // pixels
 
 out vec4 result;
+
+// Coverage by the nearest contour line: x of its bright core, y of its dark rim. `change` is that of ln ρ per pixel.
+vec2 contour(float value, float change) {
+    float nearest = 1e9;
+    for (int i = 0; i < levelCount; ++i) {
+        nearest = min(nearest, abs(value - levels[i]));
+    }
+    float pixels = change > 1e-7 ? nearest / change : 1e9; // no line where ρ is constant
+    return clamp(vec2(0.5, 1.0) * contourWidth + 0.5 - pixels, 0.0, 1.0);
+}
 
 void main() {
     float inside = texture(mask, pixel / viewport).r;
     vec3 rgb = plain.rgb;
     if (tinted == 1) {
         float value = texture(raster, (pixel - rasterCorner) / rasterSize).r;
+        vec2 line = contour(value, length(vec2(dFdx(value), dFdy(value))));
         float span = range.y - range.x;
         float t = clamp((value - range.x) / (abs(span) > 1e-6 ? span : 1e-6), 0.0, 1.0);
         rgb = texture(map, vec2(t * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb;
+        rgb = mix(mix(rgb, vec3(0.04, 0.06, 0.09), 0.45 * line.y), vec3(1.0), 0.9 * line.x);
     }
     result = vec4(rgb, plain.a * inside);
 }

@@ -94,31 +94,39 @@ std::vector<LegendTick> linearTicks(const ColourRange &range) {
     return ticks;
 }
 
-std::vector<LegendTick> logarithmicTicks(double minimum, double maximum, std::size_t limit) {
-    std::vector<LegendTick> ticks;
-    if (!(minimum > 0.0) || !(maximum > minimum)) {
-        return {{0.5, ui::number(minimum, 3)}};
-    }
-    const double span = std::log(maximum / minimum);
+std::vector<double> roundValues(double minimum, double maximum, std::size_t limit) {
+    std::vector<double> values;
+    const int first = static_cast<int>(std::floor(std::log10(minimum)));
     for (const std::vector<double> &digits : {std::vector<double>{1, 2, 5}, {1, 3}, {1}}) {
-        ticks.clear();
-        const int first = static_cast<int>(std::floor(std::log10(minimum)));
+        values.clear();
         for (int power = first; power < first + 40 && std::pow(10.0, power) <= maximum; ++power) {
             for (const double digit : digits) {
                 const double value = digit * std::pow(10.0, power);
                 if (value >= minimum * 0.999 && value <= maximum * 1.001) {
-                    ticks.push_back({std::clamp(std::log(value / minimum) / span, 0.0, 1.0), ui::number(value, 3)});
+                    values.push_back(value);
                 }
             }
         }
-        if (ticks.size() <= limit) {
+        if (values.size() <= limit) {
             break;
         }
     }
-    while (ticks.size() > limit) {
-        for (std::size_t i = 1; i < ticks.size(); ++i) {
-            ticks.erase(ticks.begin() + static_cast<std::ptrdiff_t>(i));
+    while (values.size() > limit) {
+        for (std::size_t i = 1; i < values.size(); ++i) {
+            values.erase(values.begin() + static_cast<std::ptrdiff_t>(i));
         }
+    }
+    return values;
+}
+
+std::vector<LegendTick> logarithmicTicks(double minimum, double maximum, std::size_t limit) {
+    if (!(minimum > 0.0) || !(maximum > minimum)) {
+        return {{0.5, ui::number(minimum, 3)}};
+    }
+    std::vector<LegendTick> ticks;
+    const double span = std::log(maximum / minimum);
+    for (const double value : roundValues(minimum, maximum, limit)) {
+        ticks.push_back({std::clamp(std::log(value / minimum) / span, 0.0, 1.0), ui::number(value, 3)});
     }
     // The ends are always labelled; round numbers close to them are not.
     std::erase_if(ticks, [](const LegendTick &tick) { return tick.at < 0.16 || tick.at > 0.84; });

@@ -1,5 +1,6 @@
 #include "ui/gl/gl_kit.hpp"
 
+#include "core/base/assert.hpp"
 #include "ui/gl/domain_mask.hpp"
 #include "ui/gl/split.hpp"
 #include "ui/style/colour_map.hpp"
@@ -7,6 +8,7 @@
 #include <glad/gl.h>
 
 #include <array>
+#include <span>
 
 namespace forefront {
 
@@ -103,6 +105,10 @@ void GlKit::drawField(const Domain &domain, std::uint64_t revision, const Camera
         const Vec2 size = camera.zoom * tint->box.size();
         program.set("rasterSize", glm::vec2(size.x, size.y));
         program.set("range", glm::vec2(tint->minimum, tint->maximum));
+        FOREFRONT_ASSERT(tint->levels.size() <= FieldTint::kMaxLevels);
+        program.set("levels", std::span(tint->levels));
+        program.set("levelCount", static_cast<int>(tint->levels.size()));
+        program.set("contourWidth", static_cast<float>(tint->contourWidth));
         glActiveTexture(GL_TEXTURE0);
     }
     glBindVertexArray(emptyArray_);

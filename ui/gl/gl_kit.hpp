@@ -16,6 +16,9 @@ struct FieldTint {
     const std::vector<float> *logRho = nullptr;
     std::uint64_t version = 0;           ///< changes whenever the values change
     double minimum = 0.0, maximum = 1.0; ///< ln ρ at the ends of the map
+    static constexpr std::size_t kMaxLevels = 8;
+    std::vector<float> levels; ///< ln ρ of the contour lines, kMaxLevels at most
+    double contourWidth = 1.5; ///< pixels
 };
 
 /// Shader programs and textures that the layers share, one set per OpenGL context.

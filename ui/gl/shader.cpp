@@ -72,6 +72,9 @@ void ShaderProgram::set(const char *uniform, float value) const {
 void ShaderProgram::set(const char *uniform, int value) const {
     glUniform1i(location(uniform), value);
 }
+void ShaderProgram::set(const char *uniform, std::span<const float> values) const {
+    glUniform1fv(location(uniform), static_cast<int>(values.size()), values.data());
+}
 void ShaderProgram::set(const char *uniform, const glm::vec2 &value) const {
     glUniform2fv(location(uniform), 1, glm::value_ptr(value));
 }

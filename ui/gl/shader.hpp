@@ -4,6 +4,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <span>
 #include <string_view>
 
 namespace forefront {
@@ -24,6 +25,7 @@ class ShaderProgram {
     // The program must be in use.
     void set(const char *uniform, float value) const;
     void set(const char *uniform, int value) const;
+    void set(const char *uniform, std::span<const float> values) const;
     void set(const char *uniform, const glm::vec2 &value) const;
     void set(const char *uniform, const Colour &colour) const;
 

@@ -11,6 +11,11 @@ namespace forefront {
 
 namespace {
 
+/// Returns the spacings of the contour lines.
+std::vector<double> contourValues(double minimum, double maximum) {
+    return roundValues(minimum, maximum, FieldTint::kMaxLevels);
+}
+
 class SpacingLayer final : public Layer {
   public:
     const char *id() const override { return "size"; }
@@ -32,7 +37,9 @@ class SpacingLayer final : public Layer {
                              .logRho = &logRho_,
                              .version = version_,
                              .minimum = std::log(minimum_),
-                             .maximum = std::log(maximum_)};
+                             .maximum = std::log(maximum_),
+                             .levels = levels_,
+                             .contourWidth = 1.25 * frame.scale};
         frame.gl.drawField(frame.domain, frame.revision, frame.camera, frame.theme.domain, &tint);
     }
 
@@ -69,11 +76,16 @@ class SpacingLayer final : public Layer {
             minimum_ *= 0.5; // one colour, from the middle of the map
             maximum_ *= 2.0;
         }
+        levels_.clear();
+        for (const double value : uniform_ ? std::vector<double>() : contourValues(minimum_, maximum_)) {
+            levels_.push_back(static_cast<float>(std::log(value)));
+        }
         return true;
     }
 
     std::shared_ptr<const SpacingRaster> shown_;
     std::vector<float> logRho_;
+    std::vector<float> levels_; ///< ln ρ of the contour lines
     std::uint64_t version_ = 0;
     double minimum_ = 1.0, maximum_ = 2.0;
     bool uniform_ = false; ///< ρ is the same everywhere
