@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <deque>
 #include <thread>
 #include <vector>
@@ -19,29 +20,41 @@ double secondsNow() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-double percentile(const std::vector<double> &sorted, double part) {
-    return sorted.empty() ? 0.0 : sorted[static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1))];
+double percentile(std::vector<double> values, double part) {
+    if (values.empty()) {
+        return 0.0;
+    }
+    std::sort(values.begin(), values.end());
+    return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
 }
 
-/// Drags a node of a live-meshed square around a small circle without a pause, and measures latencies.
+enum class Gesture { Node, Source, Brush };
+constexpr const char *kGestures[] = {"node", "source", "brush"};
+
+/// Drags a node or a source of a live-meshed square, or the brush, around a small circle without a pause, and measures
+/// latencies.
 class DragBench {
   public:
-    explicit DragBench(double elements) {
+    DragBench(Gesture gesture, double elements) : gesture_(gesture), wanted_(elements) {
         driver_.polygon({{0, 0}, {8, 0}, {8, 8}, {0, 8}});
         Document sized = driver_.document();
         sized.spacing.size = std::sqrt(64.0 / (0.433 * elements));
+        if (gesture != Gesture::Node) {
+            sized.spacing.sources.push_back({.a = {6, 6}, .size = 0.7 * *sized.spacing.size, .growth = 0.2});
+        }
         driver_.context().document.apply(std::move(sized), "Size");
-        driver_.key('V');
-        driver_.context().run.live = true;
+        driver_.key(gesture == Gesture::Brush ? 'B' : 'V');
+        driver_.context().settings.live = true;
         driver_.settle();
-        driver_.press(driver_.pixel({8, 8}));
+        driver_.press(driver_.pixel(start()));
     }
 
     void run(double seconds) {
         const double begin = secondsNow(), end = begin + seconds;
         for (double next = begin; secondsNow() < end;) {
             for (; next <= secondsNow(); next += kPointerPeriod) {
-                move(next);
+                move(next - begin);
+                inputs_.push_back({next, 0});
             }
             if (!driver_.editor().needsFrame()) {
                 std::this_thread::sleep_for(std::chrono::duration<double>(kPointerPeriod / 4));
@@ -60,18 +73,21 @@ class DragBench {
         std::uint64_t revision = 0; ///< of the resulting document; 0: not handled yet
     };
 
+    Vec2 start() const { return gesture_ == Gesture::Node ? Vec2{8, 8} : Vec2{6, 6}; }
+
     void move(double time) {
-        const double angle = 1.5 * (time - std::floor(time)) * 2.0 * 3.14159265358979;
-        const Pixel at = driver_.pixel({7.5 + 0.4 * std::cos(angle), 7.5 + 0.4 * std::sin(angle)});
+        const double angle = 3.0 * 3.14159265358979 * time;
+        const Vec2 centre = start() - Vec2{0.5, 0.5};
+        const Pixel at = driver_.pixel(centre + 0.4 * Vec2{std::cos(angle), std::sin(angle)});
         driver_.editor().input().push({.kind = InputKind::MouseMove, .x = at.x, .y = at.y});
-        inputs_.push_back({time, 0});
     }
 
     void drawFrame() {
+        const double begin = secondsNow();
         driver_.frames(1);
         glFinish();
-        ++frames_;
         const double now = secondsNow();
+        frames_.push_back(1e3 * (now - begin));
         for (Input &input : inputs_) {
             input.revision = input.revision == 0 ? driver_.context().document.revision() : input.revision;
         }
@@ -81,30 +97,43 @@ class DragBench {
         for (; !inputs_.empty() && inputs_.front().revision <= shown; inputs_.pop_front()) {
             latencies_.push_back(1e3 * (now - inputs_.front().time));
         }
+        const std::uint64_t tint = driver_.context().examiner.raster()->revision;
+        tints_ += tint != tint_ ? 1 : 0;
+        tint_ = tint;
     }
 
     void print(double seconds) {
-        std::sort(latencies_.begin(), latencies_.end());
-        std::printf("%zu,%.1f,%.1f,%.0f,%.0f,%.0f,%.0f\n", driver_.run().quality.elements, frames_ / seconds,
-                    meshes_ / seconds, percentile(latencies_, 0.5), percentile(latencies_, 0.95),
-                    percentile(latencies_, 0.99), percentile(latencies_, 1.0));
+        double load[1] = {0.0};
+        static_cast<void>(getloadavg(load, 1));
+        std::printf("%s,%.0f,%zu,%.1f,%.0f,%.0f,%.1f,%.1f,%.0f,%.0f,%.0f,%.0f,%.1f\n",
+                    kGestures[static_cast<int>(gesture_)], wanted_, driver_.run().quality.elements,
+                    static_cast<double>(frames_.size()) / seconds, percentile(frames_, 0.5), percentile(frames_, 0.95),
+                    meshes_ / seconds, tints_ / seconds, percentile(latencies_, 0.5), percentile(latencies_, 0.95),
+                    percentile(latencies_, 0.99), percentile(latencies_, 1.0), load[0]);
         std::fflush(stdout);
     }
 
+    Gesture gesture_;
+    double wanted_;
     Draughtsman driver_;
     std::deque<Input> inputs_;
     std::vector<double> latencies_; ///< ms from the pointer's move to a picture with its mesh
-    std::uint64_t shown_ = 0;
-    double frames_ = 0.0, meshes_ = 0.0;
+    std::vector<double> frames_;    ///< ms
+    std::uint64_t shown_ = 0, tint_ = 0;
+    double meshes_ = 0.0, tints_ = 0.0;
 };
 
 } // namespace
 
-// Not a test; prints figures: forefront_ui_tests --no-skip -tc='Bench*live*'
-TEST_CASE("Bench: live meshes per second and latency from input to picture while a node is dragged" * doctest::skip()) {
-    std::printf("elements,frames_per_s,meshes_per_s,input_to_picture_ms_p50,p95,p99,max\n");
-    for (const double elements : {5e3, 2e4}) {
-        DragBench(elements).run(6.0);
+// Not a test; prints figures: forefront_ui_tests --no-skip -tc='Bench*live*'. The last column is the load of the
+// machine, without which the others mean little.
+TEST_CASE("Bench: live meshes per second and latency from input to picture during gestures" * doctest::skip()) {
+    std::printf("gesture,wanted,elements,frames_per_s,frame_ms_p50,p95,meshes_per_s,tints_per_s,"
+                "input_to_picture_ms_p50,p95,p99,max,load\n");
+    for (const Gesture gesture : {Gesture::Node, Gesture::Source, Gesture::Brush}) {
+        for (const double elements : {5e3, 2e4, 2e5}) {
+            DragBench(gesture, elements).run(5.0);
+        }
     }
 }
 

@@ -17,6 +17,7 @@ Driver::Driver(EditorSetup setup, PixelSize size, double contentScale) {
         throw std::runtime_error("no headless OpenGL: " + fault);
     }
     editor_ = std::make_unique<Editor>(*platform_, std::move(setup));
+    context().settings.live = false;
     frames(4);
     settle();
 }

@@ -12,7 +12,8 @@
 
 namespace forefront::test {
 
-/// Drives a headless editor as a user would, by widget names and keys. Every frame lasts 1/60 s.
+/// Drives a headless editor as a user would, by widget names and keys. Every frame lasts 1/60 s. Live meshing is off,
+/// so that tests decide when a mesh is made.
 class Driver {
   public:
     explicit Driver(EditorSetup setup = {}, PixelSize size = {1280, 800}, double contentScale = 1.0);

@@ -20,7 +20,7 @@ struct LiveDrag : Draughtsman {
         sized.spacing.size = 0.5;
         context().document.apply(std::move(sized), "Size");
         key('V');
-        context().run.live = true;
+        context().settings.live = true;
         settle();
         context().log.clear();
         press(pixel({8, 8}));
@@ -97,6 +97,66 @@ TEST_CASE("Live: a drawing with faults keeps the last mesh, out of date, until t
     driver.settle();
     CHECK(driver.run().meshHash == hash);
     CHECK_FALSE(driver.context().run.outOfDate());
+}
+
+TEST_CASE("Live: on by default, and switched off in the menu") {
+    const Settings defaults;
+    CHECK(defaults.live);
+    CHECK(defaults.liveBudget >= 20'000.0);
+    Draughtsman driver;
+    driver.context().settings.live = true;
+    driver.rectangle({0, 0}, {4, 4});
+    driver.settle();
+    CHECK(driver.run().state == RunState::Finished);
+    const std::uint64_t run = driver.run().run;
+    driver.context().actions.run("run.live", driver.context());
+    driver.dragPlaces({4, 4}, {5, 5});
+    driver.settle();
+    CHECK(driver.run().run == run);
+}
+
+TEST_CASE("Live: above the budget a coarser preview follows the hand, and the whole mesh comes at rest") {
+    LiveDrag driver;
+    driver.release(driver.pixel({8, 8}));
+    driver.context().settings.liveBudget = 1000.0;
+    Document fine = driver.document();
+    fine.spacing.size = 0.12; // about 10,000 elements
+    driver.context().document.apply(std::move(fine), "Fine");
+    driver.settle();
+    driver.context().log.clear();
+    driver.press(driver.pixel({8, 8}));
+    for (std::set<std::uint64_t> meshes; meshes.size() < 4;) {
+        driver.moveOn();
+        CHECK_FALSE(driver.context().run.outOfDate());
+        if (driver.context().run.preview()) {
+            meshes.insert(driver.run().meshHash);
+            CHECK(driver.run().quality.elements < 2000);
+        }
+    }
+    CHECK(driver.logged("triangles") == 0);
+    driver.release(driver.pixel({7, 7}));
+    driver.settle();
+    CHECK_FALSE(driver.context().run.preview());
+    CHECK_FALSE(driver.context().run.outOfDate());
+    CHECK(driver.run().quality.elements > 7000);
+    CHECK(driver.logged("triangles") == 1);
+}
+
+TEST_CASE("Live: of a mesh too large to make without being asked, the preview and the predicted number are shown") {
+    LiveDrag driver;
+    driver.release(driver.pixel({8, 8}));
+    driver.context().settings.liveBudget = 1000.0;
+    Document fine = driver.document();
+    fine.spacing.size = 0.008;
+    driver.context().document.apply(std::move(fine), "Fine");
+    driver.settle();
+    REQUIRE(driver.context().preview->estimatedElements > RunControl::kLargestLive);
+    CHECK(driver.run().state == RunState::Finished);
+    CHECK(driver.context().run.preview());
+    CHECK(driver.run().quality.elements < 2000);
+    CHECK(driver.has("canvas/remesh"));
+    CHECK(driver.has("status/estimate"));
+    CHECK(driver.logged("Preview") == 1);
 }
 
 TEST_CASE("Live: a mesh too large to follow a drag shows its progress and restarts after the drag") {

@@ -238,7 +238,7 @@ TEST_CASE("Run: an edit marks the mesh out of date, and undo clears the mark") {
 TEST_CASE("Run: live meshing follows every edit") {
     Driver driver;
     load(driver, square(10, 2.0));
-    driver.context().run.live = true;
+    driver.context().settings.live = true;
     Document next = *driver.context().document.current();
     next.spacing.size = 1.0;
     driver.context().document.apply(next, "finer");

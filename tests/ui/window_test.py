@@ -150,8 +150,9 @@ def run(program, folder):
         window.wait("paint", lambda s: s["paintedTiles"] > 0)
 
         print("meshing")
+        live = window.wait("the live mesh", lambda s: s["run"]["state"] == "finished" and s["settled"])["run"]["number"]
         window.key("2")
-        done = window.wait("the mesh", lambda s: s["run"]["state"] == "finished")
+        done = window.wait("the mesh", lambda s: s["run"]["number"] > live and s["run"]["state"] == "finished")
         if done["run"]["elements"] < 20:
             raise Failure(f"only {done['run']['elements']} elements")
 

@@ -49,8 +49,8 @@ namespace {
 /// Returns the mesh that would be exported now, or null if there is none.
 std::shared_ptr<const MeshView> finishedMesh(const Shell &context) {
     const SessionSnapshot &run = context.run.now();
-    const bool finished =
-        run.complete && run.state == RunState::Finished && run.mesh && !run.mesh->mesh.elements.empty();
+    const bool finished = run.complete && run.state == RunState::Finished && !context.run.preview() && run.mesh &&
+                          !run.mesh->mesh.elements.empty();
     return finished ? run.mesh : nullptr;
 }
 

@@ -258,6 +258,8 @@ void Editor::Parts::dropFlag() {
 void Editor::Parts::followDocument() {
     const bool previewed = context.preview->revision == context.document.revision();
     const bool gestureOver = previewed && !ImGui::IsAnyMouseDown();
+    context.run.live = context.settings.live;
+    context.run.liveBudget = context.settings.liveBudget;
     context.run.follow(gestureOver, hasErrors(context.preview->faults));
 }
 

@@ -57,6 +57,9 @@ Settings loadSettings(const std::filesystem::path &file, Diagnostics *faults) {
     settings.tabsHeight = numberIn(json, "tabsHeight", settings.tabsHeight, 90.0, 900.0);
     const auto hints = json.find("hints");
     settings.hints = hints == json.end() || *hints != false;
+    const auto live = json.find("live");
+    settings.live = live == json.end() || *live != false;
+    settings.liveBudget = numberIn(json, "liveBudget", settings.liveBudget, kMinLiveBudget, kMaxLiveBudget);
     settings.window = placeIn(json);
     const auto recent = json.find("recentFiles");
     if (recent != json.end() && recent->is_array()) {
@@ -75,6 +78,8 @@ void saveSettings(const std::filesystem::path &file, const Settings &settings) {
               {"panelWidth", settings.panelWidth},
               {"tabsHeight", settings.tabsHeight},
               {"hints", settings.hints},
+              {"live", settings.live},
+              {"liveBudget", settings.liveBudget},
               {"recentFiles", settings.recentFiles}};
     if (settings.window) {
         const WindowPlace &place = *settings.window;

@@ -18,10 +18,15 @@ struct Settings {
     double panelWidth = 304.0;         ///< width of the right column, design pixels
     double tabsHeight = 196.0;         ///< height of the tabs at its bottom, design pixels
     bool hints = true;                 ///< show the hint strip
+    bool live = true;                  ///< mesh after every edit
+    double liveBudget = 25'000.0;      ///< see RunControl::liveBudget
     std::optional<WindowPlace> window; ///< position when the program last ended
     std::vector<std::string> recentFiles;
     friend bool operator==(const Settings &, const Settings &) = default;
 };
+
+/// Range of Settings::liveBudget.
+inline constexpr double kMinLiveBudget = 1e3, kMaxLiveBudget = 1e6;
 
 /// Loads the settings, or the defaults if the file is missing or damaged (with a warning in `faults`, if not null).
 /// Numbers are clamped to their ranges.

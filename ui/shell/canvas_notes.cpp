@@ -130,7 +130,8 @@ void drawOutOfDate(Shell &context, const PixelRect &canvas) {
                       0.0F);
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, context.theme.warn);
-    ImGui::TextUnformatted((std::string(icon::kClock) + "  mesh out of date").c_str());
+    const bool preview = context.run.preview() && context.run.shownRevision() == context.document.revision();
+    ImGui::TextUnformatted((std::string(icon::kClock) + (preview ? "  coarse preview" : "  mesh out of date")).c_str());
     ImGui::PopStyleColor();
     ui::mark(context, "canvas/outofdate");
     ImGui::SameLine(0, context.px(12));

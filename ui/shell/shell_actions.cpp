@@ -113,8 +113,8 @@ void addRunActions(ActionRegistry &actions) {
     actions.add({.id = "run.live",
                  .menu = "Mesh",
                  .title = "Live meshing",
-                 .run = [](Shell &c) { c.run.live = !c.run.live; },
-                 .checked = [](const Shell &c) { return c.run.live; }});
+                 .run = [](Shell &c) { c.settings.live = !c.settings.live; },
+                 .checked = [](const Shell &c) { return c.settings.live; }});
 }
 
 void addTimelineActions(ActionRegistry &actions) {

@@ -56,10 +56,17 @@ std::string pointerText(const View &view) {
     return ui::format("x %.*f   y %.*f", decimals, view.pointer->x, decimals, view.pointer->y);
 }
 
-/// Adds the figures of the mesh, or the estimated number of elements while there is none.
+/// Rounds a predicted count to two digits, since further digits mean nothing and would flicker.
+std::uint64_t roundedTo2(double count) {
+    const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(count)) - 1.0));
+    return static_cast<std::uint64_t>(std::round(count / unit) * unit);
+}
+
+/// Adds the figures of the mesh, and the predicted number of elements where it says more.
 void addMesh(Cells &cells, Shell &context) {
     const Theme &theme = context.theme;
     const SessionSnapshot &run = context.run.now();
+    const double predicted = context.preview->estimatedElements;
     if (run.quality.elements > 0) {
         cells.add("counts",
                   ui::count(run.quality.elements) + " \xe2\x96\xb3   " + ui::count(run.quality.nodes) + " \xe2\x97\x8f",
@@ -74,11 +81,12 @@ void addMesh(Cells &cells, Shell &context) {
         ui::tooltip(context, run.complete && run.advance < run.known
                                  ? "Mean shape factor and smallest angle so far; the mesh is improved at the end"
                                  : "Mean shape factor and smallest angle");
-    } else if (context.preview->estimatedElements > 0.0) {
-        cells.add("estimate",
-                  "about " + ui::count(static_cast<std::uint64_t>(context.preview->estimatedElements)) +
-                      " \xe2\x96\xb3",
-                  theme.muted, 100);
+    }
+    const bool differs = run.quality.elements == 0 || context.run.preview() || context.run.outOfDate();
+    if (predicted > 0.0 && differs) {
+        cells.add("estimate", "about " + ui::count(roundedTo2(predicted)) + " \xe2\x96\xb3", theme.muted, 100);
+        cells.clicked("estimate");
+        ui::tooltip(context, "Predicted number of triangles, within about 10 %");
     }
     if (run.complete && run.meshHash != 0 && run.advance == run.known) {
         cells.add("hash", "hash " + toHex(run.meshHash).substr(0, 8), theme.muted, 92);

@@ -183,6 +183,9 @@ std::string captionText(const Shell &context, const SessionSnapshot &run) {
         break;
     }
     const bool atEnd = run.complete && run.advance == run.known;
+    if (atEnd && run.coarsening > 1.0) {
+        return "A preview with " + ui::number(run.coarsening, 2) + " times the node spacing of the drawing.";
+    }
     if (atEnd && (run.improved || run.frontSegments == 0) && run.eventCursor >= run.eventCount) {
         return "\xce\x93 = \xe2\x88\x85: the domain is meshed" +
                std::string(run.improved ? " and the mesh improved." : ".");

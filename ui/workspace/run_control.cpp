@@ -5,6 +5,7 @@
 #include "ui/workspace/message_log.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace forefront {
@@ -39,6 +40,11 @@ std::string resultText(const SessionSnapshot &s) {
                       s.quality.alphaMin, s.quality.alphaMean);
 }
 
+std::string previewText(const SessionSnapshot &s) {
+    return ui::format("Preview of %llu triangles; the whole mesh has about %.2g",
+                      static_cast<unsigned long long>(s.quality.elements), s.requestedElements);
+}
+
 } // namespace
 
 void RunControl::log(const SessionSnapshot &s) {
@@ -60,7 +66,9 @@ void RunControl::log(const SessionSnapshot &s) {
         log_.note(ui::format("Cancelled after %llu advances; you can step through the partial mesh",
                              static_cast<unsigned long long>(s.known)));
     } else if (news && s.state == RunState::Finished && loggedState_ != RunState::Paused) {
-        if (isLive) {
+        if (s.coarsening > 1.0) {
+            liveResult_ = {previewText(s), {}, start->second.revision};
+        } else if (isLive) {
             liveResult_ = {resultText(s), {}, start->second.revision};
         } else {
             log_.note(resultText(s));
@@ -69,22 +77,46 @@ void RunControl::log(const SessionSnapshot &s) {
 }
 
 bool RunControl::hasToFollow() const {
-    return live && followed_ != document_.revision();
+    return live && (followed_ != document_.revision() || wantsWhole());
+}
+
+/// Returns true if the newest document has only a preview, or not even that because its boundary cannot be so coarse,
+/// and nothing speaks against the whole mesh.
+bool RunControl::wantsWhole() const {
+    const auto last = starts_.find(lastStart_);
+    const bool previewed = last != starts_.end() && last->second.extent == Extent::Preview &&
+                           last->second.revision == document_.revision() && snapshot_->run == lastStart_;
+    const bool refused = !snapshot_->diagnostics.empty();
+    const bool tooLarge = !refused && snapshot_->requestedElements > kLargestLive;
+    return resting_ && previewed && (preview() || refused) && !tooLarge;
+}
+
+/// Returns true if the run in progress is not worth finishing once the document has changed: a whole mesh that followed
+/// a preview, or one large enough to show its progress.
+bool RunControl::replaceable(const SessionSnapshot &newest, bool gestureOver) const {
+    const auto last = starts_.find(lastStart_);
+    const bool follows = last != starts_.end() && last->second.live && last->second.extent == Extent::Whole;
+    const bool large =
+        newest.run == lastStart_ && (newest.state == RunState::Running || newest.state == RunState::Improving);
+    return follows || (large && gestureOver);
+}
+
+void RunControl::followNewest() {
+    if (followed_ == document_.revision()) {
+        start(StartMode::RunQuiet, Extent::Whole);
+    } else if (!document_.current()->shapes.empty()) {
+        start(StartMode::RunQuiet, Extent::Preview);
+    }
+    followed_ = document_.revision();
 }
 
 void RunControl::follow(bool gestureOver, bool faulty) {
-    const bool working = session_.busy();
-    const std::shared_ptr<const SessionSnapshot> newest = session_.latest();
-    // A run large enough to show its progress is not worth finishing once the document has changed.
-    const bool large = working && newest->run == lastStart_ &&
-                       (newest->state == RunState::Running || newest->state == RunState::Improving);
-    if (hasToFollow() && (!working || (large && gestureOver))) {
-        if (!document_.current()->shapes.empty()) {
-            start(StartMode::RunQuiet);
-        }
-        followed_ = document_.revision();
+    gestureOver_ = gestureOver;
+    resting_ = gestureOver && !faulty;
+    if (hasToFollow() && (!session_.busy() || replaceable(*session_.latest(), gestureOver))) {
+        followNewest();
     }
-    if (gestureOver && !working && liveResult_ && liveResult_->revision == document_.revision()) {
+    if (gestureOver && !session_.busy() && liveResult_ && liveResult_->revision == document_.revision()) {
         logLive(faulty);
     }
 }
@@ -102,17 +134,18 @@ void RunControl::want(SnapshotLayers layers) {
     session_.want(layers);
 }
 
-void RunControl::start(StartMode mode) {
+void RunControl::start(StartMode mode, Extent extent) {
     cancelling_ = false;
     const std::shared_ptr<const Document> document = document_.current();
     auto job = std::make_shared<MeshingJob>();
     job->domain = toDomain(*document);
     job->spacing = document->spacing;
     job->options = document->options;
-    session_.start(std::move(job), mode);
+    session_.start(std::move(job), mode,
+                   extent == Extent::Preview ? liveBudget : std::numeric_limits<double>::infinity());
     started_ = true;
     followed_ = document_.revision();
-    const Start start{document_.revision(), document->options.method, mode == StartMode::RunQuiet};
+    const Start start{document_.revision(), document->options.method, mode == StartMode::RunQuiet, extent};
     starts_[++lastStart_] = start;
     if (!start.live) {
         shown_ = start; // a live run keeps showing the previous mesh until it is finished
@@ -185,8 +218,8 @@ bool RunControl::hasRun() const {
 }
 
 bool RunControl::outOfDate() const {
-    const bool catchesUp = live && (hasToFollow() || session_.busy() || hasNews());
-    return started_ && shown_.revision != document_.revision() && !catchesUp;
+    const bool catchesUp = live && (hasToFollow() || session_.busy() || hasNews() || (!gestureOver_ && preview()));
+    return started_ && (shown_.revision != document_.revision() || preview()) && !catchesUp;
 }
 
 Method RunControl::method() const {

@@ -28,14 +28,16 @@ class RunControl {
     /// Takes the newest snapshot and logs what the run reports. Called once per frame.
     void refresh();
     /// Keeps the mesh up to date with the document while `live`: the current run is finished and shown, then the newest
-    /// document is meshed. A mesh too large to follow a drag (kQuietElements) is restarted only once `gestureOver`,
-    /// which is also when the result is logged. `faulty`: the drawing has faults, which are shown elsewhere. Called
-    /// once per frame, after input.
+    /// document is meshed. A mesh above `liveBudget` is followed by a coarser preview, and made as fine as the document
+    /// asks once `gestureOver`, which is also when the result is logged. `faulty`: the drawing has faults, which are
+    /// shown elsewhere. Called once per frame, after input.
     void follow(bool gestureOver, bool faulty);
-    /// Returns true if live meshing has yet to start on the newest document.
+    /// Returns true if live meshing has yet to start a mesh of the newest document, or its whole mesh after a preview.
     bool hasToFollow() const;
     /// Returns true if live meshing can start on it now, since the worker is idle.
     bool canFollow() const { return hasToFollow() && !session_.busy(); }
+    /// Returns true if the mesh shown is a preview, coarser than its document asks.
+    bool preview() const { return snapshot_->coarsening > 1.0; }
     /// Returns true if a newer snapshot is waiting.
     bool hasNews() const { return session_.latest() != snapshot_; }
     /// Returns the snapshot of this frame; it does not change within a frame.
@@ -73,9 +75,19 @@ class RunControl {
     Granularity granularity = Granularity::Advance;
     /// Live meshing: meshes after every edit.
     bool live = false;
+    /// Number of elements up to which meshes follow every change; larger ones have a coarser preview.
+    double liveBudget = 25'000.0;
+    /// Number of elements above which live meshing shows only the preview, since a whole mesh could take all memory.
+    static constexpr double kLargestLive = 2e6;
 
   private:
-    void start(StartMode mode);
+    /// A run for live meshing may be a preview; `Whole` makes the mesh that the document asks for.
+    enum class Extent : std::uint8_t { Preview, Whole };
+
+    void start(StartMode mode, Extent extent = Extent::Whole);
+    void followNewest();
+    bool replaceable(const SessionSnapshot &newest, bool gestureOver) const;
+    bool wantsWhole() const;
     bool startIfNeeded();
     void log(const SessionSnapshot &snapshot);
     void logLive(bool faulty);
@@ -89,6 +101,7 @@ class RunControl {
         std::uint64_t revision = 0;
         Method method = Method::Fast;
         bool live = false;
+        Extent extent = Extent::Whole;
     };
     /// The result of the last live run; logged when the gesture is over.
     struct LiveResult {
@@ -101,6 +114,8 @@ class RunControl {
     Start shown_;
     std::uint64_t refusalLogged_ = 0; ///< run number
     std::uint64_t followed_ = 0;      ///< newest revision that live meshing has started or skipped
+    bool resting_ = false;            ///< no gesture is under way, and the drawing has no faults
+    bool gestureOver_ = false;
     std::optional<LiveResult> liveResult_;
     bool started_ = false;
     bool cancelling_ = false;
