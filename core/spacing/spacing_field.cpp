@@ -7,6 +7,7 @@
 #include "core/spacing/parts/automatic/boundary_spacing.hpp"
 #include "core/spacing/parts/curvature/curvature_sites.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace forefront {
@@ -16,6 +17,7 @@ namespace {
 constexpr double kDefaultGradation = 0.25;
 constexpr double kFarBeyond = 1e3; ///< diagonals of the domain's box
 constexpr std::size_t kFew = 6;    ///< up to this number, sites are evaluated one by one
+constexpr std::size_t kManyOwnSites = 2048;
 
 /// Gathers the parts of one specification.
 class FieldBuilder {
@@ -89,12 +91,19 @@ class FieldBuilder {
                              std::move(automatic.sites.labels));
         }
     }
+    /// Sites that the domain alone asks for need not be met as exactly as those that a user sets.
+    std::size_t manySites() const {
+        const bool own = std::all_of(parts_.few.labels.begin(), parts_.few.labels.end(), [](const SiteLabel &label) {
+            return label.origin == SpacingOrigin::Automatic || label.origin == SpacingOrigin::Boundary;
+        });
+        return own ? kManyOwnSites : SiteTree::kNeverMany;
+    }
     Result<std::shared_ptr<const SpacingField>> finish() {
         if (input_.progress.cancelled()) {
             return cancelled("preparing the spacing");
         }
         if (parts_.few.sites.size() > kFew) {
-            parts_.tree = SiteTree::build(std::move(parts_.few.sites), input_.box, input_.progress);
+            parts_.tree = SiteTree::build(std::move(parts_.few.sites), input_.box, input_.progress, manySites());
             parts_.treeLabels = std::move(parts_.few.labels);
             parts_.few = {};
             if (!parts_.tree) {

@@ -198,7 +198,7 @@ TEST_CASE("Automatic spacing: keeps the gradation within 2 % and its own bounds"
     }
 }
 
-TEST_CASE("Automatic spacing: of very many segments, some may grow by half, and the gradation stays within 6 %") {
+TEST_CASE("Automatic spacing: of very many segments, some may grow by half, and the gradation stays within 10 %") {
     std::mt19937 random(29);
     std::uniform_real_distribution<double> share(0.0, 1.0);
     std::vector<Vec2> loop;
@@ -222,7 +222,7 @@ TEST_CASE("Automatic spacing: of very many segments, some may grow by half, and 
         const Vec2 q = i % 2 == 0 ? somewhere() : p + 0.01 * somewhere();
         const double a = field->at(p);
         const double b = field->at(q);
-        REQUIRE(std::fabs(a - b) <= 0.25 * distance(p, q) + 0.06 * std::max(a, b));
+        REQUIRE(std::fabs(a - b) <= 0.25 * distance(p, q) + 0.1 * std::max(a, b));
     }
 }
 

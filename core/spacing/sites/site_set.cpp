@@ -11,6 +11,7 @@ namespace {
 /// How much larger the spacing may get at a site that is dropped among many others. On a coast of 100,000 segments, 1.5
 /// keeps a third of the sites, preparing takes a third of the time, and α falls from .970 to .969.
 constexpr double kSlackOfMany = 1.5;
+constexpr std::uint32_t kBeside = 3;
 
 /// Returns true if `strong` asks for at most `slack` times the spacing of `weak` at all its points, and so everywhere,
 /// growing no faster.
@@ -37,17 +38,24 @@ void SiteSet::dropDominated() {
     enum : std::uint8_t { Later, Kept, Dropped };
     std::vector<std::uint8_t> state(sites.size(), Later);
     for (const std::uint32_t i : order) {
+        const auto dominated = [&](std::uint32_t j) {
+            const bool counts = state[j] == Kept || (state[j] == Dropped && slack == 1.0);
+            return j != i && counts && dominates(sites[j], sites[i], slack);
+        };
+        // Those before and after it in the order of the boundary dominate it more often than not.
+        bool found = false;
+        for (std::uint32_t step = 1; step <= kBeside && !found; ++step) {
+            found = (i >= step && dominated(i - step)) || (i + step < sites.size() && dominated(i + step));
+        }
         // Only what is near can ask for less: growth·distance must stay below the size.
         const double reach = sites[i].growth > 0.0 ? slack * sites[i].size / sites[i].growth : 0.0;
         state[i] = Kept;
-        tree.search([box = boxAround(sites[i].a, reach)](const Box2 &other) { return other.overlaps(box); },
-                    [&](std::uint32_t j) {
-                        const bool counts = state[j] == Kept || (state[j] == Dropped && slack == 1.0);
-                        if (j != i && counts && dominates(sites[j], sites[i], slack)) {
-                            state[i] = Dropped;
-                        }
-                        return state[i] == Kept;
-                    });
+        if (!found) {
+            found =
+                !tree.search([box = boxAround(sites[i].a, reach)](const Box2 &other) { return other.overlaps(box); },
+                             [&](std::uint32_t j) { return !dominated(j); });
+        }
+        state[i] = found ? Dropped : Kept;
     }
     std::size_t kept = 0;
     for (std::size_t i = 0; i < sites.size(); ++i) {

@@ -17,18 +17,22 @@ namespace forefront {
 /// A table of equal square cells, each the root of a quadtree. A leaf holds either the few sites that can win in it
 /// (exact) or, where many sites compete far away and their minimum is smooth, its values at the four corners
 /// (bilinear), with a relative error of about kTolerance, checked at the centre and the middles of the sides while
-/// building. With more than kManySites sites, values may be a few percent too large where the nearest site changes.
-/// Outside the box, the value at the nearest point of the box counts. Immutable; uses less than about 60 MB, or 200
-/// bytes per site if that is more, for which leaves get longer lists or larger errors if necessary.
+/// building. With many sites, values may be a few percent too large where the nearest site changes, and at one place in
+/// a thousand by up to a third. Outside the box, the value at the nearest point of the box counts. Immutable; uses less
+/// than about 60 MB, or 300 bytes per site if that is more, for which leaves get longer lists or larger errors if
+/// necessary.
 ///
 /// A tree of its own: the box tree of core/geometry would have to search for the minimum at every point, which takes
 /// 10 µs instead of 0.1 µs with 5,000 sites along a closed line, and 110 µs with 50,000.
 class SiteTree {
   public:
     static constexpr double kTolerance = 0.005;
+    static constexpr std::size_t kNeverMany = std::numeric_limits<std::size_t>::max();
 
-    /// Builds the tree of finite sites over a box, neither of them empty. Returns nothing only if cancelled.
-    static std::optional<SiteTree> build(std::vector<SizeSite> sites, const Box2 &box, const Progress &progress = {});
+    /// Builds the tree of finite sites over a box, neither of them empty. With more than `many` sites, speed counts
+    /// more than accuracy. Returns nothing only if cancelled.
+    static std::optional<SiteTree> build(std::vector<SizeSite> sites, const Box2 &box, const Progress &progress = {},
+                                         std::size_t many = kNeverMany);
 
     double at(Vec2 p) const {
         const double u = std::min(spanX_, std::max(0.0, (p.x - corner_.x) * toUnits_));
@@ -65,7 +69,9 @@ class SiteTree {
     std::size_t smoothLeaves() const { return smooth_.size(); }
 
   private:
+    friend class SiteTreeWriter;
     friend class SiteTreeBuilder;
+    friend class SiteSpreader;
 
     static constexpr int kBits = 16; ///< levels below a table cell
     static constexpr std::uint32_t kSplit = 0x80000000U;
