@@ -23,8 +23,9 @@ class Combination {
   public:
     Combination(const std::vector<ShapePointer> &shapes, double circleTolerance) {
         for (const ShapePointer &shape : shapes) {
-            outlines_.push_back(outlineOf(*shape, circleTolerance));
-            for (const Vec2 node : outlines_.back().nodes) {
+            outlines_.push_back(outlineOf(*shape));
+            chords_.push_back(chordsOf(*shape, outlines_.back(), circleTolerance));
+            for (const Vec2 node : chords_.back().nodes) {
                 box_.add(node);
             }
         }
@@ -67,10 +68,15 @@ class Combination {
 
     void addPieces(std::size_t shape, std::uint32_t contour, PieceRole role) {
         const Outline &outline = outlines_[shape];
-        for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
-            if (outline.from(k) != outline.to(k)) {
-                input_.pieces.push_back(
-                    {outline.from(k), outline.to(k), contour, segmentTag(*(*shapes_)[shape], k), role});
+        const Chords &chords = chords_[shape];
+        const auto firstCurve = static_cast<std::uint32_t>(input_.curves.size());
+        input_.curves.insert(input_.curves.end(), outline.curves.begin(), outline.curves.end());
+        for (std::size_t k = 0; k < chords.size(); ++k) {
+            CurveStretch stretch = chords.stretches[k];
+            stretch.curve += stretch.follows() ? firstCurve : 0;
+            if (chords.from(k) != chords.to(k)) {
+                const std::int32_t tag = segmentTag(*(*shapes_)[shape], outline.part(chords.segments[k]));
+                input_.pieces.push_back({chords.from(k), chords.to(k), contour, tag, role, stretch});
             }
         }
     }
@@ -84,6 +90,7 @@ class Combination {
 
     const std::vector<ShapePointer> *shapes_ = nullptr;
     std::vector<Outline> outlines_;
+    std::vector<Chords> chords_; ///< of the outlines
     Box2 box_;
     ArrangementInput input_;
     std::uint32_t all_ = 0;

@@ -17,11 +17,11 @@ enum class ShapeOperation : std::uint8_t {
     Divide        ///< what the first covers, with the outlines of the others inside it as constraints
 };
 
-/// Replaces closed shapes by the result of an operation on their areas: polygons around its faces and, for Divide,
-/// polylines. Segments keep the tags of the shapes they come from; the first shape gives its role and name, and its
-/// place in the list. Nodes and lines within 1e-9 of the extent are joined. `result`, if not null, becomes the
-/// selection of the new shapes.
-/// Errors: no-such-shape; not-possible (fewer than two shapes, an open one, or nothing would be left).
+/// Replaces closed shapes by the result of an operation on their areas: closed paths around its faces and, for Divide,
+/// open ones. Curves stay curves. Segments keep the tags of the shapes they come from; the first shape gives its role
+/// and name, and its place in the list. Nodes and lines within 1e-9 of the extent are joined. `result`, if not null,
+/// becomes the selection of the new shapes. Errors: no-such-shape; not-possible (fewer than two shapes, an open one, or
+/// nothing would be left).
 Result<Document> combineShapes(const Document &document, const std::set<std::uint32_t> &ids, ShapeOperation operation,
                                Selection *result = nullptr);
 

@@ -42,57 +42,86 @@ class NodeMerger {
     std::unordered_map<Vec2, std::uint32_t, PlaceHash> places_;
 };
 
-/// Adds the segments or the point of shape `number`; `sources` may be null.
-void addShape(const Document &document, std::uint32_t number, NodeMerger &merger, Domain &domain,
-              DomainSources *sources) {
-    const Shape &shape = *document.shapes[number];
-    const Outline outline = outlineOf(shape, document.circleTolerance);
-    std::vector<std::uint32_t> ids;
-    ids.reserve(outline.nodes.size());
-    for (std::uint32_t k = 0; k < outline.nodes.size(); ++k) {
-        ids.push_back(merger.add(outline.nodes[k]));
-        if (sources != nullptr && sources->nodes.size() < domain.nodes.size()) {
-            sources->nodes.push_back({number, k});
+/// Adds the shapes of a document to a domain; `sources` may be null.
+class DomainBuilder {
+  public:
+    DomainBuilder(const Document &document, DomainSources *sources)
+        : document_(document), sources_(sources), merger_(domain_.nodes) {}
+
+    Domain build() {
+        for (std::uint32_t number = 0; number < document_.shapes.size(); ++number) {
+            const Shape &shape = *document_.shapes[number];
+            shape.kind == ShapeKind::Point ? addPoint(shape, number) : addOutline(shape, number);
         }
+        domain_.regionMarkers = document_.regionMarkers;
+        domain_.boundaryNames = document_.boundaryNames;
+        domain_.regionNames = document_.regionNames;
+        domain_.curveTolerance = document_.curveTolerance;
+        return std::move(domain_);
     }
-    if (shape.kind == ShapeKind::Point) {
-        if (!ids.empty() && shape.use == ShapeUse::Constraint) {
-            domain.points.push_back({ids.front(), shape.tag});
-            if (sources != nullptr) {
-                sources->points.push_back({number, 0});
+
+  private:
+    std::uint32_t addNode(Vec2 at, const ShapeNode &source) {
+        const std::uint32_t id = merger_.add(at);
+        if (sources_ != nullptr && sources_->nodes.size() < domain_.nodes.size()) {
+            sources_->nodes.push_back(source);
+        }
+        return id;
+    }
+
+    void addPoint(const Shape &shape, std::uint32_t number) {
+        for (std::uint32_t k = 0; k < shape.nodes.size(); ++k) {
+            const std::uint32_t node = addNode(shape.nodes[k], {number, k});
+            if (k == 0 && shape.use == ShapeUse::Constraint) {
+                domain_.points.push_back({node, shape.tag});
+                if (sources_ != nullptr) {
+                    sources_->points.push_back({number, 0});
+                }
             }
         }
-        return;
     }
-    const SegmentRole role = shape.use == ShapeUse::Boundary ? SegmentRole::Boundary : SegmentRole::Constraint;
-    for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
-        domain.segments.push_back({ids[k], ids[k + 1 == ids.size() ? 0 : k + 1], segmentTag(shape, k), role});
-        if (sources != nullptr) {
-            sources->segments.push_back({number, static_cast<std::uint32_t>(k)});
+
+    void addOutline(const Shape &shape, std::uint32_t number) {
+        const Outline outline = outlineOf(shape);
+        const Chords chords = chordsOf(shape, outline, document_.circleTolerance);
+        std::vector<std::uint32_t> ids;
+        ids.reserve(chords.nodes.size());
+        for (std::uint32_t k = 0; k < chords.nodes.size(); ++k) {
+            const auto end = static_cast<std::uint32_t>(outline.segmentCount());
+            ids.push_back(addNode(chords.nodes[k], {number, k < chords.size() ? chords.segments[k] : end}));
+        }
+        const SegmentRole role = shape.use == ShapeUse::Boundary ? SegmentRole::Boundary : SegmentRole::Constraint;
+        for (std::size_t k = 0; k < chords.size(); ++k) {
+            const std::uint32_t segment = chords.segments[k];
+            CurveStretch stretch = chords.stretches[k];
+            if (stretch.follows()) {
+                if (stretch.t0 == 0.0) {
+                    domain_.curves.push_back(outline.curves[segment]);
+                }
+                stretch.curve = static_cast<std::uint32_t>(domain_.curves.size() - 1);
+            }
+            domain_.segments.push_back({ids[k], ids[k + 1 == ids.size() ? 0 : k + 1],
+                                        segmentTag(shape, outline.part(segment)), role, stretch});
+            if (sources_ != nullptr) {
+                sources_->segments.push_back({number, segment});
+            }
         }
     }
-}
 
-Domain domainOf(const Document &document, DomainSources *sources) {
-    Domain domain;
-    NodeMerger merger(domain.nodes);
-    for (std::uint32_t number = 0; number < document.shapes.size(); ++number) {
-        addShape(document, number, merger, domain, sources);
-    }
-    domain.regionMarkers = document.regionMarkers;
-    domain.boundaryNames = document.boundaryNames;
-    domain.regionNames = document.regionNames;
-    return domain;
-}
+    const Document &document_;
+    DomainSources *sources_;
+    Domain domain_;
+    NodeMerger merger_;
+};
 
 } // namespace
 
 Domain toDomain(const Document &document) {
-    return domainOf(document, nullptr);
+    return DomainBuilder(document, nullptr).build();
 }
 
 Domain toDomain(const Document &document, DomainSources &sources) {
-    return domainOf(document, &sources);
+    return DomainBuilder(document, &sources).build();
 }
 
 } // namespace forefront

@@ -20,17 +20,19 @@ namespace FOREFRONT_API forefront {
 
 /// Kind of a shape, which gives its nodes their meaning.
 enum class ShapeKind : std::uint8_t {
-    Polygon,   ///< closed, nodes in order
-    Polyline,  ///< open
+    Polygon,   ///< closed path, nodes in order
+    Polyline,  ///< open path
     Rectangle, ///< two opposite corners
     Circle,    ///< centre, point on the circle
-    Point      ///< one node
+    Point,     ///< one node
+    Ellipse    ///< centre, ends of two conjugate half-axes; drawn from the first towards the second
 };
 
 template <>
 struct EnumWords<ShapeKind> {
-    static constexpr auto kLast = ShapeKind::Point;
-    static constexpr std::array<std::string_view, 5> kList = {"polygon", "polyline", "rectangle", "circle", "point"};
+    static constexpr auto kLast = ShapeKind::Ellipse;
+    static constexpr std::array<std::string_view, 6> kList = {"polygon", "polyline", "rectangle",
+                                                              "circle",  "point",    "ellipse"};
 };
 
 /// The role of a shape in the domain.
@@ -54,6 +56,13 @@ struct Shape {
     std::int32_t tag = 1;                  ///< of its segments, >= 1
     std::vector<std::int32_t> segmentTags; ///< per segment where they differ; empty: all `tag`
     std::string name;                      ///< shown in lists; names of tags are in Document::boundaryNames
+    /// Of a polygon or polyline, the curve of each segment from node to node; where it is a line, the segment is
+    /// straight. A cubic begins and ends exactly at its nodes, an arc up to rounding. Empty: all segments are straight.
+    std::vector<Curve> curves;
+    /// For each segment of the outline, the parameters between 0 and 1 at which its curve is divided into chords in the
+    /// domain; readers keep those that are known to cross nothing. Empty: found from the tolerance.
+    std::vector<std::vector<double>> cuts;
+    double radius = 0.0; ///< of a rectangle's corners; at most half its shorter side counts
 
     friend bool operator==(const Shape &, const Shape &) = default;
 };
@@ -67,16 +76,20 @@ struct Document {
     std::map<std::int32_t, std::string> regionNames;
     SpacingSpec spacing;
     MeshingOptions options;
-    MeshLimits limits;              ///< that its meshes have to keep
-    double circleTolerance = 0.002; ///< maximum distance between a circle and its polygon, relative to the radius
+    MeshLimits limits; ///< that its meshes have to keep
+    /// Maximum distance between a curve and its chords in the domain, relative to the radius of a circle or the size of
+    /// another curve. The mesh follows the curve itself.
+    double circleTolerance = 0.002;
+    double curveTolerance = 0.0; ///< see Domain::curveTolerance
     std::uint32_t nextId = 1;
 };
 
-/// Returns the domain of a document. Circles become polygons fine enough for the tolerance; coinciding nodes of
+/// Returns the domain of a document. Curved segments become chords that follow their curves; coinciding nodes of
 /// different shapes become one node.
 Domain toDomain(const Document &document);
 
-/// Returns a document that shows a domain: segments are chained to polygons and polylines; tags and names are kept.
+/// Returns a document that shows a domain: segments are chained to polygons and polylines whose segments follow the
+/// curves of the domain; loops around one curve become circles and ellipses. Tags and names are kept.
 Document fromDomain(const Domain &domain);
 
 } // namespace forefront

@@ -2,30 +2,12 @@
 
 #include "core/base/ids.hpp"
 #include "core/edit/boundary_loops.hpp"
+#include "core/edit/chain_shape.hpp"
 
 #include <algorithm>
 #include <numeric>
 
 namespace forefront {
-namespace {
-
-Shape polygonOf(const Domain &domain, const BoundaryLoop &loop) {
-    Shape shape;
-    shape.kind = ShapeKind::Polygon;
-    shape.use = ShapeUse::Boundary;
-    for (std::size_t k = 0; k < loop.nodes.size(); ++k) {
-        shape.nodes.push_back(domain.nodes[loop.nodes[k]]);
-        shape.segmentTags.push_back(domain.segments[loop.segments[k]].tag);
-    }
-    shape.tag = shape.segmentTags.front();
-    if (std::all_of(shape.segmentTags.begin(), shape.segmentTags.end(), [&](auto tag) { return tag == shape.tag; })) {
-        shape.segmentTags.clear();
-    }
-    return shape;
-}
-
-} // namespace
-
 std::vector<Shape> shapesOf(const Domain &domain) {
     std::vector<Shape> shapes;
     const auto loops = boundaryLoops(domain);
@@ -37,8 +19,9 @@ std::vector<Shape> shapesOf(const Domain &domain) {
         }
     }
     if (loops) {
+        const ChainShapes chains(domain);
         for (const BoundaryLoop &loop : *loops) {
-            shapes.push_back(polygonOf(domain, loop));
+            shapes.push_back(chains.make(loop.nodes, loop.segments, true));
         }
     }
     for (const auto &shape : fromDomain(partOf(domain, rest, points)).shapes) {

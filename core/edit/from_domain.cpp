@@ -1,4 +1,5 @@
 #include "core/base/ids.hpp"
+#include "core/edit/chain_shape.hpp"
 #include "core/edit/document.hpp"
 #include "core/edit/hole_markers.hpp"
 
@@ -10,7 +11,7 @@ namespace {
 /// A chain of segments.
 struct Chain {
     std::vector<std::uint32_t> nodes; ///< a closed chain does not repeat its first node
-    std::vector<std::int32_t> tags;   ///< one per segment
+    std::vector<std::uint32_t> segments;
     bool closed = false;
 };
 
@@ -76,7 +77,7 @@ class Chainer {
             used_[segment] = true;
             const DomainSegment &s = domain_.segments[segment];
             at = s.a == at ? s.b : s.a;
-            chain.tags.push_back(s.tag);
+            chain.segments.push_back(segment);
             chain.nodes.push_back(at);
             segment = kNoIndex;
             if (degree(at) == 2) {
@@ -88,7 +89,7 @@ class Chainer {
                 }
             }
         }
-        if (at == from && chain.tags.size() > 2) {
+        if (at == from && chain.segments.size() > 2) {
             chain.closed = true;
             chain.nodes.pop_back();
         }
@@ -101,22 +102,6 @@ class Chainer {
     std::vector<std::uint32_t> around_; ///< segments by node
     std::vector<bool> used_;
 };
-
-std::shared_ptr<const Shape> shapeOf(const Chain &chain, const Domain &domain, SegmentRole role, std::uint32_t id) {
-    auto shape = std::make_shared<Shape>();
-    shape->id = id;
-    shape->kind = chain.closed ? ShapeKind::Polygon : ShapeKind::Polyline;
-    shape->use = role == SegmentRole::Boundary ? ShapeUse::Boundary : ShapeUse::Constraint;
-    shape->nodes.reserve(chain.nodes.size());
-    for (const std::uint32_t node : chain.nodes) {
-        shape->nodes.push_back(domain.nodes[node]);
-    }
-    shape->tag = chain.tags.front();
-    if (std::any_of(chain.tags.begin(), chain.tags.end(), [&](std::int32_t tag) { return tag != shape->tag; })) {
-        shape->segmentTags = chain.tags;
-    }
-    return shape;
-}
 
 std::shared_ptr<const Shape> pointShape(Vec2 at, ShapeUse use, std::int32_t tag, std::uint32_t id) {
     auto shape = std::make_shared<Shape>();
@@ -151,9 +136,13 @@ void addPoints(const Domain &domain, Document &document) {
 }
 
 void addChains(const Domain &domain, Document &document) {
+    const ChainShapes shapes(domain);
     for (const SegmentRole role : {SegmentRole::Boundary, SegmentRole::Constraint}) {
         for (const Chain &chain : Chainer(domain, role).chains()) {
-            document.shapes.push_back(shapeOf(chain, domain, role, document.nextId++));
+            Shape shape = shapes.make(chain.nodes, chain.segments, chain.closed);
+            shape.id = document.nextId++;
+            shape.use = role == SegmentRole::Boundary ? ShapeUse::Boundary : ShapeUse::Constraint;
+            document.shapes.push_back(std::make_shared<const Shape>(std::move(shape)));
         }
     }
 }
@@ -171,6 +160,7 @@ Document fromDomain(const Domain &domain) {
     document.regionMarkers = domain.regionMarkers;
     document.boundaryNames = domain.boundaryNames;
     document.regionNames = domain.regionNames;
+    document.curveTolerance = domain.curveTolerance;
     return document;
 }
 

@@ -1,5 +1,7 @@
 #include "core/edit/insert_document.hpp"
 
+#include "core/edit/shape_geometry.hpp"
+
 namespace forefront {
 
 Document insertDrawing(const Document &document, const Document &other, double scale, Selection *added) {
@@ -8,9 +10,7 @@ Document insertDrawing(const Document &document, const Document &other, double s
     for (const auto &shape : other.shapes) {
         auto copy = std::make_shared<Shape>(*shape);
         copy->id = next.nextId++;
-        for (Vec2 &node : copy->nodes) {
-            node = scale * node;
-        }
+        scaleShape(*copy, scale);
         fresh.shapes.insert(copy->id);
         next.shapes.push_back(std::move(copy));
     }

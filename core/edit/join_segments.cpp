@@ -8,17 +8,24 @@
 #include <tuple>
 
 namespace forefront {
+namespace {
+
+bool isRound(const Shape &shape) {
+    return shape.kind == ShapeKind::Circle || shape.kind == ShapeKind::Ellipse;
+}
+
+} // namespace
 
 Document joinToSegments(const Document &document, std::uint32_t id) {
     const Shape *shape = findShape(document, id);
     const double reach = 1e-9 * boundsOf(document).diagonal();
-    if (shape == nullptr || shape->kind == ShapeKind::Circle || !(reach > 0.0)) {
+    if (shape == nullptr || isRound(*shape) || !(reach > 0.0)) {
         return document;
     }
     const PickIndex index(std::make_shared<const Document>(document));
-    const auto others = [&](const Shape &other) { return other.id != id && other.kind != ShapeKind::Circle; };
+    const auto others = [&](const Shape &other) { return other.id != id && !isRound(other); };
     std::vector<std::tuple<SegmentRef, double, Vec2>> meetings;
-    for (const Vec2 node : outlineOf(*shape, document.circleTolerance).nodes) {
+    for (const Vec2 node : outlineOf(*shape).nodes) {
         const auto hit = index.segment(node, reach, others);
         if (hit && distance(node, hit->a) > reach && distance(node, hit->b) > reach) {
             meetings.emplace_back(hit->ref, hit->t, node);

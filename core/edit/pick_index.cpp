@@ -38,10 +38,15 @@ PickIndex::PickIndex(std::shared_ptr<const Document> document) : document_(std::
             lineBoxes.push_back(shapeBoxes.back());
             continue;
         }
-        const Outline outline = outlineOf(shape, document_->circleTolerance);
-        for (std::uint32_t part = 0; part < outline.segmentCount(); ++part) {
-            lines_.push_back({k, part, outline.from(part), outline.to(part)});
-            lineBoxes.push_back(boxOf(outline.from(part), outline.to(part)));
+        const Outline outline = outlineOf(shape);
+        for (std::uint32_t s = 0; s < outline.segmentCount(); ++s) {
+            lines_.push_back({k, outline.part(s), outline.from(s), outline.to(s)});
+            lineBoxes.push_back(boxOf(outline.from(s), outline.to(s)));
+            if (outline.isCurved(s)) {
+                lines_.back().curve = static_cast<std::uint32_t>(curves_.size());
+                curves_.push_back(outline.curves[s]);
+                lineBoxes.back().add(curves_.back().bounds());
+            }
         }
     }
     handleTree_ = BoxTree(handleBoxes);
@@ -52,6 +57,10 @@ PickIndex::PickIndex(std::shared_ptr<const Document> document) : document_(std::
 double PickIndex::lineDistance(const Entry &entry, Vec2 p) const {
     if (document_->shapes[entry.shape]->kind == ShapeKind::Circle) {
         return std::abs(distance(entry.a, p) - distance(entry.a, entry.b));
+    }
+    if (entry.curve != kNoCurve) {
+        const Curve &curve = curves_[entry.curve];
+        return distance(curve.point(curve.nearest(p)), p);
     }
     return distanceToSegment(entry.a, entry.b, p);
 }
@@ -91,9 +100,13 @@ std::optional<SegmentHit> PickIndex::segment(Vec2 p, double tolerance, const Fil
     }
     const Entry &entry = lines_[best];
     const Shape &shape = *document_->shapes[entry.shape];
-    SegmentHit hit{{shape.id, entry.part}, entry.a, entry.b, {}, 0.0, limit};
+    SegmentHit hit{{shape.id, entry.part}, entry.a, entry.b, {}, 0.0, limit, {}};
     if (shape.kind == ShapeKind::Circle) {
         hit.at = hit.a = hit.b = nearestOnCircle(entry.a, entry.b, p);
+    } else if (entry.curve != kNoCurve) {
+        hit.curve = curves_[entry.curve];
+        hit.t = hit.curve->nearest(p);
+        hit.at = hit.curve->point(hit.t);
     } else {
         hit.at = nearestOnSegment(entry.a, entry.b, p, hit.t);
     }

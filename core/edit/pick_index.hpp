@@ -22,8 +22,9 @@ struct SegmentHit {
     SegmentRef ref;
     Vec2 a, b;      ///< ends; for a circle, both are the nearest point
     Vec2 at;        ///< nearest point on the segment or circle
-    double t = 0.0; ///< position of `at` between a and b, in [0, 1]
+    double t = 0.0; ///< position of `at` between a and b, or on the curve, in [0, 1]
     double distance = 0.0;
+    std::optional<Curve> curve; ///< of a curved segment; not of a circle
 };
 
 /// Finds the parts of a document near a point, in O(log n). Built once per document, which it keeps alive.
@@ -60,12 +61,14 @@ class PickIndex {
         std::uint32_t shape = 0; ///< position in Document::shapes
         std::uint32_t part = 0;  ///< handle or segment
         Vec2 a, b;
+        std::uint32_t curve = kNoCurve; ///< index into curves_
     };
     double lineDistance(const Entry &entry, Vec2 p) const;
 
     std::shared_ptr<const Document> document_;
     std::vector<Entry> handles_;
     std::vector<Entry> lines_; ///< segments, circles and points
+    std::vector<Curve> curves_;
     BoxTree handleTree_, lineTree_, shapeTree_;
 };
 

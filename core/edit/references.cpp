@@ -67,12 +67,11 @@ Box2 boundsOf(const Document &document, const Selection &selection) {
     }
     for (const SegmentRef ref : selection.segments) {
         if (const Shape *shape = findShape(document, ref.shape)) {
-            const Outline outline = outlineOf(*shape, document.circleTolerance);
-            if (shape->kind == ShapeKind::Circle) {
-                box.add(boundsOf(*shape));
-            } else if (ref.segment < outline.segmentCount()) {
-                box.add(outline.from(ref.segment));
-                box.add(outline.to(ref.segment));
+            const Outline outline = outlineOf(*shape);
+            for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
+                if (outline.part(k) == ref.segment) {
+                    box.add(outline.curve(k).bounds());
+                }
             }
         }
     }

@@ -15,7 +15,7 @@ struct NodeRef {
     friend auto operator<=>(const NodeRef &, const NodeRef &) = default;
 };
 
-/// A segment of a shape: see outlineOf(); always 0 for a circle.
+/// A part of a shape with a tag of its own: a segment of a path, a side of a rectangle; 0 for a circle or an ellipse.
 struct SegmentRef {
     std::uint32_t shape = 0;
     std::uint32_t segment = 0;

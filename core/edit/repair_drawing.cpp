@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <set>
 #include <tuple>
@@ -36,6 +35,12 @@ class Places {
 
   private:
     std::set<std::pair<double, double>> places_;
+};
+
+/// A segment of the result from one of its ends, and the shape it comes from.
+struct NamedEdge {
+    Vec2 from, to;
+    std::uint32_t shape = 0; ///< index into Document::shapes
 };
 
 /// Finds out which shapes a repair changed, and makes shapes of what became of them.
@@ -102,13 +107,14 @@ class DrawingRepair {
 
     void replaceChanged(const Domain &domain, const std::vector<std::uint32_t> &segmentSource, Document &next) const {
         std::vector<std::uint32_t> segments, points;
-        std::map<Ends, std::uint32_t> shapeAt;
+        std::vector<NamedEdge> edges;
         for (std::uint32_t s = 0; s < domain.segments.size(); ++s) {
             const DomainSegment &segment = domain.segments[s];
             const std::uint32_t shape = sources_.segments[segmentSource[s]].shape;
             if (changed_[shape] != 0 && std::max(segment.a, segment.b) < domain.nodes.size()) {
                 segments.push_back(s);
-                shapeAt.emplace(endsOf(domain.nodes[segment.a], domain.nodes[segment.b]), shape);
+                edges.push_back({domain.nodes[segment.a], domain.nodes[segment.b], shape});
+                edges.push_back({domain.nodes[segment.b], domain.nodes[segment.a], shape});
             }
         }
         for (std::uint32_t p = 0; p < domain.points.size(); ++p) {
@@ -117,6 +123,9 @@ class DrawingRepair {
                 points.push_back(p);
             }
         }
+        std::stable_sort(edges.begin(), edges.end(), [](const NamedEdge &a, const NamedEdge &b) {
+            return std::tie(a.from.x, a.from.y) < std::tie(b.from.x, b.from.y);
+        });
         next.shapes.clear();
         for (std::size_t k = 0; k < document_.shapes.size(); ++k) {
             if (changed_[k] == 0) {
@@ -125,13 +134,26 @@ class DrawingRepair {
         }
         for (Shape &made : shapesOf(partOf(domain, segments, points))) {
             made.id = next.nextId++;
-            const Outline outline = outlineOf(made, document_.circleTolerance);
-            if (outline.segmentCount() > 0) {
-                const auto from = shapeAt.find(endsOf(outline.from(0), outline.to(0)));
-                made.name = from != shapeAt.end() ? document_.shapes[from->second]->name : std::string();
-            }
+            made.name = nameOf(made, edges);
             next.shapes.push_back(std::make_shared<const Shape>(std::move(made)));
         }
+    }
+
+    /// Returns the name of the shape that the first chord of a new one comes from. On curves, places may be rounded,
+    /// but for the first one.
+    std::string nameOf(const Shape &made, const std::vector<NamedEdge> &edges) const {
+        const Chords chords = chordsOf(made, outlineOf(made), document_.circleTolerance);
+        if (chords.size() == 0) {
+            return {};
+        }
+        const auto [first, last] = std::equal_range(
+            edges.begin(), edges.end(), NamedEdge{chords.from(0), {}, 0}, [](const NamedEdge &a, const NamedEdge &b) {
+                return std::tie(a.from.x, a.from.y) < std::tie(b.from.x, b.from.y);
+            });
+        const auto nearest = std::min_element(first, last, [&](const NamedEdge &a, const NamedEdge &b) {
+            return distanceSquared(a.to, chords.to(0)) < distanceSquared(b.to, chords.to(0));
+        });
+        return nearest != last ? document_.shapes[nearest->shape]->name : std::string();
     }
 
     const Document &document_;

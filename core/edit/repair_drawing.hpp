@@ -16,7 +16,7 @@ struct RepairedDrawing {
 };
 
 /// Repairs the drawing of a document: see repair(). Shapes that it does not change stay as they are; the others are
-/// replaced by polygons, polylines and points with new ids and the names of the shapes they come from.
+/// replaced by paths, circles, ellipses and points with new ids and the names of the shapes they come from.
 Result<RepairedDrawing> repairDrawing(const Document &document, double tolerance = 0.0);
 
 } // namespace forefront

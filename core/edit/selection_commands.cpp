@@ -1,3 +1,4 @@
+#include "core/edit/path_curve.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
 
@@ -24,7 +25,7 @@ std::map<std::uint32_t, std::set<std::uint32_t>> handlesOfSelection(const Docume
             }
             const auto count = static_cast<std::uint32_t>(handleCount(*shape));
             handles[segment.shape].insert(segment.segment);
-            if (shape->kind != ShapeKind::Circle) {
+            if (shape->kind != ShapeKind::Circle && shape->kind != ShapeKind::Ellipse) {
                 handles[segment.shape].insert((segment.segment + 1) % count);
             }
         }
@@ -32,42 +33,60 @@ std::map<std::uint32_t, std::set<std::uint32_t>> handlesOfSelection(const Docume
     return handles;
 }
 
-void moveWhole(Shape &shape, Vec2 by) {
-    for (Vec2 &node : shape.nodes) {
-        node += by;
-    }
-}
-
 Status moveHandles(Shape &shape, const std::set<std::uint32_t> &handles, Vec2 by) {
-    const std::vector<Vec2> before = handlesOf(shape);
+    std::vector<Vec2> places = handlesOf(shape);
+    if (std::any_of(handles.begin(), handles.end(), [&](std::uint32_t handle) { return handle >= places.size(); })) {
+        return error("no-such-node", "node not found");
+    }
     // A selected centre moves the whole circle, including its point.
-    if (shape.kind == ShapeKind::Circle && handles.contains(0)) {
-        moveWhole(shape, by);
+    if ((shape.kind == ShapeKind::Circle || shape.kind == ShapeKind::Ellipse) && handles.contains(0)) {
+        moveShape(shape, by);
         return {};
     }
     for (const std::uint32_t handle : handles) {
-        if (handle >= before.size()) {
-            return error("no-such-node", "node not found");
+        places[handle] += by;
+        if (!isPath(shape)) {
+            placeHandle(shape, handle, places[handle]);
         }
-        placeHandle(shape, handle, before[handle] + by);
+    }
+    if (isPath(shape)) {
+        moveNodes(shape, std::move(places));
     }
     return {};
 }
 
-/// Removes nodes and joins their neighbours; the segment that starts at a removed node goes with it.
-void removeNodes(Shape &shape, const std::set<std::uint32_t> &handles) {
-    if (shape.kind == ShapeKind::Rectangle) {
-        shape.nodes = outlineOf(shape, 1.0).nodes;
-        shape.kind = ShapeKind::Polygon;
+/// Joins the curves before and after a node that is removed next; the first of them takes the place of both.
+void joinCurves(Shape &shape, std::uint32_t node) {
+    if (shape.curves.empty()) {
+        return;
     }
-    if (shape.kind == ShapeKind::Circle) {
+    shape.cuts.clear();
+    const Outline outline = outlineOf(shape);
+    const auto count = static_cast<std::uint32_t>(outline.segmentCount());
+    const bool atEnd = !outline.closed && (node == 0 || node == count);
+    const std::uint32_t before = node == 0 ? count - 1 : node - 1, after = node % count;
+    if (!atEnd && count > 1 && (outline.isCurved(before) || outline.isCurved(after))) {
+        shape.curves[before] = merged(outline.curve(before), outline.curve(after));
+    }
+    shape.curves.erase(shape.curves.begin() + (atEnd && node == count ? before : after));
+}
+
+/// Removes nodes and joins their neighbours along a curve as near as possible to the old ones; the segment that starts
+/// at a removed node goes with it.
+void removeNodes(Shape &shape, const std::set<std::uint32_t> &handles) {
+    if (shape.kind == ShapeKind::Circle || shape.kind == ShapeKind::Ellipse) {
         shape.nodes.clear();
         return;
+    }
+    if (shape.kind == ShapeKind::Rectangle) {
+        shape.radius = 0.0; // the corners are the nodes that can be selected
+        becomePath(shape);
     }
     for (auto handle = handles.rbegin(); handle != handles.rend(); ++handle) {
         if (*handle >= shape.nodes.size()) {
             continue;
         }
+        joinCurves(shape, *handle);
         shape.nodes.erase(shape.nodes.begin() + *handle);
         if (!shape.segmentTags.empty()) {
             const auto last = static_cast<std::uint32_t>(shape.segmentTags.size() - 1);
@@ -79,9 +98,10 @@ void removeNodes(Shape &shape, const std::set<std::uint32_t> &handles) {
 /// Returns the polylines that remain of a shape without some of its segments; none for a circle.
 std::vector<Shape> withoutSegments(const Shape &shape, const std::set<SegmentRef> &gone) {
     std::vector<Shape> pieces;
-    const auto removed = [&](std::size_t k) { return gone.contains({shape.id, static_cast<std::uint32_t>(k)}); };
-    const Outline outline = outlineOf(shape, 1.0);
-    const std::size_t count = shape.kind == ShapeKind::Circle ? 0 : outline.segmentCount();
+    const Outline outline = outlineOf(shape);
+    const auto removed = [&](std::size_t k) { return gone.contains({shape.id, outline.part(k)}); };
+    const bool round = shape.kind == ShapeKind::Circle || shape.kind == ShapeKind::Ellipse;
+    const std::size_t count = round ? 0 : outline.segmentCount();
     // In a closed outline, start after a removed segment, so that no piece is cut at its first node.
     std::size_t start = 0;
     while (outline.closed && start < count && !removed(start)) {
@@ -95,15 +115,21 @@ std::vector<Shape> withoutSegments(const Shape &shape, const std::set<SegmentRef
             continue;
         }
         if (!open) {
-            Shape piece = shape;
+            Shape piece;
+            piece.id = shape.id;
             piece.kind = ShapeKind::Polyline;
+            piece.use = shape.use;
+            piece.tag = shape.tag;
+            piece.name = shape.name;
             piece.nodes = {outline.from(k)};
-            piece.segmentTags.clear();
             pieces.push_back(std::move(piece));
             open = true;
         }
         pieces.back().nodes.push_back(outline.to(k));
-        pieces.back().segmentTags.push_back(segmentTag(shape, k));
+        pieces.back().segmentTags.push_back(segmentTag(shape, outline.part(k)));
+        if (!outline.curves.empty()) {
+            pieces.back().curves.push_back(outline.curves[k]);
+        }
     }
     return pieces;
 }
@@ -130,7 +156,7 @@ Result<Document> moveSelection(const Document &document, const Selection &select
         }
         Shape shape = *pointer;
         if (whole) {
-            moveWhole(shape, by);
+            moveShape(shape, by);
         } else if (Status status = moveHandles(shape, part->second, by); !status.empty()) {
             return status;
         }
@@ -199,7 +225,7 @@ Result<Document> duplicateSelection(const Document &document, const Selection &s
     for (const auto &shape : document.shapes) {
         if (selection.shapes.contains(shape->id)) {
             shapes.push_back(*shape);
-            moveWhole(shapes.back(), by);
+            moveShape(shapes.back(), by);
         }
     }
     Selection fresh;

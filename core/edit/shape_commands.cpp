@@ -1,9 +1,12 @@
 #include "core/edit/shape_commands.hpp"
 
+#include "core/edit/path_curve.hpp"
 #include "core/edit/shape_geometry.hpp"
 
 #include <algorithm>
+#include <array>
 #include <functional>
+#include <limits>
 #include <numeric>
 
 namespace forefront {
@@ -13,14 +16,29 @@ Diagnostics noSuch(const char *what) {
     return error(std::string("no-such-") + what, std::string(what) + " not found");
 }
 
-/// Keeps one tag per segment, or none if all segments have the tag of the shape.
-void tidyTags(Shape &shape) {
+/// Keeps one tag per segment, or none if all segments have the tag of the shape; and one curve per segment, from node
+/// to node, or none if all are straight.
+void tidy(Shape &shape) {
     if (!shape.segmentTags.empty()) {
         shape.segmentTags.resize(taggedSegments(shape), shape.tag);
     }
     if (std::all_of(shape.segmentTags.begin(), shape.segmentTags.end(),
                     [&](std::int32_t tag) { return tag == shape.tag; })) {
         shape.segmentTags.clear();
+    }
+    const Outline outline = outlineOf(shape);
+    for (std::size_t k = 0; k < shape.curves.size(); ++k) {
+        Curve &curve = shape.curves[k];
+        curve = curve.kind() == CurveKind::Cubic  ? joining(curve, outline.from(k), outline.to(k))
+                : curve.kind() == CurveKind::Line ? Curve()
+                                                  : curve;
+    }
+    if (std::all_of(shape.curves.begin(), shape.curves.end(), [](const Curve &curve) { return curve == Curve(); })) {
+        shape.curves.clear();
+        shape.cuts = isPath(shape) ? std::vector<std::vector<double>>() : std::move(shape.cuts);
+    }
+    if (!shape.cuts.empty()) {
+        shape.cuts.resize(outline.segmentCount());
     }
 }
 
@@ -42,7 +60,7 @@ Result<Document> changeShapes(const Document &document, const std::set<std::uint
         if (Diagnostics faults = checkShape(shape); !faults.empty()) {
             return faults;
         }
-        tidyTags(shape);
+        tidy(shape);
         pointer = std::make_shared<const Shape>(std::move(shape));
     }
     if (found < ids.size()) {
@@ -55,13 +73,91 @@ Result<Document> changeShape(const Document &document, std::uint32_t id, const C
     return changeShapes(document, {id}, change);
 }
 
-Status becomePolygon(Shape &shape, double circleTolerance) {
-    if (shape.kind == ShapeKind::Rectangle || shape.kind == ShapeKind::Circle) {
-        shape.nodes = outlineOf(shape, circleTolerance).nodes;
-        shape.kind = ShapeKind::Polygon;
-        return {};
+/// Returns false for a curve that is not finite, is a point, or does not run from node to node.
+bool isSound(const Curve &curve, Vec2 from, Vec2 to) {
+    if (curve.kind() == CurveKind::Line) {
+        return true;
     }
-    return error("not-possible", displayName(shape) + " is not a rectangle or circle");
+    const std::array<double, 8> n = curve.numbers();
+    const bool round = curve.kind() == CurveKind::Arc;
+    const bool bends =
+        round ? cross({n[2], n[3]}, {n[4], n[5]}) != 0.0 && n[7] != 0.0 : curve.bounds().diagonal() > 0.0;
+    return curve.finite() && bends && joins(curve, from, to);
+}
+
+bool hasSoundCurves(const Shape &shape) {
+    if (!std::isfinite(shape.radius) || shape.radius < 0.0) {
+        return false;
+    }
+    if (shape.curves.empty()) {
+        return true;
+    }
+    const Outline outline = outlineOf(shape);
+    if (!isPath(shape) || shape.curves.size() != outline.segmentCount()) {
+        return false;
+    }
+    for (std::size_t k = 0; k < shape.curves.size(); ++k) {
+        if (!isSound(shape.curves[k], outline.from(k), outline.to(k))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Returns true if a closed path encloses an area: one or two nodes need curves.
+bool isLoopSound(const Shape &shape) {
+    const std::size_t n = shape.nodes.size();
+    const auto curved = [](const Curve &curve) { return curve.kind() != CurveKind::Line; };
+    return n >= 3 || (n >= 1 && std::any_of(shape.curves.begin(), shape.curves.end(), curved));
+}
+
+/// Moves the end of a half-axis of an ellipse. Perpendicular axes stay so: the first turns the other one along, the
+/// second changes its length only.
+void placeAxis(Shape &shape, std::uint32_t handle, Vec2 to) {
+    constexpr double kPerpendicular = 1e-9;
+    std::vector<Vec2> &nodes = shape.nodes;
+    const Vec2 u = nodes[1] - nodes[0], v = nodes[2] - nodes[0], arm = to - nodes[0];
+    const double side = cross(u, v) < 0.0 ? -1.0 : 1.0;
+    if (std::fabs(dot(u, v)) > kPerpendicular * length(u) * length(v)) {
+        nodes[handle] = to;
+    } else if (handle == 1 && length(arm) > 0.0) {
+        nodes[1] = to;
+        nodes[2] = nodes[0] + (side * length(v) / length(arm)) * leftNormal(arm);
+    } else if (handle == 2) {
+        const Vec2 across = (1.0 / length(u)) * leftNormal(u);
+        nodes[2] = nodes[0] + dot(arm, across) * across;
+    }
+}
+
+/// Returns the segment of a part of an outline that is nearest to a point.
+std::uint32_t nearestSegment(const Outline &outline, std::uint32_t part, Vec2 at) {
+    std::uint32_t best = 0;
+    double limit = std::numeric_limits<double>::infinity();
+    for (std::uint32_t k = 0; k < outline.segmentCount(); ++k) {
+        const Curve curve = outline.curve(k);
+        const double d = distance(curve.point(curve.nearest(at)), at);
+        if (outline.part(k) == part && d < limit) {
+            best = k;
+            limit = d;
+        }
+    }
+    return best;
+}
+
+/// Divides the curve of a segment for a new node; a straight segment stays straight on both sides.
+void splitCurve(Shape &shape, std::uint32_t segment, Vec2 at) {
+    if (shape.curves.empty()) {
+        return;
+    }
+    shape.cuts.clear();
+    const Outline outline = outlineOf(shape);
+    shape.curves.insert(shape.curves.begin() + segment, Curve());
+    if (outline.isCurved(segment)) {
+        const Curve &curve = outline.curves[segment];
+        const double t = curve.nearest(at);
+        shape.curves[segment] = joining(curve.part(0.0, t), outline.from(segment), at);
+        shape.curves[segment + 1] = joining(curve.part(t, 1.0), at, outline.to(segment));
+    }
 }
 
 } // namespace
@@ -81,7 +177,7 @@ Diagnostics checkShape(const Shape &shape) {
     bool sound = true;
     switch (shape.kind) {
     case ShapeKind::Polygon:
-        sound = n >= 3;
+        sound = isLoopSound(shape);
         break;
     case ShapeKind::Polyline:
         sound = n >= 2;
@@ -95,10 +191,19 @@ Diagnostics checkShape(const Shape &shape) {
     case ShapeKind::Point:
         sound = n == 1;
         break;
+    case ShapeKind::Ellipse:
+        sound = n == 3 && cross(shape.nodes[1] - shape.nodes[0], shape.nodes[2] - shape.nodes[0]) != 0.0;
+        break;
     }
     if (!sound) {
-        return error("bad-shape", std::string(wordOf(shape.kind)) + " is degenerate",
-                     "a polygon needs three nodes, a polyline two, a rectangle two sides, a circle a radius");
+        return error(
+            "bad-shape", std::string(wordOf(shape.kind)) + " is degenerate",
+            "a polygon needs three nodes, a polyline two, a rectangle two sides, a circle a radius, an ellipse "
+            "two half-axes");
+    }
+    if (!hasSoundCurves(shape)) {
+        return error("bad-curve", "a curve of " + displayName(shape) + " does not run from node to node",
+                     "give it the nodes as its ends, and radii that are not 0");
     }
     return {};
 }
@@ -113,7 +218,7 @@ Result<Document> addShapes(const Document &document, std::vector<Shape> shapes) 
         if (Diagnostics faults = checkShape(shape); !faults.empty()) {
             return faults;
         }
-        tidyTags(shape);
+        tidy(shape);
         shape.id = next.nextId++;
         next.shapes.push_back(std::make_shared<const Shape>(std::move(shape)));
     }
@@ -149,12 +254,20 @@ void placeHandle(Shape &shape, std::uint32_t handle, Vec2 to) {
         // Corners 0 and 2 are the nodes; corner 1 shares y with 0 and x with 2, corner 3 the reverse.
         nodes[handle == 1 || handle == 2 ? 1 : 0].x = to.x;
         nodes[handle == 2 || handle == 3 ? 1 : 0].y = to.y;
-    } else if (shape.kind == ShapeKind::Circle && handle == 0) {
-        nodes[1] += to - nodes[0];
+    } else if ((shape.kind == ShapeKind::Circle || shape.kind == ShapeKind::Ellipse) && handle == 0) {
+        moveShape(shape, to - nodes[0]);
         nodes[0] = to;
+    } else if (shape.kind == ShapeKind::Ellipse) {
+        placeAxis(shape, handle, to);
+    } else if (isPath(shape)) {
+        std::vector<Vec2> places = nodes;
+        places[handle] = to;
+        moveNodes(shape, std::move(places));
+        return; // which drops the cuts of the segments that change
     } else {
         nodes[handle] = to;
     }
+    shape.cuts.clear();
 }
 
 Result<Document> setRadius(const Document &document, std::uint32_t circle, double radius) {
@@ -167,21 +280,27 @@ Result<Document> setRadius(const Document &document, std::uint32_t circle, doubl
         }
         const Vec2 arm = shape.nodes[1] - shape.nodes[0];
         shape.nodes[1] = shape.nodes[0] + (radius / length(arm)) * arm;
+        shape.cuts.clear();
         return {};
     });
 }
 
 Result<Document> setSegmentLength(const Document &document, SegmentRef segment, double target) {
     return changeShape(document, segment.shape, [&](Shape &shape) -> Status {
-        const Outline outline = outlineOf(shape, document.circleTolerance);
-        if (shape.kind == ShapeKind::Circle || segment.segment >= outline.segmentCount()) {
+        const std::vector<Vec2> handles = handlesOf(shape);
+        const bool round = shape.kind == ShapeKind::Circle || shape.kind == ShapeKind::Ellipse;
+        if (round || segment.segment >= taggedSegments(shape)) {
             return noSuch("segment");
         }
-        const Vec2 from = outline.from(segment.segment), arm = outline.to(segment.segment) - from;
+        if (isPath(shape) && outlineOf(shape).isCurved(segment.segment)) {
+            return error("not-possible", "the length of a curved segment follows from its handles",
+                         "move them, or make the segment straight");
+        }
+        const auto end = static_cast<std::uint32_t>((segment.segment + 1) % handles.size());
+        const Vec2 from = handles[segment.segment], arm = handles[end] - from;
         if (!(target > 0.0) || !std::isfinite(target) || !(length(arm) > 0.0)) {
             return error("bad-number", "invalid length; expected a number above 0");
         }
-        const auto end = static_cast<std::uint32_t>((segment.segment + 1) % outline.nodes.size());
         placeHandle(shape, end, from + (target / length(arm)) * arm);
         return {};
     });
@@ -189,27 +308,37 @@ Result<Document> setSegmentLength(const Document &document, SegmentRef segment, 
 
 Result<Document> insertNode(const Document &document, SegmentRef segment, Vec2 at) {
     return changeShape(document, segment.shape, [&](Shape &shape) -> Status {
-        if (shape.kind == ShapeKind::Circle) {
-            return error("not-possible", "a circle has no corners", "convert it to a polygon first");
+        if (shape.kind == ShapeKind::Circle || shape.kind == ShapeKind::Ellipse) {
+            return error("not-possible", "a " + std::string(wordOf(shape.kind)) + " has no corners",
+                         "convert it to a path first");
         }
         if (segment.segment >= taggedSegments(shape)) {
             return noSuch("segment");
         }
+        std::uint32_t k = segment.segment;
         if (shape.kind == ShapeKind::Rectangle) {
-            becomePolygon(shape, document.circleTolerance);
+            k = nearestSegment(outlineOf(shape), segment.segment, at);
+            becomePath(shape);
         }
         if (!shape.segmentTags.empty()) {
             shape.segmentTags.resize(taggedSegments(shape), shape.tag);
-            const std::int32_t tag = shape.segmentTags[segment.segment];
-            shape.segmentTags.insert(shape.segmentTags.begin() + segment.segment, tag);
+            const std::int32_t tag = shape.segmentTags[k];
+            shape.segmentTags.insert(shape.segmentTags.begin() + k, tag);
         }
-        shape.nodes.insert(shape.nodes.begin() + segment.segment + 1, at);
+        splitCurve(shape, k, at);
+        shape.nodes.insert(shape.nodes.begin() + k + 1, at);
         return {};
     });
 }
 
-Result<Document> convertToPolygon(const Document &document, std::uint32_t id) {
-    return changeShape(document, id, [&](Shape &shape) { return becomePolygon(shape, document.circleTolerance); });
+Result<Document> convertToPath(const Document &document, std::uint32_t id) {
+    return changeShape(document, id, [&](Shape &shape) -> Status {
+        if (isPath(shape) || shape.kind == ShapeKind::Point) {
+            return error("not-possible", displayName(shape) + " is not a rectangle, circle or ellipse");
+        }
+        becomePath(shape);
+        return {};
+    });
 }
 
 Result<Document> toggleClosed(const Document &document, std::uint32_t id) {
@@ -224,8 +353,12 @@ Result<Document> toggleClosed(const Document &document, std::uint32_t id) {
                          displayName(shape) + " can be neither opened nor closed; expected a polygon or polyline");
         }
         // A polyline that ends at its start closes there; another one gets one more segment.
-        if (shape.nodes.size() > 3 && shape.nodes.front() == shape.nodes.back()) {
+        const bool curved = !shape.curves.empty();
+        if (shape.nodes.size() > (curved ? 1U : 3U) && shape.nodes.front() == shape.nodes.back()) {
             shape.nodes.pop_back();
+        } else if (curved) {
+            shape.curves.emplace_back();
+            shape.cuts.clear();
         }
         shape.kind = ShapeKind::Polygon;
         return {};
@@ -253,7 +386,7 @@ Result<Document> setSegmentTag(const Document &document, const std::set<SegmentR
             }
             shape.segmentTags[ref->segment] = tag;
         }
-        if (shape.kind == ShapeKind::Circle) {
+        if (shape.kind == ShapeKind::Circle || shape.kind == ShapeKind::Ellipse) {
             shape.tag = tag;
         }
         return {};

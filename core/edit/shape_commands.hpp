@@ -9,7 +9,8 @@
 namespace forefront {
 
 // Commands on shapes: pure functions from a document to the next one. Errors: bad-number (a coordinate is not finite),
-// bad-tag (< 1), bad-shape (too few nodes, no radius), no-such-shape, no-such-node, no-such-segment, not-possible.
+// bad-tag (< 1), bad-shape (too few nodes, no radius), bad-curve, no-such-shape, no-such-node, no-such-segment,
+// not-possible.
 
 /// Appends a shape with the next id; `shape.id` is ignored.
 Result<Document> addShape(const Document &document, Shape shape);
@@ -29,10 +30,10 @@ Result<Document> setHandle(const Document &document, NodeRef node, Vec2 to);
 Result<Document> setRadius(const Document &document, std::uint32_t circle, double radius);
 /// Moves the second end of a segment so that it gets this length.
 Result<Document> setSegmentLength(const Document &document, SegmentRef segment, double length);
-/// Inserts a node into a segment of a polygon or polyline (a rectangle becomes a polygon); both halves keep the tag.
+/// Inserts a node into a segment of a path (a rectangle becomes one); both parts keep tag and curve.
 Result<Document> insertNode(const Document &document, SegmentRef segment, Vec2 at);
-/// Converts a rectangle or circle to a polygon with the same outline.
-Result<Document> convertToPolygon(const Document &document, std::uint32_t shape);
+/// Converts a rectangle, circle or ellipse to a closed path with the same outline: see becomePath().
+Result<Document> convertToPath(const Document &document, std::uint32_t shape);
 /// Opens a polygon at its first node, or closes a polyline of at least three nodes.
 Result<Document> toggleClosed(const Document &document, std::uint32_t shape);
 

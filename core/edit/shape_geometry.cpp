@@ -1,78 +1,29 @@
 #include "core/edit/shape_geometry.hpp"
 
+#include "core/edit/path_curve.hpp"
+
+#include <algorithm>
 #include <numbers>
+#include <utility>
 
 namespace forefront {
 namespace {
 
-constexpr std::size_t kMinCorners = 8;
-constexpr std::size_t kMaxCorners = 4096;
+/// Tolerance of the chords of paths for contains(), relative to their size.
+constexpr double kFineChords = 1e-4;
 
-Outline circleOutline(const Shape &shape, double tolerance) {
-    Outline outline;
-    outline.closed = true;
-    const Vec2 centre = shape.nodes[0];
-    const Vec2 arm = shape.nodes[1] - centre;
-    if (!(lengthSquared(arm) > 0.0)) {
-        // One segment of zero length, which validation reports with its place.
-        outline.nodes = {centre, centre};
-        return outline;
-    }
-    const std::size_t corners = circleCorners(tolerance);
-    outline.nodes.reserve(corners);
-    for (std::size_t k = 0; k < corners; ++k) {
-        const double angle = 2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(corners);
-        const double c = std::cos(angle), s = std::sin(angle);
-        outline.nodes.push_back(k == 0 ? shape.nodes[1]
-                                       : Vec2{centre.x + arm.x * c - arm.y * s, centre.y + arm.x * s + arm.y * c});
-    }
-    return outline;
+bool isLoop(const Shape &shape) {
+    return shape.kind == ShapeKind::Circle || shape.kind == ShapeKind::Ellipse;
 }
 
 } // namespace
-
-std::size_t circleCorners(double tolerance) {
-    if (!(tolerance > 0.0)) {
-        return kMaxCorners;
-    }
-    if (tolerance >= 1.0) {
-        return kMinCorners;
-    }
-    // Sagitta of a chord over the angle 2π/n: r·(1 − cos(π/n)).
-    const double corners = std::ceil(std::numbers::pi / std::acos(1.0 - tolerance));
-    if (!(corners < static_cast<double>(kMaxCorners))) {
-        return kMaxCorners;
-    }
-    return std::max(kMinCorners, (static_cast<std::size_t>(corners) + 3) / 4 * 4);
-}
-
-Outline outlineOf(const Shape &shape, double circleTolerance) {
-    const std::vector<Vec2> &nodes = shape.nodes;
-    switch (shape.kind) {
-    case ShapeKind::Rectangle:
-        if (nodes.size() == 2) {
-            return {{nodes[0], {nodes[1].x, nodes[0].y}, nodes[1], {nodes[0].x, nodes[1].y}}, true};
-        }
-        break;
-    case ShapeKind::Circle:
-        if (nodes.size() == 2) {
-            return circleOutline(shape, circleTolerance);
-        }
-        break;
-    case ShapeKind::Polygon:
-        return {nodes, true};
-    case ShapeKind::Polyline:
-    case ShapeKind::Point:
-        break;
-    }
-    return {nodes, false};
-}
 
 std::size_t taggedSegments(const Shape &shape) {
     switch (shape.kind) {
     case ShapeKind::Rectangle:
         return 4;
     case ShapeKind::Circle:
+    case ShapeKind::Ellipse:
         return 1;
     case ShapeKind::Point:
         return 0;
@@ -81,26 +32,32 @@ std::size_t taggedSegments(const Shape &shape) {
         break;
     }
     const std::size_t n = shape.nodes.size();
-    return n < 2 ? 0 : shape.kind == ShapeKind::Polygon && n > 2 ? n : n - 1;
+    const bool loop = shape.kind == ShapeKind::Polygon && (n > 2 || !shape.curves.empty());
+    return loop ? n : n - std::min<std::size_t>(n, 1);
 }
 
-std::int32_t segmentTag(const Shape &shape, std::size_t segment) {
-    if (shape.segmentTags.empty() || shape.kind == ShapeKind::Circle) {
-        return shape.tag;
-    }
-    return segment < shape.segmentTags.size() ? shape.segmentTags[segment] : shape.tag;
+std::int32_t segmentTag(const Shape &shape, std::size_t part) {
+    return part < shape.segmentTags.size() && !isLoop(shape) ? shape.segmentTags[part] : shape.tag;
 }
 
 std::vector<Vec2> handlesOf(const Shape &shape) {
-    return shape.kind == ShapeKind::Rectangle ? outlineOf(shape, 1.0).nodes : shape.nodes;
+    if (shape.kind != ShapeKind::Rectangle || shape.nodes.size() != 2) {
+        return shape.nodes;
+    }
+    const Vec2 a = shape.nodes[0], c = shape.nodes[1];
+    return {a, {c.x, a.y}, c, {a.x, c.y}};
 }
 
 std::size_t handleCount(const Shape &shape) {
     return shape.kind == ShapeKind::Rectangle && shape.nodes.size() == 2 ? 4 : shape.nodes.size();
 }
 
+bool isPath(const Shape &shape) {
+    return shape.kind == ShapeKind::Polygon || shape.kind == ShapeKind::Polyline;
+}
+
 bool isClosed(const Shape &shape) {
-    return shape.kind == ShapeKind::Polygon || shape.kind == ShapeKind::Rectangle || shape.kind == ShapeKind::Circle;
+    return shape.kind == ShapeKind::Polygon || shape.kind == ShapeKind::Rectangle || isLoop(shape);
 }
 
 double circleRadius(const Shape &shape) {
@@ -111,9 +68,19 @@ Box2 boundsOf(const Shape &shape) {
     if (shape.kind == ShapeKind::Circle && shape.nodes.size() == 2) {
         return boxAround(shape.nodes[0], circleRadius(shape));
     }
+    if (shape.kind == ShapeKind::Ellipse && shape.nodes.size() == 3) {
+        const Vec2 u = shape.nodes[1] - shape.nodes[0], v = shape.nodes[2] - shape.nodes[0];
+        const Vec2 reach{std::hypot(u.x, v.x), std::hypot(u.y, v.y)};
+        return {shape.nodes[0] - reach, shape.nodes[0] + reach};
+    }
     Box2 box;
     for (const Vec2 node : shape.nodes) {
         box.add(node);
+    }
+    for (const Curve &curve : shape.curves) {
+        if (curve.kind() != CurveKind::Line) {
+            box.add(curve.bounds());
+        }
     }
     return box;
 }
@@ -133,10 +100,10 @@ bool contains(const Shape &shape, Vec2 p) {
     if (shape.kind == ShapeKind::Circle && shape.nodes.size() == 2) {
         return distanceSquared(shape.nodes[0], p) <= distanceSquared(shape.nodes[0], shape.nodes[1]);
     }
-    const Outline outline = outlineOf(shape, 1.0);
+    const Chords chords = chordsOf(shape, outlineOf(shape), kFineChords);
     bool inside = false;
-    for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
-        const Vec2 a = outline.from(k), b = outline.to(k);
+    for (std::size_t k = 0; k < chords.size(); ++k) {
+        const Vec2 a = chords.from(k), b = chords.to(k);
         if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * ((p.y - a.y) / (b.y - a.y))) {
             inside = !inside;
         }
@@ -152,24 +119,90 @@ double areaOf(const Shape &shape) {
         const double radius = circleRadius(shape);
         return std::numbers::pi * radius * radius;
     }
-    const Outline outline = outlineOf(shape, 1.0);
-    double twice = 0.0;
+    const Outline outline = outlineOf(shape);
+    double sum = 0.0;
     for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
-        twice += cross(outline.from(k) - outline.nodes[0], outline.to(k) - outline.nodes[0]);
+        sum += sectorArea(outline.curve(k), outline.nodes[0]);
     }
-    return 0.5 * std::abs(twice);
+    return std::fabs(sum);
 }
 
 double lengthOf(const Shape &shape) {
     if (shape.kind == ShapeKind::Circle) {
         return 2.0 * std::numbers::pi * circleRadius(shape);
     }
-    const Outline outline = outlineOf(shape, 1.0);
+    const Outline outline = outlineOf(shape);
     double sum = 0.0;
     for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
-        sum += distance(outline.from(k), outline.to(k));
+        sum += outline.curve(k).length();
     }
     return sum;
+}
+
+void moveShape(Shape &shape, Vec2 by) {
+    for (Vec2 &node : shape.nodes) {
+        node += by;
+    }
+    for (Curve &curve : shape.curves) {
+        curve = curve.kind() == CurveKind::Line ? Curve() : moved(curve, by);
+    }
+}
+
+void scaleShape(Shape &shape, double factor) {
+    const auto scaled = [factor](Vec2 p) { return factor * p; };
+    for (Vec2 &node : shape.nodes) {
+        node = scaled(node);
+    }
+    for (Curve &curve : shape.curves) {
+        curve = curve.mapped(scaled);
+    }
+    shape.radius *= std::fabs(factor);
+}
+
+void becomePath(Shape &shape) {
+    if (shape.kind != ShapeKind::Rectangle && !isLoop(shape)) {
+        return;
+    }
+    Outline outline = outlineOf(shape);
+    if (isLoop(shape) && outline.isCurved(0)) {
+        const Curve loop = outline.curves[0];
+        constexpr std::size_t kParts = 4;
+        outline.nodes.resize(1);
+        outline.curves.clear();
+        for (std::size_t k = 0; k < kParts; ++k) {
+            const double from = static_cast<double>(k) / kParts;
+            if (k > 0) {
+                outline.nodes.push_back(loop.point(from));
+            }
+            outline.curves.push_back(loop.part(from, static_cast<double>(k + 1) / kParts));
+        }
+    }
+    if (!shape.segmentTags.empty() && shape.kind == ShapeKind::Rectangle) {
+        std::vector<std::int32_t> tags;
+        for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
+            tags.push_back(segmentTag(shape, outline.part(k)));
+        }
+        shape.segmentTags = std::move(tags);
+    }
+    shape.kind = ShapeKind::Polygon;
+    shape.nodes = std::move(outline.nodes);
+    shape.curves = std::move(outline.curves);
+    shape.cuts.clear();
+    shape.radius = 0.0;
+}
+
+void moveNodes(Shape &shape, std::vector<Vec2> places) {
+    const Outline before = outlineOf(shape);
+    const Outline after{std::move(places), before.closed, before.curves, {}};
+    for (std::size_t k = 0; k < before.segmentCount(); ++k) {
+        if (before.isCurved(k) && (before.from(k) != after.from(k) || before.to(k) != after.to(k))) {
+            shape.curves[k] = joining(before.curves[k], after.from(k), after.to(k));
+            if (k < shape.cuts.size()) {
+                shape.cuts[k].clear();
+            }
+        }
+    }
+    shape.nodes = after.nodes;
 }
 
 std::string displayName(const Shape &shape) {

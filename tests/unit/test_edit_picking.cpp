@@ -98,7 +98,7 @@ TEST_CASE("PickIndex: finds the same nodes and segments as an exhaustive search"
                     segment = std::min(segment, std::abs(distance(p, shape->nodes[0]) - circleRadius(*shape)));
                     continue;
                 }
-                const Outline outline = outlineOf(*shape, document->circleTolerance);
+                const Outline outline = outlineOf(*shape);
                 for (std::size_t s = 0; s < outline.segmentCount(); ++s) {
                     segment = std::min(segment, distanceToSegment(outline.from(s), outline.to(s), p));
                 }

@@ -104,6 +104,18 @@ void CanvasPainter::polyline(std::span<const Vec2> points, bool closed, Colour c
                       im(width * scale_));
 }
 
+double CanvasPainter::curveTolerance() const {
+    return camera_.length(0.2 * scale_);
+}
+
+void CanvasPainter::curve(const Curve &curve, Colour colour, double width) {
+    std::vector<Vec2> points = {curve.point(0.0)};
+    for (const double t : curve.flatten(curveTolerance())) {
+        points.push_back(curve.point(t));
+    }
+    polyline(points, false, colour, width);
+}
+
 void CanvasPainter::triangle(Vec2 a, Vec2 b, Vec2 c, Colour fill) {
     list_.AddTriangleFilled(im(camera_.toPixel(a)), im(camera_.toPixel(b)), im(camera_.toPixel(c)), fill);
 }

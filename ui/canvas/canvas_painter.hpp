@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/curve.hpp"
 #include "ui/canvas/camera.hpp"
 #include "ui/style/colour.hpp"
 
@@ -24,6 +25,10 @@ class CanvasPainter {
     /// Draws a line with a filled arrowhead at b.
     void arrow(Vec2 a, Vec2 b, Colour colour, double width = 2.0, double head = 9.0);
     void polyline(std::span<const Vec2> points, bool closed, Colour colour, double width = 1.5);
+    /// Draws a curve as a polyline that looks smooth at the current zoom.
+    void curve(const Curve &curve, Colour colour, double width = 1.5);
+    /// Returns the maximum distance between a curve and a polyline that cannot be told from it, in domain units.
+    double curveTolerance() const;
     void triangle(Vec2 a, Vec2 b, Vec2 c, Colour fill);
     void rectangle(const Box2 &box, Colour colour, double width = 1.0);
     void fillRectangle(const Box2 &box, Colour fill);

@@ -169,13 +169,13 @@ void addSelectionActions(ActionRegistry &actions) {
                      c.selection = selectAll(*c.document.current());
                      c.tools.choose("select", c);
                  }});
-    actions.add({.id = "edit.toPolygon",
+    actions.add({.id = "edit.toPath",
                  .menu = "Edit",
-                 .title = "Convert to polygon",
+                 .title = "Convert to path",
                  .run =
                      [](Shell &c) {
                          for (const std::uint32_t id : c.selection.shapes) {
-                             EditState::apply(c, convertToPolygon(*c.document.current(), id), "Convert to polygon");
+                             EditState::apply(c, convertToPath(*c.document.current(), id), "Convert to path");
                          }
                      },
                  .enabled = [](const Shell &c) { return !c.selection.shapes.empty(); },

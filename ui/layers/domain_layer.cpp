@@ -3,6 +3,9 @@
 #include "ui/gl/line_batch.hpp"
 #include "ui/layers/layers.hpp"
 
+#include <cmath>
+#include <vector>
+
 namespace forefront {
 
 namespace {
@@ -38,27 +41,50 @@ class BoundaryLayer final : public Layer {
 
   private:
     void update(const LayerFrame &frame) {
-        if (revision_ == frame.revision && theme_ == frame.theme.kind) {
+        // Curves become polylines finer than the pixels, anew where the zoom has doubled.
+        const int zoom = frame.domain.curves.empty() ? 0 : std::ilogb(frame.camera.zoom);
+        if (revision_ == frame.revision && theme_ == frame.theme.kind && zoom_ == zoom) {
             return;
         }
         revision_ = frame.revision;
         theme_ = frame.theme.kind;
+        zoom_ = zoom;
+        const double tolerance = 0.2 * std::exp2(-zoom);
         boundary_.clear();
         constraints_.clear();
         points_.clear();
         const Domain &domain = frame.domain;
         for (const DomainSegment &segment : domain.segments) {
             const bool outer = segment.role == SegmentRole::Boundary;
-            (outer ? boundary_ : constraints_)
-                .add(domain.nodes[segment.a], domain.nodes[segment.b],
-                     outer ? frame.theme.boundary : frame.theme.constraint);
+            const Colour colour = outer ? frame.theme.boundary : frame.theme.constraint;
+            Vec2 from = domain.nodes[segment.a];
+            for (const Vec2 to : alongSegment(domain, segment, tolerance)) {
+                (outer ? boundary_ : constraints_).add(from, to, colour);
+                from = to;
+            }
         }
         for (const ConstraintPoint &point : domain.points) {
             points_.add(domain.nodes[point.node], domain.nodes[point.node], frame.theme.constraint);
         }
     }
 
+    /// Returns the points of a polyline along a segment, its second end included.
+    static std::vector<Vec2> alongSegment(const Domain &domain, const DomainSegment &segment, double tolerance) {
+        std::vector<Vec2> points;
+        const CurveStretch &stretch = segment.stretch;
+        if (stretch.curve < domain.curves.size()) {
+            const Curve &curve = domain.curves[stretch.curve];
+            const std::vector<double> ends = curve.flatten(tolerance, stretch.t0, stretch.t1);
+            for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+                points.push_back(curve.point(ends[k]));
+            }
+        }
+        points.push_back(domain.nodes[segment.b]);
+        return points;
+    }
+
     LineBatch boundary_, constraints_, points_;
+    int zoom_ = 0; ///< exponent of the zoom that the curves are fine enough for
     std::uint64_t revision_ = 0;
     ThemeKind theme_ = ThemeKind::Dark;
 };

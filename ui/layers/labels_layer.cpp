@@ -1,4 +1,4 @@
-#include "core/edit/document.hpp"
+#include "core/edit/shape_geometry.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/layers/layers.hpp"
 #include "ui/workspace/moment.hpp"
@@ -33,39 +33,33 @@ class LabelsLayer final : public Layer {
             drawName(painter, frame, shape.nodes[0] + Vec2{0.0, radius}, shape.tag, 2.0 * radius);
             return;
         }
-        const std::vector<Vec2> nodes =
-            shape.kind == ShapeKind::Rectangle && shape.nodes.size() == 2 ? corners(shape) : shape.nodes;
-        const bool closed = shape.kind == ShapeKind::Polygon || shape.kind == ShapeKind::Rectangle;
-        const std::size_t segments = nodes.size() < 2 ? 0 : closed ? nodes.size() : nodes.size() - 1;
-        const auto tagOf = [&](std::size_t i) {
-            return i < shape.segmentTags.size() ? shape.segmentTags[i] : shape.tag;
-        };
+        const Outline outline = outlineOf(shape);
+        const std::size_t segments = outline.segmentCount();
+        const auto tagOf = [&](std::size_t i) { return segmentTag(shape, outline.part(i)); };
         for (std::size_t first = 0; first < segments;) {
             std::size_t last = first;
             double whole = 0.0;
             while (last < segments && tagOf(last) == tagOf(first)) {
-                whole += distance(nodes[last], nodes[(last + 1) % nodes.size()]);
+                whole += outline.curve(last).length();
                 ++last;
             }
-            drawName(painter, frame, pointAlong(nodes, first, 0.3 * whole), tagOf(first), whole);
+            drawName(painter, frame, pointAlong(outline, first, 0.3 * whole), tagOf(first), whole);
             first = last;
         }
     }
 
-    static std::vector<Vec2> corners(const Shape &shape) {
-        const Box2 box = boxOf(shape.nodes[0], shape.nodes[1]);
-        return {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
-    }
-
-    static Vec2 pointAlong(const std::vector<Vec2> &nodes, std::size_t from, double way) {
-        for (std::size_t i = from;; ++i) {
-            const Vec2 a = nodes[i % nodes.size()], b = nodes[(i + 1) % nodes.size()];
-            const double length = distance(a, b);
-            if (way <= length || i > from + nodes.size()) {
-                return lerp(a, b, length > 0.0 ? std::min(1.0, way / length) : 0.0);
+    /// Returns the point at a length along the outline from the start of a segment; on a cubic, a point near it.
+    static Vec2 pointAlong(const Outline &outline, std::size_t from, double way) {
+        for (std::size_t i = from; i + 1 < outline.segmentCount(); ++i) {
+            const double length = outline.curve(i).length();
+            if (way <= length) {
+                return outline.curve(i).point(length > 0.0 ? way / length : 0.0);
             }
             way -= length;
         }
+        const Curve last = outline.curve(outline.segmentCount() - 1);
+        const double length = last.length();
+        return last.point(length > 0.0 ? std::min(1.0, way / length) : 0.0);
     }
 
     static void drawName(CanvasPainter &painter, const LayerFrame &frame, Vec2 at, std::int32_t tag, double extent) {

@@ -32,6 +32,7 @@ class InspectorPanel final : public Panel {
     void drawHere(Shell &context) const;
     void drawShape(Shell &context, const Shape &shape) const;
     void drawGeometry(Shell &context, const Shape &shape) const;
+    void drawEllipse(Shell &context, const Shape &shape) const;
     void drawShapeButtons(Shell &context, const Shape &shape) const;
     void drawNode(Shell &context, NodeRef ref) const;
     void drawSegment(Shell &context, SegmentRef ref) const;
@@ -128,6 +129,11 @@ void InspectorPanel::drawGeometry(Shell &context, const Shape &shape) const {
             next.nodes = {corner, corner + size};
             put(std::move(next), "Resize rectangle");
         }
+        double radius = shape.radius;
+        if (form::number(context, "inspector/cornerradius", "Corner radius", radius)) {
+            next.radius = radius;
+            put(std::move(next), "Round corners");
+        }
     } else if (shape.kind == ShapeKind::Circle) {
         Vec2 centre = shape.nodes[0];
         double radius = circleRadius(shape);
@@ -137,6 +143,8 @@ void InspectorPanel::drawGeometry(Shell &context, const Shape &shape) const {
         if (form::number(context, "inspector/radius", "Radius", radius)) {
             EditState::apply(context, setRadius(document, shape.id, radius), "Resize circle");
         }
+    } else if (shape.kind == ShapeKind::Ellipse) {
+        drawEllipse(context, shape);
     } else if (shape.kind == ShapeKind::Point) {
         Vec2 at = shape.nodes[0];
         if (form::pair(context, "inspector/at", "Position", at)) {
@@ -152,12 +160,29 @@ void InspectorPanel::drawGeometry(Shell &context, const Shape &shape) const {
     }
 }
 
+void InspectorPanel::drawEllipse(Shell &context, const Shape &shape) const {
+    const Document &document = *context.document.current();
+    Vec2 centre = shape.nodes[0];
+    const Vec2 u = shape.nodes[1] - centre, v = shape.nodes[2] - centre;
+    if (form::pair(context, "inspector/centre", "Centre", centre)) {
+        EditState::apply(context, setHandle(document, {shape.id, 0}, centre), "Move ellipse");
+    }
+    Vec2 radii{length(u), length(v)};
+    if (form::pair(context, "inspector/radii", "Radii", radii) && radii.x > 0.0 && radii.y > 0.0) {
+        Shape next = shape;
+        next.nodes[1] = centre + (radii.x / length(u)) * u;
+        next.nodes[2] = centre + (radii.y / length(v)) * v;
+        EditState::apply(context, replaceShape(document, std::move(next)), "Resize ellipse");
+    }
+}
+
 void InspectorPanel::drawShapeButtons(Shell &context, const Shape &shape) const {
     const Document &document = *context.document.current();
-    if (shape.kind == ShapeKind::Rectangle || shape.kind == ShapeKind::Circle) {
-        if (ui::button(context, "inspector/topolygon", "To polygon")) {
-            EditState::apply(context, convertToPolygon(document, shape.id), "Convert to polygon");
+    if (!isPath(shape) && shape.kind != ShapeKind::Point) {
+        if (ui::button(context, "inspector/topath", "To path")) {
+            EditState::apply(context, convertToPath(document, shape.id), "Convert to path");
         }
+        ui::tooltip(context, "Turn the shape into a path whose nodes and segments can be edited");
         ImGui::SameLine();
     } else if (shape.kind != ShapeKind::Point) {
         const bool closed = isClosed(shape);
@@ -219,17 +244,24 @@ void InspectorPanel::drawSegment(Shell &context, SegmentRef ref) const {
     const Shape *shape = findShape(document, ref.shape);
     heading(context, "Segment " + std::to_string(ref.segment + 1) + " of " + displayName(*shape));
     boundaryTagRow(context, segmentTag(*shape, ref.segment), {.shapes = {}, .segments = {ref}});
-    const Outline outline = outlineOf(*shape, document.circleTolerance);
-    if (shape->kind != ShapeKind::Circle && ref.segment < outline.segmentCount()) {
-        double size = distance(outline.from(ref.segment), outline.to(ref.segment));
-        if (form::number(context, "inspector/length", "Length", size)) {
-            EditState::apply(context, setSegmentLength(document, ref, size), "Change length");
-        }
-        if (ui::button(context, "inspector/split", "Insert node")) {
-            EditState::apply(context,
-                             insertNode(document, ref, midpoint(outline.from(ref.segment), outline.to(ref.segment))),
-                             "Insert node");
-        }
+    const bool round = shape->kind == ShapeKind::Circle || shape->kind == ShapeKind::Ellipse;
+    if (round || ref.segment >= taggedSegments(*shape)) {
+        return;
+    }
+    const bool curved = isPath(*shape) && outlineOf(*shape).isCurved(ref.segment);
+    const std::vector<Vec2> handles = handlesOf(*shape);
+    const Vec2 from = handles[ref.segment], to = handles[(ref.segment + 1) % handles.size()];
+    double size = distance(from, to);
+    Vec2 middle = midpoint(from, to);
+    if (curved) {
+        const Curve curve = outlineOf(*shape).curve(ref.segment);
+        middle = curve.point(0.5);
+        ui::field(context, "Length", ui::number(curve.length(), 5), static_cast<float>(form::kLabel));
+    } else if (form::number(context, "inspector/length", "Length", size)) {
+        EditState::apply(context, setSegmentLength(document, ref, size), "Change length");
+    }
+    if (ui::button(context, "inspector/split", "Insert node")) {
+        EditState::apply(context, insertNode(document, ref, middle), "Insert node");
     }
 }
 

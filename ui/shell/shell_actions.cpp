@@ -1,3 +1,4 @@
+#include "core/edit/shape_geometry.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/platform/assets.hpp"
@@ -16,17 +17,7 @@ constexpr Modifiers kShift{Modifiers::kShift};
 constexpr Modifiers kControl{Modifiers::kControl};
 
 Box2 drawingBounds(const Workspace &context) {
-    Box2 box;
-    for (const auto &shape : context.document.current()->shapes) {
-        const bool circle = shape->kind == ShapeKind::Circle && shape->nodes.size() >= 2;
-        const double radius = circle ? distance(shape->nodes[0], shape->nodes[1]) : 0.0;
-        for (const Vec2 node : shape->nodes) {
-            box.add(node);
-        }
-        if (circle) {
-            box.add(boxAround(shape->nodes[0], radius));
-        }
-    }
+    const Box2 box = boundsOf(*context.document.current());
     return box.empty() ? Box2{{0, 0}, {10, 7}} : box;
 }
 

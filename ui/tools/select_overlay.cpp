@@ -38,12 +38,9 @@ void SelectTool::drawHandles(CanvasPainter &painter, Shell &context) const {
             continue;
         }
         const bool whole = selection.shapes.contains(shape->id);
-        const Outline outline = outlineOf(*shape, document.circleTolerance);
-        if (shape->kind == ShapeKind::Circle) {
-            painter.circle(shape->nodes[0], circleRadius(*shape), fade(theme.selection, whole ? 1.0 : 0.5), 2.0);
-        } else {
-            painter.polyline(outline.nodes, outline.closed, fade(theme.selection, whole ? 1.0 : 0.5), 2.0);
-        }
+        const Outline outline = outlineOf(*shape);
+        painter.polyline(flattened(outline, painter.curveTolerance()), outline.closed,
+                         fade(theme.selection, whole ? 1.0 : 0.5), 2.0);
         const std::vector<Vec2> handles = handlesOf(*shape);
         for (std::uint32_t k = 0; k < handles.size() && drawn < kMaxHandles; ++k) {
             if (visible.contains(handles[k])) {
@@ -54,8 +51,8 @@ void SelectTool::drawHandles(CanvasPainter &painter, Shell &context) const {
             }
         }
         for (std::uint32_t k = 0; k < outline.segmentCount(); ++k) {
-            if (selection.segments.contains({shape->id, k})) {
-                painter.line(outline.from(k), outline.to(k), theme.selection, 4.0);
+            if (selection.segments.contains({shape->id, outline.part(k)})) {
+                painter.curve(outline.curve(k), theme.selection, 4.0);
             }
         }
     }

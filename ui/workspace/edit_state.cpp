@@ -65,7 +65,9 @@ void drawSnapMark(CanvasPainter &painter, const Workspace &context, const Snappe
         painter.handle(snapped.at, 5.5, fade(theme.selection, 0.25), theme.selection);
         break;
     case SnapKind::Segment:
-        if (snapped.segment) {
+        if (snapped.segment && snapped.segment->curve) {
+            painter.curve(*snapped.segment->curve, fade(theme.selection, 0.6), 2.5);
+        } else if (snapped.segment) {
             painter.line(snapped.segment->a, snapped.segment->b, fade(theme.selection, 0.6), 2.5);
         }
         painter.cross(snapped.at, 5.0, theme.selection, 1.5);

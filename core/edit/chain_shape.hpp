@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/domain/curve_chains.hpp"
+#include "core/edit/document.hpp"
+
+#include <cstdint>
+#include <span>
+
+namespace forefront {
+
+/// Makes shapes of chains of a domain's segments. Consecutive segments that follow one curve become one curved segment,
+/// which remembers them as its chords.
+class ChainShapes {
+  public:
+    /// Keeps a reference to the domain.
+    explicit ChainShapes(const Domain &domain);
+
+    /// Returns a shape, without id, name and use, along segments in order: segment k joins nodes k and k+1; the last of
+    /// a closed chain leads back to the first node. A loop around one ellipse becomes a circle or an ellipse.
+    Shape make(std::span<const std::uint32_t> nodes, std::span<const std::uint32_t> segments, bool closed) const;
+
+  private:
+    struct Link {
+        std::uint32_t from, to; ///< nodes of the domain
+        std::uint32_t segment;
+        CurveStretch stretch; ///< none if the segment is straight
+    };
+    std::vector<Link> linksOf(std::span<const std::uint32_t> nodes, std::span<const std::uint32_t> segments) const;
+    bool continues(const Link &before, const Link &after) const;
+    void addRun(std::span<const Link> run, Shape &shape) const;
+    Curve curveOf(std::span<const Link> run) const;
+    void recogniseLoop(Shape &shape) const;
+
+    const Domain &domain_;
+    CurveChains chains_;
+    double tolerance_; ///< distance between a curve and its ends that is rounding
+};
+
+} // namespace forefront

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/geometry/curve.hpp"
+
+namespace forefront {
+
+/// Returns the curve moved by a vector, without rounding its axes.
+Curve moved(const Curve &curve, Vec2 by);
+
+/// Returns the curve moved so that it joins two other points. The handles of a cubic move with their ends; an arc is
+/// turned and scaled, so that it keeps its shape. One that ends where it begins is only moved.
+Curve joining(const Curve &curve, Vec2 from, Vec2 to);
+
+/// Returns true if the curve begins and ends at two points, up to 1e-6 of its coordinates.
+bool joins(const Curve &curve, Vec2 from, Vec2 to);
+
+/// Returns the signed area between the curve and the lines from a point to its ends, positive where the curve runs
+/// counter-clockwise around the point.
+double sectorArea(const Curve &curve, Vec2 from);
+
+/// Returns one curve close to two consecutive ones: lines give a line, arcs of one ellipse an arc; otherwise the cubic
+/// with their outer ends and tangents that is nearest by least squares.
+Curve merged(const Curve &first, const Curve &second);
+
+} // namespace forefront
