@@ -1,6 +1,8 @@
 #include "core/io/files.hpp"
 
+#include "core/edit/document.hpp"
 #include "core/io/format.hpp"
+#include "core/io/source/reorder_origin.hpp"
 #include "core/io/text/atomic_file.hpp"
 #include "core/io/triangle/triangle.hpp"
 #include "core/mesh/mesh_domain.hpp"
@@ -117,6 +119,16 @@ Result<T> readFile(const std::filesystem::path &path, const ImportOptions &optio
     }
 }
 
+/// Returns a domain with curves as a document of it gives it, so that it meshes the same in the editor and in batch;
+/// `origin`, if not null, follows.
+Domain asDrawn(const Domain &domain, DomainOrigin *origin) {
+    Domain drawn = toDomain(fromDomain(domain));
+    if (origin != nullptr) {
+        reorderOrigin(domain, drawn, *origin);
+    }
+    return drawn;
+}
+
 Result<Domain> domainFrom(const Format &format, const SourceText &source) {
     if (format.readDocument != nullptr) {
         const auto document = format.readDocument(source);
@@ -126,7 +138,11 @@ Result<Domain> domainFrom(const Format &format, const SourceText &source) {
         return toDomain(*document);
     }
     if (format.readDomain != nullptr) {
-        return format.readDomain(source);
+        Result<Domain> domain = format.readDomain(source);
+        if (domain && !domain->curves.empty()) {
+            return asDrawn(*domain, source.origin);
+        }
+        return domain;
     }
     const auto mesh = format.readMesh(source);
     if (!mesh) {

@@ -1,5 +1,6 @@
 #include "tests/unit/io_samples.hpp"
 
+#include "core/edit/path_curve.hpp"
 #include "core/io/common/names.hpp"
 #include "tests/unit/mesh_samples.hpp"
 
@@ -45,10 +46,18 @@ Document fullDocument() {
     Shape outline = shape(1, ShapeKind::Polygon, ShapeUse::Boundary, {{0, 0}, {4, 0}, {4, 3.1}, {1.0 / 3.0, 3}},
                           "quay \"north\" \\ Ä\n");
     outline.segmentTags = {1, 2, 2, 7};
+    Shape sail = shape(10, ShapeKind::Polygon, ShapeUse::Constraint, {{2, 1}, {2.5, 1.1}, {2.1, 1.2}}, "sail");
+    sail.curves = {Curve::cubic({2, 1}, {1.0 / 3.0 + 2.0, 0.9}, {2.4, 1}, {2.5, 1.1}),
+                   joining(Curve::arc({0, 0}, {1, 0}, {0, 1}, 0.1, 1.0 / 3.0), {2.5, 1.1}, {2.1, 1.2}),
+                   {}};
+    sail.cuts = {{0.25, 2.0 / 3.0}, {}, {}};
     Shape pier = shape(4, ShapeKind::Polyline, ShapeUse::Constraint, {{1, 1}, {1.5, 1}, {2, 1.25}}, "pier");
-    for (const Shape &item : {outline, shape(2, ShapeKind::Rectangle, ShapeUse::Boundary, {{3, 1}, {3.5, 2}}, ""),
-                              shape(3, ShapeKind::Circle, ShapeUse::Boundary, {{1, 2}, {1.2, 2}}, "island"), pier,
-                              shape(9, ShapeKind::Point, ShapeUse::Constraint, {{2.5, 0.5}}, "gauge")}) {
+    Shape box = shape(2, ShapeKind::Rectangle, ShapeUse::Boundary, {{3, 1}, {3.5, 2}}, "");
+    box.radius = 0.1;
+    for (const Shape &item :
+         {outline, box, shape(3, ShapeKind::Circle, ShapeUse::Boundary, {{1, 2}, {1.2, 2}}, "island"), pier,
+          shape(9, ShapeKind::Point, ShapeUse::Constraint, {{2.5, 0.5}}, "gauge"), sail,
+          shape(11, ShapeKind::Ellipse, ShapeUse::Boundary, {{2, 2}, {2.2, 2}, {2, 2.1}}, "")}) {
         document.shapes.push_back(std::make_shared<const Shape>(item));
     }
     document.regionMarkers = {{{0.5, 0.5}, 3}, {{-1e-300, 1e300}, 1}};
@@ -77,6 +86,7 @@ Document fullDocument() {
         document.limits[limit] = limitInfo(limit).isMinimum ? 0.5 : 70.5;
     }
     document.circleTolerance = 0.01;
+    document.curveTolerance = 0.001;
     document.nextId = 12;
     return document;
 }

@@ -87,7 +87,7 @@ TEST_CASE("Project: the level of improvement is a word; the flag of older projec
 }
 
 TEST_CASE("Project: a newer version is refused with the advice to update") {
-    const Diagnostics faults = faultsOf("{\"format\": \"forefront\",\n  \"version\": 2, \"shapes\": \"who knows\"}");
+    const Diagnostics faults = faultsOf("{\"format\": \"forefront\",\n  \"version\": 3, \"shapes\": \"who knows\"}");
     REQUIRE(faults.size() == 1);
     CHECK(faults[0].code == "newer-version");
     CHECK(faults[0].line == 2);
@@ -166,6 +166,65 @@ TEST_CASE("Project: refuses shapes with the wrong number of nodes or tags") {
     CHECK(
         hasCode(shape(R"("kind": "polygon", "nodes": [[0, 0], [1, 1], [0, 1]], "segmentTags": [1, 2])"), "bad-count"));
     CHECK(shape(R"("kind": "polyline", "nodes": [[0, 0], [1, 1], [0, 1]], "segmentTags": [1, 2])").empty());
+}
+
+TEST_CASE("Project: version 1 is read as before, and written as version 2") {
+    const std::string old = R"({"format": "forefront", "version": 1, "shapes": [
+    {"id": 1, "kind": "polygon", "use": "boundary", "tag": 1, "name": "", "nodes": [[0, 0], [4, 0], [4, 3]],
+     "segmentTags": [1, 2, 1]},
+    {"id": 2, "kind": "circle", "use": "boundary", "tag": 1, "name": "hole", "nodes": [[3, 1], [3.25, 1]]},
+    {"id": 3, "kind": "polyline", "use": "constraint", "tag": 2, "name": "", "nodes": [[1, 0.1], [2, 0.1]]}],
+  "regionMarkers": [], "boundaryNames": {"2": "inlet"}, "regionNames": {}, "spacing": {"fromBoundary": true},
+  "options": {"method": "fast"}, "circleTolerance": 0.002, "nextId": 4})";
+    const auto document = parseProject(old, "old.json");
+    REQUIRE_MESSAGE(document.ok(), messages(document.faults()));
+    REQUIRE(document->shapes.size() == 3);
+    CHECK(document->shapes[0]->curves.empty());
+    CHECK(document->shapes[0]->segmentTags == std::vector<std::int32_t>{1, 2, 1});
+    CHECK(document->shapes[1]->kind == ShapeKind::Circle);
+    const std::string text = projectText(*document);
+    CHECK(text.find("\"version\": 2") != std::string::npos);
+    const auto back = parseProject(text, "new.json");
+    REQUIRE(back.ok());
+    CHECK(sameContent(*document, *back));
+}
+
+TEST_CASE("Project: curves that are broken are refused at their line and column") {
+    const auto faultOf = [](const std::string &members) {
+        const Diagnostics faults =
+            faultsOf(kHead + "\n{\"id\": 1, \"kind\": \"polygon\", \"nodes\": [[0, 0], [2, 0]],\n" + members + "}]}");
+        CHECK(allLocated(faults));
+        return faults.empty() ? Diagnostic() : faults.front();
+    };
+    const std::string arc =
+        R"("curves": [{"arc": {"centre": [1, 0], "u": [-1, 0], "v": [0, -1], "start": 0, "sweep": )";
+    const std::string half = "3.141592653589793}}, null]";
+    CHECK(faultOf(arc + half).code.empty());
+    CHECK(faultOf(R"("curves": [{"cubic": [[0, 1], [2, 1]]}, null], "cuts": [[0.25, 0.5], []])").code.empty());
+
+    Diagnostic fault = faultOf(R"("curves": [{"cubic": [[0, 1]]}, null])");
+    CHECK(fault.message == "a cubic has 2 control points, found 1");
+    CHECK(fault.line == 4);
+    CHECK(fault.column == 22);
+    fault =
+        faultOf(R"("curves": [null, {"arc": {"centre": [1, 0], "u": [0, 0], "v": [0, 1], "start": 0, "sweep": 3}}])");
+    CHECK(fault.message == "the arc has no radius: its half-axes \"u\" and \"v\" enclose no area");
+    CHECK(fault.column == 26);
+    CHECK(faultOf(arc + "0}}, null]").message.starts_with("invalid sweep 0"));
+    CHECK(faultOf(arc + "7}}, null]").message.starts_with("invalid sweep 7"));
+    CHECK(faultOf(arc + "3}}, null]").message.find("expected (0, 0) to (2, 0)") != std::string::npos);
+    CHECK(faultOf(arc + "1e999}}, null]").code == "bad-number");
+    CHECK(faultOf(arc + "NaN}}, null]").line == 4);
+    CHECK(faultOf(R"("curves": [{"arc": {"centre": [1, 0], "u": [-1, 0]}}, null])").code == "missing-field");
+    CHECK(faultOf(R"("curves": [{"spline": []}, null])").code == "bad-curve");
+    CHECK(faultOf(R"("curves": [null])").code == "bad-count");
+    CHECK(faultOf(R"("curves": {})").code == "bad-field");
+    CHECK(faultOf(R"("cuts": [[0.5, 0.25], []])").code == "bad-number");
+    CHECK(faultOf(R"("cuts": [[0.5], [], []])").code == "bad-count");
+    CHECK(faultOf(R"("radius": -1)").code == "bad-number");
+    CHECK(hasCode(faultsOf(kHead + R"({"id": 1, "kind": "circle", "nodes": [[0, 0], [1, 0]], "curves": []}]})"),
+                  "bad-curve"));
+    CHECK(hasCode(faultsOf(kHead + R"({"id": 1, "kind": "ellipse", "nodes": [[0, 0], [1, 0]]}]})"), "bad-count"));
 }
 
 TEST_CASE("JSON: syntax faults are placed at the offending byte") {

@@ -1,6 +1,8 @@
 #include "core/edit/domain_sources.hpp"
+#include "core/edit/shape_geometry.hpp"
 #include "core/io/json/json_check.hpp"
 #include "core/io/project/project.hpp"
+#include "core/io/project/project_curves.hpp"
 #include "core/io/project/project_spacing.hpp"
 #include "core/io/project/project_words.hpp"
 
@@ -45,6 +47,9 @@ class ProjectReader {
                 check_.fault(*tolerance, "bad-number", "\"circleTolerance\" must lie between 1e-8 and 0.5");
             }
         }
+        if (const auto tolerance = root.find("curveTolerance")) {
+            document_.curveTolerance = check_.notNegative(*tolerance, "\"curveTolerance\"");
+        }
         nextId(root);
         if (!check_.faults().empty()) {
             return check_.faults();
@@ -59,9 +64,9 @@ class ProjectReader {
   private:
     /// Reports unknown members, which a newer or another program may have added.
     void noteUnknownMembers(const JsonValue &root) const {
-        constexpr std::array<std::string_view, 11> kKnown = {
-            "format",  "version", "shapes", "regionMarkers",   "boundaryNames", "regionNames",
-            "spacing", "options", "limits", "circleTolerance", "nextId"};
+        constexpr std::array<std::string_view, 12> kKnown = {
+            "format",  "version", "shapes", "regionMarkers", "boundaryNames",   "regionNames",
+            "spacing", "options", "limits", "nextId",        "circleTolerance", "curveTolerance"};
         for (auto member = root.begin(); member != root.end(); ++member) {
             const std::string key = member.key();
             if (std::find(kKnown.begin(), kKnown.end(), key) == kKnown.end()) {
@@ -70,8 +75,8 @@ class ProjectReader {
         }
     }
 
-    /// Records the places of the parts of the document's domain in the text. The corners of a rectangle and of a circle
-    /// are at the list of its two nodes.
+    /// Records the places of the parts of the document's domain in the text. Those of rectangles, circles and
+    /// ellipses are at the list of its nodes.
     void recordOrigins() {
         DomainSources sources;
         toDomain(document_, sources);
@@ -79,7 +84,8 @@ class ProjectReader {
             for (const ShapeNode &part : parts) {
                 const std::vector<std::size_t> &offsets = offsets_[part.shape];
                 const ShapeKind shape = document_.shapes[part.shape]->kind;
-                const bool listed = shape != ShapeKind::Rectangle && shape != ShapeKind::Circle;
+                const bool listed =
+                    shape != ShapeKind::Rectangle && shape != ShapeKind::Circle && shape != ShapeKind::Ellipse;
                 const std::size_t k = listed ? part.node + std::size_t{1} : 0;
                 source_.origin->of(kind).push_back({k < offsets.size() ? offsets[k] : PartOrigin::kNowhere, {}});
             }
@@ -97,7 +103,7 @@ class ProjectReader {
         const auto format = root.find("format");
         if (!format || format->string() != "forefront") {
             check_.fault(format.value_or(root), "not-a-project", "not a Forefront project",
-                         "a project begins with {\"format\": \"forefront\", \"version\": 1");
+                         "a project begins with {\"format\": \"forefront\", \"version\": 2");
             return false;
         }
         const auto version = check_.member(root, "version", "the project");
@@ -162,6 +168,10 @@ class ProjectReader {
             }
             nodeCount(shape, *nodes);
         }
+        if (const auto radius = item.find("radius")) {
+            shape.radius = check_.notNegative(*radius, "the radius of a shape's corners");
+        }
+        readCurves(item, shape, check_);
         if (const auto tags = item.find("segmentTags");
             tags && check_.expect(*tags, JsonKind::Array, "\"segmentTags\"")) {
             for (const JsonValue tag : *tags) {
@@ -174,25 +184,37 @@ class ProjectReader {
 
     void nodeCount(const Shape &shape, const JsonValue &place) {
         const std::size_t count = shape.nodes.size();
-        const bool two = shape.kind == ShapeKind::Rectangle || shape.kind == ShapeKind::Circle;
-        if ((two && count != 2) || (shape.kind == ShapeKind::Point && count != 1) || count == 0) {
+        std::size_t expected = 0; // any
+        switch (shape.kind) {
+        case ShapeKind::Rectangle:
+        case ShapeKind::Circle:
+            expected = 2;
+            break;
+        case ShapeKind::Ellipse:
+            expected = 3;
+            break;
+        case ShapeKind::Point:
+            expected = 1;
+            break;
+        case ShapeKind::Polygon:
+        case ShapeKind::Polyline:
+            break;
+        }
+        if (count == 0 || (expected != 0 && count != expected)) {
+            const std::string nodes = expected == 0   ? "at least 1 node"
+                                      : expected == 1 ? "1 node"
+                                                      : std::to_string(expected) + " nodes";
             check_.fault(place, "bad-count",
-                         std::string("a ") + std::string(wordOf(shape.kind)) + " has " +
-                             (two                              ? "2 nodes"
-                              : shape.kind == ShapeKind::Point ? "1 node"
-                                                               : "at least 1 node") +
-                             ", found " + std::to_string(count));
+                         (shape.kind == ShapeKind::Ellipse ? "an " : "a ") + std::string(wordOf(shape.kind)) + " has " +
+                             nodes + ", found " + std::to_string(count));
         }
     }
 
     void segmentTagCount(const Shape &shape, const JsonValue &place) {
         const std::size_t nodes = shape.nodes.size();
         const std::size_t count = shape.segmentTags.size();
-        const std::size_t expected = shape.kind == ShapeKind::Polygon     ? nodes
-                                     : shape.kind == ShapeKind::Polyline  ? nodes - std::min<std::size_t>(nodes, 1)
-                                     : shape.kind == ShapeKind::Rectangle ? 4
-                                     : shape.kind == ShapeKind::Circle    ? 1
-                                                                          : 0;
+        const std::size_t expected =
+            shape.kind == ShapeKind::Polygon ? nodes : taggedSegments(shape); // of two nodes, too
         if (count != 0 && count != expected) {
             check_.fault(place, "bad-count",
                          "expected a tag for each of the " + std::to_string(expected) + " segments, found " +

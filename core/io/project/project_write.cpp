@@ -1,6 +1,7 @@
 #include "core/io/json/json.hpp"
 #include "core/io/json/json_text.hpp"
 #include "core/io/project/project.hpp"
+#include "core/io/project/project_curves.hpp"
 #include "core/io/project/project_spacing.hpp"
 #include "core/io/project/project_words.hpp"
 #include "core/io/text/atomic_file.hpp"
@@ -27,6 +28,10 @@ class ProjectWriter {
         limits(document.limits);
         out_ << ",\n  \"circleTolerance\": ";
         out_.number(document.circleTolerance);
+        if (document.curveTolerance != 0.0) {
+            out_ << ",\n  \"curveTolerance\": ";
+            out_.number(document.curveTolerance);
+        }
         out_ << ",\n  \"nextId\": " << document.nextId << "\n}\n";
     }
 
@@ -44,6 +49,11 @@ class ProjectWriter {
                 out_.list(shape->segmentTags, ", ", [&](std::int32_t tag) { out_ << tag; });
                 out_ << ']';
             }
+            if (shape->radius != 0.0) {
+                out_ << ", \"radius\": ";
+                out_.number(shape->radius);
+            }
+            writeCurves(*shape, out_);
             out_ << '}';
         });
         out_ << "\n  ]";

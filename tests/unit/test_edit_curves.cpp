@@ -1,0 +1,399 @@
+#include "core/domain/validate.hpp"
+#include "core/edit/chain_shape.hpp"
+#include "core/edit/combine_shapes.hpp"
+#include "core/edit/equality.hpp"
+#include "core/edit/join_segments.hpp"
+#include "core/edit/path_curve.hpp"
+#include "core/edit/pick_index.hpp"
+#include "core/edit/repair_drawing.hpp"
+#include "core/edit/shape_commands.hpp"
+#include "core/edit/shape_geometry.hpp"
+#include "core/io/files.hpp"
+#include "core/io/project/project.hpp"
+#include "core/io/text/atomic_file.hpp"
+#include "core/mesher/pipeline.hpp"
+#include "tests/unit/edit_support.hpp"
+#include "tests/unit/io_samples.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <set>
+#include <string>
+
+using namespace forefront;
+using namespace forefront::edit_test;
+using namespace forefront::testing;
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+Document documentOf(std::vector<Shape> shapes) {
+    Result<Document> document = addShapes({}, std::move(shapes));
+    REQUIRE_MESSAGE(document.ok(), messages(document.faults()));
+    return *std::move(document);
+}
+
+const Curve kWave = Curve::cubic({0, 0}, {1, -2}, {3, 2}, {4, 0});
+
+/// A closed path: a wave at the bottom, a half circle on the right, a straight line back.
+Shape sail() {
+    Shape shape = makeShape(ShapeKind::Polygon, {{0, 0}, {4, 0}, {4, 4}}, ShapeUse::Boundary, 3);
+    shape.curves = {kWave, Curve::arc({4, 2}, {0, -2}, {2, 0}, 0.0, kPi), {}};
+    shape.segmentTags = {3, 4, 5};
+    return shape;
+}
+
+Shape roundedBox(double radius) {
+    Shape shape = makeShape(ShapeKind::Rectangle, {{0, 0}, {6, 4}});
+    shape.radius = radius;
+    return shape;
+}
+
+struct Drawing {
+    const char *what;
+    const char *content;
+};
+
+const Drawing kDrawings[] = {
+    {"circle and ellipse", R"(<circle cx="5" cy="5" r="4"/><ellipse cx="16" cy="14" rx="6" ry="3"/>)"},
+    {"thin ring", R"(<path fill-rule="evenodd" d="M12 1a11 11 0 1 1 0 22 11 11 0 0 1 0-22zm0 .02a10.98 10.98 0 1 0 0 )"
+                  R"(21.96 10.98 10.98 0 0 0 0-21.96z"/>)"},
+    {"rounded rectangle", R"(<rect x="2" y="3" width="18" height="12" rx="3"/>)"},
+    {"bubble", R"(<path d="M12 3C6.5 3 2 6.6 2 11c0 2.1 1 4 2.7 5.4L4 21l4.5-2.3C9.6 18.9 10.8 19 12 19c5.5 0 )"
+               R"(10-3.6 10-8s-4.5-8-10-8z"/>)"},
+    {"teardrop of one curve", R"(<path d="M12 2C24 14 0 14 12 2z"/>)"},
+    {"crossing circles", R"(<circle cx="9" cy="12" r="6"/><circle cx="15" cy="12" r="6"/>)"},
+    {"turned ellipse and a line",
+     R"svg(<g transform="rotate(30 12 12)"><ellipse cx="12" cy="12" rx="9" ry="4"/></g>)svg"
+     R"(<path fill="none" stroke="#000" d="M10 11Q12 10 14 13"/>)"},
+};
+
+std::string svgOf(const Drawing &drawing) {
+    return std::string("<svg viewBox=\"0 0 24 24\">") + drawing.content + "</svg>";
+}
+
+/// Writes a drawing into a folder and returns its path.
+std::filesystem::path fileOf(const Drawing &drawing, const TemporaryFolder &folder) {
+    REQUIRE(writeFileAtomically(folder / "drawing.svg", svgOf(drawing)).empty());
+    return folder / "drawing.svg";
+}
+
+std::uint64_t hashOf(const Domain &domain) {
+    MeshingJob job;
+    job.domain = domain;
+    auto outcome = meshDomain(job);
+    REQUIRE_MESSAGE(outcome.ok(), messages(outcome.faults()));
+    return meshHash(outcome->mesh);
+}
+
+bool sameDomain(const Domain &a, const Domain &b) {
+    const auto same = [](const DomainSegment &s, const DomainSegment &t) {
+        return s.a == t.a && s.b == t.b && s.tag == t.tag && s.role == t.role && s.stretch == t.stretch;
+    };
+    return a.nodes == b.nodes && a.curves == b.curves &&
+           std::equal(a.segments.begin(), a.segments.end(), b.segments.begin(), b.segments.end(), same);
+}
+
+std::size_t curvedSegments(const Document &document) {
+    std::size_t count = 0;
+    for (const auto &shape : document.shapes) {
+        const Outline outline = outlineOf(*shape);
+        for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
+            count += outline.isCurved(k) ? 1U : 0U;
+        }
+    }
+    return count;
+}
+
+} // namespace
+
+TEST_CASE("Curved drawings: a document meshes like its file, also after it was saved and read again") {
+    for (const Drawing &drawing : kDrawings) {
+        CAPTURE(drawing.what);
+        const TemporaryFolder folder;
+        const auto path = fileOf(drawing, folder);
+        const Result<Domain> domain = readDomain(path);
+        const Result<Document> document = readDocument(path);
+        REQUIRE(domain.ok());
+        REQUIRE(document.ok());
+        CHECK(sameDomain(toDomain(*document), *domain));
+        const Result<Document> again = parseProject(projectText(*document), "again.forefront");
+        REQUIRE_MESSAGE(again.ok(), messages(again.faults()));
+        CHECK(sameContent(*again, *document));
+        CHECK(validate(*domain).empty());
+        CHECK(hashOf(toDomain(*again)) == hashOf(*domain));
+        CHECK(sameContent(fromDomain(toDomain(*document)), *document));
+    }
+}
+
+TEST_CASE("Curved drawings: paths keep the curves of the file exactly") {
+    const TemporaryFolder folder;
+    const Drawing drop{"drop", R"svg(<g transform="scale(2)"><path d="M1 2C3 4 5 -6 7 2A3 2 0 0 1 1 2z"/></g>)svg"};
+    const Result<Document> document = readDocument(fileOf(drop, folder));
+    REQUIRE(document.ok());
+    REQUIRE(document->shapes.size() == 1);
+    const Shape &shape = *document->shapes[0];
+    REQUIRE(shape.nodes.size() == 2);
+    REQUIRE(shape.curves.size() == 2);
+    const Vec2 start = shape.nodes[0];
+    CHECK(shape.curves[0] == Curve::cubic(start, {6, start.y - 4}, {10, start.y + 16}, {14, start.y}));
+    REQUIRE(shape.curves[1].kind() == CurveKind::Arc);
+    CHECK(shape.curves[1].numbers()[2] == doctest::Approx(6.0));
+    CHECK(joins(shape.curves[1], shape.nodes[1], start));
+}
+
+TEST_CASE("Curved drawings: loops of one curve become circles and ellipses, and crossings end curves") {
+    const TemporaryFolder folder;
+    const Result<Document> loops = readDocument(fileOf(kDrawings[0], folder));
+    REQUIRE(loops.ok());
+    REQUIRE(loops->shapes.size() == 2);
+    CHECK(loops->shapes[0]->kind == ShapeKind::Circle);
+    CHECK(circleRadius(*loops->shapes[0]) == doctest::Approx(4.0));
+    CHECK(loops->shapes[1]->kind == ShapeKind::Ellipse);
+    CHECK(areaOf(*loops->shapes[1]) == doctest::Approx(18.0 * kPi));
+    const Result<Document> crossing = readDocument(fileOf(kDrawings[5], folder));
+    REQUIRE(crossing.ok());
+    REQUIRE(crossing->shapes.size() == 1);
+    CHECK(curvedSegments(*crossing) >= 2);
+    const double lens = 2.0 * (36.0 * std::acos(0.5) - 3.0 * std::sqrt(27.0));
+    CHECK(areaOf(*crossing->shapes[0]) == doctest::Approx(72.0 * kPi - lens).epsilon(2e-3));
+}
+
+TEST_CASE("toDomain: curved segments become chords that follow their curves, with the tags of the segments") {
+    const Document document = documentOf({sail()});
+    const Domain domain = toDomain(document);
+    REQUIRE(domain.curves.size() == 2);
+    CHECK(domain.curves[0] == kWave);
+    CHECK(validate(domain).empty());
+    for (const DomainSegment &segment : domain.segments) {
+        if (segment.stretch.follows()) {
+            const Curve &curve = domain.curves[segment.stretch.curve];
+            CHECK(distance(curve.point(segment.stretch.t0), domain.nodes[segment.a]) <= 1e-12);
+            CHECK(distance(curve.point(segment.stretch.t1), domain.nodes[segment.b]) <= 1e-12);
+            CHECK(segment.tag == static_cast<std::int32_t>(3 + segment.stretch.curve));
+        } else {
+            CHECK(segment.tag == 5);
+        }
+    }
+    const CurveChains chains = curveChains(domain);
+    CHECK(chains.list.size() == 2);
+    CHECK(fromDomain(domain).shapes[0]->curves == sail().curves);
+}
+
+TEST_CASE("Shapes with curves: bounds, area and length are those of the curves") {
+    const Shape shape = sail();
+    CHECK(boundsOf(shape).max == Vec2{6, 4});
+    CHECK(boundsOf(shape).min.y == doctest::Approx(kWave.bounds().min.y));
+    CHECK(areaOf(shape) == doctest::Approx(8.0 + 2.0 * kPi)); // the wave is symmetric
+    CHECK(lengthOf(shape) == doctest::Approx(kWave.length() + 2.0 * kPi + std::sqrt(32.0)));
+    CHECK(contains(shape, {5.5, 2}));
+    CHECK_FALSE(contains(shape, {5.9, 0.2}));
+    Shape ellipse = makeShape(ShapeKind::Ellipse, {{1, 1}, {4, 1}, {1, 3}});
+    CHECK(areaOf(ellipse) == doctest::Approx(6.0 * kPi));
+    CHECK(boundsOf(ellipse).min.x == doctest::Approx(-2.0));
+    CHECK(boundsOf(ellipse).max.y == doctest::Approx(3.0));
+    CHECK(areaOf(roundedBox(1.0)) == doctest::Approx(24.0 - 4.0 + kPi));
+    CHECK(lengthOf(roundedBox(1.0)) == doctest::Approx(12.0 + 2.0 * kPi));
+}
+
+TEST_CASE("A rectangle with rounded corners: sides without length vanish, tags are those of the sides") {
+    for (const double radius : {0.5, 2.0, 9.0}) { // half the shorter side is 2
+        CAPTURE(radius);
+        Shape box = roundedBox(radius);
+        box.segmentTags = {1, 2, 3, 4};
+        const Outline outline = outlineOf(box);
+        CHECK(outline.segmentCount() == (radius < 2.0 ? 8 : 6));
+        for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
+            CHECK(joins(outline.curve(k), outline.from(k), outline.to(k)));
+        }
+        const Document document = documentOf({box});
+        const Domain domain = toDomain(document);
+        CHECK(validate(domain).empty());
+        std::set<std::int32_t> tags;
+        for (const DomainSegment &segment : domain.segments) {
+            tags.insert(segment.tag);
+        }
+        CHECK(tags == std::set<std::int32_t>{1, 2, 3, 4});
+        const Result<Document> path = convertToPath(document, 1);
+        REQUIRE_MESSAGE(path.ok(), messages(path.faults()));
+        CHECK(sameDomain(toDomain(*path), domain));
+    }
+}
+
+TEST_CASE("convertToPath: a circle becomes four arcs of it") {
+    const Document document = documentOf({makeShape(ShapeKind::Circle, {{1, 2}, {4, 6}}, ShapeUse::Boundary, 7)});
+    const Result<Document> path = convertToPath(document, 1);
+    REQUIRE(path.ok());
+    const Shape &shape = *path->shapes[0];
+    CHECK(shape.kind == ShapeKind::Polygon);
+    CHECK(shape.nodes.size() == 4);
+    CHECK(curvedSegments(*path) == 4);
+    CHECK(areaOf(shape) == doctest::Approx(25.0 * kPi));
+    CHECK(shape.tag == 7);
+    CHECK(convertToPath(*path, 1).faults().front().code == "not-possible");
+}
+
+TEST_CASE("insertNode and deleteSelection: a divided curve keeps its shape, and comes back") {
+    const Document document = documentOf({sail()});
+    const Vec2 on = kWave.point(0.375);
+    const Result<Document> divided = insertNode(document, {1, 0}, on);
+    REQUIRE_MESSAGE(divided.ok(), messages(divided.faults()));
+    const Shape &shape = *divided->shapes[0];
+    REQUIRE(shape.curves.size() == 4);
+    CHECK(shape.nodes[1] == on);
+    CHECK(shape.segmentTags == std::vector<std::int32_t>{3, 3, 4, 5});
+    for (double t = 0.0; t <= 1.0; t += 0.125) {
+        const Curve &half = shape.curves[t < 0.375 ? 0 : 1];
+        const double own = t < 0.375 ? t / 0.375 : (t - 0.375) / 0.625;
+        CHECK(distance(half.point(own), kWave.point(t)) <= 1e-12);
+    }
+    Selection node;
+    node.nodes = {{1, 1}};
+    const Document merged = deleteSelection(*divided, node);
+    REQUIRE(merged.shapes[0]->curves.size() == 3);
+    double worst = 0.0;
+    for (double t = 0.0; t <= 1.0; t += 0.0625) {
+        const Curve &back = merged.shapes[0]->curves[0];
+        worst = std::max(worst, distance(back.point(back.nearest(kWave.point(t))), kWave.point(t)));
+    }
+    CHECK(worst <= 0.02);
+    const Result<Document> arc = insertNode(document, {1, 1}, {6, 2});
+    REQUIRE(arc.ok());
+    node.nodes = {{1, 2}};
+    const Curve whole = deleteSelection(*arc, node).shapes[0]->curves[1]; // arcs of one circle join exactly
+    REQUIRE(whole.kind() == CurveKind::Arc);
+    CHECK(whole.numbers()[7] == doctest::Approx(kPi));
+}
+
+TEST_CASE("moveSelection: curves move with their shapes, and bend with their nodes") {
+    const Document document = documentOf({sail()});
+    Selection whole, node, both;
+    whole.shapes = {1};
+    const Shape moved = *moveSelection(document, whole, {1.0 / 3.0, 100})->shapes[0];
+    CHECK(moved.curves[1].numbers()[4] == 2.0);
+    CHECK(joins(moved.curves[1], moved.nodes[1], moved.nodes[2]));
+    node.nodes = {{1, 1}};
+    const Shape bent = *moveSelection(document, node, {0, -1})->shapes[0];
+    CHECK(bent.curves[0] == Curve::cubic({0, 0}, {1, -2}, {3, 1}, {4, -1}));
+    CHECK(joins(bent.curves[1], {4, -1}, {4, 4}));
+    CHECK(bent.curves[1].turning() == doctest::Approx(kPi)); // still a half circle
+    both.segments = {{1, 1}};                                // both ends by the length of the arc's chord
+    const Shape shifted = *moveSelection(document, both, {0, 4})->shapes[0];
+    CHECK(joins(shifted.curves[1], {4, 4}, {4, 8}));
+    CHECK(moveSelection(document, node, {0, 4}).faults().front().code == "bad-curve"); // an arc without a chord
+}
+
+TEST_CASE("toggleClosed and deleteSelection of segments keep the curves that are left") {
+    const Document document = documentOf({sail()});
+    const Result<Document> open = toggleClosed(document, 1);
+    REQUIRE(open.ok());
+    CHECK(open->shapes[0]->kind == ShapeKind::Polyline);
+    CHECK(sameDomain(toDomain(*open), toDomain(document)));
+    CHECK(sameContent(*toggleClosed(*open, 1), document));
+    Selection side;
+    side.segments = {{1, 2}};
+    const Shape rest = *deleteSelection(document, side).shapes[0];
+    CHECK(rest.curves == std::vector<Curve>{sail().curves[0], sail().curves[1]});
+    CHECK(rest.segmentTags == std::vector<std::int32_t>{3, 4});
+}
+
+TEST_CASE("PickIndex: the nearest point of a curved segment is on its curve") {
+    const auto document = std::make_shared<const Document>(documentOf({sail()}));
+    const PickIndex index(document);
+    const auto hit = index.segment({6.1, 2}, 0.2);
+    REQUIRE(hit);
+    CHECK(hit->ref == SegmentRef{1, 1});
+    CHECK(distance(hit->at, {6, 2}) <= 1e-9);
+    CHECK(hit->t == doctest::Approx(0.5));
+    CHECK_FALSE(index.segment({4, 2}, 0.2)); // the chord of the arc
+    Random random(3);
+    for (int k = 0; k < 200; ++k) {
+        const Vec2 p = random.place(7);
+        const Outline outline = outlineOf(*document->shapes[0]);
+        double nearest = 1e9;
+        for (std::size_t s = 0; s < outline.segmentCount(); ++s) {
+            for (int i = 0; i <= 2000; ++i) {
+                nearest = std::min(nearest, distance(outline.curve(s).point(i / 2000.0), p));
+            }
+        }
+        const auto found = index.segment(p, 20);
+        REQUIRE(found);
+        CHECK(found->distance <= nearest + 1e-12);
+        CHECK(found->distance >= nearest - 5e-3);
+    }
+}
+
+TEST_CASE("joinToSegments: a line that ends on a curve divides it there") {
+    const Vec2 on = sail().curves[1].point(0.25);
+    Document document = documentOf({sail()});
+    document = *addShape(document, makeShape(ShapeKind::Polyline, {{4, 2}, on}, ShapeUse::Constraint));
+    const Document joined = joinToSegments(document, 2);
+    REQUIRE(joined.shapes[0]->nodes.size() == 4);
+    CHECK(joined.shapes[0]->nodes[2] == on);
+    CHECK(validate(toDomain(joined)).empty());
+    CHECK(areaOf(*joined.shapes[0]) == doctest::Approx(areaOf(sail())));
+}
+
+TEST_CASE("combineShapes: curves stay curves") {
+    const Document document = documentOf({makeShape(ShapeKind::Rectangle, {{0, -5}, {5, 5}}),
+                                          makeShape(ShapeKind::Circle, {{0, 0}, {2, 0}}, ShapeUse::Boundary, 3)});
+    const Result<Document> cut = combineShapes(document, {1, 2}, ShapeOperation::Difference);
+    REQUIRE(cut.ok());
+    REQUIRE(cut->shapes.size() == 1);
+    CHECK(areaOf(*cut->shapes[0]) == doctest::Approx(50.0 - 2.0 * kPi).epsilon(1e-9));
+    CHECK(curvedSegments(*cut) <= 2); // the circle begins at (2, 0)
+    const Document apart = documentOf({makeShape(ShapeKind::Circle, {{0, 0}, {2, 0}}), roundedBox(1.0)});
+    const Result<Document> both = combineShapes(apart, {1, 2}, ShapeOperation::Exclusion);
+    REQUIRE(both.ok());
+    CHECK(curvedSegments(*both) >= 4);
+    CHECK(validate(toDomain(*both)).empty());
+}
+
+TEST_CASE("repairDrawing: a crossing of curves is repaired, and what is left are curves with their names") {
+    Shape disc = makeShape(ShapeKind::Circle, {{6, 2}, {7, 2}}, ShapeUse::Boundary, 9);
+    disc.name = "disc";
+    Shape alone = makeShape(ShapeKind::Circle, {{20, 0}, {21, 0}});
+    const Document document = documentOf({sail(), disc, alone});
+    const Result<RepairedDrawing> repaired = repairDrawing(document);
+    REQUIRE(repaired.ok());
+    CHECK(repaired->left.empty());
+    CHECK(curvedSegments(repaired->document) >= 5);
+    CHECK(*repaired->document.shapes[0] == *document.shapes[2]);
+    bool named = false;
+    for (const auto &shape : repaired->document.shapes) {
+        named = named || shape->name == "disc";
+    }
+    CHECK(named);
+}
+
+TEST_CASE("checkShape: refuses curves that are not finite, have no radius or miss their nodes") {
+    const auto codeWith = [](const Curve &curve) {
+        Shape shape = sail();
+        shape.curves[1] = curve;
+        const Diagnostics faults = checkShape(shape);
+        return faults.empty() ? std::string() : faults.front().code;
+    };
+    CHECK(codeWith(sail().curves[1]).empty());
+    CHECK(codeWith(Curve::arc({4, 2}, {0, -2}, {0, 2}, 0.0, kPi)) == "bad-curve");
+    CHECK(codeWith(Curve::arc({4, 2}, {0, -2}, {2, 0}, 0.0, 0.0)) == "bad-curve");
+    CHECK(codeWith(Curve::arc({4, 2.1}, {0, -2}, {2, 0}, 0.0, kPi)) == "bad-curve");
+    CHECK(codeWith(Curve::cubic({4, 0}, {std::nan(""), 0}, {5, 5}, {4, 4})) == "bad-curve");
+    Shape lens = makeShape(ShapeKind::Polygon, {{0, 0}, {2, 0}});
+    CHECK(checkShape(lens).front().code == "bad-shape");
+    lens.curves = {Curve::arc({1, 0}, {-1, 0}, {0, -1}, 0.0, kPi), {}};
+    CHECK(checkShape(lens).empty());
+    CHECK(validate(toDomain(documentOf({lens}))).empty());
+    CHECK(checkShape(makeShape(ShapeKind::Ellipse, {{0, 0}, {1, 0}, {2, 0}})).front().code == "bad-shape");
+}
+
+TEST_CASE("setHandle: perpendicular half-axes of an ellipse stay perpendicular") {
+    const Document document = documentOf({makeShape(ShapeKind::Ellipse, {{1, 1}, {4, 1}, {1, 3}})});
+    CHECK(setHandle(document, {1, 1}, {1, 7})->shapes[0]->nodes == std::vector<Vec2>{{1, 1}, {1, 7}, {-1, 1}});
+    CHECK(setHandle(document, {1, 2}, {9, 2})->shapes[0]->nodes == std::vector<Vec2>{{1, 1}, {4, 1}, {1, 2}});
+    CHECK(setHandle(document, {1, 0}, {2, 2})->shapes[0]->nodes == std::vector<Vec2>{{2, 2}, {5, 2}, {2, 4}});
+    CHECK(setHandle(document, {1, 1}, {1, 1}).ok());
+}
