@@ -15,7 +15,7 @@ struct EditorArguments {
 /// Exit code of runEditor if no window can be opened (no display, no OpenGL 3.3).
 inline constexpr int kNoWindow = 4;
 
-/// Opens the window and stays until it is closed. Returns the exit code of the program.
+/// Opens the window and returns, once it is closed, the exit code of the program.
 int runEditor(const EditorArguments &arguments);
 
 } // namespace forefront

@@ -16,7 +16,7 @@ namespace forefront {
 /// The name that stands for standard input and output on the command line.
 inline constexpr const char *kStandardStream = "-";
 
-/// True if a path on the command line names standard input or output.
+/// Returns true if a path on the command line names standard input or output.
 inline bool isStandardStream(const std::filesystem::path &path) {
     return path == kStandardStream;
 }

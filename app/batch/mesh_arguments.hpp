@@ -37,7 +37,7 @@ struct MeshArguments {
     std::optional<std::filesystem::path> statistics;
     bool quiet = false;
 
-    /// True if the statistics go to standard output, which then holds nothing else.
+    /// Returns true if the statistics go to standard output, which then holds nothing else.
     bool printsStatistics() const { return statistics && *statistics == "-"; }
 };
 

@@ -32,11 +32,11 @@ std::string checkFormats(const std::vector<std::filesystem::path> &outputs, cons
 std::vector<Output> pairFormats(const std::vector<std::filesystem::path> &outputs,
                                 const std::vector<std::string> &formats);
 
-/// Returns what can be said of the places of outputs before hours of work are spent: folders that do not exist, paths
-/// that are folders, files that are given twice or are inputs.
+/// Returns the faults of output paths that can be found before hours of work are spent: folders that do not exist,
+/// paths that are folders, files that are given twice or are inputs.
 Diagnostics checkOutputs(const std::vector<Output> &outputs, const std::vector<std::filesystem::path> &inputs = {});
 
-/// True if one of the outputs is standard output, which then holds nothing else.
+/// Returns true if one of the outputs is standard output, which then holds nothing else.
 bool usesStandardOutput(const std::vector<std::filesystem::path> &outputs);
 
 /// Writes a mesh to a file or to standard output. The result holds errors, else the notes of exportNotes().

@@ -8,8 +8,8 @@
 
 namespace forefront {
 
-/// A problem of our own for a published row of adaptive refinement: of the publication's domains and fields nothing is
-/// known but the number of boundary nodes, the minimum node spacing and the size of the mesh.
+/// A problem of our own in place of a published row of adaptive refinement, of which only the number of boundary nodes,
+/// the minimum node spacing and the size of the mesh are known.
 struct AdaptiveCase {
     Domain domain;
     std::string field;  ///< expression in x and y

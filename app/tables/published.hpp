@@ -26,11 +26,11 @@ struct PublishedFigures {
     double efficiency = 0.0;           ///< time without grid / time with it
 };
 
-/// All lines, in the order of the tables. Generated from assets/lo_tables.csv when the program is built.
+/// Returns all lines, in the order of the tables. Generated from assets/lo_tables.csv when the program is built.
 std::span<const PublishedFigures> publishedFigures();
 
-/// The line of a row and a grid; that of 60x40, the best published, for grids that Lo did not have; null for an
-/// unknown row.
+/// Returns the line of a row and a grid; for grids that Lo did not have, that of 60x40, his best; null for an unknown
+/// row.
 const PublishedFigures *publishedFigures(std::string_view row, std::string_view grid);
 
 } // namespace forefront

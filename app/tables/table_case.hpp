@@ -14,9 +14,9 @@ struct TableCase {
     bool adaptive = false; ///< 3 and 4: the domain and the field are ours, see adaptive_case.hpp
 };
 
-/// These rows in the order of the tables.
+/// Returns all rows, in the order of the tables.
 std::span<const TableCase> tableCases();
-/// Null for an unknown row; letters in either case, and a star behind 3 and 4, whose cases are ours, or none.
+/// Returns the row with this name, or null. Ignores case, and accepts a star after 3 and 4, whose cases are our own.
 const TableCase *tableCase(std::string_view row);
 
 /// The job of a row that is not adaptive, with the boundary kept as it is given and without improvement.

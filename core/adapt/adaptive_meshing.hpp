@@ -36,7 +36,7 @@ struct AdaptOutcome {
     SpacingSpec spacing;            ///< spacing of the last round, defined on the previous mesh
     std::vector<AdaptRound> rounds; ///< the given mesh and each new one
     bool met = false;               ///< the last estimate is within the target
-    bool stalled = false;           ///< finer meshes did not lower the estimate, as where the field jumps
+    bool stalled = false;           ///< finer meshes no longer lower the estimate, for example at a jump of the field
 };
 
 /// Adapts a mesh to a target error in rounds: estimates the error, remeshes the domain with the spacing that follows

@@ -32,7 +32,8 @@ std::vector<double> nodalSpacing(const Mesh &mesh, std::span<const double> eleme
 /// Returns false when cancelled.
 bool limitGradation(const Mesh &mesh, double gradation, std::span<double> spacing, const Progress &progress = {});
 
-/// Performs these three steps and returns the node spacing with `mesh` as background mesh. Error: "cancelled".
+/// Calls the three functions above in turn and returns the node spacing with `mesh` as background mesh. Error:
+/// "cancelled".
 Result<SpacingSpec> adaptedSpacing(const Mesh &mesh, const ErrorEstimate &estimate, const AdaptTarget &target,
                                    const Progress &progress = {});
 

@@ -22,7 +22,7 @@ using CornerGradients = std::vector<std::array<Vec2, 3>>;
 /// patch recovery and a posteriori error estimates", Int. J. Numer. Meth. Engng 33 (1992): at each node a linear
 /// function is fitted by least squares to the gradients at the centroids of the elements around it and evaluated at the
 /// node. Patches at the boundary, with too few elements for a fit, include the next ring. Where no fit is possible, the
-/// result is the mean weighted by area. Patches never cross the border between regions, where a gradient may jump.
+/// result is the area-weighted mean. Patches never cross the border between regions, where a gradient may jump.
 /// `gradients`: one per element. Error: "cancelled".
 Result<CornerGradients> recoverGradient(const Mesh &mesh, std::span<const Vec2> gradients,
                                         const Progress &progress = {});

@@ -65,7 +65,7 @@ struct ArrangementFeature {
 };
 
 struct ArrangementInput {
-    // Each returns the index of what it adds.
+    // The next three return the index of what they add.
     std::uint32_t addFeature(std::int32_t regionTag, std::string name = {});
     std::uint32_t addShape(std::uint32_t feature);
     std::uint32_t addContour(std::uint32_t shape, FillRule rule = FillRule::NonZero, bool hole = false);
@@ -97,8 +97,8 @@ struct PieceStretch {
 };
 
 struct Arrangement {
-    /// Even-odd, without names, with the curves that segments follow. Nodes, segments and points come in the order of
-    /// the pieces.
+    /// The domain, with the even-odd rule, without names, and with the curves that segments follow. Nodes, segments and
+    /// points come in the order of the pieces.
     Domain domain;
     std::vector<std::uint32_t> nodePiece;     ///< per node: the first piece that passes through it
     std::vector<PieceStretch> stretches;      ///< per segment: the first piece that runs along it

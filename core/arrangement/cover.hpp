@@ -15,8 +15,8 @@ struct ContourRun {
     std::int32_t times = 0;
 };
 
-/// The outlines along each edge: runs[starts[e]] to runs[starts[e + 1]], by contour. The number is 0 for a contour that
-/// runs forward and back.
+/// The outlines along each edge e: runs[starts[e]] up to but excluding runs[starts[e + 1]], sorted by contour. A
+/// contour that runs forward and back counts 0 times.
 struct EdgeRuns {
     std::vector<std::uint32_t> starts;
     std::vector<ContourRun> runs;
@@ -27,9 +27,10 @@ struct FaceCover {
     std::vector<std::uint32_t> shapes;      ///< per face: how many shapes cover it
     std::vector<std::uint32_t> owner;       ///< per face: the feature it belongs to, or kNoIndex outside
     std::vector<std::uint32_t> rivalStarts; ///< features that cover a face, if several: a range of rivals per face
-    std::vector<std::uint32_t> rivals;      ///< by index
+    std::vector<std::uint32_t> rivals;      ///< sorted by index
     std::vector<double> area;               ///< per face; meaningless for the unbounded face
-    std::vector<std::vector<std::uint32_t>> holders; ///< per feature: the features that cover all its faces, by index
+    std::vector<std::vector<std::uint32_t>>
+        holders; ///< per feature: the features that cover all its faces, sorted by index
     /// Per edge: how many shapes cover its left face but not its right one.
     std::vector<std::uint32_t> ends;
 

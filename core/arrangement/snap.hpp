@@ -16,16 +16,16 @@ struct SnapLine {
     Vec2 b;
 };
 
-/// Nodes and edges that keep clear of each other, and the way of each line along them.
+/// Nodes and edges that keep clear of each other, and the path of each line along them.
 struct SnappedLines {
     std::vector<Vec2> nodes;
-    std::vector<std::uint8_t> crossing; ///< per node: true if it is the place of a crossing and no end of a line
+    std::vector<std::uint8_t> crossing; ///< per node: true if it is a crossing and not the end of a line
     std::vector<PlaneEdge> edges;
-    std::vector<std::uint32_t> starts; ///< per line and one more: where its way begins
+    std::vector<std::uint32_t> starts; ///< per line: where its path begins in `ways`; then the size of `ways`
     std::vector<std::uint32_t> ways;   ///< 2e: along edge e from a to b; 2e + 1: back
     std::vector<std::uint32_t> first;  ///< per line: the node that its first end became
     double radius = 0.0;               ///< things joined were at most this far apart
-    double displacement = 0.0;         ///< maximum distance between a line and its way
+    double displacement = 0.0;         ///< maximum distance between a line and its path
     bool finished = true;              ///< false if asked to stop
 };
 
@@ -42,10 +42,10 @@ SnappedLines unsnapped(std::span<const SnapLine> lines);
 /// the edge. So joining again with that radius changes nothing. The radius is the tolerance, but where several things
 /// crowd within it so that steps add up to more than the tolerance, it is halved until they do not.
 ///
-/// Ends of lines become nodes as they are; of several within the radius the first one does, by x, then y, and the
+/// Ends of lines become nodes unchanged; of several within the radius, the first by x, then y, becomes a node, and the
 /// others move onto it (as snap rounding does with the pixels of a grid: J. Hershberger, Stable snap rounding, 2013).
-/// Then edges near a node are routed through it, and crossing edges get a node, until nothing is left to do. This
-/// ends, since nodes keep apart and edges only get shorter. O(n log n) for the usual few rounds.
+/// Then edges near a node are routed through it, and crossing edges get a node, until nothing is left to do. This ends,
+/// since nodes keep apart and edges only get shorter. O(n log n) for the usual few rounds.
 SnappedLines snapLines(std::span<const SnapLine> lines, double tolerance, const std::stop_token &stop = {});
 
 } // namespace forefront

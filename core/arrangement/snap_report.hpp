@@ -7,8 +7,8 @@
 
 namespace forefront {
 
-/// Adds to `changes` how the ways of the lines differ from the lines: ends that moved, nodes at crossings, nodes on and
-/// near lines, lines shorter than the radius. The pieces are the indices of the lines.
+/// Adds to `changes` how the paths of the lines differ from the lines: ends that moved, nodes at crossings, nodes on
+/// and near lines, lines shorter than the radius. The pieces are the indices of the lines.
 void noteSnapping(std::span<const SnapLine> lines, const SnappedLines &snapped, ChangeList &changes);
 
 /// Returns the node that the second end of a line became.

@@ -40,7 +40,7 @@ class CurveCuts {
     SpacingIntegral::Outcome divide(std::uint32_t chain, const SpacingField &spacing, double longest, double limit,
                                     const Progress &progress, SpacingIntegral &integral);
     /// Halves pieces. Where one is already much finer than the chords of the domain, these are taken as straight
-    /// segments instead, and all chains are to be divided again. Duplicates in the list count once.
+    /// segments instead, and all chains must be divided again. Duplicates in the list count once.
     void refine(std::vector<ChainPiece> pieces);
 
   private:

@@ -19,7 +19,7 @@ struct Division {
     std::span<const std::uint32_t> pointBelow;  ///< likewise: the domain segment directly below, or kNoIndex
 };
 
-/// What has to change before the pieces of a division meet only in common ends, each on its side.
+/// What has to change before the pieces of a division meet only in common ends, each on its own side.
 struct MeetingParts {
     std::vector<std::uint32_t> segments; ///< straight segments of the domain, in order
     std::vector<ChainPiece> pieces;      ///< of curves

@@ -8,7 +8,7 @@
 
 namespace forefront {
 
-/// Returns the region directly above an edge of a discrete domain, outside of all edges if it is kNoIndex.
+/// Returns the region directly above an edge of a discrete domain; for kNoIndex instead of an edge, kOutside.
 std::uint32_t regionAbove(const DiscreteDomain &domain, std::uint32_t edge);
 
 /// Finds nodes that are on the wrong side of something: where the regions of the segments around a node disagree, or

@@ -49,10 +49,10 @@ class SpacingIntegral {
     /// Returns the place where ρ was invalid, after BadSpacing.
     Vec2 badPlace() const { return badPlace_; }
 
-    /// Returns the number of pieces (>= 1) whose length is closest to the spacing as a ratio.
+    /// Returns the number of pieces (>= 1) whose length is closest in ratio to the spacing.
     double pieces() const;
 
-    /// Sets `fractions` to the count - 1 inner ends of `count` pieces with equal shares of the integral.
+    /// Sets `fractions` to the count - 1 cuts between `count` pieces with equal shares of the integral.
     void cut(std::uint32_t count, std::vector<double> &fractions) const;
 
   private:
@@ -76,7 +76,7 @@ class SpacingIntegral {
     Vec2 badPlace_;
 };
 
-/// Returns ∫ds/ρ over a segment from at most 4096 samples, within some 10 %; not finite if ρ is 0 or NaN somewhere.
+/// Returns ∫ds/ρ over a segment from at most 4096 samples, within about 10 %; not finite if ρ is 0 or NaN somewhere.
 double roughSpacingIntegral(const SpacingField &spacing, Vec2 a, Vec2 b, double rhoA, double rhoB);
 
 } // namespace forefront

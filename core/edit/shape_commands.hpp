@@ -25,7 +25,8 @@ Document deleteSelection(const Document &document, const Selection &selection);
 /// Copies the selected shapes and sources and moves the copies by `by`; `copies`, if not null, becomes their selection.
 Result<Document> duplicateSelection(const Document &document, const Selection &selection, Vec2 by, Selection *copies);
 
-/// Moves a handle to a place. The corner of a rectangle moves its neighbours along, the centre of a circle the circle.
+/// Moves a handle to a place. A corner of a rectangle takes the two adjacent corners with it, and the centre of a
+/// circle the whole circle.
 Result<Document> setHandle(const Document &document, NodeRef node, Vec2 to);
 Result<Document> setRadius(const Document &document, std::uint32_t circle, double radius);
 /// Moves the second end of a segment so that it gets this length.

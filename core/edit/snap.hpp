@@ -6,7 +6,7 @@
 
 namespace forefront {
 
-/// The thing that a point snapped to.
+/// The kind of target that a point snapped to.
 enum class SnapKind : std::uint8_t {
     None,
     Node,

@@ -13,7 +13,7 @@ namespace forefront {
 
 /// A static tree over boxes, for finding the items near a place. Works for any sizes and distribution.
 ///
-/// Items lie in Morton order of their centres, `kFan` children to a box. Building sorts once, O(n log n). A query
+/// Items lie in Morton order of their centres, with `kFan` children per box. Building sorts once, O(n log n). A query
 /// visits items in an order that depends on the boxes alone. Boxes may be degenerate, or as large as doubles go; an
 /// item whose box holds a NaN is never found.
 class BoxTree {
@@ -33,8 +33,8 @@ class BoxTree {
                });
     }
 
-    /// Calls visit(item) for every item whose box passes meets(box), until visit returns false. meets() must be true
-    /// for every box that holds one for which it is true. Returns false if a visit stopped the search.
+    /// Calls visit(item) for every item whose box passes meets(box), until visit returns false. meets() must also be
+    /// true for every box that contains a box for which it is true. Returns false if a visit stopped the search.
     template <class Meets, class Visit>
     bool search(const Meets &meets, const Visit &visit) const {
         return levels_.empty() || descend(levels_.size() - 1, 0, levels_.back().size(), meets, visit);

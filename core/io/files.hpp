@@ -33,9 +33,9 @@ struct FileFormat {
 std::span<const FileFormat> fileFormats();
 /// Returns the formats with the extension of a path, in the order of preference.
 std::vector<const FileFormat *> fileFormatsNamed(const std::filesystem::path &path);
-/// Returns the format of a file by its first bytes, else by its extension; null if neither tells.
+/// Returns the format of a file by its first bytes, else by its extension; null if neither identifies it.
 const FileFormat *fileFormatOf(const std::filesystem::path &path);
-/// Returns the format of a file with this content, or else by its extension; null if neither tells.
+/// Returns the format of a file with this content, or else by its extension; null if neither identifies it.
 const FileFormat *fileFormatOf(const std::filesystem::path &path, std::string_view content);
 
 /// Reads a project file or any domain format, by extension and content: .json/.forefront project, GeoJSON, .poly, .svg,
@@ -46,39 +46,39 @@ Result<Document> readDocument(const std::filesystem::path &path, const ImportOpt
 /// Reads the domain of any file that readDocument reads.
 Result<Domain> readDomain(const std::filesystem::path &path, const ImportOptions &options = {},
                           ImportNotes *notes = nullptr);
-/// Adds the file's name to faults of the domain that readDomain gave of it and, where the format has such places
+/// Adds the file's name to the faults of a domain that readDomain read from it and, where the format has such places
 /// (.poly, GeoJSON, SVG, project), line and number of the parts. Reads the file once more. Faults that name a file
 /// already stay as they are.
 Diagnostics locateFaults(const std::filesystem::path &path, Diagnostics faults, const ImportOptions &options = {});
 /// Reads a mesh: MSH 2.2 (ASCII) or 4.1, VTU, VTK legacy, MEDIT, Abaqus, SU2, Triangle .node/.ele, OBJ.
 Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &options = {},
                       ImportNotes *notes = nullptr);
-/// Reads a mesh and the nodal values of that name on it: point data of VTU and VTK legacy files, $NodeData of MSH.
+/// Reads a mesh and the nodal values with this name: point data of VTU and VTK legacy files, $NodeData of MSH.
 Result<MeshField> readField(const std::filesystem::path &path, std::string_view name, const ImportOptions &options = {},
                             ImportNotes *notes = nullptr);
 /// Reads the spacing of a background mesh with nodal values (MSH $NodeData), or that of a project file.
 Result<SpacingSpec> readSpacing(const std::filesystem::path &path, const ImportOptions &options = {},
                                 ImportNotes *notes = nullptr);
 
-/// Writes a mesh; the format by id, or by extension when empty (.msh is MSH 2.2). Atomic: a temporary file beside it,
-/// then renamed. Triangle: PATH.node, PATH.ele and PATH.edge. SVG draws the mesh.
+/// Writes a mesh in the format with this id or, if the id is empty, by the extension (.msh is MSH 2.2). Atomic: a
+/// temporary file beside it, then renamed. Triangle: PATH.node, PATH.ele and PATH.edge. SVG draws the mesh.
 Status writeMesh(const std::filesystem::path &path, const Mesh &mesh, std::string_view formatId = {},
                  const Progress &progress = {});
-/// Writes a mesh in the format of that id to a sink, such as standard output. Faults: unknown-format, also for formats
-/// of several files; cannot-write.
+/// Writes a mesh in the format with this id to a sink, such as standard output. Faults: unknown-format, also for
+/// formats of several files; cannot-write.
 Status writeMesh(ByteSink &sink, const Mesh &mesh, std::string_view formatId);
 
-/// Returns notes on the names of tags that a file written from this mesh holds in another form, such as identifiers;
-/// empty if there are none. Parameters as for writeMesh().
+/// Returns notes on the tag names of the mesh that the format changes, such as to identifiers; empty if there are none.
+/// Parameters as for writeMesh().
 Diagnostics exportNotes(const std::filesystem::path &path, const Mesh &mesh, std::string_view formatId = {});
 
 /// Returns the files that writeMesh writes under a name: one, or the three of Triangle.
 std::vector<std::filesystem::path> filesOfMesh(const std::filesystem::path &path, std::string_view formatId = {});
-/// Returns the files that reading one may look into: that one, those of Triangle side by side, and the .node file that
-/// a .poly file without nodes takes them from.
+/// Returns the files that reading `path` may open: that file, the other files of a Triangle mesh, and the .node file
+/// beside a .poly file without nodes of its own.
 std::vector<std::filesystem::path> filesRead(const std::filesystem::path &path);
-/// Returns why no file can be written in this place, as far as it shows without trying: it has no name, is a folder, or
-/// lies in one that does not exist. The fault does not name the file.
+/// Returns the reason why no file can be written at this path, as far as can be told without trying: the path has no
+/// file name, is a folder, or lies in a folder that does not exist. The fault does not name the file.
 Status checkPlace(const std::filesystem::path &path);
 
 } // namespace forefront

@@ -25,7 +25,7 @@ struct Format {
     Result<SpacingSpec> (*readSpacing)(const SourceText &) = nullptr;
     Result<MeshField> (*readField)(const SourceText &, std::string_view name) = nullptr;
     void (*writeMesh)(const Mesh &, TextWriter &) = nullptr;
-    /// Notes on what a file of this format has in another form than the mesh, such as names; null: nothing.
+    /// Returns notes on what the format changes in the mesh, such as names; null: it changes nothing.
     Diagnostics (*noteChanges)(const Mesh &) = nullptr;
     /// For formats of several files; else null.
     Status (*writeFiles)(const std::filesystem::path &, const Mesh &, const Progress &) = nullptr;
@@ -36,7 +36,7 @@ inline constexpr std::size_t kHeadBytes = 4096;
 /// Returns all formats, in the order of menus and, among those of one extension, of preference.
 std::span<const Format> formats();
 
-/// Returns the format of a file by its content, else by its extension; null if neither tells.
+/// Returns the format of a file by its content, else by its extension; null if neither identifies it.
 const Format *formatOf(const std::filesystem::path &path, std::string_view content);
 /// Returns the first format with the extension of a path for which `accepts` returns true; null if there is none.
 const Format *formatOfExtension(const std::filesystem::path &path, bool (*accepts)(const Format &));

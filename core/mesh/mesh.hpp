@@ -36,7 +36,7 @@ struct Mesh {
     std::vector<std::int32_t> regions; ///< region tag per element; empty: all 1
     std::vector<TaggedEdge> edges;     ///< boundary and constraint edges
     std::vector<TaggedNode> points;    ///< constraint points
-    std::vector<Curve> curves;         ///< that edges are chords of
+    std::vector<Curve> curves;         ///< those that tagged edges are chords of
     /// Per tagged edge, the part of a curve that it is a chord of; empty if the domain had no curves. Known for meshes
     /// made here; no file format keeps it.
     std::vector<CurveStretch> edgeStretches;

@@ -17,7 +17,7 @@ inline double clampedToBase(double rho, double length) {
     return std::clamp(rho, 0.55 * length, 2.0 * length);
 }
 
-/// A new node closer to Γ than this part of the node spacing counts as small, see FrontState::smallNodesLeft.
+/// A new node closer to Γ than this fraction of the node spacing counts as small, see FrontState::smallNodesLeft.
 inline constexpr double kSmallNode = 0.5;
 
 /// A base segment AB with the node spacing there.
@@ -70,7 +70,7 @@ class ApexSearch {
     /// Evaluates ρ and places the ideal point (steps 3 and 4). ρ is the mean of its values at the midpoint of AB and at
     /// the ideal point that follows from the first.
     void evaluateSpacing(Base &base);
-    /// Returns a box that everything find() depends on lies in or meets.
+    /// Returns a box that contains or meets everything that find() depends on.
     static Box2 reach(const Base &base, double radius);
     /// Finds the apex within one search radius (steps 5 to 8). Returns false if no candidate passes.
     bool find(const Base &base, const Limits &limits, Candidate &apex);

@@ -38,7 +38,7 @@ class FanBuilder {
     /// Places the apex at the mean of the ideal points of the segments. Returns false where that would make badly
     /// shaped elements, or elements too small for the node spacing.
     bool place(Fan &fan) const;
-    /// Returns a box that everything clear() depends on meets.
+    /// Returns a box that meets everything that clear() depends on.
     static Box2 reach(const Fan &fan);
     /// Returns true if the elements lie on the unmeshed side, meet no segment and enclose no node of Γ, and the apex
     /// keeps its distance from both (as in step 7).

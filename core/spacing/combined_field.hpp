@@ -14,7 +14,7 @@
 
 namespace forefront {
 
-/// The same spacing everywhere.
+/// A field with the same spacing everywhere.
 class ConstantField final : public SpacingField {
   public:
     ConstantField(double rho, SpacingOrigin origin) : rho_(rho), origin_(origin) {}
@@ -29,7 +29,8 @@ class ConstantField final : public SpacingField {
     SpacingOrigin origin_;
 };
 
-/// An expression alone, limits included. Faster than a combined field, and for many points at once.
+/// A field given by an expression alone, limits included. Faster than a combined field, above all for many points at
+/// once.
 class ExpressionField final : public SpacingField {
   public:
     explicit ExpressionField(ExpressionSpacing expression) : expression_(std::move(expression)) {}
@@ -98,7 +99,7 @@ struct FieldParts {
     }
 };
 
-/// The minimum of all parts.
+/// A field that is the minimum of all parts.
 class CombinedField final : public SpacingField {
   public:
     /// The bounds are those over `box`.

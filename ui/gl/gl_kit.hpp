@@ -38,7 +38,7 @@ class GlKit {
                    const FieldTint *tint);
     /// Sets the uniforms "centre" (split), "zoom" and "viewport" of the program in use.
     void setCamera(const ShaderProgram &program, const Camera &camera) const;
-    /// Textures of 256 x 1 colours.
+    /// Returns the texture of the cividis map, 256 x 1 colours.
     unsigned cividis() const { return cividis_; }
     /// Returns a vertex array without attributes, for shaders that compute their own corners.
     unsigned emptyArray() const { return emptyArray_; }

@@ -15,7 +15,7 @@ Result<Mesh> readAbaqus(const SourceText &source);
 bool looksLikeAbaqus(std::string_view head);
 /// Writes Abaqus and CalculiX input (.inp).
 void writeAbaqus(const Mesh &mesh, TextWriter &out);
-/// Returns notes on names and numbers that the file has in another form than the mesh.
+/// Returns notes on the names and numbers of the mesh that the format changes.
 Diagnostics noteAbaqusChanges(const Mesh &mesh);
 
 } // namespace forefront

@@ -16,7 +16,7 @@ class DrawingBuilder {
   public:
     explicit DrawingBuilder(const SourceText &source);
 
-    /// Sets the offsets in the text of the nodes of what is added next; the last one serves for all that follow.
+    /// Sets the byte offsets in the text of the nodes added next; nodes beyond the list take its last offset.
     void from(std::vector<std::size_t> offsets) { offsets_ = std::move(offsets); }
     std::uint32_t addFeature(std::int32_t regionTag, std::string name = {});
     std::uint32_t addShape(std::uint32_t feature) { return input_.addShape(feature); }
@@ -49,7 +49,7 @@ class DrawingBuilder {
     const SourceText &source_;
     ArrangementInput input_;
     std::vector<std::size_t> offsets_;
-    std::vector<std::size_t> places_; ///< where the ends of the pieces stand in the text, two per piece
+    std::vector<std::size_t> places_; ///< byte offsets in the text of the ends of the pieces, two per piece
 };
 
 } // namespace forefront

@@ -22,7 +22,8 @@ class PlanarMeshBuilder {
     }
     /// Reads x, y and, where `dimension` is 3, z, which must be the same for all nodes.
     bool readNode(TextScanner &scanner, std::int64_t number, int dimension);
-    /// Reads the coordinates of a node whose number was added before (formats that list numbers and places apart).
+    /// Reads the coordinates of a node whose number was added before (for formats that list numbers and coordinates
+    /// separately).
     bool readPlace(TextScanner &scanner, std::int64_t number, int dimension, Vec2 &place);
     /// Records the third coordinate of a node, found at byte `offset`.
     void noteHeight(double z, std::size_t offset);
@@ -43,12 +44,12 @@ class PlanarMeshBuilder {
 
   private:
     double minZ_ = 0.0, maxZ_ = 0.0;
-    std::size_t outOfPlane_ = 0; ///< place of the first node off the plane of the first
+    std::size_t outOfPlane_ = 0; ///< byte offset of the first node that is not in the plane of node 0
     bool anyNode_ = false, anyOutOfPlane_ = false;
 };
 
-/// Refuses an element or edge that names a node twice: it has no area or length, and its sides have no neighbours.
-/// Records the failure at `offset` and returns false.
+/// Refuses an element or edge that refers to a node twice, which has no area or length. Records the failure at `offset`
+/// and returns false.
 bool requireDistinct(TextScanner &scanner, std::size_t offset, std::span<const NodeId> nodes, Expect expect);
 
 /// Reads a tag: an integer >= 1; 0 and negative ones, which other programs write for "none", become 1.

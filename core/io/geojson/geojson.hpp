@@ -12,7 +12,7 @@ namespace forefront {
 /// one is a region of its own; lines and points are constraints. "name" and "tag" of a feature's properties name its
 /// boundary and region.
 Result<Domain> readGeoJson(const SourceText &source);
-/// Returns true if the first bytes of a file show that it is GeoJSON; a project may show the same words.
+/// Returns true if the first bytes of a file show that it is GeoJSON; a project may begin with the same words.
 bool looksLikeGeoJson(std::string_view head);
 
 } // namespace forefront

@@ -15,7 +15,7 @@ namespace forefront {
 Result<Mesh> readMsh(const SourceText &source);
 /// Reads the first scalar $NodeData as the spacing on a background mesh. Faults: no-values, bad-values.
 Result<SpacingSpec> readMshSpacing(const SourceText &source);
-/// Reads the mesh and the nodal values of that name. Faults as those of meshWithField.
+/// Reads the mesh and the nodal values with this name. Faults as those of meshWithField.
 Result<MeshField> readMshField(const SourceText &source, std::string_view name);
 /// Returns true if the first bytes of a file show that it is MSH.
 bool looksLikeMsh(std::string_view head);
@@ -26,7 +26,7 @@ void writeMsh2(const Mesh &mesh, TextWriter &out);
 void writeMsh4(const Mesh &mesh, TextWriter &out);
 /// Writes MSH 4.1, binary.
 void writeMsh4Binary(const Mesh &mesh, TextWriter &out);
-/// Returns notes on names and numbers that the file has in another form than the mesh.
+/// Returns notes on the names and numbers of the mesh that the format changes.
 Diagnostics noteMshChanges(const Mesh &mesh);
 
 } // namespace forefront

@@ -11,7 +11,7 @@
 
 namespace forefront {
 
-/// A physical group of a MSH file: the points, edges or triangles of one tag.
+/// A physical group of an MSH file: the points, edges or triangles of one tag.
 struct MshGroup {
     int dimension = 0;       ///< 0 points, 1 edges, 2 triangles
     std::int32_t tag = 1;    ///< in the mesh

@@ -13,9 +13,9 @@ namespace forefront {
 
 enum class JsonKind : std::uint8_t { Null, False, True, Number, String, Array, Object };
 
-/// A parsed JSON text as a flat tape of 16 bytes per value, in the order of the text. Every value knows its byte, so
-/// that a fault found later still has line and column; numbers and strings are decoded on demand. The text must outlive
-/// it.
+/// A parsed JSON text as a flat tape of 16 bytes per value, in the order of the text. Every value keeps its byte
+/// offset, so that a fault found later still has a line and column; numbers and strings are decoded on demand. The text
+/// must outlive it.
 ///
 /// Judged against simdjson's on-demand parser (Debian's 3.0.1) on a GeoJSON file of 70 MB with 4 million coordinates:
 /// 0.27 s of CPU time for parsing and decoding here, 0.10 s there (-O2, minimum of five runs). Reading the file into a

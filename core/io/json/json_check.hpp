@@ -11,8 +11,8 @@
 
 namespace forefront {
 
-/// Extracts typed fields from JSON values and collects their faults with their places. A wrong field
-/// yields a harmless default, so that all faults of a file come out at once.
+/// Extracts typed fields from JSON values and collects their faults with their places. A wrong field yields a harmless
+/// default, so that all faults of a file are reported at once.
 class JsonCheck {
   public:
     explicit JsonCheck(const SourceText &source) : source_(source) {}

@@ -11,7 +11,7 @@ namespace forefront {
 Result<Mesh> readObj(const SourceText &source);
 /// Writes Wavefront OBJ (.obj).
 void writeObj(const Mesh &mesh, TextWriter &out);
-/// Returns notes on names and numbers that the file has in another form than the mesh.
+/// Returns notes on the names and numbers of the mesh that the format changes.
 Diagnostics noteObjChanges(const Mesh &mesh);
 
 } // namespace forefront

@@ -10,7 +10,7 @@
 
 namespace FOREFRONT_API forefront {
 
-/// Something that a reader did not use, or decided for its user.
+/// Something in a file that a reader did not use, or a choice that it made for the user.
 struct ImportNote {
     std::string code;    ///< short stable identifier, such as "svg-text"
     std::string message; ///< "text is ignored: it has no outline"

@@ -15,7 +15,7 @@ Result<Mesh> readSu2(const SourceText &source);
 bool looksLikeSu2(std::string_view head);
 /// Writes SU2 (.su2), two-dimensional.
 void writeSu2(const Mesh &mesh, TextWriter &out);
-/// Returns notes on names and numbers that the file has in another form than the mesh.
+/// Returns notes on the names and numbers of the mesh that the format changes.
 Diagnostics noteSu2Changes(const Mesh &mesh);
 
 } // namespace forefront

@@ -9,7 +9,7 @@
 
 namespace forefront {
 
-/// The coordinates of a drawing in the domain.
+/// The map from the coordinates of a drawing to those of the domain.
 struct SvgAxes {
     AffineMap map;    ///< from user space to the domain
     Vec2 viewport;    ///< size of the outermost viewport in user units; 0 if unknown

@@ -47,7 +47,7 @@ class ByteScanner {
                     "expected an integer from " + std::to_string(minimum) + " to " + std::to_string(maximum) + " for " +
                         expect.words() + ", found " + std::to_string(value));
     }
-    /// Reads a 64-bit number of items that follow, each at minimum `size` bytes long.
+    /// Reads a 64-bit number of items that follow, each at least `size` bytes long.
     bool count(std::size_t &value, std::size_t size, Expect expect) {
         const std::size_t place = at_;
         std::uint64_t items = 0;

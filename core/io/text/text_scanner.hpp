@@ -59,11 +59,11 @@ class TextScanner {
     /// Reads a finite number.
     bool real(double &value, Expect expect);
     bool integer(std::int64_t &value, std::int64_t minimum, std::int64_t maximum, Expect expect);
-    /// Reads a number of items that follow, each at minimum `bytes` long.
+    /// Reads a number of items that follow, each at least `bytes` long.
     bool count(std::size_t &value, std::size_t bytes, Expect expect);
 
-    /// Gives a scanner of the next line that is not blank or a comment, at its first word. Returns false
-    /// at the end.
+    /// Sets `line` to a scanner of the next line that is not blank or a comment, at its first word. Returns false at
+    /// the end.
     bool nextLine(TextScanner &line);
     /// Returns the rest of this text without surrounding blanks.
     std::string_view rest();

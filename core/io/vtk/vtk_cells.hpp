@@ -30,7 +30,7 @@ struct VtkGrid {
     std::size_t offset = 0;                                 ///< of the cells, for faults
 };
 
-/// Makes a mesh of a grid, with the names of its tags. Failures are recorded in the scanner.
+/// Converts a grid to a mesh, with the names of its tags. Failures are recorded in the scanner.
 bool meshOfVtk(const VtkGrid &grid, TextScanner &scanner, Mesh &mesh);
 
 } // namespace forefront

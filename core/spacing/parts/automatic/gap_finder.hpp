@@ -35,7 +35,8 @@ struct Gap {
 /// useful element, at most 60 degrees off the normal. Divides stretches until the width along each varies by less than
 /// a factor of 2, or they are `shortest` long. Decides inside and outside by even-odd counting in floating point, which
 /// is good enough for sizes under either inside rule. Leaves out long gaps, and tips of corners below 20 degrees, that
-/// are narrower than 1/32 of the longest useful element: finer elements would only be more, not better.
+/// are narrower than 1/32 of the longest useful element: finer elements would add to their number, not to their
+/// quality.
 class GapFinder {
   public:
     /// `longest` is the maximum spacing; stretches shorter than `shortest` are not divided. `index` holds the segments,

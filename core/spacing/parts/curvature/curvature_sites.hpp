@@ -9,7 +9,8 @@ namespace forefront {
 /// of its area.
 inline constexpr double kSegmentsPerTurn = 40.0;
 
-/// The curvature rule: spacing of 2π / (n κ) along curves of the curvature κ, growing by `gradation`.
+/// Adds the sites of the curvature rule: a spacing of 2π / (n κ) along curves of curvature κ, where n is
+/// `segmentsPerTurn`, growing by `gradation`.
 ///
 /// With `visibleOnly`, where that would be needlessly fine, the spacing is such that edges leave at most a small
 /// fraction of the diagonal between them and the curve, and all curves together at most a small part of the area. Bends
