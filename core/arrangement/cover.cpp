@@ -339,7 +339,7 @@ class CoverFinder {
         }
     }
 
-    /// Over one with a lesser index.
+    /// Returns true if a feature wins over one with a lower index.
     bool wins(std::uint32_t feature, std::uint32_t over) const {
         return input_.overlap == OverlapRule::Later || featureArea_[feature] <= featureArea_[over];
     }

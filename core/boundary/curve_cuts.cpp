@@ -64,10 +64,10 @@ SpacingIntegral::Outcome CurveCuts::divide(std::uint32_t chain, const SpacingFie
     if (outcome != SpacingIntegral::Outcome::Done) {
         return outcome;
     }
-    const double least = about.start == about.end ? 3.0 : 1.0; // a loop needs three
+    const double minimum = about.start == about.end ? 3.0 : 1.0; // a loop needs three
     const auto cutInto = [&](double count) {
         std::vector<double> fractions;
-        integral.cut(static_cast<std::uint32_t>(std::max(least, count)), fractions);
+        integral.cut(static_cast<std::uint32_t>(std::max(minimum, count)), fractions);
         fractions.insert(fractions.begin(), 0.0);
         fractions.push_back(1.0);
         return fractions;

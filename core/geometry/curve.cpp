@@ -170,13 +170,13 @@ Vec2 Curve::tangent(double t) const {
     constexpr double kVanishes = 1e-13; // part of the curve's size
     Vec2 along = derivative(t);
     if (kind_ == CurveKind::Cubic) {
-        const double least =
+        const double negligible =
             kVanishes * std::max({distance(p_[0], p_[1]), distance(p_[0], p_[2]), distance(p_[0], p_[3])});
         const double ahead = t < 1.0 ? 1.0 : -1.0; // at the end, seen from before it
-        if (!(forefront::length(along) > least)) {
+        if (!(forefront::length(along) > negligible)) {
             along = ahead * secondDerivative(t);
         }
-        if (!(forefront::length(along) > least)) {
+        if (!(forefront::length(along) > negligible)) {
             along = p_[3] - 3.0 * p_[2] + 3.0 * p_[1] - p_[0];
         }
     }

@@ -243,14 +243,14 @@ class ElementCleanup {
     /// Moves the node unless that makes an α, as shapeFactor computes it, fall too low. Returns true if it moved.
     bool place(NodeId node, Vec2 by) {
         const Vec2 before = work_.at(node);
-        std::array<double, ImproveWorkspace::kMaxValence> was;
+        std::array<double, ImproveWorkspace::kMaxValence> oldAlpha;
         for (std::size_t i = 0; i < around_.count; ++i) {
-            was[i] = work_.alphaOf(around_.elements[i]);
+            oldAlpha[i] = work_.alphaOf(around_.elements[i]);
         }
         work_.mesh.nodes[index(node)] = before + by;
         for (std::size_t i = 0; i < around_.count; ++i) {
-            const double is = work_.alphaOf(around_.elements[i]);
-            if (!(is > kCertainAlpha) || (is < minAlpha_ && is < was[i])) {
+            const double alpha = work_.alphaOf(around_.elements[i]);
+            if (!(alpha > kCertainAlpha) || (alpha < minAlpha_ && alpha < oldAlpha[i])) {
                 work_.mesh.nodes[index(node)] = before;
                 return false;
             }

@@ -118,9 +118,9 @@ bool Cutout::drop(Local at, Local what) {
     return true;
 }
 
-void Cutout::exchange(Local at, Local was, Local is) {
+void Cutout::exchange(Local at, Local from, Local to) {
     Node &n = nodes_[at];
-    std::replace(n.ring, n.ring + n.size, was, is);
+    std::replace(n.ring, n.ring + n.size, from, to);
 }
 
 /// Changes the valence of a node. Returns true for fixed nodes, which have no valence.

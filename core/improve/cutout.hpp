@@ -99,7 +99,7 @@ class Cutout {
     bool addRing(const ImproveWorkspace &work, std::span<const float> rho, Local n, Numbers &numbers);
     bool insertAfter(Local at, Local before, Local what);
     bool drop(Local at, Local what);
-    void exchange(Local at, Local was, Local is);
+    void exchange(Local at, Local from, Local to);
     bool changeValence(Local n, int by);
     bool apexes(Local a, Local b, Local &c, Local &d) const;
     bool mergeRings(Local a, Local b, std::span<const Local> others);

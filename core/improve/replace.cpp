@@ -26,14 +26,14 @@ void append(List &list, const Value &value) {
 
 } // namespace
 
-bool Replacer::isValid(const Cutout &is, double floor) const {
+bool Replacer::isValid(const Cutout &after, double floor) const {
     std::array<Vec2, Cutout::kNodes> places;
-    for (unsigned i = 0; i < is.count(); ++i) {
+    for (unsigned i = 0; i < after.count(); ++i) {
         const auto local = static_cast<Cutout::Local>(i);
-        places[i] = is.inner(local) || is[i].id == kNoNode ? is.place(local) : work_.at(is[i].id);
+        places[i] = after.inner(local) || after[i].id == kNoNode ? after.place(local) : work_.at(after[i].id);
     }
     bool good = true;
-    is.forEachElement([&](Cutout::Local a, Cutout::Local b, Cutout::Local c) {
+    after.forEachElement([&](Cutout::Local a, Cutout::Local b, Cutout::Local c) {
         const double alpha = shapeFactor(places[a], places[b], places[c]);
         good = good && alpha >= floor && surelyPositive(alpha, places[a], places[b], places[c]);
     });
@@ -41,7 +41,7 @@ bool Replacer::isValid(const Cutout &is, double floor) const {
 }
 
 /// Finds the elements that only one of the cutouts has.
-void Replacer::compare(const Cutout &was, const Cutout &is) {
+void Replacer::compare(const Cutout &before, const Cutout &after) {
     const auto list = [](const Cutout &cutout) {
         std::vector<Triple> all;
         all.reserve(2 * Cutout::kNodes);
@@ -51,20 +51,20 @@ void Replacer::compare(const Cutout &was, const Cutout &is) {
         std::sort(all.begin(), all.end());
         return all;
     };
-    const std::vector<Triple> before = list(was), after = list(is);
+    const std::vector<Triple> given = list(before), changed = list(after);
     before_.clear();
     after_.clear();
-    std::set_difference(before.begin(), before.end(), after.begin(), after.end(), std::back_inserter(before_));
-    std::set_difference(after.begin(), after.end(), before.begin(), before.end(), std::back_inserter(after_));
+    std::set_difference(given.begin(), given.end(), changed.begin(), changed.end(), std::back_inserter(before_));
+    std::set_difference(changed.begin(), changed.end(), given.begin(), given.end(), std::back_inserter(after_));
 }
 
 /// Finds the old elements in the mesh and what lies across their outer sides.
-void Replacer::removeOld(const Cutout &was) {
+void Replacer::removeOld(const Cutout &before) {
     old_.clear();
     rim_.clear();
     for (const Triple triple : before_) {
-        const NodeId b = was[corner(triple, 1)].id;
-        work_.aroundFree(was[corner(triple, 0)].id, [&](HalfEdge h) {
+        const NodeId b = before[corner(triple, 1)].id;
+        work_.aroundFree(before[corner(triple, 0)].id, [&](HalfEdge h) {
             if (work_.to(h) == b) {
                 old_.push_back(static_cast<std::uint32_t>(elementOf(h)));
             }
@@ -98,18 +98,18 @@ NodeId Replacer::newNode() {
     return id;
 }
 
-void Replacer::writeNodes(const Cutout &was, const Cutout &is) {
-    ids_.assign(is.count(), kNoNode);
-    for (unsigned i = 0; i < is.count(); ++i) {
+void Replacer::writeNodes(const Cutout &before, const Cutout &after) {
+    ids_.assign(after.count(), kNoNode);
+    for (unsigned i = 0; i < after.count(); ++i) {
         const auto local = static_cast<Cutout::Local>(i);
-        NodeId &id = ids_[i] = is[i].id;
-        if (is.inner(local)) {
+        NodeId &id = ids_[i] = after[i].id;
+        if (after.inner(local)) {
             if (id == kNoNode) {
                 id = newNode();
-                rho_[index(id)] = is.rho(local);
+                rho_[index(id)] = after.rho(local);
             }
-            work_.mesh.nodes[index(id)] = is.place(local);
-        } else if (i < was.count() && was.inner(local)) {
+            work_.mesh.nodes[index(id)] = after.place(local);
+        } else if (i < before.count() && before.inner(local)) {
             freeNodes_.push_back(id);
             work_.fixed[index(id)] = 1;
             work_.valence[index(id)] = 0;
@@ -192,7 +192,7 @@ void Replacer::insertNew() {
 }
 
 /// Checks the numbers of elements by Euler's formula, which a change that leaves a gap or an overlap violates.
-bool Replacer::countsFit(const Cutout &was, const Cutout &is) const {
+bool Replacer::countsFit(const Cutout &before, const Cutout &after) const {
     const auto innerOf = [](const Cutout &cutout) {
         std::ptrdiff_t sum = 0;
         for (unsigned n = 0; n < cutout.count(); ++n) {
@@ -201,19 +201,19 @@ bool Replacer::countsFit(const Cutout &was, const Cutout &is) const {
         return sum;
     };
     return static_cast<std::ptrdiff_t>(after_.size()) - static_cast<std::ptrdiff_t>(before_.size()) ==
-           2 * (innerOf(is) - innerOf(was));
+           2 * (innerOf(after) - innerOf(before));
 }
 
-bool Replacer::replace(const Cutout &was, const Cutout &is, double floor) {
-    if (work_.mesh.elements.size() + 2 > ImproveWorkspace::kMaxElements || !isValid(is, floor)) {
+bool Replacer::replace(const Cutout &before, const Cutout &after, double floor) {
+    if (work_.mesh.elements.size() + 2 > ImproveWorkspace::kMaxElements || !isValid(after, floor)) {
         return false;
     }
-    compare(was, is);
-    if (!countsFit(was, is)) {
+    compare(before, after);
+    if (!countsFit(before, after)) {
         return false;
     }
-    removeOld(was);
-    writeNodes(was, is);
+    removeOld(before);
+    writeNodes(before, after);
     insertNew();
     return true;
 }
@@ -224,13 +224,13 @@ void Replacer::moveElement(std::uint32_t from, std::uint32_t to) {
         work_.mesh.regions[to] = work_.mesh.regions[from];
     }
     for (unsigned k = 0; k < 3; ++k) {
-        const HalfEdge was = 3 * from + k, is = 3 * to + k, across = work_.twin[was];
-        work_.twin[is] = across;
+        const HalfEdge oldHalf = 3 * from + k, newHalf = 3 * to + k, across = work_.twin[oldHalf];
+        work_.twin[newHalf] = across;
         if (across != kNoHalfEdge) {
-            work_.twin[across] = is;
+            work_.twin[across] = newHalf;
         }
-        HalfEdge &start = work_.start[index(work_.from(is))];
-        start = start == was ? is : start;
+        HalfEdge &start = work_.start[index(work_.from(newHalf))];
+        start = start == oldHalf ? newHalf : start;
     }
 }
 

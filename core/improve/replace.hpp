@@ -15,9 +15,9 @@ class Replacer {
     /// `rho`: ρ per node; grows with new nodes.
     Replacer(ImproveWorkspace &work, RawVector<float> &rho) : work_(work), rho_(rho) {}
 
-    /// Replaces `was`, which must agree with the mesh, by `is`. Returns false and changes nothing if an element would
-    /// not be positive (exact sign), if its α would be below `floor`, or if the mesh would be too large.
-    bool replace(const Cutout &was, const Cutout &is, double floor);
+    /// Replaces `before`, which must agree with the mesh, by `after`. Returns false and changes nothing if an element
+    /// would not be positive (exact sign), if its α would be below `floor`, or if the mesh would be too large.
+    bool replace(const Cutout &before, const Cutout &after, double floor);
 
     /// Closes the gaps with the last elements and nodes. Fast, except for one pass over all elements.
     void compact();
@@ -30,12 +30,12 @@ class Replacer {
         HalfEdge half;
     };
 
-    bool isValid(const Cutout &is, double floor) const;
-    void compare(const Cutout &was, const Cutout &is);
-    bool countsFit(const Cutout &was, const Cutout &is) const;
-    void removeOld(const Cutout &was);
+    bool isValid(const Cutout &after, double floor) const;
+    void compare(const Cutout &before, const Cutout &after);
+    bool countsFit(const Cutout &before, const Cutout &after) const;
+    void removeOld(const Cutout &before);
     NodeId newNode();
-    void writeNodes(const Cutout &was, const Cutout &is);
+    void writeNodes(const Cutout &before, const Cutout &after);
     std::uint32_t slotFor(std::size_t added);
     void insertNew();
     void moveElement(std::uint32_t from, std::uint32_t to);

@@ -222,21 +222,21 @@ class Restructuring {
 
     /// Makes the change unless another change of this block overlaps it; the site then comes again in the next round.
     void keep(NodeId site, const Gain &gain) {
-        const auto &[was, is] = *gain.cutouts;
-        for (unsigned n = 0; n < was.count(); ++n) {
-            if ((marks_[index(was[n].id)] & kTouched) != 0) {
+        const auto &[before, after] = *gain.cutouts;
+        for (unsigned n = 0; n < before.count(); ++n) {
+            if ((marks_[index(before[n].id)] & kTouched) != 0) {
                 return;
             }
         }
-        if (!replacer_.replace(was, is, floor_)) {
+        if (!replacer_.replace(before, after, floor_)) {
             marks_[index(site)] |= kQuiet;
             return;
         }
         marks_.resize(work_.mesh.nodes.size(), 0);
-        for (unsigned n = 0; n < was.count(); ++n) {
+        for (unsigned n = 0; n < before.count(); ++n) {
             if (was.inner(static_cast<Cutout::Local>(n))) {
-                marks_[index(was[n].id)] |= kTouched;
-                touched_.push_back(was[n].id);
+                marks_[index(before[n].id)] |= kTouched;
+                touched_.push_back(before[n].id);
             }
         }
         ++(gain.change == Change::Swap    ? counts_.swapped

@@ -11,8 +11,8 @@ namespace forefront::testing {
 /// A spacing field from any function, for tests that only need ρ.
 class SpacingFunction : public SpacingField {
   public:
-    SpacingFunction(std::function<double(Vec2)> rho, double least, double greatest)
-        : rho_(std::move(rho)), minimum_(least), maximum_(greatest) {}
+    SpacingFunction(std::function<double(Vec2)> rho, double minimum, double maximum)
+        : rho_(std::move(rho)), minimum_(minimum), maximum_(maximum) {}
 
     double at(Vec2 p) const override { return rho_(p); }
     void atMany(std::span<const Vec2> points, std::span<double> rho) const override {

@@ -160,10 +160,10 @@ TEST_CASE("Colours: fine spacing is bright and coarse spacing blue, the same in 
         driver.settle();
         const SpacingField &spacing = *driver.context().preview->spacing;
         const Driver::Picture picture = driver.picture();
-        const double least = std::log(spacing.minimum()), span = std::log(spacing.maximum()) - least;
+        const double minimum = std::log(spacing.minimum()), span = std::log(spacing.maximum()) - minimum;
         for (const Vec2 place : {Vec2{2.6, 4.3}, {3.3, 4.3}, {5.2, 4.3}, {8.7, 4.3}}) {
             CAPTURE(place.x);
-            const Colour expected = spacingColour((std::log(spacing.at(place)) - least) / span);
+            const Colour expected = spacingColour((std::log(spacing.at(place)) - minimum) / span);
             CHECK(difference(colourAt(picture, driver.pixel(place)), expected) <= 6);
         }
     }

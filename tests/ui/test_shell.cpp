@@ -386,8 +386,8 @@ TEST_CASE("Colour maps: published colours at the ends, evenly interpolated betwe
 }
 
 TEST_CASE("Legend: ticks of a logarithmic scale are in order, between the ends") {
-    for (const auto &[least, greatest] : {std::pair{0.05, 0.5}, {1e-4, 3.0}, {2.0, 2.1}, {1e-9, 1e6}}) {
-        const auto ticks = logarithmicTicks(least, greatest, 5);
+    for (const auto &[minimum, maximum] : {std::pair{0.05, 0.5}, {1e-4, 3.0}, {2.0, 2.1}, {1e-9, 1e6}}) {
+        const auto ticks = logarithmicTicks(minimum, maximum, 5);
         REQUIRE(ticks.size() >= 2);
         CHECK(ticks.size() <= 7);
         CHECK(ticks.front().at == 0.0);
@@ -404,10 +404,10 @@ TEST_CASE("Legend: labels do not overlap, and the ends are always labelled") {
     constexpr double kBar = 192.0;
     std::size_t between = 0;
     for (double ratio = 1.03; ratio < 1e6; ratio *= 1.07) {
-        for (const double least : {0.034, 0.05, 0.00123, 17.0}) {
-            CAPTURE(least);
+        for (const double minimum : {0.034, 0.05, 0.00123, 17.0}) {
+            CAPTURE(minimum);
             CAPTURE(ratio);
-            const auto ticks = logarithmicTicks(least, ratio * least, 5);
+            const auto ticks = logarithmicTicks(minimum, ratio * minimum, 5);
             auto labels = legendLabels(font, ticks, kBar, 6.0);
             REQUIRE(labels.size() >= 2);
             CHECK(labels[0].text == ticks.front().text);

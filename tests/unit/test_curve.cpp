@@ -177,18 +177,18 @@ TEST_CASE("curve: the box holds the curve and touches it on all sides") {
     CHECK(distance(box.max, {6, 7}) < 1e-14);
 }
 
-TEST_CASE("curve: the deviation is the greatest distance from the chord") {
+TEST_CASE("curve: the deviation is the maximum distance from the chord") {
     RandomSource random(5);
     for (int i = 0; i < 100; ++i) {
         const Curve curve = randomCurve(random, i);
         const double t0 = random.unit(), t1 = random.unit();
-        double greatest = 0.0;
+        double maximum = 0.0;
         for (const Vec2 p : samples(curve, t0, t1, 5000)) {
-            greatest = std::max(greatest, distanceToSegment(curve.point(t0), curve.point(t1), p));
+            maximum = std::max(maximum, distanceToSegment(curve.point(t0), curve.point(t1), p));
         }
-        const double least = curve.turning(t0, t1) < 0.5 * kPi ? greatest - 1e-12 : 0.95 * greatest;
+        const double least = curve.turning(t0, t1) < 0.5 * kPi ? maximum - 1e-12 : 0.95 * maximum;
         CHECK(curve.deviation(t0, t1) >= least);
-        CHECK(curve.deviation(t0, t1) <= greatest + 1e-4);
+        CHECK(curve.deviation(t0, t1) <= maximum + 1e-4);
     }
     CHECK(Curve::circle({0, 0}, {2, 0}).deviation() == doctest::Approx(4.0)); // from the point it starts and ends in
 }

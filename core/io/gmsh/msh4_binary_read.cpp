@@ -91,7 +91,7 @@ bool MshFile::readNodesBinary() {
     return takeNodes(std::move(nodes));
 }
 
-bool MshFile::readNodeBlockBinary(ByteScanner &bytes, std::size_t block, std::size_t most,
+bool MshFile::readNodeBlockBinary(ByteScanner &bytes, std::size_t block, std::size_t limit,
                                   std::vector<NumberedNode> &nodes) {
     std::int32_t dimension = 0, entity = 0, parametric = 0;
     std::size_t size = 0;
@@ -104,7 +104,7 @@ bool MshFile::readNodeBlockBinary(ByteScanner &bytes, std::size_t block, std::si
     if (!bytes.count(size, kSize + 3 * kReal, {"the number of nodes of node block", block})) {
         return false;
     }
-    if (size > most - nodes.size()) {
+    if (size > limit - nodes.size()) {
         return bytes.fail(sizePlace, "bad-count", "the blocks hold more nodes than the section announces");
     }
     const std::size_t numbersPlace = bytes.offset();

@@ -75,7 +75,8 @@ class MshFile {
     bool readEntitiesBinary();
     bool readEntityBinary(ByteScanner &bytes, int dimension);
     bool readNodesBinary();
-    bool readNodeBlockBinary(ByteScanner &bytes, std::size_t block, std::size_t most, std::vector<NumberedNode> &nodes);
+    bool readNodeBlockBinary(ByteScanner &bytes, std::size_t block, std::size_t limit,
+                             std::vector<NumberedNode> &nodes);
     bool readElementsBinary();
     bool findNode(std::int64_t number, NodeId &node, std::size_t place);
     void addConnection(std::int32_t type, const Element &nodes, std::int32_t tag, std::int64_t number);

@@ -51,13 +51,13 @@ class SiteTree {
             return bilinear(smooth_[*cell & ~kSmooth], (u - (ix & ~mask)) * inverse, (v - (iy & ~mask)) * inverse);
         }
         const std::uint32_t *entry = &lists_[*cell];
-        double least = std::numeric_limits<double>::infinity();
+        double rho = std::numeric_limits<double>::infinity();
         // Points beyond the box are judged at its nearest point, as in smooth leaves.
         const Vec2 q{corner_.x + u * unit_, corner_.y + v * unit_};
         for (std::uint32_t n = *entry++; n > 0; --n) {
-            least = std::min(least, sites_[*entry++].at(q));
+            rho = std::min(rho, sites_[*entry++].at(q));
         }
-        return least;
+        return rho;
     }
     /// Returns the site with the smallest value at p (the first of equals) by checking all of them.
     std::size_t winner(Vec2 p) const;
@@ -99,10 +99,10 @@ class SiteTree {
     std::vector<std::uint32_t> lists_; ///< count, then indices of sites
     std::vector<Corners> smooth_;
     Vec2 corner_;
-    double scale_ = 1.0; ///< greater side of the box
+    double scale_ = 1.0; ///< longer side of the box
     double unit_ = 1.0;  ///< length of the finest cell
     double toUnits_ = 1.0;
-    double spanX_ = 0.0; ///< greatest u and v, in units, just inside the table
+    double spanX_ = 0.0; ///< maximum u and v, in units, just inside the table
     double spanY_ = 0.0;
     std::uint32_t columns_ = 1;
     double minimum_ = 0.0;

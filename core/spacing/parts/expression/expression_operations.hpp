@@ -125,11 +125,11 @@ inline void dispatch(ExpressionOp op, On &&on) {
         return on.unary([](double a, double) { return std::cosh(a); });
     case Op::HyperbolicTangent:
         return on.unary([](double a, double) { return std::tanh(a); });
-    case Op::AreaSine:
+    case Op::InverseSinh:
         return on.unary([](double a, double) { return std::asinh(a); });
-    case Op::AreaCosine:
+    case Op::InverseCosh:
         return on.unary([](double a, double) { return std::acosh(a); });
-    case Op::AreaTangent:
+    case Op::InverseTanh:
         return on.unary([](double a, double) { return std::atanh(a); });
     case Op::Exponential:
         return on.unary([](double a, double) { return std::exp(a); });

@@ -55,9 +55,9 @@ ValueRange power(const ValueRange &a, const ValueRange &b, bool undefined) {
             undefined);
     }
     if (b.low == b.high && b.low > 0.0 && b.low == std::floor(b.low)) {
-        const double least = std::pow(a.low, b.low);
-        const double most = std::pow(a.high, b.low);
-        return a.high >= 0.0 ? hull({least, most, 0.0}, undefined) : hull({least, most}, undefined);
+        const double low = std::pow(a.low, b.low);
+        const double high = std::pow(a.high, b.low);
+        return a.high >= 0.0 ? hull({low, high, 0.0}, undefined) : hull({low, high}, undefined);
     }
     return anything(true);
 }
@@ -81,8 +81,8 @@ ValueRange wave(const ValueRange &a, double crest) {
     return range;
 }
 ValueRange magnitude(const ValueRange &a) {
-    const double most = std::max(std::fabs(a.low), std::fabs(a.high));
-    return {a.low > 0.0 ? a.low : (a.high < 0.0 ? -a.high : 0.0), most, a.undefined};
+    const double high = std::max(std::fabs(a.low), std::fabs(a.high));
+    return {a.low > 0.0 ? a.low : (a.high < 0.0 ? -a.high : 0.0), high, a.undefined};
 }
 ValueRange root(const ValueRange &a) {
     if (a.high < 0.0) {
@@ -194,8 +194,8 @@ ValueRange unaryRange(const ExpressionInstruction &instruction, const ValueRange
     case Op::HyperbolicCosine:
     case Op::Arcsine:
     case Op::Arccosine:
-    case Op::AreaCosine:
-    case Op::AreaTangent:
+    case Op::InverseCosh:
+    case Op::InverseTanh:
         return anything(true);
     default:
         break;
