@@ -22,13 +22,15 @@ constexpr const char *kUsageText = R"(Forefront: planar triangle meshes by the a
   forefront adapt MESH      remesh to a requested error    (forefront adapt --help)
   forefront tables          run the published tables       (forefront tables --help)
   forefront --version       print the version
-  forefront --help          print this
+  forefront --help          print this help
 
 Examples:
   forefront                                        open the editor with the sample
   forefront mesh lake.geojson -o lake.msh          mesh with automatic spacing
   forefront mesh plate.poly -o plate.vtu --size 1  mesh with edges of length 1
   forefront check lake.msh --domain lake.geojson   prove that the mesh fits its domain
+
+Exit codes: 0 done, 1 input refused, 2 wrong usage, 3 cancelled, 4 no window (no display, or no OpenGL 3.3).
 )";
 
 #if defined(FOREFRONT_WITH_EDITOR)

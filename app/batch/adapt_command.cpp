@@ -23,9 +23,9 @@ namespace forefront {
 namespace {
 
 constexpr const char *kExamples = R"help(
-The error is that of the gradient, estimated by the method of Zienkiewicz and Zhu and divided by the norm of the
-gradient: 0.05 means 5 %. A field in a file is known only on its own mesh, so one new mesh is made: solve on it and
-repeat. An expression is evaluated on each new mesh until the estimate meets the requested error.
+The error is that of the gradient, relative to the norm of the gradient, as estimated by the method of Zienkiewicz and
+Zhu: 0.05 means 5 %. A field from a file is known only on its own mesh, so a single new mesh is made: run the solver on
+it, then adapt again. An expression is evaluated on each new mesh until the estimate meets the requested error.
 
 Examples:
   forefront adapt plate.vtu --field temperature --error 0.05 -o finer.msh
@@ -33,7 +33,7 @@ Examples:
   forefront adapt plate.msh --expression "atan(20*(x*x+y*y-1))" --error 0.02 --size-min 0.001 -o adapted.msh
         repeats until the interpolation error of the formula is within 2 %
 
-Exit codes: 0 done, 1 the input is refused (faults on stderr, one per line), 2 wrong usage, 3 cancelled.)help";
+Exit codes: 0 done, 1 input refused (faults on stderr, one per line), 2 wrong usage, 3 cancelled.)help";
 
 struct AdaptArguments {
     std::filesystem::path mesh; ///< "-": standard input
@@ -180,7 +180,7 @@ int runAdapt(const AdaptArguments &arguments) {
         const bool mistyped = hasCode(mesh.faults(), "expression-syntax");
         const int code =
             refuse(mistyped ? mesh.faults()
-                            : meshingFaults(mesh.faults(), *domain, arguments.domain ? *domainFile : *file, true),
+                            : meshingFaults(mesh.faults(), *domain, arguments.domain ? *domainFile : *file, nullptr),
                    interrupt);
         return code == kRefused && mistyped ? static_cast<int>(kUsage) : code;
     }
@@ -206,26 +206,16 @@ void addAdaptOptions(CLI::App &app, AdaptArguments &arguments) {
     app.add_option("MESH", arguments.mesh,
                    "mesh file, with nodal values if --field is given: .vtu, .vtk, .msh; -: standard input")
         ->required();
-    app.add_option("--input-format", arguments.inputFormat,
-                   "format of MESH, if content and extension are ambiguous: " + inputFormatIds())
-        ->type_name("ID");
+    addInputFormatOption(app, "MESH", arguments.inputFormat);
     auto *field = app.add_option_group("Field", "exactly one");
-    field->add_option("--field", arguments.field, "name of nodal values in the file")->type_name("NAME");
+    field->add_option("--field", arguments.field, "name of the nodal values in the file")->type_name("NAME");
     field->add_option("--expression", arguments.expression, "a field as an expression in x and y")->type_name("EXPR");
     field->require_option(1);
     app.add_option("--error", arguments.target.error, "error of the gradient to reach, as a fraction of its norm")
         ->required()
         ->check(numberWithin(1e-9, 1.0))
         ->type_name("E");
-    app.add_option("-o,--output", arguments.outputs,
-                   "mesh to write; its extension sets the format; -: standard output; repeatable")
-        ->required()
-        ->allow_extra_args(false)
-        ->type_name("OUT");
-    app.add_option("--format", arguments.formats, "formats of the outputs, in order: " + formatIds())
-        ->allow_extra_args(false)
-        ->type_name("ID");
-    addInnerEdgesOption(app, arguments.innerEdges);
+    addOutputOptions(app, arguments.outputs, arguments.formats, arguments.innerEdges)->required();
     app.add_option("--rounds", arguments.rounds, "with --expression: maximum number of new meshes (default 8)")
         ->check(wholeNumberWithin(1, 100))
         ->type_name("N");

@@ -28,13 +28,13 @@ Examples:
   forefront check plate.msh --domain plate.poly
         does it also fill exactly that domain, with its tags, regions, constraints and area?
   forefront check plate.msh --spacing "max(0.05, 0.2*x)"
-        how well do its edges keep that spacing?
+        how closely do its edges follow that spacing?
   forefront check plate.msh --min-angle 25 --max-growth 2
         does it keep these limits? The worst places are listed
   forefront check plate.msh --measures
         how are angles, areas, edge lengths and the other measures distributed?
 
-Exit codes: 0 valid, 1 not valid, limit broken or not readable (faults on stderr, one per line), 2 wrong usage.)help";
+Exit codes: 0 valid, 1 invalid or unreadable mesh, or a limit broken (faults on stderr, one per line), 2 wrong usage.)help";
 
 struct CheckArguments {
     std::filesystem::path mesh; ///< "-": standard input
@@ -71,18 +71,21 @@ Diagnostics checkAgainst(const Mesh &mesh, const CheckArguments &arguments, Inpu
     if (!domain) {
         return domain.faults();
     }
+    std::optional<Repaired> repaired;
     if (arguments.repair) {
-        Result<Repaired> repaired = repair(*domain, arguments.weldTolerance.value_or(0.0));
-        if (!repaired) {
-            return locateFaults(input.path, repaired.faults(), input.options);
+        Result<Repaired> result = repair(*domain, arguments.weldTolerance.value_or(0.0));
+        if (!result) {
+            return locateFaults(input.path, result.faults(), input.options);
         }
+        repaired = std::move(*result);
         domain = std::move(repaired->domain);
     }
+    const Repaired *const sources = repaired ? &*repaired : nullptr;
     Diagnostics faults = verifyAgainst(mesh, *domain);
     if (!hasErrors(faults)) {
         return arguments.repair ? faults : checkBoundaryParts(mesh, input.path, input.options);
     }
-    return meshingFaults(faults, *domain, input, !arguments.repair);
+    return locateInDomain(meshingFaults(faults, *domain, input, sources), input, sources);
 }
 
 /// Prints what is found about a valid mesh. Returns the exit code.
@@ -159,18 +162,16 @@ int checkCommand(int argc, const char *const *argv) {
     app.add_option("MESH", arguments.mesh,
                    "mesh file: .msh, .vtu, .vtk, .mesh, .inp, .su2, .node, .ele, .obj; -: standard input")
         ->required();
-    app.add_option("--input-format", arguments.inputFormat,
-                   "format of MESH, if content and extension are ambiguous: " + inputFormatIds())
-        ->type_name("ID");
+    addInputFormatOption(app, "MESH", arguments.inputFormat);
     app.add_option("--domain", arguments.domain, "domain or project that the mesh was made from")->type_name("IN");
     addArrangementOptions(app, arguments.weldTolerance, arguments.overlap);
-    app.add_flag("--repair", arguments.repair, "the mesh was made with --repair: repair the domain first");
-    auto *spacing = app.add_option_group("Spacing", "report how well the mesh keeps this spacing; at most one");
+    app.add_flag("--repair", arguments.repair, "repair the domain first, as mesh --repair does");
+    auto *spacing = app.add_option_group("Spacing", "report how closely the mesh follows this spacing; at most one");
     addSpacingOptions(*spacing, arguments.size, arguments.expression);
     spacing->require_option(0, 1);
     auto *limits = app.add_option_group("Limits", "refuse a mesh that breaks one of these");
     addLimitOptions(*limits, arguments.limits);
-    limits->add_option("--limits", arguments.savedLimits, "those saved in a project, unless given here")
+    limits->add_option("--limits", arguments.savedLimits, "take the limits saved in a project, except those given here")
         ->type_name("PROJECT");
     app.add_flag("--measures", arguments.measures, "print the distribution of each measure");
     if (const auto code = parseOptions(app, argc, argv)) {

@@ -1,15 +1,55 @@
 #include "app/batch/exit_code.hpp"
 
+#include "core/arrangement/repair.hpp"
+#include "core/base/ids.hpp"
 #include "core/domain/validate.hpp"
 #include "core/io/files.hpp"
 
 #include <algorithm>
 #include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace forefront {
 
+namespace {
+
+/// Returns advice in the words of the command line, where a repair is an option.
+std::string inOptions(std::string advice) {
+    constexpr std::pair<std::string_view, std::string_view> kOptions[] = {
+        {"repair the domain with a weld tolerance of", "add --repair --weld"},
+        {"repair the domain", "add --repair"},
+        {"lower the weld tolerance", "lower --weld"}};
+    for (const auto &[words, option] : kOptions) {
+        if (const std::size_t at = advice.find(words); at != std::string::npos) {
+            advice.replace(at, words.size(), option);
+        }
+    }
+    return advice;
+}
+
+/// Replaces the parts of a repaired domain by those of the given one that they come from; drops others.
+void restoreParts(std::vector<DomainPart> &parts, const Repaired &repaired) {
+    for (DomainPart &part : parts) {
+        const std::vector<std::uint32_t> *const source = part.kind == DomainPartKind::Node ? &repaired.nodeSource
+                                                         : part.kind == DomainPartKind::Segment
+                                                             ? &repaired.segmentSource
+                                                             : nullptr;
+        if (source != nullptr) {
+            part.index = part.index < source->size() ? (*source)[part.index] : kNoIndex;
+        } else if (part.kind != DomainPartKind::RegionMarker) { // which a repair keeps
+            part.index = kNoIndex;
+        }
+    }
+    std::erase_if(parts, [](const DomainPart &part) { return part.index == kNoIndex; });
+}
+
+} // namespace
+
 void printFaults(const Diagnostics &faults) {
-    for (const Diagnostic &fault : faults) {
+    for (Diagnostic fault : faults) {
+        fault.advice = inOptions(std::move(fault.advice));
         std::fprintf(stderr, "%s\n", toString(fault).c_str());
     }
 }
@@ -18,14 +58,36 @@ bool hasCode(const Diagnostics &faults, std::string_view code) {
     return std::any_of(faults.begin(), faults.end(), [code](const Diagnostic &d) { return d.code == code; });
 }
 
-Diagnostics meshingFaults(const Diagnostics &faults, const Domain &domain, const Input &input, bool asRead) {
+Diagnostics locateInDomain(Diagnostics faults, const Input &input, const Repaired *repaired) {
+    Diagnostics ofDomain;
+    std::vector<std::size_t> position;
+    for (std::size_t k = 0; k < faults.size(); ++k) {
+        if (!faults[k].parts.empty() && faults[k].file.empty()) {
+            position.push_back(k);
+            ofDomain.push_back(std::move(faults[k]));
+            if (repaired != nullptr) {
+                restoreParts(ofDomain.back().parts, *repaired);
+            }
+        }
+    }
+    if (!ofDomain.empty()) {
+        ofDomain = locateFaults(input.path, std::move(ofDomain), input.options);
+    }
+    for (std::size_t k = 0; k < position.size(); ++k) {
+        faults[position[k]] = std::move(ofDomain[k]);
+    }
+    return faults;
+}
+
+Diagnostics meshingFaults(const Diagnostics &faults, const Domain &domain, const Input &input,
+                          const Repaired *repaired) {
     if (hasCode(faults, "cancelled")) {
         return faults;
     }
     Diagnostics own = validate(domain);
     for (Diagnostic &fault : own) {
-        if (!asRead) {
-            fault.parts.clear(); // the file does not have them
+        if (repaired != nullptr) {
+            restoreParts(fault.parts, *repaired);
         }
     }
     return own.empty() ? faults : locateFaults(input.path, std::move(own), input.options);

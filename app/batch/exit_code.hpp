@@ -8,22 +8,29 @@
 
 namespace forefront {
 
+struct Repaired;
+
 /// Exit codes of the batch commands.
 enum ExitCode : int {
     kDone = 0,
-    kRefused = 1, ///< the input is refused: faults on stderr, one per line
-    kUsage = 2,   ///< wrong usage
-    kCancelled = 3
+    kRefused = 1,  ///< the input is refused: faults on stderr, one per line
+    kUsage = 2,    ///< wrong usage
+    kCancelled = 3 ///< the editor adds 4, no window: see kNoWindow
 };
 
-/// Prints faults to stderr, one per line.
+/// Prints faults to stderr, one per line. Advice to repair the domain names the options for it.
 void printFaults(const Diagnostics &faults);
 
 /// Returns true if one of the faults has that code.
 bool hasCode(const Diagnostics &faults, std::string_view code);
 
 /// Returns the reasons why a domain was not meshed, or a mesh does not fit it: the domain's own faults if it has any,
-/// with the name of its file and, where the domain is `asRead`, their places in it; else `faults`.
-Diagnostics meshingFaults(const Diagnostics &faults, const Domain &domain, const Input &input, bool asRead);
+/// with the name of its file and their places in it; else `faults`. `repaired`: the repair that gave the domain, or
+/// null if it is as read.
+Diagnostics meshingFaults(const Diagnostics &faults, const Domain &domain, const Input &input,
+                          const Repaired *repaired);
+/// Adds the domain's file to faults that concern parts of a domain, and the places of those parts in it; other faults
+/// stay as they are.
+Diagnostics locateInDomain(Diagnostics faults, const Input &input, const Repaired *repaired);
 
 } // namespace forefront

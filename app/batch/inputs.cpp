@@ -37,14 +37,16 @@ bool Input::isProject() const {
 
 std::string checkWeld(const std::optional<double> &tolerance, const Input &input, bool repairs) {
     const FileFormat *const format = tolerance && !repairs ? input.format() : nullptr;
-    return format == nullptr || format->arranges ? std::string()
-                                                 : "--weld: " + std::string(format->name) +
-                                                       " files are read as they are; add --repair to join what is near";
+    return format == nullptr || format->arranges
+               ? std::string()
+               : "--weld: " + std::string(format->name) +
+                     " files are read unchanged; add --repair to join nearby nodes and "
+                     "segments";
 }
 
-Result<Input> openInput(const std::filesystem::path &path, const std::string &formatId) {
+Result<Input> openInput(const std::filesystem::path &path, const std::optional<std::string> &formatId) {
     Input input{path, {}};
-    input.options.formatId = formatId;
+    input.options.formatId = formatId.value_or("");
     if (isStandardStream(path)) {
         Result<std::string> bytes = readStandardInput(input.options.maxBytes);
         if (!bytes) {
@@ -52,6 +54,13 @@ Result<Input> openInput(const std::filesystem::path &path, const std::string &fo
         }
         input.path = "standard input";
         input.options.content = std::make_shared<const std::string>(std::move(*bytes));
+        if (input.format() == nullptr) {
+            Diagnostics fault = error("unknown-format", "the format cannot be told from the content",
+                                      formatId ? "add --input-format with one of " + inputFormatIds()
+                                               : std::string("give a file whose name has an extension"));
+            fault.front().file = input.path.string();
+            return fault;
+        }
     }
     return input;
 }

@@ -31,9 +31,9 @@ struct Input {
     bool isProject() const;
 };
 
-/// Reads standard input if `path` is "-"; other files are left to their readers. `formatId`: from --input-format.
-/// Faults: cannot-read, too-large.
-Result<Input> openInput(const std::filesystem::path &path, const std::string &formatId = {});
+/// Reads standard input if `path` is "-"; other files are left to their readers. `formatId`: from --input-format;
+/// absent for inputs that this option is not about. Faults: cannot-read, too-large, unknown-format.
+Result<Input> openInput(const std::filesystem::path &path, const std::optional<std::string> &formatId = {});
 
 /// Returns the fault of --input-format and the inputs of a command, of which only one can be standard input; empty if
 /// valid.

@@ -25,7 +25,7 @@ Examples:
   cat lake.geojson | forefront mesh - -o - --format vtu > lake.vtu
         from standard input to standard output
 
-Exit codes: 0 done, 1 the input is refused (faults on stderr, one per line), 2 wrong usage, 3 cancelled.)help";
+Exit codes: 0 done, 1 input refused (faults on stderr, one per line), 2 wrong usage, 3 cancelled.)help";
 
 /// Parses the word of a grid or "uniform:COLSxROWS"; returns an error message for anything else.
 std::string parseGrid(const std::string &text, MeshArguments &arguments) {
@@ -63,11 +63,11 @@ void addFrontOptions(CLI::App &app, MeshArguments &arguments, std::string &grid)
     app.add_flag("--repair", arguments.repair,
                  "split segments where they cross, join what coincides and drop what lies outside first, and report "
                  "every change; drawings and maps are arranged in any case");
-    auto *improve =
-        addWordOption<ImproveLevel>(app, "--improve", arguments.improve,
-                                    "improve the shapes: none (fastest; the front is left as it is), default, best "
-                                    "(slower; also adds and removes inner nodes)")
-            ->type_name("LEVEL");
+    auto *improve = addWordOption<ImproveLevel>(
+                        app, "--improve", arguments.improve,
+                        "improve the shapes: none (fastest; keep the mesh as the front leaves it), default, best "
+                        "(slower; also adds and removes inner nodes)")
+                        ->type_name("LEVEL");
     app.add_flag_callback(
            "--no-improve", [&arguments] { arguments.improve = ImproveLevel::None; }, "the same as --improve none")
         ->excludes(improve);
@@ -89,22 +89,13 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     app.add_option("IN", arguments.input,
                    "project (.json, .forefront) or domain (.poly, .geojson, .svg, .msh, ...); -: standard input")
         ->required();
-    app.add_option("--input-format", arguments.inputFormat,
-                   "format of IN, if content and extension are ambiguous: " + inputFormatIds())
-        ->type_name("ID");
-    app.add_option("-o,--output", arguments.outputs,
-                   "mesh to write; its extension sets the format; -: standard output; repeatable")
-        ->allow_extra_args(false)
-        ->type_name("OUT");
-    app.add_option("--format", arguments.formats, "formats of the outputs, in order: " + formatIds())
-        ->allow_extra_args(false)
-        ->type_name("ID");
-    addInnerEdgesOption(app, arguments.innerEdges);
+    addInputFormatOption(app, "IN", arguments.inputFormat);
+    addOutputOptions(app, arguments.outputs, arguments.formats, arguments.innerEdges);
     auto *spacing = app.add_option_group("Spacing", "at most one; default: that of the project, or automatic");
     addSpacingOptions(*spacing, arguments.size, arguments.expression);
     spacing
         ->add_option("--spacing-file", arguments.spacingFile,
-                     "take the spacing of a project, or of a background mesh (.msh)")
+                     "use the spacing of a project or of a background mesh (.msh)")
         ->type_name("FILE");
     spacing->require_option(0, 1);
     app.add_option("--gradation", arguments.gradation, "maximum change of edge length per unit of distance")

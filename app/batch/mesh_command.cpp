@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 
 namespace forefront {
 
@@ -79,7 +80,9 @@ void applyOptions(const MeshArguments &arguments, MeshingOptions &options) {
     options.threads = arguments.threads.value_or(options.threads);
 }
 
-Diagnostics repairDomain(const MeshArguments &arguments, const Input &input, const Progress &progress, Domain &domain) {
+/// Repairs the domain of a job and keeps in `sources` what its parts come from.
+Diagnostics repairDomain(const MeshArguments &arguments, const Input &input, const Progress &progress, Domain &domain,
+                         std::optional<Repaired> &sources) {
     Result<Repaired> repaired = repair(domain, arguments.weldTolerance.value_or(0.0), progress.stop);
     if (!repaired) {
         return locateFaults(input.path, repaired.faults(), input.options);
@@ -87,7 +90,8 @@ Diagnostics repairDomain(const MeshArguments &arguments, const Input &input, con
     if (!arguments.quiet) {
         printFaults(locateFaults(input.path, notesWithPlaces(repaired->changes), input.options));
     }
-    domain = std::move(repaired->domain);
+    sources = std::move(*repaired);
+    domain = std::move(sources->domain);
     return {};
 }
 
@@ -111,10 +115,11 @@ Diagnostics writeOutputs(const MeshArguments &arguments, const Mesh &mesh, const
     return notes;
 }
 
-void printResult(const MeshArguments &arguments, const RunReport &report) {
+Status printResult(const MeshArguments &arguments, const RunReport &report) {
     if (arguments.printsStatistics()) {
-        std::fputs(statisticsJson(report).c_str(), stdout);
-    } else if (!arguments.quiet) {
+        return printText(statisticsJson(report));
+    }
+    if (!arguments.quiet) {
         std::FILE *const out = usesStandardOutput(arguments.outputs) ? stderr : stdout;
         for (const auto &path : arguments.outputs) {
             if (!isStandardStream(path)) {
@@ -123,6 +128,7 @@ void printResult(const MeshArguments &arguments, const RunReport &report) {
         }
         std::fputs(summary(report).c_str(), out);
     }
+    return {};
 }
 
 int runMesh(const MeshArguments &arguments) {
@@ -149,8 +155,9 @@ int runMesh(const MeshArguments &arguments) {
     Diagnostics faults = job ? applySpacing(arguments, job->spacing) : job.faults();
     bar.clear();
     interrupt.deferToStop();
+    std::optional<Repaired> repaired;
     if (faults.empty() && arguments.repair) {
-        faults = repairDomain(arguments, *input, progress, job->domain);
+        faults = repairDomain(arguments, *input, progress, job->domain, repaired);
     }
     if (!faults.empty()) {
         return refuse(faults, interrupt);
@@ -160,7 +167,8 @@ int runMesh(const MeshArguments &arguments) {
     const Result<MeshingOutcome> outcome = meshDomain(*job, progress);
     bar.clear();
     if (!outcome) {
-        const int code = refuse(meshingFaults(outcome.faults(), job->domain, *input, !arguments.repair), interrupt);
+        const int code =
+            refuse(meshingFaults(outcome.faults(), job->domain, *input, repaired ? &*repaired : nullptr), interrupt);
         const bool mistyped = arguments.expression && hasCode(outcome.faults(), "expression-syntax");
         return code == kRefused && mistyped ? static_cast<int>(kUsage) : code;
     }
@@ -173,8 +181,8 @@ int runMesh(const MeshArguments &arguments) {
     if (!arguments.quiet) {
         printFaults(faults);
     }
-    printResult(arguments, report);
-    return kDone;
+    const Status printed = printResult(arguments, report);
+    return printed.empty() ? static_cast<int>(kDone) : refuse(printed, interrupt);
 }
 
 } // namespace

@@ -1,11 +1,14 @@
 #include "app/batch/options.hpp"
 
 #include "app/batch/exit_code.hpp"
+#include "app/batch/inputs.hpp"
+#include "app/batch/outputs.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -47,6 +50,44 @@ std::string unexpectedArguments(const std::vector<std::string> &arguments) {
         list += (list.empty() ? "'" : ", '") + argument + '\'';
     }
     return options.empty() ? "unexpected argument " + others : "unknown option " + options;
+}
+
+/// Returns the names of options as "--size, --spacing".
+std::string namesOf(const std::vector<const CLI::Option *> &options) {
+    std::string names;
+    for (const CLI::Option *option : options) {
+        names += (names.empty() ? "" : ", ") + option->get_name();
+    }
+    return names;
+}
+
+/// Returns the fault of the first group of options of which too few or too many are given; empty if there is none.
+std::string groupFault(const CLI::App &app) {
+    for (const CLI::App *const group : app.get_subcommands([](const CLI::App *) { return true; })) {
+        const std::vector<const CLI::Option *> all =
+            group->get_options([](const CLI::Option *option) { return option->get_name() != "--help"; });
+        std::vector<const CLI::Option *> given;
+        std::copy_if(all.begin(), all.end(), std::back_inserter(given),
+                     [](const CLI::Option *option) { return option->count() > 0; });
+        if (given.size() < group->get_require_option_min()) {
+            return "missing option; add one of " + namesOf(all);
+        }
+        if (group->get_require_option_max() > 0 && given.size() > group->get_require_option_max()) {
+            return "only one of " + namesOf(all) + " can be given, got " + namesOf(given);
+        }
+    }
+    return {};
+}
+
+/// Returns what is wrong with the command line in our words, where CLI11's are hard to understand.
+std::string parseFault(const CLI::App &app, const CLI::ParseError &error) {
+    const std::string text = error.what();
+    const std::size_t colon = text.find(": ");
+    if (error.get_name() == "ArgumentMismatch" && text.ends_with(" missing") && colon != std::string::npos) {
+        return text.substr(0, colon) + ": missing value";
+    }
+    const std::string fault = error.get_name() == "RequiredError" ? groupFault(app) : std::string();
+    return fault.empty() ? text : fault;
 }
 
 } // namespace
@@ -102,12 +143,27 @@ void addSpacingOptions(CLI::App &group, std::optional<double> &size, std::option
         ->type_name("EXPR");
 }
 
-void addInnerEdgesOption(CLI::App &app, InnerEdges &innerEdges) {
+void addInputFormatOption(CLI::App &app, const std::string &input, std::string &formatId) {
+    app.add_option("--input-format", formatId,
+                   "format of " + input + ", if content and extension are ambiguous: " + inputFormatIds())
+        ->type_name("ID");
+}
+
+CLI::Option *addOutputOptions(CLI::App &app, std::vector<std::filesystem::path> &outputs,
+                              std::vector<std::string> &formats, InnerEdges &innerEdges) {
+    auto *output = app.add_option("-o,--output", outputs,
+                                  "mesh to write; its extension sets the format; -: standard output; repeatable")
+                       ->allow_extra_args(false)
+                       ->type_name("OUT");
+    app.add_option("--format", formats, "formats of the outputs, in the order of -o: " + formatIds())
+        ->allow_extra_args(false)
+        ->type_name("ID");
     addWordOption<InnerEdges>(
         app, "--inner-edges", innerEdges,
-        "tagged edges inside the domain, in the written meshes: keep (default) or drop, for programs such as "
+        "tagged edges inside the domain in the output meshes: keep (default) or drop, for programs such as "
         "deal.II that accept tags on the boundary only")
         ->type_name("WORD");
+    return output;
 }
 
 void addArrangementOptions(CLI::App &app, std::optional<double> &weldTolerance, OverlapRule &overlap) {
@@ -132,7 +188,7 @@ std::optional<int> parseOptions(CLI::App &app, int argc, const char *const *argv
     } catch (const CLI::ExtrasError &) {
         return wrongUsage(app.get_name(), unexpectedArguments(app.remaining()));
     } catch (const CLI::ParseError &error) {
-        return wrongUsage(app.get_name(), error.what());
+        return wrongUsage(app.get_name(), parseFault(app, error));
     }
 }
 

@@ -6,10 +6,12 @@
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace forefront {
 
@@ -32,8 +34,12 @@ CLI::Option *addWordOption(CLI::App &app, const std::string &name, Value &value,
 /// Adds the options --size and --spacing, which several commands share.
 void addSpacingOptions(CLI::App &group, std::optional<double> &size, std::optional<std::string> &expression);
 
-/// Adds the option --inner-edges of the commands that write meshes.
-void addInnerEdgesOption(CLI::App &app, InnerEdges &innerEdges);
+/// Adds the option --input-format; `input` is the word for the input in the help.
+void addInputFormatOption(CLI::App &app, const std::string &input, std::string &formatId);
+
+/// Adds the options of the commands that write meshes: --output, which is returned, --format and --inner-edges.
+CLI::Option *addOutputOptions(CLI::App &app, std::vector<std::filesystem::path> &outputs,
+                              std::vector<std::string> &formats, InnerEdges &innerEdges);
 
 /// Adds the options --weld and --overlap.
 void addArrangementOptions(CLI::App &app, std::optional<double> &weldTolerance, OverlapRule &overlap);

@@ -4,7 +4,11 @@
 #include "core/io/files.hpp"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <set>
+#include <unistd.h>
 
 namespace forefront {
 
@@ -26,6 +30,34 @@ std::filesystem::path resolved(const std::filesystem::path &file) {
     return std::filesystem::weakly_canonical(std::filesystem::absolute(file, none), none);
 }
 
+/// Standard output as a sink that knows why writing has failed, which stdio does not tell.
+class StandardOutput final : public ByteSink {
+  public:
+    StandardOutput() { std::fflush(stdout); }
+    bool write(std::string_view bytes) override {
+        while (failure_ == 0 && !bytes.empty()) {
+            const ssize_t done = ::write(STDOUT_FILENO, bytes.data(), bytes.size());
+            if (done >= 0) {
+                bytes.remove_prefix(static_cast<std::size_t>(done));
+            } else if (errno != EINTR) {
+                failure_ = errno;
+            }
+        }
+        return failure_ == 0;
+    }
+    /// Returns the error number of the first failure; 0 if there is none.
+    int failure() const { return failure_; }
+    Status status() const {
+        return failure_ == 0
+                   ? Status()
+                   : error("cannot-write", std::string("cannot write to standard output: ") + std::strerror(failure_),
+                           "check the free space there, or write to a file");
+    }
+
+  private:
+    int failure_ = 0;
+};
+
 } // namespace
 
 std::string formatIds() {
@@ -36,7 +68,7 @@ std::string checkFormat(const std::filesystem::path &output, const std::string &
     const std::vector<const FileFormat *> named = fileFormatsNamed(output);
     if (id.empty()) {
         if (isStandardStream(output)) {
-            return "-o -: the format of standard output is missing; add --format with one of " + formatIds();
+            return "-o -: standard output needs a format; add --format with one of " + formatIds();
         }
         const bool known = std::any_of(named.begin(), named.end(), [](const FileFormat *f) { return f->writesMesh; });
         return known ? ""
@@ -53,7 +85,7 @@ std::string checkFormat(const std::filesystem::path &output, const std::string &
         return "-o -: format " + id + " needs several files; name a file, or choose another format";
     }
     if (!named.empty() && std::find(named.begin(), named.end(), &*chosen) == named.end()) {
-        return "-o " + output.string() + ": the name is that of " + named.front()->name + ", but --format " + id +
+        return "-o " + output.string() + ": the extension is that of " + named.front()->name + ", but --format " + id +
                " is " + chosen->name + " (" + chosen->extension + "); formats apply to outputs in order";
     }
     return {};
@@ -93,16 +125,15 @@ Diagnostics writeOutput(const Output &output, const Mesh &mesh, const Progress &
         Status written = writeMesh(output.path, mesh, output.format, progress);
         return hasErrors(written) ? written : exportNotes(output.path, mesh, output.format);
     }
-    struct StandardOutput final : ByteSink {
-        bool write(std::string_view bytes) override {
-            return std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size();
-        }
-    } sink;
-    Status status = writeMesh(sink, mesh, output.format);
-    if (status.empty() && std::fflush(stdout) != 0) {
-        status = error("cannot-write", "cannot write to standard output");
-    }
-    return status;
+    StandardOutput sink;
+    const Status status = writeMesh(sink, mesh, output.format);
+    return sink.failure() != 0 ? sink.status() : status;
+}
+
+Status printText(std::string_view text) {
+    StandardOutput sink;
+    sink.write(text);
+    return sink.status();
 }
 
 Diagnostics checkOutputs(const std::vector<Output> &outputs, const std::vector<std::filesystem::path> &inputs) {

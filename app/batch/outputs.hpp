@@ -42,4 +42,7 @@ bool usesStandardOutput(const std::vector<std::filesystem::path> &outputs);
 /// Writes a mesh to a file or to standard output. The result holds errors, else the notes of exportNotes().
 Diagnostics writeOutput(const Output &output, const Mesh &mesh, const Progress &progress);
 
+/// Writes text to standard output. Fault: cannot-write, with the reason.
+Status printText(std::string_view text);
+
 } // namespace forefront

@@ -14,6 +14,7 @@ namespace FOREFRONT_API forefront {
 /// A repaired domain.
 struct Repaired {
     Domain domain;
+    std::vector<std::uint32_t> nodeSource;    ///< per node: the first given node that it was, or kNoIndex if new
     std::vector<std::uint32_t> segmentSource; ///< per segment: the given segment that it is part of
     double radius = 0.0; ///< joining distance: the tolerance, or less if several things crowd within it
     std::vector<ArrangementChange> changes; ///< one entry per kind; the parts are those of the given domain

@@ -27,6 +27,12 @@ void Repairer::build() {
             domain.holeMarkers.push_back(given_.holeMarkers[i]);
         }
     }
+    result_.nodeSource.assign(domain.nodes.size(), kNoIndex);
+    for (auto n = static_cast<std::uint32_t>(given_.nodes.size()); n-- > 0;) {
+        if (const std::uint32_t number = renumbered(n); number != kNoIndex) {
+            result_.nodeSource[number] = n;
+        }
+    }
     locateChanges();
 }
 

@@ -3,9 +3,12 @@
 #include "core/base/number_text.hpp"
 #include "core/domain/coordinate_range.hpp"
 #include "core/domain/domain_meetings.hpp"
+#include "core/geometry/box_tree.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
+#include <limits>
 
 namespace forefront {
 
@@ -13,6 +16,34 @@ namespace {
 
 /// Maximum number of meetings to search for, so that those not listed can be counted.
 constexpr std::size_t kMaxPairs = 100'000;
+
+/// Maximum width of a gap that the advice says to close by welding, as a fraction of the domain's diagonal. Where the
+/// ends are farther apart, something is missing.
+constexpr double kWeldableGap = 0.01;
+
+/// Finds for an end of a line the nearest other one.
+class FreeEnds {
+  public:
+    explicit FreeEnds(std::vector<Vec2> ends) : ends_(std::move(ends)) {
+        std::vector<Box2> boxes;
+        for (const Vec2 end : ends_) {
+            boxes.push_back(boxOf(end, end));
+        }
+        tree_ = BoxTree(boxes);
+    }
+    /// Returns the distance from end k to the nearest other one; infinity if there is none.
+    double gap(std::size_t k) const {
+        double limit = std::numeric_limits<double>::infinity();
+        tree_.nearest(ends_[k], limit, [&](std::uint32_t other) {
+            return other == k ? std::numeric_limits<double>::infinity() : distance(ends_[k], ends_[other]);
+        });
+        return limit;
+    }
+
+  private:
+    std::vector<Vec2> ends_;
+    BoxTree tree_;
+};
 
 class Validator {
   public:
@@ -274,17 +305,47 @@ class Validator {
                 ++degree[b];
             }
         }
+        std::vector<std::uint32_t> ends;
         for (std::uint32_t n = 0; n < degree.size(); ++n) {
-            if (degree[n] % 2 != 0) {
+            if (degree[n] == 1) {
+                ends.push_back(n);
+            } else if (degree[n] % 2 != 0) {
                 open_ = true;
                 add("open-chain",
-                    degree[n] == 1
-                        ? "the boundary ends at a node; expected a closed loop"
-                        : std::to_string(degree[n]) + " boundary segments meet at a node; expected an even number",
+                    std::to_string(degree[n]) + " boundary segments meet at a node; expected an even number",
                     "close the loop, or turn boundary segments that bound nothing into constraints", domain_.nodes[n],
                     {aNode(n)});
             }
         }
+        open_ = open_ || !ends.empty();
+        addOpenEnds(ends);
+    }
+
+    /// Reports nodes at which the boundary ends, each with the distance to the next one.
+    void addOpenEnds(const std::vector<std::uint32_t> &nodes) {
+        std::vector<Vec2> places;
+        for (const std::uint32_t n : nodes) {
+            places.push_back(domain_.nodes[n]);
+        }
+        const FreeEnds ends(std::move(places));
+        for (std::size_t k = 0; k < nodes.size(); ++k) {
+            const double gap = ends.gap(k);
+            add("open-chain", "the boundary ends at a node" + gapText(gap) + "; expected a closed loop",
+                "close the loop" + weldAdvice(gap) + ", or turn boundary segments that bound nothing into constraints",
+                domain_.nodes[nodes[k]], {aNode(nodes[k])});
+        }
+    }
+
+    static std::string gapText(double gap) {
+        return std::isfinite(gap) ? ", " + numberText(gap, 3) + " from the nearest other end" : std::string();
+    }
+
+    /// Returns advice to weld a narrow gap, with a tolerance that surely suffices; empty for wide ones.
+    std::string weldAdvice(double gap) const {
+        if (!(gap <= kWeldableGap * domain_.bounds().diagonal())) {
+            return {};
+        }
+        return ", repair the domain" + (gap > 0.0 ? " with a weld tolerance of " + numberText(1.1 * gap, 2) : "");
     }
 
     void checkFaces(const DomainGraph &graph, const PlaneSweepResult &sweep) {
@@ -322,14 +383,24 @@ class Validator {
             ++degree[sweep.canonical[edge.a]];
             ++degree[sweep.canonical[edge.b]];
         }
-        std::size_t e = 0; // an edge with a free end, if there is one
-        const auto isFree = [&](std::uint32_t end) { return degree[sweep.canonical[end]] == 1; };
-        while (e + 1 < graph.edges.size() && !isFree(graph.edges[e].a) && !isFree(graph.edges[e].b)) {
-            ++e;
+        std::vector<std::uint32_t> edges; // per free end
+        std::vector<Vec2> places;
+        for (std::uint32_t e = 0; e < graph.edges.size(); ++e) {
+            for (const std::uint32_t end : {graph.edges[e].b, graph.edges[e].a}) {
+                if (degree[sweep.canonical[end]] == 1) {
+                    edges.push_back(e);
+                    places.push_back(graph.points[end]);
+                }
+            }
         }
-        add("empty-domain", "the domain has only constraint lines and no boundary",
-            "draw a closed outline, or turn a closed line into a boundary",
-            graph.points[isFree(graph.edges[e].b) ? graph.edges[e].b : graph.edges[e].a], {aSegment(graph.segment[e])});
+        const bool anyFree = !places.empty();
+        const Vec2 place = anyFree ? places.front() : graph.points[graph.edges[0].a];
+        const double gap = anyFree ? FreeEnds(std::move(places)).gap(0) : std::numeric_limits<double>::infinity();
+        add("empty-domain",
+            "the domain has only constraint lines and no boundary" +
+                (anyFree ? "; a line ends" + gapText(gap) : std::string()),
+            "draw a closed outline" + weldAdvice(gap) + ", or turn a closed line into a boundary", place,
+            {aSegment(graph.segment[anyFree ? edges.front() : 0])});
     }
 
     /// Reports free ends of boundary segments that bound nothing, where the rule allows free ends inside.
@@ -345,17 +416,16 @@ class Validator {
                 last[sweep.canonical[end]] = e;
             }
         }
-        bool any = false;
+        std::vector<std::uint32_t> ends;
         for (std::uint32_t point = 0; point < graph.node.size(); ++point) {
             const std::uint32_t e = last[point];
             if (degree[point] == 1 && domain_.segments[graph.segment[e]].role == SegmentRole::Boundary &&
                 labels.inside[faces.left[e]] == 0 && labels.inside[faces.right[e]] == 0) {
-                any = true;
-                add("open-chain", "the boundary ends at a node; expected a closed loop", "close the loop",
-                    graph.points[point], {aNode(graph.node[point])});
+                ends.push_back(graph.node[point]);
             }
         }
-        return any;
+        addOpenEnds(ends);
+        return !ends.empty();
     }
 
     void checkPointPlaces(const DomainGraph &graph, const PlaneSweepResult &sweep, const Faces &faces,

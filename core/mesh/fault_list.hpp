@@ -18,7 +18,7 @@ class FaultList {
     explicit FaultList(std::size_t limit) : limit_(limit) {}
 
     void add(const char *code, std::string message, std::optional<Vec2> at = {},
-             std::initializer_list<std::uint32_t> ids = {}) {
+             std::initializer_list<std::uint32_t> ids = {}, std::initializer_list<DomainPart> parts = {}) {
         ++count_;
         if (++kindOf(code).count > kOften) {
             return;
@@ -28,6 +28,7 @@ class FaultList {
         fault.message = std::move(message);
         fault.at = at;
         fault.ids = ids;
+        fault.parts = parts;
         faults_.push_back(std::move(fault));
     }
     std::size_t count() const { return count_; }

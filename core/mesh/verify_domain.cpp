@@ -167,6 +167,13 @@ class CurveWalk {
     double deviation_;        ///< maximum distance of an edge from the curve
 };
 
+/// Returns the constraint point of a domain at a place where there is one.
+DomainPart partAt(const Domain &domain, Vec2 place) {
+    const auto found = std::find_if(domain.points.begin(), domain.points.end(),
+                                    [&](const ConstraintPoint &point) { return domain.nodes[point.node] == place; });
+    return {DomainPartKind::ConstraintPoint, static_cast<std::uint32_t>(found - domain.points.begin())};
+}
+
 /// Returns the domain with its segments divided as the mesh divides them.
 DiscreteDomain cutAsMeshed(const Mesh &mesh, const Domain &domain, const CurveChains &chains,
                            const DiscreteDomain &given, double tolerance, FaultList &faults) {
@@ -190,18 +197,18 @@ DiscreteDomain cutAsMeshed(const Mesh &mesh, const Domain &domain, const CurveCh
         }
         const Vec2 a = given.nodes[s.a], b = given.nodes[s.b];
         const NodeId from = finder.find(a), to = finder.find(b);
-        const std::string name = std::to_string(s.source) + " (tag " + std::to_string(s.tag) + ')';
+        const std::string name = "a segment of the domain with tag " + std::to_string(s.tag);
         if (from == kNoNode || to == kNoNode) {
-            faults.add("missing-node", "an end of domain segment " + name + " is not a boundary node of the mesh",
-                       from == kNoNode ? a : b, {s.source});
+            faults.add("missing-node", "an end of " + name + " is not a boundary node of the mesh",
+                       from == kNoNode ? a : b, {s.source}, {aSegment(s.source)});
             continue;
         }
         const std::vector<NodeId> nodes = curved != nullptr
                                               ? CurveWalk(domain, *curved, tolerance).nodes(mesh, edges, from, to)
                                               : chain(mesh, edges, from, to, tolerance);
         if (nodes.empty()) {
-            faults.add("missing-segment", "domain segment " + name + " is not covered by edges of the mesh",
-                       midpoint(a, b), {s.source});
+            faults.add("missing-segment", name + " is not covered by edges of the mesh", midpoint(a, b), {s.source},
+                       {aSegment(s.source)});
         }
         for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
             DiscreteSegment piece = s;
@@ -213,8 +220,8 @@ DiscreteDomain cutAsMeshed(const Mesh &mesh, const Domain &domain, const CurveCh
     for (const ConstraintPoint &point : given.points) {
         const NodeId node = finder.find(given.nodes[point.node]);
         if (node == kNoNode) {
-            faults.add("missing-point", "constraint point " + std::to_string(point.node) + " is not a node of the mesh",
-                       given.nodes[point.node], {point.node});
+            faults.add("missing-point", "a constraint point of the domain is not a node of the mesh",
+                       given.nodes[point.node], {point.node}, {partAt(domain, given.nodes[point.node])});
         } else {
             cut.points.push_back({static_cast<std::uint32_t>(node), point.tag});
         }

@@ -6,6 +6,7 @@
 FOREFRONT_DATA may name a folder of real domains (*.poly); each is then meshed and checked.
 """
 
+import errno
 import json
 import math
 import os
@@ -293,7 +294,10 @@ class Streams(Case):
         _, messages = self.pipe("mesh", "-", "--input-format", "poly", "-o", "a.msh", text=poly([BOW]), code=1)
         self.assertRegex(messages, r"^standard input:\d+: error: two segments cross")
         _, messages = self.pipe("mesh", "-", "-o", "a.msh", text="nothing", code=1)
-        self.assertIn("standard input: error: unknown file format", messages)
+        self.assertIn("standard input: error: the format cannot be told from the content [unknown-format]; "
+                      "add --input-format with one of project, geojson", messages)
+        _, messages = self.pipe("check", "plate.poly", "--domain", "-", text="nothing", code=1)
+        self.assertNotIn("--input-format", messages)
 
     def test_wrong_use_of_streams_is_refused(self):
         for words, message in ((["mesh", "plate.poly", "-o", "-"], "--format"),
@@ -340,6 +344,16 @@ class Imports(Case):
             "a.geojson:1:98: note: third coordinates are ignored: the domain is planar (5 times) [height]",
             'a.geojson:1:36: note: properties other than "name" and "tag" are ignored: \'depth\' [properties]'])
         self.assertEqual(self.call("mesh", "a.geojson", "-o", "a.msh", "-q").stderr, "")
+
+    def test_a_ring_that_is_not_closed_is_reported(self):
+        self.write("a.geojson", '{"type": "Polygon", "coordinates": [[[0,0],[4,0],[4,3],[0,3]]]}')
+        self.assertEqual(self.call("mesh", "a.geojson", "-o", "a.msh").stderr,
+                         "a.geojson:1:37: note: rings that do not end where they begin are closed [open-ring]\n")
+
+    def test_units_of_drawings_are_named_in_words(self):
+        self.write("a.svg", '<svg width="2in" height="1in" viewBox="0 0 192 96"><rect width="192" height="96"/></svg>')
+        self.assertIn("coordinates are in inches, the unit of the document's size",
+                      self.call("mesh", "a.svg", "-o", "a.msh").stderr)
 
     def test_lines_that_close_are_an_outline(self):
         self.write("a.geojson", '{"type": "LineString", "coordinates": [[0,0],[4,0],[4,3],[0,3],[0,0]]}')
@@ -422,6 +436,32 @@ class Refusing(Case):
                              '<path d="M0 0 4 3 4 0 0 3z"/></svg>', "crossing-segments", "--strict")
         self.assertTrue(line.startswith("bow.svg:3:2: error: "), line)
 
+    def test_advice_names_the_options_of_a_repair(self):
+        [line] = self.faults("bow.poly", poly([BOW]), "crossing-segments")
+        self.assertTrue(line.endswith("; move a node, or add --repair to split both where they cross"), line)
+
+    def test_a_gap_is_reported_with_its_width_and_how_to_weld_it(self):
+        nodes = "5 2\n1 0 0\n2 4 0\n3 4 3\n4 0 3\n5 0 %s\n4\n1 1 2\n2 2 3\n3 3 4\n4 4 5\n0\n"
+        ends = self.faults("gap.poly", nodes % 0.01, "open-chain")
+        self.assertEqual(len(ends), 2)
+        for line, place in zip(ends, ("(0, 0): node 1 (line 2)", "(0, 0.01): node 5 (line 6)")):
+            self.assertIn("the boundary ends at a node, 0.01 from the nearest other end; expected a closed loop at " +
+                          place, line)
+            self.assertIn("; close the loop, add --repair --weld 0.011, or ", line)
+        self.call("mesh", "gap.poly", "-o", "a.msh", "--repair", "--weld", "0.011")
+        repaired = self.call("mesh", "gap.poly", "-o", "a.msh", "--repair", code=1).stderr
+        self.assertIn("gap.poly:2: error: the boundary ends at a node", repaired)
+        self.assertIn("node 5 (line 6)", repaired)
+        for line in self.faults("gap.poly", nodes % 2.5, "open-chain"):
+            self.assertIn(", 2.5 from the nearest other end", line)
+            self.assertNotIn("--weld", line)
+        self.write("gap.svg", '<svg viewBox="0 0 9 9"><path fill="none" stroke="red" d="M0 0H4V3H0V.01"/></svg>')
+        [line] = [line for line in self.call("mesh", "gap.svg", "-o", "a.msh", code=1).stderr.splitlines()
+                  if "empty-domain" in line]
+        self.assertIn("no boundary; a line ends, 0.01 from the nearest other end", line)
+        self.assertIn("add --repair --weld 0.011", line)
+        self.call("mesh", "gap.svg", "-o", "a.msh", "--weld", "0.011")
+
     def test_faults_left_by_a_repair_name_the_file_and_no_segments_that_it_does_not_have(self):
         self.write("bow.geojson", '{"type": "Polygon", "coordinates": [[[0, 0], [4, 3], [4, 0], [0, 3], [0, 0]]]}')
         self.assertIn("bow.geojson:1:38: note: ", self.call("mesh", "bow.geojson", "-o", "a.msh", "--repair").stderr)
@@ -432,7 +472,7 @@ class Refusing(Case):
         left = [line for line in output if line not in notes]
         self.assertTrue(left)
         for line in left:
-            self.assertTrue(line.startswith("open.poly: error: ") and "(line" not in line, output)
+            self.assertRegex(line, r"^open\.poly:[25]: error: .*: node [14] \(line [25]\) \[open-chain\]")
 
     def test_a_silent_pipe_can_be_interrupted(self):
         os.mkfifo(self.path / "pipe.poly")
@@ -460,7 +500,7 @@ class Refusing(Case):
         done = self.call("mesh", "gap.poly", "-o", "gap.msh", "--repair", "--weld", "0.02")
         self.assertIn("note: moved 1 node onto another one, at most 0.01 away at (0, 0.01)", done.stderr)
         self.call("check", "gap.msh")
-        self.assertIn("--weld: Triangle domain files are read as they are; add --repair",
+        self.assertIn("--weld: Triangle domain files are read unchanged; add --repair",
                       self.call("mesh", "gap.poly", "-o", "gap.msh", "--weld", "0.02", code=2).stderr)
         self.assertIn("add --repair",
                       self.call("check", "gap.msh", "--domain", "gap.poly", "--weld", "0.02", code=2).stderr)
@@ -494,7 +534,7 @@ class Refusing(Case):
     def test_two_outputs_do_not_go_to_one_file(self):
         for words in (["-o", "a.msh", "-o", "./a.msh"], ["-o", "a.msh", "--stats", "a.msh"]):
             self.assertIn("two outputs", self.call("mesh", "plate.poly", *words, code=1).stderr)
-        self.assertIn("without a name", self.call("mesh", "plate.poly", "--stats", "", code=1).stderr)
+        self.assertIn("has no file name", self.call("mesh", "plate.poly", "--stats", "", code=1).stderr)
         self.call("mesh", "plate.poly", "-o", "/dev/null", "-o", "/dev/null", "--format", "msh2", "--format", "msh2")
 
     def test_inputs_are_not_overwritten(self):
@@ -528,6 +568,11 @@ class Refusing(Case):
         self.write("other.poly", poly([SQUARE]))
         done = self.call("check", "plate.msh", "--domain", "other.poly", code=1)
         self.assertRegex(done.stderr, r"at \([-0-9.e]+, [-0-9.e]+\)")
+        self.write("moved.poly", poly([SQUARE[:2] + [(5.0, 3.0), (0.0, 3.0)]]))
+        moved = self.call("check", "plate.msh", "--domain", "moved.poly", code=1).stderr.splitlines()
+        self.assertTrue(any(line.startswith("moved.poly:8: error: an end of a segment of the domain with tag 1 is not a "
+                                            "boundary node of the mesh at (5, 3): segment 2 (line 8) [missing-node]")
+                            for line in moved), moved)
         text = self.read("plate.msh")
         triangles = list(re.finditer(r"^(\d+ 2 2 \d+ \d+) (\d+) (\d+) (\d+)$", text, re.M))
         self.assertTrue(triangles)
@@ -633,6 +678,25 @@ class Refusing(Case):
         for octal in ("010", "08", "+002"):
             self.assertIn(f"got '{octal}'", self.call(*mesh, "--threads", octal, code=2).stderr)
 
+    def test_options_that_exclude_each_other_are_named(self):
+        both = self.call("mesh", "plate.poly", "-o", "a.msh", "--size", "1", "--spacing", "x", code=2).stderr
+        self.assertEqual(both.splitlines()[0], "forefront mesh: only one of --size, --spacing, --spacing-file can be "
+                         "given, got --size, --spacing")
+        neither = self.call("adapt", "plate.msh", "--error", "0.1", "-o", "a.msh", code=2).stderr
+        self.assertEqual(neither.splitlines()[0],
+                         "forefront adapt: missing option; add one of --field, --expression")
+        self.assertEqual(self.call("mesh", "plate.poly", "-o", "a.msh", "--size", code=2).stderr.splitlines()[0],
+                         "forefront mesh: --size: missing value")
+
+    def test_a_full_device_is_given_as_the_reason(self):
+        for words in (["-o", "-", "--format", "vtu", "-q"], ["-o", "/dev/full", "--format", "vtu", "-q"],
+                      ["--stats", "-"]):
+            with open("/dev/full", "w") as full:
+                done = subprocess.run([PROGRAM, "mesh", "plate.poly", *words], cwd=self.path, stdout=full,
+                                      stderr=subprocess.PIPE, text=True, timeout=300)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(os.strerror(errno.ENOSPC), done.stderr)
+
     def test_an_unknown_command_is_named(self):
         self.assertIn("unknown command or file 'mash'", self.call("mash", "plate.poly", code=2).stderr)
 
@@ -654,6 +718,7 @@ class Refusing(Case):
         self.assertRegex(self.call("--version").stdout, r"^forefront \d+\.\d+\.\d+\n$")
         for words in (["--help"], ["mesh", "--help"], ["check", "--help"]):
             self.assertIn("Examples:", self.call(*words).stdout)
+        self.assertIn("4 no window", self.call("--help").stdout)
 
 
 class Tables(Case):
@@ -661,7 +726,7 @@ class Tables(Case):
         done = self.call("tables", "--rows", "1a,2A", "--grids", "60x40,hierarchical", "--csv", "t.csv", "--svg",
                          "t.svg")
         self.assertEqual(done.stderr, "")
-        for words in ("30384", "44937", "Growth of the cost", "alpha higher by 0.03 or more", "Reading"):
+        for words in ("30384", "44937", "Growth of the cost", "alpha higher by 0.03 or more", "\nNotes\n"):
             self.assertIn(words, done.stdout)
         head, *lines = [line.split(",") for line in self.read("t.csv").splitlines()]
         rows = [dict(zip(head, line)) for line in lines]
@@ -680,7 +745,7 @@ class Tables(Case):
     def test_adaptive_rows_are_marked_as_our_own(self):
         done = self.call("tables", "--rows", "3*,4", "--grids", "60x40,hierarchical", "--csv", "t.csv")
         self.assertEqual(done.stderr, "")
-        for words in ("132424", "311282", "\n3* ", "\n4* ", "domains and for fields of our own", "Reading"):
+        for words in ("132424", "311282", "\n3* ", "\n4* ", "domain and field are our own", "\nNotes\n"):
             self.assertIn(words, done.stdout)
         head, *lines = [line.split(",") for line in self.read("t.csv").splitlines()]
         rows = [dict(zip(head, line)) for line in lines]

@@ -374,18 +374,18 @@ def check_calculix(sample, file, folder):
         assert abs(float(row[3])) < 1e-4 and abs(float(row[5])) < 1e-4, row
 
 
-# Names of the sample "twins" as identifiers; the regions have the first choice.
-TWIN_SETS = {"steel": "steel_2", 'Öffnung "süd"': "n__ffnung__s_d_", "sea bed": "sea_bed", "sea_bed": "sea_bed_2",
-             "4th hole": "n_4th_hole", "copper": "copper_2"}
-TWIN_MARKERS = {**TWIN_SETS, "steel": "steel", "copper": "copper"}
+# Names of the boundaries of the sample "twins" as identifiers; those of regions then end in "_region".
+TWIN_SETS = {"steel": "steel", 'Öffnung "süd"': "n__ffnung__s_d_", "sea bed": "sea_bed", "sea_bed": "sea_bed_2",
+             "4th hole": "n_4th_hole", "copper": "copper"}
+TWIN_MARKERS = TWIN_SETS
 
 LOADED = """*INCLUDE, INPUT=%s
 *MATERIAL, NAME=M
 *ELASTIC
 1000., 0.3
-*SOLID SECTION, ELSET=steel, MATERIAL=M
+*SOLID SECTION, ELSET=steel_region, MATERIAL=M
 1.
-*SOLID SECTION, ELSET=copper, MATERIAL=M
+*SOLID SECTION, ELSET=copper_region, MATERIAL=M
 1.
 *BOUNDARY
 n_4th_hole, 1, 2, 0.
@@ -397,9 +397,9 @@ n_4th_hole, 1, 2, 0.
 RF
 *NODE PRINT, NSET=%s
 U
-*EL PRINT, ELSET=steel, TOTALS=ONLY
+*EL PRINT, ELSET=steel_region, TOTALS=ONLY
 EVOL
-*EL PRINT, ELSET=copper, TOTALS=ONLY
+*EL PRINT, ELSET=copper_region, TOTALS=ONLY
 EVOL
 *END STEP
 """

@@ -28,7 +28,7 @@ std::string codesOf(const ImportNotes &notes) {
     return codes;
 }
 
-/// The fault for an element that names a node twice.
+/// The fault for an element that refers to a node twice.
 Diagnostic refusalOf(const Result<Mesh> &mesh) {
     REQUIRE_FALSE(mesh.ok());
     CHECK(allLocated(mesh.faults()));
@@ -80,10 +80,10 @@ TEST_CASE("Import notes: mesh formats report what they skip; our own files cause
     CHECK(codesOf(notes) == "section 1 statement 2 ");
 }
 
-TEST_CASE("Readers: refuse an element that names a node twice, with its place") {
+TEST_CASE("Readers: refuse an element that refers to a node twice, with its place") {
     const Diagnostic obj = refusalOf(readObj(sourceOf("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 1\n")));
     CHECK(obj.line == 5);
-    CHECK(obj.message == "face 2 names a node twice");
+    CHECK(obj.message == "face 2 refers to a node twice");
     const std::string medit =
         "MeshVersionFormatted 2\nDimension 2\nVertices 3\n0 0 0\n1 0 0\n0 1 0\nTriangles 1\n1 2 2 1\n";
     CHECK(refusalOf(readMedit(sourceOf(medit))).line == 8);

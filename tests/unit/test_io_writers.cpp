@@ -318,7 +318,7 @@ TEST_CASE("Abaqus: names of sets are distinct identifiers of at most 80 characte
     CHECK(notes[0].code == "changed-names");
     CHECK(notes[0].file.ends_with("a.inp"));
     for (const char *part :
-         {"boundary 'nall' is nall_2", "region 'Water' is Water_2", "boundary '4th of July' is n_4th_of_July"}) {
+         {"boundary 'nall' is nall_2", "region 'Water' is Water_region", "boundary '4th of July' is n_4th_of_July"}) {
         CHECK_MESSAGE(notes[0].message.find(part) != std::string::npos, notes[0].message);
     }
     CHECK(exportNotes("b.inp", samples::square(2, 2)).empty());

@@ -263,6 +263,24 @@ TEST_CASE("repair: random lattice junk becomes simple") {
     }
 }
 
+TEST_CASE("repair: names the given node and segment that each part comes from") {
+    Domain domain;
+    domain.nodes = {{9, 9}, {0, 0}, {2, 2}, {2, 0}, {0, 2}}; // the first is unused, the segments cross
+    for (std::uint32_t k = 0; k < 4; ++k) {
+        domain.segments.push_back({1 + k, 1 + (k + 1) % 4});
+    }
+    const auto result = repair(domain);
+    REQUIRE(result.ok());
+    REQUIRE(result->nodeSource.size() == result->domain.nodes.size());
+    std::size_t added = 0;
+    for (std::size_t n = 0; n < result->nodeSource.size(); ++n) {
+        const std::uint32_t source = result->nodeSource[n];
+        added += source == kNoIndex ? 1 : 0;
+        CHECK(result->domain.nodes[n] == (source == kNoIndex ? Vec2{1, 1} : domain.nodes[source]));
+    }
+    CHECK(added == 1);
+}
+
 TEST_CASE("repair: leaves and reports faults that cannot be repaired safely") {
     Domain open;
     addLoop(open, square(0, 0, 1));

@@ -1,3 +1,4 @@
+#include "core/base/number_text.hpp"
 #include "core/domain/validate.hpp"
 #include "core/geometry/predicates.hpp"
 #include "tests/support/random_domains.hpp"
@@ -112,11 +113,32 @@ TEST_CASE("validate: reports open chains and odd numbers of boundary segments at
     CHECK(codes(faults) == "open-chain open-chain");
     CHECK(indices(faults[0]) == std::vector<std::uint32_t>{0});
     CHECK(indices(faults[1]) == std::vector<std::uint32_t>{3});
+    CHECK(faults[0].message == faults[1].message);
     Domain tee = square();
     tee.segments.push_back({0, 2});
     CHECK(codes(validate(tee)) == "open-chain open-chain");
     tee.segments.back().role = SegmentRole::Constraint;
     CHECK(codes(validate(tee)) == "");
+}
+
+TEST_CASE("validate: an open end names the nearest other end, and only narrow gaps are for welding") {
+    const auto faultsOf = [](double gap) {
+        Domain open = square();
+        open.segments.pop_back();
+        open.nodes[3] = {open.nodes[0].x, open.nodes[0].y + gap};
+        return validate(open);
+    };
+    const double size = square().bounds().diagonal();
+    for (const Diagnostic &fault : faultsOf(0.001 * size)) {
+        CHECK(fault.message == "the boundary ends at a node, " + numberText(0.001 * size, 3) +
+                                   " from the nearest other end; expected a closed loop");
+        CHECK(fault.advice.find("repair the domain with a weld tolerance of " + numberText(0.0011 * size, 2)) !=
+              std::string::npos);
+    }
+    for (const Diagnostic &fault : faultsOf(0.02 * size)) {
+        CHECK(fault.message.find("from the nearest other end") != std::string::npos);
+        CHECK(fault.advice.find("weld") == std::string::npos);
+    }
 }
 
 TEST_CASE("validate: numbers that are not finite, indices out of range and tags below 1 are refused") {

@@ -333,7 +333,7 @@ TEST_CASE("verify: reports nodes without elements and tagged edges that are not 
     CHECK(at(faults, {0.5, 0.5}));
 }
 
-TEST_CASE("verify: reports an element that names a node twice") {
+TEST_CASE("verify: reports an element that refers to a node twice") {
     for (const Element &bad : {Element{node(0), node(1), node(0)}, Element{node(3), node(3), node(2)},
                                Element{node(2), node(0), node(0)}, Element{node(1), node(1), node(1)}}) {
         Mesh alone = twoTriangles();

@@ -125,14 +125,24 @@ std::string percentDecoded(std::string_view text) {
     return name;
 }
 
+namespace {
+
+/// Returns a text with its ASCII capitals in lower case.
+std::string lowerCase(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; });
+    return text;
+}
+
+} // namespace
+
+bool UniqueNames::taken(const std::string &name) const {
+    return taken_.count(lowerCase(name)) > 0;
+}
+
 std::string UniqueNames::claim(const std::string &name, std::size_t maximum) {
-    const auto folded = [](std::string text) {
-        std::transform(text.begin(), text.end(), text.begin(),
-                       [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; });
-        return text;
-    };
     std::string candidate = shortened(name, maximum);
-    for (int number = 2; !taken_.insert(folded(candidate)).second; ++number) {
+    for (int number = 2; !taken_.insert(lowerCase(candidate)).second; ++number) {
         const std::string ending = '_' + std::to_string(number);
         candidate = shortened(name, maximum - ending.size()) + ending;
     }
@@ -167,12 +177,18 @@ TagList tagsOf(const Mesh &mesh) {
 
 FileNames identifiersOf(const TagList &tags, UniqueNames &unique) {
     FileNames names;
-    for (const auto &[from, to] : {std::pair{&tags.regions, &names.regions}, std::pair{&tags.edges, &names.edges},
-                                   std::pair{&tags.points, &names.points}}) {
-        for (const auto &[tag, name] : *from) {
-            to->emplace(tag, unique.claim(asIdentifier(name)));
+    const auto add = [&](const auto &from, auto &to, const std::string &ending) {
+        for (const auto &[tag, name] : from) {
+            std::string identifier = asIdentifier(name);
+            if (unique.taken(identifier)) {
+                identifier = asIdentifier(name, 80 - ending.size()) + ending;
+            }
+            to.emplace(tag, unique.claim(identifier));
         }
-    }
+    };
+    add(tags.edges, names.edges, "");
+    add(tags.regions, names.regions, "_region");
+    add(tags.points, names.points, "_point");
     return names;
 }
 

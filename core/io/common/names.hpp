@@ -43,6 +43,9 @@ class UniqueNames {
     /// Returns the name, shortened to `maximum` bytes, or with "_2", "_3", ... at its end if it is already taken.
     std::string claim(const std::string &name, std::size_t maximum = 80);
 
+    /// Returns true if a name is taken, whatever its case.
+    bool taken(const std::string &name) const;
+
   private:
     std::set<std::string> taken_;
 };
@@ -58,7 +61,8 @@ struct FileNames {
     std::map<std::int32_t, std::string> edges, points, regions;
 };
 
-/// Makes an identifier of each name. No two are the same, even for tags of different kinds.
+/// Makes an identifier of each name. No two are the same, even for tags of different kinds: as in MSH files, edges keep
+/// their names, and regions and points whose names are taken get "_region" or "_point" appended.
 FileNames identifiersOf(const TagList &tags, UniqueNames &unique);
 
 /// Returns a note that lists the names which differ in the file, or nothing if none does.

@@ -328,6 +328,8 @@ class GeoJsonReader {
             std::vector<Vec2> nodes = positions(ring, "a ring of a polygon");
             if (nodes.size() > 1 && nodes.front() == nodes.back()) {
                 nodes.pop_back();
+            } else if (nodes.size() >= 3) {
+                source_.note("open-ring", "rings that do not end where they begin are closed", ring.offset());
             }
             if (nodes.size() >= 3) {
                 polygon.rings.push_back({ring, std::move(nodes)});

@@ -139,7 +139,7 @@ class SvgDrawer {
         axes_ = axes.map;
         viewport_ = axes.viewport;
         if (!axes.unit.empty()) {
-            note(root_, "svg-units", "coordinates are in " + axes.unit + ", the unit of the document's size");
+            note(root_, "svg-units", "coordinates are in " + unitName(axes.unit) + ", the unit of the document's size");
         }
     }
 

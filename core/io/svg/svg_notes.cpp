@@ -10,10 +10,10 @@ void noteUnusedStyle(const SourceText &source, const SvgStyles &styles, const pu
         return !value.empty() && value != "none";
     };
     if (given("clip-path")) {
-        source.note("svg-clip-path", "clip paths are ignored: what they clip is taken whole", offsetOf(node));
+        source.note("svg-clip-path", "clip paths are ignored: clipped shapes are read whole", offsetOf(node));
     }
     if (given("mask")) {
-        source.note("svg-mask", "masks are ignored: what they mask is taken whole", offsetOf(node));
+        source.note("svg-mask", "masks are ignored: masked shapes are read whole", offsetOf(node));
     }
     // The attribute is read; the property of CSS, which overrides it, is not.
     const bool attribute = !node.attribute("transform").empty();
@@ -24,7 +24,8 @@ void noteUnusedStyle(const SourceText &source, const SvgStyles &styles, const pu
     for (const pugi::xml_node child : node.children()) {
         const std::string_view name = localName(child);
         if (name.starts_with("animate") || name == "set") {
-            source.note("svg-animation", "animations are ignored: the drawing is read as it begins", offsetOf(child));
+            source.note("svg-animation", "animations are ignored: the drawing is read in its initial state",
+                        offsetOf(child));
         }
     }
 }

@@ -98,8 +98,8 @@ class SvgBuilder {
             return loop ? Part::Outline : Part::Line;
         }
         if (loop && !path.paint.stroked) {
-            source_.note("svg-unpainted", "shapes without fill and stroke are ignored, since others are painted",
-                         path.offset);
+            source_.note("svg-unpainted",
+                         "shapes with neither fill nor stroke are ignored, because other shapes have one", path.offset);
             return Part::Nothing;
         }
         return Part::Line;

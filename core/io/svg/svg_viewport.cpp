@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace forefront {
@@ -34,6 +35,14 @@ std::optional<double> pixelsPer(std::string_view unit) {
         }
     }
     return std::nullopt;
+}
+
+std::string unitName(std::string_view unit) {
+    constexpr std::pair<std::string_view, std::string_view> kNames[] = {
+        {"in", "inches"}, {"mm", "millimetres"}, {"cm", "centimetres"}, {"pt", "points"}, {"pc", "picas"}};
+    const auto *const found =
+        std::find_if(std::begin(kNames), std::end(kNames), [&](const auto &name) { return name.first == unit; });
+    return std::string(found == std::end(kNames) ? unit : found->second);
 }
 
 std::optional<double> userLength(std::string_view text, SvgExtent extent, Vec2 viewport) {

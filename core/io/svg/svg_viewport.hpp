@@ -19,6 +19,9 @@ std::optional<SvgLength> parseLength(std::string_view text);
 /// Returns how many user units (pixels at 96 to the inch) one of that unit has; nothing for "%" and unknown units.
 std::optional<double> pixelsPer(std::string_view unit);
 
+/// Returns the name of a unit in the plural, such as "inches" for "in"; unknown units as they are.
+std::string unitName(std::string_view unit);
+
 /// The extent of the viewport that a percentage refers to.
 enum class SvgExtent { Width, Height, Diagonal };
 
