@@ -195,7 +195,7 @@ std::string comparisons(const std::vector<RowFigures> &rows) {
             }
         }
     }
-    return "Against the published figures, raw meshes, the least favourable row\n" +
+    return "Raw meshes against the published figures, in the least favourable row\n" +
            alpha.text("alpha higher by 0.03 or more", 0.03, "%+.4f") + delta.text("delta not lower", 0.0, "%+.4f") +
            tests.text("fewer segments tested per element (Ns)", 0.0, "%.3f fewer") +
            neighbours.text("hierarchical grid: at most 20 segments delivered (Nc)", -20.0, "%.2f", -1.0) +
@@ -234,30 +234,30 @@ std::string adaptiveNotes(const std::vector<RowFigures> &rows) {
     if (text.empty()) {
         return text;
     }
-    return "\nAdaptive refinement, * on domains and for fields of our own: those of the publication are not known\n"
+    return "\nAdaptive refinement; *: domain and field are our own, since the published ones are not known\n"
            "  row  rounds   target error    estimate     min spacing   boundary nodes    those of Lo\n" +
            text;
 }
 
 constexpr const char *kExplanation =
-    R"(  Percentages: ours against that figure. The domain and the functions of the publication are not printed in it:
-  rows 1A to 2E are reconstructed from its counts (rectangle in 50 boundary segments, distance to one or two circles,
-  constants that meet the ten published Ne within 3 % by the integral), so that a difference of some percent
-  from Lo's says nothing of either mesher. Ours exceed the integral, which counts equilateral triangles with sides of
-  rho: our sides keep rho in the mean square, and a triangle of quality alpha has alpha times the area of the
-  equilateral one with the same mean square of sides; so Ne is the integral / alpha. Lo's counts move with the grid;
-  in six of his lines with a grid 2 Nn - Ne - 2, the number of boundary nodes, is 39 or 43 where the others have 50.
-  Rows 3* and 4* are cases of our own in the place of adaptive meshes of unknown domains: an L with a re-entrant corner
-  and a rectangle with a hole, refined by our own error estimate to about as many boundary nodes, the same minimum spacing
-  and about as many elements. That alone is what they share with the published ones.
-Reading
+    R"(  Percentages: our count relative to that figure. The publication does not print its domain and functions: rows 1A to 2E
+  are reconstructed from its counts (rectangle in 50 boundary segments, distance to one or two circles, constants for
+  which the integral is within 3 % of the ten published Ne), so a difference of a few percent from Lo's counts says
+  nothing about either mesher. Our counts exceed the integral, which counts equilateral triangles with sides of rho: our
+  sides match rho in the mean square, and a triangle of quality alpha has alpha times the area of the equilateral one
+  with the same mean square of sides; so Ne is about the integral / alpha. Lo's counts change with the grid; in six of
+  his lines with a grid, the number of boundary nodes, 2 Nn - Ne - 2, is 39 or 43 where the others have 50.
+  Rows 3* and 4* are cases of our own in place of adaptive meshes of unknown domains: an L with a re-entrant corner and a
+  rectangle with a hole, refined by our own error estimate. They share with the published ones only the minimum spacing
+  and, roughly, the numbers of boundary nodes and elements.
+Notes
   alpha, delta: of the mesh as the front leaves it (raw); alpha*, delta*: after the default swapping and smoothing.
-  Compared are the raw ones, the stricter choice: the published ten steps have no smoothing, and whether the published
-  alpha and delta are of smoothed meshes is not said.
-  Seconds: ours CPU time of the front alone on this machine, Lo's with graphics display on a machine not stated; only
-  growth and efficiency compare. Efficiency: time without grid / time with it.
+  The raw values are compared, which is the stricter choice: the published ten steps have no smoothing, and it is not
+  stated whether the published alpha and delta are those of smoothed meshes.
+  Seconds: ours are CPU time of the front alone on this machine, Lo's include the graphics display on an unknown machine;
+  only growth and efficiency can be compared. Efficiency: time without grid / time with it.
   Lo had no grid, 30x20 and 60x40; any other grid is compared with his figures for 60x40, his best.
-  Nc of Lo is not reliable in the larger rows (Nc*Ne is 2^24 there: a sum that stopped growing).
+  Lo's Nc is not reliable in the larger rows (Nc*Ne is 2^24 there: a sum that stopped growing).
   Every grid gives the same mesh, bit for bit; the hash is that of the raw mesh.
 )";
 

@@ -23,7 +23,7 @@ Diagnostics checkRange(const ArrangementInput &input, const Box2 &box) {
     for (const ArrangementPiece &piece : input.pieces) {
         for (const Vec2 p : {piece.a, piece.b}) {
             if (!isFinite(p)) {
-                return error("non-finite", "a coordinate is not finite", "give it finite coordinates");
+                return error("non-finite", "a coordinate is not a finite number", "correct its coordinates");
             }
         }
     }
@@ -64,7 +64,7 @@ Diagnostics checkClosed(const ArrangementInput &input, const SnappedLines &snapp
     if (open == balance.end()) {
         return {};
     }
-    Diagnostics faults = error("open-contour", "an outline does not end where it begins", "close the outline");
+    Diagnostics faults = error("open-contour", "an outline is not closed", "close the outline");
     faults.front().at = input.pieces[piece[static_cast<std::size_t>(open - balance.begin())]].b;
     return faults;
 }
@@ -123,7 +123,7 @@ Result<Arrangement> arrange(const ArrangementInput &input, std::stop_token stop)
     }
     const SnappedLines snapped = snapLines(lines, std::max(input.tolerance, resolutionOf(box)), stop);
     if (!snapped.finished) {
-        return error("cancelled", "joining the pieces was cancelled");
+        return error("cancelled", "arranging the drawing was cancelled");
     }
     if (Diagnostics faults = checkClosed(input, snapped); !faults.empty()) {
         return faults;

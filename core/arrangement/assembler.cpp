@@ -97,8 +97,8 @@ void Assembler::decideFates() {
     }
 }
 
-/// Lines give their tag before outlines do, the last of several; of outlines the first one that bounds the feature on
-/// either side.
+/// Chooses the tag of each edge: that of the last constraint line along it or else of the first outline that bounds the
+/// feature on either side.
 void Assembler::chooseTags() {
     enum Rank : std::uint8_t { None, Any, Bounding, Line };
     std::vector<Rank> rank(snapped_.edges.size(), None);
@@ -183,7 +183,7 @@ void Assembler::addSegments(std::uint32_t piece) {
     }
 }
 
-/// The part of the piece's curve between two nodes on its way.
+/// The part of the piece's curve between two nodes on its path.
 PieceStretch Assembler::stretchOf(std::uint32_t piece, std::uint32_t from, std::uint32_t to) const {
     const ArrangementPiece &about = input_.pieces[piece];
     return {piece,

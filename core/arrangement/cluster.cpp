@@ -19,7 +19,7 @@ class Strip {
     void add(std::uint32_t place) { byHeight_.emplace(places_[place].y, place); }
     void remove(std::uint32_t place) { byHeight_.erase({places_[place].y, place}); }
 
-    /// The nearest one within the radius, by x and y among equals; kNoIndex if there is none.
+    /// Returns the nearest place within the radius, by x and y among equals; kNoIndex if there is none.
     std::uint32_t nearest(Vec2 p) const {
         std::uint32_t best = kNoIndex;
         double limit = radius_;

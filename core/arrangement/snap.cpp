@@ -53,7 +53,7 @@ class PinnedLines {
         return comesBefore(given.b, given.a) ? SnapLine{given.b, given.a} : given;
     }
 
-    /// Returns the maximum distance between a line and its way, and pins lines where it is beyond the radius.
+    /// Returns the maximum distance between a line and its path, and pins lines where it is beyond the radius.
     double measure(const SnappedLines &snapped) {
         double maximum = 0.0;
         for (std::uint32_t i = 0; i < lines_.size(); ++i) {

@@ -61,7 +61,8 @@ void Snapper::makeEdges() {
     boxLength_ = edges_.empty() ? 0.0 : length / static_cast<double>(edges_.size());
 }
 
-/// The half-edge between two nodes, made if there is none. Edges run from the end that comes first by x, then y.
+/// Returns the half-edge between two nodes and makes it if there is none. Edges run from the end that comes first by x,
+/// then y.
 std::uint32_t Snapper::halfEdge(std::uint32_t from, std::uint32_t to) {
     const bool forth = from == to || comesBefore(places_[from], places_[to]);
     const std::uint32_t a = forth ? from : to, b = forth ? to : from;
@@ -212,7 +213,7 @@ void Snapper::addCrossing(std::uint32_t edge, std::uint32_t other) {
     addCut(second, through);
 }
 
-/// The nearest node within the radius, or kNoIndex.
+/// Returns the nearest node within the radius, or kNoIndex.
 std::uint32_t Snapper::nodeWithin(Vec2 at) const {
     std::uint32_t best = kNoIndex;
     for (const Layer &layer : layers_) {
@@ -313,7 +314,7 @@ bool Snapper::shortens(std::uint32_t edge, const std::vector<Cut> &cuts) const {
     return distanceSquared(places_[from], places_[e.b]) < whole;
 }
 
-/// Distance of a node from the line of an edge.
+/// Returns the distance of a node from the line of an edge.
 double Snapper::gap(std::uint32_t edge, std::uint32_t node) const {
     const Vec2 a = places_[edges_[edge].a], ab = places_[edges_[edge].b] - a;
     return std::fabs(cross(ab, places_[node] - a)) / length(ab);

@@ -209,7 +209,7 @@ class Discretiser {
         return {};
     }
 
-    /// Takes the nodes of the domain but for those that only divide curves into chords.
+    /// Takes the nodes of the domain except those that only divide curves into chords.
     void takeNodes() {
         result_.points = points_;
         number_.clear();

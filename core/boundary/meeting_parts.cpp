@@ -75,7 +75,7 @@ class MeetingFinder {
         }
     }
 
-    /// Nothing meets: adds what may have pushed constraint points or whole loops to another region.
+    /// Called when nothing meets: adds what may have pushed constraint points or whole loops to another region.
     void addMisplaced(const PlaneSweepResult &sweep) {
         std::vector<std::uint32_t> misplaced;
         if (division_.curves != nullptr) {

@@ -142,7 +142,7 @@ Result<Document> combineShapes(const Document &document, const std::set<std::uin
     }
     Domain &domain = arranged->domain;
     if (domain.segments.empty()) {
-        return error("not-possible", "nothing would be left of the shapes", "select shapes that overlap");
+        return error("not-possible", "the result would be empty", "select shapes that overlap");
     }
     for (std::size_t s = 0; s < domain.segments.size(); ++s) { // on common lines the first shape gives the tag
         domain.segments[s].tag = input.pieces[arranged->stretches[s].piece].tag;

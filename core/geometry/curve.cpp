@@ -320,7 +320,7 @@ double Curve::nearest(Vec2 p, double t0, double t1) const {
         low = before;
         high = after;
     }
-    // Halves the interval in which the distance stops to fall.
+    // Halves the interval in which the distance stops falling.
     const double forward = t1 >= t0 ? 1.0 : -1.0;
     const auto falls = [&](double t) { return forward * dot(point(t) - p, derivative(t)) < 0.0; };
     if (!falls(low) || falls(high)) {

@@ -234,7 +234,7 @@ class Restructuring {
         }
         marks_.resize(work_.mesh.nodes.size(), 0);
         for (unsigned n = 0; n < before.count(); ++n) {
-            if (was.inner(static_cast<Cutout::Local>(n))) {
+            if (before.inner(static_cast<Cutout::Local>(n))) {
                 marks_[index(before[n].id)] |= kTouched;
                 touched_.push_back(before[n].id);
             }

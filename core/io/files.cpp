@@ -297,7 +297,7 @@ Status checkPlace(const std::filesystem::path &path) {
     std::error_code none;
     const std::filesystem::path folder = path.parent_path();
     if (path.empty()) {
-        return error("cannot-write", "cannot write a file without a name", "name one");
+        return error("cannot-write", "the path has no file name", "add one");
     }
     if (std::filesystem::is_directory(path, none)) {
         return error("cannot-write", "cannot write the file: it is a folder", "name a file in it");

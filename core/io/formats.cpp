@@ -18,7 +18,7 @@ namespace forefront {
 
 namespace {
 
-// One line a format: what it is called, what it can do, and the functions that do it.
+// One line per format: what it is called, what it can do, and the functions that do it.
 constexpr std::array kFormats = {
     Format{.about = {"project", "Forefront project", ".json", true, false, false},
            .otherExtensions = ".forefront",

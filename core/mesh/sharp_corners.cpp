@@ -105,7 +105,8 @@ class Bands {
         return found;
     }
 
-    /// Takes the next element that was not taken and all that can be reached from it. Returns none if none is left.
+    /// Takes the next element that was not taken and all that can be reached from it. Returns an empty list when all
+    /// are taken.
     std::vector<Element> takeNext() {
         while (next_ < elements_.size() && taken_[next_] != 0) {
             ++next_;

@@ -39,20 +39,20 @@ void checkIndices(const Mesh &mesh, FaultList &faults) {
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
         for (const NodeId node : mesh.elements[e]) {
             if (index(node) >= n) {
-                faults.add("bad-index", "element " + std::to_string(e) + " names node " + std::to_string(index(node)) +
-                                            ", which does not exist");
+                faults.add("bad-index", "element " + std::to_string(e) + " refers to node " +
+                                            std::to_string(index(node)) + ", which does not exist");
             }
         }
     }
     for (const TaggedEdge &edge : mesh.edges) {
         if (index(edge.a) >= n || index(edge.b) >= n) {
-            faults.add("bad-index", "tagged edge " + name(edge.a, edge.b) + " names a node that does not exist");
+            faults.add("bad-index", "tagged edge " + name(edge.a, edge.b) + " refers to a node that does not exist");
         }
     }
     for (const TaggedNode &point : mesh.points) {
         if (index(point.node) >= n) {
             faults.add("bad-index",
-                       "tagged point " + std::to_string(index(point.node)) + " names a node that does not exist");
+                       "tagged point " + std::to_string(index(point.node)) + " refers to a node that does not exist");
         }
     }
 }
@@ -66,7 +66,8 @@ void checkFinite(const Mesh &mesh, FaultList &faults) {
     }
 }
 
-/// Elements that name a node twice have no three sides to follow. Returns false where there are any.
+/// Adds a fault for each element that refers to a node twice, whose sides cannot be followed. Returns false if there
+/// are any.
 bool checkNodesDistinct(const Mesh &mesh, FaultList &faults) {
     const std::size_t before = faults.count();
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
@@ -74,7 +75,7 @@ bool checkNodesDistinct(const Mesh &mesh, FaultList &faults) {
         if (n[0] == n[1] || n[1] == n[2] || n[2] == n[0]) {
             const NodeId twice = n[0] == n[1] ? n[0] : n[2];
             faults.add("repeated-node",
-                       "element " + std::to_string(e) + " names node " + std::to_string(number(twice)) +
+                       "element " + std::to_string(e) + " refers to node " + std::to_string(number(twice)) +
                            " twice; expected three different nodes",
                        mesh.nodes[index(twice)], {static_cast<std::uint32_t>(e)});
         }

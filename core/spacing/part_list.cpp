@@ -98,7 +98,7 @@ Diagnostics addRegions(const PartInput &input, FieldParts &parts) {
     return {};
 }
 
-// The order decides that of the sites, and so of equal ones which is named in the inspector.
+// The order is also that of the sites, so it decides which of several equal ones the inspector names.
 constexpr auto kKinds = std::to_array<SpacingPartKind>({
     {"size", true, [](const SpacingSpec &spec, const Domain &) { return spec.size.has_value(); },
      [](const SpacingSpec &spec, const Domain &, Diagnostics &faults) { checkSize(spec.size, "spacing", faults); },

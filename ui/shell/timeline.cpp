@@ -65,7 +65,7 @@ void drawSpeed(Workspace &context, bool narrow) {
         "One step is one event within an advance, such as a candidate or a tested segment",
         fast ? "One step is one advance of the front: up to three elements around one node"
              : "One step is one advance of the front: one element, or none if the base segment is deferred",
-        "One step is once around the front: as many advances as the front has segments"};
+        "One step is one pass around the front: as many advances as the front has segments"};
     if (ui::segmented(context, "timeline/granularity", names, granularity, narrow ? 176.0F : 190.0F, tips)) {
         context.run.granularity = static_cast<Granularity>(granularity);
     }

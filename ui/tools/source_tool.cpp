@@ -112,7 +112,7 @@ std::string SourceTool::statusText(const Shell &) const {
     case SourceShape::Line:
         return first_ ? "Click the other end" : "Drag a line along which the mesh should be fine";
     case SourceShape::Circle:
-        return first_ ? "Click the rim, or type the radius"
+        return first_ ? "Click a point on the circle, or type the radius"
                       : "Drag a disc from its centre; the mesh will be fine inside it";
     }
     return {};

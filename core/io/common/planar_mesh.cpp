@@ -57,12 +57,12 @@ bool PlanarMeshBuilder::finishNodes(TextScanner &scanner) {
     if (twin != kNoIndex) {
         return scanner.fail(scanner.offset(), "duplicate-node",
                             "node " + std::to_string(twin + std::uint64_t{1}) +
-                                " of the list has the number of an earlier node");
+                                " of the list repeats the number of an earlier node");
     }
     constexpr double kFlat = 1e-9;
     if (maxZ_ - minZ_ > kFlat * mesh.bounds().diagonal()) {
         return scanner.fail(outOfPlane_, "not-planar", "the nodes do not lie in one plane z = constant",
-                            "only plane meshes can be read");
+                            "only planar meshes can be read");
     }
     return true;
 }
@@ -132,7 +132,7 @@ bool requireDistinct(TextScanner &scanner, std::size_t offset, std::span<const N
     for (std::size_t k = 1; k < nodes.size(); ++k) {
         if (std::find(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(k), nodes[k]) !=
             nodes.begin() + static_cast<std::ptrdiff_t>(k)) {
-            return scanner.fail(offset, "degenerate-element", expect.words() + " names a node twice",
+            return scanner.fail(offset, "degenerate-element", expect.words() + " refers to a node twice",
                                 "remove it, or correct its nodes");
         }
     }

@@ -82,7 +82,7 @@ class JsonParser {
     void expected(const std::string &what) {
         fail("json-syntax", "expected " + what +
                                 (at_ < text_.size() ? ", found " + inQuotes(text_.substr(at_, 1))
-                                                    : std::string(", the file ends here")));
+                                                    : std::string(", found the end of the file")));
     }
 
     void skipBlanks() {

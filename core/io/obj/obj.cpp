@@ -142,7 +142,7 @@ class ObjReader {
         return static_cast<std::int32_t>(group.tag);
     }
 
-    /// Faces and lines name nodes as 7, 7/1, 7//2 or -1 (the last so far).
+    /// Faces and lines refer to nodes as 7, 7/1, 7//2 or -1 (the last so far).
     bool node(TextScanner &line, const Item &item, NodeId &id, Expect expect) {
         line.peek();
         const std::size_t offset = line.offset();

@@ -136,7 +136,8 @@ class Su2Reader {
         for (std::size_t k = 0; k < count; ++k) {
             TextScanner line = scanner_;
             if (!scanner_.nextLine(line)) {
-                return scanner_.fail(scanner_.offset(), "bad-syntax", "expected more elements, the file ends here");
+                return scanner_.fail(scanner_.offset(), "bad-syntax",
+                                     "expected more elements, found the end of the file");
             }
             connections_.push_back({line.offset(), tag});
         }
@@ -148,7 +149,8 @@ class Su2Reader {
         for (std::size_t k = 0; k < count; ++k) {
             TextScanner line = scanner_;
             if (!scanner_.nextLine(line)) {
-                return scanner_.fail(scanner_.offset(), "bad-syntax", "expected more points, the file ends here");
+                return scanner_.fail(scanner_.offset(), "bad-syntax",
+                                     "expected more points, found the end of the file");
             }
             if (!builder_.readNode(line, static_cast<std::int64_t>(builder_.mesh.nodes.size()), 2)) {
                 return scanner_.fail(line);

@@ -109,7 +109,7 @@ bool TextScanner::literal(std::string_view expected) {
     if (found != expected) {
         return fail(at_, "bad-syntax",
                     "expected " + std::string(expected) +
-                        (found.empty() ? std::string(", the file ends here") : ", found " + inQuotes(found)));
+                        (found.empty() ? std::string(", found the end of the file") : ", found " + inQuotes(found)));
     }
     at_ += found.size();
     return true;
@@ -172,7 +172,7 @@ bool TextScanner::count(std::size_t &value, std::size_t bytes, Expect expect) {
     if (!integer(number, 0, std::numeric_limits<std::int64_t>::max(), expect)) {
         return false;
     }
-    // The last item needs no separator behind it.
+    // The last item needs no separator after it.
     if (static_cast<std::uint64_t>(number) > (remaining() + 1) / bytes) {
         return fail(place, "bad-count",
                     expect.words() + " is given as " + std::to_string(number) + ", but only " +

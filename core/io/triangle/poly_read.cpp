@@ -181,7 +181,7 @@ class PolyReader {
 
     bool nextLine(TextScanner &line, Expect expect) {
         return scanner_.nextLine(line) ||
-               line.fail(scanner_.offset(), "bad-syntax", "expected " + expect.words() + ", the file ends here");
+               line.fail(scanner_.offset(), "bad-syntax", "expected " + expect.words() + ", found the end of the file");
     }
 
     bool numberedPlace(TextScanner &line, Vec2 &at, DomainPartKind kind, Expect expect) {

@@ -9,7 +9,7 @@ namespace forefront {
 bool TriangleNodes::read(TextScanner &scanner, bool mayBeEmpty) {
     TextScanner line = scanner;
     if (!scanner.nextLine(line)) {
-        return scanner.fail(scanner.offset(), "bad-syntax", "expected the number of nodes, the file ends here");
+        return scanner.fail(scanner.offset(), "bad-syntax", "expected the number of nodes, found the end of the file");
     }
     std::size_t count = 0;
     std::int64_t dimension = 2, markerCount = 0;
@@ -33,7 +33,7 @@ bool TriangleNodes::read(TextScanner &scanner, bool mayBeEmpty) {
         if (!scanner.nextLine(line)) {
             return scanner.fail(scanner.offset(), "bad-syntax",
                                 "expected node " + std::to_string(k + 1) + " of " + std::to_string(count) +
-                                    ", the file ends here");
+                                    ", found the end of the file");
         }
         if (scanner.source().origin != nullptr) {
             offsets.push_back(line.offset());

@@ -190,7 +190,8 @@ class VtkReader {
         return true;
     }
 
-    /// Up to version 4: "CELLS n size", each cell its number of nodes and them; from 5 on: offsets and connectivity.
+    /// Up to version 4: "CELLS n size", each cell as its number of nodes, then the nodes; from 5 on: offsets and
+    /// connectivity.
     bool cells() {
         std::size_t count = 0, size = 0;
         if (!scanner_.count(count, 2, {"the number of cells"}) || !scanner_.count(size, 2, {"the size of the cells"})) {

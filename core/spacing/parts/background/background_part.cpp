@@ -106,7 +106,7 @@ class BackgroundBuilder {
     static constexpr int kDeepest = 20;
     static constexpr std::size_t kMaxCells = 6'000'000;
 
-    /// False when cancelled.
+    /// Returns false when cancelled.
     bool addTriangles(const Progress &progress) {
         part_.minimum_ = std::numeric_limits<double>::infinity();
         const auto value = [&](std::uint32_t node) { return std::max(mesh_.values[node], minimum_); };
@@ -169,7 +169,7 @@ class BackgroundBuilder {
         const Box2 wide = box.grown((box.max.x - box.min.x) * 1e-9); // rounding must not lose a triangle
         return bounds.overlaps(wide) && !separated(corners, wide);
     }
-    /// Counts, then fills, so that every table cell has its stretch of the work list. False when cancelled.
+    /// Counts, then fills, so that every table cell has its stretch of the work list. Returns false when cancelled.
     bool fillTable(const Progress &progress) {
         std::vector<std::size_t> begins(part_.cells_.size() + 1, 0);
         const auto visit = [&](auto use) {

@@ -40,7 +40,7 @@ struct ScalarStep {
     }
 };
 
-/// The same on a block of points, entry by entry; `top` points behind the topmost entry.
+/// The same on a block of points, entry by entry; `top` points one past the topmost entry.
 constexpr std::size_t kBlock = 32;
 using Block = std::array<double, kBlock>;
 struct BlockStep {

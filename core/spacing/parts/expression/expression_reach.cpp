@@ -49,7 +49,7 @@ class SlopeSearch {
     static constexpr std::size_t kSamples = 9;
     using Samples = std::array<double, kSamples>; ///< 3 x 3, row by row
 
-    /// Least and maximum slope seen in a cell, and how much it may change within it.
+    /// Minimum and maximum slope seen in a cell, and how much it may change within it.
     struct Slopes {
         double minimum = std::numeric_limits<double>::infinity();
         double maximum = 0.0;
@@ -120,7 +120,7 @@ class SlopeSearch {
         }
         return p;
     }
-    /// True if no neighbour undercuts p, and p undercuts one.
+    /// Returns true if no neighbour undercuts p, and p undercuts one.
     bool isFoot(Vec2 p, double value, double step) const {
         bool useful = false;
         for (int n = 0; n < 8; ++n) {

@@ -95,7 +95,7 @@ std::set<Key> tilesTouched(const PaintedSpacing &paint) {
     return keys;
 }
 
-/// Finds the places of one tile from which the paint reaches on.
+/// Finds the places of one tile from which its spacing spreads.
 class SiteFinder {
   public:
     SiteFinder(const Surroundings &nodes, Vec2 corner, double pitch, double gradation, SiteSet &sites)
@@ -141,8 +141,8 @@ class SiteFinder {
         const float part = partValue(cell.i, cell.j);
         return part > 0.0F ? part : std::min(nodes_.at(edge.i, edge.j), nodes_.at(edge.i + along.i, edge.j + along.j));
     }
-    /// Spacing that an edge between two cells hands on: that of a cell painted in part beside a coarser or unpainted
-    /// one.
+    /// Spacing that spreads from an edge between two cells: that of a cell painted in part beside a coarser or
+    /// unpainted one.
     float edgeValue(Step near, Step far, Step along) const {
         const float here = partValue(near.i, near.j);
         const float there = partValue(far.i, far.j);
