@@ -68,6 +68,7 @@ bool ApexSearch<Grid, Trace>::find(const Base &base, const Limits &limits, Candi
             apex = candidates_[i];
             return true;
         }
+        ++work_.rejected;
     }
     return false;
 }
@@ -92,6 +93,7 @@ void ApexSearch<Grid, Trace>::gather(const Box2 &box) {
             if (stamp != stamp_) {
                 stamp = stamp_;
                 ++work_.delivered;
+                trace_.deliver(1);
                 if (near && segmentNearBox(front.start(id), front.end(id), box, slack_)) {
                     found_.push_back(id);
                 }

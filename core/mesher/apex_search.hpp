@@ -45,13 +45,14 @@ struct Candidate {
 
 /// The work of the searches in one advance.
 struct SearchWork {
-    std::uint32_t delivered = 0, tested = 0, cells = 0, candidates = 0;
+    std::uint32_t delivered = 0, tested = 0, cells = 0, candidates = 0, rejected = 0;
 
     void store(AdvanceDelta &delta) const {
         delta.delivered = delivered;
         delta.tested = tested;
         delta.cells = cells;
         delta.candidates = candidates;
+        delta.rejected = static_cast<std::uint8_t>(std::min(rejected, 255U));
     }
 };
 

@@ -132,7 +132,7 @@ bool FanBuilder<Grid, Trace>::clear(const Fan &fan, const Box2 &reach, SearchWor
     };
     const SlotId second = fan.segments > 1 ? fan.slots[1] : fan.slots[0];
     const SlotId third = fan.segments > 2 ? fan.slots[2] : fan.slots[0];
-    work.delivered += grid_.queryNear(
+    const std::uint32_t delivered = grid_.queryNear(
         front, reach,
         [&](SlotId id) { // skips the chain without a branch, which could not be predicted
             near[count] = id;
@@ -143,6 +143,8 @@ bool FanBuilder<Grid, Trace>::clear(const Fan &fan, const Box2 &reach, SearchWor
         },
         [&](const Box2 &cell) { visited(cell, work); });
     look();
+    work.delivered += delivered;
+    trace_.deliver(delivered);
     return free;
 }
 
@@ -199,7 +201,7 @@ bool FanBuilder<Grid, Trace>::cornerClear(const Fan &corner, SearchWork &work) {
     }
     const Box2 box = corner.box();
     bool free = true;
-    work.delivered += grid_.queryNear(
+    const std::uint32_t delivered = grid_.queryNear(
         front, box,
         [&](SlotId id) {
             if (free && id != corner.slots[0] && id != corner.slots[1]) {
@@ -207,6 +209,8 @@ bool FanBuilder<Grid, Trace>::cornerClear(const Fan &corner, SearchWork &work) {
             }
         },
         [&](const Box2 &cell) { visited(cell, work); });
+    work.delivered += delivered;
+    trace_.deliver(delivered);
     return free;
 }
 

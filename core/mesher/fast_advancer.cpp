@@ -197,6 +197,7 @@ bool FastAdvancer<Grid, Trace>::tryCorner(const Base &base, SlotId first, Advanc
     trace_.proposeCorner(state_, corner, from);
     if (!fans_.cornerClear(corner, search_.work())) {
         trace_.endTest(Verdict::CrossesFront);
+        ++search_.work().rejected;
         return false;
     }
     trace_.endTest(Verdict::Accepted);
@@ -223,6 +224,7 @@ bool FastAdvancer<Grid, Trace>::makeFan(const Fan &fan, AdvanceDelta &delta, Vec
     trace_.proposeFan(fan);
     if (!fans_.clear(fan, reach, search_.work())) {
         trace_.endTest(Verdict::Withdrawn);
+        ++search_.work().rejected;
         return false;
     }
     trace_.endTest(Verdict::Accepted);

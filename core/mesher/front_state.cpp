@@ -37,4 +37,22 @@ std::uint64_t FrontState::hash() const {
     return hash.value();
 }
 
+int AdvanceDelta::growth() const {
+    switch (kind) {
+    case Kind::Deferral:
+    case Kind::Two:
+        return 0;
+    case Kind::NewNode:
+    case Kind::Connection:
+        return 1;
+    case Kind::Previous:
+    case Kind::Next:
+    case Kind::Three:
+        return -1;
+    case Kind::Loop:
+        return -3;
+    }
+    return 0;
+}
+
 } // namespace forefront

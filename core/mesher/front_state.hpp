@@ -64,24 +64,27 @@ struct AdvanceDelta {
         Three       ///< AB, BS, SN -> AC, CN with a new node over three
     };
     Kind kind = Kind::Deferral;
-    bool forced = false;      ///< made by the closing stage
-    bool smallNode = false;   ///< counted against smallNodesLeft
-    SlotId a = kNoSlot;       ///< slot of A
-    SlotId b = kNoSlot;       ///< slot of B
-    SlotId s = kNoSlot;       ///< slot of the apex: new, previous, next or elsewhere
-    SlotId t = kNoSlot;       ///< Connection: the slot that leads to B
-    SegmentMark markA;        ///< mark of AB before the advance
-    SegmentMark markB;        ///< mark of the segment from B before the advance (Next, Loop, Two, Three)
-    SegmentMark markS;        ///< mark of the segment from s before the advance (Previous, Loop, Three)
-    Walk walk;                ///< before the advance
-    std::uint32_t strip = 0;  ///< before the advance
-    std::uint32_t logged = 0; ///< size of the log of the order before the advance
+    bool forced = false;       ///< made by the closing stage
+    bool smallNode = false;    ///< counted against smallNodesLeft
+    std::uint8_t rejected = 0; ///< candidates tested and rejected; 255: that many or more
+    SlotId a = kNoSlot;        ///< slot of A
+    SlotId b = kNoSlot;        ///< slot of B
+    SlotId s = kNoSlot;        ///< slot of the apex: new, previous, next or elsewhere
+    SlotId t = kNoSlot;        ///< Connection: the slot that leads to B
+    SegmentMark markA;         ///< mark of AB before the advance
+    SegmentMark markB;         ///< mark of the segment from B before the advance (Next, Loop, Two, Three)
+    SegmentMark markS;         ///< mark of the segment from s before the advance (Previous, Loop, Three)
+    Walk walk;                 ///< before the advance
+    std::uint32_t strip = 0;   ///< before the advance
+    std::uint32_t logged = 0;  ///< size of the log of the order before the advance
     std::uint32_t delivered = 0, tested = 0, cells = 0, candidates = 0;
 
     /// The number of elements made.
     unsigned elements() const {
         return kind == Kind::Deferral ? 0U : kind == Kind::Two ? 2U : kind == Kind::Three ? 3U : 1U;
     }
+    /// The change in the number of segments of Γ.
+    int growth() const;
 };
 
 } // namespace forefront

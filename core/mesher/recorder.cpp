@@ -9,7 +9,7 @@ namespace forefront {
 
 void Recorder::event(Step step, std::uint32_t candidate, std::uint32_t test) {
     out_.events.push_back({step, candidate, test, static_cast<std::uint32_t>(out_.cells.size()),
-                           static_cast<std::uint32_t>(out_.candidates.size())});
+                           static_cast<std::uint32_t>(out_.candidates.size()), out_.delivered});
 }
 
 void Recorder::begin(const FrontState &state, const Base &base) {
@@ -25,6 +25,7 @@ void Recorder::begin(const FrontState &state, const Base &base) {
 }
 
 void Recorder::evaluateSpacing(const Base &base) {
+    out_.fieldRho = base.fieldRho;
     out_.rho = base.rho;
     out_.ideal = base.ideal;
     event(Step::EvaluateSpacing);
@@ -39,6 +40,7 @@ void Recorder::rank(const Base &base, std::span<const Candidate> candidates, dou
         candidate.position = position;
         candidate.node = node;
         candidate.alpha = shapeFactor(base.a, base.b, position);
+        candidate.rho = base.rho;
         candidate.deltaAC = spacingConformity(distance(base.a, position), base.rho);
         candidate.deltaCB = spacingConformity(distance(base.b, position), base.rho);
         candidate.score = candidate.alpha * candidate.deltaAC * candidate.deltaCB;
@@ -67,6 +69,7 @@ void Recorder::proposeFan(const Fan &fan) {
     for (unsigned i = 1; i < fan.segments; ++i) {
         candidate.alpha = std::min(candidate.alpha, shapeFactor(fan.at[i], fan.at[i + 1], fan.apex));
     }
+    candidate.rho = fan.size;
     candidate.deltaAC = spacingConformity(distance(fan.at[0], fan.apex), fan.size);
     candidate.deltaCB = spacingConformity(distance(fan.at[fan.segments], fan.apex), fan.size);
     propose(std::move(candidate), fan.rho, true);
@@ -81,14 +84,17 @@ void Recorder::proposeCorner(const FrontState &state, const Fan &corner, unsigne
     candidate.node = corner.nodes[opposite];
     candidate.alpha = shapeFactor(a, b, c);
     const FrontSlot &first = state.front[corner.slots[base]];
-    const double size = clampedToBase(0.5 * (first.rho + state.front[corner.slots[base + 1]].rho), first.length);
+    const double fieldRho = 0.5 * (first.rho + state.front[corner.slots[base + 1]].rho);
+    const double size = clampedToBase(fieldRho, first.length);
+    candidate.rho = size;
     candidate.deltaAC = spacingConformity(distance(a, c), size);
     candidate.deltaCB = spacingConformity(distance(b, c), size);
-    propose(std::move(candidate), size, false);
+    propose(std::move(candidate), fieldRho, false);
 }
 
-void Recorder::propose(CandidateTrace candidate, double rho, bool newNode) {
-    out_.rho = rho;
+void Recorder::propose(CandidateTrace candidate, double fieldRho, bool newNode) {
+    out_.fieldRho = fieldRho;
+    out_.rho = candidate.rho;
     out_.ideal = candidate.position;
     event(Step::EvaluateSpacing);
     if (newNode) {

@@ -21,6 +21,7 @@ struct NoTrace {
     void begin(const FrontState &, const Base &) {}
     void evaluateSpacing(const Base &) {}
     void visitCell(const Box2 &) {}
+    void deliver(std::uint32_t) {}
     void widen() {}
     void rank(const Base &, std::span<const Candidate>, double, bool) {}
     void proposeFan(const Fan &) {}
@@ -45,6 +46,8 @@ class Recorder {
     void evaluateSpacing(const Base &base);
     /// Records a cell that the grid visited.
     void visitCell(const Box2 &cell) { out_.cells.push_back(cell); }
+    /// Records that the grid delivered this many segments.
+    void deliver(std::uint32_t segments) { out_.delivered += segments; }
     /// Records that no candidate passed and the search continues within a larger radius.
     void widen() { ++out_.widening; }
     /// Records steps 5 to 7 of a search: its candidates in their order; `withdrawn`: the ideal point is not among them
@@ -67,7 +70,7 @@ class Recorder {
 
   private:
     void event(Step step, std::uint32_t candidate = kNoIndex, std::uint32_t test = kNoIndex);
-    void propose(CandidateTrace candidate, double rho, bool newNode);
+    void propose(CandidateTrace candidate, double fieldRho, bool newNode);
 
     AdvanceExplanation &out_;
     std::uint32_t firstOfSearch_ = 0; ///< index of the first candidate of the search ranked last

@@ -4,32 +4,9 @@
 
 namespace forefront {
 
-namespace {
-
-/// Returns the change in the number of segments of Γ.
-int growth(AdvanceDelta::Kind kind) {
-    switch (kind) {
-    case AdvanceDelta::Kind::Deferral:
-    case AdvanceDelta::Kind::Two:
-        return 0;
-    case AdvanceDelta::Kind::NewNode:
-    case AdvanceDelta::Kind::Connection:
-        return 1;
-    case AdvanceDelta::Kind::Previous:
-    case AdvanceDelta::Kind::Next:
-    case AdvanceDelta::Kind::Three:
-        return -1;
-    case AdvanceDelta::Kind::Loop:
-        return -3;
-    }
-    return 0;
-}
-
-} // namespace
-
 Timeline::Timeline(std::unique_ptr<Mesher> mesher)
     : mesher_(std::move(mesher)), complete_(mesher_->finished()), layerLeft_(mesher_->state().front.segments()),
-      segments_(layerLeft_) {}
+      segmentsAtStart_(layerLeft_), segments_(layerLeft_) {}
 
 std::uint64_t Timeline::forward(std::uint64_t count) {
     std::uint64_t done = 0;
@@ -60,7 +37,7 @@ std::uint64_t Timeline::back(std::uint64_t count) {
 
 void Timeline::followLayers(std::uint64_t from) {
     for (std::uint64_t p = from; p < deltas_.size(); ++p) {
-        segments_ = static_cast<std::uint64_t>(static_cast<std::int64_t>(segments_) + growth(deltas_[p].kind));
+        segments_ = static_cast<std::uint64_t>(static_cast<std::int64_t>(segments_) + deltas_[p].growth());
         if (--layerLeft_ == 0 || segments_ == 0) {
             layerEnds_.push_back(p + 1);
             layerLeft_ = segments_;

@@ -15,6 +15,8 @@ class Timeline {
     /// The number of advances at this position, and at the furthest position reached so far.
     std::uint64_t position() const { return position_; }
     std::uint64_t known() const { return deltas_.size(); }
+    /// The number of segments of Γ at the start.
+    std::uint64_t segmentsAtStart() const { return segmentsAtStart_; }
     /// True once the end of the run has been reached; known() is the end.
     bool complete() const { return complete_; }
 
@@ -42,7 +44,8 @@ class Timeline {
     bool complete_ = false;
     std::vector<std::uint64_t> layerEnds_;
     std::uint64_t layerLeft_ = 0; ///< advances to the end of the current layer
-    std::uint64_t segments_ = 0;  ///< of Γ at the position known()
+    std::uint64_t segmentsAtStart_ = 0;
+    std::uint64_t segments_ = 0; ///< of Γ at the position known()
 };
 
 } // namespace forefront

@@ -47,11 +47,12 @@ struct CandidateTrace {
     NodeId node = kNoNode;               ///< kNoNode: the ideal point itself
     double alpha = 0.0;                  ///< α of ABC; the minimum where several elements are made at once
     double deltaAC = 0.0, deltaCB = 0.0; ///< δ of the outer sides
+    double rho = 0.0;                    ///< the spacing that δ compares lengths with
     double score = 0.0;                  ///< product of the three
     Verdict verdict = Verdict::NotTried;
     /// Fast method: the front nodes whose segments share this candidate, in order; empty: AB alone.
     std::vector<Vec2> over;
-    bool blocked = false; ///< ruled out by the front segment blockA-blockB
+    bool blocked = false; ///< ruled out by the front segment blockA-blockB, or the front node there if both are equal
     Vec2 blockA, blockB;
 };
 
@@ -70,6 +71,7 @@ struct TraceEvent {
     std::uint32_t test = kNoIndex;      ///< the segment test involved
     std::uint32_t cellsSeen = 0;        ///< cells visited so far: cells[0 .. cellsSeen)
     std::uint32_t candidatesSeen = 0;   ///< candidates proposed so far: candidates[0 .. candidatesSeen)
+    std::uint32_t delivered = 0;        ///< segments that the grid has delivered so far
 };
 
 /// Everything that happened in one advance. It is derived by running the advance again with recording, which is exact
@@ -78,14 +80,16 @@ struct AdvanceExplanation {
     std::uint64_t advance = 0; ///< number of the advance, from 1
     Vec2 a, b;                 ///< base segment AB
     NodeId nodeA = kNoNode, nodeB = kNoNode;
-    double rho = 0.0; ///< spacing used, after clamping
-    Vec2 ideal;       ///< ideal point C
+    double fieldRho = 0.0; ///< value of the node spacing function
+    double rho = 0.0;      ///< spacing used: fieldRho after clamping
+    Vec2 ideal;            ///< ideal point C
     double searchRadius = 0.0;
     int widening = 0;                       ///< how often the search was widened
     bool deferred = false;                  ///< no candidate passed: the base was put back
     std::vector<CandidateTrace> candidates; ///< by search, then by (score, id); a withdrawn ideal point last
     std::vector<TestTrace> tests;
-    std::vector<Box2> cells; ///< visited cells of the background grid, in order
+    std::vector<Box2> cells;     ///< visited cells of the background grid, in order
+    std::uint32_t delivered = 0; ///< segments that the grid delivered
     std::vector<TraceEvent> events;
     Vec2 apex;                             ///< apex of the elements made, unless deferred
     ElementId element = kNoElement;        ///< first element made
