@@ -29,6 +29,15 @@ void MeshingSession::step(Granularity granularity, std::int64_t n) {
 void MeshingSession::seek(std::uint64_t advance) {
     worker_->mailbox().push(SeekCommand{advance});
 }
+void MeshingSession::stopAt(const Breakpoints &breakpoints) {
+    worker_->mailbox().push(BreakpointsCommand{breakpoints});
+}
+void MeshingSession::seekStop(bool forward) {
+    worker_->mailbox().push(SeekStopCommand{forward});
+}
+void MeshingSession::seekBirth(Vec2 place, double tolerance) {
+    worker_->mailbox().push(SeekBirthCommand{place, tolerance});
+}
 void MeshingSession::cancel() {
     worker_->mailbox().push(CancelCommand{});
 }

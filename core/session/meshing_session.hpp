@@ -2,6 +2,7 @@
 
 #include "core/base/api.hpp"
 #include "core/mesher/options.hpp"
+#include "core/session/breakpoints.hpp"
 #include "core/session/snapshot.hpp"
 
 #include <cstdint>
@@ -57,6 +58,14 @@ class MeshingSession {
     void step(Granularity granularity, std::int64_t n);
     /// Moves to a position and pauses. Positions beyond the known ones are computed.
     void seek(std::uint64_t advance);
+    /// Sets the conditions that stop play(), step() and seekStop().
+    void stopAt(const Breakpoints &breakpoints);
+    /// Moves at full speed, back or forward, to the next advance that fulfils a condition, and pauses.
+    void seekStop(bool forward);
+    /// Moves to the advance that made the node or edge within `tolerance` of a place, or the element around it, and
+    /// pauses. Where nothing is made yet, moves forward until an element covers the place. The elements are those of
+    /// the front, before improvement.
+    void seekBirth(Vec2 place, double tolerance);
     /// Stops the computation within 100 ms. The partial mesh remains and can be stepped through.
     void cancel();
     /// Discards the run.

@@ -26,6 +26,16 @@ struct StepCommand {
 struct SeekCommand {
     std::uint64_t advance = 0;
 };
+struct SeekStopCommand {
+    bool forward = true;
+};
+struct SeekBirthCommand {
+    Vec2 place;
+    double tolerance = 0.0;
+};
+struct BreakpointsCommand {
+    Breakpoints breakpoints;
+};
 struct FinishCommand {};
 struct PauseCommand {};
 struct CancelCommand {};
@@ -34,7 +44,8 @@ struct LayersCommand {
     SnapshotLayers layers;
 };
 
-using SessionCommand = std::variant<StartCommand, PlayCommand, StepCommand, SeekCommand, FinishCommand, PauseCommand,
-                                    CancelCommand, ClearCommand, LayersCommand>;
+using SessionCommand =
+    std::variant<StartCommand, PlayCommand, StepCommand, SeekCommand, SeekStopCommand, SeekBirthCommand,
+                 BreakpointsCommand, FinishCommand, PauseCommand, CancelCommand, ClearCommand, LayersCommand>;
 
 } // namespace forefront

@@ -13,8 +13,9 @@ bool endsTheRun(const SessionCommand &command) {
 
 /// Returns true if a command ends a computation: preparation ends with the run, improvement with any movement.
 bool stops(const SessionCommand &command, SessionMailbox::Blocking kind) {
-    const bool movesNothing =
-        std::holds_alternative<LayersCommand>(command) || std::holds_alternative<FinishCommand>(command);
+    const bool movesNothing = std::holds_alternative<LayersCommand>(command) ||
+                              std::holds_alternative<FinishCommand>(command) ||
+                              std::holds_alternative<BreakpointsCommand>(command);
     return endsTheRun(command) || (kind == SessionMailbox::Blocking::Improving && !movesNothing);
 }
 

@@ -31,7 +31,8 @@ void SessionWorker::loop() {
         SessionCommand command = PauseCommand{};
         try {
             if (mailbox_.take(command, travel_ ? travel_->workDue() : std::nullopt)) {
-                quiet_ = quiet_ && std::holds_alternative<LayersCommand>(command); // the user takes over
+                quiet_ = quiet_ && (std::holds_alternative<LayersCommand>(command) ||
+                                    std::holds_alternative<BreakpointsCommand>(command)); // the user takes over
                 std::visit([this](const auto &c) { execute(c); }, command);
             } else if (travel_ && !travel_->resting() && mailbox_.open()) {
                 follow(travel_->work());
@@ -80,6 +81,7 @@ void SessionWorker::execute(const StartCommand &command) {
     coarsening_ = prepared->coarsening;
     quiet_ = quiet_ && estimatedElements_ <= kQuietElements;
     travel_.emplace(Mesher::create(boundary_, spacing_, job_->options));
+    travel_->setBreakpoints(breakpoints_);
     stage_ = "advancing the front";
     if (command.mode != StartMode::Pause) {
         execute(FinishCommand{});
@@ -141,6 +143,27 @@ void SessionWorker::execute(const SeekCommand &command) {
     if (travel_) {
         beginMove();
         follow(travel_->reach(command.advance));
+    }
+}
+
+void SessionWorker::execute(const SeekStopCommand &command) {
+    if (travel_) {
+        beginMove();
+        follow(travel_->reachStop(command.forward));
+    }
+}
+
+void SessionWorker::execute(const SeekBirthCommand &command) {
+    if (travel_) {
+        beginMove();
+        follow(travel_->reachBirth(command.place, command.tolerance));
+    }
+}
+
+void SessionWorker::execute(const BreakpointsCommand &command) {
+    breakpoints_ = command.breakpoints;
+    if (travel_) {
+        travel_->setBreakpoints(breakpoints_);
     }
 }
 
@@ -284,6 +307,10 @@ void SessionWorker::fillFromRun(SessionSnapshot &snapshot, bool resting) {
         snapshot.explanation = moment.advance;
         snapshot.eventCursor = moment.cursor;
         snapshot.eventCount = moment.advance ? moment.advance->events.size() : 0;
+    }
+    if (resting) {
+        snapshot.stop = travel_->stop();
+        snapshot.birth = travel_->birth();
     }
     const bool final = finalMesh_ && travel_->atEnd();
     SnapshotLayers layers = layers_;

@@ -32,6 +32,9 @@ class SessionWorker {
     void execute(const PlayCommand &command);
     void execute(const StepCommand &command);
     void execute(const SeekCommand &command);
+    void execute(const SeekStopCommand &command);
+    void execute(const SeekBirthCommand &command);
+    void execute(const BreakpointsCommand &command);
     void execute(const FinishCommand &command);
     void execute(const PauseCommand &command);
     void execute(const CancelCommand &command);
@@ -79,6 +82,7 @@ class SessionWorker {
     std::uint64_t shownRun_ = 0; ///< the run of travel_; 0: none
     std::uint64_t sequence_ = 0;
     SnapshotLayers layers_;
+    Breakpoints breakpoints_;
     Clock::time_point lastPublish_;
     Clock::duration publishCost_{};
 

@@ -6,9 +6,11 @@
 #include "core/mesh/quality.hpp"
 #include "core/mesher/statistics.hpp"
 #include "core/mesher/trace.hpp"
+#include "core/session/breakpoints.hpp"
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,12 +54,33 @@ struct GridCellView {
 };
 
 /// The kind of a mark on the timeline.
-enum class MarkKind : std::uint8_t { NewNode, Closure, Deferral, Forced };
+enum class MarkKind : std::uint8_t {
+    NewNode,
+    Rejection,  ///< a candidate was tested and rejected
+    Connection, ///< two places of Γ were connected: two loops became one, or one became two
+    Closure,    ///< the last element of a loop
+    Deferral,   ///< no candidate passed
+    Forced      ///< made by the closing stage
+};
+inline constexpr std::size_t kMarkKinds = 6;
 
 /// A mark on the timeline.
 struct TimelineMark {
     std::uint64_t advance = 0;
     MarkKind kind = MarkKind::Closure;
+};
+
+/// The run from the start to the furthest advance, in at most RunCurves::kSamples stretches of equal length.
+struct RunCurves {
+    static constexpr std::size_t kSamples = 512;
+    /// The means of a stretch.
+    struct Sample {
+        float front = 0.0F;                      ///< segments of Γ
+        float tests = 0.0F;                      ///< segments tested for intersection per element; 0 without an element
+        float alphaMean = 0.0F, alphaMin = 0.0F; ///< of its elements; both 1 without an element
+    };
+    std::uint64_t stretch = 1; ///< advances per sample; the last one may have fewer
+    std::vector<Sample> samples;
 };
 
 /// An immutable, shared mesh. A partial mesh has all boundary nodes and edges.
@@ -84,8 +107,10 @@ struct SessionSnapshot {
     /// The moment of the explanation: an index into its events, or eventCount for the whole advance.
     std::size_t eventCursor = 0;
     std::size_t eventCount = 0;
-    double rate = 0.0;    ///< advances per second of the last batch
-    bool playing = false; ///< at a pace that the user set, rather than as fast as possible
+    std::optional<Stop> stop;   ///< at rest: the breakpoint that ended the last move
+    std::optional<Birth> birth; ///< at rest: the answer to seekBirth(), if it found something made already
+    double rate = 0.0;          ///< advances per second of the last batch
+    bool playing = false;       ///< at a pace that the user set, rather than as fast as possible
     WorkCounters work;
     MeshQuality quality;            ///< of the mesh shown
     double requestedElements = 0.0; ///< estimate for the spacing of the job; see prepare()
@@ -101,7 +126,9 @@ struct SessionSnapshot {
     std::shared_ptr<const std::vector<GridCellView>> cells;
     std::shared_ptr<const AdvanceExplanation>
         explanation; ///< of the last advance, or of the one that contains the event cursor
-    std::shared_ptr<const std::vector<TimelineMark>> marks; ///< a few thousand at most, thinned evenly
+    /// By advance, at most 2000 of each kind: one for each stretch of the timeline that has any.
+    std::shared_ptr<const std::vector<TimelineMark>> marks;
+    std::shared_ptr<const RunCurves> curves;
 };
 
 } // namespace forefront

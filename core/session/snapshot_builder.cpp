@@ -1,6 +1,8 @@
 #include "core/session/snapshot_builder.hpp"
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 namespace forefront {
 
@@ -35,21 +37,55 @@ std::shared_ptr<const std::vector<GridCellView>> cellsOf(const Mesher &mesher) {
     return view;
 }
 
-std::optional<MarkKind> markOf(const AdvanceDelta &delta) {
-    if (delta.forced) {
-        return MarkKind::Forced;
+bool has(const AdvanceDelta &delta, MarkKind kind) {
+    using Kind = AdvanceDelta::Kind;
+    switch (kind) {
+    case MarkKind::NewNode:
+        return delta.kind == Kind::NewNode || delta.kind == Kind::Two || delta.kind == Kind::Three;
+    case MarkKind::Rejection:
+        return delta.rejected > 0;
+    case MarkKind::Connection:
+        return delta.kind == Kind::Connection;
+    case MarkKind::Closure:
+        return delta.kind == Kind::Loop;
+    case MarkKind::Deferral:
+        return delta.kind == Kind::Deferral;
+    case MarkKind::Forced:
+        return delta.forced;
     }
-    switch (delta.kind) {
-    case AdvanceDelta::Kind::Deferral:
-        return MarkKind::Deferral;
-    case AdvanceDelta::Kind::Loop:
-        return MarkKind::Closure;
-    case AdvanceDelta::Kind::NewNode:
-        return MarkKind::NewNode;
-    default:
-        return std::nullopt;
-    }
+    return false;
 }
+
+/// Collects the advances of a stretch into a sample of the curves.
+class SampleSum {
+  public:
+    void add(std::size_t segments, const AdvanceDelta &delta, std::span<const float> alphas) {
+        ++advances_;
+        front_ += static_cast<double>(segments);
+        tests_ += delta.tested;
+        elements_ += alphas.size();
+        for (const float alpha : alphas) {
+            alphaSum_ += static_cast<double>(alpha);
+            alphaMin_ = std::min(alphaMin_, alpha);
+        }
+    }
+    std::uint64_t advances() const { return advances_; }
+    RunCurves::Sample take() {
+        const auto elements = static_cast<double>(elements_);
+        const RunCurves::Sample sample{
+            .front = static_cast<float>(front_ / static_cast<double>(advances_)),
+            .tests = static_cast<float>(elements_ == 0 ? 0.0 : static_cast<double>(tests_) / elements),
+            .alphaMean = static_cast<float>(elements_ == 0 ? 1.0 : alphaSum_ / elements),
+            .alphaMin = alphaMin_};
+        *this = {};
+        return sample;
+    }
+
+  private:
+    std::uint64_t advances_ = 0, tests_ = 0, elements_ = 0;
+    double front_ = 0.0, alphaSum_ = 0.0;
+    float alphaMin_ = 1.0F;
+};
 
 } // namespace
 
@@ -71,10 +107,12 @@ void SnapshotBuilder::fill(SessionSnapshot &snapshot, const Timeline &timeline, 
         snapshot.stateHash = state.hash();
         if (!marks_ || marksKnown_ != timeline.known()) {
             marks_ = marksOf(timeline);
+            curves_ = curvesOf(timeline);
             marksKnown_ = timeline.known();
         }
     }
     snapshot.marks = marks_;
+    snapshot.curves = curves_;
 }
 
 void SnapshotBuilder::fillMesh(SessionSnapshot &snapshot, const Timeline &timeline, bool include, bool resting) {
@@ -127,24 +165,42 @@ MeshQuality SnapshotBuilder::quickQuality(const FrontState &state) const {
     return quality;
 }
 
-/// Returns the rarest kind of mark of each stretch of the timeline. New nodes are marked only if all of them fit.
+/// Returns the first mark of each kind in each stretch of the timeline. New nodes are marked only if all of them fit.
 std::shared_ptr<const std::vector<TimelineMark>> SnapshotBuilder::marksOf(const Timeline &timeline) {
     auto marks = std::make_shared<std::vector<TimelineMark>>();
     const std::uint64_t stretch = timeline.known() / kMaxMarks + 1;
-    std::optional<TimelineMark> pending;
+    std::array<std::uint64_t, kMarkKinds> markedTo{}; ///< per kind: end of the stretch marked last
     for (std::uint64_t p = 0; p < timeline.known(); ++p) {
-        const std::optional<MarkKind> kind = markOf(timeline.delta(p));
-        if (kind && (stretch == 1 || *kind != MarkKind::NewNode) && (!pending || *kind > pending->kind)) {
-            pending = TimelineMark{p + 1, *kind};
-        }
-        if ((p + 1) % stretch == 0 || p + 1 == timeline.known()) {
-            if (pending) {
-                marks->push_back(*pending);
+        for (std::size_t k = stretch == 1 ? 0 : 1; k < kMarkKinds; ++k) {
+            const auto kind = static_cast<MarkKind>(k);
+            if (p >= markedTo[k] && has(timeline.delta(p), kind)) {
+                marks->push_back({p + 1, kind});
+                markedTo[k] = (p / stretch + 1) * stretch;
             }
-            pending.reset();
         }
     }
     return marks;
+}
+
+std::shared_ptr<const RunCurves> SnapshotBuilder::curvesOf(const Timeline &timeline) const {
+    auto curves = std::make_shared<RunCurves>();
+    curves->stretch = timeline.known() / RunCurves::kSamples + 1;
+    curves->samples.reserve(RunCurves::kSamples);
+    SampleSum sum;
+    std::size_t element = 0;
+    std::size_t segments = timeline.segmentsAtStart();
+    for (std::uint64_t p = 0; p < timeline.known(); ++p) {
+        const AdvanceDelta &delta = timeline.delta(p);
+        // Elements that no snapshot has shown yet have no α here.
+        const std::size_t from = std::min(element, alpha_.size());
+        element += delta.elements();
+        sum.add(segments, delta, std::span(alpha_).subspan(from, std::min(element, alpha_.size()) - from));
+        segments = static_cast<std::size_t>(static_cast<std::int64_t>(segments) + delta.growth());
+        if (sum.advances() == curves->stretch || p + 1 == timeline.known()) {
+            curves->samples.push_back(sum.take());
+        }
+    }
+    return curves;
 }
 
 } // namespace forefront

@@ -26,6 +26,7 @@ class SnapshotBuilder {
   private:
     void fillMesh(SessionSnapshot &snapshot, const Timeline &timeline, bool include, bool resting);
     void growShapes(const FrontState &state);
+    std::shared_ptr<const RunCurves> curvesOf(const Timeline &timeline) const;
     MeshQuality quickQuality(const FrontState &state) const;
 
     /// α of every element made so far. Element i is always the same.
@@ -38,6 +39,7 @@ class SnapshotBuilder {
     std::optional<std::uint64_t> qualityPosition_;
     MeshQuality quality_;
     std::shared_ptr<const std::vector<TimelineMark>> marks_;
+    std::shared_ptr<const RunCurves> curves_; ///< both are those of the first marksKnown_ advances
     std::uint64_t marksKnown_ = 0;
     std::uint64_t version_;
 };

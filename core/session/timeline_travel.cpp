@@ -1,6 +1,7 @@
 #include "core/session/timeline_travel.hpp"
 
 #include "core/base/cpu_clock.hpp"
+#include "core/session/breakpoint_watch.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -59,6 +60,13 @@ TimelineTravel::Moment TimelineTravel::explain() {
 }
 
 TimelineTravel::Outcome TimelineTravel::reach(std::uint64_t position) {
+    return beginReaching(position, {});
+}
+
+TimelineTravel::Outcome TimelineTravel::beginReaching(std::uint64_t position, const Breakpoints &watched) {
+    watched_ = watched;
+    stop_.reset();
+    birth_.reset();
     eventsDone_ = 0;
     targetLayers_ = 0;
     rateOnArrival_ = 0.0;
@@ -69,6 +77,26 @@ TimelineTravel::Outcome TimelineTravel::reach(std::uint64_t position) {
 
 TimelineTravel::Outcome TimelineTravel::reachEnd() {
     return reach(kToTheEnd);
+}
+
+TimelineTravel::Outcome TimelineTravel::reachStop(bool forward) {
+    return beginReaching(forward ? kToTheEnd : 0, breakpoints_);
+}
+
+TimelineTravel::Outcome TimelineTravel::reachBirth(Vec2 place, double tolerance) {
+    settle();
+    if (const std::optional<Birth> birth = birthAt(timeline_, place, tolerance)) {
+        const Outcome outcome = reach(birth->advance);
+        birth_ = birth;
+        return outcome;
+    }
+    if (!unmeshed(timeline_.mesher().state().front, place)) {
+        return reach(timeline_.position());
+    }
+    Breakpoints covered;
+    covered.set(StopKind::Place, true);
+    covered.place = place;
+    return beginReaching(kToTheEnd, covered);
 }
 
 TimelineTravel::Outcome TimelineTravel::step(Granularity granularity, std::int64_t n) {
@@ -89,11 +117,11 @@ TimelineTravel::Outcome TimelineTravel::stepAdvances(std::int64_t count) {
     const bool underWay = activity_ == Activity::Reaching && target_ != kToTheEnd;
     const std::uint64_t origin = underWay ? target_ : timeline_.position();
     if (count > 0) {
-        return reach(origin + static_cast<std::uint64_t>(count));
+        return beginReaching(origin + static_cast<std::uint64_t>(count), breakpoints_);
     }
     // Within an advance, the first step back leads to its start.
     const auto back = static_cast<std::uint64_t>(-count) - (eventsDone_ > 0 ? 1 : 0);
-    return reach(origin - std::min(origin, back));
+    return beginReaching(origin - std::min(origin, back), breakpoints_);
 }
 
 /// Completes a short move, since the next one starts from its target.
@@ -105,7 +133,10 @@ void TimelineTravel::settle() {
 }
 
 TimelineTravel::Outcome TimelineTravel::stepEvents(std::int64_t count) {
-    for (; count > 0; --count) {
+    watched_ = breakpoints_;
+    stop_.reset();
+    birth_.reset();
+    for (; count > 0 && !stop_; --count) {
         if (eventsDone_ == 0) {
             if (timeline_.mesher().finished()) {
                 break;
@@ -117,7 +148,7 @@ TimelineTravel::Outcome TimelineTravel::stepEvents(std::int64_t count) {
             move(1);
         }
     }
-    for (; count < 0; ++count) {
+    for (; count < 0 && !stop_; ++count) {
         if (eventsDone_ == 0) {
             if (move(-1) == 0) {
                 break;
@@ -135,7 +166,7 @@ TimelineTravel::Outcome TimelineTravel::stepLayers(std::int64_t count) {
     const std::uint64_t position = timeline_.position();
     if (count > 0) {
         const auto above = std::upper_bound(ends.begin(), ends.end(), position) - ends.begin();
-        const Outcome outcome = reachEnd();
+        const Outcome outcome = beginReaching(kToTheEnd, breakpoints_);
         targetLayers_ = static_cast<std::size_t>(above + count);
         return outcome;
     }
@@ -143,7 +174,7 @@ TimelineTravel::Outcome TimelineTravel::stepLayers(std::int64_t count) {
     const std::uint64_t from = position + (eventsDone_ > 0 ? 1 : 0);
     const auto below = std::lower_bound(ends.begin(), ends.end(), from) - ends.begin();
     const std::int64_t layer = below + count;
-    return reach(layer < 0 ? 0 : ends[static_cast<std::size_t>(layer)]);
+    return beginReaching(layer < 0 ? 0 : ends[static_cast<std::size_t>(layer)], breakpoints_);
 }
 
 void TimelineTravel::play(double rate) {
@@ -156,6 +187,9 @@ void TimelineTravel::play(double rate) {
 }
 
 void TimelineTravel::startPlaying(double rate) {
+    watched_ = breakpoints_;
+    stop_.reset();
+    birth_.reset();
     eventsDone_ = 0;
     rateOnArrival_ = 0.0;
     rate_ = rate;
@@ -191,14 +225,31 @@ std::uint64_t TimelineTravel::move(std::int64_t advances) {
     CpuClock clock;
     const auto begin = Clock::now();
     const std::uint64_t knownBefore = timeline_.known();
-    const std::uint64_t done = advances >= 0 ? timeline_.forward(static_cast<std::uint64_t>(advances))
-                                             : timeline_.back(static_cast<std::uint64_t>(-advances));
+    const std::uint64_t done = watched_.any() ? moveWatching(advances) : moveTimeline(advances);
     if (timeline_.known() > knownBefore) {
         seconds_ += clock.lap();
     }
     const double wall = std::chrono::duration<double>(Clock::now() - begin).count();
     if (activity_ == Activity::Reaching && wall > 0.0) {
         measuredRate_ = static_cast<double>(done) / wall;
+    }
+    return done;
+}
+
+std::uint64_t TimelineTravel::moveTimeline(std::int64_t advances) {
+    return advances >= 0 ? timeline_.forward(static_cast<std::uint64_t>(advances))
+                         : timeline_.back(static_cast<std::uint64_t>(-advances));
+}
+
+/// Moves one advance at a time until one fulfils a condition, since conditions look at the state after the advance.
+std::uint64_t TimelineTravel::moveWatching(std::int64_t advances) {
+    std::uint64_t done = 0;
+    for (std::int64_t left = std::abs(advances); left > 0 && !stop_; --left) {
+        if (moveTimeline(advances > 0 ? 1 : -1) == 0) {
+            break;
+        }
+        ++done;
+        stop_ = stopAfterLast(watched_, timeline_);
     }
     return done;
 }
@@ -215,10 +266,10 @@ TimelineTravel::Outcome TimelineTravel::reachABatch() {
     } else if (target_ < position) {
         done = move(-static_cast<std::int64_t>(std::min<std::uint64_t>(position - target_, kBatch)));
     }
-    if (timeline_.position() != target_ && done != 0 && !atEnd()) {
+    if (timeline_.position() != target_ && done != 0 && !atEnd() && !stop_) {
         return Outcome::Moved;
     }
-    if (rateOnArrival_ != 0.0) {
+    if (rateOnArrival_ != 0.0 && !stop_) {
         startPlaying(rateOnArrival_);
         return Outcome::Moved;
     }
@@ -243,7 +294,7 @@ TimelineTravel::Outcome TimelineTravel::playABatch() {
         const std::int64_t batch = std::clamp<std::int64_t>(left, -kBatch, kBatch);
         const std::uint64_t done = move(batch);
         left -= batch;
-        if (done < static_cast<std::uint64_t>(std::abs(batch))) {
+        if (stop_ || done < static_cast<std::uint64_t>(std::abs(batch))) {
             return arrive();
         }
     }

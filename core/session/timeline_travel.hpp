@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/mesher/timeline.hpp"
+#include "core/session/breakpoints.hpp"
 #include "core/session/meshing_session.hpp"
 
 #include <chrono>
@@ -40,10 +41,22 @@ class TimelineTravel {
     /// follow.
     Moment explain();
 
+    /// Sets the conditions that stop play(), step() and reachStop().
+    void setBreakpoints(const Breakpoints &breakpoints) { breakpoints_ = breakpoints; }
+    /// Returns the condition that ended the last move; none if the move went as far as it was to go.
+    const std::optional<Stop> &stop() const { return stop_; }
+    /// Returns what the last reachBirth() found; empty after any other move.
+    const std::optional<Birth> &birth() const { return birth_; }
+
     /// Begins a move to a position. Positions beyond the known ones are computed.
     Outcome reach(std::uint64_t position);
     /// Begins a move to the end of the run.
     Outcome reachEnd();
+    /// Begins a move, back or forward, to the next advance that fulfils a condition, or as far as the run goes.
+    Outcome reachStop(bool forward);
+    /// Begins a move to the advance that made the node or edge within `tolerance` of a place, or the element around it.
+    /// Where nothing is made yet, moves forward until an element covers the place.
+    Outcome reachBirth(Vec2 place, double tolerance);
     /// Begins a move of n steps, back if negative, from the cursor or from its target, so that fast steps add up. n
     /// must not be 0.
     Outcome step(Granularity granularity, std::int64_t n);
@@ -57,6 +70,7 @@ class TimelineTravel {
   private:
     enum class Activity : std::uint8_t { Resting, Reaching, Playing };
 
+    Outcome beginReaching(std::uint64_t position, const Breakpoints &watched);
     Outcome stepAdvances(std::int64_t count);
     Outcome stepEvents(std::int64_t count);
     Outcome stepLayers(std::int64_t count);
@@ -66,6 +80,8 @@ class TimelineTravel {
     Outcome playABatch();
     Outcome arrive();
     std::uint64_t move(std::int64_t advances);
+    std::uint64_t moveWatching(std::int64_t advances);
+    std::uint64_t moveTimeline(std::int64_t advances);
     bool followed() const;
     std::shared_ptr<const AdvanceExplanation> explainNext();
 
@@ -78,6 +94,10 @@ class TimelineTravel {
     double owed_ = 0.0;            ///< Playing: fraction of an advance not yet played
     Clock::time_point lastTick_;   ///< Playing: the time up to which advances are done
     double measuredRate_ = 0.0;
+    Breakpoints breakpoints_;
+    Breakpoints watched_; ///< conditions of this move
+    std::optional<Stop> stop_;
+    std::optional<Birth> birth_;
     double seconds_ = 0.0;
     /// Stepping by events: number of events of the next advance, which is explained but not done; 0 between advances.
     std::size_t eventsDone_ = 0;
