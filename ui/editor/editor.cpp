@@ -14,6 +14,8 @@
 #include "ui/shell/shell.hpp"
 #include "ui/tools/make_tools.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/follow_camera.hpp"
+#include "ui/workspace/moment.hpp"
 
 #include <imgui.h>
 
@@ -33,6 +35,7 @@ struct Editor::Parts {
     Shell context;
     Canvas canvas;
     CanvasInput canvasInput;
+    FollowCamera follower;
     std::unique_ptr<Recovery> recovery; ///< null: no journal is kept
     Settings savedSettings;
     std::string shownTitle;
@@ -52,6 +55,7 @@ struct Editor::Parts {
     void takeResults(bool cancels);
     void dropFlag();
     void followDocument();
+    void followFront(double seconds);
     void handleEvents(const std::vector<InputEvent> &events);
     void buildInterface();
     void showTitle();
@@ -228,6 +232,7 @@ void Editor::Parts::takeResults(bool cancels) {
         }
     }
     wanted.mesh = true; // the panels show its figures
+    wanted.explanation = wanted.explanation || context.view.following;
     context.run.want(wanted);
     const auto before = context.run.snapshot();
     if (newsDue() && !cancels) {
@@ -261,6 +266,19 @@ void Editor::Parts::followDocument() {
     context.run.live = context.settings.live;
     context.run.liveBudget = context.settings.liveBudget;
     context.run.follow(gestureOver, hasErrors(context.preview->faults));
+}
+
+/// `seconds`: since the last frame.
+void Editor::Parts::followFront(double seconds) {
+    if (!context.view.following) {
+        follower.reset();
+        return;
+    }
+    constexpr double kLongestFrame = 1.0 / 30.0; // the first frame after a pause must not jump
+    const Moment moment = momentOf(context.run.now());
+    if (moment && follower.follow(context.view, boxOf(*moment.advance), std::min(seconds, kLongestFrame))) {
+        context.animate();
+    }
 }
 
 void Editor::Parts::handleEvents(const std::vector<InputEvent> &events) {
@@ -359,7 +377,8 @@ void Editor::frame() {
         return event.kind == InputKind::Key && event.code == key::kEscape && event.pressed;
     });
     p.takeResults(escape && c.run.busy());
-    p.bridge.beginFrame(events, now - p.lastFrame);
+    const double seconds = now - p.lastFrame;
+    p.bridge.beginFrame(events, seconds);
     p.lastFrame = now;
     c.widgets.beginFrame();
     p.handleEvents(events);
@@ -367,6 +386,7 @@ void Editor::frame() {
     p.followDocument();
     const bool cancelling = c.run.cancelling();
     p.buildInterface();
+    p.followFront(seconds);
     p.canvasInput.runWaiting(c);
     p.canvas.draw(c);
     p.applyCursor();

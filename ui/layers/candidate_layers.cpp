@@ -79,8 +79,12 @@ class CandidatesLayer final : public Layer {
         for (std::size_t i = moment.candidates; i-- > 0;) {
             const CandidateTrace &candidate = e.candidates[i];
             const Colour colour = verdictColour(theme, candidate.verdict, moment.judged[i]);
-            painter.dot(candidate.position, 5.0, colour);
+            painter.dot(candidate.position, 5.0, fade(colour, frame.candidate && frame.candidate != i ? 0.45 : 1.0));
             painter.ring(candidate.position, 5.0, fade(theme.popup, 0.9), 1.5);
+        }
+        if (frame.candidate) {
+            drawChosen(painter, frame, moment, *frame.candidate);
+            return;
         }
         const std::size_t labelled = words ? std::min(moment.candidates, kMaxLabels) : 0;
         for (std::size_t i = 0; i < labelled; ++i) {
@@ -89,6 +93,20 @@ class CandidatesLayer final : public Layer {
             painter.freeLabel(candidate.position, {11.0, -7.0}, candidateLabel(candidate, i, moment), colour,
                               fade(theme.popup, 0.92), frame.fonts.small);
         }
+    }
+
+    /// Draws a candidate chosen in the table with its score worked out.
+    static void drawChosen(CanvasPainter &painter, const LayerFrame &frame, const Moment &moment, std::size_t i) {
+        const CandidateTrace &c = moment.advance->candidates[i];
+        const Theme &theme = frame.theme;
+        const Colour colour = verdictColour(theme, c.verdict, moment.judged[i]);
+        painter.ring(c.position, 9.0, colour, 2.0);
+        std::string text = std::to_string(i + 1);
+        if (moment.scoresKnown) {
+            text += ui::format("  \xce\xb1 %.3f \xc2\xb7 \xce\xb4 %.2f \xc2\xb7 \xce\xb4 %.2f = %.3f", c.alpha,
+                               c.deltaAC, c.deltaCB, c.score);
+        }
+        painter.freeLabel(c.position, {14.0, -7.0}, text, colour, fade(theme.popup, 0.95), frame.fonts.small);
     }
 };
 
@@ -105,8 +123,12 @@ class TestsLayer final : public Layer {
         }
         const AdvanceExplanation &e = *moment.advance;
         const Theme &theme = frame.theme;
+        const auto hidden = [&](std::size_t candidate) { return frame.candidate && *frame.candidate != candidate; };
         for (std::size_t i = 0; i < moment.tests; ++i) {
             const TestTrace &test = e.tests[i];
+            if (hidden(test.candidate)) {
+                continue;
+            }
             painter.line(test.frontA, test.frontB, test.meets ? theme.bad : fade(theme.visited, 0.9),
                          test.meets ? 3.5 : 2.5);
         }
@@ -114,18 +136,22 @@ class TestsLayer final : public Layer {
             const CandidateTrace &candidate = e.candidates[i];
             const bool tried = moment.judged[i] && candidate.verdict != Verdict::NotTried;
             const bool trying = !moment.updated && beingTested(moment, i);
-            if (!tried && !trying) {
+            const bool chosen = frame.candidate == i;
+            if (hidden(i) || !(tried || trying || chosen)) {
                 continue;
             }
             const Colour colour = trying ? theme.candidate : verdictColour(theme, candidate.verdict, true);
             const bool accepted = tried && candidate.verdict == Verdict::Accepted;
-            if (!accepted || !moment.updated) {
+            if (!accepted || !moment.updated || chosen) {
                 for (const Vec2 from : candidate.over.empty() ? std::vector<Vec2>{e.a, e.b} : candidate.over) {
-                    painter.dashed(from, candidate.position, fade(colour, 0.8), 1.5, 5.0);
+                    painter.dashed(from, candidate.position, fade(colour, chosen ? 1.0 : 0.8), chosen ? 2.5 : 1.5, 5.0);
                 }
             }
             if (tried && candidate.blocked) {
                 painter.line(candidate.blockA, candidate.blockB, theme.bad, 3.5);
+                if (candidate.blockA == candidate.blockB) {
+                    painter.ring(candidate.blockA, 7.0, theme.bad, 2.5);
+                }
             }
         }
     }

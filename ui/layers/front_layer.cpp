@@ -46,6 +46,7 @@ class FrontLayer final : public Layer {
     }
 
     void drawOverlay(CanvasPainter &painter, const LayerFrame &frame) override {
+        drawBreakpoints(painter, frame);
         const Moment moment = momentOf(frame.snapshot);
         if (!moment) {
             return;
@@ -74,6 +75,18 @@ class FrontLayer final : public Layer {
     }
 
   private:
+    /// Marks the place and the cell that stop the run.
+    static void drawBreakpoints(CanvasPainter &painter, const LayerFrame &frame) {
+        const Breakpoints &breakpoints = frame.breakpoints;
+        if (breakpoints.has(StopKind::Place) && breakpoints.place) {
+            painter.ring(*breakpoints.place, 9.0, frame.theme.accent, 2.0);
+            painter.cross(*breakpoints.place, 6.0, frame.theme.accent, 2.0);
+        }
+        if (breakpoints.has(StopKind::Cell) && breakpoints.cell) {
+            painter.rectangle(*breakpoints.cell, frame.theme.accent, 2.5);
+        }
+    }
+
     LineBatch segments_;
     double meanLength_ = 0.0; ///< of the segments, in domain units
     std::shared_ptr<const std::vector<FrontSegmentView>> shown_;

@@ -10,6 +10,7 @@ std::vector<std::unique_ptr<Panel>> makePanels() {
     panels.push_back(makeSpacingPanel());
     panels.push_back(makeMeshingPanel());
     panels.push_back(makeStepsPanel());
+    panels.push_back(makeCandidatesPanel());
     panels.push_back(makeHistogramPanel());
     panels.push_back(makeStatisticsPanel());
     panels.push_back(makeChecksPanel());

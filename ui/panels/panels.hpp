@@ -11,6 +11,8 @@ namespace forefront {
 std::unique_ptr<Panel> makeLayersPanel();
 /// Lists the ten steps of the technique and marks the current one.
 std::unique_ptr<Panel> makeStepsPanel();
+/// Lists the candidates of the current advance with their scores and verdicts, and works out one of them in numbers.
+std::unique_ptr<Panel> makeCandidatesPanel();
 /// Shows a histogram of α; clicking a bar isolates its elements.
 std::unique_ptr<Panel> makeHistogramPanel();
 /// Shows Nn, Ne, Nb, Nc, Ns, α, δ, angles and times.

@@ -5,7 +5,9 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace forefront {
 
@@ -40,6 +42,14 @@ const CandidateTrace *scored(const Moment &moment) {
     return found;
 }
 
+/// Returns the work of the background grid in a step: " of 23 in 4 cells".
+std::string workText(const Moment &moment, Step step) {
+    const StepWork &work = moment.work[static_cast<std::size_t>(step)];
+    return work.segments == 0 ? std::string()
+                              : " of " + std::to_string(work.segments) + " in " + std::to_string(work.cells) +
+                                    (work.cells == 1 ? " cell" : " cells");
+}
+
 /// Returns the result of a step, shown at the right of its line; empty while unknown.
 std::string finding(const Moment &moment, int step) {
     if (!moment || static_cast<int>(moment.step) < step) {
@@ -52,8 +62,10 @@ std::string finding(const Moment &moment, int step) {
                                   : std::to_string(index(e.nodeA)) + "\xe2\x80\x93" + std::to_string(index(e.nodeB));
     case Step::EvaluateSpacing:
         return ui::number(e.rho, 3);
+    case Step::IdealPoint:
+        return "(" + ui::number(e.ideal.x) + ", " + ui::number(e.ideal.y) + ")";
     case Step::FindCandidates:
-        return std::to_string(moment.candidates);
+        return std::to_string(moment.candidates) + workText(moment, Step::FindCandidates);
     case Step::Score: {
         const CandidateTrace *best = scored(moment);
         return best == nullptr
@@ -61,7 +73,7 @@ std::string finding(const Moment &moment, int step) {
                    : ui::format("%.3f \xc2\xb7 %.2f \xc2\xb7 %.2f", best->alpha, best->deltaAC, best->deltaCB);
     }
     case Step::Test:
-        return std::to_string(moment.tests);
+        return std::to_string(moment.tests) + workText(moment, Step::Test);
     case Step::Update:
         return e.deferred ? "deferred" : std::string();
     default:
@@ -69,8 +81,36 @@ std::string finding(const Moment &moment, int step) {
     }
 }
 
-std::string tip(Step step) {
+/// Returns the formula of a step with the numbers put in; empty for steps without one.
+std::string worked(const AdvanceExplanation &e, Step step) {
+    const double base = distance(e.a, e.b);
+    switch (step) {
+    case Step::EvaluateSpacing:
+        return ui::format("\n\xcf\x81 = %s here; with |AB| = %s, clamped to %s \xe2\x80\xa6 %s: \xcf\x81 = %s",
+                          ui::number(e.fieldRho).c_str(), ui::number(base).c_str(), ui::number(0.55 * base).c_str(),
+                          ui::number(2.0 * base).c_str(), ui::number(e.rho).c_str());
+    case Step::IdealPoint:
+        return ui::format("\nheight \xe2\x88\x9a(\xcf\x81\xc2\xb2 \xe2\x88\x92 |AB|\xc2\xb2/4) = %s over AB, "
+                          "at least |AB|/2 = %s",
+                          ui::number(std::sqrt(std::max(0.0, e.rho * e.rho - 0.25 * base * base))).c_str(),
+                          ui::number(0.5 * base).c_str());
+    case Step::FindCandidates:
+        return e.searchRadius == 0.0 ? std::string() : "\nfront nodes within " + ui::number(e.searchRadius) + " of C";
+    default:
+        return {};
+    }
+}
+
+std::string tip(const Moment &moment, Step step) {
     std::string text = stepTitle(step);
+    if (moment && step <= moment.step) {
+        text += worked(*moment.advance, step);
+    }
+    if (moment && moment.work[static_cast<std::size_t>(step)].segments > 0) {
+        const StepWork &work = moment.work[static_cast<std::size_t>(step)];
+        text +=
+            "\n" + ui::count(work.cells) + " grid cells visited, " + ui::count(work.segments) + " segments delivered";
+    }
     if (step == Step::Score) {
         text += ". A point that closes several segments gets the smallest \xce\xb1 of its elements; AC and CB are "
                 "their outer "
@@ -115,7 +155,7 @@ class StepsPanel final : public Panel {
                 list.AddText({at.x + width - foundWidth - context.px(6), y}, context.theme.text, found.c_str());
             }
             if (ImGui::IsItemHovered()) {
-                ui::tooltip(context, tip(static_cast<Step>(step)));
+                ui::tooltip(context, tip(moment, static_cast<Step>(step)));
             }
         }
         ImGui::PopStyleVar();

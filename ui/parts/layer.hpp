@@ -8,6 +8,7 @@
 #include "ui/style/theme.hpp"
 #include "ui/workspace/document_examiner.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -29,13 +30,15 @@ struct LayerFrame {
     const Fonts &fonts;
     double scale; ///< pixels per design pixel
     const SessionSnapshot &snapshot;
+    const Breakpoints &breakpoints;
     const Document &document;
     const Domain &domain;   ///< of the document as drawn
     std::uint64_t revision; ///< of the document
     const DocumentPreview &preview;
     std::shared_ptr<const SpacingRaster> raster;
     const Selection &selection;
-    std::optional<Vec2> pointer; ///< place under the pointer while it is over the canvas
+    std::optional<Vec2> pointer;          ///< place under the pointer while it is over the canvas
+    std::optional<std::size_t> candidate; ///< chosen in the table of the explained advance
     std::optional<int> isolatedBin;
     ColourRange qualityRange; ///< of the colours of α
     bool outOfDate;

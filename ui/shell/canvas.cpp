@@ -8,6 +8,7 @@
 #include "ui/parts/shell.hpp"
 #include "ui/style/quality_range.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/moment.hpp"
 
 #include <glad/gl.h>
 #include <imgui.h>
@@ -251,6 +252,7 @@ void Canvas::draw(Shell &context) {
                            .fonts = context.fonts,
                            .scale = static_cast<double>(context.scale),
                            .snapshot = context.run.now(),
+                           .breakpoints = context.run.breakpoints(),
                            .document = *context.document.current(),
                            .domain = parts_->domain,
                            .revision = context.document.revision(),
@@ -258,6 +260,7 @@ void Canvas::draw(Shell &context) {
                            .raster = context.examiner.raster(),
                            .selection = context.selection,
                            .pointer = context.view.pointer,
+                           .candidate = chosenCandidate(context.view, context.run.now()),
                            .isolatedBin = context.view.isolatedBin,
                            .qualityRange =
                                context.view.qualityRange.value_or(fittedQualityRange(context.run.now().quality)),

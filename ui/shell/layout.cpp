@@ -1,4 +1,5 @@
 #include "ui/canvas/legend.hpp"
+#include "ui/shell/run_plot.hpp"
 #include "ui/shell/shell.hpp"
 
 #include <imgui.h>
@@ -21,7 +22,8 @@ Layout layOut(const Shell &context) {
     const auto px = [&](double design) { return std::round(static_cast<double>(context.px(design))); };
     Layout layout;
     layout.menu = {0, 0, width, px(kMenuHeight)};
-    const double status = px(kStatusHeight), timeline = px(kTimelineHeight);
+    const double status = px(kStatusHeight);
+    const double timeline = px(kTimelineHeight + (context.view.runPlot ? kPlotHeight : 0.0));
     layout.status = {0, height - status, width, status};
     layout.timeline = {0, height - status - timeline, width, timeline};
     const double top = layout.menu.height, middle = std::max(0.0, layout.timeline.y - top);

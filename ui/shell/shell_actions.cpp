@@ -43,6 +43,16 @@ void addCameraActions(ActionRegistry &actions) {
                  .shortcuts = {{key::kMinus, kNone}, {key::kMinus, kControl}},
                  .run = [](Shell &c) { c.view.zoomAt(c.view.camera.viewport.centre(), 1.0 / 1.4); },
                  .repeats = true});
+    actions.add({.id = "view.follow",
+                 .menu = "View",
+                 .title = "Follow the front",
+                 .shortcuts = {{'T', kNone}},
+                 .run =
+                     [](Shell &c) {
+                         c.view.following = !c.view.following;
+                         c.animate();
+                     },
+                 .checked = [](const Shell &c) { return c.view.following; }});
 }
 
 void addInterfaceActions(ActionRegistry &actions) {
@@ -108,6 +118,15 @@ void addRunActions(ActionRegistry &actions) {
                  .checked = [](const Shell &c) { return c.settings.live; }});
 }
 
+bool hasStops(const Shell &context) {
+    return canMesh(context) && context.run.breakpoints().any();
+}
+
+void runToStop(Shell &context, bool forward) {
+    context.view.isolatedBin.reset();
+    context.run.seekStop(forward);
+}
+
 void addTimelineActions(ActionRegistry &actions) {
     actions.add({.id = "run.play",
                  .menu = "Mesh",
@@ -141,6 +160,18 @@ void addTimelineActions(ActionRegistry &actions) {
                      .enabled = canMesh,
                      .repeats = true});
     }
+    actions.add({.id = "run.nextStop",
+                 .menu = "Mesh",
+                 .title = "Run to the next breakpoint",
+                 .shortcuts = {{'N', kNone}},
+                 .run = [](Shell &c) { runToStop(c, true); },
+                 .enabled = hasStops});
+    actions.add({.id = "run.previousStop",
+                 .menu = "Mesh",
+                 .title = "Run back to the previous breakpoint",
+                 .shortcuts = {{'N', kShift}},
+                 .run = [](Shell &c) { runToStop(c, false); },
+                 .enabled = hasStops});
     actions.add({.id = "run.start",
                  .menu = "Mesh",
                  .title = "Go to start",

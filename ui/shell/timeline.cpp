@@ -1,28 +1,17 @@
+#include "ui/shell/run_plot.hpp"
 #include "ui/shell/shell.hpp"
+#include "ui/shell/timeline_marks.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace forefront::shell {
 
 namespace {
-
-Colour markColour(const Theme &theme, MarkKind kind) {
-    switch (kind) {
-    case MarkKind::NewNode:
-        return fade(theme.accent, 0.55);
-    case MarkKind::Closure:
-        return fade(theme.good, 0.7);
-    case MarkKind::Deferral:
-        return theme.warn;
-    case MarkKind::Forced:
-        return theme.bad;
-    }
-    return theme.muted;
-}
 
 void drawTransport(Shell &context) {
     const bool playing = context.run.playing();
@@ -71,27 +60,14 @@ void drawSpeed(Workspace &context, bool narrow) {
     }
 }
 
-/// Draws the marks below the bar. Where marks of new nodes and closures would overlap, only one is drawn; rare marks
-/// are always drawn.
-template <class Place>
-void drawMarks(WidgetContext &context, const std::vector<TimelineMark> &marks, Place place, float middle) {
-    ImDrawList &list = *ImGui::GetWindowDrawList();
-    float last = -1e9F;
-    for (const TimelineMark &mark : marks) {
-        const bool common = mark.kind == MarkKind::NewNode || mark.kind == MarkKind::Closure;
-        const float x = std::round(place(static_cast<double>(mark.advance)));
-        if (common && x < last + context.px(4)) {
-            continue;
-        }
-        last = common ? x : last;
-        const float reach = context.px(mark.kind == MarkKind::NewNode ? 3 : common ? 4 : 6);
-        list.AddRectFilled({x, middle + context.px(6)}, {x + context.px(1), middle + context.px(6) + reach},
-                           markColour(context.theme, mark.kind));
-    }
+std::string lowered(std::string text) {
+    text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
+    return text;
 }
 
-/// Draws the bar of the timeline with its marks, and seeks while it is dragged.
-void drawScrubber(Workspace &context, float width, float height) {
+/// Draws the bar of the timeline with its marks, seeks while it is dragged, and goes to marks that are clicked.
+/// Returns its scale.
+TimeAxis drawScrubber(Workspace &context, float width, float height) {
     const SessionSnapshot &run = context.run.now();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton("##scrubber", {width, height});
@@ -101,31 +77,27 @@ void drawScrubber(Workspace &context, float width, float height) {
     ImDrawList &list = *ImGui::GetWindowDrawList();
     const Theme &theme = context.theme;
     const float middle = at.y + height / 2, half = context.px(3);
-    const float left = at.x + context.px(7), right = at.x + width - context.px(7);
-    list.AddRectFilled({left, middle - half}, {right, middle + half}, theme.raised, half);
+    const TimeAxis axis{at.x + context.px(7), at.x + width - context.px(7), run.known};
+    list.AddRectFilled({axis.left, middle - half}, {axis.right, middle + half}, theme.raised, half);
     if (run.known == 0) {
-        return;
+        return axis;
     }
-    const double known = static_cast<double>(run.known);
-    const auto place = [&](double advance) { return left + static_cast<float>(advance / known) * (right - left); };
-    if (run.marks) {
-        drawMarks(context, *run.marks, place, middle);
-    }
-    const float x = place(static_cast<double>(run.advance));
-    list.AddRectFilled({left, middle - half}, {x, middle + half}, theme.accent, half);
+    drawMarks(context, axis, middle);
+    const float x = axis.x(static_cast<double>(run.advance));
+    list.AddRectFilled({axis.left, middle - half}, {x, middle + half}, theme.accent, half);
     list.AddCircleFilled({x, middle}, context.px(active ? 7.5 : hovered ? 7.0 : 6.0), theme.text, 24);
     list.AddCircleFilled({x, middle}, context.px(3), theme.accent, 16);
-    if (active) {
-        const float t = std::clamp((ImGui::GetIO().MousePos.x - left) / (right - left), 0.0F, 1.0F);
-        const auto wanted = static_cast<std::uint64_t>(std::llround(static_cast<double>(t) * known));
-        if (wanted != run.advance) {
-            context.run.seek(wanted);
-        }
-    } else if (hovered) {
-        const float t = std::clamp((ImGui::GetIO().MousePos.x - left) / (right - left), 0.0F, 1.0F);
-        ui::tooltip(context,
-                    "Advance " + ui::count(static_cast<std::uint64_t>(std::llround(static_cast<double>(t) * known))));
+    if (!active && !hovered) {
+        return axis;
     }
+    const std::optional<TimelineMark> mark = markUnderPointer(context, axis, middle);
+    const std::uint64_t advance = mark ? mark->advance : axis.advanceAt(ImGui::GetIO().MousePos.x);
+    if (active && advance != run.advance) {
+        context.run.seek(advance);
+    } else if (!active) {
+        ui::tooltip(context, "Advance " + ui::count(advance) + (mark ? ": " + lowered(markName(mark->kind)) : ""));
+    }
+    return axis;
 }
 
 /// Rounds a rate to two digits, because further digits would flicker.
@@ -191,7 +163,8 @@ std::string captionText(const Shell &context, const SessionSnapshot &run) {
                std::string(run.improved ? " and the mesh improved." : ".");
     }
     if (run.explanation) {
-        return caption(*run.explanation, run.eventCount > 0 ? run.eventCursor : run.explanation->events.size());
+        return stopText(run, context.run.breakpoints()) +
+               caption(*run.explanation, run.eventCount > 0 ? run.eventCursor : run.explanation->events.size());
     }
     if (run.advance == 0) {
         return "\xce\x93 is the boundary of the domain; nothing is meshed yet.";
@@ -212,14 +185,46 @@ std::string positionText(const SessionSnapshot &run) {
 
 } // namespace
 
+namespace {
+
+/// Draws the caption, and the buttons at the right end of its row. `top`: y of the row.
+void drawCaptionRow(Shell &context, const PixelRect &rect, float top) {
+    const SessionSnapshot &run = context.run.now();
+    const float right = static_cast<float>(rect.width) - context.px(14);
+    ImGui::SetCursorScreenPos({right - context.px(56), top - context.px(5)});
+    if (ui::iconButton(context, "timeline/plotswitch", icon::kPolyline, "Curves of the run: front, tests, \xce\xb1",
+                       context.view.runPlot, true, 26.0F)) {
+        context.view.runPlot = !context.view.runPlot;
+        context.animate();
+    }
+    ImGui::SameLine(0, context.px(4));
+    drawBreakpointsButton(context);
+    const std::string words = captionText(context, run);
+    const bool fault = run.state == RunState::Failed && !context.run.outOfDate();
+    const bool stopped = run.stop.has_value() || run.birth.has_value();
+    ImGui::SetCursorScreenPos({context.px(14), top});
+    ImGui::PushStyleColor(ImGuiCol_Text, fault     ? context.theme.bad
+                                         : stopped ? context.theme.accent
+                                                   : context.theme.text);
+    ImGui::PushClipRect({0, top - context.px(4)}, {right - context.px(66), top + context.px(28)}, true);
+    ImGui::TextUnformatted(words.c_str());
+    ImGui::PopClipRect();
+    ImGui::PopStyleColor();
+    ui::mark(context, "timeline/caption");
+}
+
+} // namespace
+
 void drawTimeline(Shell &context, const PixelRect &rect) {
     beginRegion("##timeline", rect, context.theme.panel, context.px(10), context.px(8));
     const float y = static_cast<float>(rect.y);
     ImGui::GetWindowDrawList()->AddLine({0, y}, {static_cast<float>(rect.width), y}, context.theme.line);
     const SessionSnapshot &run = context.run.now();
+    const float row = context.view.runPlot ? context.px(kPlotHeight) : 0.0F;
+    ImGui::SetCursorPos({context.px(10), row + context.px(8)});
     drawTransport(context);
     ImGui::SameLine(0, context.px(10));
-    ImGui::SetCursorPosY(context.px(10));
+    ImGui::SetCursorPosY(row + context.px(10));
     const bool narrow = rect.width < static_cast<double>(context.px(760));
     drawSpeed(context, narrow);
     ImGui::SameLine(0, 0);
@@ -227,21 +232,16 @@ void drawTimeline(Shell &context, const PixelRect &rect) {
     const float right = static_cast<float>(rect.width) - context.px(14);
     const float positionWidth = std::max(ImGui::CalcTextSize(position.c_str()).x, narrow ? 0.0F : context.px(96));
     const float left = ImGui::GetCursorPosX() + context.px(narrow ? 4 : 14);
-    ImGui::SetCursorPos({left, context.px(10)});
-    drawScrubber(context, std::max(context.px(40), right - positionWidth - context.px(10) - left), context.px(26));
-    ImGui::SetCursorPos({right - ImGui::CalcTextSize(position.c_str()).x, context.px(14)});
+    const float width = std::max(context.px(40), right - positionWidth - context.px(10) - left);
+    ImGui::SetCursorPos({left, row + context.px(10)});
+    const TimeAxis axis = drawScrubber(context, width, context.px(26));
+    ImGui::SetCursorPos({right - ImGui::CalcTextSize(position.c_str()).x, row + context.px(14)});
     ImGui::TextUnformatted(position.c_str());
     ui::mark(context, "timeline/position");
-    const std::string words = captionText(context, run);
-    ImGui::SetCursorPos({context.px(14), context.px(50)});
-    const bool fault = run.state == RunState::Failed && !context.run.outOfDate();
-    ImGui::PushStyleColor(ImGuiCol_Text, fault ? context.theme.bad : context.theme.text);
-    ImGui::PushClipRect({0, y}, {static_cast<float>(rect.width) - context.px(14), y + static_cast<float>(rect.height)},
-                        true);
-    ImGui::TextUnformatted(words.c_str());
-    ImGui::PopClipRect();
-    ImGui::PopStyleColor();
-    ui::mark(context, "timeline/caption");
+    drawCaptionRow(context, rect, y + row + context.px(50));
+    if (context.view.runPlot) {
+        drawRunPlot(context, axis, y);
+    }
     ImGui::End();
 }
 

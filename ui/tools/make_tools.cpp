@@ -6,6 +6,7 @@
 #include "ui/tools/point_tool.hpp"
 #include "ui/tools/select_tool.hpp"
 #include "ui/tools/source_tool.hpp"
+#include "ui/tools/trace_tool.hpp"
 
 namespace forefront {
 
@@ -22,6 +23,7 @@ std::vector<std::unique_ptr<Tool>> makeTools() {
     tools.push_back(std::make_unique<BrushTool>(state, false));
     tools.push_back(std::make_unique<BrushTool>(state, true));
     tools.push_back(std::make_unique<SourceTool>(state));
+    tools.push_back(std::make_unique<TraceTool>());
     return tools;
 }
 

@@ -9,6 +9,18 @@ namespace {
 /// Above this rate, in advances per second, single advances cannot be followed and only the front is shown.
 constexpr double kFollowed = 40.0;
 
+/// Attributes the work between two events to the step of the second.
+void addWork(Moment &moment) {
+    const std::vector<TraceEvent> &events = moment.advance->events;
+    StepWork before;
+    for (std::size_t i = 0; i < events.size() && i <= moment.cursor; ++i) {
+        StepWork &work = moment.work[static_cast<std::size_t>(events[i].step)];
+        work.cells += events[i].cellsSeen - before.cells;
+        work.segments += events[i].delivered - before.segments;
+        before = {events[i].cellsSeen, events[i].delivered};
+    }
+}
+
 } // namespace
 
 Moment momentOf(const SessionSnapshot &snapshot) {
@@ -51,7 +63,16 @@ Moment momentOf(const SessionSnapshot &snapshot) {
     moment.candidatesKnown = moment.step >= Step::FindCandidates;
     moment.scoresKnown = moment.step >= Step::Score;
     moment.updated = moment.step >= Step::Update && !advance.deferred;
+    addWork(moment);
     return moment;
+}
+
+std::optional<std::size_t> chosenCandidate(const View &view, const SessionSnapshot &snapshot) {
+    const Moment moment = momentOf(snapshot);
+    const auto &choice = view.candidate;
+    const bool valid = choice && moment && choice->run == snapshot.shownRun &&
+                       choice->advance == moment.advance->advance && choice->candidate < moment.candidates;
+    return valid ? std::optional(choice->candidate) : std::nullopt;
 }
 
 } // namespace forefront

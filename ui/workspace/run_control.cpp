@@ -198,6 +198,23 @@ void RunControl::seekEnd() {
     }
 }
 
+void RunControl::seekStop(bool forward) {
+    startIfNeeded();
+    session_.seekStop(forward);
+}
+
+void RunControl::seekBirth(Vec2 place, double tolerance) {
+    startIfNeeded();
+    session_.seekBirth(place, tolerance);
+}
+
+void RunControl::setBreakpoints(const Breakpoints &breakpoints) {
+    if (!(breakpoints == breakpoints_)) {
+        breakpoints_ = breakpoints;
+        session_.stopAt(breakpoints_);
+    }
+}
+
 void RunControl::cancel() {
     cancelling_ = session_.busy();
     session_.cancel();

@@ -53,6 +53,13 @@ class RunControl {
     void step(std::int64_t n) { step(granularity, n); }
     void seek(std::uint64_t advance);
     void seekEnd();
+    /// Moves to the next advance, or with `forward` false the previous one, that fulfils a breakpoint. Starts a run if
+    /// there is none or it is out of date.
+    void seekStop(bool forward);
+    /// Moves to the advance that made what is within `tolerance` of a place, see MeshingSession::seekBirth().
+    void seekBirth(Vec2 place, double tolerance);
+    const Breakpoints &breakpoints() const { return breakpoints_; }
+    void setBreakpoints(const Breakpoints &breakpoints);
     void cancel();
     void clear();
     /// Returns true while a cancelled run has not delivered its result: the worker stops at once, but copying and
@@ -95,6 +102,7 @@ class RunControl {
     DocumentStore &document_;
     MessageLog &log_;
     MeshingSession session_;
+    Breakpoints breakpoints_;
     std::shared_ptr<const SessionSnapshot> snapshot_;
     /// The document revision and options that a run was started with.
     struct Start {

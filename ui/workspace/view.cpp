@@ -5,16 +5,19 @@ namespace forefront {
 void View::fit(const Box2 &box) {
     camera.fit(box, room);
     fitted = box;
+    following = false;
 }
 
 void View::pan(Pixel pixels) {
     camera.pan(pixels);
     fitted.reset();
+    following = false;
 }
 
 void View::zoomAt(Pixel pixel, double factor) {
     camera.zoomAt(pixel, factor);
     fitted.reset();
+    following = false;
 }
 
 bool View::resize(const PixelRect &viewport, const PixelRect &roomInIt) {
@@ -31,6 +34,7 @@ bool View::resize(const PixelRect &viewport, const PixelRect &roomInIt) {
 
 void View::goTo(Vec2 place, double now) {
     fitted.reset();
+    following = false;
     camera.centre = place;
     flag = place;
     flagTime = now;

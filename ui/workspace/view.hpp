@@ -1,11 +1,28 @@
 #pragma once
 
+#include "core/session/snapshot.hpp"
 #include "ui/canvas/camera.hpp"
 #include "ui/style/colour_map.hpp"
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 
 namespace forefront {
+
+/// A candidate of an explained advance, chosen in its table and highlighted on the canvas.
+struct CandidateChoice {
+    std::uint64_t run = 0, advance = 0;
+    std::size_t candidate = 0; ///< index into AdvanceExplanation::candidates
+};
+
+/// What a click of the trace tool does.
+enum class TraceMode : std::uint8_t {
+    Birth, ///< goes to the advance that made what was clicked
+    Place, ///< stops the run when an element covers the place
+    Cell   ///< stops the run when the search visits the cell of the background grid
+};
 
 /// The part of the plane in view, and what is highlighted in it.
 struct View {
@@ -14,13 +31,19 @@ struct View {
     std::optional<Box2> fitted;  ///< kept fully visible when the canvas is resized, until the user pans or zooms
     std::optional<Vec2> pointer; ///< place under the pointer while it is over the canvas
     bool panels = true;          ///< Tab hides them
+    bool following = false;      ///< the camera follows the current advance, see followAdvance()
     bool fitPending = true;      ///< fit the drawing as soon as the size of the canvas is known
     std::optional<Vec2> flag;    ///< target of the last goTo(), marked by a ring that fades
     double flagTime = 0.0;
+    std::optional<CandidateChoice> candidate;
+    std::array<bool, kMarkKinds> marks{true, false, true, true, true, true}; ///< shown on the timeline
+    TraceMode traceMode = TraceMode::Birth;
+    bool runPlot = false;                    ///< show the curves of the run above the timeline
     std::optional<int> isolatedBin;          ///< bin of the histogram of α whose elements are shown alone
     std::optional<ColourRange> qualityRange; ///< of the colours of α; not set: it fits the mesh
 
-    /// Fits a part of the plane into the view, and keeps it fitted when the canvas is resized.
+    /// Fits a part of the plane into the view, and keeps it fitted when the canvas is resized. Like every other move of
+    /// the camera below, it ends following.
     void fit(const Box2 &box);
     void pan(Pixel pixels);
     void zoomAt(Pixel pixel, double factor);

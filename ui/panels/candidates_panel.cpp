@@ -1,0 +1,210 @@
+#include "ui/panels/panels.hpp"
+#include "ui/parts/shell.hpp"
+#include "ui/widgets/widgets.hpp"
+#include "ui/workspace/moment.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+namespace forefront {
+
+namespace {
+
+constexpr const char *kDot = " \xc2\xb7 ";
+
+/// The columns of the table with their right ends, in parts of its width.
+struct Column {
+    const char *title;
+    float end;
+};
+constexpr std::array<Column, 7> kColumns{{{"", 0.06F},
+                                          {"node", 0.22F},
+                                          {"\xce\xb1", 0.35F},
+                                          {"\xce\xb4(AC)", 0.48F},
+                                          {"\xce\xb4(CB)", 0.61F},
+                                          {"score", 0.74F},
+                                          {"verdict", 1.0F}}};
+
+const char *shortVerdict(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::NotTried:
+        return "\xe2\x80\x93";
+    case Verdict::Accepted:
+        return "accepted";
+    case Verdict::Withdrawn:
+        return "too near";
+    case Verdict::NotLeft:
+        return "not left";
+    case Verdict::OutsideAngle:
+        return "outside";
+    case Verdict::CrossesFront:
+        return "crosses";
+    case Verdict::ContainsNode:
+        return "node inside";
+    }
+    return "";
+}
+
+std::string nodeText(const CandidateTrace &candidate) {
+    return candidate.node == kNoNode ? std::string("C") : std::to_string(index(candidate.node));
+}
+
+/// Returns δ worked out for a side: "δ(AC) = 0.95: min(L/ρ, ρ/L), L = 0.105, ρ = 0.1".
+std::string deltaText(const char *side, double delta, double length, double rho) {
+    return ui::format("\xce\xb4(%s) = %s = %s / %s = %.3f", side, length < rho ? "L/\xcf\x81" : "\xcf\x81/L",
+                      ui::number(std::min(length, rho)).c_str(), ui::number(std::max(length, rho)).c_str(), delta);
+}
+
+std::string alphaText(const AdvanceExplanation &e, const CandidateTrace &c) {
+    if (c.over.size() > 2) {
+        return ui::format("\xce\xb1 = %.3f, the smallest of %d elements", c.alpha, static_cast<int>(c.over.size()) - 1);
+    }
+    const double product = cross(e.b - e.a, c.position - e.a);
+    const double squares =
+        distanceSquared(e.a, e.b) + distanceSquared(e.b, c.position) + distanceSquared(c.position, e.a);
+    return ui::format("\xce\xb1 = 2\xe2\x88\x9a"
+                      "3\xc2\xb7(AB\xc3\x97"
+                      "AC) / (AB\xc2\xb2+BC\xc2\xb2+CA\xc2\xb2) = %.3f\xc2\xb7%s / %s = %.3f",
+                      2.0 * std::numbers::sqrt3, ui::number(product).c_str(), ui::number(squares).c_str(), c.alpha);
+}
+
+/// Returns why a candidate was accepted or rejected, in a sentence.
+std::string verdictSentence(const AdvanceExplanation &e, std::size_t candidate) {
+    const CandidateTrace &c = e.candidates[candidate];
+    const auto tests = std::count_if(e.tests.begin(), e.tests.end(),
+                                     [candidate](const TestTrace &t) { return t.candidate == candidate; });
+    std::string text = std::string(verdictText(c.verdict));
+    text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    if (c.verdict != Verdict::NotTried && c.verdict != Verdict::Withdrawn) {
+        text += tests == 0 ? "; no segment had to be tested"
+                           : "; tested against " + std::to_string(tests) + (tests == 1 ? " segment" : " segments");
+    }
+    if (c.blocked) {
+        text += c.blockA == c.blockB ? ui::format("; front node (%s, %s) is in the way", ui::number(c.blockA.x).c_str(),
+                                                  ui::number(c.blockA.y).c_str())
+                                     : ui::format("; front segment (%s, %s)\xe2\x80\x93(%s, %s) is in the way",
+                                                  ui::number(c.blockA.x).c_str(), ui::number(c.blockA.y).c_str(),
+                                                  ui::number(c.blockB.x).c_str(), ui::number(c.blockB.y).c_str());
+    }
+    return text;
+}
+
+class CandidatesPanel final : public Panel {
+  public:
+    const char *id() const override { return "candidates"; }
+    const char *title() const override { return "Candidates"; }
+    PanelPlace place() const override { return PanelPlace::Tabbed; }
+
+    void draw(Shell &context) override {
+        const Moment moment = momentOf(context.run.now());
+        if (!moment || moment.candidates == 0) {
+            ui::small(context,
+                      moment ? "This advance has no candidates yet."
+                             : "Step through a run to see the candidates of each advance, their scores and verdicts.",
+                      true);
+            ui::mark(context, "candidates/empty");
+            return;
+        }
+        const std::optional<std::size_t> chosen = chosenCandidate(context.view, context.run.now());
+        ImGui::PushFont(context.fonts.small);
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+        drawTitles(context);
+        for (std::size_t i = 0; i < moment.candidates; ++i) {
+            drawRow(context, moment, i, chosen == i);
+        }
+        ImGui::Dummy({0, context.px(5)});
+        ImGui::PopStyleVar();
+        ImGui::PopFont();
+        if (chosen) {
+            drawWorked(context, moment, *chosen);
+        } else {
+            ui::small(context, "Click a row to see its numbers, its tests and what rejected it.", true);
+        }
+    }
+
+  private:
+    static void drawCells(WidgetContext &context, ImVec2 at, float width,
+                          const std::array<std::string, kColumns.size()> &texts, Colour colour, Colour last) {
+        ImDrawList &list = *ImGui::GetWindowDrawList();
+        for (std::size_t i = 0; i < kColumns.size(); ++i) {
+            const bool isVerdict = i + 1 == kColumns.size();
+            const float x = isVerdict ? at.x + kColumns[i - 1].end * width + context.px(8)
+                                      : at.x + kColumns[i].end * width - ImGui::CalcTextSize(texts[i].c_str()).x;
+            list.AddText({x, at.y}, isVerdict ? last : colour, texts[i].c_str());
+        }
+    }
+
+    static void drawTitles(WidgetContext &context) {
+        std::array<std::string, kColumns.size()> titles;
+        for (std::size_t i = 0; i < kColumns.size(); ++i) {
+            titles[i] = kColumns[i].title;
+        }
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const float width = ImGui::GetContentRegionAvail().x;
+        drawCells(context, at, width, titles, context.theme.muted, context.theme.muted);
+        ImGui::Dummy({width, context.px(16)});
+    }
+
+    static void drawRow(Shell &context, const Moment &moment, std::size_t i, bool chosen) {
+        const CandidateTrace &c = moment.advance->candidates[i];
+        const Theme &theme = context.theme;
+        const float width = ImGui::GetContentRegionAvail().x, height = context.px(16);
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const std::string name = "candidates/" + std::to_string(i);
+        if (ImGui::InvisibleButton(name.c_str(), {width, height})) {
+            const SessionSnapshot &run = context.run.now();
+            context.view.candidate =
+                chosen ? std::nullopt : std::optional(CandidateChoice{run.shownRun, moment.advance->advance, i});
+            context.animate();
+        }
+        ui::mark(context, name);
+        const bool hovered = ImGui::IsItemHovered();
+        if (hovered) {
+            ui::tooltip(context, verdictText(moment.judged[i] ? c.verdict : Verdict::NotTried));
+        }
+        if (chosen || hovered) {
+            ImGui::GetWindowDrawList()->AddRectFilled({at.x - context.px(4), at.y}, {at.x + width, at.y + height},
+                                                      fade(theme.accent, chosen ? 0.22 : 0.1), context.px(3));
+        }
+        const auto known = [&](double value, int digits) {
+            return moment.scoresKnown ? ui::format("%.*f", digits, value) : std::string("\xe2\x80\x93");
+        };
+        const bool judged = moment.judged[i] && c.verdict != Verdict::NotTried;
+        const Colour verdict = !judged ? theme.muted : c.verdict == Verdict::Accepted ? theme.good : theme.bad;
+        drawCells(context, {at.x, at.y + context.px(1)}, width,
+                  {std::to_string(i + 1), nodeText(c), known(c.alpha, 3), known(c.deltaAC, 2), known(c.deltaCB, 2),
+                   known(c.score, 3), judged ? shortVerdict(c.verdict) : "\xe2\x80\x93"},
+                  theme.text, verdict);
+    }
+
+    /// Writes the formulas with the numbers of a candidate put in.
+    static void drawWorked(Shell &context, const Moment &moment, std::size_t i) {
+        const AdvanceExplanation &e = *moment.advance;
+        const CandidateTrace &c = e.candidates[i];
+        const Vec2 a = c.over.empty() ? e.a : c.over.front(), b = c.over.empty() ? e.b : c.over.back();
+        std::vector<std::string> lines;
+        if (moment.scoresKnown) {
+            lines = {alphaText(e, c), deltaText("AC", c.deltaAC, distance(a, c.position), c.rho),
+                     deltaText("CB", c.deltaCB, distance(b, c.position), c.rho),
+                     ui::format("score = %.3f%s%.3f%s%.3f = %.3f", c.alpha, kDot, c.deltaAC, kDot, c.deltaCB, c.score)};
+        }
+        if (moment.judged[i]) {
+            lines.push_back(verdictSentence(e, i));
+        }
+        for (const std::string &line : lines) {
+            ui::small(context, line, true);
+        }
+        ui::mark(context, "candidates/worked");
+    }
+};
+
+} // namespace
+
+std::unique_ptr<Panel> makeCandidatesPanel() {
+    return std::make_unique<CandidatesPanel>();
+}
+
+} // namespace forefront

@@ -1,0 +1,126 @@
+#include "ui/shell/run_plot.hpp"
+
+#include "ui/widgets/widgets.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+
+namespace forefront::shell {
+
+namespace {
+
+using Sample = RunCurves::Sample;
+
+/// A curve with a scale of its own: from 0 to its maximum, or over [0, 1].
+struct Curve {
+    const char *name, *tip;
+    float Sample::*value;
+    Colour colour;
+    bool unit; ///< its values lie in [0, 1]
+};
+
+std::array<Curve, 4> curvesOf(const Theme &theme) {
+    return {{{"segments of \xce\x93", "Number of segments on the front", &Sample::front, theme.front, false},
+             {"tests per element", "Mean number of segments tested for intersection per element", &Sample::tests,
+              theme.visited, false},
+             {"mean \xce\xb1", "Mean shape factor of the elements made", &Sample::alphaMean, theme.good, true},
+             {"minimum \xce\xb1", "Shape factor of the worst element made", &Sample::alphaMin, fade(theme.bad, 0.75),
+              true}}};
+}
+
+/// The rectangle of the curves, in pixels.
+struct Frame {
+    TimeAxis axis;
+    float top, bottom;
+};
+
+float highest(const RunCurves &curves, const Curve &curve) {
+    float result = curve.unit ? 1.0F : 0.0F;
+    for (const Sample &sample : curves.samples) {
+        result = curve.unit ? result : std::max(result, sample.*curve.value);
+    }
+    return std::max(result, 1e-6F);
+}
+
+void drawCurve(WidgetContext &context, const RunCurves &curves, const Curve &curve, const Frame &frame) {
+    const float scale = (frame.bottom - frame.top) / highest(curves, curve);
+    std::vector<ImVec2> points;
+    points.reserve(curves.samples.size());
+    for (std::size_t i = 0; i < curves.samples.size(); ++i) {
+        const double from = static_cast<double>(i * curves.stretch);
+        const double to = std::min(static_cast<double>(frame.axis.known), from + static_cast<double>(curves.stretch));
+        points.push_back({frame.axis.x(0.5 * (from + to)), frame.bottom - scale * (curves.samples[i].*curve.value)});
+    }
+    ImGui::GetWindowDrawList()->AddPolyline(points.data(), static_cast<int>(points.size()), curve.colour, 0,
+                                            context.px(1.25));
+}
+
+std::string valueText(float value, bool unit) {
+    return unit ? ui::format("%.3f", static_cast<double>(value)) : ui::mean(static_cast<double>(value));
+}
+
+/// Draws the names left of the curves, each with its value at an advance.
+void drawNames(WidgetContext &context, const Sample &sample, float top, float right) {
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    ImGui::PushFont(context.fonts.small);
+    float y = top + context.px(2);
+    const auto curves = curvesOf(context.theme);
+    for (const Curve &curve : curves) {
+        const std::string value = valueText(sample.*curve.value, curve.unit);
+        list.AddRectFilled({context.px(14), y + context.px(5)}, {context.px(26), y + context.px(7)}, curve.colour);
+        list.AddText({context.px(32), y}, context.theme.muted, curve.name);
+        list.AddText({right - ImGui::CalcTextSize(value.c_str()).x, y}, context.theme.text, value.c_str());
+        const PixelRect rect{static_cast<double>(context.px(14)), static_cast<double>(y),
+                             static_cast<double>(right - context.px(14)), static_cast<double>(context.px(17))};
+        ui::tooltipOver(context, rect, curve.tip);
+        y += context.px(19);
+    }
+    ImGui::PopFont();
+}
+
+} // namespace
+
+void drawRunPlot(Shell &context, const TimeAxis &axis, float top) {
+    const SessionSnapshot &run = context.run.now();
+    const Frame frame{axis, top + context.px(6), top + context.px(kPlotHeight) - context.px(10)};
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled({axis.left, frame.top - context.px(2)}, {axis.right, frame.bottom + context.px(2)},
+                       fade(context.theme.canvas, 0.6), context.px(3));
+    ui::markRect(context, "timeline/plot",
+                 {static_cast<double>(axis.left), static_cast<double>(frame.top),
+                  static_cast<double>(axis.right - axis.left), static_cast<double>(frame.bottom - frame.top)},
+                 run.known > 0);
+    if (run.known == 0 || !run.curves || run.curves->samples.empty()) {
+        ImGui::SetCursorScreenPos({context.px(14), top + context.px(8)});
+        ui::small(context, "Mesh the drawing or step through it to see its curves here.");
+        return;
+    }
+    ImGui::SetCursorScreenPos({axis.left, frame.top});
+    ImGui::InvisibleButton("##plot", {axis.right - axis.left, frame.bottom - frame.top});
+    const bool active = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
+    list.PushClipRect({axis.left, frame.top - context.px(2)}, {axis.right, frame.bottom + context.px(2)}, true);
+    for (const Curve &curve : curvesOf(context.theme)) {
+        drawCurve(context, *run.curves, curve, frame);
+    }
+    const float here = axis.x(static_cast<double>(run.advance));
+    list.AddLine({here, frame.top}, {here, frame.bottom}, context.theme.accent, context.px(1.5));
+    std::uint64_t shown = run.advance;
+    if (active || hovered) {
+        shown = axis.advanceAt(ImGui::GetIO().MousePos.x);
+        const float x = axis.x(static_cast<double>(shown));
+        list.AddLine({x, frame.top}, {x, frame.bottom}, context.theme.muted, 1.0F);
+    }
+    list.PopClipRect();
+    if (active && shown != run.advance) {
+        context.run.seek(shown);
+    } else if (hovered) {
+        ui::tooltip(context, "Advance " + ui::count(shown));
+    }
+    const std::size_t last = run.curves->samples.size() - 1;
+    const auto index = static_cast<std::size_t>(shown / run.curves->stretch);
+    drawNames(context, run.curves->samples[std::min(index, last)], top, axis.left - context.px(14));
+}
+
+} // namespace forefront::shell

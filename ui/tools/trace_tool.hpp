@@ -1,0 +1,25 @@
+#pragma once
+
+#include "ui/parts/tool.hpp"
+
+namespace forefront {
+
+/// Asks where the mesh came from: a click goes to the advance that made an element, edge or node, or sets a breakpoint
+/// at a place or at a cell of the background grid.
+class TraceTool final : public Tool {
+  public:
+    const char *id() const override { return "trace"; }
+    const char *name() const override { return "Trace: who made this?"; }
+    const char *icon() const override;
+    int key() const override { return 'W'; }
+    bool handle(const CanvasEvent &event, Shell &context) override;
+    bool hasOptions(const Shell &) const override { return true; }
+    void drawOptions(Shell &context, ui::Flow &flow) override;
+    CursorShape cursor() const override { return CursorShape::Crosshair; }
+    std::string statusText(const Shell &context) const override;
+
+  private:
+    static void click(Vec2 place, Shell &context);
+};
+
+} // namespace forefront
