@@ -1,6 +1,6 @@
 #include "core/arrangement/arrangement.hpp"
 #include "core/arrangement/assembler.hpp"
-#include "core/arrangement/snap.hpp"
+#include "core/arrangement/joined_lines.hpp"
 #include "core/domain/coordinate_range.hpp"
 
 #include <algorithm>
@@ -39,7 +39,8 @@ Diagnostics checkRange(const ArrangementInput &input, const Box2 &box) {
 
 /// Checks that each contour enters each of its nodes as often as it leaves it; even-odd contours must pass an even
 /// number of times.
-Diagnostics checkClosed(const ArrangementInput &input, const SnappedLines &snapped) {
+Diagnostics checkClosed(const ArrangementInput &input, const JoinedLines &joined) {
+    const SnappedLines &snapped = joined.snapped;
     std::vector<std::uint64_t> balance(input.contours.size(), 0);
     const auto mix = [](std::uint64_t node) { // SplitMix64 (S. Vigna): sums of such numbers vanish only by pairs
         node = (node + 1) * 0x9e3779b97f4a7c15ULL;
@@ -48,8 +49,8 @@ Diagnostics checkClosed(const ArrangementInput &input, const SnappedLines &snapp
         return node ^ (node >> 31);
     };
     std::vector<std::uint32_t> piece(input.contours.size(), 0);
-    for (std::uint32_t i = 0; i < input.pieces.size(); ++i) {
-        const ArrangementPiece &about = input.pieces[i];
+    for (std::uint32_t i = 0; i < joined.lines.size(); ++i) {
+        const ArrangementPiece &about = input.pieces[joined.source[i]];
         if (about.role != PieceRole::Outline || snapped.starts[i] == snapped.starts[i + 1]) {
             continue;
         }
@@ -58,7 +59,7 @@ Diagnostics checkClosed(const ArrangementInput &input, const SnappedLines &snapp
         const std::uint64_t from = mix(snapped.first[i]), to = mix(lastWay % 2 != 0 ? last.a : last.b);
         std::uint64_t &sum = balance[about.contour];
         sum = input.contours[about.contour].rule == FillRule::EvenOdd ? sum ^ from ^ to : sum + to - from;
-        piece[about.contour] = i;
+        piece[about.contour] = joined.source[i];
     }
     const auto open = std::find_if(balance.begin(), balance.end(), [](std::uint64_t sum) { return sum != 0; });
     if (open == balance.end()) {
@@ -117,22 +118,30 @@ Result<Arrangement> arrange(const ArrangementInput &input, std::stop_token stop)
         return faults;
     }
     std::vector<SnapLine> lines;
+    std::vector<CurveStretch> stretches;
     lines.reserve(input.pieces.size());
+    stretches.reserve(input.pieces.size());
     for (const ArrangementPiece &piece : input.pieces) {
         lines.push_back({piece.a, piece.b});
+        stretches.push_back(piece.stretch);
     }
-    const SnappedLines snapped = snapLines(lines, std::max(input.tolerance, resolutionOf(box)), stop);
+    const JoinedLines joined =
+        joinLines(lines, stretches, input.curves, std::max(input.tolerance, resolutionOf(box)), stop);
+    const SnappedLines &snapped = joined.snapped;
     if (!snapped.finished) {
         return error("cancelled", "arranging the drawing was cancelled");
     }
-    if (Diagnostics faults = checkClosed(input, snapped); !faults.empty()) {
+    if (Diagnostics faults = checkClosed(input, joined); !faults.empty()) {
         return faults;
     }
-    const PlaneSweepResult sweep = sweepPlane(snapped.nodes, snapped.edges);
+    const PlaneSweepResult sweep = sweepPlane(snapped.nodes, snapped.edges, stop);
+    if (stop.stop_requested()) {
+        return error("cancelled", "joining the pieces was cancelled");
+    }
     if (sweep.droppedCount != 0) {
         return error("arrangement-failed", "the pieces still meet after joining", "please report this file as a bug");
     }
-    Arrangement result = Assembler(input, lines, snapped, findFaces(snapped.nodes, snapped.edges, sweep)).run();
+    Arrangement result = Assembler(input, joined, findFaces(snapped.nodes, snapped.edges, sweep)).run();
     result.radius = snapped.radius;
     return result;
 }

@@ -38,8 +38,9 @@ struct ArrangementPiece {
     std::uint32_t contour = 0; ///< of an Outline: index into ArrangementInput::contours
     std::int32_t tag = 1;      ///< of the boundary part or point
     PieceRole role = PieceRole::Outline;
-    /// The part of a curve, by its index into ArrangementInput::curves, that the piece is a chord of. Segments along
-    /// the piece follow their share of it.
+    /// The part of a curve, by its index into ArrangementInput::curves, that the piece is a chord of. The piece stands
+    /// for that part, and segments along it follow their share of it. Its ends must be on the curve within a few
+    /// tolerances; otherwise only the chord counts.
     CurveStretch stretch = {};
 };
 
@@ -82,8 +83,8 @@ struct ArrangementInput {
     std::vector<ArrangementContour> contours;
     std::vector<ArrangementShape> shapes;
     std::vector<ArrangementFeature> features;
-    /// Nodes and segments closer than this are joined, in domain units. The minimum is the resolution of
-    /// doubles at these coordinates.
+    /// Nodes, segments and curves closer than this are joined, in domain units. The minimum is the resolution of
+    /// doubles at these coordinates, and a few times as much where pieces follow curves.
     double tolerance = 0.0;
     OverlapRule overlap = OverlapRule::Later;
     bool markRegions = false; ///< put a region marker into every face
@@ -111,6 +112,9 @@ struct Arrangement {
 /// Builds a domain from labelled pieces as their planar arrangement: crossings, touchings and overlaps are found
 /// exactly and become nodes; things closer than the tolerance are joined (see snapLines); the inside is what the shapes
 /// cover. Outlines with the same feature on both sides disappear, except where two of its shapes only touch.
+/// - Where pieces follow curves, the curves count: nodes at crossings are on both curves to rounding, no crossing beyond
+///   which curves are farther apart than the tolerance is missed, and curves that touch, or are within the tolerance of
+///   each other, are joined where they are closest. Chords are divided as far as that takes.
 /// - Nothing moves by more than the tolerance. Nodes that nothing comes close to keep their coordinates bit for bit.
 /// - A valid domain comes back with its nodes and segments in the order of the pieces.
 /// - The result depends on the set of pieces, not on their order, which only numbers nodes and segments, chooses

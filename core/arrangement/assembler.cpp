@@ -9,9 +9,8 @@
 
 namespace forefront {
 
-Assembler::Assembler(const ArrangementInput &input, std::span<const SnapLine> lines, const SnappedLines &snapped,
-                     Faces faces)
-    : input_(input), lines_(lines), snapped_(snapped), faces_(std::move(faces)) {}
+Assembler::Assembler(const ArrangementInput &input, const JoinedLines &joined, Faces faces)
+    : input_(input), joined_(joined), snapped_(joined.snapped), faces_(std::move(faces)) {}
 
 Arrangement Assembler::run() {
     collectRuns();
@@ -32,9 +31,9 @@ void Assembler::collectRuns() {
     isLine_.assign(edgeCount, 0);
     std::vector<std::uint32_t> starts(edgeCount + 1, 0);
     const auto forEach = [&](const auto &visit) {
-        for (std::uint32_t i = 0; i < input_.pieces.size(); ++i) {
+        for (std::uint32_t i = 0; i < lineCount(); ++i) {
             for (std::uint32_t k = snapped_.starts[i]; k < snapped_.starts[i + 1]; ++k) {
-                visit(input_.pieces[i], snapped_.ways[k]);
+                visit(pieceOf(i), snapped_.ways[k]);
             }
         }
     };
@@ -103,8 +102,8 @@ void Assembler::chooseTags() {
     enum Rank : std::uint8_t { None, Any, Bounding, Line };
     std::vector<Rank> rank(snapped_.edges.size(), None);
     tag_.assign(snapped_.edges.size(), 1);
-    for (std::uint32_t i = 0; i < input_.pieces.size(); ++i) {
-        const ArrangementPiece &piece = input_.pieces[i];
+    for (std::uint32_t i = 0; i < lineCount(); ++i) {
+        const ArrangementPiece &piece = pieceOf(i);
         for (std::uint32_t k = snapped_.starts[i]; k < snapped_.starts[i + 1]; ++k) {
             const std::uint32_t edge = snapped_.ways[k] / 2;
             Rank own = Line;
@@ -143,8 +142,8 @@ void Assembler::buildDomain() {
             nodeSide_[end] = std::max<std::uint8_t>(nodeSide_[end], beside ? 2 : 1);
         }
     }
-    for (std::uint32_t i = 0; i < input_.pieces.size(); ++i) {
-        input_.pieces[i].role == PieceRole::Point ? addPoint(i) : addSegments(i);
+    for (std::uint32_t i = 0; i < lineCount(); ++i) {
+        pieceOf(i).role == PieceRole::Point ? addPoint(i) : addSegments(i);
     }
     takeCurves();
 }
@@ -165,9 +164,10 @@ void Assembler::takeCurves() {
     }
 }
 
-/// Adds the edges along a piece that no piece before it has added.
-void Assembler::addSegments(std::uint32_t piece) {
-    for (std::uint32_t k = snapped_.starts[piece]; k < snapped_.starts[piece + 1]; ++k) {
+/// Adds the edges along a line that no line before it has added.
+void Assembler::addSegments(std::uint32_t line) {
+    const std::uint32_t piece = joined_.source[line];
+    for (std::uint32_t k = snapped_.starts[line]; k < snapped_.starts[line + 1]; ++k) {
         const std::uint32_t edge = snapped_.ways[k] / 2;
         if (!kept(edge) || added_[edge] != 0) {
             continue;
@@ -179,25 +179,24 @@ void Assembler::addSegments(std::uint32_t piece) {
         const std::uint32_t a = node(from, piece), b = node(to, piece);
         result_.domain.segments.push_back(
             {a, b, tag_[edge], fate_[edge] == Fate::Boundary ? SegmentRole::Boundary : SegmentRole::Constraint});
-        result_.stretches.push_back(stretchOf(piece, from, to));
+        result_.stretches.push_back(stretchOf(line, from, to));
     }
 }
 
-/// The part of the piece's curve between two nodes on its path.
-PieceStretch Assembler::stretchOf(std::uint32_t piece, std::uint32_t from, std::uint32_t to) const {
-    const ArrangementPiece &about = input_.pieces[piece];
-    return {piece,
-            stretchAlong(about.stretch, input_.curves, {about.a, about.b}, snapped_.nodes[from], snapped_.nodes[to])};
+/// Returns the part of the line's curve between two nodes on its way.
+PieceStretch Assembler::stretchOf(std::uint32_t line, std::uint32_t from, std::uint32_t to) const {
+    return {joined_.source[line], stretchAlong(joined_.stretches[line], input_.curves, joined_.lines[line],
+                                               snapped_.nodes[from], snapped_.nodes[to])};
 }
 
 bool Assembler::pointInside(std::uint32_t node) const {
     return input_.keepOutside || (nodeSide_[node] != 0 ? nodeSide_[node] == 2 : inside(faces_.ofPoint[node]));
 }
 
-void Assembler::addPoint(std::uint32_t piece) {
-    const std::uint32_t at = snapped_.first[piece];
+void Assembler::addPoint(std::uint32_t line) {
+    const std::uint32_t at = snapped_.first[line], piece = joined_.source[line];
     if (!pointInside(at)) {
-        changes_.add(ChangeKind::OutsidePoints, snapped_.nodes[at], 0.0, piece);
+        changes_.add(ChangeKind::OutsidePoints, snapped_.nodes[at], 0.0, line);
         return;
     }
     if (hasPoint_[at] == 0) {

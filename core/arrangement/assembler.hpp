@@ -3,11 +3,10 @@
 #include "core/arrangement/arrangement.hpp"
 #include "core/arrangement/change.hpp"
 #include "core/arrangement/cover.hpp"
-#include "core/arrangement/snap.hpp"
+#include "core/arrangement/joined_lines.hpp"
 #include "core/domain/faces.hpp"
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace forefront {
@@ -15,8 +14,8 @@ namespace forefront {
 /// Puts the domain together from snapped pieces and their faces.
 class Assembler {
   public:
-    /// `lines`: the pieces as lines.
-    Assembler(const ArrangementInput &input, std::span<const SnapLine> lines, const SnappedLines &snapped, Faces faces);
+    /// `joined`: the pieces as lines.
+    Assembler(const ArrangementInput &input, const JoinedLines &joined, Faces faces);
 
     Arrangement run();
 
@@ -30,25 +29,27 @@ class Assembler {
     void chooseTags();
     void buildDomain();
     void takeCurves();
-    void addSegments(std::uint32_t piece);
-    void addPoint(std::uint32_t piece);
+    void addSegments(std::uint32_t line);
+    void addPoint(std::uint32_t line);
     std::uint32_t node(std::uint32_t snappedNode, std::uint32_t piece);
-    PieceStretch stretchOf(std::uint32_t piece, std::uint32_t from, std::uint32_t to) const;
+    PieceStretch stretchOf(std::uint32_t line, std::uint32_t from, std::uint32_t to) const;
     bool pointInside(std::uint32_t node) const;
     std::vector<std::uint32_t> joinFaces() const;
     void markRegions();
     void report();
-    void reportPiece(std::uint32_t piece);
+    void reportLine(std::uint32_t line);
     void reportOverlaps();
     Vec2 placeInside(std::uint32_t face) const;
-    std::uint32_t firstPieceAround(std::uint32_t face) const;
+    std::uint32_t firstLineAround(std::uint32_t face) const;
     bool overlap(std::uint32_t face) const;
 
+    std::uint32_t lineCount() const { return static_cast<std::uint32_t>(joined_.lines.size()); }
+    const ArrangementPiece &pieceOf(std::uint32_t line) const { return input_.pieces[joined_.source[line]]; }
     bool inside(std::uint32_t face) const { return cover_.shapes[face] > 0; }
     bool kept(std::uint32_t edge) const { return fate_[edge] == Fate::Boundary || fate_[edge] == Fate::Constraint; }
 
     const ArrangementInput &input_;
-    std::span<const SnapLine> lines_;
+    const JoinedLines &joined_;
     const SnappedLines &snapped_;
     Faces faces_;
     EdgeRuns runs_;

@@ -8,17 +8,20 @@
 namespace forefront {
 
 void Assembler::report() {
-    noteSnapping(lines_, snapped_, changes_);
-    for (std::uint32_t i = 0; i < input_.pieces.size(); ++i) {
-        reportPiece(i);
+    noteJoining(joined_, changes_);
+    for (std::uint32_t i = 0; i < lineCount(); ++i) {
+        reportLine(i);
     }
     reportOverlaps();
     result_.changes = changes_.take();
+    for (ArrangementChange &change : result_.changes) {
+        change.piece = joined_.source[change.piece];
+    }
 }
 
-/// Records the edges along a piece that are not in the domain.
-void Assembler::reportPiece(std::uint32_t piece) {
-    for (std::uint32_t k = snapped_.starts[piece]; k < snapped_.starts[piece + 1]; ++k) {
+/// Records the edges along a line that are not in the domain.
+void Assembler::reportLine(std::uint32_t line) {
+    for (std::uint32_t k = snapped_.starts[line]; k < snapped_.starts[line + 1]; ++k) {
         const std::uint32_t edge = snapped_.ways[k] / 2;
         const PlaneEdge &ends = snapped_.edges[edge];
         const Vec2 middle = midpoint(snapped_.nodes[ends.a], snapped_.nodes[ends.b]);
@@ -28,13 +31,13 @@ void Assembler::reportPiece(std::uint32_t piece) {
         added_[edge] = 1; // each edge counts once
         switch (fate_[edge]) {
         case Fate::Folded:
-            changes_.add(ChangeKind::FoldedOutlines, middle, 0.0, piece);
+            changes_.add(ChangeKind::FoldedOutlines, middle, 0.0, line);
             break;
         case Fate::Inner:
-            changes_.add(ChangeKind::InnerOutlines, middle, 0.0, piece);
+            changes_.add(ChangeKind::InnerOutlines, middle, 0.0, line);
             break;
         case Fate::Outside:
-            changes_.add(ChangeKind::OutsideLines, middle, 0.0, piece);
+            changes_.add(ChangeKind::OutsideLines, middle, 0.0, line);
             break;
         case Fate::Boundary:
         case Fate::Constraint:
@@ -66,7 +69,7 @@ void Assembler::reportOverlaps() {
     for (std::size_t k = 0; k < found.size(); ++k) {
         const bool shown = k < ArrangementChange::kPlaces;
         changes_.add(ChangeKind::OverlapsDecided, shown ? placeInside(found[k]) : Vec2{}, cover_.area[found[k]],
-                     k == 0 ? firstPieceAround(found[k]) : 0);
+                     k == 0 ? firstLineAround(found[k]) : 0);
     }
     if (!found.empty()) {
         const std::uint32_t first = cover_.rivalStarts[found.front()];
@@ -88,8 +91,8 @@ Vec2 Assembler::placeInside(std::uint32_t face) const {
     return pointInFace(edges).value_or(midpoint(edges.front().a, edges.front().b));
 }
 
-std::uint32_t Assembler::firstPieceAround(std::uint32_t face) const {
-    for (std::uint32_t i = 0; i < input_.pieces.size(); ++i) {
+std::uint32_t Assembler::firstLineAround(std::uint32_t face) const {
+    for (std::uint32_t i = 0; i < lineCount(); ++i) {
         for (std::uint32_t k = snapped_.starts[i]; k < snapped_.starts[i + 1]; ++k) {
             const std::uint32_t edge = snapped_.ways[k] / 2;
             if (faces_.left[edge] == face || faces_.right[edge] == face) {

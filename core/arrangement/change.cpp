@@ -29,6 +29,8 @@ constexpr Words kWords[] = {
      "added nodes in %zu places where segments cross", true},
     {ChangeKind::TouchingSegments, "touching-segments", "split 1 segment at a node on it",
      "split segments at %zu nodes on them", true},
+    {ChangeKind::TouchingCurves, "touching-curves", "joined 2 curves where they touch",
+     "joined curves in %zu places where they touch", true},
     {ChangeKind::BentSegments, "bent-segments", "bent 1 segment through a node near it",
      "bent segments through nodes near them in %zu places", true},
     {ChangeKind::RepeatedSegments, "duplicate-segment", "dropped 1 segment that repeats another one",

@@ -19,6 +19,7 @@ enum class ChangeKind : std::uint8_t {
     EmptySegments,    ///< a segment of a domain vanished because it has no length
     CrossingSegments, ///< a node was added where pieces cross
     TouchingSegments, ///< a piece was split at a node on it
+    TouchingCurves,   ///< two curves touch, or are within the tolerance of each other, and were joined there
     BentSegments,     ///< a piece was routed through a node near it
     RepeatedSegments, ///< of coinciding segments of a domain, one was kept
     SharedBoundaries, ///< a boundary segment between two inner faces of a domain became a constraint

@@ -8,16 +8,21 @@
 #include <array>
 #include <numeric>
 #include <string_view>
+#include <utility>
 
 namespace forefront {
 
 namespace {
 
 /// Returns true if the lines meet only in common ends and pass no point.
-bool meetOnlyInEnds(const SnappedLines &lines) {
-    const PlaneSweepResult sweep = sweepPlane(lines.nodes, lines.edges);
+bool meetOnlyInEnds(const SnappedLines &lines, const std::stop_token &stop) {
+    const PlaneSweepResult sweep = sweepPlane(lines.nodes, lines.edges, stop);
     return sweep.droppedCount == 0 &&
            std::all_of(sweep.on.begin(), sweep.on.end(), [](std::uint32_t edge) { return edge == kNoIndex; });
+}
+
+Diagnostics cancelledRepair() {
+    return error("cancelled", "the repair was cancelled");
 }
 
 } // namespace
@@ -29,15 +34,20 @@ Result<Repaired> Repairer::run(double tolerance, const std::stop_token &stop) {
                      "scale and move the domain first");
     }
     collectLines();
-    if (!join(tolerance, stop)) {
-        return error("cancelled", "the repair was cancelled");
+    takeLines(join(tolerance, stop));
+    if (!joined_.finished) {
+        return cancelledRepair();
     }
     collectEdges();
-    if (sweepPlane(joined_.nodes, joined_.edges).droppedCount != 0) {
+    const PlaneSweepResult sweep = sweepPlane(joined_.nodes, joined_.edges, stop);
+    if (sweep.droppedCount != 0 && !stop.stop_requested()) {
         return error("repair-failed", "segments still meet after joining", "please report this file as a bug");
     }
     resolveRepeats();
-    dropOutside();
+    dropOutside(stop);
+    if (stop.stop_requested()) {
+        return cancelledRepair();
+    }
     build();
     return std::move(result_);
 }
@@ -58,35 +68,58 @@ void Repairer::collectLines() {
             changes_.add(ChangeKind::EmptySegments, a, 0.0, s);
             continue;
         }
-        lines_.push_back({a, b});
+        lines_.lines.push_back({a, b});
+        lines_.stretches.push_back(segment.stretch);
         segmentOf_.push_back(s);
     }
     for (std::uint32_t i = 0; i < given_.points.size(); ++i) {
         const std::uint32_t node = given_.points[i].node;
         if (node < given_.nodes.size() && isFinite(given_.nodes[node])) {
-            lines_.push_back({given_.nodes[node], given_.nodes[node]});
+            lines_.lines.push_back({given_.nodes[node], given_.nodes[node]});
+            lines_.stretches.emplace_back();
             pointOf_.push_back(i);
         }
     }
 }
 
-/// Returns false if asked to stop.
-bool Repairer::join(double tolerance, const std::stop_token &stop) {
-    if (tolerance == 0.0) {
-        joined_ = unsnapped(lines_);
-        if (meetOnlyInEnds(joined_)) {
-            return true;
-        }
-    }
+/// Joins the collected lines. With the tolerance 0 they stay as they are if they meet only in common ends.
+JoinedLines Repairer::join(double tolerance, const std::stop_token &stop) const {
     Box2 box;
-    for (const SnapLine &line : lines_) {
+    for (const SnapLine &line : lines_.lines) {
         box.add(line.a);
         box.add(line.b);
     }
-    joined_ = snapLines(lines_, std::max(tolerance, resolutionOf(box)), stop);
+    const double resolution = resolutionOf(box);
+    if (tolerance == 0.0) {
+        JoinedLines kept = lines_;
+        kept.source.resize(kept.lines.size());
+        std::iota(kept.source.begin(), kept.source.end(), 0U);
+        kept.snapped = unsnapped(kept.lines);
+        if (keepsNodes(kept, resolution, stop)) {
+            return kept;
+        }
+    }
+    return joinLines(lines_.lines, lines_.stretches, given_.curves, std::max(tolerance, resolution), stop);
+}
+
+/// Returns true if lines as given, and the curves that they follow, meet only in common ends.
+bool Repairer::keepsNodes(const JoinedLines &kept, double resolution, const std::stop_token &stop) const {
+    LineDivision division(kept.lines, kept.stretches, given_.curves, resolution);
+    division.divide(stop);
+    return division.meetings().empty() && meetOnlyInEnds(kept.snapped, stop);
+}
+
+/// Takes joined lines and finds whose parts they are.
+void Repairer::takeLines(JoinedLines lines) {
+    lines_ = std::move(lines);
+    const std::vector<std::uint32_t> segments = std::exchange(segmentOf_, {});
+    for (const std::uint32_t given : lines_.source) {
+        if (given < segments.size()) {
+            segmentOf_.push_back(segments[given]);
+        }
+    }
     result_.radius = joined_.radius;
-    noteSnapping(lines_, joined_, changes_);
-    return joined_.finished;
+    noteJoining(lines_, changes_);
 }
 
 /// Finds the given segments along each joined edge.
@@ -103,6 +136,7 @@ void Repairer::collectEdges() {
             }
             if (edge.source == kNoIndex || (boundary && edge.boundaries == 0)) {
                 edge.source = segmentOf_[i];
+                edge.line = i;
             }
             edge.boundaries += boundary ? 1 : 0;
         }

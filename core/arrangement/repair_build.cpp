@@ -41,8 +41,12 @@ void Repairer::mapNodes() {
     joinedNode_.assign(given_.nodes.size(), kNoIndex);
     for (std::uint32_t i = 0; i < segmentOf_.size(); ++i) {
         const DomainSegment &segment = given_.segments[segmentOf_[i]];
-        joinedNode_[segment.a] = joined_.first[i];
-        joinedNode_[segment.b] = lastNode(joined_, i);
+        if (i == 0 || segmentOf_[i] != segmentOf_[i - 1]) {
+            joinedNode_[segment.a] = joined_.first[i];
+        }
+        if (i + 1 == segmentOf_.size() || segmentOf_[i] != segmentOf_[i + 1]) {
+            joinedNode_[segment.b] = lastNode(joined_, i);
+        }
     }
     for (std::size_t i = 0; i < pointOf_.size(); ++i) {
         joinedNode_[given_.points[pointOf_[i]].node] = joined_.first[segmentOf_.size() + i];
@@ -120,12 +124,12 @@ void Repairer::addSegments() {
             added[e] = 1;
             const bool back = joined_.ways[k] % 2 != 0;
             DomainSegment segment = given_.segments[edges_[e].source];
-            const SnapLine chord{given_.nodes[segment.a], given_.nodes[segment.b]};
             segment.a = nodeNumber(back ? joined_.edges[e].b : joined_.edges[e].a);
             segment.b = nodeNumber(back ? joined_.edges[e].a : joined_.edges[e].b);
             segment.role = edges_[e].boundaries > 0 ? SegmentRole::Boundary : SegmentRole::Constraint;
-            segment.stretch =
-                stretchAlong(segment.stretch, given_.curves, chord, domain.nodes[segment.a], domain.nodes[segment.b]);
+            const std::uint32_t line = edges_[e].line; // the part of the source segment
+            segment.stretch = stretchAlong(lines_.stretches[line], given_.curves, lines_.lines[line],
+                                           domain.nodes[segment.a], domain.nodes[segment.b]);
             domain.segments.push_back(segment);
             result_.segmentSource.push_back(edges_[e].source);
         }

@@ -80,12 +80,16 @@ Domain Repairer::joinedDomain() const {
 
 /// Drops what lies outside the domain. A boundary that is open or has invalid segments does not say what is outside, so
 /// then everything stays.
-void Repairer::dropOutside() {
+void Repairer::dropOutside(const std::stop_token &stop) {
     pointDropped_.assign(given_.points.size(), 0);
     markerDropped_.assign(given_.holeMarkers.size(), 0);
     const Domain joined = joinedDomain();
     const DomainGraph graph = graphOf(joined);
-    const Faces faces = findFaces(graph.points, graph.edges, sweepPlane(graph.points, graph.edges));
+    const PlaneSweepResult sweep = sweepPlane(graph.points, graph.edges, stop);
+    if (stop.stop_requested()) {
+        return;
+    }
+    const Faces faces = findFaces(graph.points, graph.edges, sweep);
     const FaceLabels labels = labelFaces(joined, graph, faces);
     const bool anyInside = std::any_of(labels.inside.begin(), labels.inside.end(), [](auto in) { return in != 0; });
     const bool allValid = std::all_of(given_.segments.begin(), given_.segments.end(),

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/arrangement/joined_lines.hpp"
 #include "core/arrangement/repair.hpp"
-#include "core/arrangement/snap.hpp"
 #include "core/domain/domain_graph.hpp"
 #include "core/domain/faces.hpp"
 
@@ -22,6 +22,7 @@ class Repairer {
     /// What is known of a joined edge and what becomes of it.
     struct Edge {
         std::uint32_t source = kNoIndex; ///< the given segment whose tag it takes
+        std::uint32_t line = kNoIndex;   ///< the part of that segment which runs along it
         std::uint32_t boundaries = 0;    ///< number of boundary segments along it; 0: a constraint
         bool shared = false;             ///< boundaries that cancelled out
         bool dropped = false;
@@ -29,10 +30,12 @@ class Repairer {
 
     bool valid(const DomainSegment &segment) const;
     void collectLines();
-    bool join(double tolerance, const std::stop_token &stop);
+    JoinedLines join(double tolerance, const std::stop_token &stop) const;
+    bool keepsNodes(const JoinedLines &kept, double resolution, const std::stop_token &stop) const;
+    void takeLines(JoinedLines lines);
     void collectEdges();
     void resolveRepeats();
-    void dropOutside();
+    void dropOutside(const std::stop_token &stop);
     bool closed(const Domain &joined, const Faces &faces, const FaceLabels &labels) const;
     std::vector<std::uint8_t> outsideEdges(const Domain &joined, const Faces &faces, const FaceLabels &labels) const;
     void dropEdge(std::uint32_t edge);
@@ -50,10 +53,10 @@ class Repairer {
     DomainPart partOfLine(std::uint32_t line) const;
 
     const Domain &given_;
-    std::vector<SnapLine> lines_;          ///< valid segments, then constraint points
-    std::vector<std::uint32_t> segmentOf_; ///< per line that is a segment
+    JoinedLines lines_;                    ///< valid segments, some of them in parts, then constraint points
+    std::vector<std::uint32_t> segmentOf_; ///< per line that is a segment or part of one
     std::vector<std::uint32_t> pointOf_;   ///< per line that is a constraint point
-    SnappedLines joined_;
+    SnappedLines &joined_ = lines_.snapped;
     std::vector<Edge> edges_;                 ///< per joined edge
     std::vector<std::uint8_t> pointDropped_;  ///< per given constraint point
     std::vector<std::uint8_t> markerDropped_; ///< per given hole marker

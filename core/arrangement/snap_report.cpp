@@ -19,16 +19,26 @@ struct MovedEnd {
     double gap = 0.0;
 };
 
+/// Returns true if this is the first (or last) part of a given line.
+bool isFirstPart(const JoinedLines &joined, std::uint32_t line) {
+    return line == 0 || joined.source[line - 1] != joined.source[line];
+}
+bool isLastPart(const JoinedLines &joined, std::uint32_t line) {
+    return line + 1 == joined.source.size() || joined.source[line + 1] != joined.source[line];
+}
+
 /// Notes each place that moved once, in the order of the lines.
-void noteMovedEnds(std::span<const SnapLine> lines, const SnappedLines &snapped, ChangeList &changes) {
+void noteMovedEnds(const JoinedLines &joined, ChangeList &changes) {
+    const SnappedLines &snapped = joined.snapped;
     std::vector<MovedEnd> moved;
-    for (std::uint32_t i = 0; i < lines.size(); ++i) {
+    for (std::uint32_t i = 0; i < joined.lines.size(); ++i) {
+        const SnapLine &line = joined.lines[i];
         const Vec2 a = snapped.nodes[snapped.first[i]], b = snapped.nodes[lastNode(snapped, i)];
-        if (lines[i].a != a) {
-            moved.push_back({lines[i].a, i, distance(lines[i].a, a)});
+        if (line.a != a && isFirstPart(joined, i)) {
+            moved.push_back({line.a, i, distance(line.a, a)});
         }
-        if (lines[i].b != b) {
-            moved.push_back({lines[i].b, i, distance(lines[i].b, b)});
+        if (line.b != b && isLastPart(joined, i)) {
+            moved.push_back({line.b, i, distance(line.b, b)});
         }
     }
     std::sort(moved.begin(), moved.end(), [](const MovedEnd &s, const MovedEnd &t) {
@@ -43,6 +53,18 @@ void noteMovedEnds(std::span<const SnapLine> lines, const SnappedLines &snapped,
     }
 }
 
+/// Notes a given line of which nothing is left, at its first part.
+void noteVanished(const JoinedLines &joined, std::uint32_t first, ChangeList &changes) {
+    std::uint32_t end = first;
+    while (end < joined.lines.size() && joined.source[end] == joined.source[first]) {
+        ++end;
+    }
+    const SnapLine &line = joined.lines[first];
+    if (line.a != line.b && joined.snapped.starts[first] == joined.snapped.starts[end]) {
+        changes.add(ChangeKind::ShortPieces, line.a, 0.0, first);
+    }
+}
+
 } // namespace
 
 std::uint32_t lastNode(const SnappedLines &snapped, std::uint32_t line) {
@@ -53,20 +75,24 @@ std::uint32_t lastNode(const SnappedLines &snapped, std::uint32_t line) {
     return way % 2 == 0 ? snapped.edges[way / 2].b : snapped.edges[way / 2].a;
 }
 
-void noteSnapping(std::span<const SnapLine> lines, const SnappedLines &snapped, ChangeList &changes) {
-    noteMovedEnds(lines, snapped, changes);
+void noteJoining(const JoinedLines &joined, ChangeList &changes) {
+    const SnappedLines &snapped = joined.snapped;
+    noteMovedEnds(joined, changes);
+    for (const ChordMeeting &meeting : joined.meetings) {
+        const auto line = std::lower_bound(joined.source.begin(), joined.source.end(), meeting.chord);
+        changes.add(meeting.kind, meeting.at, meeting.gap, static_cast<std::uint32_t>(line - joined.source.begin()));
+    }
     std::vector<std::uint8_t> seen(snapped.nodes.size(), 0);
-    for (std::uint32_t i = 0; i < lines.size(); ++i) {
-        const SnapLine &line = lines[i];
-        const std::uint32_t first = snapped.starts[i], last = snapped.starts[i + 1];
-        if (line.a != line.b && first == last) {
-            changes.add(ChangeKind::ShortPieces, line.a, 0.0, i);
+    for (std::uint32_t i = 0; i < joined.lines.size(); ++i) {
+        const SnapLine &line = joined.lines[i];
+        if (isFirstPart(joined, i)) {
+            noteVanished(joined, i, changes);
         }
         std::uint32_t node = snapped.first[i];
-        for (std::uint32_t k = first; k < last; ++k) {
+        for (std::uint32_t k = snapped.starts[i]; k < snapped.starts[i + 1]; ++k) {
             const PlaneEdge &edge = snapped.edges[snapped.ways[k] / 2];
             const Vec2 at = snapped.nodes[node];
-            if (k > first && snapped.crossing[node] == 0) {
+            if (k > snapped.starts[i] && snapped.crossing[node] == 0) {
                 const bool exact = onSegment(line.a, line.b, at);
                 changes.add(exact ? ChangeKind::TouchingSegments : ChangeKind::BentSegments, at,
                             exact ? 0.0 : distanceToSegment(line.a, line.b, at), i);

@@ -1,6 +1,7 @@
 #include "tests/support/random_curves.hpp"
 
 #include "core/arrangement/arrangement.hpp"
+#include "tests/support/curve_drawing.hpp"
 #include "tests/support/domain_builder.hpp"
 #include "tests/support/random_domains.hpp"
 
@@ -13,51 +14,26 @@ namespace {
 
 using std::numbers::pi;
 
-/// Collects the chords of curves for the arrangement.
-class CurveDrawing {
+/// A drawing whose loops bound one domain by the even-odd rule.
+class DomainDrawing {
   public:
-    explicit CurveDrawing(double tolerance) : tolerance_(tolerance) {
-        contour_ = input_.addContour(input_.addShape(input_.addFeature(1)), FillRule::EvenOdd);
+    explicit DomainDrawing(double deviation) : drawing_(deviation) {
+        ArrangementInput &input = drawing_.input;
+        contour_ = input.addContour(input.addShape(input.addFeature(1)), FillRule::EvenOdd);
     }
 
-    void loop(const CurveLoop &curves, std::int32_t tag) {
-        flatten(curves);
-        nodes_.pop_back(); // the first one again
-        input_.addRing(contour_, nodes_, tag, stretches_);
-    }
-    void line(const CurveLoop &curves, std::int32_t tag) {
-        flatten(curves);
-        input_.addChain(nodes_, tag, stretches_);
-    }
-    void point(Vec2 at) { input_.addPoint(at, 3); }
+    void loop(const CurveLoop &curves, std::int32_t tag) { drawing_.loop(curves, contour_, tag); }
+    void line(const CurveLoop &curves, std::int32_t tag) { drawing_.line(curves, tag); }
+    void point(Vec2 at) { drawing_.point(at); }
 
     Domain domain() const {
-        const auto arranged = arrange(input_);
+        const auto arranged = arrange(drawing_.input);
         return arranged ? arranged->domain : Domain{};
     }
 
   private:
-    /// Each curve begins exactly where the previous one ends.
-    void flatten(const CurveLoop &curves) {
-        nodes_ = {curves.front().point(0.0)};
-        stretches_.clear();
-        for (const Curve &curve : curves) {
-            const auto id = static_cast<std::uint32_t>(input_.curves.size());
-            input_.curves.push_back(curve);
-            double from = 0.0;
-            for (const double to : curve.flatten(tolerance_)) {
-                nodes_.push_back(curve.point(to));
-                stretches_.push_back({id, from, to});
-                from = to;
-            }
-        }
-    }
-
-    double tolerance_;
+    CurveDrawing drawing_;
     std::uint32_t contour_ = 0;
-    ArrangementInput input_;
-    std::vector<Vec2> nodes_;
-    std::vector<CurveStretch> stretches_;
 };
 
 /// Draws a smooth closed curve through points (Catmull-Rom tangents).
@@ -88,7 +64,7 @@ CurveLoop roundedPolygon(const std::vector<Vec2> &corners, double radius) {
     return loop;
 }
 
-void circles(CurveDrawing &drawing, RandomSource &random) {
+void circles(DomainDrawing &drawing, RandomSource &random) {
     Vec2 centre{random.between(-1, 1), random.between(-1, 1)};
     double radius = random.between(0.5, 2.0);
     for (int depth = random.integer(1, 5); depth > 0; --depth) {
@@ -100,7 +76,7 @@ void circles(CurveDrawing &drawing, RandomSource &random) {
     }
 }
 
-void rounded(CurveDrawing &drawing, RandomSource &random) {
+void rounded(DomainDrawing &drawing, RandomSource &random) {
     const double radius = std::pow(10.0, random.between(-3.0, -0.3));
     drawing.loop(roundedPolygon(star(random, {0, 0}, 1.0, 0.6, 1.0, random.integer(3, 12)), radius), 1);
     if (random.chance(0.5)) {
@@ -108,7 +84,7 @@ void rounded(CurveDrawing &drawing, RandomSource &random) {
     }
 }
 
-void blobs(CurveDrawing &drawing, RandomSource &random) {
+void blobs(DomainDrawing &drawing, RandomSource &random) {
     const std::vector<Vec2> points = star(random, {0, 0}, 1.0, random.between(0.3, 0.9), 1.0, random.integer(4, 20));
     drawing.loop(blobThrough(points), 1);
     const double scale = 1.0 - std::pow(10.0, random.between(-2.5, -0.3));
@@ -119,7 +95,7 @@ void blobs(CurveDrawing &drawing, RandomSource &random) {
     drawing.loop(blobThrough(inner), 2);
 }
 
-void ellipses(CurveDrawing &drawing, RandomSource &random) {
+void ellipses(DomainDrawing &drawing, RandomSource &random) {
     for (int count = random.integer(1, 6); count > 0; --count) {
         const Vec2 centre{random.between(-1, 1), random.between(-1, 1)};
         const Vec2 u = polar({0, 0}, random.between(0.1, 1.0), random.between(0.0, 6.28));
@@ -129,7 +105,7 @@ void ellipses(CurveDrawing &drawing, RandomSource &random) {
     }
 }
 
-void crescents(CurveDrawing &drawing, RandomSource &random) {
+void crescents(DomainDrawing &drawing, RandomSource &random) {
     for (int count = random.integer(1, 4); count > 0; --count) {
         const Vec2 a{3.0 * count, random.between(-1, 1)}, b = a + Vec2{random.between(0.5, 2.0), random.between(-1, 1)};
         const Vec2 normal = leftNormal(b - a);
@@ -141,7 +117,7 @@ void crescents(CurveDrawing &drawing, RandomSource &random) {
     }
 }
 
-void constraints(CurveDrawing &drawing, RandomSource &random) {
+void constraints(DomainDrawing &drawing, RandomSource &random) {
     drawing.loop({Curve::circle({0, 0}, {2, 0})}, 1);
     for (int count = random.integer(1, 4); count > 0; --count) {
         const auto inside = [&] { return polar({0, 0}, random.between(0.0, 1.5), random.between(0.0, 6.28)); };
@@ -152,7 +128,7 @@ void constraints(CurveDrawing &drawing, RandomSource &random) {
     }
 }
 
-void cusps(CurveDrawing &drawing, RandomSource &random) {
+void cusps(DomainDrawing &drawing, RandomSource &random) {
     for (int count = random.integer(1, 3); count > 0; --count) {
         const Vec2 a{random.between(-1, 1), random.between(-1, 1)}, b = a + Vec2{2, random.between(-0.2, 0.2)};
         const Vec2 high{0, random.between(0.5, 2.0)};
@@ -181,7 +157,7 @@ const char *nameOf(CurveFamily family) {
 }
 
 Domain curvedDomain(const std::vector<CurveLoop> &loops, double tolerance) {
-    CurveDrawing drawing(tolerance);
+    DomainDrawing drawing(tolerance);
     for (const CurveLoop &loop : loops) {
         drawing.loop(loop, 1);
     }
@@ -190,7 +166,7 @@ Domain curvedDomain(const std::vector<CurveLoop> &loops, double tolerance) {
 
 Domain randomCurvedDomain(CurveFamily family, std::uint64_t seed) {
     RandomSource random(seed * kCurveFamilies + static_cast<std::uint64_t>(family));
-    CurveDrawing drawing(std::pow(10.0, random.between(-4.0, -2.5)));
+    DomainDrawing drawing(std::pow(10.0, random.between(-4.0, -2.5)));
     switch (family) {
     case CurveFamily::Circles:
         circles(drawing, random);

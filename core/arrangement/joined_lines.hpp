@@ -1,0 +1,77 @@
+#pragma once
+
+#include "core/arrangement/chord_cuts.hpp"
+#include "core/arrangement/snap.hpp"
+
+#include <cstdint>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+namespace forefront {
+
+/// Lines, some of them chords of curves, with a division of the chords that joins them as their curves meet.
+class LineDivision {
+  public:
+    /// `stretches`: per line, the part of a curve that it is a chord of. A line whose ends are off its curve by more
+    /// than a few tolerances, or which follows a straight line, counts as straight.
+    LineDivision(std::span<const SnapLine> lines, std::span<const CurveStretch> stretches,
+                 std::span<const Curve> curves, double tolerance);
+
+    bool followsCurves() const { return followsCurves_; }
+    /// Returns the given tolerance, or the least one that rounding of places on curves allows.
+    double tolerance() const { return tolerance_; }
+
+    /// Divides chords until they fit their curves. Returns false if asked to stop.
+    bool divide(const std::stop_token &stop);
+    /// Divides chords that do not fit now that joining has moved nodes by up to the joining distance. Returns false if
+    /// there are none.
+    bool divideAfter(const SnappedLines &snapped, const std::stop_token &stop);
+
+    /// Returns the parts in the order of the lines, each in the direction of its line.
+    std::vector<SnapLine> parts() const;
+    /// Returns the part of a curve that each part of a line follows.
+    std::vector<CurveStretch> partStretches() const;
+    /// Returns, per part, the line that it belongs to.
+    const std::vector<std::uint32_t> &sources() const { return source_; }
+    /// Returns where curves meet; `chord` is the index of a line.
+    const std::vector<ChordMeeting> &meetings() const { return meetings_; }
+
+  private:
+    Chord chordOf(std::uint32_t line) const;
+    void apply(ChordCuts found);
+    void addParts(std::uint32_t chord, std::span<const ChordCut> cuts);
+    std::vector<Chord> joinedChords(const SnappedLines &snapped, std::vector<std::uint32_t> &part) const;
+    Chord joinedChord(std::uint32_t part, Vec2 from, Vec2 to) const;
+    SnapLine partLine(std::uint32_t part) const;
+    CurveStretch partStretch(std::uint32_t part) const;
+
+    std::span<const SnapLine> lines_;
+    std::span<const CurveStretch> stretches_;
+    std::span<const Curve> curves_;
+    double tolerance_;
+    bool followsCurves_ = false;
+    std::vector<Chord> chords_;          ///< the parts of the lines
+    std::vector<std::uint32_t> source_;  ///< per chord
+    std::vector<std::uint8_t> backward_; ///< per chord: from its b to its a
+    std::vector<Chord> nextChords_;      ///< while dividing
+    std::vector<std::uint32_t> nextSource_;
+    std::vector<std::uint8_t> nextBackward_;
+    std::vector<ChordMeeting> meetings_;
+};
+
+/// Lines divided where their curves meet, and joined.
+struct JoinedLines {
+    std::vector<SnapLine> lines;
+    std::vector<CurveStretch> stretches; ///< per line
+    std::vector<std::uint32_t> source;   ///< per line: the given line that it is part of; ascending
+    std::vector<ChordMeeting> meetings;  ///< `chord` is the index of a given line
+    SnappedLines snapped;
+};
+
+/// Joins lines as snapLines() does, and those that are chords of curves as the curves meet: nodes at crossings are on
+/// both curves to rounding, and no crossing beyond which curves are farther apart than the tolerance is missed.
+JoinedLines joinLines(std::span<const SnapLine> lines, std::span<const CurveStretch> stretches,
+                      std::span<const Curve> curves, double tolerance, const std::stop_token &stop = {});
+
+} // namespace forefront
