@@ -341,7 +341,8 @@ class CoverFinder {
 
     /// Returns true if a feature wins over one with a lower index.
     bool wins(std::uint32_t feature, std::uint32_t over) const {
-        return input_.overlap == OverlapRule::Later || featureArea_[feature] <= featureArea_[over];
+        constexpr double kEqual = 1.0 + 1e-9; // the rounding of sums depends on the order of pieces
+        return input_.overlap == OverlapRule::Later || featureArea_[feature] <= kEqual * featureArea_[over];
     }
 
     const ArrangementInput &input_;

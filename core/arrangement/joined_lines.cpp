@@ -193,12 +193,13 @@ Chord LineDivision::joinedChord(std::uint32_t part, Vec2 from, Vec2 to) const {
 /// Returns the chords along the ways of all parts, those that joining has changed as fresh; `part` says whose they are.
 std::vector<Chord> LineDivision::joinedChords(const SnappedLines &snapped, std::vector<std::uint32_t> &part) const {
     std::vector<Chord> joined;
+    const bool all = snapped.radius < tolerance_; // what was near enough to join may not be any longer
     for (std::uint32_t k = 0; k < chords_.size(); ++k) {
         const SnapLine line = partLine(k);
         std::uint32_t node = snapped.first[k];
         if (line.a == line.b) {
             joined.push_back(straightChord(snapped.nodes[node], snapped.nodes[node]));
-            joined.back().fresh = snapped.nodes[node] != line.a;
+            joined.back().fresh = all || snapped.nodes[node] != line.a;
             part.push_back(k);
         }
         const std::uint32_t count = snapped.starts[k + 1] - snapped.starts[k];
@@ -208,7 +209,7 @@ std::vector<Chord> LineDivision::joinedChords(const SnappedLines &snapped, std::
             const Vec2 from = snapped.nodes[node], to = snapped.nodes[next];
             const bool kept = count == 1 && from == line.a && to == line.b;
             joined.push_back(kept ? chords_[k] : joinedChord(k, from, to));
-            joined.back().fresh = !kept;
+            joined.back().fresh = all || !kept;
             part.push_back(k);
             node = next;
         }
