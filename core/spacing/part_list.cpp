@@ -82,7 +82,7 @@ Diagnostics addBoundary(const PartInput &input, FieldParts &parts) {
 
 Diagnostics addBends(const PartInput &input, FieldParts &parts) {
     addCurvatureSites(input.domain, curveChains(input.domain), *input.spec.segmentsPerTurn, input.minimum,
-                      input.gradation, SpacingOrigin::Boundary, false, parts.few);
+                      input.gradation, SpacingOrigin::Boundary, false, input.progress, parts.few);
     return {};
 }
 

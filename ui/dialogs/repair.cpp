@@ -3,6 +3,8 @@
 #include "core/edit/repair_drawing.hpp"
 #include "ui/parts/shell.hpp"
 
+#include <algorithm>
+
 namespace forefront {
 
 void repairDrawing(Shell &context) {
@@ -22,10 +24,15 @@ void repairDrawing(Shell &context) {
     for (const ArrangementChange &change : repaired->changes) {
         count += change.count;
     }
+    // The last entry of a cut list says that there are more.
+    const auto left = std::count_if(repaired->left.begin(), repaired->left.end(),
+                                    [](const Diagnostic &fault) { return fault.code != "more-faults"; });
+    const bool more = static_cast<std::size_t>(left) < repaired->left.size();
     const auto counted = [](std::size_t number, const char *what) {
         return std::to_string(number) + what + (number == 1 ? "" : "s");
     };
-    context.log.announce(counted(count, " change") + ", " + counted(repaired->left.size(), " fault") + " left");
+    context.log.announce(counted(count, " change") + ", " + (more ? "more than " : "") +
+                         counted(static_cast<std::size_t>(left), " fault") + " left");
 }
 
 } // namespace forefront

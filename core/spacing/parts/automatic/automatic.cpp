@@ -75,7 +75,7 @@ AutomaticSpacing automaticSpacing(const Domain &domain, const Box2 &box, double 
     }
     if (segmentsPerTurn > 0.0) {
         addCurvatureSites(domain, chains, segmentsPerTurn, minimum, gradation, SpacingOrigin::Automatic, true,
-                          automatic.sites);
+                          progress, automatic.sites);
     }
     std::vector<PlacedSegment> placed = thingsOf(domain);
     takeCurvesWhole(domain, chains, placed);

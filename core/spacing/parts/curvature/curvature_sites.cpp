@@ -15,11 +15,12 @@ constexpr double kVisible = 1.0 / 5000.0; ///< distance from a curve that counts
 constexpr double kAreaError = 0.002;      ///< part of the area that all edges together may cut off
 constexpr double kCorner = 3.0;           ///< bends with a smaller radius, in visible distances, are corners
 
-/// Returns the area inside, from the chords; nothing where segments cross.
-std::optional<double> areaInside(const Domain &domain) {
+/// Returns the area inside, from the chords; nothing where segments cross, or after a stop request.
+std::optional<double> areaInside(const Domain &domain, const Progress &progress) {
+    progress("measuring the domain", 0.0);
     const DomainGraph graph = graphOf(domain);
-    const PlaneSweepResult sweep = sweepPlane(graph.points, graph.edges);
-    if (sweep.droppedCount != 0) {
+    const PlaneSweepResult sweep = sweepPlane(graph.points, graph.edges, progress.stop);
+    if (sweep.droppedCount != 0 || progress.cancelled()) {
         return std::nullopt;
     }
     const Faces faces = findFaces(graph.points, graph.edges, sweep);
@@ -38,25 +39,29 @@ std::optional<double> areaInside(const Domain &domain) {
 
 /// Returns the distance between edges and curves that does not count. An edge of length c cuts off c³κ/12; with
 /// c² = 8 δ / κ that is 2δ/3 for each unit of length.
-double invisibleDistance(const Domain &domain, const CurveChains &chains) {
+double invisibleDistance(const Domain &domain, const CurveChains &chains, const Progress &progress) {
     double along = 0.0;
     for (const CurveChain &chain : chains.list) {
         along += domain.curves[chain.curve].length(chain.t0, chain.t1);
     }
     const double distance = kVisible * domain.bounds().diagonal();
-    const std::optional<double> area = areaInside(domain);
+    const std::optional<double> area = areaInside(domain, progress);
     return area && *area > 0.0 ? std::min(distance, 1.5 * kAreaError * *area / along) : distance;
 }
 
 } // namespace
 
 void addCurvatureSites(const Domain &domain, const CurveChains &chains, double segmentsPerTurn, double minimum,
-                       double gradation, SpacingOrigin origin, bool visibleOnly, SiteSet &sites) {
+                       double gradation, SpacingOrigin origin, bool visibleOnly, const Progress &progress,
+                       SiteSet &sites) {
     if (chains.list.empty()) {
         return;
     }
-    const double invisible = visibleOnly ? invisibleDistance(domain, chains) : 0.0;
+    const double invisible = visibleOnly ? invisibleDistance(domain, chains, progress) : 0.0;
     for (const CurveChain &chain : chains.list) {
+        if (progress.cancelled()) {
+            return;
+        }
         const Curve &curve = domain.curves[chain.curve];
         for (const std::uint32_t s : chain.segments) {
             const DomainSegment &segment = domain.segments[s];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/progress.hpp"
 #include "core/domain/curve_chains.hpp"
 #include "core/spacing/sites/site_set.hpp"
 
@@ -14,8 +15,9 @@ inline constexpr double kSegmentsPerTurn = 40.0;
 ///
 /// With `visibleOnly`, where that would be needlessly fine, the spacing is such that edges leave at most a small
 /// fraction of the diagonal between them and the curve, and all curves together at most a small part of the area. Bends
-/// that this makes invisible, such as a corner rounded by a hair, count as corners.
+/// that this makes invisible, such as a corner rounded by a hair, count as corners. Incomplete after a stop request.
 void addCurvatureSites(const Domain &domain, const CurveChains &chains, double segmentsPerTurn, double minimum,
-                       double gradation, SpacingOrigin origin, bool visibleOnly, SiteSet &sites);
+                       double gradation, SpacingOrigin origin, bool visibleOnly, const Progress &progress,
+                       SiteSet &sites);
 
 } // namespace forefront
