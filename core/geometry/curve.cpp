@@ -184,15 +184,6 @@ Vec2 Curve::tangent(double t) const {
     return size > 0.0 ? (1.0 / size) * along : Vec2{};
 }
 
-double Curve::curvature(double t) const {
-    if (kind_ == CurveKind::Line) {
-        return 0.0;
-    }
-    const Vec2 first = derivative(t);
-    const double speed = forefront::length(first);
-    return cross(first, secondDerivative(t)) / (speed * speed * speed);
-}
-
 double Curve::length(double t0, double t1) const {
     if (kind_ == CurveKind::Line) {
         return std::fabs(t1 - t0) * distance(p_[0], p_[3]);

@@ -45,9 +45,6 @@ class Curve {
     Vec2 secondDerivative(double t) const;
     /// Returns the unit vector in the direction of increasing t; at a cusp, the one after it; zero for a single point.
     Vec2 tangent(double t) const;
-    /// Returns the signed curvature in 1 / domain units, positive where the curve bends to its left; not finite where
-    /// the derivative vanishes.
-    double curvature(double t) const;
 
     /// Returns the length of the part between two parameters, to about 12 digits.
     double length(double t0 = 0.0, double t1 = 1.0) const;
@@ -66,7 +63,6 @@ class Curve {
 
     /// Returns the part from t0 to t1 with a parameter from 0 to 1; reversed if t1 < t0.
     Curve part(double t0, double t1) const;
-    Curve reversed() const { return part(1.0, 0.0); }
     /// Returns the image under an affine map of the plane, a function of a Vec2.
     template <class Map>
     Curve mapped(const Map &map) const {

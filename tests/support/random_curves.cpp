@@ -113,7 +113,7 @@ void crescents(DomainDrawing &drawing, RandomSource &random) {
         const auto bulge = [&](double height) {
             return Curve::cubic(a, lerp(a, b, 0.2) + height * normal, lerp(a, b, 0.8) + height * normal, b);
         };
-        drawing.loop({bulge(outer), bulge(inner).reversed()}, count);
+        drawing.loop({bulge(outer), bulge(inner).part(1.0, 0.0)}, count);
     }
 }
 
