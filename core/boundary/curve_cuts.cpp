@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace forefront {
 
@@ -133,10 +134,18 @@ void CurveCuts::refine(std::vector<ChainPiece> pieces) {
         findChains();
         return;
     }
-    for (std::size_t i = pieces.size(); i-- > 0;) { // from behind, so that the indices before stay
-        std::vector<double> &cuts = cuts_[pieces[i].chain];
-        const std::uint32_t index = pieces[i].index;
-        cuts.insert(cuts.begin() + index + 1, std::midpoint(cuts[index], cuts[index + 1]));
+    for (std::size_t i = 0; i < pieces.size();) {
+        const std::uint32_t chain = pieces[i].chain;
+        std::vector<double> finer;
+        const std::vector<double> &cuts = cuts_[chain];
+        for (std::uint32_t index = 0; index < cuts.size(); ++index) {
+            finer.push_back(cuts[index]);
+            if (i < pieces.size() && pieces[i] == ChainPiece{chain, index}) {
+                finer.push_back(std::midpoint(cuts[index], cuts[index + 1]));
+                ++i;
+            }
+        }
+        cuts_[chain] = std::move(finer);
     }
 }
 

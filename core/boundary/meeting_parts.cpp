@@ -117,15 +117,17 @@ class MeetingFinder {
             }
         }
         const BoxTree tree(boxes);
+        bool all = true; // found at all nodes
         for (const std::uint32_t node : nodes) {
             bool found = false;
             tree.query(boxAround(discrete_.nodes[node], 0.0), [&](std::uint32_t item) {
                 addPart(curved[item]);
                 found = true;
             });
-            for (std::size_t k = 0; k < curved.size() && !found; ++k) {
-                addPart(curved[k]);
-            }
+            all = all && found;
+        }
+        for (std::size_t k = 0; k < curved.size() && !all; ++k) {
+            addPart(curved[k]);
         }
     }
 

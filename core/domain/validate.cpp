@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <limits>
+#include <numbers>
 
 namespace forefront {
 
@@ -155,6 +155,13 @@ class Validator {
         }
     }
 
+    static constexpr double kMaxTurns = 1.0 + 1e-9; // for rounding
+
+    /// Returns the full turns of an arc; 0 for other curves.
+    static double turnsOf(const Curve &curve) {
+        return curve.kind() == CurveKind::Arc ? std::fabs(curve.numbers()[7]) / (2.0 * std::numbers::pi) : 0.0;
+    }
+
     /// The nodes at the ends decide where a segment is; how far they are from its curve is not a fault.
     void checkCurve(std::uint32_t s) {
         const CurveStretch &stretch = domain_.segments[s].stretch;
@@ -171,6 +178,11 @@ class Validator {
         } else if (!domain_.curves[stretch.curve].finite()) {
             add("non-finite", "a segment follows a curve with a number that is not finite", "correct the curve", at,
                 {aSegment(s)});
+        } else if (turnsOf(domain_.curves[stretch.curve]) > kMaxTurns) {
+            add("bad-curve",
+                "a segment follows an arc of " + numberText(turnsOf(domain_.curves[stretch.curve]), 6) +
+                    " turns; expected at most one",
+                "shorten the arc to one turn", at, {aSegment(s)});
         } else if (!inRange(stretch.t0) || !inRange(stretch.t1)) {
             add("bad-parameter",
                 "a segment follows its curve from " + numberText(stretch.t0, 6) + " to " + numberText(stretch.t1, 6) +

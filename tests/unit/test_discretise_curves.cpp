@@ -36,8 +36,8 @@ void checkOnCurves(const Domain &domain, const DiscreteDomain &discrete) {
         const Vec2 a = discrete.nodes[discrete.segments[s].a], b = discrete.nodes[discrete.segments[s].b];
         const bool atEnd = std::find(domain.nodes.begin(), domain.nodes.end(), a) != domain.nodes.end();
         REQUIRE((atEnd || a == curve.point(stretch.t0)));
-        REQUIRE(distance(a, curve.point(stretch.t0)) <= 0.01 * size); // at crossings of chords, near the curve
-        REQUIRE(distance(b, curve.point(stretch.t1)) <= 0.01 * size);
+        REQUIRE(distance(a, curve.point(stretch.t0)) <= 1e-9 * size);
+        REQUIRE(distance(b, curve.point(stretch.t1)) <= 1e-9 * size);
         REQUIRE(curve.deviation(stretch.t0, stretch.t1) <= 1.001 * tolerance);
     }
 }
@@ -206,6 +206,8 @@ TEST_CASE("validate: segments refer to curves that exist, with finite numbers an
     bad.curves.push_back(Curve::circle({0, 0}, {std::numeric_limits<double>::infinity(), 0}));
     bad.segments[2].stretch.curve = 1;
     CHECK(codeOf(bad) == "non-finite");
+    bad.curves[1] = Curve::arc({0, 0}, {1, 0}, {0, 1}, 0.0, 2.1 * kPi);
+    CHECK(codeOf(bad) == "bad-curve");
 }
 
 TEST_CASE("curveChains: a chain ends where something else meets it, or the curve does not continue") {
