@@ -77,8 +77,8 @@ std::uint32_t ArrangementInput::addFeature(std::int32_t regionTag, std::string n
     return static_cast<std::uint32_t>(features.size() - 1);
 }
 
-std::uint32_t ArrangementInput::addShape(std::uint32_t feature) {
-    shapes.push_back({feature});
+std::uint32_t ArrangementInput::addShape(std::uint32_t feature, std::string name) {
+    shapes.push_back({feature, std::move(name)});
     return static_cast<std::uint32_t>(shapes.size() - 1);
 }
 

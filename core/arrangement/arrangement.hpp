@@ -57,6 +57,7 @@ struct ArrangementContour {
 /// The area of one path or polygon: everything inside at least one of its outer contours and inside none of its holes.
 struct ArrangementShape {
     std::uint32_t feature = 0;
+    std::string name = {}; ///< for messages; may be empty
 };
 
 /// Shapes that belong together; a face belongs to one feature.
@@ -68,7 +69,7 @@ struct ArrangementFeature {
 struct ArrangementInput {
     // The next three return the index of what they add.
     std::uint32_t addFeature(std::int32_t regionTag, std::string name = {});
-    std::uint32_t addShape(std::uint32_t feature);
+    std::uint32_t addShape(std::uint32_t feature, std::string name = {});
     std::uint32_t addContour(std::uint32_t shape, FillRule rule = FillRule::NonZero, bool hole = false);
     /// A closed loop of a contour, its first node not repeated. Nodes equal to the previous one are skipped. The
     /// stretches, if given, are those of the pieces that begin at the nodes; the last ones may be missing.
@@ -112,7 +113,8 @@ struct Arrangement {
 /// Builds a domain from labelled pieces as their planar arrangement: crossings, touchings and overlaps are found
 /// exactly and become nodes; things closer than the tolerance are joined (see snapLines); the inside is what the shapes
 /// cover. Outlines with the same feature on both sides disappear, except where two of its shapes only touch.
-/// - Where pieces follow curves, the curves count: nodes at crossings are on both curves to rounding, no crossing beyond
+/// - Where pieces follow curves, the curves count: nodes at crossings are on both curves to rounding, no crossing
+/// beyond
 ///   which curves are farther apart than the tolerance is missed, and curves that touch, or are within the tolerance of
 ///   each other, are joined where they are closest. Chords are divided as far as that takes.
 /// - Nothing moves by more than the tolerance. Nodes that nothing comes close to keep their coordinates bit for bit.

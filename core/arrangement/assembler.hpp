@@ -39,6 +39,7 @@ class Assembler {
     void report();
     void reportLine(std::uint32_t line);
     void reportOverlaps();
+    void reportVanished();
     Vec2 placeInside(std::uint32_t face) const;
     std::uint32_t firstLineAround(std::uint32_t face) const;
     bool overlap(std::uint32_t face) const;

@@ -13,6 +13,7 @@ void Assembler::report() {
         reportLine(i);
     }
     reportOverlaps();
+    reportVanished();
     result_.changes = changes_.take();
     for (ArrangementChange &change : result_.changes) {
         change.piece = joined_.source[change.piece];
@@ -75,7 +76,46 @@ void Assembler::reportOverlaps() {
         const std::uint32_t first = cover_.rivalStarts[found.front()];
         const std::string &f = input_.features[cover_.rivals[first]].name;
         const std::string &g = input_.features[cover_.rivals[first + 1]].name;
-        changes_.find(ChangeKind::OverlapsDecided)->between = f.empty() || g.empty() ? "" : f + " and " + g;
+        changes_.find(ChangeKind::OverlapsDecided)->names = f.empty() || g.empty() ? "" : f + " and " + g;
+    }
+}
+
+/// Notes the features that own no face; of a single feature, the shapes of which no edge is left.
+void Assembler::reportVanished() {
+    constexpr std::size_t kNames = 3;
+    const bool single = input_.features.size() < 2;
+    std::vector<std::uint8_t> left(single ? input_.shapes.size() : input_.features.size(), 0);
+    const auto unit = [&](const ArrangementPiece &piece) {
+        const std::uint32_t shape = input_.contours[piece.contour].shape;
+        return single ? shape : input_.shapes[shape].feature;
+    };
+    for (std::uint32_t i = 0; i < lineCount(); ++i) {
+        for (std::uint32_t k = snapped_.starts[i]; k < snapped_.starts[i + 1] && single; ++k) {
+            if (pieceOf(i).role == PieceRole::Outline && kept(snapped_.ways[k] / 2)) {
+                left[unit(pieceOf(i))] = 1;
+            }
+        }
+    }
+    for (const std::uint32_t owner : cover_.owner) {
+        if (!single && owner != kNoIndex) {
+            left[owner] = 1;
+        }
+    }
+    std::vector<std::string> names;
+    for (std::uint32_t i = 0; i < lineCount(); ++i) {
+        if (pieceOf(i).role == PieceRole::Outline && left[unit(pieceOf(i))] == 0) {
+            const std::uint32_t gone = unit(pieceOf(i));
+            left[gone] = 1; // counts once
+            changes_.add(ChangeKind::VanishedShapes, pieceOf(i).a, 0.0, i);
+            const std::string &name = single ? input_.shapes[gone].name : input_.features[gone].name;
+            if (!name.empty() && names.size() < kNames) {
+                names.push_back(name);
+            }
+        }
+    }
+    for (const std::string &name : names) {
+        std::string &text = changes_.find(ChangeKind::VanishedShapes)->names;
+        text += (text.empty() ? "" : ", ") + name;
     }
 }
 

@@ -42,6 +42,9 @@ constexpr Words kWords[] = {
      "dropped %zu segments where outlines run back along themselves", true},
     {ChangeKind::OverlapsDecided, "overlapping-features", "resolved 1 overlap of features",
      "resolved %zu overlaps of features", true},
+    {ChangeKind::VanishedShapes, "vanished-shapes",
+     "dropped 1 shape of which nothing is left: it is covered by others, or thinner than the tolerance",
+     "dropped %zu shapes of which nothing is left: they are covered by others, or thinner than the tolerance", false},
     {ChangeKind::InnerOutlines, "inner-outlines", "dropped 1 outline segment with the same inside on both sides",
      "dropped %zu outline segments with the same inside on both sides", false},
     {ChangeKind::OutsideLines, "segment-outside", "dropped 1 segment of a line outside the domain",
@@ -111,17 +114,20 @@ Diagnostics notesOf(const std::vector<ArrangementChange> &changes) {
         note.code = words.code;
         note.message = words.one;
         if (change.count != 1) {
-            char text[120];
+            char text[160];
             std::snprintf(text, sizeof text, words.several, change.count);
             note.message = text;
         }
         if (change.kind == ChangeKind::OverlapsDecided) {
             note.message += ", " + shown(change.displacement) + " in area";
-            if (!change.between.empty()) {
-                note.message += (change.count == 1 ? ", between " : ", the first between ") + change.between;
+            if (!change.names.empty()) {
+                note.message += (change.count == 1 ? ", between " : ", the first between ") + change.names;
             }
         } else if (change.displacement > 0.0) {
             note.message += ", at most " + shown(change.displacement) + " away";
+        }
+        if (change.kind == ChangeKind::VanishedShapes && !change.names.empty()) {
+            note.message += (change.count == 1 ? "; " : "; among them ") + change.names;
         }
         if (!change.places.empty()) {
             note.at = change.places.front();

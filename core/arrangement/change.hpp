@@ -25,6 +25,7 @@ enum class ChangeKind : std::uint8_t {
     SharedBoundaries, ///< a boundary segment between two inner faces of a domain became a constraint
     FoldedOutlines,   ///< an outline runs back along itself; both parts vanish
     OverlapsDecided,  ///< several features cover a face, and one was chosen
+    VanishedShapes,   ///< nothing is left of a feature, or of a shape of the only one
     InnerOutlines,    ///< an outline with the same feature on both sides vanished
     OutsideLines,     ///< a constraint line outside the domain vanished
     OutsidePoints,    ///< a constraint point outside the domain vanished
@@ -38,10 +39,11 @@ struct ArrangementChange {
 
     ChangeKind kind = ChangeKind::WeldedNodes;
     std::size_t count = 0;
-    double displacement = 0.0;           ///< maximum, in domain units; for OverlapsDecided the area instead
-    std::vector<Vec2> places;            ///< the first ones, at most kPlaces
-    std::uint32_t piece = 0;             ///< the first piece concerned
-    std::string between;                 ///< for OverlapsDecided: names of the first two features
+    double displacement = 0.0; ///< maximum, in domain units; for OverlapsDecided the area instead
+    std::vector<Vec2> places;  ///< the first ones, at most kPlaces
+    std::uint32_t piece = 0;   ///< the first piece concerned
+    /// For OverlapsDecided "A and B", the first two features; for VanishedShapes the names of the first ones.
+    std::string names;
     std::optional<DomainPart> part = {}; ///< of the given domain at the first place; nothing for drawings
 };
 

@@ -79,7 +79,7 @@ TEST_CASE("arrange: where features overlap the later or the smaller one wins, an
     REQUIRE(overlap != nullptr);
     CHECK(overlap->count == 1);
     CHECK(overlap->displacement == doctest::Approx(2.0));
-    CHECK(overlap->between == "A and B");
+    CHECK(overlap->names == "A and B");
 
     ArrangementInput turned;
     addPolygon(turned, 2, {rectangle(3, 1, 3, 2)}, "B");
@@ -113,7 +113,7 @@ TEST_CASE("arrange: overlaps are reported by area, the largest first, at places 
     REQUIRE(overlap != nullptr);
     CHECK(overlap->count == 2);
     CHECK(overlap->displacement == doctest::Approx(2.5));
-    CHECK(overlap->between == "A and C");
+    CHECK(overlap->names == "A and C");
     REQUIRE(overlap->places.size() == 2);
     CHECK(Box2{{4, 0.5}, {8, 1}}.contains(overlap->places[0]));
     CHECK(Box2{{1, 0.5}, {2, 1}}.contains(overlap->places[1]));

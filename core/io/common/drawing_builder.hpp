@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace forefront {
@@ -19,7 +20,9 @@ class DrawingBuilder {
     /// Sets the byte offsets in the text of the nodes added next; nodes beyond the list take its last offset.
     void from(std::vector<std::size_t> offsets) { offsets_ = std::move(offsets); }
     std::uint32_t addFeature(std::int32_t regionTag, std::string name = {});
-    std::uint32_t addShape(std::uint32_t feature) { return input_.addShape(feature); }
+    std::uint32_t addShape(std::uint32_t feature, std::string name = {}) {
+        return input_.addShape(feature, std::move(name));
+    }
     std::uint32_t addContour(std::uint32_t shape, FillRule rule, bool hole = false);
     /// Adds curves and renumbers the stretches that refer to them.
     void addCurves(std::span<const Curve> curves, std::span<CurveStretch> stretches);

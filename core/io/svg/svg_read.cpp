@@ -43,11 +43,13 @@ class SvgBuilder {
             const std::int32_t tag = path.nodes.size() < 2 ? 0 : tags_.of(path.name);
             builder_.from({path.offset});
             builder_.addCurves(path.curves, path.stretches);
-            switch (partOf(path)) {
+            const Part part = partOf(path);
+            noteReading(path, part);
+            switch (part) {
             case Part::Painted:
                 if (painted_ != path.element) {
                     painted_ = path.element;
-                    contour_ = builder_.addContour(builder_.addShape(feature), path.paint.rule);
+                    contour_ = builder_.addContour(builder_.addShape(feature, path.name), path.paint.rule);
                 }
                 builder_.addRing(contour_, path.nodes, tag, path.stretches);
                 if (path.paint.stroked && !path.closed) {
@@ -97,12 +99,29 @@ class SvgBuilder {
         if (!anyPainted_) {
             return loop ? Part::Outline : Part::Line;
         }
-        if (loop && !path.paint.stroked) {
-            source_.note("svg-unpainted",
-                         "shapes with neither fill nor stroke are ignored, because other shapes have one", path.offset);
-            return Part::Nothing;
+        return loop && !path.paint.stroked ? Part::Nothing : Part::Line;
+    }
+
+    /// Says once per element how it is read where that is not how it looks.
+    void noteReading(const SvgPath &path, Part part) {
+        const bool loop = path.closed && path.nodes.size() > 2;
+        const bool first = std::exchange(noted_, path.element) != path.element;
+        if (!first || path.nodes.size() < 2) {
+            return;
         }
-        return Part::Line;
+        if (part == Part::Outline) {
+            source_.note("svg-outlines", "nothing is filled: closed lines are outlines, one inside another is a hole",
+                         path.offset);
+        } else if (part == Part::Nothing) {
+            source_.note("svg-unpainted", "shapes without fill and stroke are ignored, since others are painted",
+                         path.offset);
+        } else if (part == Part::Line && loop) {
+            source_.note("svg-unfilled", "shapes without fill are lines, since others are filled", path.offset);
+        }
+        if (path.paint.stroked && part != Part::Nothing) {
+            source_.note("svg-stroke", "stroke widths are ignored: shapes end at the middle of their stroke",
+                         path.offset);
+        }
     }
 
     void addLine(const SvgPath &path, std::int32_t tag) {
@@ -119,6 +138,7 @@ class SvgBuilder {
     TagAllocator tags_;
     bool anyPainted_ = false;
     std::size_t painted_ = kNone; ///< the element of the last contour
+    std::size_t noted_ = kNone;   ///< the element of the last path
     std::uint32_t contour_ = 0;
 };
 
