@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <tuple>
 
 namespace forefront {
@@ -22,6 +23,7 @@ Snapper::Snapper(std::span<const SnapLine> lines, std::span<const std::uint8_t> 
     : lines_(lines), radius_(radius) {
     collectPlaces(preferred);
     makeEdges();
+    chooseAxis();
 }
 
 void Snapper::collectPlaces(std::span<const std::uint8_t> preferred) {
@@ -61,8 +63,26 @@ void Snapper::makeEdges() {
     boxLength_ = edges_.empty() ? 0.0 : length / static_cast<double>(edges_.size());
 }
 
-/// Returns the half-edge between two nodes and makes it if there is none. Edges run from the end that comes first by x,
-/// then y.
+/// Turns the boxes along edges that mostly run in one slanting direction: boxes of close parallel edges overlap less.
+void Snapper::chooseAxis() {
+    constexpr double kMostly = 0.8, kSlant = 0.2;
+    Vec2 sum; // of directions with their angles doubled, so that opposite ones are the same
+    double total = 0.0;
+    for (const Edge &edge : edges_) {
+        const Vec2 along = places_[edge.b] - places_[edge.a];
+        const double size = length(along);
+        if (size > 0.0) {
+            sum += (1.0 / size) * Vec2{along.x * along.x - along.y * along.y, 2.0 * along.x * along.y};
+            total += size;
+        }
+    }
+    if (length(sum) > kMostly * total && std::fabs(sum.y) > kSlant * length(sum)) {
+        const double angle = 0.5 * std::atan2(sum.y, sum.x);
+        axis_ = {std::cos(angle), std::sin(angle)};
+    }
+}
+
+/// The half-edge between two nodes, made if there is none. Edges run from the end that comes first by x, then y.
 std::uint32_t Snapper::halfEdge(std::uint32_t from, std::uint32_t to) {
     const bool forth = from == to || comesBefore(places_[from], places_[to]);
     const std::uint32_t a = forth ? from : to, b = forth ? to : from;
@@ -79,7 +99,7 @@ void Snapper::index(std::uint32_t firstEdge) {
     std::vector<Box2> boxes;
     Layer layer;
     for (std::uint32_t e = firstEdge; e < edges_.size(); ++e) {
-        const Vec2 a = places_[edges_[e].a], b = places_[edges_[e].b];
+        const Vec2 a = turned(places_[edges_[e].a]), b = turned(places_[edges_[e].b]);
         const double slant = std::min(std::fabs(b.x - a.x), std::fabs(b.y - a.y));
         const double wanted = boxLength_ > 0.0 ? std::ceil(slant / boxLength_) : 1.0;
         const auto count = static_cast<std::size_t>(std::clamp(wanted, 1.0, static_cast<double>(kMaxBoxesPerEdge)));
@@ -98,10 +118,10 @@ void Snapper::index(std::uint32_t firstEdge) {
 /// Visits the edges whose boxes come near an edge.
 template <class Visit>
 void Snapper::visitNear(std::uint32_t edge, const Visit &visit) const {
-    const Vec2 a = places_[edges_[edge].a], ab = places_[edges_[edge].b] - a;
-    // Boxes of slanting edges are cut with rounding; the radius is larger than that.
+    const Vec2 a = turned(places_[edges_[edge].a]), b = turned(places_[edges_[edge].b]), ab = b - a;
+    // Boxes of slanting edges are cut, and boxes are turned, with rounding; the radius is larger than that.
     const double reach = 2.0 * radius_;
-    const Box2 around = boxOf(a, places_[edges_[edge].b]).grown(reach);
+    const Box2 around = boxOf(a, b).grown(reach);
     const double width = std::fabs(ab.x), height = std::fabs(ab.y), margin = reach * (width + height);
     const auto meets = [&](const Box2 &box) {
         if (!box.overlaps(around)) {
@@ -217,7 +237,7 @@ void Snapper::addCrossing(std::uint32_t edge, std::uint32_t other) {
 std::uint32_t Snapper::nodeWithin(Vec2 at) const {
     std::uint32_t best = kNoIndex;
     for (const Layer &layer : layers_) {
-        layer.tree.query(boxAround(at, 2.0 * radius_), [&](std::uint32_t item) {
+        layer.tree.query(boxAround(turned(at), 2.0 * radius_), [&](std::uint32_t item) {
             const Edge &e = edges_[layer.edge[item]];
             for (const std::uint32_t node : {e.a, e.b}) {
                 const double gap = distance(places_[node], at);

@@ -31,6 +31,8 @@ class Snapper {
 
     void collectPlaces(std::span<const std::uint8_t> preferred);
     void makeEdges();
+    void chooseAxis();
+    Vec2 turned(Vec2 p) const { return {dot(axis_, p), cross(axis_, p)}; }
     std::uint32_t halfEdge(std::uint32_t from, std::uint32_t to);
     void index(std::uint32_t firstEdge);
     template <class Visit>
@@ -63,6 +65,7 @@ class Snapper {
         std::vector<std::uint32_t> edge; ///< per box
     };
     std::vector<Layer> layers_; ///< edges of each round; split ones are skipped
+    Vec2 axis_{1.0, 0.0};       ///< boxes lie along it
     double boxLength_ = 0.0;    ///< longer slanting edges have several boxes
     std::vector<Cut> cuts_;
     std::vector<Crossing> crossings_;
