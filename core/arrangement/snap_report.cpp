@@ -65,6 +65,25 @@ void noteVanished(const JoinedLines &joined, std::uint32_t first, ChangeList &ch
     }
 }
 
+/// Notes where curves meet. A node near a curve counts if the curve leads through it now.
+void noteMeetings(const JoinedLines &joined, ChangeList &changes) {
+    const SnappedLines &snapped = joined.snapped;
+    for (const ChordMeeting &meeting : joined.meetings) {
+        const auto [first, end] = std::equal_range(joined.source.begin(), joined.source.end(), meeting.chord);
+        const auto line = static_cast<std::uint32_t>(first - joined.source.begin());
+        const auto endLine = static_cast<std::uint32_t>(end - joined.source.begin());
+        bool led = meeting.kind == ChangeKind::CrossingSegments || meeting.kind == ChangeKind::TouchingCurves;
+        for (std::uint32_t part = line + 1; part < endLine && !led; ++part) {
+            const std::uint32_t node = snapped.first[part];
+            led = node != snapped.first[line] && node != lastNode(snapped, endLine - 1) &&
+                  distance(snapped.nodes[node], meeting.at) <= 2.0 * snapped.radius;
+        }
+        if (led) {
+            changes.add(meeting.kind, meeting.at, meeting.gap, line);
+        }
+    }
+}
+
 } // namespace
 
 std::uint32_t lastNode(const SnappedLines &snapped, std::uint32_t line) {
@@ -78,10 +97,7 @@ std::uint32_t lastNode(const SnappedLines &snapped, std::uint32_t line) {
 void noteJoining(const JoinedLines &joined, ChangeList &changes) {
     const SnappedLines &snapped = joined.snapped;
     noteMovedEnds(joined, changes);
-    for (const ChordMeeting &meeting : joined.meetings) {
-        const auto line = std::lower_bound(joined.source.begin(), joined.source.end(), meeting.chord);
-        changes.add(meeting.kind, meeting.at, meeting.gap, static_cast<std::uint32_t>(line - joined.source.begin()));
-    }
+    noteMeetings(joined, changes);
     std::vector<std::uint8_t> seen(snapped.nodes.size(), 0);
     for (std::uint32_t i = 0; i < joined.lines.size(); ++i) {
         const SnapLine &line = joined.lines[i];
