@@ -51,9 +51,11 @@ void checkAreas(const Areas &found, const Areas &expected) {
 struct Read {
     Domain domain;
     ImportNotes notes;
-    bool has(const std::string &code) const {
-        return std::any_of(notes.entries().begin(), notes.entries().end(),
-                           [&](const ImportNote &note) { return note.code == code; });
+    bool has(const std::string &code) const { return find(code) != nullptr; }
+    const ImportNote *find(const std::string &code) const {
+        const auto found = std::find_if(notes.entries().begin(), notes.entries().end(),
+                                        [&](const ImportNote &note) { return note.code == code; });
+        return found == notes.entries().end() ? nullptr : &*found;
     }
 };
 
@@ -126,6 +128,36 @@ TEST_CASE("Drawings: what is not painted is a line or nothing where other shapes
     CHECK(areas(outlines.domain).at("region_1") == doctest::Approx(81 - 3.14159265).epsilon(1e-3));
     CHECK(std::count_if(outlines.domain.segments.begin(), outlines.domain.segments.end(),
                         [](const DomainSegment &s) { return s.role == SegmentRole::Constraint; }) == 1);
+}
+
+TEST_CASE("Drawings: the report says once how strokes and shapes without fill are read") {
+    const Read mixed = read(svg("<rect width=\"9\" height=\"9\"/>\n"
+                                "<path fill=\"none\" stroke=\"red\" d=\"M2 2H5V5H2Z M6 6H7V7H6Z\"/>\n"
+                                "<path fill=\"none\" stroke=\"red\" d=\"M1 1H2V2H1Z\"/>"));
+    REQUIRE(mixed.has("svg-unfilled"));
+    CHECK(mixed.find("svg-unfilled")->count == 2); // elements, not subpaths
+    CHECK(mixed.find("svg-unfilled")->line == 2);
+    REQUIRE(mixed.has("svg-stroke"));
+    CHECK(mixed.find("svg-stroke")->count == 2);
+    CHECK_FALSE(mixed.has("svg-outlines"));
+    const Read outlines = read(svg(R"(<g fill="none" stroke="black"><rect width="9" height="9"/>)"
+                                   R"(<rect x="2" y="2" width="3" height="3"/></g>)"));
+    REQUIRE(outlines.has("svg-outlines"));
+    CHECK(outlines.find("svg-outlines")->count == 2);
+    const Read plain = read(svg(R"(<rect width="9" height="9"/>)"));
+    CHECK(plain.notes.entries().empty());
+}
+
+TEST_CASE("Drawings: shapes and features of which nothing is left are named") {
+    const Read drawing =
+        read(svg(R"(<rect id="wall" width="9" height="9"/><rect id="door" x="3" width="2" height="2"/>)"
+                 R"(<rect id="hair" x="20" width="1e-9" height="5"/>)"));
+    REQUIRE(drawing.has("vanished-shapes"));
+    CHECK(drawing.find("vanished-shapes")->message.find("2 shapes") == std::string::npos); // the door has an edge left
+    CHECK(drawing.find("vanished-shapes")->message.find("hair") != std::string::npos);
+    const Read covered = read(map({{"under", rectangle(1, 1, 2, 2)}, {"over", rectangle(1, 1, 2, 2)}}));
+    REQUIRE(covered.has("vanished-shapes"));
+    CHECK(covered.find("vanished-shapes")->message.find("under") != std::string::npos);
 }
 
 TEST_CASE("Maps: holes, covers and features without a name") {
