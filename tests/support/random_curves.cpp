@@ -17,8 +17,9 @@ using std::numbers::pi;
 /// A drawing whose loops bound one domain by the even-odd rule.
 class DomainDrawing {
   public:
-    explicit DomainDrawing(double deviation) : drawing_(deviation) {
+    explicit DomainDrawing(double deviation, double weld = 0.0) : drawing_(deviation) {
         ArrangementInput &input = drawing_.input;
+        input.tolerance = weld;
         contour_ = input.addContour(input.addShape(input.addFeature(1)), FillRule::EvenOdd);
     }
 
@@ -156,8 +157,8 @@ const char *nameOf(CurveFamily family) {
     return kNames[static_cast<int>(family)];
 }
 
-Domain curvedDomain(const std::vector<CurveLoop> &loops, double tolerance) {
-    DomainDrawing drawing(tolerance);
+Domain curvedDomain(const std::vector<CurveLoop> &loops, double deviation, double weld) {
+    DomainDrawing drawing(deviation, weld);
     for (const CurveLoop &loop : loops) {
         drawing.loop(loop, 1);
     }

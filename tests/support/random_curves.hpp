@@ -23,8 +23,9 @@ const char *nameOf(CurveFamily family);
 /// A closed curve in parts, each beginning where the previous one ends.
 using CurveLoop = std::vector<Curve>;
 
-/// Builds the domain that the loops bound by the even-odd rule, from chords that deviate by at most `tolerance`.
-Domain curvedDomain(const std::vector<CurveLoop> &loops, double tolerance);
+/// Builds the domain that the loops bound by the even-odd rule, from chords that deviate by at most `deviation`. What
+/// is within `weld` of each other is joined.
+Domain curvedDomain(const std::vector<CurveLoop> &loops, double deviation, double weld = 0.0);
 
 /// A valid domain; the same for the same family and seed.
 Domain randomCurvedDomain(CurveFamily family, std::uint64_t seed);

@@ -1,4 +1,5 @@
 #include "core/domain/curve_chains.hpp"
+#include "core/mesh/quality.hpp"
 #include "core/mesh/verify.hpp"
 #include "core/mesher/pipeline.hpp"
 #include "tests/support/random_curves.hpp"
@@ -10,6 +11,8 @@
 #include <cstdlib>
 #include <numbers>
 #include <string>
+#include <utility>
+#include <vector>
 
 using namespace forefront;
 using namespace forefront::testing;
@@ -126,6 +129,35 @@ TEST_CASE("Meshing curves: a check follows each side of a needle between two cur
     for (const double size : {2e-5, 3e-5, 4e-5, 5e-5, 7e-5}) { // either side may have the first node
         job.spacing.sources = {{SourceShape::Point, {0, 0}, {}, 0.0, size, 0.2, ""}};
         CHECK(meshed(job).mesh.edges.size() > 80);
+    }
+}
+
+TEST_CASE("Meshing curves: where curves touch, or nearly do, a cusp ends in few elements and the rest is well shaped") {
+    const auto circle = [](Vec2 centre, double radius) { return Curve::arc(centre, {radius, 0}, {0, radius}, 0.35); };
+    const auto box = [](Vec2 low, Vec2 high) {
+        const Vec2 right{high.x, low.y}, left{low.x, high.y};
+        return CurveLoop{Curve::line(low, right), Curve::line(right, high), Curve::line(high, left),
+                         Curve::line(left, low)};
+    };
+    for (const double gap : {0.0, 5e-7, -5e-7, 1e-5, 1e-4}) {
+        CAPTURE(gap);
+        const std::pair<std::vector<CurveLoop>, Vec2> cases[] = {
+            {{box({-3, -3}, {3, 1 + gap}), {circle({0, 0}, 1)}}, {0, 1}},
+            {{{circle({0, 0}, 1)}, {circle({0.5 - gap, 0}, 0.5)}}, {1, 0}},
+            {{box({-3, -3}, {5, 3}), {circle({0, 0}, 1)}, {circle({2 + gap, 0}, 1)}}, {1, 0}}};
+        for (const auto &[loops, cusp] : cases) {
+            MeshingJob job;
+            job.domain = curvedDomain(loops, 0.003, 1e-6);
+            const Mesh mesh = meshed(job).mesh;
+            CHECK(mesh.elements.size() < 4000);
+            for (const Element &element : mesh.elements) {
+                const Vec2 a = mesh.nodes[index(element[0])], b = mesh.nodes[index(element[1])],
+                           c = mesh.nodes[index(element[2])];
+                if (distance((1.0 / 3.0) * (a + b + c), cusp) > 0.1) {
+                    REQUIRE(shapeFactor(a, b, c) > 0.75); // 30 degrees and more
+                }
+            }
+        }
     }
 }
 

@@ -6,8 +6,10 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <limits>
 #include <set>
+#include <stop_token>
 
 using namespace forefront;
 using namespace forefront::testing;
@@ -295,4 +297,36 @@ TEST_CASE("repair: leaves and reports faults that cannot be repaired safely") {
     index.segments[0].b = 1000;
     CHECK(codes(validate(repair(index)->domain)).contains("bad-index"));
     CHECK(codes(validate(repair({})->domain)) == std::set<std::string>{"empty-domain"});
+}
+
+TEST_CASE("repair: a stop request ends it, whatever the domain and the tolerance") {
+    Domain domain;
+    addLoop(domain, square(0, 0, 1));
+    std::stop_source stop;
+    REQUIRE(repair(domain, 0.0, stop.get_token()).ok());
+    stop.request_stop();
+    for (const double tolerance : {0.0, 1e-6}) {
+        const Result<Repaired> stopped = repair(domain, tolerance, stop.get_token());
+        REQUIRE_FALSE(stopped.ok());
+        CHECK(stopped.faults().front().code == "cancelled");
+    }
+}
+
+TEST_CASE("repair: curves that cross although their chords do not are split where they do") {
+    Domain domain; // a hexagon for a circle, and a line between its lowest chord and its curve
+    domain.curves.push_back(Curve::arc({0, 0}, {1, 0}, {0, 1}, -1.5707963267948966 - 0.5235987755982988));
+    for (std::uint32_t k = 0; k < 6; ++k) {
+        domain.nodes.push_back(domain.curves[0].point(k / 6.0));
+        domain.segments.push_back({k, (k + 1) % 6, 1, SegmentRole::Boundary, {0, k / 6.0, (k + 1) / 6.0}});
+    }
+    addLoop(domain, {{-2, -3}, {2, -3}, {2, -0.95}, {-2, -0.95}}, 2);
+    REQUIRE(validate(domain).empty());
+    const Result<Repaired> repaired = repair(domain, 0.0);
+    REQUIRE(repaired.ok());
+    CHECK(validate(repaired->domain).empty());
+    std::size_t crossings = 0;
+    for (const Vec2 node : repaired->domain.nodes) {
+        crossings += node.y == -0.95 && std::fabs(lengthSquared(node) - 1.0) < 1e-14 ? 1 : 0;
+    }
+    CHECK(crossings == 2);
 }
