@@ -183,7 +183,7 @@ void Assembler::addSegments(std::uint32_t line) {
     }
 }
 
-/// Returns the part of the line's curve between two nodes on its way.
+/// Returns the part of the line's curve between two nodes on its path.
 PieceStretch Assembler::stretchOf(std::uint32_t line, std::uint32_t from, std::uint32_t to) const {
     return {joined_.source[line], stretchAlong(joined_.stretches[line], input_.curves, joined_.lines[line],
                                                snapped_.nodes[from], snapped_.nodes[to])};

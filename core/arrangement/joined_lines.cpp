@@ -176,7 +176,7 @@ std::vector<CurveStretch> LineDivision::partStretches() const {
     return stretches;
 }
 
-/// Returns the chord between two nodes on the way that a part has become.
+/// Returns the chord between two nodes on the path that a part has become.
 Chord LineDivision::joinedChord(std::uint32_t part, Vec2 from, Vec2 to) const {
     const Chord &whole = chords_[part];
     if (whole.follows()) {
@@ -190,7 +190,7 @@ Chord LineDivision::joinedChord(std::uint32_t part, Vec2 from, Vec2 to) const {
     return straightChord(from, to);
 }
 
-/// Returns the chords along the ways of all parts, those that joining has changed as fresh; `part` says whose they are.
+/// Returns the chords along the paths of all parts, those that joining has changed as fresh; `part` says whose they are.
 std::vector<Chord> LineDivision::joinedChords(const SnappedLines &snapped, std::vector<std::uint32_t> &part) const {
     std::vector<Chord> joined;
     const bool all = snapped.radius < tolerance_; // what was near enough to join may not be any longer

@@ -5,7 +5,7 @@
 
 namespace forefront {
 
-/// Adds to `changes` how the ways of the lines differ from the given ones: ends that moved, nodes at crossings, nodes
+/// Adds to `changes` how the paths of the lines differ from the given ones: ends that moved, nodes at crossings, nodes
 /// on and near lines, lines shorter than the radius. The pieces are indices of joined lines.
 void noteJoining(const JoinedLines &joined, ChangeList &changes);
 

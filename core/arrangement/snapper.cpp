@@ -82,7 +82,8 @@ void Snapper::chooseAxis() {
     }
 }
 
-/// The half-edge between two nodes, made if there is none. Edges run from the end that comes first by x, then y.
+/// Returns the half-edge between two nodes and makes it if there is none. Edges run from the end that comes first by x,
+/// then y.
 std::uint32_t Snapper::halfEdge(std::uint32_t from, std::uint32_t to) {
     const bool forth = from == to || comesBefore(places_[from], places_[to]);
     const std::uint32_t a = forth ? from : to, b = forth ? to : from;

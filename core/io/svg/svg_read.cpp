@@ -113,10 +113,11 @@ class SvgBuilder {
             source_.note("svg-outlines", "nothing is filled: closed lines are outlines, one inside another is a hole",
                          path.offset);
         } else if (part == Part::Nothing) {
-            source_.note("svg-unpainted", "shapes without fill and stroke are ignored, since others are painted",
-                         path.offset);
+            source_.note("svg-unpainted",
+                         "shapes with neither fill nor stroke are ignored, because other shapes have one", path.offset);
         } else if (part == Part::Line && loop) {
-            source_.note("svg-unfilled", "shapes without fill are lines, since others are filled", path.offset);
+            source_.note("svg-unfilled", "shapes without fill are read as lines, because other shapes are filled",
+                         path.offset);
         }
         if (path.paint.stroked && part != Part::Nothing) {
             source_.note("svg-stroke", "stroke widths are ignored: shapes end at the middle of their stroke",
