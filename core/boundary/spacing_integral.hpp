@@ -20,6 +20,10 @@ struct CurvePath {
     Vec2 at(double fraction) const { return curve->point(std::lerp(t0, t1, fraction)); }
     /// Returns the pieces per unit of the fraction that the spacing `rho` and the bend of the curve ask for.
     double density(double fraction, double rho) const;
+    /// Returns the distance of a piece from the curve.
+    double deviation(double from, double to) const {
+        return curve->deviation(std::lerp(t0, t1, from), std::lerp(t0, t1, to));
+    }
     /// Returns true if a piece is close enough to the curve and does not turn too far.
     bool allows(double from, double to) const;
 };

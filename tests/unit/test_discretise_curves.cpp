@@ -152,6 +152,45 @@ TEST_CASE("discretise: curves that cross although their chords do not are taken 
     }
 }
 
+TEST_CASE("discretise: a hook at the end of a curve, too small to be seen, gets no edge of its own") {
+    for (const double hook : {3e-4, 1e-3, 3e-3}) {
+        CAPTURE(hook);
+        // The last control point lies beyond the end, so that the curve turns back within a fraction of the hook.
+        const Domain domain = curvedDomain({{Curve::cubic({0, 0}, {1, 0}, {3.0 + hook, 3.0}, {3, 3}),
+                                             Curve::line({3, 3}, {0, 3}), Curve::line({0, 3}, {0, 0})}},
+                                           4e-3);
+        REQUIRE(validate(domain).empty());
+        for (const double size : {0.1, 0.3}) {
+            const auto discrete = discretise(domain, constantSpacing(size), false);
+            REQUIRE(discrete.ok());
+            checkOnCurves(domain, *discrete);
+            for (const DiscreteSegment &piece : discrete->segments) {
+                CHECK(distance(discrete->nodes[piece.a], discrete->nodes[piece.b]) > 0.2 * size);
+            }
+        }
+    }
+}
+
+TEST_CASE("discretise: a dot far smaller than the spacing keeps its shape") {
+    Domain domain = circleDomain();
+    const Domain dot = curvedDomain({{Curve::circle({0.2, 0.1}, {0.201, 0.1})}}, 1e-3);
+    for (DomainSegment segment : dot.segments) {
+        segment.a += static_cast<std::uint32_t>(domain.nodes.size());
+        segment.b += static_cast<std::uint32_t>(domain.nodes.size());
+        segment.stretch.curve += 1;
+        domain.segments.push_back(segment);
+    }
+    domain.nodes.insert(domain.nodes.end(), dot.nodes.begin(), dot.nodes.end());
+    domain.curves.push_back(dot.curves.front());
+    const auto discrete = discretise(domain, constantSpacing(0.2), false);
+    REQUIRE(discrete.ok());
+    std::size_t edges = 0;
+    for (const DiscreteSegment &piece : discrete->segments) {
+        edges += distance(discrete->nodes[piece.a], {0.2, 0.1}) < 0.01 ? 1 : 0;
+    }
+    CHECK(edges >= 3);
+}
+
 TEST_CASE("discretise: a kept boundary keeps the chords and remembers their curve") {
     const Domain domain = circleDomain();
     const auto discrete = discretise(domain, constantSpacing(1.0), true);
