@@ -20,13 +20,13 @@ double upper(const CurveStretch &stretch) {
 }
 
 /// Removes cuts beside pieces far shorter than the spacing where the joined piece is close to the curve, but leaves
-/// `least` pieces. A bend too small to be seen, such as the hook that a control point beyond its end makes, would
+/// `minimum` pieces. A bend too small to be seen, such as the hook that a control point beyond its end makes, would
 /// otherwise get a piece of its own, and sharp elements beside it.
 void joinShortPieces(std::vector<double> &fractions, const CurvePath &path, const SpacingField &spacing,
-                     std::size_t least) {
+                     std::size_t minimum) {
     constexpr double kShort = 0.25;  // of the spacing, and of the longer piece
     constexpr double kVisible = 0.4; // of the tolerance: 1/5000 of the diagonal by default
-    for (std::size_t i = 1; i + 1 < fractions.size() && fractions.size() > least + 1;) {
+    for (std::size_t i = 1; i + 1 < fractions.size() && fractions.size() > minimum + 1;) {
         const double from = fractions[i - 1], to = fractions[i + 1];
         const Vec2 at = path.at(fractions[i]);
         const auto [shorter, longer] = std::minmax({distance(path.at(from), at), distance(at, path.at(to))});
@@ -116,7 +116,7 @@ SpacingIntegral::Outcome CurveCuts::divide(std::uint32_t chain, const SpacingFie
         }
         fractions = std::move(finer);
     }
-    joinShortPieces(fractions, path, spacing, static_cast<std::size_t>(least));
+    joinShortPieces(fractions, path, spacing, static_cast<std::size_t>(minimum));
     cuts_[chain].clear();
     for (const double fraction : fractions) {
         cuts_[chain].push_back(std::lerp(about.t0, about.t1, fraction));
