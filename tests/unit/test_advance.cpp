@@ -167,7 +167,7 @@ TEST_CASE("Advance: the grid changes the work, never the mesh") {
 }
 
 TEST_CASE(
-    "Advance: a classic run over several portions of the order is the same with every grid, and after going back") {
+    "Advance: a classic run over several batches of the order is the same with every grid, and after going back") {
     std::vector<std::uint64_t> states;
     for (const GridKind grid : {GridKind::Uniform, GridKind::Hierarchical}) {
         Timeline timeline(mesherOn(discretePlate(0.009), 0.009, grid, Method::Classic));

@@ -119,7 +119,7 @@ TEST_CASE("arrange: overlaps are reported by area, the largest first, at places 
     CHECK(Box2{{1, 0.5}, {2, 1}}.contains(overlap->places[1]));
 }
 
-TEST_CASE("arrange: what is valid stays as it is, in its order") {
+TEST_CASE("arrange: a valid domain stays unchanged, in its order") {
     ArrangementInput input;
     addPolygon(input, 3, {rectangle(0.1, 0.2, 1.3, 0.7), rectangle(0.3, 0.4, 0.1, 0.2)});
     input.addChain(std::vector<Vec2>{{0.6, 0.4}, {1.1, 0.5}}, 5);

@@ -186,7 +186,7 @@ void compareAtSamples(RandomSource &random, const RandomDrawing &drawing, const 
 
 } // namespace
 
-TEST_CASE("arrange: random drawings become valid domains with the area that their winding numbers say") {
+TEST_CASE("arrange: random drawings become valid domains with the area given by their winding numbers") {
     const char *wanted = std::getenv("FOREFRONT_ARRANGEMENTS"); // 2,000 outside of quick runs
     const int runs = wanted != nullptr ? std::atoi(wanted) : 200;
     int meshed = 0;

@@ -198,7 +198,8 @@ TEST_CASE("Automatic spacing: keeps the gradation within 2 % and its own bounds"
     }
 }
 
-TEST_CASE("Automatic spacing: of very many segments, some may grow by half, and the gradation stays within 10 %") {
+TEST_CASE("Automatic spacing: with very many segments, the spacing may grow by half at some, and the gradation stays "
+          "within 10 %") {
     std::mt19937 random(29);
     std::uniform_real_distribution<double> share(0.0, 1.0);
     std::vector<Vec2> loop;

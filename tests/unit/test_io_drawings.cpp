@@ -117,7 +117,7 @@ TEST_CASE("Drawings: painted shapes are united, crossing or nested") {
     CHECK(crossing.has("crossing-segments"));
 }
 
-TEST_CASE("Drawings: what is not painted is a line or nothing where other shapes are painted") {
+TEST_CASE("Drawings: unpainted shapes are lines, or nothing where other shapes are painted") {
     const Read lined = read(svg(R"(<rect width="9" height="9"/><path fill="none" stroke="red" d="M2 2H5V5H2Z"/>)"
                                 R"(<path fill="none" d="M-5 -5H20V20H-5Z"/>)"));
     checkAreas(areas(lined.domain), {{"region_1", 81}});

@@ -132,7 +132,7 @@ TEST_CASE("EdgeTable: visits each edge once, in order, with the half-edges that 
     CHECK(table.find(node(0), node(4000)).empty());
 }
 
-TEST_CASE("nodeElements: lists for each node exactly the elements that name it") {
+TEST_CASE("nodeElements: lists for each node exactly the elements that contain it") {
     const Mesh mesh = samples::square(5, 5, 0.2);
     const NodeElements rows = nodeElements(mesh);
     REQUIRE(rows.offsets.size() == mesh.nodes.size() + 1);

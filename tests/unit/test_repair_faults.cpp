@@ -206,11 +206,11 @@ void checkRepairs(double tolerancePart, int runs) {
 
 } // namespace
 
-TEST_CASE("repair: mends faults put into random domains, without welding") {
+TEST_CASE("repair: fixes faults put into random domains, without welding") {
     checkRepairs(0.0, 1000);
 }
 
-TEST_CASE("repair: mends faults and gaps within the tolerance, and moves nothing farther") {
+TEST_CASE("repair: fixes faults and gaps within the tolerance, and moves nothing farther") {
     checkRepairs(1e-7, 1000);
 }
 

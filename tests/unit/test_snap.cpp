@@ -101,7 +101,7 @@ std::vector<SnapLine> randomLines(RandomSource &random, double radius) {
 
 } // namespace
 
-TEST_CASE("clusterPlaces: leaders keep apart, and everyone is near its leader") {
+TEST_CASE("clusterPlaces: leaders keep apart, and every place is near its leader") {
     RandomSource random(5);
     for (int run = 0; run < 50; ++run) {
         std::vector<Vec2> places;
@@ -149,7 +149,7 @@ TEST_CASE("snapLines: a crossing, a touch and an overlap become nodes") {
     CHECK(snapped.starts == std::vector<std::uint32_t>{0, 4, 6, 7, 9});
 }
 
-TEST_CASE("snapLines: what is apart stays bit for bit") {
+TEST_CASE("snapLines: lines far apart stay unchanged, bit for bit") {
     const std::vector<SnapLine> lines{{{0.1, 0.2}, {0.3, 0.7}}, {{0.1, 0.2}, {0.9, 0.1}}, {{0.5, 0.5}, {0.5, 0.5}}};
     const SnappedLines snapped = snapLines(lines, 0.01);
     CHECK(snapped.nodes == std::vector<Vec2>{{0.1, 0.2}, {0.3, 0.7}, {0.9, 0.1}, {0.5, 0.5}});

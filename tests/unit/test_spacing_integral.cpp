@@ -74,7 +74,7 @@ TEST_CASE("SpacingIntegral: a dip narrower than the longest interval may be miss
     CHECK(integral.total() == doctest::Approx(40.0).epsilon(0.05));
 }
 
-TEST_CASE("SpacingIntegral: the number of pieces is the closest as a ratio, and at least one") {
+TEST_CASE("SpacingIntegral: the number of pieces is the closest in ratio, and at least one") {
     SpacingIntegral integral;
     const auto piecesFor = [&](double total) {
         REQUIRE(integrate(integral, constantSpacing(1.0 / total), {0, 0}, {1, 0}) == Outcome::Done);
