@@ -184,20 +184,15 @@ int runAdapt(const AdaptArguments &arguments) {
                    interrupt);
         return code == kRefused && mistyped ? static_cast<int>(kUsage) : code;
     }
-    const bool drops = arguments.innerEdges == InnerEdges::Drop;
-    const Mesh outline = drops ? withoutInnerEdges(*mesh) : Mesh();
-    for (const Output &output : pairFormats(arguments.outputs, arguments.formats)) {
-        const Diagnostics written = writeOutput(output, drops ? outline : *mesh, progress);
-        bar.clear();
-        if (hasErrors(written)) {
-            return refuse(written, interrupt);
-        }
-        if (!arguments.quiet) {
-            printFaults(written);
-        }
-        if (!arguments.quiet && !isStandardStream(output.path)) {
-            std::fprintf(arguments.messages(), "wrote %s\n", output.path.string().c_str());
-        }
+    const Diagnostics written =
+        writeOutputs(pairFormats(arguments.outputs, arguments.formats), *mesh, arguments.innerEdges, progress);
+    bar.clear();
+    if (hasErrors(written)) {
+        return refuse(written, interrupt);
+    }
+    if (!arguments.quiet) {
+        printFaults(written);
+        printWritten(arguments.outputs, arguments.messages());
     }
     return kDone;
 }

@@ -34,9 +34,9 @@ std::string padded(std::string text, std::size_t columns) {
 void addLimitOptions(CLI::App &group, MeshLimits &limits) {
     for (const MeshLimit limit : valuesOf<MeshLimit>()) {
         const LimitInfo &info = limitInfo(limit);
-        const bool unbounded = !std::isfinite(info.greatest);
+        const bool unbounded = !std::isfinite(info.maximum);
         group.add_option("--" + std::string(wordOf(limit)), limits[limit], optionHelp(info))
-            ->check(unbounded ? positiveNumber() : numberWithin(info.least, info.greatest))
+            ->check(unbounded ? positiveNumber() : numberWithin(info.minimum, info.maximum))
             ->type_name("LIMIT");
     }
 }

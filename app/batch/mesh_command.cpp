@@ -10,7 +10,6 @@
 #include "core/arrangement/repair.hpp"
 #include "core/edit/document.hpp"
 #include "core/io/files.hpp"
-#include "core/io/inner_edges.hpp"
 #include "core/mesher/pipeline.hpp"
 
 #include <algorithm>
@@ -96,19 +95,11 @@ Diagnostics repairDomain(const MeshArguments &arguments, const Input &input, con
 }
 
 /// Writes the meshes and the statistics. The result holds errors, else notes on what the formats changed.
-Diagnostics writeOutputs(const MeshArguments &arguments, const Mesh &mesh, const RunReport &report,
+Diagnostics writeResults(const MeshArguments &arguments, const Mesh &mesh, const RunReport &report,
                          const Progress &progress) {
-    const bool drops = arguments.innerEdges == InnerEdges::Drop && !arguments.outputs.empty();
-    const Mesh outline = drops ? withoutInnerEdges(mesh) : Mesh();
-    Diagnostics notes;
-    for (const Output &output : pairFormats(arguments.outputs, arguments.formats)) {
-        Diagnostics faults = writeOutput(output, drops ? outline : mesh, progress);
-        if (hasErrors(faults)) {
-            return faults;
-        }
-        notes.insert(notes.end(), faults.begin(), faults.end());
-    }
-    if (arguments.statistics && !arguments.printsStatistics()) {
+    Diagnostics notes =
+        writeOutputs(pairFormats(arguments.outputs, arguments.formats), mesh, arguments.innerEdges, progress);
+    if (!hasErrors(notes) && arguments.statistics && !arguments.printsStatistics()) {
         const Diagnostics faults = writeFileAtomically(*arguments.statistics, statisticsJson(report));
         notes.insert(notes.end(), faults.begin(), faults.end());
     }
@@ -121,11 +112,7 @@ Status printResult(const MeshArguments &arguments, const RunReport &report) {
     }
     if (!arguments.quiet) {
         std::FILE *const out = usesStandardOutput(arguments.outputs) ? stderr : stdout;
-        for (const auto &path : arguments.outputs) {
-            if (!isStandardStream(path)) {
-                std::fprintf(out, "wrote %s\n", path.string().c_str());
-            }
-        }
+        printWritten(arguments.outputs, out);
         std::fputs(summary(report).c_str(), out);
     }
     return {};
@@ -173,7 +160,7 @@ int runMesh(const MeshArguments &arguments) {
         return code == kRefused && mistyped ? static_cast<int>(kUsage) : code;
     }
     const RunReport report = reportOf(*outcome, job->options);
-    faults = writeOutputs(arguments, outcome->mesh, report, progress);
+    faults = writeResults(arguments, outcome->mesh, report, progress);
     bar.clear();
     if (hasErrors(faults)) {
         return refuse(faults, interrupt);

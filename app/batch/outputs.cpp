@@ -120,6 +120,8 @@ bool usesStandardOutput(const std::vector<std::filesystem::path> &outputs) {
     return std::any_of(outputs.begin(), outputs.end(), isStandardStream);
 }
 
+namespace {
+
 Diagnostics writeOutput(const Output &output, const Mesh &mesh, const Progress &progress) {
     if (!isStandardStream(output.path)) {
         Status written = writeMesh(output.path, mesh, output.format, progress);
@@ -128,6 +130,31 @@ Diagnostics writeOutput(const Output &output, const Mesh &mesh, const Progress &
     StandardOutput sink;
     const Status status = writeMesh(sink, mesh, output.format);
     return sink.failure() != 0 ? sink.status() : status;
+}
+
+} // namespace
+
+Diagnostics writeOutputs(const std::vector<Output> &outputs, const Mesh &mesh, InnerEdges innerEdges,
+                         const Progress &progress) {
+    const bool drops = innerEdges == InnerEdges::Drop && !outputs.empty();
+    const Mesh outline = drops ? withoutInnerEdges(mesh) : Mesh();
+    Diagnostics notes;
+    for (const Output &output : outputs) {
+        Diagnostics faults = writeOutput(output, drops ? outline : mesh, progress);
+        if (hasErrors(faults)) {
+            return faults;
+        }
+        notes.insert(notes.end(), faults.begin(), faults.end());
+    }
+    return notes;
+}
+
+void printWritten(const std::vector<std::filesystem::path> &outputs, std::FILE *stream) {
+    for (const std::filesystem::path &path : outputs) {
+        if (!isStandardStream(path)) {
+            std::fprintf(stream, "wrote %s\n", path.string().c_str());
+        }
+    }
 }
 
 Status printText(std::string_view text) {

@@ -3,6 +3,7 @@
 #include "core/base/diagnostic.hpp"
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
+#include "core/io/inner_edges.hpp"
 #include "core/mesh/mesh.hpp"
 
 #include <cstdio>
@@ -39,8 +40,13 @@ Diagnostics checkOutputs(const std::vector<Output> &outputs, const std::vector<s
 /// Returns true if one of the outputs is standard output, which then holds nothing else.
 bool usesStandardOutput(const std::vector<std::filesystem::path> &outputs);
 
-/// Writes a mesh to a file or to standard output. The result holds errors, else the notes of exportNotes().
-Diagnostics writeOutput(const Output &output, const Mesh &mesh, const Progress &progress);
+/// Writes a mesh to files and to standard output. Stops at the first error. The result holds errors, else the notes of
+/// exportNotes().
+Diagnostics writeOutputs(const std::vector<Output> &outputs, const Mesh &mesh, InnerEdges innerEdges,
+                         const Progress &progress);
+
+/// Prints "wrote PATH" for each output that is a file.
+void printWritten(const std::vector<std::filesystem::path> &outputs, std::FILE *stream);
 
 /// Writes text to standard output. Fault: cannot-write, with the reason.
 Status printText(std::string_view text);
