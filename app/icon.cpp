@@ -28,7 +28,7 @@ double distanceTo(Vec2 p, Vec2 a, Vec2 b) {
     return distance(p, lerp(a, b, t));
 }
 
-/// Signed distance into a triangle, counter-clockwise.
+/// Returns the signed distance into a counter-clockwise triangle, positive inside.
 double inside(Vec2 p, Vec2 a, Vec2 b, Vec2 c) {
     const auto depth = [p](Vec2 u, Vec2 v) { return cross(v - u, p - u) / length(v - u); };
     return std::min({depth(a, b), depth(b, c), depth(c, a)});

@@ -139,7 +139,7 @@ void fillEfficiencies(std::vector<GridFigures> &grids) {
     }
 }
 
-/// True if the text is a number from 1 to 100000 as a whole.
+/// Returns true if the text is a number from 1 to 100000 as a whole.
 bool parseCount(std::string_view text, int &count) {
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), count);
     return code == std::errc() && end == text.data() + text.size() && count >= 1 && count <= 100'000;

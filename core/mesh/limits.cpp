@@ -82,13 +82,13 @@ std::string valueText(MeshLimit limit, double value) {
 
 std::string limitFault(MeshLimit limit, double value) {
     const LimitInfo &info = limitInfo(limit);
-    if (value >= info.least && value <= info.greatest && std::isfinite(value)) {
+    if (value >= info.minimum && value <= info.maximum && std::isfinite(value)) {
         return {};
     }
     const std::string range =
-        info.least > 0.0 && info.greatest == kUnbounded
+        info.minimum > 0.0 && info.maximum == kUnbounded
             ? "a positive number"
-            : "a number from " + numberText(info.least, 6) + " to " + numberText(info.greatest, 6);
+            : "a number from " + numberText(info.minimum, 6) + " to " + numberText(info.maximum, 6);
     return "expected " + range + ", got " + numberText(value, 6);
 }
 
@@ -114,7 +114,7 @@ std::string toString(const LimitVerdict &verdict) {
     const std::string head = std::string(info.name) + ' ' + valueText(verdict.limit, verdict.bound) + ": ";
     if (verdict.judged == 0) {
         return head + (infoOf(info.measure).part == MeshPart::Edges ? "not judged, there is no spacing"
-                                                                   : "not judged, there is nothing to measure");
+                                                                    : "not judged, there is nothing to measure");
     }
     const std::string worst = "worst " + valueText(verdict.limit, verdict.worst);
     if (verdict.kept()) {

@@ -37,12 +37,12 @@ struct EnumWords<MeshLimit> {
 
 /// The description of a limit.
 struct LimitInfo {
-    const char *name;       ///< "minimum angle"
-    const char *member;     ///< its name in project files: "minAngle"
-    Measure measure;        ///< that it bounds
-    bool isMinimum;         ///< false: a maximum
-    double least, greatest; ///< the values that a limit can have; infinity: unbounded
-    const char *meaning;    ///< for help and tooltips
+    const char *name;        ///< "minimum angle"
+    const char *member;      ///< its name in project files: "minAngle"
+    Measure measure;         ///< the one that it bounds
+    bool isMinimum;          ///< false: a maximum
+    double minimum, maximum; ///< the values that a limit can have; infinity: unbounded
+    const char *meaning;     ///< for help and tooltips
 };
 
 /// Returns the description of a limit.

@@ -225,9 +225,9 @@ MeasureSummary summarise(std::span<const double> values) {
         sum += value;
     }
     summary.mean = sum / static_cast<double>(present.size());
-    const auto [least, greatest] = std::minmax_element(present.begin(), present.end());
-    summary.minimum = *least;
-    summary.maximum = *greatest;
+    const auto [low, high] = std::minmax_element(present.begin(), present.end());
+    summary.minimum = *low;
+    summary.maximum = *high;
     for (std::size_t i = 0; i < kPercentiles.size(); ++i) {
         summary.percentiles[i] = percentile(present, 0.01 * kPercentiles[i]);
     }

@@ -33,8 +33,8 @@ double rho(const Point &p) {
     return graded ? std::max(minimum, 0.232 * std::abs(std::hypot(p.x() - 30.0, p.y() - 20.0) - 12.0)) : minimum;
 }
 
-/// Longest edge at most kBound·ρ; CGAL bounds edges from above, so that they are shorter on the mean. Chosen so that
-/// the numbers of elements are about those of the others.
+/// Longest edge at most kBound·ρ; CGAL bounds edges from above, so that they are shorter on average. Chosen so that the
+/// numbers of elements are about those of the others.
 constexpr double kBound = 1.45;
 
 class SizedCriteria {

@@ -16,7 +16,7 @@ std::vector<Vec2> rectangle(double width, double height) {
     return {{0, 0}, {width, 0}, {width, height}, {0, height}};
 }
 
-/// A round with a wavy edge; the waves are fixed by `phase`.
+/// Returns a closed curve with a wavy edge; `phase` shifts the waves.
 std::vector<Vec2> coast(Vec2 centre, double radius, int nodes, double waviness, double phase) {
     std::vector<Vec2> line;
     for (int i = 0; i < nodes; ++i) {

@@ -103,7 +103,7 @@ std::string anyBytes(std::uint32_t seed) {
     return bytes;
 }
 
-/// Inputs with what the writers never write, by the id of the format.
+/// Returns inputs that the writers never produce, by the id of the format.
 std::vector<std::string> handMade(std::string_view id) {
     if (id == "project") {
         return {projectText(smallDocument()), projectText({})};

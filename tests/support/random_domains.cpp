@@ -9,7 +9,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// A star that fills most of a disc; answers the disc free inside of it.
+/// Adds a star that fills most of a disc and returns the disc that is free inside it.
 Disc addStar(DomainBuilder &builder, RandomSource &random, Disc disc, std::int32_t tag) {
     const int count = random.integer(5, 40);
     const double low = random.between(0.45, 0.9);

@@ -359,13 +359,13 @@ class SiteSpreader : SiteTreeWriter {
         std::sort(candidates_.begin(), candidates_.end());
         candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
         competitors_.clear();
-        double least = std::numeric_limits<double>::infinity();
+        double minimum = std::numeric_limits<double>::infinity();
         for (const std::uint32_t site : candidates_) {
             competitors_.push_back({site, tree_.sites_[site].at(centre)});
-            least = std::min(least, competitors_.back().value);
+            minimum = std::min(minimum, competitors_.back().value);
         }
         const double change = 2.0 * tree_.sites_.front().growth * reach;
-        std::erase_if(competitors_, [&](const Competitor &c) { return c.value - least > change; });
+        std::erase_if(competitors_, [&](const Competitor &c) { return c.value - minimum > change; });
         if (competitors_.size() > 2) {
             dropParallel(centre, reach);
         }

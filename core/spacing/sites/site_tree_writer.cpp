@@ -82,16 +82,17 @@ bool SiteTreeWriter::isSmooth(double x, double y, double span, double tolerance)
         return false;
     }
     const double h = 0.5 * span;
-    const double a = least(placeOf(x, y));
-    const double b = least(placeOf(x + span, y));
-    const double c = least(placeOf(x, y + span));
-    const double d = least(placeOf(x + span, y + span));
+    const double a = minimumAt(placeOf(x, y));
+    const double b = minimumAt(placeOf(x + span, y));
+    const double c = minimumAt(placeOf(x, y + span));
+    const double d = minimumAt(placeOf(x + span, y + span));
     const auto near = [tolerance](double exact, double interpolated) {
         return std::fabs(exact - interpolated) <= tolerance * exact;
     };
-    return near(middle, 0.25 * (a + b + c + d)) && near(least(placeOf(x + h, y)), 0.5 * (a + b)) &&
-           near(least(placeOf(x, y + h)), 0.5 * (a + c)) && near(least(placeOf(x + span, y + h)), 0.5 * (b + d)) &&
-           near(least(placeOf(x + h, y + span)), 0.5 * (c + d));
+    return near(middle, 0.25 * (a + b + c + d)) && near(minimumAt(placeOf(x + h, y)), 0.5 * (a + b)) &&
+           near(minimumAt(placeOf(x, y + h)), 0.5 * (a + c)) &&
+           near(minimumAt(placeOf(x + span, y + h)), 0.5 * (b + d)) &&
+           near(minimumAt(placeOf(x + h, y + span)), 0.5 * (c + d));
 }
 
 void SiteTreeWriter::storeList(std::uint32_t slot, double x, double y, double span) {
@@ -119,7 +120,7 @@ void SiteTreeWriter::storeSmooth(std::uint32_t slot, double x, double y, double 
     SiteTree::Corners corners{};
     for (std::uint32_t corner = 0; corner < 4; ++corner) {
         const Vec2 place = placeOf(x + (corner & 1U) * span, y + (corner >> 1) * span);
-        corners[corner] = static_cast<float>(least(place) / tree_.scale_);
+        corners[corner] = static_cast<float>(minimumAt(place) / tree_.scale_);
         tree_.minimum_ = std::min(tree_.minimum_, tree_.scale_ * corners[corner]);
         tree_.maximum_ = std::max(tree_.maximum_, tree_.scale_ * corners[corner]);
     }

@@ -19,14 +19,14 @@ class SiteTreeWriter {
     static constexpr int kTableBits = 6;
     static constexpr std::uint32_t kTableCells = 1U << kTableBits;
     static constexpr int kTopLevel = SiteTree::kBits + kTableBits;
-    /// Of more competitors, the smoothness of their minimum is tested less thoroughly.
+    /// With more competitors, the smoothness of their minimum is tested less thoroughly.
     static constexpr std::size_t kLongestTested = 48;
 
     SiteTreeWriter(std::vector<SizeSite> sites, const Box2 &box);
 
     Vec2 placeOf(double x, double y) const { return tree_.corner_ + tree_.unit_ * Vec2{x, y}; }
     const SizeSite &site(const Competitor &competitor) const { return tree_.sites_[competitor.site]; }
-    double least(Vec2 p) const {
+    double minimumAt(Vec2 p) const {
         double value = std::numeric_limits<double>::infinity();
         for (const Competitor &competitor : competitors_) {
             value = std::min(value, site(competitor).at(p));
