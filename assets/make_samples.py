@@ -53,6 +53,7 @@ class Project:
     def __init__(self):
         self.shapes, self.markers, self.boundaries, self.regions = [], [], {}, {}
         self.spacing = {"fromBoundary": False}
+        self.circle_tolerance = 0.002
 
     def add(self, kind, nodes, tag, name="", use="boundary", segment_tags=None):
         shape = {"id": len(self.shapes) + 1, "kind": kind, "use": use, "tag": tag, "name": name,
@@ -71,7 +72,7 @@ class Project:
                 "regionNames": {str(k): v for k, v in self.regions.items()}, "spacing": self.spacing,
                 "options": {"grid": "hierarchical", "gridColumns": 0, "gridRows": 0, "keepBoundary": False,
                             "improve": "default", "threads": 1},
-                "circleTolerance": 0.002, "nextId": len(self.shapes) + 1}
+                "circleTolerance": self.circle_tolerance, "nextId": len(self.shapes) + 1}
         lines = []
         for key, value in text.items():
             if key == "shapes":
@@ -217,11 +218,156 @@ def letter():
     p.write("letter.json")
 
 
+def arc(cx, cy, radius, start, end, count):
+    """Points from angle `start` to `end`, in degrees."""
+    return [(cx + radius * math.cos(math.radians(start + (end - start) * k / count)),
+             cy + radius * math.sin(math.radians(start + (end - start) * k / count))) for k in range(count + 1)]
+
+
+def bracket():
+    p = Project()
+    p.boundaries = {1: "free edge", 2: "wall", 3: "bolt hole", 4: "slot"}
+    p.regions = {1: "steel"}
+    outline = [(0, 0), (120, 0)] + arc(112, 24, 8, 0, 90, 8) + arc(44, 44, 12, 270, 180, 10) + arc(24, 92, 8, 0, 90, 8)
+    outline += [(0, 100)]
+    tags = [1] * (len(outline) - 1) + [2]
+    p.add("polygon", outline, 1, "bracket", segment_tags=tags)
+    p.add("circle", [(16, 16), (22, 16)], 3, "corner hole")
+    p.add("circle", [(16, 82), (22, 82)], 3, "upper hole")
+    p.add("polygon", arc(60, 16, 6, 90, 270, 16) + arc(100, 16, 6, -90, 90, 16), 4, "slot")
+    p.write("bracket.json")
+
+
+def cylinder():
+    p = Project()
+    p.boundaries = {1: "wall", 2: "inflow", 3: "outflow", 4: "cylinder"}
+    p.regions = {1: "fluid"}
+    p.add("polygon", [(0, 0), (22, 0), (22, 4.1), (0, 4.1)], 1, "channel", segment_tags=[1, 3, 1, 2])
+    p.add("circle", [(2, 2), (2.5, 2)], 4, "cylinder")
+    p.spacing.update({"size": 0.5})
+    p.source("circle", (2, 2), 0.05, 0.18, "cylinder", radius=0.55)
+    p.source("line", (2.5, 2), 0.14, 0.2, "wake", b=(12, 2.1), radius=0.5)
+    p.source("line", (0, 0), 0.16, 0.3, "lower wall", b=(22, 0))
+    p.source("line", (0, 4.1), 0.16, 0.3, "upper wall", b=(22, 4.1))
+    p.write("cylinder.json")
+
+
+def dam():
+    """Each soil is a region with a maximum area of its own."""
+    p = Project()
+    p.boundaries = {1: "ground", 2: "upstream face", 3: "crest", 4: "downstream face", 5: "interface"}
+    p.regions = {1: "shell", 2: "core", 3: "filter", 4: "foundation"}
+    outline = [(-60, -30), (200, -30), (200, 0), (160, 0), (86, 37), (84.5, 37), (83, 37), (77, 37), (74, 37), (0, 0),
+               (-60, 0)]
+    p.add("polygon", outline, 1, "dam and ground", segment_tags=[1, 1, 1, 4, 3, 3, 3, 3, 2, 1, 1])
+    p.add("polyline", [(0, 0), (66, 0), (94, 0), (99, 0), (160, 0)], 5, "base", "constraint")
+    p.add("polyline", [(66, 0), (77, 37)], 5, "core, upstream", "constraint")
+    p.add("polyline", [(94, 0), (83, 37)], 5, "core, downstream", "constraint")
+    p.add("polyline", [(99, 0), (84.5, 37)], 5, "filter", "constraint")
+    p.markers = [{"at": [40, 8], "tag": 1, "maxArea": 3}, {"at": [120, 8], "tag": 1, "maxArea": 3},
+                 {"at": [80, 10], "tag": 2, "maxArea": 0.6}, {"at": [93, 8], "tag": 3, "maxArea": 0.25},
+                 {"at": [70, -15], "tag": 4, "maxArea": 30}]
+    p.spacing.update({"size": 9, "gradation": 0.25})
+    p.write("dam.json")
+
+
+def machine():
+    """Slots of a stator around a rotor; the expression is finest in the air gap."""
+    p = Project()
+    p.boundaries = {1: "frame", 2: "shaft", 3: "rotor surface", 4: "bore", 5: "slot"}
+    p.regions = {1: "rotor", 2: "air gap", 3: "stator", 4: "winding"}
+    p.add("circle", [(0, 0), (60, 0)], 1, "frame")
+    p.add("circle", [(0, 0), (9, 0)], 2, "shaft")
+    p.add("circle", [(0, 0), (30, 0)], 3, "rotor surface", "constraint")
+    p.add("circle", [(0, 0), (31, 0)], 4, "bore", "constraint")
+    p.markers = [{"at": [20, 0], "tag": 1}, {"at": [30.5, 0.02], "tag": 2}, {"at": [57, 0], "tag": 3}]
+    for k in range(12):
+        a = 30 * k + 15
+        slot = arc(0, 0, 33.5, a - 6.5, a + 6.5, 6) + arc(0, 0, 49, a + 7.5, a - 7.5, 6)
+        p.add("polygon", slot, 5, "", "constraint")
+        p.markers.append({"at": [41 * math.cos(math.radians(a)), 41 * math.sin(math.radians(a))], "tag": 4})
+    p.spacing.update({"expression": "max(0.6, 0.16*abs(sqrt(x*x + y*y) - 30.5))", "maximum": 3})
+    p.write("machine.json")
+
+
+def snowflake():
+    p = Project()
+    p.boundaries = {1: "coast"}
+    p.regions = {1: "flake"}
+    nodes = [(math.cos(math.radians(a)), math.sin(math.radians(a))) for a in (90, 210, 330)]
+    for _ in range(4):
+        finer = []
+        for (ax, ay), (bx, by) in zip(nodes, nodes[1:] + nodes[:1]):
+            dx, dy = (bx - ax) / 3, (by - ay) / 3
+            finer += [(ax, ay), (ax + dx, ay + dy),
+                      (ax + 1.5 * dx + dy * math.sqrt(3) / 2, ay + 1.5 * dy - dx * math.sqrt(3) / 2),
+                      (ax + 2 * dx, ay + 2 * dy)]
+        nodes = finer
+    p.add("polygon", nodes, 1, "flake")
+    p.spacing.update({"fromBoundary": True, "gradation": 0.3})
+    p.write("snowflake.json")
+
+
+def spiral():
+    p = Project()
+    p.boundaries = {1: "inner wall", 2: "outer wall", 3: "inlet", 4: "outlet"}
+    p.regions = {1: "fluid"}
+    count = 150
+    inner, outer = [], []
+    for k in range(count + 1):
+        a = 6 * math.pi * k / count
+        r = 2 + 0.5 * a
+        inner.append((r * math.cos(a), r * math.sin(a)))
+        outer.append(((r + 1.3) * math.cos(a), (r + 1.3) * math.sin(a)))
+    nodes = outer + inner[::-1]
+    p.add("polygon", nodes, 1, "channel", segment_tags=[2] * count + [4] + [1] * count + [3])
+    p.spacing.update({"size": 0.42})
+    p.write("spiral.json")
+
+
+def sieve():
+    p = Project()
+    p.boundaries = {1: "rim", 2: "holes"}
+    p.regions = {1: "sheet"}
+    p.circle_tolerance = 0.02
+    p.add("rectangle", [(0, 0), (120, 70)], 1, "sheet")
+    for row in range(6):
+        for column in range(10 - row % 2):
+            x, y = 12 + 10.7 * column + 5.35 * (row % 2), 12 + 9.2 * row
+            p.add("circle", [(x, y), (x + 1.6 + 0.14 * column, y)], 2, "")
+    p.spacing.update({"expression": "0.6 + 0.012*x"})
+    p.write("sieve.json")
+
+
+def ripples():
+    p = Project()
+    p.boundaries = {1: "shore"}
+    p.regions = {1: "pool"}
+    p.add("rectangle", [(-10, -7), (10, 7)], 1, "pool")
+    p.spacing.update({"expression": "0.3 + 0.2*cos(2*sqrt((x + 4)*(x + 4) + y*y)) + 0.03*abs(x + 4)",
+                      "minimum": 0.12, "maximum": 0.7})
+    p.write("ripples.json")
+
+
 if __name__ == "__main__":
     HERE.mkdir(exist_ok=True)
-    gallery = [("harbour.json", "Harbour with a pier", harbour), ("plate.json", "Plate with a hole", plate),
-               ("airfoil.json", "Airfoil", airfoil), ("lake.json", "Lake with islands", lake),
-               ("gear.json", "Gear", gear), ("crack.json", "Cracked plate", crack), ("letter.json", "Letter A", letter)]
-    for _, _, make in gallery:
+    gallery = [
+        ("harbour.json", "Harbour with a pier", "painted spacing, sources, names, a fairway", harbour),
+        ("plate.json", "Plate with a hole", "a source around the hole", plate),
+        ("airfoil.json", "Airfoil", "fine edges and wake in a far field", airfoil),
+        ("lake.json", "Lake with islands", "spacing from the lengths of the shore", lake),
+        ("gear.json", "Gear", "spacing by an expression of x and y", gear),
+        ("crack.json", "Cracked plate", "an inner line with fine tips", crack),
+        ("letter.json", "Letter A", "an outline with a counter", letter),
+        ("bracket.json", "Mounting bracket", "fillets, holes and a slot; automatic spacing", bracket),
+        ("cylinder.json", "Flow past a cylinder", "sources along walls and wake", cylinder),
+        ("dam.json", "Embankment dam", "soils as regions, each with a maximum area", dam),
+        ("machine.json", "Electric machine", "an air gap two per cent of the radius wide", machine),
+        ("snowflake.json", "Snowflake", "a fractal with 768 corners", snowflake),
+        ("spiral.json", "Spiral channel", "a long and narrow domain", spiral),
+        ("sieve.json", "Perforated sheet", "57 holes, graded from left to right", sieve),
+        ("ripples.json", "Ripples", "spacing in waves around a point", ripples),
+    ]
+    for _, _, _, make in gallery:
         make()
-    (HERE / "index.txt").write_text("".join(f"{file} {title}\n" for file, title, _ in gallery))
+    (HERE / "index.txt").write_text("".join(f"{file} {title} | {about}\n" for file, title, about, _ in gallery))

@@ -34,9 +34,11 @@ std::vector<Sample> samples() {
     std::vector<Sample> found;
     const fs::path folder = assetFolder() / "samples";
     std::ifstream index(folder / "index.txt");
-    // One "FILE TITLE..." per line.
-    for (std::string file, title; index >> file && std::getline(index >> std::ws, title);) {
-        found.push_back({title, folder / file});
+    // One "FILE TITLE | ABOUT" per line.
+    for (std::string file, words; index >> file && std::getline(index >> std::ws, words);) {
+        const std::size_t bar = words.find(" | ");
+        const std::string about = bar == std::string::npos ? std::string() : words.substr(bar + 3);
+        found.push_back({words.substr(0, bar), about, folder / file});
     }
     return found;
 }

@@ -12,6 +12,7 @@ std::filesystem::path assetFolder();
 
 struct Sample {
     std::string title;
+    std::string about; ///< what it shows, in a few words
     std::filesystem::path path;
 };
 /// The samples of the gallery in the order of assets/samples/index.txt.

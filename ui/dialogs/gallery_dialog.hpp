@@ -1,0 +1,31 @@
+#pragma once
+
+#include "ui/dialogs/thumbnails.hpp"
+#include "ui/parts/dialog.hpp"
+#include "ui/platform/assets.hpp"
+
+#include <vector>
+
+namespace forefront {
+
+/// Shows the samples with thumbnails; a click opens one as a new document.
+class GalleryDialog final : public Dialog {
+  public:
+    explicit GalleryDialog(Shell &context);
+
+    const char *id() const override { return "gallery"; }
+    std::string title() const override { return "Samples"; }
+    float width() const override { return 940.0F; }
+    float height() const override { return 640.0F; }
+    bool draw(Shell &context) override;
+    /// Returns true once all thumbnails are made.
+    bool complete() const { return thumbnails_.done(); }
+
+  private:
+    bool drawCard(Shell &context, std::size_t sample);
+
+    std::vector<Sample> samples_;
+    Thumbnails thumbnails_;
+};
+
+} // namespace forefront

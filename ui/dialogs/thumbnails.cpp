@@ -1,0 +1,100 @@
+#include "ui/dialogs/thumbnails.hpp"
+
+#include "core/edit/document.hpp"
+#include "core/improve/improve.hpp"
+#include "core/io/files.hpp"
+#include "core/mesher/mesher.hpp"
+#include "core/mesher/pipeline.hpp"
+#include "core/spacing/spacing_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace forefront {
+namespace {
+
+/// Elements of a thumbnail, about: more would be a grey veil at this size.
+constexpr double kElements = 700.0;
+
+void addEdges(const Mesh &mesh, Thumbnail &thumbnail) {
+    const auto number = [](NodeId id) { return static_cast<std::uint32_t>(index(id)); };
+    for (const Element &e : mesh.elements) {
+        thumbnail.elements.push_back({number(e[0]), number(e[1]), number(e[2])});
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t a = number(e[k]), b = number(e[(k + 1) % 3]);
+            thumbnail.edges.push_back({std::min(a, b), std::max(a, b)});
+        }
+    }
+    std::sort(thumbnail.edges.begin(), thumbnail.edges.end());
+    thumbnail.edges.erase(std::unique(thumbnail.edges.begin(), thumbnail.edges.end()), thumbnail.edges.end());
+    for (const TaggedEdge &edge : mesh.edges) {
+        thumbnail.boundary.push_back({number(edge.a), number(edge.b)});
+    }
+}
+
+void addFineness(const Mesh &mesh, const SpacingField &spacing, Thumbnail &thumbnail) {
+    const double least = std::log(spacing.minimum()), span = std::log(spacing.maximum()) - least;
+    for (const Element &e : mesh.elements) {
+        const Vec2 middle = (1.0 / 3.0) * (mesh.nodes[index(e[0])] + mesh.nodes[index(e[1])] + mesh.nodes[index(e[2])]);
+        const double t = span > 0.02 ? (std::log(spacing.at(middle)) - least) / span : 0.5;
+        thumbnail.fineness.push_back(static_cast<float>(std::clamp(t, 0.0, 1.0)));
+    }
+}
+
+std::shared_ptr<const Thumbnail> makeThumbnail(const std::filesystem::path &project, const std::stop_token &stop) {
+    auto thumbnail = std::make_shared<Thumbnail>();
+    const Result<Document> document = readDocument(project);
+    if (!document) {
+        return thumbnail;
+    }
+    const MeshingJob job{toDomain(*document), document->spacing, document->options};
+    Progress progress;
+    progress.stop = stop;
+    const Result<PreparedJob> prepared = prepare(job, progress, kElements);
+    if (!prepared) {
+        return thumbnail;
+    }
+    const std::unique_ptr<Mesher> mesher = Mesher::create(prepared->boundary, prepared->spacing, job.options);
+    if (!advanceToEnd(*mesher, prepared->estimatedElements, "", progress)) {
+        return thumbnail;
+    }
+    Mesh mesh = std::move(*mesher).takeMesh();
+    improve(mesh, {job.options.improve, 1, prepared->spacing.get()}, progress);
+    thumbnail->box = mesh.bounds();
+    addEdges(mesh, *thumbnail);
+    addFineness(mesh, *prepared->spacing, *thumbnail);
+    thumbnail->nodes = std::move(mesh.nodes);
+    return thumbnail;
+}
+
+} // namespace
+
+Thumbnails::Thumbnails(std::vector<std::filesystem::path> projects, std::function<void()> wake)
+    : projects_(std::move(projects)), wake_(std::move(wake)), made_(projects_.size()),
+      thread_([this](const std::stop_token &stop) { work(stop); }) {}
+
+Thumbnails::~Thumbnails() = default;
+
+std::shared_ptr<const Thumbnail> Thumbnails::at(std::size_t project) const {
+    const std::lock_guard lock(mutex_);
+    return made_[project];
+}
+
+bool Thumbnails::done() const {
+    const std::lock_guard lock(mutex_);
+    return std::all_of(made_.begin(), made_.end(), [](const auto &made) { return made != nullptr; });
+}
+
+void Thumbnails::work(const std::stop_token &stop) {
+    for (std::size_t i = 0; i < projects_.size() && !stop.stop_requested(); ++i) {
+        std::shared_ptr<const Thumbnail> thumbnail = makeThumbnail(projects_[i], stop);
+        {
+            const std::lock_guard lock(mutex_);
+            made_[i] = std::move(thumbnail);
+        }
+        wake_();
+    }
+}
+
+} // namespace forefront
