@@ -98,6 +98,9 @@ JournalContent readJournal(std::string_view bytes) {
         case static_cast<std::uint64_t>(JournalRecord::Path):
             content.path = payload;
             break;
+        case static_cast<std::uint64_t>(JournalRecord::Title):
+            content.title = payload;
+            break;
         case static_cast<std::uint64_t>(JournalRecord::Whole):
             text = payload;
             known = true;

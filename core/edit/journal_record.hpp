@@ -15,7 +15,8 @@ enum class JournalRecord : std::uint8_t {
     Path = 1,  ///< path of the saved document, UTF-8; empty: never saved
     Whole = 2, ///< the text of the document
     Delta = 3, ///< change of the previous text
-    Saved = 4  ///< the document is saved: nothing to recover
+    Saved = 4, ///< the document is saved: nothing to recover
+    Title = 5  ///< title of the document, UTF-8, for one without a path
 };
 
 /// Encodes a record for a journal: kind, 7 zero bytes, length and checksum of 8 bytes each (little-endian), payload.
@@ -25,7 +26,7 @@ std::string encodeDelta(std::string_view before, std::string_view after);
 
 /// The state at the end of a journal.
 struct JournalContent {
-    std::string path;                ///< of the document
+    std::string path, title;         ///< of the document
     std::optional<std::string> text; ///< newest text; empty if there is nothing to recover
     std::size_t records = 0;         ///< number of valid records
     std::size_t soundBytes = 0;      ///< length of the valid part; the rest is truncated or corrupt

@@ -34,10 +34,10 @@ bool stillNamed(int descriptor, const std::filesystem::path &file, struct stat &
 
 } // namespace
 
-OrphanedJournal::OrphanedJournal(std::filesystem::path file, int descriptor, std::string savedAt, std::string text,
+OrphanedJournal::OrphanedJournal(std::filesystem::path file, int descriptor, JournalContent content,
                                  std::time_t written)
-    : file_(std::move(file)), savedAt_(std::move(savedAt)), descriptor_(descriptor), text_(std::move(text)),
-      written_(written) {}
+    : file_(std::move(file)), savedAt_(std::move(content.path)), descriptor_(descriptor),
+      title_(std::move(content.title)), text_(std::move(content.text).value_or(std::string())), written_(written) {}
 
 OrphanedJournal::~OrphanedJournal() {
     if (descriptor_ >= 0) {
@@ -47,12 +47,14 @@ OrphanedJournal::~OrphanedJournal() {
 
 OrphanedJournal::OrphanedJournal(OrphanedJournal &&other) noexcept
     : file_(std::move(other.file_)), savedAt_(std::move(other.savedAt_)),
-      descriptor_(std::exchange(other.descriptor_, -1)), text_(std::move(other.text_)), written_(other.written_) {}
+      descriptor_(std::exchange(other.descriptor_, -1)), title_(std::move(other.title_)), text_(std::move(other.text_)),
+      written_(other.written_) {}
 
 OrphanedJournal &OrphanedJournal::operator=(OrphanedJournal &&other) noexcept {
     std::swap(file_, other.file_);
     std::swap(savedAt_, other.savedAt_);
     std::swap(descriptor_, other.descriptor_);
+    std::swap(title_, other.title_);
     std::swap(text_, other.text_);
     std::swap(written_, other.written_);
     return *this;
@@ -88,8 +90,9 @@ std::vector<OrphanedJournal> findOrphanedJournals(const std::filesystem::path &f
             continue;
         }
         JournalContent content = readJournal(readAll(descriptor));
-        OrphanedJournal orphan(file, descriptor, content.path, content.text.value_or(std::string()), status.st_mtime);
-        if (content.text) {
+        const bool recoverable = content.text.has_value();
+        OrphanedJournal orphan(file, descriptor, std::move(content), status.st_mtime);
+        if (recoverable) {
             orphans.push_back(std::move(orphan));
         } else {
             orphan.discard();

@@ -75,9 +75,10 @@ RecoveryJournal::~RecoveryJournal() {
     }
 }
 
-void RecoveryJournal::record(std::shared_ptr<const Document> document, std::filesystem::path savedAt) {
+void RecoveryJournal::record(std::shared_ptr<const Document> document, std::filesystem::path savedAt,
+                             std::string title) {
     const std::lock_guard lock(mutex_);
-    pending_ = std::make_unique<Entry>(Entry{std::move(document), std::move(savedAt)});
+    pending_ = std::make_unique<Entry>(Entry{std::move(document), std::move(savedAt), std::move(title)});
     changed_.notify_all();
 }
 
@@ -123,6 +124,10 @@ void RecoveryJournal::work(const std::stop_token &stop) {
     }
 }
 
+std::string RecoveryJournal::nameRecords(const Entry &entry) {
+    return encodeRecord(JournalRecord::Path, entry.savedAt.string()) + encodeRecord(JournalRecord::Title, entry.title);
+}
+
 void RecoveryJournal::write(const Entry &entry) {
     if (entry.document == nullptr) {
         if (hasText_ && append(encodeRecord(JournalRecord::Saved, {}))) {
@@ -138,13 +143,14 @@ void RecoveryJournal::write(const Entry &entry) {
         return;
     }
     std::string bytes;
-    if (!hasText_ || entry.savedAt != savedAt_) {
-        bytes += encodeRecord(JournalRecord::Path, entry.savedAt.string());
+    if (!hasText_ || entry.savedAt != savedAt_ || entry.title != title_) {
+        bytes += nameRecords(entry);
     }
     bytes += hasText_ ? encodeRecord(JournalRecord::Delta, encodeDelta(text_, text))
                       : encodeRecord(JournalRecord::Whole, text);
     text_ = std::move(text);
     savedAt_ = entry.savedAt;
+    title_ = entry.title;
     const bool tooLarge = size_ + bytes.size() > kCompactFactor * text_.size() + kCompactSlack;
     hasText_ = descriptor_ < 0 ? create() && append(bytes) : tooLarge ? compact(entry) : append(bytes);
     failed_ = failed_ && !hasText_;
@@ -202,8 +208,8 @@ bool RecoveryJournal::append(const std::string &bytes) {
 bool RecoveryJournal::compact(const Entry &entry) {
     std::filesystem::path temporary = file_;
     temporary.replace_extension(".new");
-    const std::string bytes = std::string(kJournalMagic) + encodeRecord(JournalRecord::Path, entry.savedAt.string()) +
-                              encodeRecord(JournalRecord::Whole, text_);
+    const std::string bytes =
+        std::string(kJournalMagic) + nameRecords(entry) + encodeRecord(JournalRecord::Whole, text_);
     const int descriptor = createLocked(temporary);
     if (descriptor < 0 || !writeAll(descriptor, bytes) || ::rename(temporary.c_str(), file_.c_str()) != 0) {
         fail(std::strerror(errno));

@@ -2,6 +2,7 @@
 
 #include "core/base/result.hpp"
 #include "core/edit/document.hpp"
+#include "core/edit/journal_record.hpp"
 
 #include <chrono>
 #include <condition_variable>
@@ -34,8 +35,8 @@ class RecoveryJournal {
     RecoveryJournal(const RecoveryJournal &) = delete;
     RecoveryJournal &operator=(const RecoveryJournal &) = delete;
 
-    /// Records the current document and the path it was saved at (empty: never saved). Returns immediately.
-    void record(std::shared_ptr<const Document> document, std::filesystem::path savedAt);
+    /// Records the current document, the path it was saved at (empty: never saved) and its title. Returns immediately.
+    void record(std::shared_ptr<const Document> document, std::filesystem::path savedAt, std::string title = {});
     /// Records that the document was saved or discarded: there is nothing to recover until the next record().
     void recordSaved();
     /// Waits until everything recorded is on disk.
@@ -49,8 +50,10 @@ class RecoveryJournal {
     struct Entry {
         std::shared_ptr<const Document> document; ///< null: saved
         std::filesystem::path savedAt;
+        std::string title;
     };
     void work(const std::stop_token &stop);
+    static std::string nameRecords(const Entry &entry);
     void write(const Entry &entry);
     bool create();
     bool append(const std::string &bytes);
@@ -71,6 +74,7 @@ class RecoveryJournal {
     int descriptor_ = -1;
     std::string text_; ///< the text that the journal encodes
     std::filesystem::path savedAt_;
+    std::string title_;
     bool hasText_ = false, failed_ = false;
     std::uint64_t size_ = 0;
 
@@ -80,8 +84,7 @@ class RecoveryJournal {
 /// A journal whose program has ended. Holds its lock, so that no other program offers it.
 class OrphanedJournal {
   public:
-    OrphanedJournal(std::filesystem::path file, int descriptor, std::string savedAt, std::string text,
-                    std::time_t written);
+    OrphanedJournal(std::filesystem::path file, int descriptor, JournalContent content, std::time_t written);
     ~OrphanedJournal();
     OrphanedJournal(OrphanedJournal &&other) noexcept;
     OrphanedJournal &operator=(OrphanedJournal &&other) noexcept;
@@ -89,6 +92,8 @@ class OrphanedJournal {
     const std::filesystem::path &file() const { return file_; }
     /// Returns the path the document was saved at; empty if never.
     const std::filesystem::path &savedAt() const { return savedAt_; }
+    /// Returns the title of the document; empty if it had none.
+    const std::string &title() const { return title_; }
     /// Returns the text of the newest document.
     const std::string &text() const { return text_; }
     /// Returns the time of the last write.
@@ -99,7 +104,7 @@ class OrphanedJournal {
   private:
     std::filesystem::path file_, savedAt_;
     int descriptor_ = -1;
-    std::string text_;
+    std::string title_, text_;
     std::time_t written_ = 0;
 };
 

@@ -4,6 +4,8 @@
 #include "core/edit/shape_geometry.hpp"
 #include "core/edit/spacing_commands.hpp"
 #include "ui/dialogs/file_commands.hpp"
+#include "ui/dialogs/gallery_dialog.hpp"
+#include "ui/dialogs/preferences_dialog.hpp"
 #include "ui/dialogs/repair.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/workspace/edit_state.hpp"
@@ -23,6 +25,32 @@ bool hasShapes(const Shell &context) {
     return !context.document.current()->shapes.empty();
 }
 
+/// Opens a recent file; one that is gone is taken off the list.
+void openRecent(Shell &context, const std::filesystem::path &file) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored)) {
+        std::erase(context.settings.recentFiles, file.string());
+    }
+    openDocument(context, file);
+}
+
+/// Returns an entry for each recent file, with its folder in grey, and one that clears the list.
+std::vector<MenuEntry> recentFileEntries(const Shell &context) {
+    std::vector<MenuEntry> entries;
+    for (const std::string &name : context.settings.recentFiles) {
+        const std::filesystem::path file = name;
+        entries.push_back({.id = std::to_string(entries.size()),
+                           .title = file.filename().string(),
+                           .detail = file.parent_path().string(),
+                           .run = [file](Shell &c) { openRecent(c, file); }});
+    }
+    if (!entries.empty()) {
+        entries.push_back(
+            {.id = "clear", .title = "Clear list", .run = [](Shell &c) { c.settings.recentFiles.clear(); }});
+    }
+    return entries;
+}
+
 void addFileActions(ActionRegistry &actions) {
     actions.add({.id = "file.new", .menu = "File", .title = "New", .shortcuts = {{'N', kControl}}, .run = newDocument});
     actions.add({.id = "file.open",
@@ -32,16 +60,20 @@ void addFileActions(ActionRegistry &actions) {
                  .run = [](Shell &c) { openDocument(c); }});
     actions.add({.id = "file.recent",
                  .menu = "File",
-                 .title = "Open last file",
+                 .title = "Open recent",
                  .run = [](Shell &c) { openDocument(c, c.settings.recentFiles.front()); },
                  .enabled = [](const Shell &c) { return !c.settings.recentFiles.empty(); },
                  .dynamic =
                      [](const Shell &c) {
                          return c.settings.recentFiles.empty()
-                                    ? std::string("Open last file")
+                                    ? std::string("Open recent")
                                     : "Open " +
                                           std::filesystem::path(c.settings.recentFiles.front()).filename().string();
-                     }});
+                     },
+                 .entries = [](const Shell &c) { return recentFileEntries(c); }});
+    actions.add({.id = "file.samples", .menu = "File", .title = "Samples\xe2\x80\xa6", .run = [](Shell &c) {
+                     c.dialogs.open(std::make_unique<GalleryDialog>(c));
+                 }});
     actions.add({.id = "file.save",
                  .menu = "File",
                  .title = "Save",
@@ -199,6 +231,12 @@ void addEditActions(ActionRegistry &actions) {
     addFileActions(actions);
     addHistoryActions(actions);
     addSelectionActions(actions);
+    actions.add({.id = "edit.preferences",
+                 .menu = "Edit",
+                 .title = "Preferences\xe2\x80\xa6",
+                 .shortcuts = {{key::kComma, kControl}},
+                 .run = [](Shell &c) { c.dialogs.open(std::make_unique<PreferencesDialog>()); },
+                 .separatorBefore = true});
 }
 
 } // namespace forefront

@@ -9,6 +9,8 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <iterator>
+#include <string_view>
 
 namespace forefront {
 
@@ -93,6 +95,54 @@ bool drawMeshLine(Shell &context, bool &asked) {
     return true;
 }
 
+/// What a mesh keeps in a file of each format.
+struct Kept {
+    std::string_view format;
+    const char *text;
+};
+constexpr const char *kGroups = "Keeps regions, boundary parts and points as physical groups, with their names.";
+constexpr Kept kKept[] = {
+    {"msh2", kGroups},
+    {"msh41", kGroups},
+    {"msh41-binary", kGroups},
+    {"medit", "Keeps the numbers of regions, boundary parts and points, for readmesh; names only as comments."},
+    {"inp",
+     "Keeps regions as element sets, boundary parts as node sets and surfaces, points as node sets, all with names "
+     "that the solver accepts. Elements are CPS3."},
+    {"su2", "Keeps boundary parts as markers, with their names; regions and points only as comments."},
+    {"vtu", "Keeps the numbers of regions and boundary parts as cell data; boundary edges are cells of their own."},
+    {"vtk", "Keeps the numbers of regions and boundary parts as cell data; boundary edges are cells of their own."},
+    {"triangle", "Writes .node, .ele and .edge. Keeps boundary numbers as markers and regions as an attribute."},
+    {"obj", "Keeps regions and boundary parts as groups, with their names."},
+    {"svg", "A drawing of the mesh; cannot be read back as a mesh."},
+};
+
+const char *keptBy(std::string_view format) {
+    const auto known =
+        std::find_if(std::begin(kKept), std::end(kKept), [&](const Kept &kept) { return kept.format == format; });
+    return known == std::end(kKept) ? "" : known->text;
+}
+
+/// The programs with a button, each with the format to use and whether it accepts tagged edges inside the domain.
+struct Solver {
+    const char *id, *label, *format;
+    bool innerEdges;
+};
+constexpr Solver kSolvers[] = {
+    {"gmsh", "Gmsh", "msh41", true},       {"freefem", "FreeFem++", "medit", true},
+    {"calculix", "CalculiX", "inp", true}, {"su2", "SU2", "su2", false},
+    {"paraview", "ParaView", "vtu", true}, {"triangle", "Triangle", "triangle", true},
+};
+
+std::vector<FilePreset> solverPresets(const std::shared_ptr<bool> &keepsInnerEdges) {
+    std::vector<FilePreset> presets;
+    for (const Solver &solver : kSolvers) {
+        presets.push_back({solver.id, solver.label, solver.format,
+                           [keepsInnerEdges, keeps = solver.innerEdges] { *keepsInnerEdges = keeps; }});
+    }
+    return presets;
+}
+
 /// Returns the size of all files that were written, in bytes.
 std::uintmax_t bytesOf(const std::filesystem::path &path, const std::string &format) {
     std::uintmax_t sum = 0;
@@ -136,8 +186,10 @@ void exportMesh(Shell &context) {
     request.saves = true;
     for (const FileFormat &format : fileFormats()) {
         if (format.writesMesh) {
-            request.filters.push_back(
-                {std::string(format.name) + " (" + format.extension + ")", {format.extension}, format.id});
+            request.filters.push_back({std::string(format.name) + " (" + format.extension + ")",
+                                       {format.extension},
+                                       format.id,
+                                       keptBy(format.id)});
         }
     }
     // Formats that solvers read come first (MSH 2.2), pictures last.
@@ -151,6 +203,7 @@ void exportMesh(Shell &context) {
     request.chosen = [keepsInnerEdges](Shell &c, const std::filesystem::path &file, const FileFilter &filter) {
         return write(c, file, filter, *keepsInnerEdges ? InnerEdges::Keep : InnerEdges::Drop);
     };
+    request.presets = solverPresets(keepsInnerEdges);
     request.extraLines = 2;
     request.extra = [keepsInnerEdges, asked = false](Shell &c) mutable {
         const bool ready = drawMeshLine(c, asked);

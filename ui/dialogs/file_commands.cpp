@@ -79,7 +79,35 @@ Diagnostics openChosen(Shell &context, const std::filesystem::path &file) {
     return {};
 }
 
+std::string viewKey(const Shell &context) {
+    std::error_code ignored;
+    return std::filesystem::absolute(context.document.path(), ignored).lexically_normal().string();
+}
+
+/// Shows the part of the plane that was in view when the file was last closed; otherwise all of it.
+void showLastView(Shell &context) {
+    const auto known =
+        context.document.path().empty() ? context.settings.views.end() : context.settings.views.find(viewKey(context));
+    context.view.fitPending = known == context.settings.views.end();
+    if (!context.view.fitPending) {
+        context.view.fitted.reset();
+        context.view.camera.centre = known->second.centre;
+        context.view.camera.zoom = known->second.zoom;
+    }
+}
+
 } // namespace
+
+void rememberView(Shell &context) {
+    if (context.document.path().empty() || context.view.fitPending) {
+        return;
+    }
+    if (context.view.fitted) {
+        context.settings.views.erase(viewKey(context)); // the whole drawing, whatever the size of the window
+    } else {
+        context.settings.views[viewKey(context)] = {context.view.camera.centre, context.view.camera.zoom};
+    }
+}
 
 void showDocument(Shell &context, const Document &document, const std::filesystem::path &file) {
     const FileFormat *const format = fileFormatOf(file);
@@ -88,13 +116,14 @@ void showDocument(Shell &context, const Document &document, const std::filesyste
     const auto sample = std::find_if(gallery.begin(), gallery.end(), [&](const Sample &s) { return s.path == file; });
     // Saving must not overwrite a sample or an imported drawing.
     const bool own = project && sample == gallery.end();
+    rememberView(context);
     context.document.load(document, own ? file : std::filesystem::path(), false,
                           sample != gallery.end() ? sample->title : file.stem().string());
     context.run.clear();
     context.examiner.abandon();
     context.selection.clear();
     context.view.isolatedBin.reset();
-    context.view.fitPending = true;
+    showLastView(context);
     context.animate();
     if (!project && format != nullptr) {
         const std::size_t count = document.shapes.size();
@@ -111,6 +140,9 @@ void rememberFile(Shell &context, const std::filesystem::path &file) {
     std::erase(recent, name);
     recent.insert(recent.begin(), name);
     recent.resize(std::min(recent.size(), kMaxRecent));
+    std::erase_if(context.settings.views, [&](const auto &view) {
+        return std::find(recent.begin(), recent.end(), view.first) == recent.end();
+    });
 }
 
 void afterUnsaved(Shell &context, std::function<void(Shell &)> then) {
@@ -129,7 +161,11 @@ void afterUnsaved(Shell &context, std::function<void(Shell &)> then) {
 
 void newDocument(Shell &context) {
     afterUnsaved(context, [](Shell &c) {
-        c.document.load({}, {});
+        rememberView(c);
+        Document fresh;
+        fresh.options.method = c.settings.newMethod;
+        fresh.options.improve = c.settings.newImprove;
+        c.document.load(std::move(fresh), {});
         c.selection.clear();
         c.run.clear();
         c.view.isolatedBin.reset();

@@ -32,6 +32,8 @@ void exportMesh(Shell &context);
 void showDocument(Shell &context, const Document &document, const std::filesystem::path &file);
 /// Registers the actions of files and editing.
 void addEditActions(ActionRegistry &actions);
+/// Remembers which part of the plane is in view, for when the open file is opened again.
+void rememberView(Shell &context);
 /// Adds a file to the recent files.
 void rememberFile(Shell &context, const std::filesystem::path &file);
 

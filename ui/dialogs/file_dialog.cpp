@@ -2,11 +2,13 @@
 
 #include "core/io/files.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/widgets/flow.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <ctime>
 
@@ -21,6 +23,11 @@ std::string dateText(std::int64_t modified) {
     }
     char buffer[32];
     return std::strftime(buffer, sizeof buffer, "%Y-%m-%d %H:%M", &parts) > 0 ? buffer : std::string();
+}
+
+bool hasNotes(const FileRequest &request) {
+    return std::any_of(request.filters.begin(), request.filters.end(),
+                       [](const FileFilter &filter) { return !filter.note.empty(); });
 }
 
 /// Formats a fault in one line: the place in the file, the message, the advice.
@@ -235,10 +242,51 @@ constexpr float kButton = 108.0F, kGap = 10.0F;
 
 float FileDialog::bottomHeight(const Shell &context) const {
     const float room = ImGui::GetContentRegionAvail().x - context.px(2.0 * kButton + 2.0 * kGap);
-    const float lines = ImGui::CalcTextSize(ui::wrapped(warning(), room).c_str(), nullptr, false, room).y;
-    const float more = std::max(0.0F, lines - ImGui::GetTextLineHeight());
+    const float height = ImGui::CalcTextSize(ui::wrapped(warning(), room).c_str(), nullptr, false, room).y;
+    const float more = std::max(0.0F, height - ImGui::GetTextLineHeight());
     constexpr int kPlain = 84, kLine = 34;
-    return context.px(kPlain + (request_.extra ? request_.extraLines * kLine : 0)) + more;
+    const int lines =
+        (request_.extra ? request_.extraLines : 0) + (request_.presets.empty() ? 0 : 1) + (hasNotes(request_) ? 1 : 0);
+    return context.px(kPlain + lines * kLine) + more;
+}
+
+void FileDialog::useFilter(std::size_t filter) {
+    request_.filter = filter;
+    if (request_.saves) {
+        request_.name = withExtension(request_.name, this->filter(), request_.filters);
+    }
+    enter(folder_);
+}
+
+/// Draws the buttons of the presets; the one whose filter is chosen is highlighted.
+void FileDialog::drawPresets(Shell &context) {
+    ImGui::AlignTextToFramePadding();
+    ui::muted(context, "For");
+    ImGui::SameLine(context.px(72));
+    ui::Flow flow(context, ImGui::GetContentRegionAvail().x, context.px(6));
+    for (const FilePreset &preset : request_.presets) {
+        flow.item(preset.id.c_str());
+        const bool here = preset.filter == filter().id;
+        if (ui::button(context, widget("preset/") + preset.id, preset.label,
+                       here ? ui::ButtonKind::Primary : ui::ButtonKind::Plain)) {
+            const auto wanted = std::find_if(request_.filters.begin(), request_.filters.end(),
+                                             [&](const FileFilter &f) { return f.id == preset.filter; });
+            useFilter(static_cast<std::size_t>(wanted - request_.filters.begin()));
+            if (preset.chosen) {
+                preset.chosen();
+            }
+        }
+    }
+}
+
+void FileDialog::drawNote(Shell &context) {
+    ImGui::SetCursorPosX(context.px(72));
+    ImGui::PushFont(context.fonts.small);
+    ImGui::PushStyleColor(ImGuiCol_Text, context.theme.muted);
+    ImGui::TextUnformatted(ui::twoLines(filter().note + "\n", ImGui::GetContentRegionAvail().x).c_str());
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+    ui::mark(context, widget("note"));
 }
 
 void FileDialog::drawName(Shell &context, bool &wanted) {
@@ -261,17 +309,19 @@ void FileDialog::drawName(Shell &context, bool &wanted) {
     }
     int kind = static_cast<int>(request_.filter);
     if (ui::combo(context, widget("filter"), labels, kind)) {
-        request_.filter = static_cast<std::size_t>(kind);
-        if (request_.saves) {
-            request_.name = withExtension(request_.name, filter(), request_.filters);
-        }
-        enter(folder_);
+        useFilter(static_cast<std::size_t>(kind));
     }
 }
 
 bool FileDialog::drawBottom(Shell &context) {
     bool wanted = false;
+    if (!request_.presets.empty()) {
+        drawPresets(context);
+    }
     drawName(context, wanted);
+    if (hasNotes(request_)) {
+        drawNote(context);
+    }
     const bool allowed = !request_.extra || request_.extra(context);
     ImGui::Dummy({0, context.px(4)});
     const float buttons = ImGui::GetWindowContentRegionMax().x - context.px(2.0 * kButton + kGap);

@@ -12,6 +12,14 @@
 
 namespace forefront {
 
+/// A program for which a button chooses the right filter.
+struct FilePreset {
+    std::string id; ///< the button is the widget "dialog/DIALOG/preset/ID"
+    std::string label;
+    std::string filter;           ///< id of the filter
+    std::function<void()> chosen; ///< may be empty
+};
+
 /// The purpose and the initial state of a file dialog.
 struct FileRequest {
     std::string id;     ///< widgets are "dialog/ID/..."
@@ -20,8 +28,9 @@ struct FileRequest {
     bool saves = false; ///< asks for the name of a new file, and confirms before replacing one
     std::vector<FileFilter> filters;
     std::size_t filter = 0;
-    std::filesystem::path folder; ///< initial folder; empty: the working folder
-    std::string name;             ///< suggested name
+    std::vector<FilePreset> presets; ///< a row of buttons above the name; may be empty
+    std::filesystem::path folder;    ///< initial folder; empty: the working folder
+    std::string name;                ///< suggested name
     /// Called with the chosen file. The dialog closes if it returns no faults; otherwise it stays open and shows the
     /// first.
     std::function<Diagnostics(Shell &, const std::filesystem::path &, const FileFilter &)> chosen;
@@ -50,6 +59,10 @@ class FileDialog : public Dialog {
     bool drawRow(Shell &context, const FileEntry &entry);
     bool drawBottom(Shell &context);
     void drawName(Shell &context, bool &wanted);
+    void drawPresets(Shell &context);
+    void drawNote(Shell &context);
+    /// Switches to another filter, and a suggested name to its extension.
+    void useFilter(std::size_t filter);
     /// Returns what is wrong with the choice, or that it will replace a file; empty if neither.
     std::string warning() const;
     /// Returns the height of the rows below the list, in pixels.

@@ -15,6 +15,7 @@ struct FileFilter {
     std::string name;                    ///< "Projects"
     std::vector<std::string> extensions; ///< ".forefront", lower case; empty: every file
     std::string id;                      ///< identifies the filter to the caller
+    std::string note{};                  ///< what such a file keeps; shown below its name
 };
 
 struct FileEntry {

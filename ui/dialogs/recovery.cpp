@@ -21,7 +21,7 @@ void Recovery::follow(Shell &context) {
     const bool dirty = context.document.dirty();
     if (revision != revision_ || dirty != dirty_) {
         if (dirty) {
-            journal_.record(context.document.current(), context.document.path());
+            journal_.record(context.document.current(), context.document.path(), context.document.title());
         } else {
             journal_.recordSaved();
         }
@@ -37,7 +37,7 @@ bool Recovery::recover(OrphanedJournal &orphan, Shell &context) {
         context.log.add(document.faults());
         return false;
     }
-    context.document.load(std::move(document).value(), orphan.savedAt(), true);
+    context.document.load(std::move(document).value(), orphan.savedAt(), true, orphan.title());
     context.selection.clear();
     context.run.clear();
     context.view.fitPending = true;

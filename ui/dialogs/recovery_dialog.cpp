@@ -21,6 +21,14 @@ std::string timeText(std::time_t time) {
     return buffer;
 }
 
+/// Returns the name of the file, or the title of a document that was never saved.
+std::string nameOf(const OrphanedJournal &orphan) {
+    if (!orphan.savedAt().empty()) {
+        return orphan.savedAt().filename().string();
+    }
+    return (orphan.title().empty() ? std::string("untitled") : orphan.title()) + " (never saved)";
+}
+
 } // namespace
 
 bool RecoveryDialog::draw(Shell &context) {
@@ -32,8 +40,7 @@ bool RecoveryDialog::draw(Shell &context) {
     ImGui::BeginChild("orphans", {0, rows * context.px(32)}, false, ImGuiWindowFlags_NoNav);
     for (std::size_t k = 0; k < orphans_.size(); ++k) {
         const OrphanedJournal &orphan = orphans_[k];
-        const std::string name =
-            orphan.savedAt().empty() ? std::string("never saved") : orphan.savedAt().filename().string();
+        const std::string name = nameOf(orphan);
         if (ui::selectable(context, "dialog/recovery/item/" + std::to_string(k), name, k == chosen_,
                            timeText(orphan.written()))) {
             chosen_ = k;

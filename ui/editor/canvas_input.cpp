@@ -206,17 +206,8 @@ void CanvasInput::key(const InputEvent &event, Shell &context) {
         ImGui::ClosePopupToLevel(0, true);
         return;
     }
-    if (offer({.kind = CanvasEvent::Kind::Key, .key = event.code, .repeated = event.repeated}, context) ||
-        context.actions.runShortcut({event.code, modifiers_}, event.repeated, context)) {
-        return;
-    }
-    if (modifiers_.none() && !event.repeated) {
-        for (const auto &tool : context.tools.tools) {
-            if (tool->key() == event.code) {
-                context.tools.choose(tool->id(), context);
-                return;
-            }
-        }
+    if (!offer({.kind = CanvasEvent::Kind::Key, .key = event.code, .repeated = event.repeated}, context)) {
+        context.actions.runShortcut({event.code, modifiers_}, event.repeated, context);
     }
 }
 

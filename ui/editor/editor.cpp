@@ -3,6 +3,7 @@
 #include "core/io/files.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/dialogs/recovery.hpp"
+#include "ui/editor/apply_settings.hpp"
 #include "ui/editor/canvas_input.hpp"
 #include "ui/editor/imgui_bridge.hpp"
 #include "ui/editor/snapshot_pace.hpp"
@@ -120,6 +121,7 @@ Editor::Editor(Platform &platform, EditorSetup options)
     c.panels = makePanels();
     addEditActions(c.actions);
     shell::addShellActions(c.actions);
+    applySettings(c);
     c.tools.current().activate(c);
     if (!parts_->options.file.empty()) {
         if (open(parts_->options.file)) {
@@ -148,6 +150,7 @@ Editor::~Editor() {
     if (const auto place = parts_->context.platform.windowPlace()) {
         parts_->context.settings.window = place;
     }
+    rememberView(parts_->context);
     parts_->rememberSettings();
 }
 
@@ -345,6 +348,7 @@ void Editor::Parts::applyCursor() {
 }
 
 void Editor::Parts::rememberSettings() {
+    takeSettings(context);
     if (!options.settingsFolder.empty() && savedSettings != context.settings) {
         saveSettings(options.settingsFolder / "settings.json", context.settings);
         savedSettings = context.settings;

@@ -32,11 +32,41 @@ class LogPanel final : public Panel {
     }
 
   private:
-    static void drawEntry(Workspace &context, const MessageLog::Entry &entry) {
+    /// Draws an entry. One with a place is lit under the pointer, and a click anywhere on it goes to the place.
+    void drawEntry(Workspace &context, const MessageLog::Entry &entry) {
+        const Diagnostic &d = entry.diagnostic;
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const float width = ImGui::GetContentRegionAvail().x;
+        ImDrawList &list = *ImGui::GetWindowDrawList();
+        list.ChannelsSplit(2);
+        list.ChannelsSetCurrent(1);
+        ImGui::PushFont(context.fonts.small);
+        drawWords(context, entry);
+        ImGui::PopFont();
+        list.ChannelsSetCurrent(0);
+        const ImVec2 next = ImGui::GetCursorScreenPos();
+        if (d.at) {
+            const std::string name = "log/entry/" + std::to_string(entry.number);
+            ImGui::SetCursorScreenPos(at);
+            const bool pressed = ImGui::InvisibleButton(name.c_str(), {width, next.y - at.y - context.px(3)});
+            ui::mark(context, name);
+            if (ImGui::IsItemHovered()) {
+                ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+                list.AddRectFilled(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), context.theme.hovered,
+                                   context.px(4));
+            }
+            if (pressed) {
+                context.view.goTo(*d.at, context.platform.now());
+            }
+            ImGui::SetCursorScreenPos(next);
+        }
+        list.ChannelsMerge();
+    }
+
+    static void drawWords(Workspace &context, const MessageLog::Entry &entry) {
         const Diagnostic &d = entry.diagnostic;
         const Theme &theme = context.theme;
         const bool error = d.severity == Severity::Error, warning = d.severity == Severity::Warning;
-        ImGui::PushFont(context.fonts.small);
         ImGui::PushStyleColor(ImGuiCol_Text, error ? theme.bad : warning ? theme.warn : theme.faint);
         ImGui::TextUnformatted(error ? icon::kError : warning ? icon::kWarning : icon::kInfo);
         ImGui::PopStyleColor();
@@ -57,7 +87,6 @@ class LogPanel final : public Panel {
                 context.view.goTo(*d.at, context.platform.now());
             }
         }
-        ImGui::PopFont();
     }
 
     std::uint64_t shown_ = 0;

@@ -17,6 +17,8 @@ std::unique_ptr<Panel> makeCandidatesPanel();
 std::unique_ptr<Panel> makeHistogramPanel();
 /// Shows Nn, Ne, Nb, Nc, Ns, α, δ, angles and times.
 std::unique_ptr<Panel> makeStatisticsPanel();
+/// Lists the commands of the history; a click travels there.
+std::unique_ptr<Panel> makeHistoryPanel();
 /// Lists messages with links to their locations.
 std::unique_ptr<Panel> makeLogPanel();
 

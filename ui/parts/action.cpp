@@ -6,6 +6,34 @@
 
 namespace forefront {
 
+namespace {
+
+struct KeyName {
+    int key;
+    const char *name;
+};
+constexpr KeyName kNames[] = {
+    {key::kSpace, "Space"},   {key::kEscape, "Esc"},  {key::kEnter, "Enter"},   {key::kTab, "Tab"},
+    {key::kHome, "Home"},     {key::kEnd, "End"},     {key::kInsert, "Insert"}, {key::kBackspace, "Backspace"},
+    {key::kDelete, "Delete"}, {key::kLeft, "Left"},   {key::kRight, "Right"},   {key::kUp, "Up"},
+    {key::kDown, "Down"},     {key::kPageUp, "PgUp"}, {key::kPageDown, "PgDn"},
+};
+
+/// Returns the name of a key; empty for keys that cannot be in a shortcut.
+std::string nameOf(int code) {
+    for (const KeyName &known : kNames) {
+        if (known.key == code) {
+            return known.name;
+        }
+    }
+    if (code >= key::kF1 && code < key::kF1 + 12) {
+        return "F" + std::to_string(code - key::kF1 + 1);
+    }
+    return code > ' ' && code < 127 ? std::string(1, static_cast<char>(code)) : std::string();
+}
+
+} // namespace
+
 std::string toString(Shortcut shortcut) {
     if (shortcut.key == 0) {
         return {};
@@ -23,34 +51,24 @@ std::string toString(Shortcut shortcut) {
     if (shortcut.modifiers.shift()) {
         text += "Shift+";
     }
-    static constexpr std::pair<int, const char *> kNames[] = {
-        {key::kSpace, "Space"},
-        {key::kEscape, "Esc"},
-        {key::kEnter, "Enter"},
-        {key::kTab, "Tab"},
-        {key::kHome, "Home"},
-        {key::kEnd, "End"},
-        {key::kBackspace, "Backspace"},
-        {key::kDelete, "Delete"},
-        {key::kLeft, "Left"},
-        {key::kRight, "Right"},
-        {key::kUp, "Up"},
-        {key::kDown, "Down"},
-        {key::kPageUp, "PgUp"},
-        {key::kPageDown, "PgDn"},
-    };
-    for (const auto &[code, name] : kNames) {
-        if (code == shortcut.key) {
-            return text + name;
+    return text + nameOf(shortcut.key);
+}
+
+std::optional<Shortcut> parseShortcut(std::string_view text) {
+    constexpr int kLastKey = key::kF1 + 11;
+    for (int code = key::kSpace; code <= kLastKey; ++code) {
+        for (std::uint8_t bits = 0; bits < 8; ++bits) {
+            const Shortcut candidate{code, {bits}};
+            if (!nameOf(code).empty() && toString(candidate) == text) {
+                return candidate;
+            }
         }
     }
-    if (shortcut.key >= key::kF1 && shortcut.key < key::kF1 + 12) {
-        return text + "F" + std::to_string(shortcut.key - key::kF1 + 1);
-    }
-    return text + static_cast<char>(shortcut.key);
+    return std::nullopt;
 }
 
 void ActionRegistry::add(Action action) {
+    action.defaults = action.shortcuts;
     const auto known =
         std::find_if(actions_.begin(), actions_.end(), [&](const Action &a) { return a.id == action.id; });
     if (known != actions_.end()) {
@@ -85,6 +103,35 @@ bool ActionRegistry::repeats(int key) const {
         return a.repeats && std::any_of(a.shortcuts.begin(), a.shortcuts.end(),
                                         [key](const Shortcut &shortcut) { return shortcut.key == key; });
     });
+}
+
+void ActionRegistry::rebind(std::string_view id, std::optional<Shortcut> shortcut) {
+    for (Action &action : actions_) {
+        if (action.id == id) {
+            action.shortcuts = shortcut ? std::vector<Shortcut>{*shortcut} : std::vector<Shortcut>();
+        }
+    }
+}
+
+void ActionRegistry::resetShortcuts(std::string_view id) {
+    for (Action &action : actions_) {
+        if (action.id == id) {
+            action.shortcuts = action.defaults;
+        }
+    }
+}
+
+std::vector<const Action *> ActionRegistry::conflicts(const Action &action) const {
+    std::vector<const Action *> found;
+    for (const Action &other : actions_) {
+        const bool shares = std::any_of(action.shortcuts.begin(), action.shortcuts.end(), [&](const Shortcut &s) {
+            return std::find(other.shortcuts.begin(), other.shortcuts.end(), s) != other.shortcuts.end();
+        });
+        if (shares && other.id != action.id) {
+            found.push_back(&other);
+        }
+    }
+    return found;
 }
 
 bool ActionRegistry::runShortcut(Shortcut shortcut, bool repeated, Shell &context) const {

@@ -3,6 +3,7 @@
 #include "ui/input/keys.hpp"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,17 @@ struct Shortcut {
 /// Returns the text shown for a shortcut: "Ctrl+Shift+Z", "Space", ".".
 std::string toString(Shortcut shortcut);
 
+/// Returns the shortcut that toString() gives this text; empty if there is none.
+std::optional<Shortcut> parseShortcut(std::string_view text);
+
+/// An entry of a submenu.
+struct MenuEntry {
+    std::string id; ///< of the widget "menu/ACTION/ID"
+    std::string title;
+    std::string detail{}; ///< shown in grey at the right
+    std::function<void(Shell &)> run;
+};
+
 /// A command of the program, run from a menu, the palette, a shortcut or a script.
 struct Action {
     std::string id;                    ///< "file.save"; its menu entry is the widget "menu/file.save"
@@ -29,8 +41,10 @@ struct Action {
     std::function<bool(const Shell &)> enabled{};        ///< absent: always
     std::function<bool(const Shell &)> checked{};        ///< absent: no check mark
     std::function<std::string(const Shell &)> dynamic{}; ///< title that depends on the state, such as "Undo move node"
+    std::function<std::vector<MenuEntry>(const Shell &)> entries{}; ///< absent: a plain item; else its submenu
     bool separatorBefore = false;
-    bool repeats = false; ///< its shortcut repeats while held
+    bool repeats = false;             ///< its shortcut repeats while held
+    std::vector<Shortcut> defaults{}; ///< the shortcuts it was added with; set by ActionRegistry::add()
 };
 
 class ActionRegistry {
@@ -46,6 +60,11 @@ class ActionRegistry {
     /// Returns true if a shortcut with this key repeats while held.
     bool repeats(int key) const;
     bool run(std::string_view id, Shell &context) const;
+    /// Gives an action another shortcut, or none, or its own ones again.
+    void rebind(std::string_view id, std::optional<Shortcut> shortcut);
+    void resetShortcuts(std::string_view id);
+    /// Returns the other actions that share a shortcut with this one. The first of them that is enabled runs.
+    std::vector<const Action *> conflicts(const Action &action) const;
 
   private:
     std::vector<Action> actions_;

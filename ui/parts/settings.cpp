@@ -36,6 +36,53 @@ std::optional<WindowPlace> placeIn(const Json &json) {
     return place.width > 0 && place.height > 0 ? std::optional(place) : std::nullopt;
 }
 
+bool boolIn(const Json &json, const char *name, bool fallback) {
+    const auto found = json.find(name);
+    return found != json.end() && found->is_boolean() ? found->get<bool>() : fallback;
+}
+
+std::string textIn(const Json &json, const char *name) {
+    const auto found = json.find(name);
+    return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+template <class Enum>
+Enum choiceIn(const Json &json, const char *name, Enum fallback) {
+    return fromWord<Enum>(textIn(json, name)).value_or(fallback);
+}
+
+/// Calls take(key, value) for each member of an object.
+template <class Take>
+void forMembers(const Json &json, const char *name, Take take) {
+    const auto object = json.find(name);
+    if (object != json.end() && object->is_object()) {
+        for (const auto &[key, value] : object->items()) {
+            take(key, value);
+        }
+    }
+}
+
+/// Reads the members that are objects. Entries of another type are left out.
+void readMaps(const Json &json, Settings &settings) {
+    forMembers(json, "keys", [&](const std::string &action, const Json &keys) {
+        if (keys.is_string()) {
+            settings.keys[action] = keys.get<std::string>();
+        }
+    });
+    forMembers(json, "layers", [&](const std::string &layer, const Json &visible) {
+        if (visible.is_boolean()) {
+            settings.layers[layer] = visible.get<bool>();
+        }
+    });
+    forMembers(json, "views", [&](const std::string &file, const Json &view) {
+        const bool numbers = view.is_array() && view.size() == 3 &&
+                             std::all_of(view.begin(), view.end(), [](const Json &n) { return n.is_number(); });
+        if (numbers && view[2].get<double>() > 0.0) {
+            settings.views[file] = {{view[0].get<double>(), view[1].get<double>()}, view[2].get<double>()};
+        }
+    });
+}
+
 } // namespace
 
 Settings loadSettings(const std::filesystem::path &file, Diagnostics *faults) {
@@ -55,11 +102,17 @@ Settings loadSettings(const std::filesystem::path &file, Diagnostics *faults) {
     settings.scale = numberIn(json, "scale", settings.scale, 0.75, 3.0);
     settings.panelWidth = numberIn(json, "panelWidth", settings.panelWidth, 240.0, 640.0);
     settings.tabsHeight = numberIn(json, "tabsHeight", settings.tabsHeight, 90.0, 900.0);
-    const auto hints = json.find("hints");
-    settings.hints = hints == json.end() || *hints != false;
-    const auto live = json.find("live");
-    settings.live = live == json.end() || *live != false;
+    settings.hints = boolIn(json, "hints", settings.hints);
+    settings.live = boolIn(json, "live", settings.live);
     settings.liveBudget = numberIn(json, "liveBudget", settings.liveBudget, kMinLiveBudget, kMaxLiveBudget);
+    settings.panels = boolIn(json, "panels", settings.panels);
+    settings.tab = textIn(json, "tab");
+    settings.newMethod = choiceIn(json, "newMethod", settings.newMethod);
+    settings.newImprove = choiceIn(json, "newImprove", settings.newImprove);
+    settings.snapping = {.toDrawing = boolIn(json, "snapToDrawing", true),
+                         .toGrid = boolIn(json, "snapToGrid", true),
+                         .reach = numberIn(json, "snapReach", Snapping().reach, kMinSnapReach, kMaxSnapReach)};
+    readMaps(json, settings);
     settings.window = placeIn(json);
     const auto recent = json.find("recentFiles");
     if (recent != json.end() && recent->is_array()) {
@@ -80,7 +133,20 @@ void saveSettings(const std::filesystem::path &file, const Settings &settings) {
               {"hints", settings.hints},
               {"live", settings.live},
               {"liveBudget", settings.liveBudget},
+              {"panels", settings.panels},
+              {"tab", settings.tab},
+              {"newMethod", wordOf(settings.newMethod)},
+              {"newImprove", wordOf(settings.newImprove)},
+              {"snapToDrawing", settings.snapping.toDrawing},
+              {"snapToGrid", settings.snapping.toGrid},
+              {"snapReach", settings.snapping.reach},
+              {"keys", settings.keys},
+              {"layers", settings.layers},
+              {"views", Json::object()},
               {"recentFiles", settings.recentFiles}};
+    for (const auto &[name, view] : settings.views) {
+        json["views"][name] = {view.centre.x, view.centre.y, view.zoom};
+    }
     if (settings.window) {
         const WindowPlace &place = *settings.window;
         json["window"] = {{"x", place.x},

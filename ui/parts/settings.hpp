@@ -1,32 +1,54 @@
 #pragma once
 
 #include "core/base/diagnostic.hpp"
+#include "core/base/vec2.hpp"
+#include "core/mesher/options.hpp"
 #include "ui/platform/platform.hpp"
 #include "ui/style/theme.hpp"
+#include "ui/workspace/snapping.hpp"
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace forefront {
 
+/// The part of the plane in view when a file was last closed.
+struct SavedView {
+    Vec2 centre;
+    double zoom = 1.0; ///< pixels per unit
+    friend bool operator==(const SavedView &, const SavedView &) = default;
+};
+
 /// The settings that the program saves between runs.
 struct Settings {
     ThemeKind theme = ThemeKind::Dark;
     double scale = 1.0;                ///< interface scale set by the user, 0.75 to 3; multiplies the monitor's scale
     double panelWidth = 304.0;         ///< width of the right column, design pixels
-    double tabsHeight = 196.0;         ///< height of the tabs at its bottom, design pixels
+    double tabsHeight = 220.0;         ///< height of the tabs at its bottom, design pixels
     bool hints = true;                 ///< show the hint strip
     bool live = true;                  ///< mesh after every edit
     double liveBudget = 25'000.0;      ///< see RunControl::liveBudget
     std::optional<WindowPlace> window; ///< position when the program last ended
     std::vector<std::string> recentFiles;
+    std::map<std::string, SavedView> views; ///< last view of each recent file
+    std::map<std::string, bool> layers;     ///< visibility by id, of those that differ from the default
+    bool panels = true;                     ///< show the right column
+    std::string tab;                        ///< id of the panel shown in the tabs; empty: the first
+    Snapping snapping;
+    Method newMethod = Method::Fast; ///< of new documents, like the next
+    ImproveLevel newImprove = ImproveLevel::Default;
+    /// Shortcuts that the user changed, by id of the action; an empty text means none.
+    std::map<std::string, std::string> keys;
     friend bool operator==(const Settings &, const Settings &) = default;
 };
 
 /// Range of Settings::liveBudget.
 inline constexpr double kMinLiveBudget = 1e3, kMaxLiveBudget = 1e6;
+/// Range of Snapping::reach.
+inline constexpr double kMinSnapReach = 3.0, kMaxSnapReach = 30.0;
 
 /// Loads the settings, or the defaults if the file is missing or damaged (with a warning in `faults`, if not null).
 /// Numbers are clamped to their ranges.

@@ -50,7 +50,7 @@ class Tool {
     virtual const char *name() const = 0;
     /// Returns an icon from ui/style/icons.hpp.
     virtual const char *icon() const = 0;
-    /// Returns the shortcut, a capital letter.
+    /// Returns the proposed shortcut, a capital letter; the user may give the action "tool.ID" another one.
     virtual int key() const = 0;
 
     virtual void activate(Shell &) {}

@@ -91,7 +91,6 @@ void drawStacked(Shell &context, float height) {
 }
 
 void drawTabs(Shell &context) {
-    int *chosen = ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("tab"), 0);
     std::vector<Panel *> tabs;
     for (const auto &panel : context.panels) {
         if (panel->place() == PanelPlace::Tabbed) {
@@ -101,7 +100,9 @@ void drawTabs(Shell &context) {
     if (tabs.empty()) {
         return;
     }
-    *chosen = std::clamp(*chosen, 0, static_cast<int>(tabs.size()) - 1);
+    const auto last =
+        std::find_if(tabs.begin(), tabs.end(), [&](const Panel *tab) { return tab->id() == context.settings.tab; });
+    std::size_t chosen = last == tabs.end() ? 0 : static_cast<std::size_t>(last - tabs.begin());
     ImDrawList &list = *ImGui::GetWindowDrawList();
     ImGui::PushFont(context.fonts.heading);
     const float height = context.px(24);
@@ -124,10 +125,11 @@ void drawTabs(Shell &context) {
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const std::string name = std::string("panel/") + tabs[i]->id();
         if (ImGui::InvisibleButton(name.c_str(), {size.x + context.px(2), height})) {
-            *chosen = static_cast<int>(i);
+            chosen = i;
+            context.settings.tab = tabs[i]->id();
         }
         ui::mark(context, name);
-        const bool here = *chosen == static_cast<int>(i);
+        const bool here = chosen == i;
         const Colour colour = here || ImGui::IsItemHovered() ? context.theme.text : context.theme.muted;
         list.AddText({at.x, at.y + (height - size.y) / 2}, colour, title.c_str());
         if (here) {
@@ -137,7 +139,7 @@ void drawTabs(Shell &context) {
     }
     ImGui::PopFont();
     ImGui::BeginChild("tabcontent", {0, 0}, false, ImGuiWindowFlags_NoNav);
-    tabs[static_cast<std::size_t>(*chosen)]->draw(context);
+    tabs[chosen]->draw(context);
     ImGui::EndChild();
 }
 

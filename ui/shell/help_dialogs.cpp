@@ -37,7 +37,10 @@ class ShortcutSheet final : public Dialog {
         flow.item("tools");
         group(context, "shortcuts/tools", "Tools", column, [&] {
             for (const auto &tool : context.tools.tools) {
-                row(context, column, toString({tool->key(), {}}), tool->name());
+                const Action *const action = context.actions.find(std::string("tool.") + tool->id());
+                if (action != nullptr && !action->shortcuts.empty()) {
+                    row(context, column, toString(action->shortcuts.front()), tool->name());
+                }
             }
         });
         flow.item("mesh");

@@ -32,6 +32,31 @@ void actionItem(Shell &context, const Action &action) {
     }
 }
 
+/// Draws a submenu with the entries of an action.
+void submenu(Shell &context, const Action &action) {
+    const std::vector<MenuEntry> entries = action.entries(context);
+    const std::string name = "menu/" + action.id;
+    const bool open = ImGui::BeginMenu(action.title.c_str(), !entries.empty());
+    ui::mark(context, name, !entries.empty());
+    if (!open) {
+        return;
+    }
+    const MenuEntry *chosen = nullptr;
+    for (const MenuEntry &entry : entries) {
+        const std::string id = name + '/' + entry.id;
+        ImGui::PushID(id.c_str());
+        ImGui::PushStyleColor(ImGuiCol_TextDisabled, context.theme.muted);
+        chosen = ImGui::MenuItem(entry.title.c_str(), entry.detail.c_str()) ? &entry : chosen;
+        ImGui::PopStyleColor();
+        ui::mark(context, id);
+        ImGui::PopID();
+    }
+    ImGui::EndMenu();
+    if (chosen != nullptr) {
+        chosen->run(context);
+    }
+}
+
 void drawMenu(Shell &context, const char *menu) {
     bool first = true;
     for (const Action &action : context.actions.all()) {
@@ -42,7 +67,7 @@ void drawMenu(Shell &context, const char *menu) {
             ImGui::Separator();
         }
         first = false;
-        actionItem(context, action);
+        action.entries ? submenu(context, action) : actionItem(context, action);
     }
 }
 

@@ -232,6 +232,9 @@ void addHelpActions(ActionRegistry &actions) {
                  .title = "About Forefront",
                  .run = [](Shell &c) { c.dialogs.open(makeAbout()); },
                  .separatorBefore = true});
+    actions.add({.id = "learn.samples", .menu = "Learn", .title = "All samples\xe2\x80\xa6", .run = [](Shell &c) {
+                     c.actions.run("file.samples", c);
+                 }});
     for (const Sample &sample : samples()) {
         actions.add({.id = "learn." + sample.path.stem().string(),
                      .menu = "Learn",
@@ -240,12 +243,13 @@ void addHelpActions(ActionRegistry &actions) {
     }
 }
 
-/// Adds the tools to the command palette; their keys are defined by the tools.
+/// Adds the tools to the command palette, with the keys that they propose.
 void addToolActions(ActionRegistry &actions) {
     for (const auto &tool : makeTools()) {
         actions.add({.id = std::string("tool.") + tool->id(),
                      .menu = "",
                      .title = std::string("Tool: ") + tool->name(),
+                     .shortcuts = {{tool->key(), kNone}},
                      .run = [id = std::string(tool->id())](Shell &c) { c.tools.choose(id, c); }});
     }
 }

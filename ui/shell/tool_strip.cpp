@@ -40,8 +40,9 @@ void drawToolStrip(Shell &context, const PixelRect &rect) {
     for (std::size_t i = 0; i < context.tools.tools.size(); ++i) {
         const Tool &tool = *context.tools.tools[i];
         std::string tip = tool.name();
-        if (tool.key() != 0) {
-            tip += std::string("  (") + toString({tool.key(), {}}) + ")";
+        const Action *const action = context.actions.find(std::string("tool.") + tool.id());
+        if (action != nullptr && !action->shortcuts.empty()) {
+            tip += "  (" + toString(action->shortcuts.front()) + ")";
         }
         if (i % static_cast<std::size_t>(strip.columns) != 0) {
             ImGui::SameLine();

@@ -106,7 +106,7 @@ Fonts loadFonts(float scale, std::string &warning) {
     fonts.body = builder.text("opentype/inter/Inter-Regular.otf", 14.0F, true);
     fonts.strong = builder.text("opentype/inter/Inter-SemiBold.otf", 14.0F, true);
     fonts.small = builder.text("opentype/inter/Inter-Regular.otf", 13.0F, true);
-    fonts.heading = builder.text("opentype/inter/Inter-SemiBold.otf", 12.0F, true);
+    fonts.heading = builder.text("opentype/inter/Inter-SemiBold.otf", 13.0F, true);
     fonts.title = builder.text("opentype/inter/Inter-SemiBold.otf", 20.0F, false);
     fonts.icons = builder.icons(17.0F);
     fonts.mono = builder.mono(13.0F);

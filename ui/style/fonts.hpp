@@ -12,7 +12,7 @@ struct Fonts {
     ImFont *body = nullptr;    ///< 14, regular: everything
     ImFont *strong = nullptr;  ///< 14, semi-bold: values, active
     ImFont *small = nullptr;   ///< 13, regular: captions, ticks, units
-    ImFont *heading = nullptr; ///< 12, semi-bold: headings of panels
+    ImFont *heading = nullptr; ///< 13, semi-bold: headings of panels
     ImFont *title = nullptr;   ///< 20, semi-bold: dialogs, help
     ImFont *icons = nullptr;   ///< 17: tool strip and transport
     ImFont *mono = nullptr;    ///< 13: hashes, expressions

@@ -20,7 +20,7 @@ Theme darkTheme() {
     t.dim = rgb(0x06080a, 0.55);
     t.text = rgb(0xe4e8ee);
     t.muted = rgb(0xb4bdca);
-    t.faint = rgb(0x7e8999);
+    t.faint = rgb(0x8b96a6);
     t.onAccent = rgb(0x0b1420);
     t.accent = rgb(0x6aa9ff);
     t.good = rgb(0x54c98b);
@@ -55,7 +55,7 @@ Theme lightTheme() {
     t.dim = rgb(0x1c2430, 0.35);
     t.text = rgb(0x1b222c);
     t.muted = rgb(0x46505f);
-    t.faint = rgb(0x727d8d);
+    t.faint = rgb(0x5f6b7b);
     t.onAccent = rgb(0xffffff);
     t.accent = rgb(0x1f6fd6);
     t.good = rgb(0x16834d);

@@ -213,7 +213,7 @@ void SelectTool::drag(const CanvasEvent &event, Shell &context) {
                std::none_of(moving_.segments.begin(), moving_.segments.end(),
                             [&](SegmentRef segment) { return segment.shape == shape.id; });
     };
-    if (state_->snapToDrawing) {
+    if (context.snapping.toDrawing) {
         query.filter = isUnmoved;
     }
     snapped_ = snap(*startIndex_, query);

@@ -40,11 +40,11 @@ double EditState::reach(const Workspace &context, double designPixels) {
 SnapQuery EditState::query(const Workspace &context, Vec2 place, bool angle, bool off) const {
     SnapQuery query;
     query.at = place;
-    query.tolerance = reach(context, 9.0);
-    query.gridPitch = snapToGrid ? gridPitch(reach(context, 1.0)) : 0.0;
+    query.tolerance = reach(context, context.snapping.reach);
+    query.gridPitch = context.snapping.toGrid ? gridPitch(reach(context, 1.0)) : 0.0;
     query.angle = angle;
     query.off = off;
-    if (!snapToDrawing) {
+    if (!context.snapping.toDrawing) {
         query.filter = [](const Shape &) { return false; };
     }
     return query;
@@ -52,10 +52,10 @@ SnapQuery EditState::query(const Workspace &context, Vec2 place, bool angle, boo
 
 void EditState::drawSnapOptions(Workspace &context, ui::Flow &flow) {
     flow.item("snap");
-    ui::checkbox(context, "options/snap/drawing", "Snap to drawing", snapToDrawing);
+    ui::checkbox(context, "options/snap/drawing", "Snap to drawing", context.snapping.toDrawing);
     ui::tooltip(context, "Snap to nodes and segments. Hold Ctrl to turn snapping off, Shift for steps of 15\xc2\xb0.");
     ImGui::SameLine(0, context.px(12));
-    ui::checkbox(context, "options/snap/grid", "Grid", snapToGrid);
+    ui::checkbox(context, "options/snap/grid", "Grid", context.snapping.toGrid);
 }
 
 void drawSnapMark(CanvasPainter &painter, const Workspace &context, const Snapped &snapped) {

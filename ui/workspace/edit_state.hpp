@@ -17,10 +17,8 @@ namespace ui {
 class Flow;
 }
 
-/// State shared by the editing tools: the picking index, snapping, and the options in their strips.
+/// State shared by the editing tools: the picking index and the options in their strips.
 struct EditState {
-    bool snapToGrid = true;
-    bool snapToDrawing = true;
     std::int32_t boundaryTag = 1;   ///< for the next boundary drawn
     std::int32_t constraintTag = 2; ///< for the next constraint drawn
     double brushRadius = 0.0;       ///< domain units; 0: derived from the view on first use

@@ -6,6 +6,7 @@
 #include "ui/workspace/document_store.hpp"
 #include "ui/workspace/message_log.hpp"
 #include "ui/workspace/run_control.hpp"
+#include "ui/workspace/snapping.hpp"
 #include "ui/workspace/view.hpp"
 
 #include <memory>
@@ -21,6 +22,7 @@ struct Workspace : WidgetContext {
     std::shared_ptr<const DocumentPreview> preview; ///< of this frame, never null
     View view;
     Selection selection;
+    Snapping snapping;
 
     explicit Workspace(Platform &owner)
         : WidgetContext(owner), run(document, log, [&owner] { owner.wake(); }), examiner([&owner] { owner.wake(); }),

@@ -1,0 +1,94 @@
+#include "tests/ui/edit_driver.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+
+namespace forefront::test {
+
+namespace {
+
+/// Writes a picture as a PPM file, which most viewers and ImageMagick read.
+void write(const Driver::Picture &picture, const std::filesystem::path &file) {
+    std::ofstream out(file, std::ios::binary);
+    out << "P6\n" << picture.size.width << ' ' << picture.size.height << "\n255\n";
+    for (std::size_t i = 0; i + 3 < picture.rgba.size(); i += 4) {
+        out.write(reinterpret_cast<const char *>(&picture.rgba[i]), 3);
+    }
+    REQUIRE(out.good());
+}
+
+struct Scene {
+    const char *name;
+    std::function<void(Driver &)> show;
+};
+
+std::vector<Scene> scenes() {
+    const auto panel = [](const char *id) {
+        return [name = std::string("panel/") + id](Driver &driver) { driver.click(name); };
+    };
+    const auto action = [](const char *id) {
+        return [id](Driver &driver) { driver.context().actions.run(id, driver.context()); };
+    };
+    const auto preferences = [](const char *page) {
+        return [page](Driver &driver) {
+            driver.context().actions.run("edit.preferences", driver.context());
+            driver.settle();
+            driver.click(std::string("dialog/preferences/page/") + page);
+        };
+    };
+    return {{"meshed", [](Driver &) {}},
+            {"quality", [](Driver &driver) { showLayer(driver.context().layers, "quality", true); }},
+            {"steps", panel("steps")},
+            {"statistics", panel("statistics")},
+            {"checks", panel("checks")},
+            {"log", panel("log")},
+            {"names", panel("names")},
+            {"history", panel("history")},
+            {"gallery", action("file.samples")},
+            {"export", action("file.export")},
+            {"open", action("file.open")},
+            {"preferences", action("edit.preferences")},
+            {"preferences-live", preferences("Live meshing")},
+            {"preferences-snapping", preferences("Snapping")},
+            {"preferences-new", preferences("New drawings")},
+            {"preferences-keys", preferences("Keys")},
+            {"shortcuts", action("help.shortcuts")},
+            {"palette", action("view.palette")},
+            {"about", action("help.about")}};
+}
+
+} // namespace
+
+// Not a test; writes pictures of the panels and dialogs, dark and light, at scales 1 and 2, into the folder that
+// FOREFRONT_SCREENSHOTS names: forefront_ui_tests --no-skip -tc='Screenshots*'
+TEST_CASE("Screenshots: panels and dialogs" * doctest::skip()) {
+    const char *const folder = std::getenv("FOREFRONT_SCREENSHOTS");
+    REQUIRE_MESSAGE(folder != nullptr, "set FOREFRONT_SCREENSHOTS to a folder");
+    for (const int scale : {1, 2}) {
+        for (const ThemeKind theme : {ThemeKind::Dark, ThemeKind::Light}) {
+            Driver driver({}, {1280, 800}, scale);
+            driver.context().settings.theme = theme;
+            driver.context().settings.live = true;
+            driver.settle();
+            for (const Scene &scene : scenes()) {
+                scene.show(driver);
+                driver.settle();
+                driver.moveTo({4, 790});
+                driver.settle();
+                write(driver.picture(), std::filesystem::path(folder) /
+                                            (std::string(scene.name) + (theme == ThemeKind::Dark ? "-dark" : "-light") +
+                                             std::to_string(scale) + ".ppm"));
+                driver.context().dialogs.closeAll();
+                showLayer(driver.context().layers, "size", true);
+                driver.settle();
+            }
+        }
+    }
+}
+
+} // namespace forefront::test

@@ -1,0 +1,286 @@
+#include "core/io/files.hpp"
+#include "tests/ui/edit_driver.hpp"
+#include "ui/dialogs/file_commands.hpp"
+#include "ui/dialogs/thumbnails.hpp"
+#include "ui/platform/assets.hpp"
+
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <fstream>
+#include <set>
+#include <string>
+#include <thread>
+
+namespace forefront::test {
+
+namespace {
+
+/// Opens the dialog of an action and waits for it.
+void openDialog(Driver &driver, const char *action, const char *dialog) {
+    driver.context().actions.run(action, driver.context());
+    driver.settle();
+    REQUIRE(driver.context().dialogs.top() != nullptr);
+    CHECK(std::string(driver.context().dialogs.top()->id()) == dialog);
+}
+
+} // namespace
+
+TEST_CASE("Gallery: at least twelve samples, each described, with a mesh in its thumbnail") {
+    const std::vector<Sample> gallery = samples();
+    REQUIRE(gallery.size() >= 12);
+    std::vector<std::filesystem::path> paths;
+    std::set<std::string> titles;
+    for (const Sample &sample : gallery) {
+        CAPTURE(sample.title);
+        CHECK_FALSE(sample.about.empty());
+        titles.insert(sample.title);
+        paths.push_back(sample.path);
+    }
+    CHECK(titles.size() == gallery.size());
+    std::atomic<std::size_t> wakes = 0;
+    const Thumbnails thumbnails(paths, [&] { ++wakes; });
+    while (!thumbnails.done()) {
+        std::this_thread::yield();
+    }
+    for (std::size_t i = 0; i < gallery.size(); ++i) {
+        CAPTURE(gallery[i].title);
+        const Thumbnail &thumbnail = *thumbnails.at(i);
+        CHECK(thumbnail.elements.size() > 100);
+        CHECK(thumbnail.elements.size() < 6000);
+        CHECK(thumbnail.fineness.size() == thumbnail.elements.size());
+        CHECK(thumbnail.boundary.size() > 3);
+        CHECK(thumbnail.edges.size() > thumbnail.elements.size());
+    }
+}
+
+TEST_CASE("Gallery: a click on a card opens the sample as a document without a file") {
+    Driver driver;
+    openDialog(driver, "file.samples", "gallery");
+    driver.click("dialog/gallery/plate");
+    driver.settle();
+    CHECK(driver.context().dialogs.top() == nullptr);
+    CHECK(driver.context().document.title() == "Plate with a hole");
+    CHECK(driver.context().document.path().empty());
+}
+
+TEST_CASE("Recent files: the submenu opens them, drops those that are gone, and is cleared") {
+    const TemporaryFolder place;
+    Draughtsman driver;
+    driver.rectangle({0, 0}, {4, 4});
+    for (const char *name : {"one.forefront", "two.forefront"}) {
+        REQUIRE(writeProject(place.path / name, driver.document()).empty());
+    }
+    const std::string gone = (place.path / "gone.forefront").string();
+    driver.context().settings.recentFiles = {gone, (place.path / "one.forefront").string(),
+                                             (place.path / "two.forefront").string()};
+    driver.context().document.markSaved({});
+    driver.click("menu/File");
+    driver.hover("menu/file.recent");
+    driver.frames(40); // the submenu opens after a moment
+    driver.click("menu/file.recent/2");
+    driver.settle();
+    CHECK(driver.context().document.title() == "two.forefront");
+    CHECK(driver.context().settings.recentFiles.front() == (place.path / "two.forefront").string());
+    const auto entries = driver.context().actions.find("file.recent")->entries(driver.context());
+    REQUIRE(entries.size() == 4);
+    CHECK(entries[1].title == "gone.forefront");
+    CHECK(entries[1].detail == place.path.string());
+    entries[1].run(driver.context());
+    CHECK(driver.context().settings.recentFiles.size() == 2);
+    CHECK(driver.context().document.title() == "two.forefront");
+    entries.back().run(driver.context());
+    CHECK(driver.context().settings.recentFiles.empty());
+}
+
+TEST_CASE("Log: a click anywhere on an entry with a place goes there") {
+    Draughtsman driver;
+    driver.context().log.add(
+        Diagnostic{.severity = Severity::Warning, .code = "test", .message = "look here", .at = Vec2{3, 2}});
+    driver.click("panel/log");
+    driver.frames(3);
+    const std::string name = "log/entry/" + std::to_string(driver.context().log.entries().back().number);
+    REQUIRE(driver.has(name));
+    const PixelRect rect = driver.context().widgets.find(name)->rect;
+    driver.clickAt({rect.x + 0.8 * rect.width, rect.y + 4.0});
+    CHECK(distance(driver.context().view.camera.centre, {3, 2}) < 1e-6);
+    CHECK(driver.context().view.flag.has_value());
+}
+
+TEST_CASE("History: the panel lists the commands and a click travels there and back") {
+    Draughtsman driver;
+    driver.rectangle({0, 0}, {4, 4});
+    driver.rectangle({1, 1}, {2, 2});
+    driver.rectangle({5, 5}, {6, 6});
+    driver.click("panel/history");
+    driver.settle();
+    CHECK(driver.context().document.history().size() == 4);
+    driver.click("history/1");
+    CHECK(driver.document().shapes.size() == 1);
+    driver.click("history/3");
+    CHECK(driver.document().shapes.size() == 3);
+    driver.click("history/0");
+    CHECK(driver.document().shapes.empty());
+    driver.key('Z', {Modifiers::kControl | Modifiers::kShift});
+    CHECK(driver.document().shapes.size() == 1);
+}
+
+TEST_CASE("Export: a button for each solver chooses its format and says what the file keeps") {
+    Draughtsman driver;
+    driver.rectangle({0, 0}, {4, 4});
+    driver.settle();
+    openDialog(driver, "file.export", "export");
+    const struct {
+        const char *preset, *extension;
+    } presets[] = {{"gmsh", ".msh"}, {"freefem", ".mesh"}, {"calculix", ".inp"},
+                   {"su2", ".su2"},  {"paraview", ".vtu"}, {"triangle", ".node"}};
+    const TemporaryFolder place;
+    for (const auto &[preset, extension] : presets) {
+        CAPTURE(preset);
+        if (driver.context().dialogs.top() == nullptr) {
+            openDialog(driver, "file.export", "export");
+        }
+        driver.click(std::string("dialog/export/preset/") + preset);
+        CHECK(driver.has("dialog/export/note"));
+        driver.click("dialog/export/name");
+        driver.key('A', {Modifiers::kControl});
+        driver.type((place.path / preset).string());
+        driver.click("dialog/export/ok");
+        driver.settle();
+        CHECK(std::filesystem::exists(place.path / (std::string(preset) + extension)));
+    }
+}
+
+TEST_CASE("Preferences: every change takes effect at once and is saved") {
+    const TemporaryFolder place;
+    const EditorSetup setup{.settingsFolder = place.path, .sample = false};
+    {
+        Driver driver(setup);
+        openDialog(driver, "edit.preferences", "preferences");
+        driver.click("dialog/preferences/theme/Light");
+        CHECK(driver.context().theme.kind == ThemeKind::Light);
+        driver.click("dialog/preferences/page/Snapping");
+        driver.click("dialog/preferences/snap/grid");
+        CHECK_FALSE(driver.context().snapping.toGrid);
+        driver.click("dialog/preferences/page/New drawings");
+        driver.click("dialog/preferences/new/method/Classic");
+        driver.key(key::kEscape);
+        driver.key('N', {Modifiers::kControl});
+        driver.settle();
+        CHECK(driver.context().document.current()->options.method == Method::Classic);
+    }
+    const Settings saved = loadSettings(place.path / "settings.json");
+    CHECK(saved.theme == ThemeKind::Light);
+    CHECK_FALSE(saved.snapping.toGrid);
+    CHECK(saved.newMethod == Method::Classic);
+    Driver again(setup);
+    CHECK_FALSE(again.context().snapping.toGrid);
+}
+
+TEST_CASE("Keys: no two commands share a key by default") {
+    Driver driver;
+    for (const Action &action : driver.context().actions.all()) {
+        CAPTURE(action.id);
+        CHECK(driver.context().actions.conflicts(action).empty());
+        for (const Shortcut &shortcut : action.shortcuts) {
+            CHECK((parseShortcut(toString(shortcut)) == shortcut));
+        }
+    }
+    CHECK_FALSE(parseShortcut("Hyper+Q").has_value());
+    CHECK_FALSE(parseShortcut("").has_value());
+}
+
+TEST_CASE("Keys: a command takes another key, shows a conflict, and returns to its own") {
+    const TemporaryFolder place;
+    const EditorSetup setup{.settingsFolder = place.path, .sample = false};
+    const std::string row = "dialog/preferences/key/view.fit";
+    {
+        Driver driver(setup);
+        openDialog(driver, "edit.preferences", "preferences");
+        driver.click("dialog/preferences/page/Keys");
+        driver.click("dialog/preferences/keys/find");
+        driver.type("show all");
+        driver.click(row);
+        driver.key('G', {Modifiers::kControl});
+        CHECK(toString(driver.context().actions.find("view.fit")->shortcuts.front()) == "Ctrl+G");
+        driver.click(row);
+        driver.key(key::kEscape); // leaves it as it is, and the dialog open
+        CHECK(driver.context().dialogs.top() != nullptr);
+        CHECK(toString(driver.context().actions.find("view.fit")->shortcuts.front()) == "Ctrl+G");
+        driver.click(row);
+        driver.key('Z', {Modifiers::kControl});
+        driver.frames(2);
+        CHECK(driver.has("dialog/preferences/conflict/view.fit"));
+        driver.click(row);
+        driver.key('G', {Modifiers::kControl});
+    }
+    Driver driver(setup);
+    driver.context().view.zoomAt({400, 400}, 20.0);
+    REQUIRE_FALSE(driver.context().view.fitted.has_value());
+    driver.key('G', {Modifiers::kControl});
+    CHECK(driver.context().view.fitted.has_value());
+    openDialog(driver, "edit.preferences", "preferences");
+    driver.click("dialog/preferences/page/Keys");
+    driver.click("dialog/preferences/keys/reset");
+    CHECK(driver.context().settings.keys.empty());
+    CHECK(toString(driver.context().actions.find("view.fit")->shortcuts.front()) == "F");
+}
+
+TEST_CASE("Views: a file opens where it was left, with the layers and panels of the last time") {
+    const TemporaryFolder place;
+    const EditorSetup setup{.settingsFolder = place.path / "settings", .sample = false};
+    const std::filesystem::path file = place.path / "square.forefront";
+    {
+        Draughtsman driver(setup);
+        driver.rectangle({0, 0}, {4, 4});
+        REQUIRE(writeProject(file, driver.document()).empty());
+        REQUIRE(driver.editor().open(file));
+        rememberFile(driver.context(), file);
+        driver.settle();
+        driver.context().view.zoomAt({500, 300}, 7.0);
+        driver.context().view.camera.centre = {1.25, 2.5};
+        showLayer(driver.context().layers, "quality", true);
+        driver.click("panel/history");
+        driver.key(key::kTab);
+        driver.settle();
+    }
+    Draughtsman driver(setup);
+    CHECK_FALSE(driver.context().view.panels);
+    CHECK(driver.context().layer("quality")->visible);
+    CHECK(driver.context().settings.tab == "history");
+    REQUIRE(driver.editor().open(file));
+    driver.settle();
+    CHECK(driver.context().view.camera.centre == Vec2{1.25, 2.5});
+}
+
+TEST_CASE("Recovery: a drawing that was never saved is offered with its title") {
+    const TemporaryFolder place;
+    const EditorSetup setup{.stateFolder = place.path, .sample = true};
+    std::string bytes;
+    {
+        Driver driver(setup);
+        Document changed = *driver.context().document.current();
+        changed.spacing.size = 20.0;
+        driver.context().document.apply(std::move(changed), "Size");
+        driver.settle();
+        // The journal is written within a second; it is copied as a crash would leave it.
+        driver.until([&] {
+            std::error_code missing;
+            for (const auto &entry : std::filesystem::directory_iterator(place.path / "recovery", missing)) {
+                std::ifstream stream(entry.path(), std::ios::binary);
+                bytes.assign(std::istreambuf_iterator<char>(stream), {});
+            }
+            return bytes.find("\"shapes\"") != std::string::npos;
+        });
+    }
+    std::ofstream(place.path / "recovery" / "1-1.journal", std::ios::binary) << bytes;
+    Driver driver(setup);
+    REQUIRE(driver.context().dialogs.top() != nullptr);
+    CHECK(std::string(driver.context().dialogs.top()->id()) == "recovery");
+    driver.click("dialog/recovery/recover");
+    driver.settle();
+    CHECK(driver.context().document.title() == "Harbour with a pier");
+    CHECK(driver.context().document.dirty());
+}
+
+} // namespace forefront::test

@@ -1,0 +1,133 @@
+#include "ui/dialogs/key_list.hpp"
+
+#include "ui/parts/shell.hpp"
+#include "ui/widgets/widgets.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+
+namespace forefront {
+namespace {
+
+std::string labelOf(const Action &action) {
+    return action.menu.empty() ? action.title : action.menu + "  \xe2\x80\xba  " + action.title;
+}
+
+bool contains(std::string text, std::string word) {
+    const auto lower = [](std::string &s) {
+        std::transform(s.begin(), s.end(), s.begin(),
+                       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    };
+    lower(text);
+    lower(word);
+    return text.find(word) != std::string::npos;
+}
+
+std::string keysOf(const Action &action) {
+    std::string text;
+    for (const Shortcut &shortcut : action.shortcuts) {
+        text += (text.empty() ? "" : "   ") + toString(shortcut);
+    }
+    return text.empty() ? "\xe2\x80\x93" : text;
+}
+
+/// Returns the key pressed in this frame with its modifiers, if it can be a shortcut.
+std::optional<Shortcut> pressedShortcut() {
+    const ImGuiIO &io = ImGui::GetIO();
+    const Modifiers held{static_cast<std::uint8_t>((io.KeyShift ? Modifiers::kShift : 0) |
+                                                   (io.KeyCtrl ? Modifiers::kControl : 0) |
+                                                   (io.KeyAlt ? Modifiers::kAlt : 0))};
+    for (int code = key::kSpace; code < key::kLeftShift; ++code) {
+        const Shortcut shortcut{code, held};
+        if (ImGui::IsKeyPressed(code, false) && parseShortcut(toString(shortcut)) == shortcut) {
+            return shortcut;
+        }
+    }
+    return std::nullopt;
+}
+
+/// Rebinds an action and remembers it in the settings; with its own keys it is not remembered.
+void rebind(Shell &context, const std::string &action, std::optional<Shortcut> shortcut) {
+    context.actions.rebind(action, shortcut);
+    context.settings.keys[action] = shortcut ? toString(*shortcut) : std::string();
+}
+
+void reset(Shell &context, const std::string &action) {
+    context.actions.resetShortcuts(action);
+    context.settings.keys.erase(action);
+}
+
+} // namespace
+
+/// Takes the next key: Esc leaves the command as it is, Backspace takes its key away.
+void KeyList::capture(Shell &context) {
+    context.animate();
+    if (justBegun_) {
+        justBegun_ = false; // the key that pressed the button
+        return;
+    }
+    const std::optional<Shortcut> pressed = pressedShortcut();
+    if (!pressed) {
+        return;
+    }
+    if (*pressed == Shortcut{key::kBackspace, {}}) {
+        rebind(context, capturing_, std::nullopt);
+    } else if (!(*pressed == Shortcut{key::kEscape, {}})) {
+        rebind(context, capturing_, pressed);
+    }
+    capturing_.clear();
+}
+
+void KeyList::drawRow(Shell &context, const Action &action) {
+    const std::string name = "dialog/preferences/key/" + action.id;
+    const bool waits = capturing_ == action.id;
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(labelOf(action).c_str());
+    ImGui::SameLine(context.px(290));
+    const std::string keys = waits ? std::string("press a key\xe2\x80\xa6") : keysOf(action);
+    if (ui::button(context, name, keys, waits ? ui::ButtonKind::Primary : ui::ButtonKind::Plain, true, 130.0F)) {
+        capturing_ = waits ? std::string() : action.id;
+        justBegun_ = true;
+    }
+    ui::tooltip(context, "Click, then press a key. Backspace: none. Esc: leave as it is.");
+    ImGui::SameLine(0, context.px(8));
+    if (const std::vector<const Action *> others = context.actions.conflicts(action); !others.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, context.theme.warn);
+        ImGui::TextUnformatted(("also " + others.front()->title).c_str());
+        ImGui::PopStyleColor();
+        ui::mark(context, "dialog/preferences/conflict/" + action.id);
+    } else if (context.settings.keys.contains(action.id)) {
+        if (ui::button(context, "dialog/preferences/reset/" + action.id, "Reset", ui::ButtonKind::Quiet)) {
+            reset(context, action.id);
+        }
+    } else {
+        ImGui::NewLine();
+    }
+}
+
+void KeyList::draw(Shell &context) {
+    if (capturing()) {
+        capture(context);
+    }
+    ui::inputText(context, "dialog/preferences/keys/find", query_, "Find a command", 420.0F);
+    ImGui::SameLine(0, context.px(8));
+    if (ui::button(context, "dialog/preferences/keys/reset", "Reset all", ui::ButtonKind::Plain,
+                   !context.settings.keys.empty())) {
+        while (!context.settings.keys.empty()) {
+            reset(context, std::string(context.settings.keys.begin()->first));
+        }
+    }
+    ImGui::Dummy({0, context.px(4)});
+    ImGui::BeginChild("keys", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    for (const Action &action : context.actions.all()) {
+        if (query_.empty() || contains(labelOf(action) + ' ' + keysOf(action), query_)) {
+            drawRow(context, action);
+        }
+    }
+    ImGui::EndChild();
+}
+
+} // namespace forefront

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "ui/dialogs/key_list.hpp"
+#include "ui/parts/dialog.hpp"
+
+namespace forefront {
+
+/// Edits the settings. Every change takes effect at once.
+class PreferencesDialog final : public Dialog {
+  public:
+    const char *id() const override { return "preferences"; }
+    std::string title() const override { return "Preferences"; }
+    float width() const override { return 640.0F; }
+    float height() const override { return 560.0F; }
+    bool closesOnEscape() const override { return !keys_.capturing(); }
+    bool draw(Shell &context) override;
+
+  private:
+    void drawAppearance(Shell &context);
+
+    int page_ = 0;
+    double percent_ = 0.0; ///< scale being dragged
+    KeyList keys_;
+};
+
+} // namespace forefront

@@ -1,0 +1,75 @@
+#include "ui/panels/panels.hpp"
+#include "ui/parts/shell.hpp"
+#include "ui/widgets/widgets.hpp"
+
+#include <imgui.h>
+
+namespace forefront {
+
+namespace {
+
+/// Lists the commands of the history, the newest last. A click makes the document after that command current.
+class HistoryPanel final : public Panel {
+  public:
+    const char *id() const override { return "history"; }
+    const char *title() const override { return "History"; }
+    PanelPlace place() const override { return PanelPlace::Tabbed; }
+
+    void draw(Shell &context) override {
+        const History &history = context.document.history();
+        const bool moved = shownStep_ != context.document.step();
+        shownStep_ = context.document.step();
+        std::optional<std::size_t> chosen;
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+        for (std::size_t entry = 0; entry < history.size(); ++entry) {
+            if (drawEntry(context, history, entry)) {
+                chosen = entry;
+            }
+            if (moved && entry == history.position()) {
+                ImGui::SetScrollHereY();
+            }
+        }
+        ImGui::PopStyleVar();
+        if (chosen) {
+            travel(context, *chosen);
+        }
+    }
+
+  private:
+    static bool drawEntry(WidgetContext &context, const History &history, std::size_t entry) {
+        const std::string name = "history/" + std::to_string(entry);
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const float width = ImGui::GetContentRegionAvail().x, height = context.px(20);
+        const bool pressed = ImGui::InvisibleButton(name.c_str(), {width, height});
+        const bool hovered = ImGui::IsItemHovered(), here = entry == history.position();
+        ui::mark(context, name);
+        ImDrawList &list = *ImGui::GetWindowDrawList();
+        if (here || hovered) {
+            list.AddRectFilled(at, {at.x + width, at.y + height},
+                               here ? fade(context.theme.accent, 0.18) : context.theme.hovered, context.px(4));
+        }
+        const Colour colour = entry > history.position() ? context.theme.faint
+                              : here                     ? context.theme.text
+                                                         : context.theme.muted;
+        ImFont *const font = context.fonts.small;
+        list.AddText(font, font->FontSize, {at.x + context.px(8), at.y + (height - font->FontSize) / 2}, colour,
+                     history.label(entry).data(), history.label(entry).data() + history.label(entry).size());
+        return pressed;
+    }
+
+    static void travel(Shell &context, std::size_t entry) {
+        context.document.history().goTo(entry);
+        context.selection.prune(*context.document.current());
+        context.animate();
+    }
+
+    std::string shownStep_;
+};
+
+} // namespace
+
+std::unique_ptr<Panel> makeHistoryPanel() {
+    return std::make_unique<HistoryPanel>();
+}
+
+} // namespace forefront

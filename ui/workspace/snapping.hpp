@@ -1,0 +1,13 @@
+#pragma once
+
+namespace forefront {
+
+/// What the tools snap to.
+struct Snapping {
+    bool toDrawing = true; ///< nodes and segments
+    bool toGrid = true;    ///< the drawing lattice
+    double reach = 9.0;    ///< design pixels
+    friend bool operator==(const Snapping &, const Snapping &) = default;
+};
+
+} // namespace forefront
