@@ -63,6 +63,21 @@ TEST_CASE("Live: the mesh and the preview follow a node that is dragged without 
     CHECK_FALSE(driver.context().run.hasToFollow());
 }
 
+TEST_CASE("Live: the still parts are drawn for each mesh and preview, not for each move of the pointer") {
+    LiveDrag driver;
+    const std::uint64_t before = driver.editor().stillDraws();
+    std::size_t meshes = 0, previews = 0;
+    while (meshes < 6) {
+        const std::uint64_t mesh = driver.run().meshHash;
+        const auto preview = driver.context().preview;
+        driver.moveOn();
+        meshes += driver.run().meshHash != mesh ? 1 : 0;
+        previews += driver.context().preview != preview ? 1 : 0;
+    }
+    // A preview may come before its raster.
+    CHECK(driver.editor().stillDraws() - before <= meshes + 2 * previews + 2);
+}
+
 TEST_CASE("Live: each gesture leaves one line in the log") {
     LiveDrag driver;
     for (std::set<std::uint64_t> meshes; meshes.size() < 4; meshes.insert(driver.run().meshHash)) {

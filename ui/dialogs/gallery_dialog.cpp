@@ -13,7 +13,7 @@
 namespace forefront {
 namespace {
 
-constexpr double kCardWidth = 208.0, kCardHeight = 196.0, kPictureHeight = 132.0, kGap = 12.0; ///< design pixels
+constexpr double kMinCardWidth = 190.0, kCardHeight = 196.0, kPictureHeight = 132.0, kGap = 12.0; ///< design pixels
 
 std::vector<std::filesystem::path> pathsOf(const std::vector<Sample> &samples) {
     std::vector<std::filesystem::path> paths;
@@ -66,11 +66,11 @@ void drawPicture(const WidgetContext &context, const Thumbnail &thumbnail, const
 GalleryDialog::GalleryDialog(Shell &context)
     : samples_(samples()), thumbnails_(pathsOf(samples_), [&platform = context.platform] { platform.wake(); }) {}
 
-bool GalleryDialog::drawCard(Shell &context, std::size_t k) {
+bool GalleryDialog::drawCard(Shell &context, std::size_t k, float width) {
     const Sample &sample = samples_[k];
     const std::string name = "dialog/gallery/" + sample.path.stem().string();
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const ImVec2 size{context.px(kCardWidth), context.px(kCardHeight)};
+    const ImVec2 size{width, context.px(kCardHeight)};
     const bool pressed = ImGui::InvisibleButton(name.c_str(), size);
     const bool hovered = ImGui::IsItemHovered();
     ui::mark(context, name);
@@ -102,14 +102,15 @@ bool GalleryDialog::draw(Shell &context) {
     bool open = true;
     ImGui::BeginChild("cards", {0, 0}, false, ImGuiWindowFlags_NoNav);
     const float room = ImGui::GetContentRegionAvail().x;
-    const auto columns =
-        static_cast<std::size_t>(std::max(1.0F, (room + context.px(kGap)) / context.px(kCardWidth + kGap)));
+    const float gap = context.px(kGap);
+    const auto columns = static_cast<std::size_t>(std::max(1.0F, (room + gap) / (context.px(kMinCardWidth) + gap)));
+    const float width = (room + gap) / static_cast<float>(columns) - gap;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(kGap), context.px(kGap)));
     for (std::size_t k = 0; k < samples_.size(); ++k) {
         if (k % columns != 0) {
             ImGui::SameLine();
         }
-        if (drawCard(context, k)) {
+        if (drawCard(context, k, width)) {
             openDocument(context, samples_[k].path);
             open = false;
         }

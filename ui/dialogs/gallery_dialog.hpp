@@ -22,7 +22,8 @@ class GalleryDialog final : public Dialog {
     bool complete() const { return thumbnails_.done(); }
 
   private:
-    bool drawCard(Shell &context, std::size_t sample);
+    /// Returns true if the card was clicked. `width` in pixels.
+    bool drawCard(Shell &context, std::size_t sample, float width);
 
     std::vector<Sample> samples_;
     Thumbnails thumbnails_;

@@ -46,11 +46,17 @@ struct Editor::Parts {
     PixelSize size;
     std::shared_ptr<const SpacingRaster> raster;
     SnapshotPace pace;
+    double lastEnd = 0.0;          ///< steady time when the last frame ended
+    double previewTaken = 0.0;     ///< steady time when a preview or raster was last taken
     bool drewNews = false;         ///< this frame draws a new snapshot
     bool showedCancelling = false; ///< a frame that shows the cancelling has been presented
+    bool drewBusy = false;         ///< the last frame showed a run as busy
     bool reportedBusy = false;     ///< the state file says that the editor has not settled
 
     bool newsDue() const;
+    bool previewDue() const;
+    double untilTurn() const;
+    bool gestureUnderWay() const;
     bool keySharesFrame(const InputEvent &event) const;
     void refreshLook();
     void takeResults(bool cancels);
@@ -93,6 +99,25 @@ bool Editor::Parts::newsDue() const {
     }
     const RunState state = context.run.now().state;
     return pace.due(steadySeconds(), state == RunState::Running || state == RunState::Improving);
+}
+
+/// Returns true while the user drags something and a live mesh of it is being made.
+bool Editor::Parts::gestureUnderWay() const {
+    return context.run.live && context.run.busy() && ImGui::IsAnyMouseDown();
+}
+
+/// Returns the seconds until the next frame may be drawn for input alone. During a gesture, frames leave half of the
+/// time to the mesh that follows; it is drawn as soon as it is there.
+double Editor::Parts::untilTurn() const {
+    constexpr double kPeriod = 1.0 / 40.0;
+    return gestureUnderWay() && !context.run.hasNews() ? lastEnd + kPeriod - steadySeconds() : 0.0;
+}
+
+/// Returns true if a new preview or raster may be drawn. During a gesture they wait for the mesh that is being made, so
+/// that the still parts are drawn once for all of them, but not so long that the tint would stutter.
+bool Editor::Parts::previewDue() const {
+    constexpr double kLongestWait = 0.08; // seconds
+    return !gestureUnderWay() || context.run.hasNews() || steadySeconds() - previewTaken > kLongestWait;
 }
 
 /// Keys that are held down to repeat (steps, zoom, nudges) may share a frame, unless a field, popup or dialog could
@@ -163,6 +188,9 @@ InputQueue &Editor::input() {
 std::uint64_t Editor::frames() const {
     return parts_->frames;
 }
+std::uint64_t Editor::stillDraws() const {
+    return parts_->canvas.stillDraws();
+}
 bool Editor::running() const {
     return !parts_->context.quit;
 }
@@ -175,8 +203,9 @@ bool Editor::settled() const {
 
 double Editor::sleepSeconds() const {
     const Shell &c = parts_->context;
+    const double untilTurn = parts_->untilTurn();
     if (c.redraw > 0 || c.widgets.fields.travelling() || !parts_->input.empty() || parts_->input.replaying()) {
-        return 0.0;
+        return std::max(0.0, untilTurn);
     }
     constexpr double kUntilWorkerRests = 0.002; // the worker reports its result just before it becomes idle
     const double untilNews = c.run.hasNews()       ? parts_->pace.next() - steadySeconds()
@@ -187,8 +216,10 @@ double Editor::sleepSeconds() const {
 
 bool Editor::needsFrame() const {
     const Shell &c = parts_->context;
+    const bool previewed =
+        (c.examiner.latest() != c.preview || c.examiner.raster() != parts_->raster) && parts_->previewDue();
     return sleepSeconds() <= 0.0 || c.platform.now() >= c.nextFrameAt || (c.run.hasNews() && parts_->newsDue()) ||
-           c.run.canFollow() || c.examiner.latest() != c.preview || c.examiner.raster() != parts_->raster ||
+           c.run.canFollow() || previewed || (parts_->drewBusy && !c.run.busy()) ||
            !(c.platform.framebufferSize() == parts_->size) || (parts_->reportedBusy && settled());
 }
 
@@ -248,8 +279,11 @@ void Editor::Parts::takeResults(bool cancels) {
     }
     const auto known = context.preview;
     const auto knownRaster = raster;
-    context.preview = context.examiner.latest();
-    raster = context.examiner.raster();
+    if (previewDue()) {
+        context.preview = context.examiner.latest();
+        raster = context.examiner.raster();
+        previewTaken = steadySeconds();
+    }
     if (before != context.run.snapshot() || known != context.preview || knownRaster != raster) {
         context.animate();
     }
@@ -389,6 +423,7 @@ void Editor::frame() {
     p.dropFlag();
     p.followDocument();
     const bool cancelling = c.run.cancelling();
+    const bool busy = c.run.busy();
     p.buildInterface();
     p.followFront(seconds);
     p.canvasInput.runWaiting(c);
@@ -398,6 +433,8 @@ void Editor::frame() {
     c.widgets.endFrame();
     c.platform.present();
     p.showedCancelling = cancelling;
+    p.drewBusy = busy;
+    p.lastEnd = steadySeconds();
     if (c.run.cancelling()) {
         c.animate();
     }

@@ -15,15 +15,20 @@ class DomainLayer final : public Layer {
     const char *id() const override { return "domain"; }
     const char *name() const override { return "Domain"; }
 
+    // The domain of the preview, which may be a little older than the document: a fill that followed every move of the
+    // pointer would redraw the mesh with it. The boundary follows every move.
     std::uint64_t stillVersion(const LayerFrame &frame) const override {
-        return 4 * frame.revision + (frame.preview.spacing ? 1U : 0U) + (frame.visible("size") ? 2U : 0U);
+        return 4 * frame.preview.revision + (frame.preview.spacing ? 1U : 0U) + (frame.visible("size") ? 2U : 0U);
     }
 
     void drawStill(const LayerFrame &frame) override {
         if (frame.visible("size") && frame.preview.spacing && frame.raster && !frame.raster->rho.empty()) {
             return; // the colours of the spacing cover all of it
         }
-        frame.gl.drawField(frame.domain, frame.revision, frame.camera, frame.theme.domain, nullptr);
+        if (frame.preview.domain) {
+            frame.gl.drawField(*frame.preview.domain, frame.preview.revision, frame.camera, frame.theme.domain,
+                               nullptr);
+        }
     }
 };
 

@@ -23,8 +23,7 @@ class SpacingLayer final : public Layer {
 
     std::uint64_t stillVersion(const LayerFrame &frame) const override {
         // The preview, whose spacing sets the range, may arrive a frame later than its raster.
-        return reinterpret_cast<std::uintptr_t>(frame.raster.get()) ^ (frame.revision << 1) ^
-               (frame.preview.revision << 32);
+        return reinterpret_cast<std::uintptr_t>(frame.raster.get()) ^ (frame.preview.revision << 32);
     }
 
     void drawStill(const LayerFrame &frame) override {
@@ -40,7 +39,7 @@ class SpacingLayer final : public Layer {
                              .maximum = std::log(maximum_),
                              .levels = levels_,
                              .contourWidth = 1.25 * frame.scale};
-        frame.gl.drawField(frame.domain, frame.revision, frame.camera, frame.theme.domain, &tint);
+        frame.gl.drawField(*frame.preview.domain, frame.preview.revision, frame.camera, frame.theme.domain, &tint);
     }
 
     bool coloursByValue() const override { return true; }
@@ -65,7 +64,7 @@ class SpacingLayer final : public Layer {
             std::transform(shown_->rho.begin(), shown_->rho.end(), logRho_.begin(),
                            [](float rho) { return std::log(std::max(rho, 1e-30F)); });
         }
-        if (shown_->rho.empty() || !frame.preview.spacing) {
+        if (shown_->rho.empty() || !frame.preview.spacing || !frame.preview.domain) {
             return false;
         }
         // The range is that of the whole domain, not of the part in view, so that colours do not change while panning.

@@ -88,7 +88,10 @@ struct Canvas::Parts {
     Box2 rasterBox;
     double rasterZoom = 0.0;
 
+    std::shared_ptr<const SpacingRaster> raster; ///< as drawn; never null
+
     void requestRaster(Shell &context);
+    void takeRaster(const Shell &context);
     void drawStill(Shell &context, const LayerFrame &frame);
     void drawLive(Shell &context, const LayerFrame &frame);
     static void drawLegends(Shell &context, CanvasPainter &painter, const LayerFrame &frame);
@@ -134,6 +137,16 @@ void Canvas::Parts::requestRaster(Shell &context) {
         const double samples = camera.zoom / (kPixelsPerSample * static_cast<double>(context.scale));
         const auto count = [&](double length) { return std::clamp(static_cast<int>(length * samples), 8, 1400); };
         context.examiner.submitRaster(rasterBox, count(rasterBox.size().x), count(rasterBox.size().y));
+    }
+}
+
+/// Takes the newest raster, unless it is of another document than the preview and the raster drawn is not: the two are
+/// drawn together.
+void Canvas::Parts::takeRaster(const Shell &context) {
+    std::shared_ptr<const SpacingRaster> newest = context.examiner.raster();
+    const std::uint64_t revision = context.preview->revision;
+    if (!raster || newest->revision == revision || raster->revision != revision) {
+        raster = std::move(newest);
     }
 }
 
@@ -247,6 +260,7 @@ void Canvas::draw(Shell &context) {
         parts_->domain = toDomain(*context.document.current());
     }
     parts_->requestRaster(context);
+    parts_->takeRaster(context);
     const LayerFrame frame{.camera = context.view.camera,
                            .theme = context.theme,
                            .fonts = context.fonts,
@@ -257,7 +271,7 @@ void Canvas::draw(Shell &context) {
                            .domain = parts_->domain,
                            .revision = context.document.revision(),
                            .preview = *context.preview,
-                           .raster = context.examiner.raster(),
+                           .raster = parts_->raster,
                            .selection = context.selection,
                            .pointer = context.view.pointer,
                            .candidate = chosenCandidate(context.view, context.run.now()),
