@@ -57,6 +57,8 @@ class GenerationFront {
     /// Returns the number of slots. Ids run from 0 to capacity() - 1, including dead ones.
     std::size_t capacity() const { return slots_.size(); }
     std::uint32_t nextSerial() const { return nextSerial_; }
+    /// Returns the memory in use, in bytes.
+    std::size_t bytes() const { return slots_.capacity() * sizeof(FrontSlot) + free_.capacity() * sizeof(SlotId); }
 
     /// Changes A→B to A→C→B with a new node C and returns the slot of C.
     SlotId insertAfter(SlotId a, Vec2 position, NodeId node);

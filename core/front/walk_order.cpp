@@ -103,7 +103,7 @@ void WalkOrder::clear(bool fineClasses) {
 }
 
 void WalkOrder::rollBack(std::size_t size) {
-    for (; log_.size() > size; log_.pop_back()) {
+    for (; logSize() > size; log_.pop_back()) {
         const Change &change = log_.back();
         Bucket &b = bucketAt(change.bucket);
         if (change.offered) {
@@ -115,6 +115,36 @@ void WalkOrder::rollBack(std::size_t size) {
         }
         mark(change.bucket);
     }
+}
+
+WalkOrder WalkOrder::withoutHistory() const {
+    WalkOrder copy;
+    copy.indices_ = indices_;
+    copy.octaves_.resize(octaves_.size());
+    for (std::size_t i = 0; i < octaves_.size(); ++i) {
+        for (std::size_t k = 0; k < kClasses; ++k) {
+            const Bucket &b = octaves_[i].buckets[k];
+            copy.octaves_[i].buckets[k].entries.assign(b.entries.begin() + static_cast<std::ptrdiff_t>(b.first),
+                                                       b.entries.end());
+        }
+    }
+    copy.filled_ = filled_;
+    copy.some_ = some_;
+    copy.dropped_ = logSize();
+    copy.fine_ = fine_;
+    copy.logging_ = logging_;
+    return copy;
+}
+
+std::size_t WalkOrder::bytes() const {
+    std::size_t sum = sizeof *this + indices_.capacity() * sizeof indices_[0] + log_.capacity() * sizeof(Change);
+    for (const Octave &octave : octaves_) {
+        sum += sizeof octave;
+        for (const Bucket &b : octave.buckets) {
+            sum += b.entries.capacity() * sizeof(Entry);
+        }
+    }
+    return sum;
 }
 
 void WalkOrder::addTo(Hash64 &hash) const {

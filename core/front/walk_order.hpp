@@ -29,9 +29,13 @@ class WalkOrder {
 
     /// Starts or stops logging every change.
     void keepLog(bool keep) { logging_ = keep; }
-    std::size_t logSize() const { return log_.size(); }
-    /// Undoes all changes logged since the log had this size.
+    std::size_t logSize() const { return dropped_ + log_.size(); }
+    /// Undoes all changes logged since the log had this size, which must not lie in a dropped part.
     void rollBack(std::size_t size);
+    /// Returns a copy without the log and without entries that are taken. Its logSize() stays the same.
+    WalkOrder withoutHistory() const;
+    /// Returns the memory in use, in bytes.
+    std::size_t bytes() const;
 
     void addTo(Hash64 &hash) const;
 
@@ -66,6 +70,7 @@ class WalkOrder {
     std::array<std::uint64_t, 2 * kOctaves> filled_{};           ///< per octave: a bit per class with entries left
     std::array<std::uint64_t, (2 * kOctaves + 63) / 64> some_{}; ///< bit per octave with any
     std::vector<Change> log_;
+    std::size_t dropped_ = 0; ///< number of changes before the first one in log_
     bool fine_ = false;
     bool logging_ = false;
 };

@@ -21,14 +21,16 @@ class GridMesher final : public Mesher {
         : Mesher(std::move(boundary), std::move(spacing), care), grid_(std::move(grid)),
           slack_(gridSlack(boundary_->bounds())), advancer_(state_, grid_, *spacing_, slack_, NoTrace{}) {
         Advancer<Grid, NoTrace>::prepare(state_, *boundary_, *spacing_);
-        insertAll();
+        insertFront();
     }
 
     std::uint64_t advance(std::uint64_t count, std::vector<AdvanceDelta> *deltas) override {
         AdvanceDelta delta;
         std::uint64_t done = 0;
         advancer_.keepLog(deltas != nullptr);
-        for (; done < count && advancer_.advance(delta); ++done) {
+        // Without Γ, another try would drop entries of the order that are out of date, and the state would depend on
+        // it.
+        for (; done < count && !finished() && advancer_.advance(delta); ++done) {
             if (deltas != nullptr) {
                 deltas->push_back(delta);
             }
@@ -44,7 +46,7 @@ class GridMesher final : public Mesher {
                     return false;
                 }
                 grid_ = HierarchicalGrid(boundary_->bounds(), slack_, Advancer<Grid, NoTrace>::kCellPerLength);
-                insertAll();
+                insertFront();
             }
         } else {
             static_cast<void>(threads);
@@ -71,11 +73,24 @@ class GridMesher final : public Mesher {
         grid_.forEachCell(visit);
     }
 
+    void restore(const Checkpoint &checkpoint, const MadeSoFar &made) override {
+        forEachSlot([this](SlotId id) { grid_.remove(state_.front, id); });
+        restoreState(checkpoint, made);
+        if constexpr (std::is_same_v<Advancer<Grid, NoTrace>, ClassicAdvancer<Grid, NoTrace>>) {
+            state_.order.rebuild(state_.front);
+        }
+        insertFront();
+    }
+
   private:
-    void insertAll() {
+    void insertFront() {
+        forEachSlot([this](SlotId id) { grid_.insert(state_.front, id); });
+    }
+    template <class Visit>
+    void forEachSlot(Visit visit) {
         for (std::uint32_t i = 0; i < state_.front.capacity(); ++i) {
             if (state_.front[SlotId{i}].alive) {
-                grid_.insert(state_.front, SlotId{i});
+                visit(SlotId{i});
             }
         }
     }
@@ -141,6 +156,45 @@ std::unique_ptr<Mesher> Mesher::create(std::shared_ptr<const DiscreteDomain> bou
     switch (options.grid) { FOREFRONT_FOR_EACH_GRID(FOREFRONT_CREATE_ON, ) }
 #undef FOREFRONT_CREATE_ON
     return nullptr;
+}
+
+namespace {
+
+/// Makes `to` the first `count` entries of `from`, of which it already is a part.
+template <class T>
+void setPrefix(std::vector<T> &to, const std::vector<T> &from, std::size_t count) {
+    to.resize(std::min(to.size(), count));
+    to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(to.size()),
+              from.begin() + static_cast<std::ptrdiff_t>(count));
+}
+
+template <class T>
+void addRest(std::vector<T> &to, const std::vector<T> &from) {
+    if (to.size() < from.size()) {
+        to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(to.size()), from.end());
+    }
+}
+
+} // namespace
+
+void MadeSoFar::add(const FrontState &state) {
+    addRest(nodes, state.nodes);
+    addRest(elements, state.elements);
+    addRest(elementFaces, state.elementFaces);
+}
+
+void Mesher::restoreState(const Checkpoint &checkpoint, const MadeSoFar &made) {
+    state_.front = checkpoint.front;
+    state_.walkOrder = checkpoint.walkOrder;
+    state_.walk = checkpoint.walk;
+    state_.strip = checkpoint.strip;
+    state_.work = checkpoint.work;
+    state_.smallNodesLeft = checkpoint.smallNodesLeft;
+    setPrefix(state_.nodes, made.nodes, checkpoint.nodes);
+    setPrefix(state_.elements, made.elements, checkpoint.elements);
+    if (state_.manyFaces) {
+        setPrefix(state_.elementFaces, made.elementFaces, checkpoint.elements);
+    }
 }
 
 void Mesher::reserve(std::uint64_t elements) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/progress.hpp"
+#include "core/mesher/checkpoint.hpp"
 #include "core/mesher/front_state.hpp"
 #include "core/mesher/options.hpp"
 #include "core/mesher/trace.hpp"
@@ -11,6 +12,16 @@
 #include <vector>
 
 namespace forefront {
+
+/// The nodes and elements of a run up to the furthest advance reached.
+struct MadeSoFar {
+    std::vector<Vec2> nodes;
+    std::vector<Element> elements;
+    std::vector<std::uint32_t> elementFaces; ///< as FrontState::elementFaces
+
+    /// Adds what a state has more.
+    void add(const FrontState &state);
+};
 
 /// A run of the front over a discretised domain, independent of its method and background grid. It pauses between
 /// advances and costs one virtual call for each batch of advances.
@@ -30,6 +41,10 @@ class Mesher {
     virtual bool advanceInParallel(unsigned threads, const Progress &progress, double estimatedElements) = 0;
     /// Undoes the last advance.
     virtual void retreat(const AdvanceDelta &delta) = 0;
+    /// Returns to a checkpoint of this run. `made` holds at least the nodes and elements made before it.
+    virtual void restore(const Checkpoint &checkpoint, const MadeSoFar &made) = 0;
+    /// Replaces the counters, after an advance that repeats an earlier one with other work.
+    void setWork(const WorkCounters &work) { state_.work = work; }
     /// Returns an explanation of the next advance and leaves the state as it is. Γ must not be empty.
     virtual AdvanceExplanation explainNext() = 0;
     /// Calls visit(box, entries) for each cell of the background grid.
@@ -50,6 +65,8 @@ class Mesher {
   protected:
     Mesher(std::shared_ptr<const DiscreteDomain> boundary, std::shared_ptr<const SpacingField> spacing,
            const FrontCare &care);
+    /// Restores everything but the background grid and the order of the classic method, which follow from Γ.
+    void restoreState(const Checkpoint &checkpoint, const MadeSoFar &made);
 
     std::shared_ptr<const DiscreteDomain> boundary_;
     std::shared_ptr<const SpacingField> spacing_;

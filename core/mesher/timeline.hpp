@@ -7,10 +7,14 @@
 
 namespace forefront {
 
-/// A run with a journal of its advances. Its position moves forward and back, in constant time for each advance.
+/// A run with a journal of its advances. Its position moves forward and back, in constant time for each advance, or
+/// jumps to checkpoints kept on the way. They number at most kMaxCheckpoints, take at most kMaxCheckpointBytes of
+/// memory (but for the first), and lie about equally far apart. Work counters depend on the position alone, not on the
+/// way there.
 class Timeline {
   public:
-    explicit Timeline(std::unique_ptr<Mesher> mesher);
+    /// `stride`: distance of the first checkpoints, in advances; to repeat that many takes a few milliseconds.
+    explicit Timeline(std::unique_ptr<Mesher> mesher, std::uint64_t stride = 4096);
 
     /// The number of advances at this position, and at the furthest position reached so far.
     std::uint64_t position() const { return position_; }
@@ -19,6 +23,14 @@ class Timeline {
     std::uint64_t segmentsAtStart() const { return segmentsAtStart_; }
     /// True once the end of the run has been reached; known() is the end.
     bool complete() const { return complete_; }
+
+    static constexpr std::size_t kMaxCheckpoints = 96;
+    static constexpr std::size_t kMaxCheckpointBytes = std::size_t{128} << 20U;
+
+    /// Jumps to the checkpoint from which `target` is reached soonest, unless it is sooner reached from here.
+    void approach(std::uint64_t target);
+    std::size_t checkpoints() const { return checkpoints_.size(); }
+    std::size_t checkpointBytes() const { return checkpointBytes_; }
 
     /// Moves `count` advances forward, or fewer at the end, and returns their number.
     std::uint64_t forward(std::uint64_t count);
@@ -35,12 +47,29 @@ class Timeline {
     const Mesher &mesher() const { return *mesher_; }
 
   private:
+    struct Kept {
+        std::uint64_t position;
+        Checkpoint state;
+    };
+    std::uint64_t repeat(std::uint64_t count);
+    std::uint64_t continueRun(std::uint64_t count);
     void followLayers(std::uint64_t from);
+    void keepCheckpoint();
+    void thinCheckpoints();
+    std::uint64_t nextCheckpoint() const;
+    /// Returns the last checkpoint at or before a position; never null, since the first one is at the start.
+    const Kept &checkpointBefore(std::uint64_t position) const;
+    void restore(const Kept &checkpoint);
 
     std::unique_ptr<Mesher> mesher_;
     std::vector<AdvanceDelta> deltas_;
     std::vector<AdvanceDelta> again_; ///< deltas of repeated advances
     std::uint64_t position_ = 0;
+    std::uint64_t floor_ = 0; ///< the run cannot retreat beyond this position
+    std::vector<Kept> checkpoints_;
+    std::size_t checkpointBytes_ = 0;
+    std::uint64_t stride_;
+    MadeSoFar made_; ///< up to known()
     bool complete_ = false;
     std::vector<std::uint64_t> layerEnds_;
     std::uint64_t layerLeft_ = 0; ///< advances to the end of the current layer

@@ -188,6 +188,7 @@ void SessionWorker::beginMove() {
     improvementStopped_ = false;
     state_ = RunState::Running;
     stage_ = "advancing the front";
+    lastPublish_ = Clock::now(); // a short move shows its target alone
 }
 
 void SessionWorker::follow(Outcome outcome) {

@@ -60,6 +60,7 @@ TimelineTravel::Moment TimelineTravel::explain() {
 }
 
 TimelineTravel::Outcome TimelineTravel::reach(std::uint64_t position) {
+    timeline_.approach(position);
     return beginReaching(position, {});
 }
 
@@ -69,7 +70,6 @@ TimelineTravel::Outcome TimelineTravel::beginReaching(std::uint64_t position, co
     birth_.reset();
     eventsDone_ = 0;
     targetLayers_ = 0;
-    rateOnArrival_ = 0.0;
     target_ = position;
     activity_ = Activity::Reaching;
     return timeline_.position() == target_ ? arrive() : Outcome::Still;
@@ -178,20 +178,13 @@ TimelineTravel::Outcome TimelineTravel::stepLayers(std::int64_t count) {
 }
 
 void TimelineTravel::play(double rate) {
-    if (rate > 0.0 && atEnd() && timeline_.position() > 0) {
-        reach(0); // in batches, since going back over a long run takes time
-        rateOnArrival_ = rate;
-    } else {
-        startPlaying(rate);
+    if (rate > 0.0 && atEnd()) {
+        timeline_.approach(0); // a checkpoint, so that this takes no time
     }
-}
-
-void TimelineTravel::startPlaying(double rate) {
     watched_ = breakpoints_;
     stop_.reset();
     birth_.reset();
     eventsDone_ = 0;
-    rateOnArrival_ = 0.0;
     rate_ = rate;
     owed_ = 0.0;
     lastTick_ = Clock::now();
@@ -199,7 +192,6 @@ void TimelineTravel::startPlaying(double rate) {
 }
 
 void TimelineTravel::rest() {
-    rateOnArrival_ = 0.0;
     activity_ = Activity::Resting;
 }
 
@@ -267,10 +259,6 @@ TimelineTravel::Outcome TimelineTravel::reachABatch() {
         done = move(-static_cast<std::int64_t>(std::min<std::uint64_t>(position - target_, kBatch)));
     }
     if (timeline_.position() != target_ && done != 0 && !atEnd() && !stop_) {
-        return Outcome::Moved;
-    }
-    if (rateOnArrival_ != 0.0 && !stop_) {
-        startPlaying(rateOnArrival_);
         return Outcome::Moved;
     }
     return arrive();

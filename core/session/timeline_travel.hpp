@@ -75,7 +75,6 @@ class TimelineTravel {
     Outcome stepEvents(std::int64_t count);
     Outcome stepLayers(std::int64_t count);
     void settle();
-    void startPlaying(double rate);
     Outcome reachABatch();
     Outcome playABatch();
     Outcome arrive();
@@ -89,7 +88,6 @@ class TimelineTravel {
     Activity activity_ = Activity::Resting;
     std::uint64_t target_ = 0;     ///< Reaching: position to reach
     std::size_t targetLayers_ = 0; ///< Reaching: number of layer ends still to pass
-    double rateOnArrival_ = 0.0;   ///< Reaching: then play at this rate; 0: rest
     double rate_ = 0.0;            ///< Playing: advances per second, negative: back
     double owed_ = 0.0;            ///< Playing: fraction of an advance not yet played
     Clock::time_point lastTick_;   ///< Playing: the time up to which advances are done
