@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace forefront::shell {
 
@@ -13,7 +14,7 @@ namespace {
 
 using Sample = RunCurves::Sample;
 
-/// A curve with a scale of its own: from 0 to its maximum, or over [0, 1].
+/// A curve with a scale of its own, see rangeOf().
 struct Curve {
     const char *name, *tip;
     float Sample::*value;
@@ -36,22 +37,34 @@ struct Frame {
     float top, bottom;
 };
 
-float highest(const RunCurves &curves, const Curve &curve) {
-    float result = curve.unit ? 1.0F : 0.0F;
+/// The range of values between the lower and the upper edge.
+struct Range {
+    float from, to;
+};
+
+/// Returns 0 to the maximum, or for α the tenths around all of its values, since most of them are close to 1.
+Range rangeOf(const RunCurves &curves, const Curve &curve) {
+    Range range{curve.unit ? 1.0F : 0.0F, curve.unit ? 1.0F : 1e-6F};
     for (const Sample &sample : curves.samples) {
-        result = curve.unit ? result : std::max(result, sample.*curve.value);
+        if (curve.unit) {
+            range.from = std::min(range.from, std::floor(10.0F * sample.alphaMin - 1.0F) / 10.0F);
+        } else {
+            range.to = std::max(range.to, sample.*curve.value);
+        }
     }
-    return std::max(result, 1e-6F);
+    return range;
 }
 
 void drawCurve(WidgetContext &context, const RunCurves &curves, const Curve &curve, const Frame &frame) {
-    const float scale = (frame.bottom - frame.top) / highest(curves, curve);
+    const Range range = rangeOf(curves, curve);
+    const float scale = (frame.bottom - frame.top) / std::max(range.to - range.from, 1e-6F);
     std::vector<ImVec2> points;
     points.reserve(curves.samples.size());
     for (std::size_t i = 0; i < curves.samples.size(); ++i) {
         const double from = static_cast<double>(i * curves.stretch);
         const double to = std::min(static_cast<double>(frame.axis.known), from + static_cast<double>(curves.stretch));
-        points.push_back({frame.axis.x(0.5 * (from + to)), frame.bottom - scale * (curves.samples[i].*curve.value)});
+        const float height = scale * (curves.samples[i].*curve.value - range.from);
+        points.push_back({frame.axis.x(0.5 * (from + to)), frame.bottom - height});
     }
     ImGui::GetWindowDrawList()->AddPolyline(points.data(), static_cast<int>(points.size()), curve.colour, 0,
                                             context.px(1.25));

@@ -28,7 +28,7 @@ MarkLook lookOf(const Theme &theme, MarkKind kind) {
     case MarkKind::Rejection:
         return {"Rejection", "An advance that tested and rejected a candidate", fade(theme.bad, 0.6), 3.0, true};
     case MarkKind::Connection:
-        return {"Connection", "Two fronts joined, or a front split in two", theme.candidate, 6.0, false};
+        return {"Connection", "Two fronts joined, or a front split in two", theme.visited, 6.0, false};
     case MarkKind::Closure:
         return {"Closure", "The last element of a front", fade(theme.good, 0.7), 4.0, true};
     case MarkKind::Deferral:
