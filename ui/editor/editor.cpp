@@ -279,7 +279,7 @@ void Editor::Parts::takeResults(bool cancels) {
     }
     const auto known = context.preview;
     const auto knownRaster = raster;
-    if (previewDue()) {
+    if (drewNews || previewDue()) {
         context.preview = context.examiner.latest();
         raster = context.examiner.raster();
         previewTaken = steadySeconds();
