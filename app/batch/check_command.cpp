@@ -160,7 +160,7 @@ int checkCommand(int argc, const char *const *argv) {
     CLI::App app("Checks a mesh, alone or against its domain.", "forefront check");
     app.footer(kExamples);
     app.add_option("MESH", arguments.mesh,
-                   "mesh file: .msh, .vtu, .vtk, .mesh, .inp, .su2, .node, .ele, .obj; -: standard input")
+                   "mesh file: .msh, .vtu, .vtk, .mesh, .inp, .su2, .node, .ele, .obj, .vol; -: standard input")
         ->required();
     addInputFormatOption(app, "MESH", arguments.inputFormat);
     app.add_option("--domain", arguments.domain, "domain or project that the mesh was made from")->type_name("IN");

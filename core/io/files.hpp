@@ -50,7 +50,7 @@ Result<Domain> readDomain(const std::filesystem::path &path, const ImportOptions
 /// (.poly, GeoJSON, SVG, project), line and number of the parts. Reads the file once more. Faults that name a file
 /// already stay as they are.
 Diagnostics locateFaults(const std::filesystem::path &path, Diagnostics faults, const ImportOptions &options = {});
-/// Reads a mesh: MSH 2.2 (ASCII) or 4.1, VTU, VTK legacy, MEDIT, Abaqus, SU2, Triangle .node/.ele, OBJ.
+/// Reads a mesh: MSH 2.2 (ASCII) or 4.1, VTU, VTK legacy, MEDIT, Abaqus, SU2, Triangle .node/.ele, OBJ, Netgen.
 Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &options = {},
                       ImportNotes *notes = nullptr);
 /// Reads a mesh and the nodal values with this name: point data of VTU and VTK legacy files, $NodeData of MSH.

@@ -3,6 +3,7 @@
 #include "core/io/geojson/geojson.hpp"
 #include "core/io/gmsh/gmsh.hpp"
 #include "core/io/medit/medit.hpp"
+#include "core/io/netgen/netgen.hpp"
 #include "core/io/obj/obj.hpp"
 #include "core/io/project/project.hpp"
 #include "core/io/su2/su2.hpp"
@@ -83,6 +84,8 @@ constexpr std::array kFormats = {
            .otherExtensions = ".ele",
            .readMesh = readTriangle,
            .writeFiles = writeTriangle},
+    Format{
+        .about = {"netgen", "Netgen", ".vol", true, true, false}, .recognise = looksLikeNetgen, .readMesh = readNetgen},
     Format{.about = {"obj", "Wavefront OBJ", ".obj", true, true, true},
            .readMesh = readObj,
            .writeMesh = writeObj,

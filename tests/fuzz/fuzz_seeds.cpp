@@ -78,6 +78,13 @@ const char *const kVtuAscii =
     "0</DataArray></Points><Cells><DataArray type=\"Int64\" Name=\"connectivity\">0 1 2</DataArray><DataArray "
     "type=\"Int64\" Name=\"offsets\">3</DataArray><DataArray type=\"UInt8\" Name=\"types\" format=\"binary\">"
     "AQAAAAU=</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>";
+const char *const kNetgen =
+    "mesh3d\ndimension\n2\ngeomtype\n0\n\n# surfnr bcnr domin domout np p1 p2 p3\nsurfaceelements\n2\n 2 1 0 0 3 1 2 "
+    "3\n"
+    " 2 2 0 0 3 1 3 4\n\nvolumeelements\n0\n\nedgesegmentsgi2\n2\n 1 0 1 2 -1 -1 1 0 1 0 1 0.5\n 2 0 2 3 -1 -1 1 0 2 0 "
+    "2 1\n"
+    "\npoints\n4\n 0 0 0\n 1 0 0\n 1 1 0\n 0 1 0\n\npointelements\n1\n 4 3\n\nmaterials\n1\n1 sea\n\nbcnames\n2\n"
+    "1 in let\n2 wall\n\nendmesh\n";
 const char *const kTriangle =
     "3 2 0 1\n1 0 0 1\n2 1 0 1\n3 0 1 0\n# region 2 \"r\"\n# point 1 4\n%%\n1 3 1\n1 1 2 3 2\n"
     "%%\n2 1\n1 1 2 5\n2 2 3 0\n";
@@ -112,8 +119,8 @@ std::vector<std::string> handMade(std::string_view id) {
         return {text(writeMsh2) + kValues, text(writeMsh4) + kValues, text(writeMsh4Binary) + binaryValues()};
     }
     static const std::map<std::string_view, std::vector<std::string>> kTexts = {
-        {"geojson", {kGeoJson, kLines}}, {"poly", {kPoly}},    {"svg", {kSvg, kStyledSvg}},
-        {"triangle", {kTriangle}},       {"vtu", {kVtuAscii}},
+        {"geojson", {kGeoJson, kLines}}, {"poly", {kPoly}},     {"svg", {kSvg, kStyledSvg}},
+        {"triangle", {kTriangle}},       {"netgen", {kNetgen}}, {"vtu", {kVtuAscii}},
     };
     const auto found = kTexts.find(id);
     return found != kTexts.end() ? found->second : std::vector<std::string>();

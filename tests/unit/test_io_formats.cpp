@@ -72,6 +72,99 @@ TEST_CASE("Formats: round trip of a mesh of one region without names, edges or p
     }
 }
 
+namespace {
+
+const std::string kNetgen = R"(mesh3d
+dimension
+2
+geomtype
+0
+
+# surfnr    bcnr   domin  domout      np      p1      p2      p3
+surfaceelements
+2
+ 2 1 0 0 3 1 2 3
+ 2 2 0 0 3 1 3 4
+
+#  matnr      np      p1      p2      p3      p4
+volumeelements
+0
+
+# surfid  0   p1   p2   trignum1    trignum2   domin/surfnr1    domout/surfnr2   ednr1   dist1   ednr2   dist2
+edgesegmentsgi2
+2
+ 1 0 1 2 -1 -1 1 0 1 0 1 0.5
+ 2 0 2 3 -1 -1 1 0 2 0 2 1
+
+#          X             Y             Z
+points
+4
+ 0 0 0
+ 1 0 0
+ 1 1 0
+ 0 1 0
+
+pointelements
+1
+ 4 3
+
+materials
+1
+1 sea
+
+bcnames
+2
+1 in let
+2 wall
+
+endmesh
+)";
+
+Result<Mesh> readNetgenText(const std::string &text) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "mesh.vol") << text;
+    return readMesh(folder / "mesh.vol");
+}
+
+/// Returns the text with the first occurrence of a part replaced.
+std::string changed(std::string text, const std::string &part, const std::string &by) {
+    return text.replace(text.find(part), part.size(), by);
+}
+
+} // namespace
+
+TEST_CASE("Netgen: elements, regions, boundary parts and names are read") {
+    const auto mesh = readNetgenText(kNetgen);
+    REQUIRE_MESSAGE(mesh.ok(), messages(mesh.faults()));
+    CHECK(mesh->nodes == std::vector<Vec2>{{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+    CHECK(mesh->elements.size() == 2);
+    CHECK(mesh->elements[1] == Element{NodeId{0}, NodeId{2}, NodeId{3}});
+    CHECK(mesh->regions == std::vector<std::int32_t>{1, 2});
+    REQUIRE(mesh->edges.size() == 2);
+    CHECK(mesh->edges[1].b == NodeId{2});
+    CHECK(mesh->edges[1].tag == 2);
+    REQUIRE(mesh->points.size() == 1);
+    CHECK(mesh->points[0].tag == 3);
+    CHECK(mesh->regionNames.at(1) == "sea");
+    CHECK(mesh->boundaryNames.at(1) == "in let");
+    CHECK(verify(*mesh).empty());
+}
+
+TEST_CASE("Netgen: what is not a plane mesh of triangles is refused with its line") {
+    const auto fault = [](const std::string &part, const std::string &by) {
+        const auto mesh = readNetgenText(changed(kNetgen, part, by));
+        REQUIRE_FALSE(mesh.ok());
+        CHECK(mesh.faults()[0].line > 0);
+        return mesh.faults()[0].code;
+    };
+    CHECK(fault("0 0 3 1 2 3", "0 0 6 1 2 3 4 1 2") == "not-a-triangle");
+    CHECK(fault("volumeelements\n0", "volumeelements\n1\n1 4 1 2 3 4") == "not-planar");
+    CHECK(fault(" 0 1 0\n", " 0 1 5\n") == "not-planar");
+    CHECK(fault("3 1 3 4", "3 1 3 9") == "bad-index");
+    CHECK(fault("bcnames\n2", "bcnames\n20") == "bad-count");
+    CHECK(fault("points\n4", "vertices\n4") == "bad-syntax");
+}
+
 TEST_CASE("Formats: the domain of a written mesh is the domain it covers") {
     const TemporaryFolder folder;
     const Mesh mesh = twoRegionMesh();
