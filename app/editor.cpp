@@ -42,6 +42,7 @@ int runEditor(const EditorArguments &arguments) {
     setup.settingsFolder = folder;
     setup.stateFolder = stateFolder();
     setup.file = arguments.file.value_or(std::filesystem::path());
+    setup.judge = arguments.judge;
     setup.stateFile = arguments.stateFile.value_or(std::filesystem::path());
     Editor editor(*platform, setup);
     while (editor.running()) {

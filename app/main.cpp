@@ -17,6 +17,7 @@ namespace {
 constexpr const char *kUsageText = R"(Forefront: planar triangle meshes by the advancing front technique.
 
   forefront [FILE]          open the editor with a project or domain file
+  forefront view MESH       open the editor with a mesh, to judge it
   forefront mesh IN -o OUT  mesh a file in batch           (forefront mesh --help)
   forefront check MESH      check a mesh                   (forefront check --help)
   forefront adapt MESH      remesh to a requested error    (forefront adapt --help)
@@ -34,13 +35,18 @@ Exit codes: 0 done, 1 input refused, 2 wrong usage, 3 cancelled, 4 no window (no
 )";
 
 #if defined(FOREFRONT_WITH_EDITOR)
-/// Opens the editor. For tests it also takes --frames N, to close after N frames, and --state-file FILE, to write its
-/// state.
-int editorCommand(int argc, const char *const *argv) {
+/// Opens the editor, with a mesh to judge if the command is "view". For tests it also takes --frames N, to close after
+/// N frames, and --state-file FILE, to write its state.
+int editorCommand(int argc, const char *const *argv, bool view) {
     EditorArguments arguments;
-    CLI::App app("Forefront", "forefront");
-    app.set_help_flag();
-    app.add_option("FILE", arguments.file)->check(CLI::ExistingFile);
+    arguments.judge = view;
+    CLI::App app(
+        "Opens the editor with a mesh of any format, to judge it: colours, histograms, limits, the worst places.",
+        view ? "forefront view" : "forefront");
+    if (!view) {
+        app.set_help_flag();
+    }
+    app.add_option(view ? "MESH" : "FILE", arguments.file)->check(CLI::ExistingFile)->required(view);
     app.add_option("--frames", arguments.frames)->check(wholeNumberWithin(1, 1'000'000'000));
     app.add_option("--state-file", arguments.stateFile);
     if (const auto code = parseOptions(app, argc, argv)) {
@@ -49,7 +55,7 @@ int editorCommand(int argc, const char *const *argv) {
     return runEditor(arguments);
 }
 #else
-int editorCommand(int /*argc*/, const char *const * /*argv*/) {
+int editorCommand(int /*argc*/, const char *const * /*argv*/, bool /*view*/) {
     std::fprintf(stderr, "This program was built without the editor.\n\n%s", kUsageText);
     return kUsage;
 }
@@ -57,6 +63,9 @@ int editorCommand(int /*argc*/, const char *const * /*argv*/) {
 
 int dispatch(int argc, const char *const *argv) {
     const std::string_view command = argc > 1 ? argv[1] : "";
+    if (command == "view") {
+        return editorCommand(argc - 1, argv + 1, true);
+    }
     if (command == "mesh") {
         return meshCommand(argc - 1, argv + 1);
     }
@@ -80,9 +89,9 @@ int dispatch(int argc, const char *const *argv) {
     std::error_code none;
     if (!command.empty() && !command.starts_with('-') && !std::filesystem::exists(command, none)) {
         return wrongUsage("forefront", "unknown command or file '" + std::string(command) +
-                                           "'; expected mesh, check, adapt, tables or an existing file");
+                                           "'; expected view, mesh, check, adapt, tables or an existing file");
     }
-    return editorCommand(argc, argv);
+    return editorCommand(argc, argv, false);
 }
 
 } // namespace

@@ -1,11 +1,13 @@
 #version 330 core
 in vec3 corner;
-flat in float shade;
+flat in vec3 shades;      // values of the element (three times), of its edges, or of its nodes
 
 uniform vec4 face;        // of elements not coloured by a value
 uniform vec4 edge;
 uniform float edgeWidth;  // pixels, of the whole edge
 uniform int coloured;     // 1: by value and map
+uniform int part;         // that has values: 0 elements, 1 edges, 2 nodes
+uniform int cyclic;       // 1: the map repeats every eight values
 uniform sampler2D map;
 uniform vec2 range;       // values at the ends of the map
 uniform float denseEdges; // opacity of edges too dense to be distinguished
@@ -14,7 +16,20 @@ uniform vec4 hatch;
 uniform vec2 isolate;     // values shown alone; x > y: all
 out vec4 result;
 
+// The value of the element, of the nearest edge (k joins the corners k and k + 1), or of the nearest node.
+float valueHere() {
+    if (part == 1) {
+        return corner.z <= min(corner.x, corner.y) ? shades.x : corner.x <= corner.y ? shades.y : shades.z;
+    }
+    if (part == 2) {
+        return corner.x >= max(corner.y, corner.z) ? shades.x : corner.y >= corner.z ? shades.y : shades.z;
+    }
+    return shades.x;
+}
+
 void main() {
+    float shade = valueHere();
+    bool known = shade > -9e29;
     vec3 rate = fwidth(corner);
     vec3 pixels = corner / max(rate, vec3(1e-9));
     float nearest = min(min(pixels.x, pixels.y), pixels.z);
@@ -22,8 +37,9 @@ void main() {
     float height = 1.0 / max(max(rate.x, rate.y), rate.z);
     float line = mix(denseEdges, clamp(0.5 * edgeWidth + 0.5 - nearest, 0.0, 1.0), smoothstep(2.0, 9.0, height));
     float t = clamp((shade - range.x) / (range.y - range.x), 0.0, 1.0);
-    vec4 fill = coloured == 1 ? vec4(texture(map, vec2(t * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb, 1.0) : face;
-    if (coloured == 1 && shade < badBelow) {
+    t = cyclic == 1 ? (mod(shade - 1.0, 8.0) + 0.5) / 8.0 : t;
+    vec4 fill = coloured == 1 && known ? vec4(texture(map, vec2(t * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb, 1.0) : face;
+    if (coloured == 1 && known && shade < badBelow) {
         float stripe = abs(fract((gl_FragCoord.x + gl_FragCoord.y) / 7.0) - 0.5) * 7.0;
         fill = mix(fill, vec4(hatch.rgb, 1.0), hatch.a * clamp(1.75 - stripe, 0.0, 1.0));
     }

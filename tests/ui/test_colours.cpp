@@ -2,7 +2,7 @@
 #include "tests/ui/edit_driver.hpp"
 #include "ui/canvas/legend.hpp"
 #include "ui/style/colour_map.hpp"
-#include "ui/style/quality_range.hpp"
+#include "ui/style/measure_colours.hpp"
 
 #include <doctest/doctest.h>
 #include <glm/common.hpp>
@@ -90,35 +90,54 @@ TEST_CASE("Colours: quality and spacing exclude each other") {
 TEST_CASE("Colours: every element has the colour of its quality in the legend, in both themes") {
     MeshedSquare driver;
     showLayer(driver.context().layers, "quality", true);
-    const ColourRange fitted = fittedQualityRange(driver.run().quality);
+    const ColourRange fitted = driver.context().judgement->fitted;
     REQUIRE(fitted.from > 0.6); // a good mesh
     for (const ThemeKind theme : {ThemeKind::Dark, ThemeKind::Light}) {
         driver.context().settings.theme = theme;
-        driver.context().view.qualityRange.reset();
+        driver.context().view.measureRange.reset();
         CHECK(driver.wronglyColoured(fitted) == 0);
-        driver.context().view.qualityRange = ColourRange{0.2, 0.99};
+        driver.context().view.measureRange = ColourRange{0.2, 0.99};
         CHECK(driver.wronglyColoured({0.2, 0.99}) == 0);
     }
 }
 
-TEST_CASE("Colours: the quality range fits the mesh and ignores a few bad elements") {
-    MeshQuality good;
-    good.elements = 1000;
-    good.alphaHistogram[36] = 20; // from 0.9 on
-    good.alphaHistogram[39] = 980;
-    CHECK(fittedQualityRange(good) == ColourRange{0.9, 1.0});
-    MeshQuality withOneBad = good;
-    withOneBad.elements += 1;
-    withOneBad.alphaHistogram[3] = 1;
-    CHECK(fittedQualityRange(withOneBad) == ColourRange{0.9, 1.0});
-    MeshQuality poor = good;
-    poor.elements += 500;
-    poor.alphaHistogram[10] = 500;
-    CHECK(fittedQualityRange(poor) == ColourRange{0.25, 1.0});
-    MeshQuality perfect;
-    perfect.elements = 10;
-    perfect.alphaHistogram[39] = 10;
-    CHECK(fittedQualityRange(perfect).to - fittedQualityRange(perfect).from >= 0.049);
+TEST_CASE("Colours: the range fits the mesh and ignores a few bad elements") {
+    const auto fitted = [](Measure measure, const std::vector<double> &values) {
+        return fittedRange(measure, summarise(values));
+    };
+    std::vector<double> good(980, 0.99);
+    good.insert(good.end(), 20, 0.91);
+    CHECK(fitted(Measure::ShapeFactor, good) == ColourRange{0.9, 1.0});
+    std::vector<double> withOneBad = good;
+    withOneBad.push_back(0.08);
+    CHECK(fitted(Measure::ShapeFactor, withOneBad) == ColourRange{0.9, 1.0});
+    std::vector<double> poor = good;
+    poor.insert(poor.end(), 500, 0.26);
+    CHECK(fitted(Measure::ShapeFactor, poor) == ColourRange{0.25, 1.0});
+    const ColourRange perfect = fitted(Measure::ShapeFactor, std::vector<double>(10, 1.0));
+    CHECK(perfect.to - perfect.from >= 0.049);
+    std::vector<double> growth(999, 1.2);
+    growth.push_back(5000.0);
+    CHECK(fitted(Measure::AreaRatio, growth).to < 2.0);
+    CHECK(fitted(Measure::SizeRatio, {0.5, 1.0, 1.2}).from == doctest::Approx(0.5));
+    CHECK(fitted(Measure::SizeRatio, {0.5, 1.0, 1.2}).to == doctest::Approx(2.0));
+}
+
+TEST_CASE("Colours: good values are bright and bad ones dark, and the middle of a diverging map is neutral") {
+    const auto brightness = [](Colour colour) { return colour.r + colour.g + colour.b; };
+    for (const Measure measure : valuesOf<Measure>()) {
+        CAPTURE(wordOf(measure));
+        const ColourMap map = mapOf(measure);
+        if (infoOf(measure).bad == BadEnd::Low) {
+            CHECK(brightness(map(1.0)) > 2 * brightness(map(0.0)));
+        } else if (infoOf(measure).bad == BadEnd::High && measure != Measure::Valence) {
+            CHECK(brightness(map(0.0)) > 2 * brightness(map(1.0)));
+        } else if (infoOf(measure).bad == BadEnd::FarFromOne) {
+            CHECK(map(0.5) == rgb(0xf7f7f7));
+        }
+    }
+    CHECK(mapPosition(Measure::SizeRatio, {0.5, 2.0}, 1.0) == doctest::Approx(0.5));
+    CHECK(mapPosition(Measure::Region, {}, 3.0) == mapPosition(Measure::Region, {}, 11.0));
 }
 
 TEST_CASE("Colours: the user can set the quality range in the histogram, and fit it again") {
@@ -131,17 +150,17 @@ TEST_CASE("Colours: the user can set the quality range in the histogram, and fit
     driver.type("0.3");
     driver.key(key::kTab);
     driver.settle();
-    REQUIRE(driver.context().view.qualityRange);
-    CHECK(*driver.context().view.qualityRange == ColourRange{0.3, 1.0});
+    REQUIRE(driver.context().view.measureRange);
+    CHECK(*driver.context().view.measureRange == ColourRange{0.3, 1.0});
     driver.click("histogram/to");
     driver.key('A', {Modifiers::kControl});
     driver.type("0.2"); // below the other end
     driver.key(key::kTab);
     driver.settle();
-    CHECK(*driver.context().view.qualityRange == ColourRange{0.3, 1.0});
+    CHECK(*driver.context().view.measureRange == ColourRange{0.3, 1.0});
     CHECK(driver.logHas("bad-range"));
     driver.click("histogram/fit");
-    CHECK_FALSE(driver.context().view.qualityRange);
+    CHECK_FALSE(driver.context().view.measureRange);
 }
 
 TEST_CASE("Colours: fine spacing is bright and coarse spacing blue, the same in both themes") {

@@ -5,6 +5,7 @@
 #include "core/edit/spacing_commands.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/dialogs/gallery_dialog.hpp"
+#include "ui/dialogs/open_mesh.hpp"
 #include "ui/dialogs/preferences_dialog.hpp"
 #include "ui/dialogs/repair.hpp"
 #include "ui/parts/shell.hpp"
@@ -58,6 +59,9 @@ void addFileActions(ActionRegistry &actions) {
                  .title = "Open\xe2\x80\xa6",
                  .shortcuts = {{'O', kControl}},
                  .run = [](Shell &c) { openDocument(c); }});
+    actions.add({.id = "file.openMesh", .menu = "File", .title = "Open mesh\xe2\x80\xa6", .run = [](Shell &c) {
+                     openMesh(c);
+                 }});
     actions.add({.id = "file.recent",
                  .menu = "File",
                  .title = "Open recent",

@@ -38,15 +38,6 @@ std::vector<FileFilter> drawings() {
     return filters;
 }
 
-std::filesystem::path startFolder(const Shell &context) {
-    if (!context.document.path().empty()) {
-        return context.document.path().parent_path();
-    }
-    return context.settings.recentFiles.empty()
-               ? std::filesystem::path()
-               : std::filesystem::path(context.settings.recentFiles.front()).parent_path();
-}
-
 Status save(Shell &context, const std::filesystem::path &file) {
     if (Status status = writeProject(file, *context.document.current()); !status.empty()) {
         return status;
@@ -107,6 +98,15 @@ void rememberView(Shell &context) {
     } else {
         context.settings.views[viewKey(context)] = {context.view.camera.centre, context.view.camera.zoom};
     }
+}
+
+std::filesystem::path startFolder(const Shell &context) {
+    if (!context.document.path().empty()) {
+        return context.document.path().parent_path();
+    }
+    return context.settings.recentFiles.empty()
+               ? std::filesystem::path()
+               : std::filesystem::path(context.settings.recentFiles.front()).parent_path();
 }
 
 void showDocument(Shell &context, const Document &document, const std::filesystem::path &file) {

@@ -2,6 +2,7 @@
 
 #include "core/io/files.hpp"
 #include "ui/dialogs/file_commands.hpp"
+#include "ui/dialogs/open_mesh.hpp"
 #include "ui/dialogs/recovery.hpp"
 #include "ui/editor/apply_settings.hpp"
 #include "ui/editor/canvas_input.hpp"
@@ -16,6 +17,7 @@
 #include "ui/tools/make_tools.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/follow_camera.hpp"
+#include "ui/workspace/judging.hpp"
 #include "ui/workspace/moment.hpp"
 
 #include <imgui.h>
@@ -23,6 +25,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace forefront {
 
@@ -148,7 +151,9 @@ Editor::Editor(Platform &platform, EditorSetup options)
     shell::addShellActions(c.actions);
     applySettings(c);
     c.tools.current().activate(c);
-    if (!parts_->options.file.empty()) {
+    if (parts_->options.judge) {
+        c.log.add(openMesh(c, parts_->options.file));
+    } else if (!parts_->options.file.empty()) {
         if (open(parts_->options.file)) {
             rememberFile(c, parts_->options.file);
         }
@@ -198,7 +203,7 @@ bool Editor::running() const {
 bool Editor::settled() const {
     const Shell &c = parts_->context;
     return parts_->input.empty() && !parts_->input.replaying() && c.redraw <= 0 && !c.examiner.busy() &&
-           !c.run.busy() && !c.run.hasNews() && !c.run.hasToFollow();
+           !c.judge.busy() && !c.run.busy() && !c.run.hasNews() && !c.run.hasToFollow();
 }
 
 double Editor::sleepSeconds() const {
@@ -219,7 +224,7 @@ bool Editor::needsFrame() const {
     const bool previewed =
         (c.examiner.latest() != c.preview || c.examiner.raster() != parts_->raster) && parts_->previewDue();
     return sleepSeconds() <= 0.0 || c.platform.now() >= c.nextFrameAt || (c.run.hasNews() && parts_->newsDue()) ||
-           c.run.canFollow() || previewed || (parts_->drewBusy && !c.run.busy()) ||
+           c.run.canFollow() || previewed || c.judge.latest() != c.judgement || (parts_->drewBusy && !c.run.busy()) ||
            !(c.platform.framebufferSize() == parts_->size) || (parts_->reportedBusy && settled());
 }
 
@@ -277,6 +282,9 @@ void Editor::Parts::takeResults(bool cancels) {
     if (recovery) {
         recovery->follow(context);
     }
+    context.judge.submit(judgeRequest(context));
+    const auto knownJudgement = std::exchange(context.judgement, context.judge.latest());
+    context.probe.follow(context.judgement->of.mesh ? context.judgement->of.mesh->version : 0);
     const auto known = context.preview;
     const auto knownRaster = raster;
     if (drewNews || previewDue()) {
@@ -284,7 +292,8 @@ void Editor::Parts::takeResults(bool cancels) {
         raster = context.examiner.raster();
         previewTaken = steadySeconds();
     }
-    if (before != context.run.snapshot() || known != context.preview || knownRaster != raster) {
+    if (before != context.run.snapshot() || known != context.preview || knownRaster != raster ||
+        knownJudgement != context.judgement) {
         context.animate();
     }
 }

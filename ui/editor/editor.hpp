@@ -14,6 +14,7 @@ struct EditorSetup {
     std::filesystem::path settingsFolder; ///< empty: settings are neither read nor saved
     std::filesystem::path stateFolder;    ///< for the recovery journal, see stateFolder(); empty: no journal
     std::filesystem::path file;           ///< project or domain to open
+    bool judge = false;                   ///< open `file` as a mesh to judge, not as a drawing
     bool sample = true;                   ///< open the first sample if no file is given
     std::filesystem::path stateFile;      ///< file that receives the state of each frame, for tests of the real window
 };

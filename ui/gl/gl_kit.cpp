@@ -37,9 +37,7 @@ unsigned mapTexture(Colour (*map)(double)) {
 
 } // namespace
 
-GlKit::GlKit()
-    : lines_("line"), boxes_("box"), mesh_("mesh"), field_("field"), spacing_(mapTexture(spacingColour)),
-      cividis_(mapTexture(forefront::cividis)) {
+GlKit::GlKit() : lines_("line"), boxes_("box"), mesh_("mesh"), field_("field"), spacing_(mapTexture(spacingColour)) {
     glGenVertexArrays(1, &emptyArray_);
     mask_ = smoothTexture(GL_NEAREST);
     raster_ = smoothTexture(GL_LINEAR);
@@ -47,10 +45,21 @@ GlKit::GlKit()
 
 GlKit::~GlKit() {
     glDeleteTextures(1, &spacing_);
-    glDeleteTextures(1, &cividis_);
+    for (const auto &[map, texture] : maps_) {
+        glDeleteTextures(1, &texture);
+    }
     glDeleteTextures(1, &mask_);
     glDeleteTextures(1, &raster_);
     glDeleteVertexArrays(1, &emptyArray_);
+}
+
+unsigned GlKit::map(ColourMap colours) const {
+    for (const auto &[known, texture] : maps_) {
+        if (known == colours) {
+            return texture;
+        }
+    }
+    return maps_.emplace_back(colours, mapTexture(colours)).second;
 }
 
 void GlKit::setCamera(const ShaderProgram &program, const Camera &camera) const {

@@ -3,8 +3,10 @@
 #include "core/domain/domain.hpp"
 #include "ui/canvas/camera.hpp"
 #include "ui/gl/shader.hpp"
+#include "ui/style/colour_map.hpp"
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace forefront {
@@ -38,8 +40,8 @@ class GlKit {
                    const FieldTint *tint);
     /// Sets the uniforms "centre" (split), "zoom" and "viewport" of the program in use.
     void setCamera(const ShaderProgram &program, const Camera &camera) const;
-    /// Returns the texture of the cividis map, 256 x 1 colours.
-    unsigned cividis() const { return cividis_; }
+    /// Returns a texture of 256 x 1 colours of a map.
+    unsigned map(ColourMap colours) const;
     /// Returns a vertex array without attributes, for shaders that compute their own corners.
     unsigned emptyArray() const { return emptyArray_; }
 
@@ -48,7 +50,8 @@ class GlKit {
     void updateMask(const Domain &domain, std::uint64_t revision, const Camera &camera);
     void updateRaster(const FieldTint &tint);
 
-    unsigned spacing_ = 0, cividis_ = 0, emptyArray_ = 0, mask_ = 0, raster_ = 0;
+    unsigned spacing_ = 0, emptyArray_ = 0, mask_ = 0, raster_ = 0;
+    mutable std::vector<std::pair<ColourMap, unsigned>> maps_; ///< made when first used
     std::uint64_t maskRevision_ = 0, rasterVersion_ = 0;
     Camera maskCamera_;
 };

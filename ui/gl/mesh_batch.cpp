@@ -14,6 +14,15 @@ namespace forefront {
 namespace {
 
 constexpr std::size_t kChunk = 4096;
+/// The first value in the buffer. Three attributes read the buffer at each vertex and the two entries after it, so that
+/// the last vertex of an element, whose flat outputs count, has the values of all three corners.
+constexpr std::size_t kSkip = 2;
+/// Stands for a missing value; the shader draws such parts in the plain colour.
+constexpr float kNoValue = -1e30F;
+/// Stands for infinity; more than the logarithm of any float, but less than the end of the last bar of a histogram.
+constexpr float kInfinite = 86.0F;
+/// Values of α by themselves, without a version of their own.
+constexpr std::uint64_t kAlphaVersion = ~std::uint64_t{0};
 /// Minimum number of elements for which culling pays off.
 constexpr std::size_t kWorthSorting = 16384;
 
@@ -51,8 +60,11 @@ MeshBatch::MeshBatch() {
     glEnableVertexAttribArray(0);
     glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, sizeof(glm::vec2), nullptr);
     glBindBuffer(GL_ARRAY_BUFFER, valueBuffer_);
-    glEnableVertexAttribArray(1);
-    glVertexAttribPointer(1, 1, GL_FLOAT, GL_FALSE, sizeof(float), nullptr);
+    for (unsigned corner = 0; corner < 3; ++corner) {
+        glEnableVertexAttribArray(1 + corner);
+        glVertexAttribPointer(1 + corner, 1, GL_FLOAT, GL_FALSE, sizeof(float),
+                              reinterpret_cast<const void *>(corner * sizeof(float)));
+    }
     glBindVertexArray(0);
 }
 
@@ -80,18 +92,15 @@ void MeshBatch::truncate(std::size_t elements) {
         chunks_.back().count = elements - chunks_.back().first;
     }
     corners_.resize(3 * elements);
-    values_.resize(3 * elements);
     uploaded_ = elements;
 }
 
 void MeshBatch::writeElement(const MeshView &view, std::size_t element, Chunk &chunk) {
-    const float alpha = element < view.alpha.size() ? view.alpha[element] : 1.0F;
     for (const NodeId id : view.mesh.elements[element]) {
         const Vec2 p = view.mesh.nodes[index(id)];
         const Vec2 d = p - chunk.origin;
         chunk.box.add(p);
         corners_.emplace_back(d.x, d.y);
-        values_.push_back(alpha);
     }
     ++chunk.count;
 }
@@ -108,6 +117,7 @@ void MeshBatch::appendInOrder(const MeshView &view, std::size_t from) {
 void MeshBatch::rebuildByPlace(const MeshView &view) {
     truncate(0);
     const Mesh &mesh = view.mesh;
+    order_.resize(mesh.elements.size());
     const Box2 box = mesh.bounds();
     std::vector<std::uint64_t> order(mesh.elements.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
@@ -115,9 +125,9 @@ void MeshBatch::rebuildByPlace(const MeshView &view) {
     }
     std::sort(order.begin(), order.end());
     corners_.reserve(3 * order.size());
-    values_.reserve(3 * order.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
         const auto element = static_cast<std::size_t>(order[i] & 0xffffffffU);
+        order_[i] = static_cast<std::uint32_t>(element);
         if (i % kChunk == 0) {
             chunks_.push_back({centroid(mesh, mesh.elements[element]), {}, i, 0});
         }
@@ -125,53 +135,89 @@ void MeshBatch::rebuildByPlace(const MeshView &view) {
     }
 }
 
-void MeshBatch::upload(std::size_t fromElement) {
-    const std::size_t total = values_.size() / 3;
-    const auto bytes = [](std::size_t elements, std::size_t each) {
-        return static_cast<GLsizeiptr>(3 * elements * each);
+/// Writes the values of the elements from one on, in the order of the buffers.
+void MeshBatch::writeValues(const MeshView &view, const MeshValues *values, std::size_t fromElement) {
+    const std::size_t total = corners_.size() / 3;
+    values_.resize(3 * total + kSkip);
+    const auto shown = [&](std::size_t number) {
+        const double value = number < values->values.size() ? values->values[number] : std::nan("");
+        const double scaled = values->logarithmic ? std::log(value) : value; // NaN below 0
+        return std::isfinite(scaled) ? static_cast<float>(scaled) : value > 0.0 ? kInfinite : kNoValue;
     };
+    for (std::size_t slot = fromElement; slot < total; ++slot) {
+        const std::size_t element = elementAt(slot);
+        for (std::size_t k = 0; k < 3; ++k) {
+            float &value = values_[3 * slot + k + kSkip];
+            if (values == nullptr) {
+                value = element < view.alpha.size() ? view.alpha[element] : 1.0F;
+            } else if (values->part == MeshPart::Elements) {
+                value = shown(element);
+            } else if (values->part == MeshPart::Edges) {
+                value = values->edges != nullptr ? shown(values->edges->ofElement[element][k]) : kNoValue;
+            } else {
+                value = shown(index(view.mesh.elements[element][k]));
+            }
+        }
+    }
+}
+
+void MeshBatch::upload(std::size_t fromElement, std::size_t fromValue) {
+    const std::size_t total = corners_.size() / 3;
+    const auto bytes = [](std::size_t entries, std::size_t each) { return static_cast<GLsizeiptr>(entries * each); };
     if (total > capacity_) {
         capacity_ = std::max(total, std::min(2 * capacity_, total + 262144));
-        fromElement = 0;
+        fromElement = fromValue = 0;
         glBindBuffer(GL_ARRAY_BUFFER, cornerBuffer_);
-        glBufferData(GL_ARRAY_BUFFER, bytes(capacity_, sizeof(glm::vec2)), nullptr, GL_DYNAMIC_DRAW);
+        glBufferData(GL_ARRAY_BUFFER, bytes(3 * capacity_, sizeof(glm::vec2)), nullptr, GL_DYNAMIC_DRAW);
         glBindBuffer(GL_ARRAY_BUFFER, valueBuffer_);
-        glBufferData(GL_ARRAY_BUFFER, bytes(capacity_, sizeof(float)), nullptr, GL_DYNAMIC_DRAW);
+        glBufferData(GL_ARRAY_BUFFER, bytes(3 * capacity_ + kSkip, sizeof(float)), nullptr, GL_DYNAMIC_DRAW);
     }
     if (fromElement < total) {
         const std::size_t count = total - fromElement;
         sent_ += count;
         glBindBuffer(GL_ARRAY_BUFFER, cornerBuffer_);
-        glBufferSubData(GL_ARRAY_BUFFER, bytes(fromElement, sizeof(glm::vec2)), bytes(count, sizeof(glm::vec2)),
+        glBufferSubData(GL_ARRAY_BUFFER, bytes(3 * fromElement, sizeof(glm::vec2)), bytes(3 * count, sizeof(glm::vec2)),
                         &corners_[3 * fromElement]);
+    }
+    if (fromValue < total) {
         glBindBuffer(GL_ARRAY_BUFFER, valueBuffer_);
-        glBufferSubData(GL_ARRAY_BUFFER, bytes(fromElement, sizeof(float)), bytes(count, sizeof(float)),
-                        &values_[3 * fromElement]);
+        glBufferSubData(GL_ARRAY_BUFFER, bytes(3 * fromValue + kSkip, sizeof(float)),
+                        bytes(3 * (total - fromValue), sizeof(float)), &values_[3 * fromValue + kSkip]);
     }
     uploaded_ = total;
 }
 
-void MeshBatch::update(const std::shared_ptr<const MeshView> &view, bool atRest) {
+void MeshBatch::update(const std::shared_ptr<const MeshView> &view, bool atRest, const MeshValues *values) {
     if (!view) {
         truncate(0);
         shown_ = nullptr;
         return;
     }
     const bool sort = atRest && view->mesh.elements.size() > kWorthSorting;
-    if (shown_ && shown_->version == view->version && (byPlace_ || !sort)) {
+    const std::uint64_t version = values != nullptr ? values->version : kAlphaVersion;
+    const bool sameMesh = shown_ && shown_->version == view->version && (byPlace_ || !sort);
+    if (sameMesh && version == valuesVersion_) {
         return;
     }
-    if (sort) {
+    std::size_t kept = uploaded_;
+    if (!sameMesh && sort) {
         rebuildByPlace(*view);
-        upload(0);
-    } else {
-        const std::size_t kept = commonPrefix(*view);
+        kept = 0;
+    } else if (!sameMesh) {
+        kept = commonPrefix(*view);
+        order_.clear();
         truncate(kept);
         appendInOrder(*view, kept);
-        upload(kept);
     }
-    byPlace_ = sort;
+    // α of an element never changes; other values may.
+    const std::size_t keptValues = version == kAlphaVersion && valuesVersion_ == kAlphaVersion ? kept : 0;
+    writeValues(*view, values, keptValues);
+    upload(kept, keptValues);
+    byPlace_ = sameMesh ? byPlace_ : sort;
     shown_ = view;
+    valuesVersion_ = version;
+    part_ = values != nullptr ? values->part : MeshPart::Elements;
+    logarithmic_ = values != nullptr && values->logarithmic;
 }
 
 void MeshBatch::draw(const GlKit &gl, const Camera &camera, const MeshStyle &style) {
@@ -186,15 +232,22 @@ void MeshBatch::draw(const GlKit &gl, const Camera &camera, const MeshStyle &sty
     program.set("face", style.face);
     program.set("edge", style.edge);
     program.set("edgeWidth", static_cast<float>(style.edgeWidth));
-    program.set("coloured", style.coloured ? 1 : 0);
-    program.set("range", glm::vec2(style.range.from, style.range.to));
+    const auto scaled = [this](double value) {
+        return static_cast<float>(logarithmic_ && value > 0.0 ? std::log(value) : value);
+    };
+    program.set("coloured", style.map != nullptr ? 1 : 0);
+    program.set("cyclic", style.cyclic ? 1 : 0);
+    program.set("part", static_cast<int>(part_));
+    program.set("range", glm::vec2(scaled(style.range.from), scaled(style.range.to)));
     program.set("denseEdges", static_cast<float>(style.denseEdges));
     program.set("badBelow", static_cast<float>(style.badBelow));
     program.set("hatch", style.hatch);
-    program.set("isolate", glm::vec2(style.isolateFrom, style.isolateTo));
+    program.set("isolate", style.isolateFrom > style.isolateTo
+                               ? glm::vec2(1.0F, 0.0F)
+                               : glm::vec2(scaled(style.isolateFrom), scaled(style.isolateTo)));
     program.set("map", 0);
     glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, gl.cividis());
+    glBindTexture(GL_TEXTURE_2D, gl.map(style.map != nullptr ? style.map : cividis));
     glBindVertexArray(array_);
     const Box2 visible = camera.visible();
     for (const Chunk &chunk : chunks_) {

@@ -15,7 +15,7 @@ std::unique_ptr<Layer> makeBoundaryLayer();
 std::unique_ptr<Layer> makeLatticeLayer();
 /// Colours the domain by the node spacing ρ (logarithmic), with a legend.
 std::unique_ptr<Layer> makeSpacingLayer();
-/// Colours elements by α (cividis), hatches and numbers bad ones, with a legend.
+/// Colours elements, edges or nodes by the chosen measure, with a legend; hatches and numbers elements with bad α.
 std::unique_ptr<Layer> makeQualityLayer();
 /// Draws elements and their edges.
 std::unique_ptr<Layer> makeMeshLayer();

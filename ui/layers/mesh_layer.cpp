@@ -5,8 +5,9 @@
 #include "ui/gl/gl_kit.hpp"
 #include "ui/gl/mesh_batch.hpp"
 #include "ui/layers/layers.hpp"
-#include "ui/style/colour_map.hpp"
+#include "ui/style/measure_colours.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/mesh_judge.hpp"
 
 #include <algorithm>
 
@@ -21,15 +22,29 @@ constexpr std::size_t kMaxNumbers = 60;
 /// Edges on opaque colours: dark in both themes, since the colours are the same in both.
 constexpr Colour kEdgeOnColour = rgb(0x0b1018, 0.6);
 
+bool coloursByAlpha(const LayerFrame &frame) {
+    return frame.judgement.of.measure == Measure::ShapeFactor;
+}
+
+/// Returns the mesh to draw. While values of a newer mesh are being computed, the colours are shown on the mesh that
+/// they belong to; α is computed with the mesh.
+const std::shared_ptr<const MeshView> &meshShown(const LayerFrame &frame) {
+    const bool earlier =
+        frame.visible("quality") && !coloursByAlpha(frame) && frame.snapshot.mesh && frame.judgement.of.mesh;
+    return earlier ? frame.judgement.of.mesh : frame.snapshot.mesh;
+}
+
 std::uint64_t versionOf(const LayerFrame &frame) {
-    const std::uint64_t mesh = frame.snapshot.mesh ? frame.snapshot.mesh->version : 0;
-    const auto bin = static_cast<std::uint64_t>(frame.isolatedBin ? *frame.isolatedBin + 1 : 0);
+    const std::shared_ptr<const MeshView> &mesh = meshShown(frame);
     Hash64 hash;
-    hash.add(mesh);
+    hash.add(mesh ? mesh->version : 0);
     hash.add(frame.snapshot.run);
-    hash.add(bin);
-    hash.add(frame.qualityRange.from);
-    hash.add(frame.qualityRange.to);
+    hash.add(static_cast<std::uint64_t>(frame.isolatedBin ? *frame.isolatedBin + 1 : 0));
+    hash.add(static_cast<std::uint64_t>(frame.judgement.of.measure));
+    hash.add(reinterpret_cast<std::uintptr_t>(frame.judgement.of.spacing.get()));
+    hash.add(static_cast<std::uint64_t>(frame.judgement.values.size()));
+    hash.add(frame.measureRange.from);
+    hash.add(frame.measureRange.to);
     return hash.value();
 }
 
@@ -42,28 +57,51 @@ bool atRest(const SessionSnapshot &snapshot) {
 class ElementPainter {
   public:
     void draw(const LayerFrame &frame, bool edges) {
-        batch_.update(frame.snapshot.mesh, atRest(frame.snapshot));
         const bool quality = frame.visible("quality");
         const bool tinted = frame.visible("size");
+        // Bars of the histogram isolate parts by their values, also when the faces are not coloured.
+        const bool valued =
+            !coloursByAlpha(frame) && (quality || frame.isolatedBin) && meshShown(frame) == frame.judgement.of.mesh;
+        const MeshValues values = valuesOf(frame);
+        batch_.update(meshShown(frame), atRest(frame.snapshot), valued ? &values : nullptr);
         MeshStyle style;
         style.face = tinted ? Colour() : frame.theme.element;
         style.edge = !edges ? Colour() : quality || tinted ? kEdgeOnColour : frame.theme.mesh;
         style.edgeWidth = 1.0 * frame.scale;
         style.denseEdges = tinted ? 0.2 : 0.0; // shows what is meshed while the front advances
-        style.coloured = quality;
-        style.range = frame.qualityRange;
-        style.badBelow = quality ? kBad : -2.0;
+        style.map = quality ? mapOf(frame.judgement.of.measure) : nullptr;
+        style.cyclic = frame.judgement.of.measure == Measure::Region;
+        style.range = frame.measureRange;
+        style.badBelow = quality && coloursByAlpha(frame) ? kBad : -2.0;
         style.hatch = frame.theme.bad;
-        if (frame.isolatedBin) {
-            const double bins = static_cast<double>(kHistogramBins);
-            style.isolateFrom = *frame.isolatedBin == 0 ? -2.0 : *frame.isolatedBin / bins;
-            style.isolateTo =
-                *frame.isolatedBin + 1 == static_cast<int>(kHistogramBins) ? 2.0 : (*frame.isolatedBin + 1) / bins;
+        const MeasureHistogram &bins = frame.judgement.histogram;
+        if (frame.isolatedBin && (valued || coloursByAlpha(frame)) &&
+            static_cast<std::size_t>(*frame.isolatedBin) < bins.bins.size()) {
+            // The bins at the ends also hold the values outside.
+            const auto bin = static_cast<std::size_t>(*frame.isolatedBin);
+            const double lowest = bins.logarithmic ? 1e-30 : -8e29;
+            style.isolateFrom = bin == 0 ? lowest : bins.edge(bin);
+            style.isolateTo = bin + 1 == bins.bins.size() ? 1e38 : bins.edge(bin + 1);
         }
         batch_.draw(frame.gl, frame.camera, style);
     }
 
   private:
+    static MeshValues valuesOf(const LayerFrame &frame) {
+        const Judgement &judgement = frame.judgement;
+        const MeasureInfo &info = infoOf(judgement.of.measure);
+        Hash64 version;
+        version.add(judgement.of.mesh ? judgement.of.mesh->version : 0);
+        version.add(static_cast<std::uint64_t>(judgement.of.measure));
+        version.add(reinterpret_cast<std::uintptr_t>(judgement.of.spacing.get()));
+        version.add(static_cast<std::uint64_t>(judgement.values.size()));
+        return {.part = info.part,
+                .values = judgement.values,
+                .edges = judgement.edges.get(),
+                .logarithmic = info.logarithmic,
+                .version = version.value()};
+    }
+
     MeshBatch batch_;
 };
 
@@ -83,7 +121,7 @@ class MeshLayer final : public Layer {
 class QualityLayer final : public Layer {
   public:
     const char *id() const override { return "quality"; }
-    const char *name() const override { return "Quality \xce\xb1"; }
+    const char *name() const override { return "Quality"; }
     bool visibleAtStart() const override { return false; }
     bool coloursByValue() const override { return true; }
     void request(SnapshotLayers &layers) const override { layers.mesh = true; }
@@ -98,7 +136,7 @@ class QualityLayer final : public Layer {
 
     /// Writes α on bad elements that are large enough for it.
     void drawOverlay(CanvasPainter &painter, const LayerFrame &frame) override {
-        if (!frame.snapshot.mesh) {
+        if (!frame.snapshot.mesh || !coloursByAlpha(frame)) {
             return;
         }
         findBad(*frame.snapshot.mesh);
@@ -122,12 +160,37 @@ class QualityLayer final : public Layer {
 
     bool hasLegend() const override { return true; }
     bool drawLegend(CanvasPainter &painter, const LayerFrame &frame, Pixel corner) override {
-        drawColourBar(painter, frame.theme, frame.fonts, corner, "shape factor \xce\xb1  (hatched: below 0.5)", cividis,
-                      linearTicks(frame.qualityRange), std::clamp(frame.qualityRange.position(kBad), 0.0, 1.0));
+        const Measure measure = frame.judgement.of.measure;
+        const MeasureInfo &info = infoOf(measure);
+        if (frame.judgement.summary.count == 0) {
+            return false;
+        }
+        std::string title = info.name;
+        double hatched = 0.0;
+        if (measure == Measure::ShapeFactor) {
+            title = "shape factor \xce\xb1  (hatched: below 0.5)";
+            hatched = std::clamp(frame.measureRange.position(kBad), 0.0, 1.0);
+        } else if (*info.unit != '\0') {
+            title += std::string(", ") + info.unit;
+        }
+        drawColourBar(painter, frame.theme, frame.fonts, corner, title, mapOf(measure), ticks(frame), hatched);
         return true;
     }
 
   private:
+    static std::vector<LegendTick> ticks(const LayerFrame &frame) {
+        const Measure measure = frame.judgement.of.measure;
+        const ColourRange &range = frame.measureRange;
+        if (measure == Measure::Region) {
+            std::vector<LegendTick> tags;
+            for (int tag = 1; tag <= 8; ++tag) {
+                tags.push_back({mapPosition(measure, range, tag), std::to_string(tag)});
+            }
+            return tags;
+        }
+        return infoOf(measure).logarithmic ? logarithmicTicks(range.from, range.to, 5) : linearTicks(range);
+    }
+
     void findBad(const MeshView &view) {
         if (view.version == version_) {
             return;

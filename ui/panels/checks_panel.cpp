@@ -1,5 +1,6 @@
 #include "core/arrangement/repair.hpp"
 #include "ui/panels/edit_panels.hpp"
+#include "ui/panels/limits_list.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -11,7 +12,7 @@
 namespace forefront {
 namespace {
 
-/// Lists the faults of the drawing. They are updated a moment after every edit.
+/// Lists the faults of the drawing, updated a moment after every edit, and the limits that the mesh must keep.
 class ChecksPanel final : public Panel {
   public:
     const char *id() const override { return "checks"; }
@@ -19,12 +20,19 @@ class ChecksPanel final : public Panel {
     PanelPlace place() const override { return PanelPlace::Tabbed; }
 
     void draw(Shell &context) override {
-        const Diagnostics &faults = context.preview->faults;
         if (context.document.current()->shapes.empty()) {
             ui::small(context, "The drawing is empty. Press P and click the corners of a polygon.", true);
             ui::mark(context, "checks/empty");
-            return;
+        } else {
+            drawDrawing(context);
         }
+        ui::heading(context, "Limits of the mesh");
+        drawLimits(context);
+    }
+
+  private:
+    static void drawDrawing(Shell &context) {
+        const Diagnostics &faults = context.preview->faults;
         const auto errors = std::count_if(faults.begin(), faults.end(),
                                           [](const Diagnostic &d) { return d.severity == Severity::Error; });
         ImGui::AlignTextToFramePadding();
@@ -47,7 +55,6 @@ class ChecksPanel final : public Panel {
         drawList(context, faults);
     }
 
-  private:
     static void drawList(Workspace &context, const Diagnostics &faults) {
         ImGui::PushFont(context.fonts.small);
         for (std::size_t k = 0; k < faults.size(); ++k) {

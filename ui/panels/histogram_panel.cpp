@@ -1,19 +1,21 @@
 #include "ui/panels/panels.hpp"
 #include "ui/parts/shell.hpp"
-#include "ui/style/colour_map.hpp"
-#include "ui/style/quality_range.hpp"
+#include "ui/style/measure_colours.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/judging.hpp"
 #include "ui/workspace/number_field.hpp"
 
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace forefront {
 
 namespace {
 
+/// Shows how the values of a measure are distributed, and chooses the measure.
 class HistogramPanel final : public Panel {
   public:
     const char *id() const override { return "histogram"; }
@@ -21,73 +23,125 @@ class HistogramPanel final : public Panel {
     PanelPlace place() const override { return PanelPlace::Tabbed; }
 
     void draw(Shell &context) override {
-        const MeshQuality &quality = context.run.now().quality;
-        if (quality.elements == 0) {
-            ui::small(context, "Mesh the drawing to see how the shape factor \xce\xb1 is distributed.", true);
+        // Held, since choosing a measure must not change what the rest of the panel draws.
+        const std::shared_ptr<const Judgement> judgement = context.judgement;
+        if (!judgement->of.mesh) {
+            ui::small(context,
+                      "Mesh the drawing, or open a mesh, to see how its angles, sizes and other measures are "
+                      "distributed.",
+                      true);
             ui::mark(context, "histogram/empty");
             return;
         }
-        drawSummary(context, quality);
-        drawRange(context, quality);
+        drawChoice(context);
+        if (judgement->summary.count == 0) {
+            ui::small(context, "This measure compares the mesh with the node spacing \xcf\x81, and there is none.",
+                      true);
+            ui::mark(context, "histogram/none");
+            return;
+        }
+        ImGui::SameLine(0, context.px(6));
+        drawRange(context, *judgement);
+        drawSummary(context, *judgement);
         const float axis = context.px(18);
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const ImVec2 room = ImGui::GetContentRegionAvail();
         const float height = std::max(context.px(30), room.y - axis - context.px(2));
-        drawBars(context, quality, at, {room.x, height});
-        drawAxis(context, {at.x, at.y + height}, room.x);
+        drawBars(context, *judgement, at, {room.x, height});
+        drawAxis(context, judgement->histogram, {at.x, at.y + height}, room.x);
     }
 
   private:
-    static void drawSummary(Workspace &context, const MeshQuality &quality) {
-        if (context.view.isolatedBin) {
-            const int bin = *context.view.isolatedBin;
-            const std::string text =
-                ui::format("only \xce\xb1 %.3f\xe2\x80\x93%.3f", bin / static_cast<double>(kHistogramBins),
-                           (bin + 1) / static_cast<double>(kHistogramBins));
-            if (ui::badge(context, "histogram/all", text + "   " + icon::kCross, context.theme.accent)) {
+    static void drawChoice(Workspace &context) {
+        static const auto labels = [] {
+            std::array<const char *, wordsOf<Measure>().size()> list{};
+            std::ranges::transform(valuesOf<Measure>(), list.begin(), [](Measure m) { return infoOf(m).name; });
+            return list;
+        }();
+        int choice = static_cast<int>(context.view.measure);
+        if (ui::combo(context, "histogram/measure", labels, choice, 118.0F)) {
+            chooseMeasure(context, static_cast<Measure>(choice));
+        }
+        ui::tooltip(context,
+                    std::string(infoOf(context.view.measure).meaning) + "\nThe layer Quality shows it in colours");
+    }
+
+    static void drawSummary(Workspace &context, const Judgement &judgement) {
+        const Measure measure = judgement.of.measure;
+        const MeasureSummary &summary = judgement.summary;
+        constexpr int kDigits = 3; // so that the line fits into the panel
+        const auto text = [measure](double value) { return measureText(measure, value, kDigits); };
+        const std::optional<int> bin = context.view.isolatedBin;
+        if (bin && static_cast<std::size_t>(*bin) < judgement.histogram.bins.size()) {
+            const auto k = static_cast<std::size_t>(*bin);
+            const std::string range = std::string("only ") + infoOf(measure).symbol + ' ' +
+                                      ui::number(judgement.histogram.edge(k)) + "\xe2\x80\x93" +
+                                      ui::number(judgement.histogram.edge(k + 1));
+            if (ui::badge(context, "histogram/all", range + "   " + icon::kCross, context.theme.accent)) {
                 context.view.isolatedBin.reset();
             }
-        } else {
-            ui::small(context, ui::format("\xce\xb1  mean %.3f   geometric %.3f   min %.3f", quality.alphaMean,
-                                          quality.alphaGeometricMean, quality.alphaMin));
+            return;
         }
+        ui::small(context, "min " + text(summary.minimum) + "   median " + text(summary.percentiles[3]) + "   mean " +
+                               ui::number(summary.mean, kDigits) + "   max " + text(summary.maximum));
+        ui::mark(context, "histogram/summary");
+        std::string percentiles = std::string(infoOf(measure).name) + " of " + ui::count(summary.count) + ' ' +
+                                  std::string(wordOf(infoOf(measure).part)) + (summary.count == 1 ? "" : "s");
+        for (std::size_t i = 0; i < kPercentiles.size(); ++i) {
+            percentiles += ui::format("\n%d %% are below ", kPercentiles[i]) + text(summary.percentiles[i]);
+        }
+        ui::tooltip(context, percentiles);
     }
 
     /// The ends of the colour map; they fit the mesh until the user sets them.
-    static void drawRange(Workspace &context, const MeshQuality &quality) {
-        const ColourRange fitted = fittedQualityRange(quality);
-        ColourRange range = context.view.qualityRange.value_or(fitted);
-        ImGui::AlignTextToFramePadding();
-        ui::small(context, "Colours from");
-        ImGui::SameLine();
+    static void drawRange(Workspace &context, const Judgement &judgement) {
+        if (judgement.of.measure == Measure::Region) {
+            ImGui::NewLine();
+            return; // its colours have no order
+        }
+        ColourRange range = measureRange(context);
         const bool from = ui::inputNumber(context, "histogram/from", range.from, 52.0F);
-        ImGui::SameLine();
-        ui::small(context, "to");
-        ImGui::SameLine();
+        ui::tooltip(context, "Start of the colour map");
+        ImGui::SameLine(0, context.px(4));
         const bool to = ui::inputNumber(context, "histogram/to", range.to, 52.0F);
-        ImGui::SameLine();
-        if (ui::button(context, "histogram/fit", "Fit", ui::ButtonKind::Plain, context.view.qualityRange.has_value())) {
-            context.view.qualityRange.reset();
+        ui::tooltip(context, "End of the colour map");
+        ImGui::SameLine(0, context.px(4));
+        if (ui::button(context, "histogram/fit", "Fit", ui::ButtonKind::Plain, context.view.measureRange.has_value())) {
+            context.view.measureRange.reset();
             context.animate();
         }
         ui::tooltip(context, "Fit the colours to the mesh");
-        if ((from || to) && !(range.from < range.to && range.from >= 0.0 && range.to <= 1.0)) {
+        const MeasureInfo &info = infoOf(judgement.of.measure);
+        const bool possible = range.from < range.to && range.from >= info.minimum && range.to <= info.maximum &&
+                              (!info.logarithmic || range.from > 0.0);
+        if ((from || to) && !possible) {
             context.log.add(Diagnostic{.severity = Severity::Warning,
                                        .code = "bad-range",
                                        .message = "colour range " + ui::number(range.from) + " to " +
-                                                  ui::number(range.to) + " is not within 0 to 1",
+                                                  ui::number(range.to) + " is not a range of " + info.name,
                                        .advice = "enter two numbers in increasing order"});
         } else if (from || to) {
-            context.view.qualityRange = range;
+            context.view.measureRange = range;
             context.animate();
         }
+    }
+
+    /// Returns the colour of a bar, that of the value in its middle.
+    static Colour barColour(const Workspace &context, const Judgement &judgement, std::size_t bin) {
+        const MeasureHistogram &bins = judgement.histogram;
+        const Measure measure = judgement.of.measure;
+        const double from = bins.edge(bin), to = bins.edge(bin + 1);
+        const double middle = bins.logarithmic ? std::sqrt(from * to) : 0.5 * (from + to);
+        const Colour colour = mapOf(measure)(std::clamp(mapPosition(measure, measureRange(context), middle), 0.0, 1.0));
+        // The dark end of a map would not be seen on a dark panel.
+        const bool dark = context.theme.kind == ThemeKind::Dark && colour.r + colour.g + colour.b < 240;
+        return dark ? mix(colour, context.theme.muted, 0.35) : colour;
     }
 
     /// Draws bars whose height is proportional to the square root of the count, so that a few bad elements stay visible
     /// beside thousands of good ones.
-    static void drawBars(Workspace &context, const MeshQuality &quality, ImVec2 at, ImVec2 size) {
-        const ColourRange range = context.view.qualityRange.value_or(fittedQualityRange(quality));
-        const auto &bins = quality.alphaHistogram;
+    static void drawBars(Workspace &context, const Judgement &judgement, ImVec2 at, ImVec2 size) {
+        const auto &bins = judgement.histogram.bins;
         const double largest =
             std::sqrt(static_cast<double>(std::max<std::uint64_t>(1, *std::max_element(bins.begin(), bins.end()))));
         const float each = size.x / static_cast<float>(bins.size());
@@ -98,41 +152,48 @@ class HistogramPanel final : public Panel {
             ImGui::SetCursorScreenPos(corner);
             const bool clicked = ImGui::InvisibleButton(name.c_str(), {each, size.y});
             ui::mark(context, name, bins[i] > 0);
-            const bool hovered = ImGui::IsItemHovered() && bins[i] > 0;
-            const bool alone = context.view.isolatedBin == static_cast<int>(i);
-            if (bins[i] > 0) {
-                const double middle = (static_cast<double>(i) + 0.5) / static_cast<double>(bins.size());
-                const float tall = std::max(
-                    context.px(2), size.y * static_cast<float>(std::sqrt(static_cast<double>(bins[i])) / largest));
-                Colour colour = cividis(range.position(middle));
-                if (context.theme.kind == ThemeKind::Dark && middle < 0.55) {
-                    colour = mix(colour, context.theme.muted, 0.35); // the dark end of the map on a dark panel
-                }
-                colour = context.view.isolatedBin && !alone ? fade(colour, 0.35) : colour;
-                list.AddRectFilled({corner.x + 0.5F, corner.y + size.y - tall},
-                                   {corner.x + each - 0.5F, corner.y + size.y},
-                                   hovered || alone ? mix(colour, context.theme.text, 0.35) : colour, context.px(1));
+            if (bins[i] == 0) {
+                continue;
             }
-            if (clicked && bins[i] > 0) {
+            const bool hovered = ImGui::IsItemHovered();
+            const bool alone = context.view.isolatedBin == static_cast<int>(i);
+            const float tall =
+                std::max(context.px(2), size.y * static_cast<float>(std::sqrt(static_cast<double>(bins[i])) / largest));
+            const Colour colour =
+                fade(barColour(context, judgement, i), context.view.isolatedBin && !alone ? 0.35 : 1.0);
+            list.AddRectFilled({corner.x + 0.5F, corner.y + size.y - tall}, {corner.x + each - 0.5F, corner.y + size.y},
+                               hovered || alone ? mix(colour, context.theme.text, 0.35) : colour, context.px(1));
+            if (clicked) {
                 context.view.isolatedBin = alone ? std::nullopt : std::optional(static_cast<int>(i));
                 context.animate();
             }
             if (hovered) {
-                ui::tooltip(context, ui::format("\xce\xb1 %.3f\xe2\x80\x93%.3f: ", static_cast<double>(i) / 40.0,
-                                                static_cast<double>(i + 1) / 40.0) +
-                                         ui::count(bins[i]) + " elements\nClick to show only these");
+                ui::tooltip(context, barText(judgement, i));
             }
         }
     }
 
-    static void drawAxis(WidgetContext &context, ImVec2 at, float width) {
+    static std::string barText(const Judgement &judgement, std::size_t bin) {
+        const MeasureHistogram &bins = judgement.histogram;
+        const MeasureInfo &info = infoOf(judgement.of.measure);
+        const std::uint64_t count = bins.bins[bin];
+        return std::string(info.symbol) + ' ' + ui::number(bins.edge(bin)) + "\xe2\x80\x93" +
+               ui::number(bins.edge(bin + 1)) + info.unit + ": " + ui::count(count) + ' ' +
+               std::string(wordOf(info.part)) + (count == 1 ? "" : "s") + "\nClick to show only these";
+    }
+
+    static void drawAxis(WidgetContext &context, const MeasureHistogram &bins, ImVec2 at, float width) {
         ImDrawList &list = *ImGui::GetWindowDrawList();
         list.AddLine(at, {at.x + width, at.y}, context.theme.line);
         ImGui::PushFont(context.fonts.small);
-        for (int i = 0; i <= 5; ++i) {
-            const std::string text = i == 0 ? "0" : i == 5 ? "1" : ui::format("0.%d", 2 * i);
+        constexpr std::size_t kTicks = 5;
+        for (std::size_t i = 0; i <= kTicks; ++i) {
+            const double t = static_cast<double>(i) / kTicks;
+            const double value =
+                bins.logarithmic ? bins.from * std::pow(bins.to / bins.from, t) : bins.from + t * (bins.to - bins.from);
+            const std::string text = ui::number(value, 3);
             const float textWidth = ImGui::CalcTextSize(text.c_str()).x;
-            const float x = at.x + width * static_cast<float>(i) / 5.0F;
+            const float x = at.x + width * static_cast<float>(t);
             const float left = std::clamp(x - textWidth / 2, at.x, at.x + width - textWidth);
             list.AddText({left, at.y + context.px(3)}, context.theme.muted, text.c_str());
         }

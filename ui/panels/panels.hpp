@@ -15,6 +15,8 @@ std::unique_ptr<Panel> makeStepsPanel();
 std::unique_ptr<Panel> makeCandidatesPanel();
 /// Shows a histogram of α; clicking a bar isolates its elements.
 std::unique_ptr<Panel> makeHistogramPanel();
+/// Shows the values of the part of the mesh that is chosen or under the pointer, and steps through the worst parts.
+std::unique_ptr<Panel> makeProbePanel();
 /// Shows Nn, Ne, Nb, Nc, Ns, α, δ, angles and times.
 std::unique_ptr<Panel> makeStatisticsPanel();
 /// Lists the commands of the history; a click travels there.

@@ -20,6 +20,7 @@ namespace forefront {
 class CanvasPainter;
 class GlKit;
 struct Document;
+struct Judgement;
 struct LayerSlot;
 struct Selection;
 
@@ -39,8 +40,9 @@ struct LayerFrame {
     const Selection &selection;
     std::optional<Vec2> pointer;          ///< place under the pointer while it is over the canvas
     std::optional<std::size_t> candidate; ///< chosen in the table of the explained advance
+    const Judgement &judgement;           ///< of a mesh shown at most a moment ago
     std::optional<int> isolatedBin;
-    ColourRange qualityRange; ///< of the colours of α
+    ColourRange measureRange; ///< of the colours of the measure judged by
     bool outOfDate;
     const std::vector<LayerSlot> &layers;
     GlKit &gl; ///< shared shaders and buffers

@@ -6,8 +6,8 @@
 #include "ui/canvas/legend.hpp"
 #include "ui/gl/gl_kit.hpp"
 #include "ui/parts/shell.hpp"
-#include "ui/style/quality_range.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/judging.hpp"
 #include "ui/workspace/moment.hpp"
 
 #include <glad/gl.h>
@@ -242,6 +242,7 @@ void Canvas::Parts::drawOverlays(Shell &context, const LayerFrame &frame) {
         }
     }
     context.tools.current().drawOverlay(painter, context);
+    drawProbe(painter, context);
     constexpr double kFlagSeconds = 2.5;
     const double age = context.platform.now() - context.view.flagTime;
     if (context.view.flag && age < kFlagSeconds) {
@@ -275,9 +276,9 @@ void Canvas::draw(Shell &context) {
                            .selection = context.selection,
                            .pointer = context.view.pointer,
                            .candidate = chosenCandidate(context.view, context.run.now()),
+                           .judgement = *context.judgement,
                            .isolatedBin = context.view.isolatedBin,
-                           .qualityRange =
-                               context.view.qualityRange.value_or(fittedQualityRange(context.run.now().quality)),
+                           .measureRange = measureRange(context),
                            .outOfDate = context.run.outOfDate(),
                            .layers = context.layers,
                            .gl = parts_->gl};

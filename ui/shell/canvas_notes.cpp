@@ -130,7 +130,7 @@ void drawOutOfDate(Shell &context, const PixelRect &canvas) {
                       0.0F);
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, context.theme.warn);
-    const bool preview = context.run.preview() && context.run.shownRevision() == context.document.revision();
+    const bool preview = context.run.preview() && context.run.shownRevision() == context.run.meshRevision();
     ImGui::TextUnformatted((std::string(icon::kClock) + (preview ? "  coarse preview" : "  mesh out of date")).c_str());
     ImGui::PopStyleColor();
     ui::mark(context, "canvas/outofdate");

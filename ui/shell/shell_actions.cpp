@@ -17,7 +17,10 @@ constexpr Modifiers kShift{Modifiers::kShift};
 constexpr Modifiers kControl{Modifiers::kControl};
 
 Box2 drawingBounds(const Workspace &context) {
-    const Box2 box = boundsOf(*context.document.current());
+    Box2 box = boundsOf(*context.document.current());
+    if (context.run.showsFile()) {
+        box.add(context.run.now().mesh->mesh.bounds());
+    }
     return box.empty() ? Box2{{0, 0}, {10, 7}} : box;
 }
 

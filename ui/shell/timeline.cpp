@@ -155,6 +155,9 @@ std::string captionText(const Shell &context, const SessionSnapshot &run) {
         break;
     }
     const bool atEnd = run.complete && run.advance == run.known;
+    if (context.run.showsFile()) {
+        return "A mesh read from a file, as it is; mesh its outline to follow the front.";
+    }
     if (atEnd && run.coarsening > 1.0) {
         return "A preview with " + ui::number(run.coarsening, 2) + " times the node spacing of the drawing.";
     }

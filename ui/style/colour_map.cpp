@@ -15,6 +15,11 @@ constexpr std::array<std::uint32_t, 20> kViridis{0x440154, 0x481567, 0x482677, 0
 constexpr std::array<std::uint32_t, 10> kCividis{0x00204d, 0x00336f, 0x39486b, 0x575c6d, 0x707173,
                                                  0x8a8779, 0xa69d75, 0xc4b56c, 0xe4cf5b, 0xffea46};
 
+constexpr std::array<std::uint32_t, 9> kDiverging{0x542788, 0x8073ac, 0xb2abd2, 0xd8daeb, 0xf7f7f7,
+                                                  0xfee0b6, 0xfdb863, 0xe08214, 0xb35806};
+constexpr std::array<std::uint32_t, 8> kCategories{0x56b4e9, 0xe69f00, 0x009e73, 0xf0e442,
+                                                   0xcc79a7, 0x0072b2, 0xd55e00, 0x999999};
+
 Colour between(std::span<const std::uint32_t> support, double t) {
     const double last = static_cast<double>(support.size() - 1);
     const double at = std::clamp(t, 0.0, 1.0) * last;
@@ -30,6 +35,20 @@ Colour viridis(double t) {
 
 Colour cividis(double t) {
     return between(kCividis, t);
+}
+
+Colour cividisReversed(double t) {
+    return cividis(1.0 - t);
+}
+
+Colour diverging(double t) {
+    return between(kDiverging, t);
+}
+
+Colour categories(double t) {
+    const double count = static_cast<double>(kCategories.size());
+    const auto i = static_cast<std::size_t>(std::clamp(t * count, 0.0, count - 1.0));
+    return rgb(kCategories[i]);
 }
 
 Colour spacingColour(double t) {

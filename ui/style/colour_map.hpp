@@ -8,6 +8,15 @@ namespace forefront {
 /// maps (viridis: N. Smith and S. van der Walt; cividis: J. Nuñez, C. Anderton, R. Renslow).
 Colour viridis(double t);
 Colour cividis(double t);
+/// Cividis from its bright end to its dark one.
+Colour cividisReversed(double t);
+/// A map with a neutral middle, purple at t = 0 and orange at t = 1, that the colour-blind can read too (PuOr of C.
+/// Brewer).
+Colour diverging(double t);
+/// Eight colours that the colour-blind can tell apart (M. Okabe, K. Ito), each for an eighth of [0, 1].
+Colour categories(double t);
+/// A colour map.
+using ColourMap = Colour (*)(double);
 /// Colour of the node spacing, the same in both themes: bright yellow where it is finest (t = 0), blue where it is
 /// coarsest (t = 1). The darkest quarter of viridis is left out, so that the edges of a mesh stay visible on it.
 Colour spacingColour(double t);

@@ -4,6 +4,7 @@
 #include "ui/tools/brush_tool.hpp"
 #include "ui/tools/pen_tool.hpp"
 #include "ui/tools/point_tool.hpp"
+#include "ui/tools/probe_tool.hpp"
 #include "ui/tools/select_tool.hpp"
 #include "ui/tools/source_tool.hpp"
 #include "ui/tools/trace_tool.hpp"
@@ -24,6 +25,7 @@ std::vector<std::unique_ptr<Tool>> makeTools() {
     tools.push_back(std::make_unique<BrushTool>(state, true));
     tools.push_back(std::make_unique<SourceTool>(state));
     tools.push_back(std::make_unique<TraceTool>());
+    tools.push_back(std::make_unique<ProbeTool>());
     return tools;
 }
 

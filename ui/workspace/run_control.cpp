@@ -1,5 +1,6 @@
 #include "ui/workspace/run_control.hpp"
 
+#include "core/edit/equality.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/document_store.hpp"
 #include "ui/workspace/message_log.hpp"
@@ -76,8 +77,28 @@ void RunControl::log(const SessionSnapshot &s) {
     }
 }
 
+/// Limits judge a mesh and do not change it, so a revision that differs in nothing else counts as the one before.
+std::uint64_t RunControl::meshRevision() const {
+    const std::uint64_t revision = document_.revision();
+    if (revision != seenRevision_) {
+        const std::shared_ptr<const Document> document = document_.current();
+        const auto known = meshRevisions_.find(revision);
+        bool same = false;
+        if (seen_ && !(seen_->limits == document->limits)) {
+            Document before = *seen_;
+            before.limits = document->limits;
+            same = sameContent(before, *document);
+        }
+        meshRevision_ = known != meshRevisions_.end() ? known->second : same ? meshRevision_ : revision;
+        meshRevisions_[revision] = meshRevision_;
+        seen_ = document;
+        seenRevision_ = revision;
+    }
+    return meshRevision_;
+}
+
 bool RunControl::hasToFollow() const {
-    return live && (followed_ != document_.revision() || wantsWhole());
+    return live && !opened_ && (followed_ != meshRevision() || wantsWhole());
 }
 
 /// Returns true if the newest document has only a preview, or not even that because its boundary cannot be so coarse,
@@ -85,7 +106,7 @@ bool RunControl::hasToFollow() const {
 bool RunControl::wantsWhole() const {
     const auto last = starts_.find(lastStart_);
     const bool previewed = last != starts_.end() && last->second.extent == Extent::Preview &&
-                           last->second.revision == document_.revision() && snapshot_->run == lastStart_;
+                           last->second.revision == meshRevision() && snapshot_->run == lastStart_;
     const bool refused = !snapshot_->diagnostics.empty();
     const bool tooLarge = !refused && snapshot_->requestedElements > kLargestLive;
     return resting_ && previewed && (preview() || refused) && !tooLarge;
@@ -102,12 +123,12 @@ bool RunControl::replaceable(const SessionSnapshot &newest, bool gestureOver) co
 }
 
 void RunControl::followNewest() {
-    if (followed_ == document_.revision()) {
+    if (followed_ == meshRevision()) {
         start(StartMode::RunQuiet, Extent::Whole);
     } else if (!document_.current()->shapes.empty()) {
         start(StartMode::RunQuiet, Extent::Preview);
     }
-    followed_ = document_.revision();
+    followed_ = meshRevision();
 }
 
 void RunControl::follow(bool gestureOver, bool faulty) {
@@ -116,7 +137,7 @@ void RunControl::follow(bool gestureOver, bool faulty) {
     if (hasToFollow() && (!session_.busy() || replaceable(*session_.latest(), gestureOver))) {
         followNewest();
     }
-    if (gestureOver && !session_.busy() && liveResult_ && liveResult_->revision == document_.revision()) {
+    if (gestureOver && !session_.busy() && liveResult_ && liveResult_->revision == meshRevision()) {
         logLive(faulty);
     }
 }
@@ -134,7 +155,23 @@ void RunControl::want(SnapshotLayers layers) {
     session_.want(layers);
 }
 
+void RunControl::showFile(Mesh mesh) {
+    clear();
+    auto view = std::make_shared<MeshView>();
+    view->alpha = shapeFactors(mesh);
+    view->version = (std::uint64_t{1} << 63) + ++openedCount_; // unlike those of runs
+    view->mesh = std::move(mesh);
+    auto opened = std::make_shared<SessionSnapshot>();
+    opened->state = RunState::Finished;
+    opened->complete = true;
+    opened->quality = measure(view->mesh, nullptr);
+    opened->meshHash = forefront::meshHash(view->mesh);
+    opened->mesh = std::move(view);
+    opened_ = std::move(opened);
+}
+
 void RunControl::start(StartMode mode, Extent extent) {
+    opened_.reset();
     cancelling_ = false;
     const std::shared_ptr<const Document> document = document_.current();
     auto job = std::make_shared<MeshingJob>();
@@ -144,8 +181,8 @@ void RunControl::start(StartMode mode, Extent extent) {
     session_.start(std::move(job), mode,
                    extent == Extent::Preview ? liveBudget : std::numeric_limits<double>::infinity());
     started_ = true;
-    followed_ = document_.revision();
-    const Start start{document_.revision(), document->options.method, mode == StartMode::RunQuiet, extent};
+    followed_ = meshRevision();
+    const Start start{meshRevision(), document->options.method, mode == StartMode::RunQuiet, extent};
     starts_[++lastStart_] = start;
     if (!start.live) {
         shown_ = start; // a live run keeps showing the previous mesh until it is finished
@@ -222,6 +259,7 @@ void RunControl::cancel() {
 
 void RunControl::clear() {
     session_.clear();
+    opened_.reset();
     started_ = cancelling_ = false;
     liveResult_.reset();
 }
@@ -236,7 +274,7 @@ bool RunControl::hasRun() const {
 
 bool RunControl::outOfDate() const {
     const bool catchesUp = live && (hasToFollow() || session_.busy() || hasNews() || (!gestureOver_ && preview()));
-    return started_ && (shown_.revision != document_.revision() || preview()) && !catchesUp;
+    return started_ && (shown_.revision != meshRevision() || preview()) && !catchesUp;
 }
 
 Method RunControl::method() const {

@@ -13,6 +13,7 @@
 namespace forefront {
 
 class DocumentStore;
+struct Document;
 class MessageLog;
 
 /// Controls the meshing run for the user interface: starts runs from the document, holds speed and granularity, and
@@ -41,8 +42,12 @@ class RunControl {
     /// Returns true if a newer snapshot is waiting.
     bool hasNews() const { return session_.latest() != snapshot_; }
     /// Returns the snapshot of this frame; it does not change within a frame.
-    const SessionSnapshot &now() const { return *snapshot_; }
-    const std::shared_ptr<const SessionSnapshot> &snapshot() const { return snapshot_; }
+    const SessionSnapshot &now() const { return *snapshot(); }
+    const std::shared_ptr<const SessionSnapshot> &snapshot() const { return opened_ ? opened_ : snapshot_; }
+    /// Shows a mesh that was read from a file until a run starts.
+    void showFile(Mesh mesh);
+    /// Returns true if the mesh shown was read from a file.
+    bool showsFile() const { return opened_ != nullptr; }
     void want(SnapshotLayers layers);
 
     /// Meshes the document at full speed.
@@ -74,6 +79,8 @@ class RunControl {
     bool outOfDate() const;
     /// Returns the revision of the document whose mesh is shown.
     std::uint64_t shownRevision() const { return shown_.revision; }
+    /// Returns the revision of the document, or an earlier one whose mesh is the same.
+    std::uint64_t meshRevision() const;
     /// Returns the method of the run, or of the document if there is no run.
     Method method() const;
     double speed() const { return speed_; }
@@ -104,6 +111,8 @@ class RunControl {
     MeshingSession session_;
     Breakpoints breakpoints_;
     std::shared_ptr<const SessionSnapshot> snapshot_;
+    std::shared_ptr<const SessionSnapshot> opened_; ///< mesh of a file; null: the run's mesh is shown
+    std::uint64_t openedCount_ = 0;
     /// The document revision and options that a run was started with.
     struct Start {
         std::uint64_t revision = 0;
@@ -128,6 +137,9 @@ class RunControl {
     bool started_ = false;
     bool cancelling_ = false;
     double speed_ = 1.0;
+    mutable std::shared_ptr<const Document> seen_; ///< the document of the last call of meshRevision()
+    mutable std::uint64_t seenRevision_ = 0, meshRevision_ = 0;
+    mutable std::map<std::uint64_t, std::uint64_t> meshRevisions_; ///< by revision
     std::uint64_t loggedRun_ = 0;
     RunState loggedState_ = RunState::Empty;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/mesh/measures.hpp"
 #include "core/session/snapshot.hpp"
 #include "ui/canvas/camera.hpp"
 #include "ui/style/colour_map.hpp"
@@ -39,8 +40,9 @@ struct View {
     std::array<bool, kMarkKinds> marks{true, false, true, true, true, true}; ///< shown on the timeline
     TraceMode traceMode = TraceMode::Birth;
     bool runPlot = false;                    ///< show the curves of the run above the timeline
-    std::optional<int> isolatedBin;          ///< bin of the histogram of α whose elements are shown alone
-    std::optional<ColourRange> qualityRange; ///< of the colours of α; not set: it fits the mesh
+    Measure measure = Measure::ShapeFactor;  ///< that the histogram shows and the layer "quality" colours by
+    std::optional<int> isolatedBin;          ///< bin of the histogram whose parts are shown alone
+    std::optional<ColourRange> measureRange; ///< of the colours of the measure; not set: it fits the mesh
 
     /// Fits a part of the plane into the view, and keeps it fitted when the canvas is resized. Like every other move of
     /// the camera below, it ends following.

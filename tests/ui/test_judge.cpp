@@ -1,0 +1,364 @@
+#include "core/io/files.hpp"
+#include "core/mesh/limits.hpp"
+#include "core/mesh/quality.hpp"
+#include "tests/ui/edit_driver.hpp"
+#include "ui/dialogs/open_mesh.hpp"
+#include "ui/style/measure_colours.hpp"
+#include "ui/workspace/judging.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace forefront::test {
+
+namespace {
+
+constexpr double kTiny = 1e-12;
+
+/// A rectangle with a mesh of about 170 elements.
+struct JudgedSquare : Draughtsman {
+    JudgedSquare() {
+        rectangle({1, 1}, {9, 8});
+        Document sized = document();
+        sized.spacing.size = 0.9;
+        context().document.apply(std::move(sized), "Size");
+        key('V');
+        key(key::kEscape);
+        key(key::kF5);
+        settle();
+    }
+    const Judgement &judgement() { return *context().judgement; }
+    const Mesh &mesh() { return run().mesh->mesh; }
+    Vec2 nodeAt(std::size_t element, std::size_t corner) {
+        return mesh().nodes[index(mesh().elements[element][corner])];
+    }
+    Vec2 middleOf(std::size_t element) {
+        return (1.0 / 3.0) * (nodeAt(element, 0) + nodeAt(element, 1) + nodeAt(element, 2));
+    }
+    /// Returns an edge with two elements whose ends are inside.
+    std::uint32_t innerEdge() {
+        std::set<NodeId> outer;
+        for (const MeshEdge &edge : judgement().edges->edges) {
+            if (edge.elements[1] == kNoElement) {
+                outer.insert({edge.a, edge.b});
+            }
+        }
+        const auto &edges = judgement().edges->edges;
+        const auto found = std::find_if(edges.begin(), edges.end(), [&](const MeshEdge &edge) {
+            return outer.count(edge.a) == 0 && outer.count(edge.b) == 0;
+        });
+        return static_cast<std::uint32_t>(found - edges.begin());
+    }
+};
+
+Colour colourAt(const Driver::Picture &picture, Pixel pixel) {
+    const auto at = 4 * (static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(picture.size.width) +
+                         static_cast<std::size_t>(pixel.x));
+    return rgb(static_cast<std::uint32_t>(picture.rgba[at] << 16 | picture.rgba[at + 1] << 8 | picture.rgba[at + 2]));
+}
+
+int difference(Colour a, Colour b) {
+    return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
+}
+
+} // namespace
+
+TEST_CASE("Judge: a mesh of every format opens with the figures that the check command prints") {
+    JudgedSquare maker;
+    const Mesh made = maker.mesh();
+    TemporaryFolder folder;
+    for (const FileFormat &format : fileFormats()) {
+        if (!format.readsMesh || !format.writesMesh) {
+            continue;
+        }
+        CAPTURE(format.id);
+        const auto file = folder / (std::string(format.id) + format.extension);
+        REQUIRE_FALSE(hasErrors(writeMesh(file, made, format.id)));
+        Draughtsman driver;
+        driver.context().log.add(openMesh(driver.context(), file));
+        driver.settle();
+        REQUIRE(driver.context().run.showsFile());
+        const Mesh read = readMesh(file).value();
+        const MeshQuality quality = measure(read, nullptr);
+        CHECK(driver.run().quality.elements == made.elements.size());
+        CHECK(driver.run().quality.alphaMin == quality.alphaMin);
+        CHECK(driver.run().quality.minAngle == quality.minAngle);
+        CHECK(driver.run().meshHash == meshHash(read));
+        const MeshEdges edges = edgesOf(read);
+        for (const Measure measure :
+             {Measure::ShapeFactor, Measure::MinAngle, Measure::AreaRatio, Measure::Length, Measure::Valence}) {
+            chooseMeasure(driver.context(), measure);
+            driver.settle();
+            const MeasureSummary expected = summarise(measureValues(measure, read, edges, nullptr));
+            CHECK(driver.context().judgement->summary.minimum == expected.minimum);
+            CHECK(driver.context().judgement->summary.mean == expected.mean);
+            CHECK(driver.context().judgement->summary.percentiles == expected.percentiles);
+        }
+        driver.click("panel/checks");
+        driver.settle();
+        CHECK(driver.has("checks/mesh/valid"));
+        CHECK_FALSE(driver.document().shapes.empty()); // its outline
+        CHECK_FALSE(driver.context().document.dirty());
+    }
+}
+
+TEST_CASE("Judge: an invalid mesh is shown with its faults, and a file that holds none is refused") {
+    JudgedSquare maker;
+    Mesh turned = maker.mesh();
+    std::swap(turned.elements[7][0], turned.elements[7][1]);
+    TemporaryFolder folder;
+    REQUIRE_FALSE(hasErrors(writeMesh(folder / "turned.msh", turned)));
+    Draughtsman driver;
+    CHECK(openMesh(driver.context(), folder / "turned.msh").empty());
+    driver.settle();
+    CHECK(hasErrors(driver.context().judgement->faults));
+    driver.click("panel/checks");
+    driver.settle();
+    CHECK(driver.has("checks/mesh/faulty"));
+    CHECK(driver.has("checks/mesh/goto/0"));
+    CHECK(openMesh(driver.context(), folder / "missing.msh").size() == 1);
+}
+
+TEST_CASE("Judge: meshing the outline replaces the mesh of the file") {
+    JudgedSquare maker;
+    TemporaryFolder folder;
+    REQUIRE_FALSE(hasErrors(writeMesh(folder / "plate.msh", maker.mesh())));
+    Draughtsman driver;
+    REQUIRE(openMesh(driver.context(), folder / "plate.msh").empty());
+    driver.settle();
+    REQUIRE(driver.context().run.showsFile());
+    driver.key(key::kF5);
+    driver.settle();
+    CHECK_FALSE(driver.context().run.showsFile());
+    CHECK(driver.run().quality.elements > 0);
+    CHECK(driver.run().known > 0);
+}
+
+TEST_CASE("Judge: elements, edges and nodes have the colours of their values") {
+    JudgedSquare driver;
+    for (const char *layer : {"front", "candidates", "tests", "labels", "grid", "boundary"}) {
+        showLayer(driver.context().layers, layer, false);
+    }
+    showLayer(driver.context().layers, "quality", true);
+    for (const Measure measure : valuesOf<Measure>()) {
+        CAPTURE(wordOf(measure));
+        chooseMeasure(driver.context(), measure);
+        driver.moveTo({5, 5});
+        driver.context().animate();
+        driver.settle();
+        const Judgement &judgement = driver.judgement();
+        REQUIRE(judgement.of.measure == measure);
+        REQUIRE(judgement.summary.count > 0);
+        CHECK(driver.has("canvas/legend/quality"));
+        const Driver::Picture picture = driver.picture();
+        const PixelRect free = driver.canvas();
+        std::size_t wrong = 0, looked = 0;
+        for (std::size_t e = 0; e < driver.mesh().elements.size(); ++e) {
+            const Vec2 middle = driver.middleOf(e);
+            for (std::size_t k = 0; k < 3; ++k) {
+                // A place in the third of the element that belongs to its edge or node.
+                const Vec2 corner = driver.nodeAt(e, k), next = driver.nodeAt(e, (k + 1) % 3);
+                const MeshPart part = infoOf(measure).part;
+                const Vec2 place = part == MeshPart::Nodes   ? lerp(middle, corner, 0.5)
+                                   : part == MeshPart::Edges ? lerp(middle, midpoint(corner, next), 0.5)
+                                                             : middle;
+                const std::size_t number = part == MeshPart::Nodes   ? index(driver.mesh().elements[e][k])
+                                           : part == MeshPart::Edges ? judgement.edges->ofElement[e][k]
+                                                                     : e;
+                const double value = judgement.values[number];
+                const Pixel pixel = driver.pixel(place);
+                const bool hatched = measure == Measure::ShapeFactor && value < 0.5;
+                if (hatched || pixel.y > free.y + free.height - 100.0 || pixel.y < free.y + 60.0) {
+                    continue; // below the legend and the notes
+                }
+                const double t = mapPosition(measure, measureRange(driver.context()), value);
+                ++looked;
+                wrong += difference(colourAt(picture, pixel), mapOf(measure)(std::clamp(t, 0.0, 1.0))) > 6 ? 1 : 0;
+            }
+        }
+        CHECK(looked > 200);
+        CHECK(wrong == 0);
+    }
+}
+
+TEST_CASE("Judge: the histogram shows the chosen measure, and a bar isolates its parts") {
+    JudgedSquare driver;
+    driver.click("panel/histogram");
+    for (const Measure measure : {Measure::MinAngle, Measure::Length, Measure::Valence}) {
+        CAPTURE(wordOf(measure));
+        chooseMeasure(driver.context(), measure);
+        driver.moveTo({5, 5});
+        driver.settle();
+        const auto whole = driver.picture();
+        const auto &bins = driver.judgement().histogram.bins;
+        const auto most = std::max_element(bins.begin(), bins.end()) - bins.begin();
+        CHECK(driver.click("histogram/" + std::to_string(most)));
+        REQUIRE(driver.context().view.isolatedBin == static_cast<int>(most));
+        CHECK(driver.has("histogram/all"));
+        driver.moveTo({5, 5});
+        driver.settle();
+        CHECK(driver.picture().differences(whole, driver.canvas()) > 1000);
+        driver.click("histogram/all");
+        driver.moveTo({5, 5});
+        driver.settle();
+        CHECK(driver.picture().differences(whole, driver.canvas()) == 0);
+    }
+}
+
+TEST_CASE("Judge: limits are edited in the checks panel, judged, undone and saved") {
+    JudgedSquare driver;
+    driver.click("panel/checks");
+    driver.context().settings.tabsHeight = 500;
+    driver.context().animate();
+    driver.settle();
+    const auto set = [&](const char *field, const char *value) {
+        driver.click(field);
+        driver.key('A', {Modifiers::kControl});
+        driver.type(value);
+        driver.key(key::kTab);
+        driver.settle();
+    };
+    set("checks/min-angle", "59.5");
+    CHECK(driver.document().limits[MeshLimit::MinAngle] == 59.5);
+    CHECK(driver.has("checks/min-angle/broken"));
+    set("checks/max-growth", "50");
+    CHECK(driver.has("checks/max-growth/kept"));
+    set("checks/max-angle", "20"); // not a maximum that any mesh can keep
+    CHECK(driver.logHas("bad-limit"));
+    CHECK_FALSE(driver.document().limits[MeshLimit::MaxAngle]);
+
+    REQUIRE(driver.judgement().verdicts.size() == 2);
+    const LimitVerdict verdict = driver.judgement().verdicts[0];
+    REQUIRE(verdict.places.size() > 2);
+    for (std::size_t k = 0; k < 2; ++k) { // from one place to the next
+        CHECK(driver.click("checks/min-angle/next"));
+        driver.settle();
+        CHECK(driver.context().probe.chosen == MeshPick{MeshPart::Elements, verdict.places[k].part});
+        CHECK(distance(driver.context().view.camera.centre, verdict.places[k].at) < 1e-9);
+    }
+    const Document saved = parseProject(projectText(driver.document()), "saved").value();
+    CHECK(saved.limits == driver.document().limits);
+    driver.key('Z', {Modifiers::kControl});
+    driver.key('Z', {Modifiers::kControl});
+    driver.settle();
+    CHECK_FALSE(driver.document().limits.any());
+    CHECK_FALSE(driver.has("checks/min-angle/broken"));
+}
+
+TEST_CASE("Judge: setting a limit neither makes the mesh out of date nor meshes again") {
+    JudgedSquare driver;
+    const std::uint64_t made = driver.run().run;
+    for (const bool live : {false, true}) {
+        CAPTURE(live);
+        driver.context().run.live = live;
+        Document next = driver.document();
+        next.limits[MeshLimit::MinAngle] = live ? 20.0 : 30.0;
+        driver.context().document.apply(next, "Limit");
+        driver.settle();
+        CHECK(driver.run().run == made);
+        CHECK_FALSE(driver.context().run.outOfDate());
+        REQUIRE(driver.judgement().verdicts.size() == 1);
+    }
+    driver.context().run.live = false;
+    Document finer = driver.document();
+    finer.spacing.size = 0.5;
+    driver.context().document.apply(finer, "Size");
+    driver.settle();
+    CHECK(driver.context().run.outOfDate());
+    driver.key('Z', {Modifiers::kControl});
+    driver.key('Z', {Modifiers::kControl});
+    driver.settle();
+    CHECK_FALSE(driver.context().run.outOfDate());
+}
+
+TEST_CASE("Probe: hovering and clicking read values off elements, edges and nodes") {
+    JudgedSquare driver;
+    driver.click("panel/probe");
+    driver.context().settings.tabsHeight = 300;
+    driver.key('I');
+    driver.settle();
+    const std::size_t e = driver.mesh().elements.size() / 2;
+    driver.moveToPlace(driver.middleOf(e));
+    driver.settle();
+    CHECK(driver.context().probe.hovered == MeshPick{MeshPart::Elements, static_cast<std::uint32_t>(e)});
+    CHECK(driver.has("probe/Element"));
+    driver.clickPlace(driver.middleOf(e));
+    driver.moveTo({5, 5});
+    driver.settle();
+    CHECK(driver.context().probe.chosen == MeshPick{MeshPart::Elements, static_cast<std::uint32_t>(e)});
+    CHECK(driver.has("probe/Angles"));
+    const auto rows = describePart(driver.context(), *driver.context().probe.chosen);
+    const auto valueOf = [&](const std::string &label) {
+        for (const auto &[name, value] : rows) {
+            if (name == label) {
+                return value;
+            }
+        }
+        return std::string("missing");
+    };
+    CHECK(valueOf("Element") == std::to_string(e));
+    CHECK(std::abs(std::stod(valueOf("\xce\xb1")) - static_cast<double>(driver.run().mesh->alpha[e])) < 1e-4);
+    driver.clickPlace(driver.nodeAt(e, 0));
+    CHECK(driver.context().probe.chosen ==
+          MeshPick{MeshPart::Nodes, static_cast<std::uint32_t>(index(driver.mesh().elements[e][0]))});
+    driver.clickPlace(midpoint(driver.nodeAt(e, 0), driver.nodeAt(e, 1)));
+    CHECK(driver.context().probe.chosen == MeshPick{MeshPart::Edges, driver.judgement().edges->ofElement[e][0]});
+    driver.key(key::kEscape);
+    CHECK_FALSE(driver.context().probe.chosen);
+    driver.key('V');
+    CHECK_FALSE(driver.context().probe.active);
+}
+
+TEST_CASE("Probe: next and previous step through the worst parts, zoomed") {
+    JudgedSquare driver;
+    driver.click("panel/probe");
+    driver.settle();
+    const double before = driver.context().view.camera.zoom;
+    CHECK(driver.click("probe/next"));
+    driver.settle();
+    const std::vector<std::uint32_t> worst = driver.judgement().worst;
+    CHECK(ElementId{worst[0]} == driver.run().quality.worst);
+    CHECK(driver.context().probe.chosen == MeshPick{MeshPart::Elements, worst[0]});
+    CHECK(driver.context().view.camera.zoom > before);
+    CHECK(distance(driver.context().view.camera.centre, driver.middleOf(worst[0])) < kTiny);
+    CHECK(driver.click("probe/next"));
+    CHECK(driver.context().probe.chosen == MeshPick{MeshPart::Elements, worst[1]});
+    driver.settle();
+    CHECK(driver.click("probe/previous"));
+    CHECK(driver.context().probe.chosen == MeshPick{MeshPart::Elements, worst[0]});
+}
+
+TEST_CASE("Probe: a pinned node and a kept edge are in the next mesh") {
+    JudgedSquare driver;
+    driver.click("panel/probe");
+    driver.context().settings.tabsHeight = 300;
+    driver.key('I');
+    driver.settle();
+    const MeshEdge edge = driver.judgement().edges->edges[driver.innerEdge()];
+    const Vec2 a = driver.mesh().nodes[index(edge.a)], b = driver.mesh().nodes[index(edge.b)];
+    driver.clickPlace(a);
+    driver.settle();
+    CHECK(driver.click("probe/pin"));
+    CHECK(driver.undoLabel() == "Pin node");
+    driver.clickPlace(midpoint(a, b));
+    driver.settle();
+    CHECK(driver.click("probe/keep"));
+    CHECK(driver.undoLabel() == "Keep edge");
+    Document other = driver.document();
+    other.spacing.size = 0.7; // another mesh
+    driver.context().document.apply(std::move(other), "Size");
+    driver.key(key::kF5);
+    driver.settle();
+    const std::vector<Vec2> &nodes = driver.mesh().nodes;
+    const auto has = [&](Vec2 place) { return std::find(nodes.begin(), nodes.end(), place) != nodes.end(); };
+    CHECK(has(a));
+    CHECK(has(b));
+    CHECK(std::any_of(driver.mesh().edges.begin(), driver.mesh().edges.end(), [](const TaggedEdge &e) {
+        return e.tag == 2; // the kept edge, perhaps divided
+    }));
+}
+
+} // namespace forefront::test

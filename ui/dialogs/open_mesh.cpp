@@ -1,0 +1,109 @@
+#include "ui/dialogs/open_mesh.hpp"
+
+#include "core/io/files.hpp"
+#include "core/mesh/mesh_domain.hpp"
+#include "ui/dialogs/file_commands.hpp"
+#include "ui/dialogs/file_dialog.hpp"
+#include "ui/parts/shell.hpp"
+#include "ui/widgets/widgets.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace forefront {
+
+namespace {
+
+std::vector<FileFilter> meshes() {
+    FileFilter all{"All meshes", {}, "all"};
+    std::vector<FileFilter> filters;
+    for (const FileFormat &format : fileFormats()) {
+        if (format.readsMesh && passes(all, std::string("x") + format.extension) == false) {
+            all.extensions.emplace_back(format.extension);
+            filters.push_back(
+                {std::string(format.name) + " (" + format.extension + ")", {format.extension}, format.id});
+        }
+    }
+    filters.insert(filters.begin(), all);
+    filters.push_back({"All files", {}, "any"});
+    return filters;
+}
+
+/// Returns why a mesh cannot be drawn.
+Diagnostics drawingFaults(const Mesh &mesh) {
+    const auto known = [&](NodeId node) { return index(node) < mesh.nodes.size(); };
+    const bool elements = std::all_of(mesh.elements.begin(), mesh.elements.end(), [&](const Element &element) {
+        return std::all_of(element.begin(), element.end(), known);
+    });
+    const bool edges = std::all_of(mesh.edges.begin(), mesh.edges.end(),
+                                   [&](const TaggedEdge &edge) { return known(edge.a) && known(edge.b); });
+    const bool points =
+        std::all_of(mesh.points.begin(), mesh.points.end(), [&](const TaggedNode &point) { return known(point.node); });
+    const bool finite = std::all_of(mesh.nodes.begin(), mesh.nodes.end(), isFinite);
+    if (mesh.elements.empty()) {
+        return error("empty-mesh", "the mesh has no elements", "open it as a drawing instead");
+    }
+    return elements && edges && points && finite
+               ? Diagnostics{}
+               : error("bad-index", "the mesh has nodes that do not exist or coordinates that are not finite",
+                       "forefront check lists them");
+}
+
+/// Shows a mesh with its outline as a drawing without a file.
+void show(Shell &context, Mesh mesh, const std::filesystem::path &file) {
+    Result<Domain> outline = domainOfMesh(mesh);
+    if (!outline) {
+        context.log.add(outline.faults());
+    }
+    rememberView(context);
+    context.document.load(outline ? fromDomain(*outline) : Document(), {}, false, file.filename().string());
+    context.selection.clear();
+    context.examiner.abandon();
+    context.view.isolatedBin.reset();
+    context.view.measureRange.reset();
+    context.view.fitPending = true;
+    const std::size_t elements = mesh.elements.size();
+    context.run.showFile(std::move(mesh));
+    showLayer(context.layers, "quality", true);
+    context.log.announce(file.filename().string() + ": " + ui::count(elements) +
+                         " triangles, shown as they are in the file; press 2 to mesh the outline anew");
+    context.animate();
+}
+
+} // namespace
+
+Diagnostics openMesh(Shell &context, const std::filesystem::path &file) {
+    const auto notes = std::make_shared<ImportNotes>();
+    Result<Mesh> mesh = readMesh(file, {}, notes.get());
+    if (!mesh) {
+        return mesh.faults();
+    }
+    if (Diagnostics faults = drawingFaults(*mesh); !faults.empty()) {
+        for (Diagnostic &fault : faults) {
+            fault.file = file.string();
+        }
+        return faults;
+    }
+    const auto read = std::make_shared<Mesh>(std::move(*mesh));
+    afterUnsaved(context, [file, read, notes](Shell &c) {
+        show(c, std::move(*read), file);
+        c.log.add(notes->diagnostics());
+    });
+    return {};
+}
+
+void openMesh(Shell &context) {
+    FileRequest request;
+    request.id = "openmesh";
+    request.title = "Open mesh";
+    request.action = "Open";
+    request.filters = meshes();
+    request.folder = startFolder(context);
+    request.chosen = [](Shell &c, const std::filesystem::path &file, const FileFilter &) { return openMesh(c, file); };
+    context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));
+}
+
+} // namespace forefront

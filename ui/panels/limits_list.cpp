@@ -1,0 +1,132 @@
+#include "ui/panels/limits_list.hpp"
+
+#include "ui/panels/form.hpp"
+#include "ui/parts/shell.hpp"
+#include "ui/widgets/text_wrap.hpp"
+#include "ui/widgets/widgets.hpp"
+#include "ui/workspace/judging.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <string>
+
+namespace forefront {
+
+namespace {
+
+/// Width of the field of a limit, and the column of its verdict; design pixels.
+constexpr float kField = 58.0F;
+constexpr double kVerdict = 206.0;
+
+void setLimit(Shell &context, MeshLimit limit, std::optional<double> value) {
+    if (value) {
+        if (const std::string fault = limitFault(limit, *value); !fault.empty()) {
+            context.log.add(Diagnostic{.severity = Severity::Warning,
+                                       .code = "bad-limit",
+                                       .message = std::string(limitInfo(limit).name) + ": " + fault});
+            return;
+        }
+    }
+    Document next = *context.document.current();
+    next.limits[limit] = value;
+    context.document.apply(std::move(next), value ? std::string("Set ") + limitInfo(limit).name
+                                                  : std::string("Remove ") + limitInfo(limit).name);
+}
+
+void drawIcon(const char *symbol, Colour colour) {
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    ImGui::TextUnformatted(symbol);
+    ImGui::PopStyleColor();
+}
+
+/// Draws links that lead from one bad place to the next, in the order of the list.
+void drawPlaces(Shell &context, const LimitVerdict &verdict, const std::string &name) {
+    const MeshPart part = infoOf(limitInfo(verdict.limit).measure).part;
+    const auto at = std::find_if(verdict.places.begin(), verdict.places.end(), [&](const LimitPlace &place) {
+        return context.probe.chosen == MeshPick{part, place.part};
+    });
+    const bool last = at == verdict.places.end() || at + 1 == verdict.places.end();
+    const auto next = last ? verdict.places.begin() : at + 1;
+    const std::string text = at == verdict.places.end() ? ui::count(verdict.broken) + " \xc2\xb7 go to"
+                                                        : ui::count(verdict.broken) + " \xc2\xb7 next";
+    if (ui::link(context, name + "/next", text)) {
+        goToPart(context, {part, next->part});
+    }
+    ui::tooltip(context, toString(verdict));
+}
+
+void drawVerdict(Shell &context, const LimitVerdict &verdict, const std::string &name) {
+    if (verdict.judged == 0) {
+        drawIcon(icon::kHelp, context.theme.muted);
+    } else {
+        drawIcon(verdict.kept() ? icon::kCheck : icon::kError, verdict.kept() ? context.theme.good : context.theme.bad);
+    }
+    ui::mark(context, name + (verdict.kept() ? "/kept" : verdict.judged == 0 ? "/unknown" : "/broken"));
+    ui::tooltip(context, toString(verdict));
+    if (verdict.broken > 0) {
+        ImGui::SameLine(0, context.px(5));
+        drawPlaces(context, verdict, name);
+    }
+}
+
+void drawLimit(Shell &context, MeshLimit limit) {
+    const LimitInfo &info = limitInfo(limit);
+    const std::string name = std::string("checks/") + std::string(wordOf(limit));
+    std::string label = info.name;
+    label.front() = static_cast<char>(label.front() - 'a' + 'A');
+    ImGui::AlignTextToFramePadding();
+    ui::muted(context, label);
+    ui::tooltip(context, info.meaning);
+    ImGui::SameLine(context.px(140));
+    std::optional<double> value = context.document.current()->limits[limit];
+    if (form::optionalField(context, name, value, "off", kField)) {
+        setLimit(context, limit, value);
+    }
+    ui::tooltip(context, info.meaning);
+    const std::vector<LimitVerdict> &verdicts = context.judgement->verdicts;
+    const auto verdict =
+        std::find_if(verdicts.begin(), verdicts.end(), [limit](const LimitVerdict &v) { return v.limit == limit; });
+    if (verdict != verdicts.end()) {
+        ImGui::SameLine(context.px(kVerdict));
+        drawVerdict(context, *verdict, name);
+    }
+}
+
+/// Lists the faults of a mesh that was read from a file.
+void drawMeshFaults(Shell &context) {
+    const Judgement &judgement = *context.judgement;
+    if (!judgement.of.verify) {
+        return;
+    }
+    const bool valid = judgement.faults.empty();
+    drawIcon(valid ? icon::kCheck : icon::kError, valid ? context.theme.good : context.theme.bad);
+    ImGui::SameLine(context.px(20));
+    ui::small(context, valid ? "The mesh is valid" : "Faults of the mesh");
+    ui::mark(context, valid ? "checks/mesh/valid" : "checks/mesh/faulty");
+    for (std::size_t k = 0; k < judgement.faults.size(); ++k) {
+        const Diagnostic &fault = judgement.faults[k];
+        ImGui::SetCursorPosX(context.px(20));
+        ui::small(context, fault.message, true);
+        if (fault.at) {
+            ImGui::SetCursorPosX(context.px(20));
+            if (ui::link(context, "checks/mesh/goto/" + std::to_string(k),
+                         ui::format("go to (%.6g, %.6g)", fault.at->x, fault.at->y))) {
+                context.view.goTo(*fault.at, context.platform.now());
+            }
+        }
+    }
+}
+
+} // namespace
+
+void drawLimits(Shell &context) {
+    ImGui::PushFont(context.fonts.small);
+    drawMeshFaults(context);
+    for (const MeshLimit limit : valuesOf<MeshLimit>()) {
+        drawLimit(context, limit);
+    }
+    ImGui::PopFont();
+}
+
+} // namespace forefront

@@ -1,0 +1,68 @@
+#include "ui/tools/probe_tool.hpp"
+
+#include "ui/parts/shell.hpp"
+#include "ui/workspace/edit_state.hpp"
+#include "ui/workspace/judging.hpp"
+
+namespace forefront {
+
+namespace {
+
+constexpr double kReach = 8.0; ///< of the pointer, design pixels
+
+} // namespace
+
+const char *ProbeTool::icon() const {
+    return icon::kInfo;
+}
+
+CursorShape ProbeTool::cursor() const {
+    return CursorShape::Crosshair;
+}
+
+void ProbeTool::activate(Shell &context) {
+    context.probe.active = true;
+}
+
+void ProbeTool::deactivate(Shell &context) {
+    context.probe.active = false;
+    context.probe.hovered.reset();
+    context.probe.chosen.reset();
+}
+
+bool ProbeTool::handle(const CanvasEvent &event, Shell &context) {
+    Probe &probe = context.probe;
+    const Judgement &judgement = *context.judgement;
+    switch (event.kind) {
+    case CanvasEvent::Kind::Hover:
+        probe.hovered = partAt(judgement, event.place, EditState::reach(context, kReach));
+        return true;
+    case CanvasEvent::Kind::Leave:
+        probe.hovered.reset();
+        return false;
+    case CanvasEvent::Kind::Press:
+        if (event.button != MouseButton::Left) {
+            return false;
+        }
+        probe.chosen = partAt(judgement, event.place, EditState::reach(context, kReach));
+        probe.rank.reset();
+        return true;
+    case CanvasEvent::Kind::Key:
+        if (event.key == key::kEscape && probe.chosen && !event.repeated) {
+            probe.chosen.reset();
+            return true;
+        }
+        return false;
+    default:
+        return false;
+    }
+}
+
+std::string ProbeTool::statusText(const Shell &context) const {
+    if (!context.judgement->of.mesh) {
+        return "There is no mesh to probe";
+    }
+    return context.probe.chosen ? "Esc: follow the pointer again" : "Click an element, edge or node";
+}
+
+} // namespace forefront

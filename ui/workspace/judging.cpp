@@ -1,0 +1,177 @@
+#include "ui/workspace/judging.hpp"
+
+#include "ui/canvas/canvas_painter.hpp"
+#include "ui/widgets/widgets.hpp"
+#include "ui/workspace/workspace.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace forefront {
+
+JudgeRequest judgeRequest(const Workspace &context) {
+    const SessionSnapshot &shown = context.run.now();
+    JudgeRequest request;
+    if (shown.mesh && !shown.mesh->mesh.elements.empty()) {
+        request.mesh = shown.mesh;
+    }
+    // A mesh opened from a file is compared with the spacing of the drawing.
+    request.spacing = shown.spacing || !context.run.showsFile() ? shown.spacing : context.preview->spacing;
+    request.measure = context.view.measure;
+    request.limits = context.document.current()->limits;
+    request.verify = context.run.showsFile();
+    request.parts = context.probe.active || context.probe.chosen.has_value();
+    return request;
+}
+
+ColourRange measureRange(const Workspace &context) {
+    const Judgement &judgement = *context.judgement;
+    const bool current = judgement.of.measure == context.view.measure;
+    return current && context.view.measureRange ? *context.view.measureRange : judgement.fitted;
+}
+
+void chooseMeasure(Workspace &context, Measure measure) {
+    if (context.view.measure != measure) {
+        context.view.measure = measure;
+        context.view.measureRange.reset();
+        context.view.isolatedBin.reset();
+        context.probe.rank.reset();
+        context.animate();
+    }
+}
+
+void goToPart(Workspace &context, const MeshPick &pick) {
+    const Judgement &judgement = *context.judgement;
+    if (!judgement.of.mesh || (pick.part == MeshPart::Edges && !judgement.edges)) {
+        return;
+    }
+    context.probe.follow(judgement.of.mesh->version);
+    context.probe.chosen = pick;
+    const Mesh &mesh = judgement.of.mesh->mesh;
+    Box2 box;
+    if (pick.part == MeshPart::Elements) {
+        for (const NodeId node : mesh.elements[pick.index]) {
+            box.add(mesh.nodes[index(node)]);
+        }
+    } else if (pick.part == MeshPart::Edges) {
+        const MeshEdge &edge = judgement.edges->edges[pick.index];
+        box = boxOf(mesh.nodes[index(edge.a)], mesh.nodes[index(edge.b)]);
+    }
+    View &view = context.view;
+    view.goTo(placeOf(judgement, pick.part, pick.index), context.platform.now());
+    constexpr double kShare = 0.15; // of the canvas that the part takes
+    const double extent = box.diagonal();
+    if (extent > 0.0) {
+        const double zoom = kShare * std::min(view.camera.viewport.width, view.camera.viewport.height) / extent;
+        view.camera.zoom = std::clamp(zoom, view.camera.minZoom, view.camera.maxZoom);
+    }
+    context.animate();
+}
+
+void goToRank(Workspace &context, std::size_t rank) {
+    const Judgement &judgement = *context.judgement;
+    if (rank < judgement.worst.size()) {
+        goToPart(context, {infoOf(judgement.of.measure).part, judgement.worst[rank]});
+        context.probe.rank = rank;
+    }
+}
+
+namespace {
+
+/// Returns the element that a place lies in; those that overlap there count by number.
+std::uint32_t elementAt(const Judgement &judgement, Vec2 place) {
+    const Mesh &mesh = judgement.of.mesh->mesh;
+    std::uint32_t found = kNoIndex;
+    judgement.tree->query(boxAround(place, 0.0), [&](std::uint32_t number) {
+        const Element &n = mesh.elements[number];
+        const Vec2 a = mesh.nodes[index(n[0])], b = mesh.nodes[index(n[1])], c = mesh.nodes[index(n[2])];
+        const double turn = cross(b - a, c - a) < 0.0 ? -1.0 : 1.0;
+        const bool inside = turn * cross(b - a, place - a) >= 0.0 && turn * cross(c - b, place - b) >= 0.0 &&
+                            turn * cross(a - c, place - c) >= 0.0;
+        found = inside ? std::min(found, number) : found;
+    });
+    return found;
+}
+
+double distanceToSegment(Vec2 p, Vec2 a, Vec2 b) {
+    const double squared = distanceSquared(a, b);
+    const double t = squared > 0.0 ? std::clamp(dot(p - a, b - a) / squared, 0.0, 1.0) : 0.0;
+    return distance(p, lerp(a, b, t));
+}
+
+/// Returns the nodes of a part.
+std::vector<Vec2> nodesOf(const Judgement &judgement, const MeshPick &pick) {
+    const Mesh &mesh = judgement.of.mesh->mesh;
+    const auto at = [&](NodeId node) { return mesh.nodes[index(node)]; };
+    if (pick.part == MeshPart::Elements && pick.index < mesh.elements.size()) {
+        const Element &n = mesh.elements[pick.index];
+        return {at(n[0]), at(n[1]), at(n[2])};
+    }
+    if (pick.part == MeshPart::Edges && judgement.edges && pick.index < judgement.edges->edges.size()) {
+        const MeshEdge &edge = judgement.edges->edges[pick.index];
+        return {at(edge.a), at(edge.b)};
+    }
+    return pick.part == MeshPart::Nodes && pick.index < mesh.nodes.size() ? std::vector<Vec2>{mesh.nodes[pick.index]}
+                                                                          : std::vector<Vec2>();
+}
+
+} // namespace
+
+std::optional<MeshPick> partAt(const Judgement &judgement, Vec2 place, double reach) {
+    if (!judgement.tree || !judgement.edges) {
+        return std::nullopt;
+    }
+    const std::uint32_t element = elementAt(judgement, place);
+    if (element == kNoIndex) {
+        return std::nullopt;
+    }
+    const Mesh &mesh = judgement.of.mesh->mesh;
+    const Element &n = mesh.elements[element];
+    std::array<Vec2, 3> p{};
+    std::transform(n.begin(), n.end(), p.begin(), [&](NodeId node) { return mesh.nodes[index(node)]; });
+    constexpr double kShare = 0.22; // of its shortest side: the middle of a small element is the element itself
+    const double shortest = std::min({distance(p[0], p[1]), distance(p[1], p[2]), distance(p[2], p[0])});
+    const double near = std::min(reach, kShare * shortest);
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (distance(place, p[k]) <= near) {
+            return MeshPick{MeshPart::Nodes, static_cast<std::uint32_t>(index(n[k]))};
+        }
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (distanceToSegment(place, p[k], p[(k + 1) % 3]) <= 0.5 * near) {
+            return MeshPick{MeshPart::Edges, judgement.edges->ofElement[element][k]};
+        }
+    }
+    return MeshPick{MeshPart::Elements, element};
+}
+
+void drawProbe(CanvasPainter &painter, const Workspace &context) {
+    const Probe &probe = context.probe;
+    const Judgement &judgement = *context.judgement;
+    if (!judgement.of.mesh || judgement.of.mesh->version != probe.mesh) {
+        return;
+    }
+    const auto mark = [&](const std::optional<MeshPick> &pick, Colour colour, double width) {
+        const std::vector<Vec2> nodes = pick ? nodesOf(judgement, *pick) : std::vector<Vec2>();
+        if (nodes.size() == 1) {
+            painter.ring(nodes.front(), 7.0, colour, width);
+        } else if (!nodes.empty()) {
+            painter.polyline(nodes, nodes.size() > 2, colour, width);
+        }
+    };
+    if (probe.hovered != probe.chosen) {
+        mark(probe.hovered, context.theme.text, 1.5);
+    }
+    mark(probe.chosen, context.theme.accent, 3.0);
+}
+
+std::string measureText(Measure measure, double value, int digits) {
+    if (std::isnan(value)) {
+        return "none";
+    }
+    const bool whole = measure == Measure::Region || measure == Measure::Birth || measure == Measure::Valence;
+    return whole ? ui::format("%.0f", value) : ui::number(value, digits) + infoOf(measure).unit;
+}
+
+} // namespace forefront

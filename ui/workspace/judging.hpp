@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/mesh/measures.hpp"
+#include "ui/style/colour_map.hpp"
+#include "ui/workspace/mesh_judge.hpp"
+#include "ui/workspace/probe.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace forefront {
+
+struct Workspace;
+class CanvasPainter;
+
+/// Returns what is to be found out about the mesh shown now.
+JudgeRequest judgeRequest(const Workspace &context);
+
+/// Returns the range of colours of the measure judged by: set by the user, or fitted to the mesh.
+ColourRange measureRange(const Workspace &context);
+
+/// Chooses the measure that the mesh is judged by; forgets the colour range and the isolated bar of the last one.
+void chooseMeasure(Workspace &context, Measure measure);
+
+/// Shows a part of the judged mesh: chooses it in the probe and zooms so that its surroundings are visible.
+void goToPart(Workspace &context, const MeshPick &pick);
+
+/// Shows the part of that rank, 0 being the worst, by the measure judged by.
+void goToRank(Workspace &context, std::size_t rank);
+
+/// Returns the part of the judged mesh at a place: the nearest node or edge of the element there if it is within
+/// `reach`, otherwise the element; nothing outside the mesh or while the tree of the judgement is not known.
+std::optional<MeshPick> partAt(const Judgement &judgement, Vec2 place, double reach);
+
+/// Returns what is known about a part, as labels and values.
+std::vector<std::pair<std::string, std::string>> describePart(const Workspace &context, const MeshPick &pick);
+
+/// Draws marks around the chosen part and the part under the pointer.
+void drawProbe(CanvasPainter &painter, const Workspace &context);
+
+/// Returns a value of a measure with its unit, and "none" for NaN.
+std::string measureText(Measure measure, double value, int digits = 4);
+
+} // namespace forefront

@@ -1,0 +1,123 @@
+#include "ui/workspace/mesh_judge.hpp"
+
+#include "core/mesh/verify.hpp"
+#include "ui/style/measure_colours.hpp"
+
+#include <utility>
+
+namespace forefront {
+
+namespace {
+
+bool needsEdges(const JudgeRequest &request) {
+    return request.parts || request.limits.any() || request.measure == Measure::AreaRatio ||
+           infoOf(request.measure).part == MeshPart::Edges;
+}
+
+BoxTree treeOf(const Mesh &mesh) {
+    std::vector<Box2> boxes(mesh.elements.size());
+    for (std::size_t e = 0; e < boxes.size(); ++e) {
+        for (const NodeId node : mesh.elements[e]) {
+            boxes[e].add(mesh.nodes[index(node)]);
+        }
+    }
+    return BoxTree(boxes);
+}
+
+/// Measures the values; `judgement` has its edges.
+void measureInto(Judgement &judgement) {
+    static const MeshEdges kNoEdges;
+    const JudgeRequest &of = judgement.of;
+    const MeshEdges &edges = judgement.edges ? *judgement.edges : kNoEdges;
+    judgement.values = measureValues(of.measure, of.mesh->mesh, edges, of.spacing.get());
+    judgement.summary = summarise(judgement.values);
+    judgement.histogram = shownHistogram(of.measure, judgement.values, judgement.summary);
+    judgement.fitted = fittedRange(of.measure, judgement.summary);
+    judgement.worst = worstParts(of.measure, judgement.values, Judgement::kRanked);
+}
+
+} // namespace
+
+std::shared_ptr<const Judgement> judgementOf(const JudgeRequest &request, const Judgement &earlier) {
+    auto judgement = std::make_shared<Judgement>();
+    judgement->of = request;
+    if (!request.mesh) {
+        return judgement;
+    }
+    const Mesh &mesh = request.mesh->mesh;
+    const bool same = earlier.of.mesh == request.mesh;
+    const bool sameSpacing = same && earlier.of.spacing == request.spacing;
+    if (needsEdges(request)) {
+        judgement->edges = same && earlier.edges ? earlier.edges : std::make_shared<const MeshEdges>(edgesOf(mesh));
+    }
+    if (request.parts) {
+        judgement->tree = same && earlier.tree ? earlier.tree : std::make_shared<const BoxTree>(treeOf(mesh));
+    }
+    if (request.verify) {
+        judgement->faults = same && earlier.of.verify ? earlier.faults : verify(mesh);
+    }
+    if (request.limits.any()) {
+        judgement->verdicts = sameSpacing && earlier.of.limits == request.limits
+                                  ? earlier.verdicts
+                                  : judge(mesh, *judgement->edges, request.limits, request.spacing.get());
+    }
+    measureInto(*judgement);
+    return judgement;
+}
+
+Vec2 placeOf(const Judgement &judgement, MeshPart part, std::uint32_t index) {
+    static const MeshEdges kNoEdges;
+    return placeOf(judgement.of.mesh->mesh, judgement.edges ? *judgement.edges : kNoEdges, part, index);
+}
+
+MeshJudge::MeshJudge(std::function<void()> wake)
+    : wake_(std::move(wake)), judgement_(std::make_shared<Judgement>()),
+      thread_([this](const std::stop_token &stop) { work(stop); }) {}
+
+MeshJudge::~MeshJudge() {
+    thread_.request_stop();
+    const std::lock_guard lock(mutex_);
+    changed_.notify_all();
+}
+
+void MeshJudge::submit(const JudgeRequest &request) {
+    const std::lock_guard lock(mutex_);
+    if (!(wanted_ == request)) {
+        wanted_ = request;
+        changed_.notify_all();
+    }
+}
+
+std::shared_ptr<const Judgement> MeshJudge::latest() const {
+    const std::lock_guard lock(mutex_);
+    return judgement_;
+}
+
+bool MeshJudge::busy() const {
+    const std::lock_guard lock(mutex_);
+    return !(judgement_->of == wanted_);
+}
+
+void MeshJudge::work(const std::stop_token &stop) {
+    std::unique_lock lock(mutex_);
+    while (!stop.stop_requested()) {
+        if (!changed_.wait(lock, stop, [this] { return !(judgement_->of == wanted_); })) {
+            return;
+        }
+        const JudgeRequest request = wanted_;
+        std::shared_ptr<const Judgement> earlier = judgement_;
+        lock.unlock();
+        std::shared_ptr<const Judgement> judgement = judgementOf(request, *earlier);
+        earlier.reset();
+        lock.lock();
+        judgement_.swap(judgement);
+        lock.unlock();
+        judgement.reset(); // frees an old mesh outside the lock
+        if (wake_) {
+            wake_();
+        }
+        lock.lock();
+    }
+}
+
+} // namespace forefront

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "core/edit/document.hpp"
+#include "core/geometry/box_tree.hpp"
+#include "core/mesh/limits.hpp"
+#include "core/mesh/measures.hpp"
+#include "core/session/snapshot.hpp"
+#include "ui/style/colour_map.hpp"
+
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <thread>
+#include <vector>
+
+namespace forefront {
+
+/// What to find out about a mesh.
+struct JudgeRequest {
+    std::shared_ptr<const MeshView> mesh;        ///< null: nothing to judge
+    std::shared_ptr<const SpacingField> spacing; ///< may be null
+    Measure measure = Measure::ShapeFactor;      ///< whose values are computed
+    MeshLimits limits;
+    bool verify = false; ///< also find the faults of the mesh
+    bool parts = false;  ///< also prepare to find the parts at a place
+
+    friend bool operator==(const JudgeRequest &, const JudgeRequest &) = default;
+};
+
+/// What is known about a mesh.
+struct Judgement {
+    JudgeRequest of;
+    /// Edges of the mesh; null if the request does not need them.
+    std::shared_ptr<const MeshEdges> edges;
+    std::shared_ptr<const BoxTree> tree; ///< over the boxes of the elements; null unless `parts`
+    std::vector<double> values;          ///< of the measure
+    MeasureSummary summary;
+    MeasureHistogram histogram;       ///< over all values
+    ColourRange fitted;               ///< range of the colours that shows the differences within the mesh
+    std::vector<std::uint32_t> worst; ///< at most kRanked parts, the worst first
+    std::vector<LimitVerdict> verdicts;
+    Diagnostics faults; ///< of the mesh, if `verify`
+
+    static constexpr std::size_t kRanked = 200;
+};
+
+/// Judges the mesh shown, on a thread of its own, so that the window never waits for it.
+class MeshJudge {
+  public:
+    /// `wake` is called from that thread when a judgement is ready.
+    explicit MeshJudge(std::function<void()> wake);
+    ~MeshJudge();
+    MeshJudge(const MeshJudge &) = delete;
+    MeshJudge &operator=(const MeshJudge &) = delete;
+
+    /// Sets what to find out; cheap if it has not changed. Work on an earlier request is finished first.
+    void submit(const JudgeRequest &request);
+    /// Returns the newest judgement; never null.
+    std::shared_ptr<const Judgement> latest() const;
+    /// Returns true while the newest request is not answered.
+    bool busy() const;
+
+  private:
+    void work(const std::stop_token &stop);
+
+    std::function<void()> wake_;
+    mutable std::mutex mutex_;
+    std::condition_variable_any changed_;
+    JudgeRequest wanted_;
+    std::shared_ptr<const Judgement> judgement_;
+    std::jthread thread_; ///< last, so that it ends before what it uses
+};
+
+/// Answers a request; takes what has not changed from an earlier answer.
+std::shared_ptr<const Judgement> judgementOf(const JudgeRequest &request, const Judgement &earlier);
+
+/// Returns the place of a part of the judged mesh. Edges must be known for those.
+Vec2 placeOf(const Judgement &judgement, MeshPart part, std::uint32_t index);
+
+} // namespace forefront
