@@ -67,7 +67,7 @@ class StraightRuns {
         }
         const auto [first, second] = segmentsAt_[node];
         const DomainSegment &a = domain_.segments[first], &b = domain_.segments[second];
-        if (a.tag != b.tag || a.role != b.role) {
+        if (a.tag != b.tag || a.role != b.role || a.stretch.follows() || b.stretch.follows()) {
             return false;
         }
         const Vec2 in = domain_.nodes[node] - domain_.nodes[other(first, node)];

@@ -6,8 +6,9 @@
 
 namespace forefront {
 
-/// Returns the domain that a mesh covers, with tags and names. Nodes that merely subdivide a straight run with one tag
-/// (straight within 1e-9) are dropped, so that a new mesh can be coarser there. Error: "empty-domain".
+/// Returns the domain that a mesh covers, with tags, names and the curves that its edges follow. Nodes that merely
+/// subdivide a straight run with one tag (straight within 1e-9) are dropped, so that a new mesh can be coarser there.
+/// Error: "empty-domain".
 Result<Domain> outlineOf(const Mesh &mesh);
 
 /// Merges the segments of straight runs, the last step of outlineOf().

@@ -25,7 +25,7 @@ class MeshOutline {
         for (std::size_t k = 0; k < tags_.size(); ++k) {
             if (!used_[k]) {
                 addSegment(NodeId{tags_[k].a}, NodeId{tags_[k].b}, tags_[k].tag,
-                           mesh_.elements.empty() ? SegmentRole::Boundary : SegmentRole::Constraint);
+                           mesh_.elements.empty() ? SegmentRole::Boundary : SegmentRole::Constraint, tags_[k].stretch);
             }
         }
         for (const TaggedNode &point : mesh_.points) {
@@ -33,6 +33,7 @@ class MeshOutline {
         }
         domain_.boundaryNames = mesh_.boundaryNames;
         domain_.regionNames = mesh_.regionNames;
+        domain_.curves = mesh_.curves;
         return std::move(domain_);
     }
 
@@ -40,15 +41,17 @@ class MeshOutline {
     struct Tagged {
         std::uint32_t low, high, a, b;
         std::int32_t tag;
+        CurveStretch stretch; ///< from a to b
         auto key() const { return std::tuple(low, high); }
     };
 
     void collectTags() {
         tags_.reserve(mesh_.edges.size());
-        for (const TaggedEdge &edge : mesh_.edges) {
-            const auto a = static_cast<std::uint32_t>(edge.a);
-            const auto b = static_cast<std::uint32_t>(edge.b);
-            tags_.push_back({std::min(a, b), std::max(a, b), a, b, edge.tag});
+        for (std::size_t k = 0; k < mesh_.edges.size(); ++k) {
+            const auto a = static_cast<std::uint32_t>(mesh_.edges[k].a);
+            const auto b = static_cast<std::uint32_t>(mesh_.edges[k].b);
+            const CurveStretch stretch = k < mesh_.edgeStretches.size() ? mesh_.edgeStretches[k] : CurveStretch();
+            tags_.push_back({std::min(a, b), std::max(a, b), a, b, mesh_.edges[k].tag, stretch});
         }
         std::stable_sort(tags_.begin(), tags_.end(),
                          [](const Tagged &a, const Tagged &b) { return a.key() < b.key(); });
@@ -119,7 +122,10 @@ class MeshOutline {
                    tagged  ? tags_[found].tag
                    : outer ? outerTag_
                            : interfaceTag_,
-                   outer ? SegmentRole::Boundary : SegmentRole::Constraint);
+                   outer ? SegmentRole::Boundary : SegmentRole::Constraint,
+                   !tagged                                           ? CurveStretch()
+                   : tags_[found].a == static_cast<std::uint32_t>(a) ? tags_[found].stretch
+                                                                     : tags_[found].stretch.reversed());
     }
 
     /// Places a marker in every face, in its largest element.
@@ -165,8 +171,9 @@ class MeshOutline {
         }
         return number;
     }
-    void addSegment(NodeId a, NodeId b, std::int32_t tag, SegmentRole role) {
-        domain_.segments.push_back({number(a), number(b), tag, role});
+    void addSegment(NodeId a, NodeId b, std::int32_t tag, SegmentRole role, const CurveStretch &stretch) {
+        const std::uint32_t from = number(a), to = number(b);
+        domain_.segments.push_back({from, to, tag, role, stretch});
     }
 
     const Mesh &mesh_;

@@ -3,6 +3,8 @@
 #include "core/adapt/gradient_recovery.hpp"
 #include "core/adapt/mesh_outline.hpp"
 #include "core/domain/add_loop.hpp"
+#include "core/domain/validate.hpp"
+#include "core/edit/shape_commands.hpp"
 #include "core/mesh/verify.hpp"
 #include "core/mesher/pipeline.hpp"
 #include "core/spacing/spacing_field.hpp"
@@ -178,6 +180,33 @@ TEST_CASE("outlineOf: drops nodes that only divide a straight side, keeps tags a
     Mesh pinned = mesh;
     pinned.points.push_back({samples::node(4), 7}); // in the middle of the bottom
     CHECK(outlineOf(pinned)->nodes.size() == 5);
+}
+
+TEST_CASE("outlineOf: a mesh along curves gives them back, so that a finer mesh follows them") {
+    Document document;
+    Shape disc;
+    disc.kind = ShapeKind::Circle;
+    disc.nodes = {{2, 1}, {3, 1}};
+    document = *addShape(document, disc);
+    MeshingJob job;
+    job.domain = toDomain(document);
+    job.spacing.size = 0.4;
+    const Result<MeshingOutcome> coarse = meshDomain(job);
+    REQUIRE(coarse);
+    const Result<Domain> outline = outlineOf(coarse->mesh);
+    REQUIRE(outline);
+    CHECK(outline->curves == job.domain.curves);
+    CHECK(validate(*outline).empty());
+    job.domain = *outline;
+    job.spacing.size = 0.05;
+    const Result<MeshingOutcome> fine = meshDomain(job);
+    REQUIRE(fine);
+    std::size_t onCircle = 0;
+    for (const TaggedEdge &edge : fine->mesh.edges) {
+        onCircle += std::abs(distance(fine->mesh.nodes[index(edge.a)], {2, 1}) - 1.0) <= 1e-12 ? 1U : 0U;
+    }
+    CHECK(onCircle == fine->mesh.edges.size());
+    CHECK(onCircle > 2 * coarse->mesh.edges.size());
 }
 
 TEST_CASE("adapt: rounds approach the target for an expression, within the limits") {
