@@ -168,4 +168,32 @@ Curve merged(const Curve &first, const Curve &second) {
     return fitted(Samples(first, second), from, first.tangent(0.0), -1.0 * second.tangent(1.0), to);
 }
 
+Curve arcThrough(Vec2 from, Vec2 middle, Vec2 to) {
+    constexpr double kStraight = 1e-9;
+    const Vec2 p = middle - from, q = to - from;
+    const double twice = 2.0 * cross(p, q);
+    if (!(std::fabs(twice) > kStraight * length(p) * length(q))) {
+        return Curve::line(from, to);
+    }
+    const Vec2 offset = (1.0 / twice) * Vec2{q.y * lengthSquared(p) - p.y * lengthSquared(q),
+                                             p.x * lengthSquared(q) - q.x * lengthSquared(p)};
+    const Vec2 u = -1.0 * offset, end = q - offset;
+    const double turn = std::atan2(cross(u, end), dot(u, end));
+    constexpr double kTurn = 2.0 * std::numbers::pi;
+    const double sweep = twice > 0.0 ? (turn > 0.0 ? turn : turn + kTurn) : (turn < 0.0 ? turn : turn - kTurn);
+    return Curve::arc(from + offset, u, leftNormal(u), 0.0, sweep);
+}
+
+Curve arcOfRadius(Vec2 from, Vec2 to, double radius, Vec2 side) {
+    const double half = 0.5 * distance(from, to);
+    if (!(half > 0.0) || !(radius > 0.0)) {
+        return Curve::line(from, to);
+    }
+    const Vec2 across = (0.5 / half) * leftNormal(to - from), centre = midpoint(from, to);
+    const double height = dot(side - centre, across), reach = std::max(radius, half);
+    const double rise = std::sqrt(reach * reach - half * half);
+    const double sagitta = std::fabs(height) > half ? reach + rise : reach - rise;
+    return arcThrough(from, centre + std::copysign(sagitta, height) * across, to);
+}
+
 } // namespace forefront

@@ -22,4 +22,10 @@ double sectorArea(const Curve &curve, Vec2 from);
 /// with their outer ends and tangents that is nearest by least squares.
 Curve merged(const Curve &first, const Curve &second);
 
+/// Returns the arc of a circle from one point through another to a third; a line if they are on one.
+Curve arcThrough(Vec2 from, Vec2 middle, Vec2 to);
+/// Returns the arc of a circle of a radius between two points, on the side of a third one, and more than half a circle
+/// if that is far from their line; half a circle if the radius is too small.
+Curve arcOfRadius(Vec2 from, Vec2 to, double radius, Vec2 side);
+
 } // namespace forefront

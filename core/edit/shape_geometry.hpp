@@ -2,7 +2,8 @@
 
 #include "core/edit/document.hpp"
 
-#include <optional>
+#include <cstdint>
+#include <string>
 #include <vector>
 
 namespace forefront {

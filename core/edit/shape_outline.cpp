@@ -2,6 +2,8 @@
 #include "core/edit/shape_geometry.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <numbers>
 
 namespace forefront {

@@ -1,5 +1,6 @@
 #include "core/arrangement/repair.hpp"
 #include "core/edit/combine_shapes.hpp"
+#include "core/edit/path_commands.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
 #include "core/edit/spacing_commands.hpp"
@@ -10,6 +11,8 @@
 #include "ui/dialogs/repair.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/workspace/edit_state.hpp"
+
+#include <algorithm>
 
 namespace forefront {
 namespace {
@@ -170,6 +173,54 @@ void addShapeOperations(ActionRegistry &actions) {
     }
 }
 
+bool hasPathNode(const Shell &context) {
+    const Document &document = *context.document.current();
+    return std::any_of(context.selection.nodes.begin(), context.selection.nodes.end(), [&](NodeRef node) {
+        const Shape *const shape = findShape(document, node.shape);
+        return shape != nullptr && isPath(*shape);
+    });
+}
+
+bool hasPathSegment(const Shell &context) {
+    const Document &document = *context.document.current();
+    return std::any_of(context.selection.segments.begin(), context.selection.segments.end(), [&](SegmentRef segment) {
+        const Shape *const shape = findShape(document, segment.shape);
+        return shape != nullptr && isPath(*shape);
+    });
+}
+
+/// Adds the commands on nodes and segments of paths, with the keys of Inkscape.
+void addPathActions(ActionRegistry &actions) {
+    const auto add = [&](const char *id, const char *title, int key, bool (*enabled)(const Shell &), bool first,
+                         Result<Document> (*command)(const Document &, const Selection &)) {
+        actions.add({.id = id,
+                     .menu = "Edit",
+                     .title = title,
+                     .shortcuts = {{key, Modifiers{Modifiers::kShift}}},
+                     .run = [title, command](
+                                Shell &c) { EditState::apply(c, command(*c.document.current(), c.selection), title); },
+                     .enabled = enabled,
+                     .separatorBefore = first});
+    };
+    add("path.corner", "Corner node", 'C', hasPathNode, true,
+        [](const Document &d, const Selection &s) { return setNodeKind(d, s.nodes, NodeKind::Corner); });
+    add("path.smooth", "Smooth node", 'S', hasPathNode, false,
+        [](const Document &d, const Selection &s) { return setNodeKind(d, s.nodes, NodeKind::Smooth); });
+    add("path.symmetric", "Symmetric node", 'Y', hasPathNode, false,
+        [](const Document &d, const Selection &s) { return setNodeKind(d, s.nodes, NodeKind::Symmetric); });
+    add("path.line", "Segment to line", 'L', hasPathSegment, false,
+        [](const Document &d, const Selection &s) { return setCurved(d, s.segments, false); });
+    add("path.curve", "Segment to curve", 'U', hasPathSegment, false,
+        [](const Document &d, const Selection &s) { return setCurved(d, s.segments, true); });
+    add(
+        "path.split", "Split path at node", 'B',
+        [](const Shell &c) { return c.selection.nodes.size() == 1 && hasPathNode(c); }, false,
+        [](const Document &d, const Selection &s) { return splitPath(d, *s.nodes.begin()); });
+    add(
+        "path.join", "Join ends", 'J', [](const Shell &c) { return c.selection.nodes.size() == 2 && hasPathNode(c); },
+        false, [](const Document &d, const Selection &s) { return joinEnds(d, *s.nodes.begin(), *s.nodes.rbegin()); });
+}
+
 void addSelectionActions(ActionRegistry &actions) {
     actions.add({.id = "edit.delete",
                  .menu = "Edit",
@@ -216,6 +267,7 @@ void addSelectionActions(ActionRegistry &actions) {
                      },
                  .enabled = [](const Shell &c) { return !c.selection.shapes.empty(); },
                  .separatorBefore = true});
+    addPathActions(actions);
     addShapeOperations(actions);
     actions.add({.id = "edit.repair",
                  .menu = "Edit",

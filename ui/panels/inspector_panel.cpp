@@ -1,4 +1,5 @@
 #include "core/edit/name_commands.hpp"
+#include "core/edit/path_commands.hpp"
 #include "core/edit/region_commands.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
@@ -35,6 +36,7 @@ class InspectorPanel final : public Panel {
     void drawEllipse(Shell &context, const Shape &shape) const;
     void drawShapeButtons(Shell &context, const Shape &shape) const;
     void drawNode(Shell &context, NodeRef ref) const;
+    void drawNodeKind(Shell &context, const Shape &shape, NodeRef ref) const;
     void drawSegment(Shell &context, SegmentRef ref) const;
     void drawSource(Shell &context, std::uint32_t index) const;
     void drawMarker(Shell &context, std::uint32_t index) const;
@@ -234,8 +236,19 @@ void InspectorPanel::drawNode(Shell &context, NodeRef ref) const {
     if (form::pair(context, "inspector/at", "Position", at)) {
         EditState::apply(context, setHandle(document, ref, at), "Move node");
     }
+    if (isPath(*shape)) {
+        drawNodeKind(context, *shape, ref);
+    }
     if (ui::button(context, "inspector/delete", "Delete node")) {
         context.actions.run("edit.delete", context);
+    }
+}
+
+void InspectorPanel::drawNodeKind(Shell &context, const Shape &shape, NodeRef ref) const {
+    NodeKind kind = nodeKind(shape, ref.node);
+    form::label(context, "Kind");
+    if (ui::segmented(context, "inspector/nodekind", kind)) {
+        EditState::apply(context, setNodeKind(*context.document.current(), {ref}, kind), "Change node");
     }
 }
 
@@ -262,6 +275,12 @@ void InspectorPanel::drawSegment(Shell &context, SegmentRef ref) const {
     }
     if (ui::button(context, "inspector/split", "Insert node")) {
         EditState::apply(context, insertNode(document, ref, middle), "Insert node");
+    }
+    if (isPath(*shape)) {
+        ImGui::SameLine();
+        if (ui::button(context, "inspector/bend", curved ? "To line" : "To curve")) {
+            context.actions.run(curved ? "path.line" : "path.curve", context);
+        }
     }
 }
 

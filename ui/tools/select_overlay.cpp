@@ -58,6 +58,16 @@ void SelectTool::drawHandles(CanvasPainter &painter, Shell &context) const {
     }
 }
 
+void SelectTool::drawControls(CanvasPainter &painter, Shell &context) const {
+    const Theme &theme = context.theme;
+    for (const Control &control : controlsOf(*context.document.current(), context.selection)) {
+        const bool under = over_ && hover_.kind == Hit::Kind::Control && hover_.control == control.ref;
+        painter.line(control.node, control.at, fade(theme.selection, 0.7), 1.0);
+        painter.dot(control.at, under ? 5.0 : 4.0, theme.selection);
+        painter.dot(control.at, under ? 3.0 : 2.5, under ? theme.selection : theme.canvas);
+    }
+}
+
 void SelectTool::drawSourceHandles(CanvasPainter &painter, Shell &context) const {
     const Theme &theme = context.theme;
     const Document &document = *context.document.current();
@@ -89,6 +99,7 @@ void SelectTool::drawSourceHandles(CanvasPainter &painter, Shell &context) const
 
 void SelectTool::drawOverlay(CanvasPainter &painter, Shell &context) {
     drawHandles(painter, context);
+    drawControls(painter, context);
     drawSourceHandles(painter, context);
     const Theme &theme = context.theme;
     if (mode_ == Mode::Boxing) {
@@ -128,6 +139,9 @@ std::string SelectTool::statusText(const Shell &context) const {
     case Mode::Grabbed:
     case Mode::Idle:
         break;
+    }
+    if (over_ && hover_.kind == Hit::Kind::Control) {
+        return "Drag the control point. Alt: without the opposite one, Shift: steps of 15\xc2\xb0";
     }
     if (over_ && hover_.kind == Hit::Kind::Segment) {
         return context.selection.shapes.contains(hover_.shape)

@@ -26,11 +26,30 @@ void SelectTool::deactivate(Shell &) {
     startIndex_.reset();
 }
 
+std::optional<Control> SelectTool::controlAt(Vec2 place, Shell &context) const {
+    std::optional<Control> best;
+    double limit = EditState::reach(context, 8.0);
+    const double apart = EditState::reach(context, 4.0); // nearer to its node, a click means the node
+    for (const Control &control : controlsOf(*context.document.current(), context.selection)) {
+        const double d = distance(control.at, place);
+        if (d <= limit && distance(control.at, control.node) > apart && d <= distance(control.node, place)) {
+            best = control;
+            limit = d;
+        }
+    }
+    return best;
+}
+
 SelectTool::Hit SelectTool::hitAt(Vec2 place, Shell &context) const {
     const PickIndex &index = *state_->index(context);
     Hit hit;
     hit.at = place;
-    if (const auto node = index.node(place, EditState::reach(context, 8.0))) {
+    if (const auto control = controlAt(place, context)) {
+        hit.kind = Hit::Kind::Control;
+        hit.control = control->ref;
+        hit.shape = control->ref.shape;
+        hit.at = control->at;
+    } else if (const auto node = index.node(place, EditState::reach(context, 8.0))) {
         hit.kind = Hit::Kind::Node;
         hit.node = node->ref;
         hit.shape = node->ref.shape;
@@ -59,6 +78,8 @@ SelectTool::Hit SelectTool::hitAt(Vec2 place, Shell &context) const {
 
 bool SelectTool::isSelected(const Hit &hit, const Selection &selection) const {
     switch (hit.kind) {
+    case Hit::Kind::Control:
+        return true; // only those of the selection are shown
     case Hit::Kind::Node:
         return selection.nodes.contains(hit.node);
     case Hit::Kind::Source:
@@ -88,6 +109,9 @@ void choose(std::set<T> &set, const T &item, bool toggles) {
 } // namespace
 
 void SelectTool::select(const Hit &hit, bool adds, Selection &selection) const {
+    if (hit.kind == Hit::Kind::Control) {
+        return;
+    }
     if (!adds) {
         selection.clear();
     }
@@ -112,6 +136,7 @@ void SelectTool::select(const Hit &hit, bool adds, Selection &selection) const {
     case Hit::Kind::Inside:
         choose(selection.shapes, hit.shape, adds);
         break;
+    case Hit::Kind::Control:
     case Hit::Kind::Nothing:
         break;
     }
@@ -160,6 +185,7 @@ void SelectTool::press(const CanvasEvent &event, Shell &context) {
         return;
     }
     wasSelected_ = isSelected(grabbed_, context.selection);
+    adds_ = adds_ && grabbed_.kind != Hit::Kind::Control;
     if (grabbed_.kind == Hit::Kind::Nothing || grabbed_.kind == Hit::Kind::Inside) {
         mode_ = Mode::Boxing;
         return;
@@ -216,12 +242,20 @@ void SelectTool::drag(const CanvasEvent &event, Shell &context) {
     if (context.snapping.toDrawing) {
         query.filter = isUnmoved;
     }
+    if (grabbed_.kind == Hit::Kind::Control) {
+        const Shape *const shape = findShape(*start_, grabbed_.shape);
+        const std::size_t end = grabbed_.control.segment + (grabbed_.control.atEnd ? 1U : 0U);
+        query.anchor = shape->nodes[end % shape->nodes.size()];
+    }
+    alone_ = event.modifiers.alt();
     snapped_ = snap(*startIndex_, query);
     EditState::apply(context, moved(snapped_.at), moveLabel(), stroke_);
 }
 
 std::string SelectTool::moveLabel() const {
     switch (grabbed_.kind) {
+    case Hit::Kind::Control:
+        return "Move control point";
     case Hit::Kind::Node:
         return moving_.size() > 1 ? "Move nodes" : "Move node";
     case Hit::Kind::Source:
@@ -246,6 +280,9 @@ Result<Document> SelectTool::moved(Vec2 to) const {
             source.a = to;
         }
         return replaceSource(*start_, grabbed_.source.source, source);
+    }
+    if (grabbed_.kind == Hit::Kind::Control) {
+        return moveControl(*start_, grabbed_.control, to, alone_);
     }
     return moveSelection(*start_, moving_, to - grabbed_.at);
 }

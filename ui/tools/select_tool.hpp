@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/edit/path_commands.hpp"
 #include "ui/parts/tool.hpp"
 #include "ui/workspace/edit_state.hpp"
 
@@ -8,8 +9,8 @@
 
 namespace forefront {
 
-/// Selects by click and box; drags nodes, segments, shapes, sources and markers; inserts a node by a double-click on a
-/// segment.
+/// Selects by click and box; drags nodes, control points, segments, shapes, sources and markers; inserts a node by a
+/// double-click on a segment.
 class SelectTool final : public Tool {
   public:
     explicit SelectTool(std::shared_ptr<EditState> state) : state_(std::move(state)) {}
@@ -30,7 +31,8 @@ class SelectTool final : public Tool {
     enum class Mode : std::uint8_t { Idle, Grabbed, Moving, Boxing };
     /// The item under the pointer; smaller items take precedence.
     struct Hit {
-        enum class Kind : std::uint8_t { Nothing, Node, Source, Marker, Segment, Inside } kind = Kind::Nothing;
+        enum class Kind : std::uint8_t { Nothing, Control, Node, Source, Marker, Segment, Inside } kind = Kind::Nothing;
+        ControlRef control;
         NodeRef node;
         std::optional<SegmentHit> segment;
         PickIndex::SourceHit source;
@@ -39,6 +41,8 @@ class SelectTool final : public Tool {
         Vec2 at;
     };
     Hit hitAt(Vec2 place, Shell &context) const;
+    /// Returns the control point of the selection under the pointer.
+    std::optional<Control> controlAt(Vec2 place, Shell &context) const;
     bool isSelected(const Hit &hit, const Selection &selection) const;
     void select(const Hit &hit, bool adds, Selection &selection) const;
     void press(const CanvasEvent &event, Shell &context);
@@ -50,6 +54,7 @@ class SelectTool final : public Tool {
     Result<Document> moved(Vec2 to) const;
     std::string moveLabel() const;
     void drawHandles(CanvasPainter &painter, Shell &context) const;
+    void drawControls(CanvasPainter &painter, Shell &context) const;
     void drawSourceHandles(CanvasPainter &painter, Shell &context) const;
 
     std::shared_ptr<EditState> state_;
@@ -58,6 +63,7 @@ class SelectTool final : public Tool {
     bool over_ = false;
     bool wasSelected_ = false;         ///< the pressed item was already selected
     bool adds_ = false;                ///< Shift was down
+    bool alone_ = false;               ///< Alt is down: a control point moves without its opposite
     std::uint32_t clicked_ = kNoIndex; ///< shape under the last click that did not move anything
     Pixel pressPixel_{};
     Vec2 pressPlace_, boxPlace_;
