@@ -1,5 +1,6 @@
 #include "ui/tools/box_tool.hpp"
 
+#include "core/edit/shape_geometry.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/tools/tool_options.hpp"
@@ -11,12 +12,42 @@
 
 namespace forefront {
 
+namespace {
+
+/// What differs between the shapes.
+struct Kind {
+    const char *id, *name, *icon;
+    int key;
+    const char *label; ///< of the edit
+};
+
+const Kind &kindOf(ShapeKind shape) {
+    static constexpr Kind kRectangle{"rectangle", "Rectangle", icon::kRectangle, 'R', "Draw rectangle"};
+    static constexpr Kind kCircle{"circle", "Circle", icon::kCircle, 'C', "Draw circle"};
+    static constexpr Kind kEllipse{"ellipse", "Ellipse", icon::kEllipse, 'K', "Draw ellipse"};
+    return shape == ShapeKind::Rectangle ? kRectangle : shape == ShapeKind::Ellipse ? kEllipse : kCircle;
+}
+
+} // namespace
+
+const char *BoxTool::id() const {
+    return kindOf(kind_).id;
+}
+
+const char *BoxTool::name() const {
+    return kindOf(kind_).name;
+}
+
 const char *BoxTool::icon() const {
-    return isRectangle() ? icon::kRectangle : icon::kCircle;
+    return kindOf(kind_).icon;
+}
+
+int BoxTool::key() const {
+    return kindOf(kind_).key;
 }
 
 Vec2 BoxTool::corner(Vec2 at) const {
-    if (!isRectangle() || !first_) {
+    if (!isBox() || !first_) {
         return at;
     }
     Vec2 arm = at - *first_;
@@ -39,12 +70,12 @@ std::span<const EntryField> BoxTool::entryFields() const {
     if (!first_) {
         return DrawingTool::entryFields();
     }
-    return isRectangle() ? std::span<const EntryField>(kSize) : std::span<const EntryField>(kRadius);
+    return isBox() ? std::span<const EntryField>(kSize) : std::span<const EntryField>(kRadius);
 }
 
 Vec2 BoxTool::typedPlace(const TypedPair &pair) const {
     // A pair typed after the first corner is width and height; for a circle it is a point in absolute coordinates.
-    return first_ && (pair.relative || isRectangle()) ? *first_ + pair.value : pair.value;
+    return first_ && (pair.relative || isBox()) ? *first_ + pair.value : pair.value;
 }
 
 void BoxTool::place(Vec2 at, Shell &context) {
@@ -52,14 +83,25 @@ void BoxTool::place(Vec2 at, Shell &context) {
         first_ = at;
         return;
     }
-    Shape shape;
-    shape.kind = kind_;
-    shape.nodes = {*first_, corner(at)};
-    if (shape.nodes[0] == shape.nodes[1]) {
+    const Vec2 second = corner(at);
+    if (*first_ == second) {
         return; // second click of a double-click
     }
-    commitShape(context, std::move(shape), isRectangle() ? "Draw rectangle" : "Draw circle");
+    commitShape(context, shapeTo(second), kindOf(kind_).label);
     first_.reset();
+}
+
+Shape BoxTool::shapeTo(Vec2 second) const {
+    Shape shape;
+    shape.kind = kind_;
+    shape.nodes = {*first_, second};
+    if (kind_ == ShapeKind::Ellipse) {
+        const Vec2 centre = midpoint(*first_, second), half = boxOf(*first_, second).max - centre;
+        shape.nodes = {centre, centre + Vec2{half.x, 0.0}, centre + Vec2{0.0, half.y}};
+    } else if (kind_ == ShapeKind::Rectangle) {
+        shape.radius = radius_;
+    }
+    return shape;
 }
 
 bool BoxTool::undo(Shell &) {
@@ -76,8 +118,13 @@ void BoxTool::drawSketch(CanvasPainter &painter, Shell &context) {
     }
     const Vec2 second = corner(pointer_.at);
     painter.handle(*first_, 3.0, theme.canvas, theme.selection);
-    if (isRectangle()) {
-        painter.rectangle(boxOf(*first_, second), theme.selection, 2.0);
+    if (isBox()) {
+        if (kind_ == ShapeKind::Ellipse) {
+            painter.dashed({first_->x, second.y}, second, fade(theme.selection, 0.4), 1.0);
+            painter.dashed({second.x, first_->y}, second, fade(theme.selection, 0.4), 1.0);
+        }
+        const Outline outline = outlineOf(shapeTo(second));
+        painter.polyline(flattened(outline, painter.curveTolerance()), true, theme.selection, 2.0);
         const Vec2 size{std::abs(second.x - first_->x), std::abs(second.y - first_->y)};
         drawMeasure(painter, context, ui::number(size.x) + " \xc3\x97 " + ui::number(size.y));
     } else {
@@ -90,11 +137,19 @@ void BoxTool::drawSketch(CanvasPainter &painter, Shell &context) {
 
 void BoxTool::drawOptions(Shell &context, ui::Flow &flow) {
     drawTagOption(context, flow, state_->boundaryTag, "Tag of the next boundary");
+    if (kind_ == ShapeKind::Rectangle) {
+        drawLengthOption(context, flow, "options/cornerradius", "Corner radius", radius_,
+                         "Radius of the corners of the next rectangle; 0: sharp corners");
+    }
     state_->drawSnapOptions(context, flow);
 }
 
 std::string BoxTool::statusText(const Shell &) const {
-    if (isRectangle()) {
+    if (kind_ == ShapeKind::Ellipse) {
+        return first_ ? "Click the opposite corner, or type width, Tab, height. Shift: circle"
+                      : "Drag from corner to corner of its box. Inside another shape it becomes a hole";
+    }
+    if (isBox()) {
         return first_ ? "Click the opposite corner, or type width, Tab, height. Shift: square"
                       : "Drag from corner to corner. Inside another shape it becomes a hole";
     }

@@ -4,15 +4,15 @@
 
 namespace forefront {
 
-/// Draws a rectangle from corner to corner or a circle from its centre, by drag or by two clicks.
+/// Draws a rectangle or an ellipse from corner to corner, or a circle from its centre, by drag or by two clicks.
 class BoxTool final : public DrawingTool {
   public:
     BoxTool(std::shared_ptr<EditState> state, ShapeKind kind) : DrawingTool(std::move(state)), kind_(kind) {}
 
-    const char *id() const override { return isRectangle() ? "rectangle" : "circle"; }
-    const char *name() const override { return isRectangle() ? "Rectangle" : "Circle"; }
+    const char *id() const override;
+    const char *name() const override;
     const char *icon() const override;
-    int key() const override { return isRectangle() ? 'R' : 'C'; }
+    int key() const override;
     void drawOptions(Shell &context, ui::Flow &flow) override;
     bool hasOptions(const Shell &) const override { return true; }
     std::string statusText(const Shell &context) const override;
@@ -24,17 +24,20 @@ class BoxTool final : public DrawingTool {
     std::optional<Vec2> anchor() const override { return first_; }
     void cancel() override { first_.reset(); }
     bool dragPlaces() const override { return true; }
-    bool shiftIsAngle() const override { return !isRectangle(); }
+    bool shiftIsAngle() const override { return !isBox(); }
     std::span<const EntryField> entryFields() const override;
     Vec2 typedPlace(const TypedPair &pair) const override;
 
   private:
-    bool isRectangle() const { return kind_ == ShapeKind::Rectangle; }
+    bool isBox() const { return kind_ != ShapeKind::Circle; }
     /// Returns the corner that a click places, given the typed width and height, and Shift for a square.
     Vec2 corner(Vec2 at) const;
+    /// Returns the shape between the first click and another.
+    Shape shapeTo(Vec2 second) const;
 
     ShapeKind kind_;
     std::optional<Vec2> first_;
+    double radius_ = 0.0; ///< of the corners of the next rectangle
 };
 
 } // namespace forefront

@@ -27,8 +27,13 @@ void DrawingTool::follow(const CanvasEvent &event, Shell &context) {
 bool DrawingTool::handle(const CanvasEvent &event, Shell &context) {
     using Kind = CanvasEvent::Kind;
     switch (event.kind) {
-    case Kind::Hover:
     case Kind::Drag:
+        follow(event, context);
+        if (inProgress() && glm::distance(event.pixel, pressPixel_) > static_cast<double>(context.px(5))) {
+            pull(pointer_.at);
+        }
+        return true;
+    case Kind::Hover:
     case Kind::Leave:
         follow(event, context);
         return true;

@@ -35,6 +35,8 @@ class DrawingTool : public Tool {
     virtual bool removeLast() { return false; }
     /// Returns true if releasing a drag places a second node.
     virtual bool dragPlaces() const { return false; }
+    /// Takes the pointer while it is dragged away from where a press placed a node; see PenTool.
+    virtual void pull(Vec2) {}
     /// Returns a snap target of the tool, such as the first node of a path, that takes precedence over all others.
     virtual std::optional<Vec2> ownSnap(Vec2, const Shell &) const { return std::nullopt; }
     /// Returns true if Shift constrains the angle; false if Shift has another meaning in this tool.

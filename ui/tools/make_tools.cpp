@@ -5,6 +5,7 @@
 #include "ui/tools/pen_tool.hpp"
 #include "ui/tools/point_tool.hpp"
 #include "ui/tools/probe_tool.hpp"
+#include "ui/tools/round_tools.hpp"
 #include "ui/tools/select_tool.hpp"
 #include "ui/tools/source_tool.hpp"
 #include "ui/tools/trace_tool.hpp"
@@ -18,7 +19,10 @@ std::vector<std::unique_ptr<Tool>> makeTools() {
     tools.push_back(std::make_unique<PenTool>(state, ShapeKind::Polygon));
     tools.push_back(std::make_unique<BoxTool>(state, ShapeKind::Rectangle));
     tools.push_back(std::make_unique<BoxTool>(state, ShapeKind::Circle));
+    tools.push_back(std::make_unique<BoxTool>(state, ShapeKind::Ellipse));
+    tools.push_back(std::make_unique<RegularPolygonTool>(state));
     tools.push_back(std::make_unique<PenTool>(state, ShapeKind::Polyline));
+    tools.push_back(std::make_unique<ArcTool>(state));
     tools.push_back(std::make_unique<PointTool>(state));
     tools.push_back(std::make_unique<RegionTool>(state));
     tools.push_back(std::make_unique<BrushTool>(state, false));

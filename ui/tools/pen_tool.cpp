@@ -5,6 +5,8 @@
 #include "ui/tools/tool_options.hpp"
 #include "ui/widgets/widgets.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace forefront {
@@ -14,12 +16,21 @@ const char *PenTool::icon() const {
 }
 
 std::optional<Vec2> PenTool::anchor() const {
-    return path_.empty() ? std::nullopt : std::optional(path_.back());
+    return path_.empty() ? std::nullopt : std::optional(path_.back().at);
+}
+
+Curve PenTool::segment(const Node &from, const Node &to) {
+    return curved(from, to) ? Curve::cubic(from.at, from.at + from.arm, to.at - to.arm, to.at)
+                            : Curve::line(from.at, to.at);
+}
+
+bool PenTool::anyCurved() const {
+    return std::any_of(path_.begin(), path_.end(), [](const Node &node) { return node.arm != Vec2{}; });
 }
 
 std::optional<Vec2> PenTool::ownSnap(Vec2 at, const Shell &context) const {
-    const bool near = path_.size() >= 3 && distance(at, path_.front()) <= EditState::reach(context, 10.0);
-    return near ? std::optional(path_.front()) : std::nullopt;
+    const bool near = canClose() && distance(at, path_.front().at) <= EditState::reach(context, 10.0);
+    return near ? std::optional(path_.front().at) : std::nullopt;
 }
 
 void PenTool::place(Vec2 at, Shell &context) {
@@ -27,17 +38,22 @@ void PenTool::place(Vec2 at, Shell &context) {
         commit(context, true);
         return;
     }
-    if (path_.empty() || at != path_.back()) {
-        path_.push_back(at);
+    if (path_.empty() || at != path_.back().at) {
+        path_.push_back({at, {}});
         undone_.clear();
     }
 }
 
+void PenTool::pull(Vec2 to) {
+    path_.back().arm = to - path_.back().at;
+}
+
 void PenTool::finish(Shell &context) {
-    if (path_.size() >= (kind_ == ShapeKind::Polygon ? 3U : 2U)) {
+    const bool enough = kind_ == ShapeKind::Polygon ? canClose() : path_.size() >= 2;
+    if (enough) {
         commit(context, kind_ == ShapeKind::Polygon);
     } else if (!path_.empty()) {
-        context.log.announce(kind_ == ShapeKind::Polygon ? "A polygon needs at least three nodes"
+        context.log.announce(kind_ == ShapeKind::Polygon ? "A polygon needs at least three nodes, or two and a curve"
                                                          : "A polyline needs at least two nodes");
     }
 }
@@ -46,7 +62,14 @@ void PenTool::commit(Shell &context, bool closed) {
     Shape shape;
     shape.kind = closed ? ShapeKind::Polygon : ShapeKind::Polyline;
     shape.use = kind_ == ShapeKind::Polygon ? ShapeUse::Boundary : ShapeUse::Constraint;
-    shape.nodes = path_;
+    const std::size_t segments = path_.size() - (closed ? 0 : 1);
+    for (std::size_t k = 0; k < path_.size(); ++k) {
+        shape.nodes.push_back(path_[k].at);
+        if (k < segments) {
+            const Node &next = path_[(k + 1) % path_.size()];
+            shape.curves.push_back(curved(path_[k], next) ? segment(path_[k], next) : Curve());
+        }
+    }
     if (commitShape(context, std::move(shape), kind_ == ShapeKind::Polygon ? "Draw polygon" : "Draw polyline")) {
         cancel();
     }
@@ -79,27 +102,41 @@ bool PenTool::redo(Shell &) {
     return true;
 }
 
+void PenTool::drawPath(CanvasPainter &painter, const Shell &context) const {
+    const Theme &theme = context.theme;
+    for (std::size_t k = 1; k < path_.size(); ++k) {
+        painter.curve(segment(path_[k - 1], path_[k]), theme.selection, 2.0);
+    }
+    for (const Node &node : path_) {
+        painter.handle(node.at, 3.0, theme.canvas, theme.selection);
+    }
+    const Node &last = path_.back();
+    if (last.arm != Vec2{}) {
+        painter.line(last.at - last.arm, last.at + last.arm, fade(theme.selection, 0.6), 1.0);
+        painter.dot(last.at - last.arm, 3.0, theme.selection);
+        painter.dot(last.at + last.arm, 3.0, theme.selection);
+    }
+}
+
 void PenTool::drawSketch(CanvasPainter &painter, Shell &context) {
     const Theme &theme = context.theme;
     if (path_.empty()) {
         drawMeasure(painter, context, {});
         return;
     }
-    painter.polyline(path_, false, theme.selection, 2.0);
-    const bool closing = closes(pointer_.at);
-    if (over_ || entry_.locks().any()) {
-        painter.line(path_.back(), pointer_.at, theme.selection, 1.5);
+    drawPath(painter, context);
+    const Node &last = path_.back();
+    const bool closing = closes(pointer_.at), pulling = last.arm != Vec2{} && pointer_.at == last.at + last.arm;
+    if ((over_ || entry_.locks().any()) && !pulling) {
+        painter.curve(segment(last, closing ? path_.front() : Node{pointer_.at, {}}), theme.selection, 1.5);
         if (kind_ == ShapeKind::Polygon && path_.size() >= 2 && !closing) {
-            painter.dashed(pointer_.at, path_.front(), fade(theme.selection, 0.5), 1.0);
+            painter.dashed(pointer_.at, path_.front().at, fade(theme.selection, 0.5), 1.0);
         }
     }
-    for (const Vec2 node : path_) {
-        painter.handle(node, 3.0, theme.canvas, theme.selection);
+    if (canClose()) {
+        painter.ring(path_.front().at, closing ? 9.0 : 6.5, theme.selection, closing ? 2.0 : 1.0);
     }
-    if (path_.size() >= 3) {
-        painter.ring(path_.front(), closing ? 9.0 : 6.5, theme.selection, closing ? 2.0 : 1.0);
-    }
-    const Vec2 arm = pointer_.at - path_.back();
+    const Vec2 arm = pointer_.at - last.at;
     const std::string measure = closing ? std::string("close")
                                         : ui::number(length(arm)) + "  \xe2\x88\xa0 " +
                                               ui::number(std::atan2(arm.y, arm.x) * 180.0 / std::numbers::pi, 3) +
@@ -119,12 +156,13 @@ void PenTool::drawOptions(Shell &context, ui::Flow &flow) {
 std::string PenTool::statusText(const Shell &) const {
     if (path_.empty()) {
         return kind_ == ShapeKind::Polygon
-                   ? "Click the corners, or type x, Tab, y. A polygon inside another becomes a hole"
-                   : "Click the nodes of a line for the mesh to follow, or type x, Tab, y";
+                   ? "Click for corners, drag for curves, or type x, Tab, y. A polygon inside another becomes a hole"
+                   : "Click for corners, drag for curves, or type x, Tab, y. The mesh follows the line";
     }
-    return kind_ == ShapeKind::Polygon && path_.size() >= 3
+    return kind_ == ShapeKind::Polygon && canClose()
                ? "Click the first node or press Enter to close, Backspace to remove the last node, Esc to cancel"
-               : "Click the next node, or type distance, Tab, angle. Enter: finish, Backspace: remove the last node";
+               : "Click the next corner, drag for a curve, or type distance, Tab, angle. Enter: finish, Backspace: "
+                 "remove the last node";
 }
 
 } // namespace forefront

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "core/geometry/curve.hpp"
 #include "ui/tools/drawing_tool.hpp"
 
 namespace forefront {
 
-/// Draws a polygon (boundary) or a polyline (constraint) node by node, like Inkscape's pen.
+/// Draws a polygon (boundary) or a polyline (constraint) node by node, like Inkscape's pen: a click places a corner, a
+/// drag a smooth node and its two control points.
 class PenTool final : public DrawingTool {
   public:
     PenTool(std::shared_ptr<EditState> state, ShapeKind kind) : DrawingTool(std::move(state)), kind_(kind) {}
@@ -27,14 +29,27 @@ class PenTool final : public DrawingTool {
     void cancel() override;
     bool removeLast() override;
     std::optional<Vec2> ownSnap(Vec2 at, const Shell &context) const override;
+    void pull(Vec2 to) override;
 
   private:
-    bool closes(Vec2 at) const { return path_.size() >= 3 && at == path_.front(); }
+    /// A node of the unfinished path; smooth if it has an arm, which leads to the control point after it and, the other
+    /// way, to the one before it.
+    struct Node {
+        Vec2 at;
+        Vec2 arm;
+    };
+    static bool curved(const Node &from, const Node &to) { return from.arm != Vec2{} || to.arm != Vec2{}; }
+    /// Returns the segment between two nodes.
+    static Curve segment(const Node &from, const Node &to);
+    bool anyCurved() const;
+    bool canClose() const { return path_.size() >= (anyCurved() ? 2U : 3U); }
+    bool closes(Vec2 at) const { return canClose() && at == path_.front().at; }
     void commit(Shell &context, bool closed);
+    void drawPath(CanvasPainter &painter, const Shell &context) const;
 
     ShapeKind kind_;
-    std::vector<Vec2> path_;
-    std::vector<Vec2> undone_; ///< nodes removed by undo, newest last
+    std::vector<Node> path_;
+    std::vector<Node> undone_; ///< nodes removed by undo, newest last
 };
 
 } // namespace forefront

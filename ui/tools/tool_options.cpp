@@ -25,19 +25,33 @@ void drawTagOption(Workspace &context, ui::Flow &flow, std::int32_t &tag, const 
     ui::muted(context, boundaryName(context.document.current()->boundaryNames, tag));
 }
 
-bool drawSizeOption(Workspace &context, ui::Flow &flow, const char *name, const char *label, double &value,
-                    const char *tooltip) {
+namespace {
+
+bool drawNumber(Workspace &context, ui::Flow &flow, const char *name, const char *label, double &value,
+                const char *tooltip, bool zero) {
     flow.item(name);
     ImGui::AlignTextToFramePadding();
     ui::muted(context, label);
     ImGui::SameLine();
     double entered = value;
-    const bool changed = ui::inputNumber(context, name, entered, 76.0F) && entered > 0.0;
+    const bool changed = ui::inputNumber(context, name, entered, 76.0F) && (entered > 0.0 || (zero && entered == 0.0));
     ui::tooltip(context, tooltip);
     if (changed) {
         value = entered;
     }
     return changed;
+}
+
+} // namespace
+
+bool drawSizeOption(Workspace &context, ui::Flow &flow, const char *name, const char *label, double &value,
+                    const char *tooltip) {
+    return drawNumber(context, flow, name, label, value, tooltip, false);
+}
+
+bool drawLengthOption(Workspace &context, ui::Flow &flow, const char *name, const char *label, double &value,
+                      const char *tooltip) {
+    return drawNumber(context, flow, name, label, value, tooltip, true);
 }
 
 } // namespace forefront

@@ -16,4 +16,8 @@ void drawTagOption(Workspace &context, ui::Flow &flow, std::int32_t &tag, const 
 bool drawSizeOption(Workspace &context, ui::Flow &flow, const char *name, const char *label, double &value,
                     const char *tooltip);
 
+/// Draws the option "LABEL [ 0.5 ]" for a number that is not negative. Returns true if it changed.
+bool drawLengthOption(Workspace &context, ui::Flow &flow, const char *name, const char *label, double &value,
+                      const char *tooltip);
+
 } // namespace forefront

@@ -1,0 +1,182 @@
+#include "core/edit/path_commands.hpp"
+#include "tests/ui/edit_driver.hpp"
+
+#include <doctest/doctest.h>
+
+#include <numbers>
+
+using namespace forefront;
+using namespace forefront::test;
+
+namespace {
+
+/// Draws a leaf of two smooth curves from (2, 5) to (8, 5) and back.
+void drawLeaf(Draughtsman &driver) {
+    driver.key('P');
+    driver.dragPlaces({2, 5}, {2, 8});
+    driver.dragPlaces({8, 5}, {8, 2});
+    driver.key(key::kEnter);
+}
+
+void fill(Draughtsman &driver, const char *field, const char *number) {
+    driver.click(field);
+    driver.key('A', {Modifiers::kControl});
+    driver.type(number);
+    driver.key(key::kEnter);
+}
+
+} // namespace
+
+TEST_CASE("Pen: a drag makes a smooth node with two control points, and two of them close a path") {
+    Draughtsman driver;
+    drawLeaf(driver);
+    REQUIRE(driver.document().shapes.size() == 1);
+    const Shape &leaf = *driver.document().shapes[0];
+    CHECK(leaf.kind == ShapeKind::Polygon);
+    CHECK(leaf.nodes == std::vector<Vec2>{{2, 5}, {8, 5}});
+    REQUIRE(leaf.curves.size() == 2);
+    CHECK(leaf.curves[0] == Curve::cubic({2, 5}, {2, 8}, {8, 8}, {8, 5}));
+    CHECK(leaf.curves[1] == Curve::cubic({8, 5}, {8, 2}, {2, 2}, {2, 5}));
+    CHECK(driver.undoLabel() == "Draw polygon");
+    driver.key('Z', {Modifiers::kControl});
+    CHECK(driver.document().shapes.empty());
+}
+
+TEST_CASE("Pen: corners and smooth nodes mix; a click on the first node closes") {
+    Draughtsman driver;
+    driver.key('P');
+    driver.clickPlace({1, 1});
+    driver.dragPlaces({9, 1}, {10, 3});
+    driver.clickPlace({5, 8});
+    driver.clickPlace({1, 1});
+    REQUIRE(driver.document().shapes.size() == 1);
+    const Shape &shape = *driver.document().shapes[0];
+    REQUIRE(shape.curves.size() == 3);
+    CHECK(shape.curves[0] == Curve::cubic({1, 1}, {1, 1}, {8, -1}, {9, 1}));
+    CHECK(shape.curves[1] == Curve::cubic({9, 1}, {10, 3}, {5, 8}, {5, 8}));
+    CHECK(shape.curves[2] == Curve());
+}
+
+TEST_CASE("Ellipse: drawn from corner to corner of its box, or with typed width and height") {
+    Draughtsman driver;
+    driver.key('K');
+    driver.dragPlaces({1, 2}, {9, 6});
+    REQUIRE(driver.document().shapes.size() == 1);
+    CHECK(driver.document().shapes[0]->kind == ShapeKind::Ellipse);
+    CHECK(driver.document().shapes[0]->nodes == std::vector<Vec2>{{5, 4}, {9, 4}, {5, 6}});
+    driver.clickPlace({4, 4});
+    driver.moveToPlace({5, 5});
+    driver.type("2");
+    driver.key(key::kTab);
+    driver.type("1");
+    driver.key(key::kEnter);
+    REQUIRE(driver.document().shapes.size() == 2);
+    CHECK(driver.document().shapes[1]->nodes == std::vector<Vec2>{{5, 4.5}, {6, 4.5}, {5, 5}});
+    CHECK(driver.undoLabel() == "Draw ellipse");
+}
+
+TEST_CASE("Rectangle: the corner radius of the options rounds the next one; the inspector changes it") {
+    Draughtsman driver;
+    driver.key('R');
+    fill(driver, "options/cornerradius", "1.5");
+    driver.dragPlaces({1, 1}, {9, 7});
+    REQUIRE(driver.document().shapes.size() == 1);
+    CHECK(driver.document().shapes[0]->radius == 1.5);
+    CHECK(areaOf(*driver.document().shapes[0]) == doctest::Approx(48.0 - 2.25 * (4.0 - std::numbers::pi)));
+    driver.key('V');
+    driver.unfold("inspector");
+    fill(driver, "inspector/cornerradius", "0.5");
+    CHECK(driver.document().shapes[0]->radius == 0.5);
+    driver.click("inspector/topath");
+    CHECK(driver.document().shapes[0]->kind == ShapeKind::Polygon);
+    CHECK(driver.document().shapes[0]->nodes.size() == 8);
+}
+
+TEST_CASE("Regular polygon: sides from the options, radius and angle typed") {
+    Draughtsman driver;
+    driver.key('H');
+    fill(driver, "options/sides", "5");
+    driver.clickPlace({5, 5});
+    driver.moveToPlace({7, 7});
+    driver.type("3");
+    driver.key(key::kTab);
+    driver.type("90");
+    driver.key(key::kEnter);
+    REQUIRE(driver.document().shapes.size() == 1);
+    const Shape &shape = *driver.document().shapes[0];
+    REQUIRE(shape.nodes.size() == 5);
+    CHECK(distance(shape.nodes[0], {5, 8}) <= 1e-12);
+    for (const Vec2 node : shape.nodes) {
+        CHECK(distance(node, {5, 5}) == doctest::Approx(3.0));
+    }
+}
+
+TEST_CASE("Arc: by three points, and by its ends and a radius") {
+    Draughtsman driver;
+    driver.key('A');
+    driver.clickPlace({2, 5});
+    driver.clickPlace({8, 5});
+    driver.clickPlace({5, 8});
+    REQUIRE(driver.document().shapes.size() == 1);
+    const Shape &half = *driver.document().shapes[0];
+    CHECK(half.kind == ShapeKind::Polyline);
+    CHECK(half.use == ShapeUse::Constraint);
+    REQUIRE(half.curves.size() == 1);
+    CHECK(half.curves[0].length() == doctest::Approx(3.0 * std::numbers::pi));
+    driver.clickPlace({2, 2});
+    driver.clickPlace({8, 2});
+    driver.moveToPlace({5, 1});
+    driver.type("5");
+    driver.key(key::kEnter);
+    REQUIRE(driver.document().shapes.size() == 2);
+    const auto numbers = driver.document().shapes[1]->curves[0].numbers();
+    CHECK(length({numbers[2], numbers[3]}) == doctest::Approx(5.0));
+    CHECK(driver.document().shapes[1]->curves[0].point(0.5).y == doctest::Approx(1.0));
+    CHECK(driver.undoLabel() == "Draw arc");
+}
+
+TEST_CASE("Select: control points of a selected node can be dragged; one drag is one undo step") {
+    Draughtsman driver;
+    drawLeaf(driver);
+    driver.key('V');
+    driver.clickPlace({2, 5});
+    REQUIRE(driver.context().selection.nodes.size() == 1);
+    driver.dragPlaces({2, 8}, {3, 9});
+    const Shape &leaf = *driver.document().shapes[0];
+    CHECK(leaf.curves[0] == Curve::cubic({2, 5}, {3, 9}, {8, 8}, {8, 5}));
+    CHECK(leaf.curves[1].numbers()[4] == doctest::Approx(1.0)); // the opposite one follows: the node is symmetric
+    CHECK(leaf.curves[1].numbers()[5] == doctest::Approx(1.0));
+    CHECK(driver.context().selection.nodes.size() == 1);
+    CHECK(driver.undoLabel() == "Move control point");
+    driver.key('Z', {Modifiers::kControl});
+    CHECK(driver.document().shapes[0]->curves[0] == Curve::cubic({2, 5}, {2, 8}, {8, 8}, {8, 5}));
+}
+
+TEST_CASE("Paths: keys change nodes and segments, split and join") {
+    Draughtsman driver;
+    driver.polygon({{1, 1}, {9, 1}, {9, 9}, {1, 9}});
+    const Modifiers shift{Modifiers::kShift};
+    driver.key('V');
+    driver.clickPlace({9, 9});
+    driver.key('Y', shift);
+    CHECK(nodeKind(*driver.document().shapes[0], 2) == NodeKind::Symmetric);
+    CHECK(driver.undoLabel() == "Symmetric node");
+    driver.key('C', shift);
+    CHECK(nodeKind(*driver.document().shapes[0], 2) == NodeKind::Corner);
+    driver.key('S', shift);
+    CHECK(nodeKind(*driver.document().shapes[0], 2) != NodeKind::Corner);
+    driver.key('B', shift);
+    CHECK(driver.document().shapes[0]->kind == ShapeKind::Polyline);
+    CHECK(driver.document().shapes[0]->nodes.front() == Vec2{9, 9});
+    driver.context().selection.clear();
+    driver.context().selection.nodes = {{1, 0}, {1, 4}};
+    driver.key('J', shift);
+    CHECK(driver.document().shapes[0]->kind == ShapeKind::Polygon);
+    driver.context().selection.clear();
+    driver.context().selection.segments = {{1, 2}};
+    driver.key('U', shift);
+    REQUIRE(driver.document().shapes[0]->curves.size() == 4);
+    CHECK(driver.document().shapes[0]->curves[2].kind() == CurveKind::Cubic);
+    driver.key('L', shift);
+    CHECK(driver.document().shapes[0]->curves[2].kind() == CurveKind::Line);
+}

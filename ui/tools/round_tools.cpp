@@ -1,0 +1,160 @@
+#include "ui/tools/round_tools.hpp"
+
+#include "core/edit/path_curve.hpp"
+#include "ui/canvas/canvas_painter.hpp"
+#include "ui/parts/shell.hpp"
+#include "ui/tools/tool_options.hpp"
+#include "ui/widgets/widgets.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace forefront {
+
+const char *RegularPolygonTool::icon() const {
+    return icon::kRegular;
+}
+
+std::span<const EntryField> RegularPolygonTool::entryFields() const {
+    static constexpr std::array kRadius{EntryField::Radius, EntryField::Angle};
+    return centre_ ? std::span<const EntryField>(kRadius) : DrawingTool::entryFields();
+}
+
+std::vector<Vec2> RegularPolygonTool::corners(Vec2 first) const {
+    std::vector<Vec2> result;
+    const Vec2 arm = first - *centre_;
+    for (int k = 0; k < sides_; ++k) {
+        const double angle = 2.0 * std::numbers::pi * k / sides_;
+        result.push_back(k == 0 ? first : *centre_ + std::cos(angle) * arm + std::sin(angle) * leftNormal(arm));
+    }
+    return result;
+}
+
+void RegularPolygonTool::place(Vec2 at, Shell &context) {
+    if (!centre_) {
+        centre_ = at;
+        return;
+    }
+    if (at == *centre_) {
+        return; // second click of a double-click
+    }
+    Shape shape;
+    shape.kind = ShapeKind::Polygon;
+    shape.nodes = corners(at);
+    commitShape(context, std::move(shape), "Draw regular polygon");
+    centre_.reset();
+}
+
+bool RegularPolygonTool::undo(Shell &) {
+    const bool drawing = centre_.has_value();
+    cancel();
+    return drawing;
+}
+
+void RegularPolygonTool::drawSketch(CanvasPainter &painter, Shell &context) {
+    if (!centre_) {
+        drawMeasure(painter, context, {});
+        return;
+    }
+    const Theme &theme = context.theme;
+    painter.handle(*centre_, 3.0, theme.canvas, theme.selection);
+    painter.polyline(corners(pointer_.at), true, theme.selection, 2.0);
+    painter.dashed(*centre_, pointer_.at, fade(theme.selection, 0.6), 1.0);
+    drawMeasure(painter, context, "r = " + ui::number(distance(*centre_, pointer_.at)));
+}
+
+void RegularPolygonTool::drawOptions(Shell &context, ui::Flow &flow) {
+    drawTagOption(context, flow, state_->boundaryTag, "Tag of the next boundary");
+    double sides = sides_;
+    constexpr double kMostSides = 1000.0;
+    if (drawSizeOption(context, flow, "options/sides", "Sides", sides, "Number of sides of the next polygon") &&
+        sides >= 3.0 && sides <= kMostSides) {
+        sides_ = static_cast<int>(sides);
+    }
+    state_->drawSnapOptions(context, flow);
+}
+
+std::string RegularPolygonTool::statusText(const Shell &) const {
+    return centre_ ? "Click a corner, or type the radius, Tab, angle. Shift: steps of 15\xc2\xb0"
+                   : "Drag from the centre to a corner. Inside another shape it becomes a hole";
+}
+
+const char *ArcTool::icon() const {
+    return icon::kArc;
+}
+
+std::span<const EntryField> ArcTool::entryFields() const {
+    static constexpr std::array kRadius{EntryField::Radius};
+    return ends_.size() == 2 ? std::span<const EntryField>(kRadius) : DrawingTool::entryFields();
+}
+
+Curve ArcTool::through(Vec2 middle) const {
+    const std::optional<double> radius = entry_.value(EntryField::Radius);
+    return radius ? arcOfRadius(ends_[0], ends_[1], *radius, middle) : arcThrough(ends_[0], middle, ends_[1]);
+}
+
+bool ArcTool::removeLast() {
+    if (ends_.empty()) {
+        return false;
+    }
+    ends_.pop_back();
+    return true;
+}
+
+void ArcTool::place(Vec2 at, Shell &context) {
+    if (ends_.size() < 2) {
+        if (ends_.empty() || at != ends_.front()) {
+            ends_.push_back(at);
+        }
+        return;
+    }
+    const Curve curve = through(at);
+    Shape shape;
+    shape.kind = ShapeKind::Polyline;
+    shape.use = ShapeUse::Constraint;
+    shape.nodes = ends_;
+    if (curve.kind() != CurveKind::Line) {
+        shape.curves = {curve};
+    }
+    if (commitShape(context, std::move(shape), "Draw arc")) {
+        ends_.clear();
+    }
+}
+
+void ArcTool::drawSketch(CanvasPainter &painter, Shell &context) {
+    const Theme &theme = context.theme;
+    std::string measure;
+    if (ends_.size() == 1) {
+        painter.dashed(ends_[0], pointer_.at, fade(theme.selection, 0.6), 1.5);
+        measure = ui::number(distance(ends_[0], pointer_.at));
+    } else if (ends_.size() == 2) {
+        const Curve curve = through(pointer_.at);
+        painter.curve(curve, theme.selection, 2.0);
+        const auto numbers = curve.numbers();
+        measure = curve.kind() == CurveKind::Arc ? "r = " + ui::number(length({numbers[2], numbers[3]}))
+                                                 : std::string("straight");
+    }
+    for (const Vec2 end : ends_) {
+        painter.handle(end, 3.0, theme.canvas, theme.selection);
+    }
+    drawMeasure(painter, context, measure);
+}
+
+void ArcTool::drawOptions(Shell &context, ui::Flow &flow) {
+    drawTagOption(context, flow, state_->constraintTag, "Tag of the next constraint");
+    state_->drawSnapOptions(context, flow);
+}
+
+std::string ArcTool::statusText(const Shell &) const {
+    switch (ends_.size()) {
+    case 0:
+        return "Click where the arc begins, or type x, Tab, y";
+    case 1:
+        return "Click where the arc ends, or type distance, Tab, angle";
+    default:
+        return "Click a point on the arc, or type its radius. Backspace: remove the last end";
+    }
+}
+
+} // namespace forefront

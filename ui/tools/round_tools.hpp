@@ -1,0 +1,67 @@
+#pragma once
+
+#include "ui/tools/drawing_tool.hpp"
+
+#include <vector>
+
+namespace forefront {
+
+/// Draws a regular polygon from its centre to a corner.
+class RegularPolygonTool final : public DrawingTool {
+  public:
+    using DrawingTool::DrawingTool;
+
+    const char *id() const override { return "regular"; }
+    const char *name() const override { return "Regular polygon"; }
+    const char *icon() const override;
+    int key() const override { return 'H'; }
+    void drawOptions(Shell &context, ui::Flow &flow) override;
+    bool hasOptions(const Shell &) const override { return true; }
+    std::string statusText(const Shell &context) const override;
+    bool undo(Shell &context) override;
+
+  protected:
+    void place(Vec2 at, Shell &context) override;
+    void drawSketch(CanvasPainter &painter, Shell &context) override;
+    std::optional<Vec2> anchor() const override { return centre_; }
+    void cancel() override { centre_.reset(); }
+    bool dragPlaces() const override { return true; }
+    std::span<const EntryField> entryFields() const override;
+
+  private:
+    std::vector<Vec2> corners(Vec2 first) const;
+
+    int sides_ = 6;
+    std::optional<Vec2> centre_;
+};
+
+/// Draws an arc of a circle by its ends and a point between them.
+class ArcTool final : public DrawingTool {
+  public:
+    using DrawingTool::DrawingTool;
+
+    const char *id() const override { return "arc"; }
+    const char *name() const override { return "Constraint arc"; }
+    const char *icon() const override;
+    int key() const override { return 'A'; }
+    void drawOptions(Shell &context, ui::Flow &flow) override;
+    bool hasOptions(const Shell &) const override { return true; }
+    std::string statusText(const Shell &context) const override;
+    bool undo(Shell &) override { return removeLast(); }
+
+  protected:
+    void place(Vec2 at, Shell &context) override;
+    void drawSketch(CanvasPainter &painter, Shell &context) override;
+    std::optional<Vec2> anchor() const override { return ends_.empty() ? std::nullopt : std::optional(ends_.back()); }
+    void cancel() override { ends_.clear(); }
+    bool removeLast() override;
+    std::span<const EntryField> entryFields() const override;
+
+  private:
+    /// Returns the arc from the first end through a point to the second one.
+    Curve through(Vec2 middle) const;
+
+    std::vector<Vec2> ends_;
+};
+
+} // namespace forefront
