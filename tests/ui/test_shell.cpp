@@ -88,6 +88,8 @@ TEST_CASE("Editor: the whole interface is inside the window at 1280x800, 1920x10
     const std::pair<PixelSize, double> sizes[] = {
         {{1280, 800}, 1.0}, {{1920, 1080}, 1.0}, {{2560, 1600}, 2.0}, {{1024, 700}, 1.0}};
     Driver driver;
+    driver.key(key::k2); // the legend of the shapes needs a mesh
+    driver.settle();
     for (const auto &each : sizes) {
         const PixelSize size = each.first; // not a structured binding: clang 14 lets no lambda of doctest capture one
         const double scale = each.second;
@@ -239,7 +241,7 @@ TEST_CASE("Editor: nothing overlaps in a small window") {
     for (const auto &each : sizes) {
         driver.platform().resize(each.first, each.second);
         for (const auto &tool : driver.context().tools.tools) {
-            CAPTURE(tool->id());
+            CAPTURE(std::string(tool->id()));
             driver.context().tools.choose(tool->id(), driver.context());
             driver.context().log.announce(std::string(120, 'x') + " and " + std::string(60, 'y'));
             driver.settle();

@@ -219,6 +219,7 @@ TEST_CASE("Tooltips: appear once the pointer rests, and above their widget at th
 
 TEST_CASE("Tooltips: a tooltip of a panel covers none of its fields") {
     Draughtsman driver;
+    driver.platform().resize({1280, 900}, 1.0); // high enough for both panels without scrolling
     driver.rectangle({0, 0}, {8, 8});
     driver.key(key::kEscape);
     driver.unfold("spacing");

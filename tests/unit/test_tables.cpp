@@ -216,14 +216,14 @@ TEST_CASE("tables: text, CSV and plot hold published and own figures") {
     const std::string notes = tableNotes(rows);
     CHECK(notes.find("2.00") != std::string::npos); // the exponent without grid, about
     CHECK(notes.find("NO   21.00 in 2B") != std::string::npos);
-    CHECK(notes.find("Adaptive refinement, *") == std::string::npos);
+    CHECK(notes.find("Adaptive refinement; *") == std::string::npos);
     RowFigures adaptive = row;
     adaptive.row = *tableCase("3");
     adaptive.adapted = AdaptFigures{0.04, 0.039, 0.05, 4};
     CHECK(tableLines(adaptive).starts_with("3    0.05    none         Lo"));
     CHECK(tableLines(adaptive).find("\n3*   0.05    none         ours") != std::string::npos);
     CHECK(tableCsv({adaptive}).find("\n3,0.05,none,own case,") != std::string::npos);
-    CHECK(tableNotes({adaptive}).find("Adaptive refinement, * on domains and for fields of our own") !=
+    CHECK(tableNotes({adaptive}).find("Adaptive refinement; *: domain and field are our own") !=
           std::string::npos);
     CHECK(tableNotes({adaptive}).find(" in 3*\n") != std::string::npos); // the least favourable row
     const LogPlot plot = tablePlot(rows);
