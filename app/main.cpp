@@ -17,7 +17,7 @@ namespace {
 constexpr const char *kUsageText = R"(Forefront: planar triangle meshes by the advancing front technique.
 
   forefront [FILE]          open the editor with a project or domain file
-  forefront view MESH       open the editor with a mesh, to judge it
+  forefront view MESH       open a mesh in the editor and inspect its quality
   forefront mesh IN -o OUT  mesh a file in batch           (forefront mesh --help)
   forefront check MESH      check a mesh                   (forefront check --help)
   forefront adapt MESH      remesh to a requested error    (forefront adapt --help)
@@ -29,9 +29,9 @@ Examples:
   forefront                                        open the editor with the sample
   forefront mesh lake.geojson -o lake.msh          mesh with automatic spacing
   forefront mesh plate.poly -o plate.vtu --size 1  mesh with edges of length 1
-  forefront check lake.msh --domain lake.geojson   prove that the mesh fits its domain
+  forefront check lake.msh --domain lake.geojson   verify that the mesh fits its domain
 
-Exit codes: 0 done, 1 input refused, 2 wrong usage, 3 cancelled, 4 no window (no display, or no OpenGL 3.3).
+Exit codes: 0 done, 1 input refused, 2 usage error, 3 cancelled, 4 no window (no display, or no OpenGL 3.3).
 )";
 
 #if defined(FOREFRONT_WITH_EDITOR)
@@ -41,7 +41,7 @@ int editorCommand(int argc, const char *const *argv, bool view) {
     EditorArguments arguments;
     arguments.judge = view;
     CLI::App app(
-        "Opens the editor with a mesh of any format, to judge it: colours, histograms, limits, the worst places.",
+        "Opens a mesh of any format in the editor to inspect its quality: colours, histograms, limits, worst places.",
         view ? "forefront view" : "forefront");
     if (!view) {
         app.set_help_flag();

@@ -33,7 +33,7 @@ Examples:
   forefront adapt plate.msh --expression "atan(20*(x*x+y*y-1))" --error 0.02 --size-min 0.001 -o adapted.msh
         repeats until the interpolation error of the formula is within 2 %
 
-Exit codes: 0 done, 1 input refused (faults on stderr, one per line), 2 wrong usage, 3 cancelled.)help";
+Exit codes: 0 done, 1 input refused (faults on stderr, one per line), 2 usage error, 3 cancelled.)help";
 
 struct AdaptArguments {
     std::filesystem::path mesh; ///< "-": standard input

@@ -30,11 +30,11 @@ Examples:
   forefront check plate.msh --spacing "max(0.05, 0.2*x)"
         how closely do its edges follow that spacing?
   forefront check plate.msh --min-angle 25 --max-growth 2
-        does it keep these limits? The worst places are listed
+        is it within these limits? Lists the worst places
   forefront check plate.msh --measures
         how are angles, areas, edge lengths and the other measures distributed?
 
-Exit codes: 0 valid, 1 invalid or unreadable mesh, or a limit broken (faults on stderr, one per line), 2 wrong usage.)help";
+Exit codes: 0 valid, 1 invalid or unreadable mesh, or a limit violated (faults on stderr, one per line), 2 usage error.)help";
 
 struct CheckArguments {
     std::filesystem::path mesh; ///< "-": standard input

@@ -14,8 +14,8 @@ struct Repaired;
 enum ExitCode : int {
     kDone = 0,
     kRefused = 1,  ///< the input is refused: faults on stderr, one per line
-    kUsage = 2,    ///< wrong usage
-    kCancelled = 3 ///< the editor adds 4, no window: see kNoWindow
+    kUsage = 2,    ///< usage error
+    kCancelled = 3 ///< 4 is kNoWindow, an exit code of the editor
 };
 
 /// Prints faults to stderr, one per line. Advice to repair the domain names the options for it.

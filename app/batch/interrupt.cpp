@@ -15,10 +15,10 @@ InterruptWatch::InterruptWatch() {
     sigaddset(&signals, SIGINT);
     sigaddset(&signals, SIGTERM);
     pthread_sigmask(SIG_BLOCK, &signals, &before_);
-    watcher_ = std::jthread([this, signals](const std::stop_token &leave) {
-        while (!leave.stop_requested()) {
-            const timespec patience{0, 20'000'000};
-            if (sigtimedwait(&signals, nullptr, &patience) <= 0) {
+    watcher_ = std::jthread([this, signals](const std::stop_token &stop) {
+        while (!stop.stop_requested()) {
+            const timespec pollInterval{0, 20'000'000};
+            if (sigtimedwait(&signals, nullptr, &pollInterval) <= 0) {
                 continue;
             }
             if (!defers_) {

@@ -25,7 +25,7 @@ Examples:
   cat lake.geojson | forefront mesh - -o - --format vtu > lake.vtu
         from standard input to standard output
 
-Exit codes: 0 done, 1 input refused (faults on stderr, one per line), 2 wrong usage, 3 cancelled.)help";
+Exit codes: 0 done, 1 input refused (faults on stderr, one per line), 2 usage error, 3 cancelled.)help";
 
 /// Parses the word of a grid or "uniform:COLSxROWS"; returns an error message for anything else.
 std::string parseGrid(const std::string &text, MeshArguments &arguments) {
@@ -52,7 +52,7 @@ std::string parseGrid(const std::string &text, MeshArguments &arguments) {
 
 void addFrontOptions(CLI::App &app, MeshArguments &arguments, std::string &grid) {
     addWordOption<Method>(app, "--method", arguments.method,
-                          "fast (default), or classic: the ten steps after S. H. Lo, shortest segment first")
+                          "fast (default), or classic: S. H. Lo's ten steps, shortest segment first")
         ->type_name("METHOD");
     app.add_option("--grid", grid,
                    "background grid: " + wordList<GridKind>() + ", or uniform:COLSxROWS; default " +
@@ -62,11 +62,11 @@ void addFrontOptions(CLI::App &app, MeshArguments &arguments, std::string &grid)
                  "keep the given segments as mesh edges; do not subdivide them");
     app.add_flag("--repair", arguments.repair,
                  "split segments where they cross, join what coincides and drop what lies outside first, and report "
-                 "every change; drawings and maps are arranged in any case");
+                 "every change; always done for drawings and maps");
     auto *improve = addWordOption<ImproveLevel>(
                         app, "--improve", arguments.improve,
-                        "improve the shapes: none (fastest; keep the mesh as the front leaves it), default, best "
-                        "(slower; also adds and removes inner nodes)")
+                        "improve the shapes: none (fastest; leave the mesh as the front made it), default, best "
+                        "(slower; also adds and removes interior nodes)")
                         ->type_name("LEVEL");
     app.add_flag_callback(
            "--no-improve", [&arguments] { arguments.improve = ImproveLevel::None; }, "the same as --improve none")

@@ -34,7 +34,7 @@ CLI::Option *addWordOption(CLI::App &app, const std::string &name, Value &value,
 /// Adds the options --size and --spacing, which several commands share.
 void addSpacingOptions(CLI::App &group, std::optional<double> &size, std::optional<std::string> &expression);
 
-/// Adds the option --input-format; `input` is the word for the input in the help.
+/// Adds the option --input-format; `input` is what the help text calls the input.
 void addInputFormatOption(CLI::App &app, const std::string &input, std::string &formatId);
 
 /// Adds the options of the commands that write meshes: --output, which is returned, --format and --inner-edges.

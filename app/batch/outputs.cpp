@@ -85,7 +85,7 @@ std::string checkFormat(const std::filesystem::path &output, const std::string &
         return "-o -: format " + id + " needs several files; name a file, or choose another format";
     }
     if (!named.empty() && std::find(named.begin(), named.end(), &*chosen) == named.end()) {
-        return "-o " + output.string() + ": the extension is that of " + named.front()->name + ", but --format " + id +
+        return "-o " + output.string() + ": the extension belongs to " + named.front()->name + ", but --format " + id +
                " is " + chosen->name + " (" + chosen->extension + "); formats apply to outputs in order";
     }
     return {};

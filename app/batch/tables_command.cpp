@@ -29,7 +29,7 @@ Examples:
   forefront tables --csv tables.csv --svg times.svg
         the same figures as CSV, and a plot of time against elements
 
-Exit codes: 0 done, 1 a grid changed a mesh or a file cannot be written, 2 wrong usage, 3 cancelled.)";
+Exit codes: 0 done, 1 a grid changed a mesh or a file cannot be written, 2 usage error, 3 cancelled.)";
 
 struct TablesArguments {
     std::vector<TableCase> rows;

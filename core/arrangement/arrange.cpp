@@ -139,7 +139,8 @@ Result<Arrangement> arrange(const ArrangementInput &input, std::stop_token stop)
         return error("cancelled", "joining the pieces was cancelled");
     }
     if (sweep.droppedCount != 0) {
-        return error("arrangement-failed", "the pieces still meet after joining", "please report this file as a bug");
+        return error("arrangement-failed", "segments still cross or touch after joining",
+                     "please report this file as a bug");
     }
     Arrangement result = Assembler(input, joined, findFaces(snapped.nodes, snapped.edges, sweep)).run();
     result.radius = snapped.radius;

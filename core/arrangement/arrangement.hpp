@@ -110,13 +110,13 @@ struct Arrangement {
     std::vector<ArrangementChange> changes; ///< one entry per kind
 };
 
-/// Builds a domain from labelled pieces as their planar arrangement: crossings, touchings and overlaps are found
+/// Builds a domain from labelled pieces as their planar arrangement: crossings, contacts and overlaps are found
 /// exactly and become nodes; things closer than the tolerance are joined (see snapLines); the inside is what the shapes
 /// cover. Outlines with the same feature on both sides disappear, except where two of its shapes only touch.
-/// - Where pieces follow curves, the curves count: nodes at crossings are on both curves to rounding, no crossing
-/// beyond
-///   which curves are farther apart than the tolerance is missed, and curves that touch, or are within the tolerance of
-///   each other, are joined where they are closest. Chords are divided as far as that takes.
+/// - Where pieces follow curves, the curves count, not their chords. Nodes at crossings lie on both curves to rounding.
+///   Every crossing is found, unless the curves stay within the tolerance of each other beyond it. Curves that touch,
+///   or come within the tolerance of each other, are joined where they are closest. Chords are divided as far as
+///   needed.
 /// - Nothing moves by more than the tolerance. Nodes that nothing comes close to keep their coordinates bit for bit.
 /// - A valid domain comes back with its nodes and segments in the order of the pieces.
 /// - The result depends on the set of pieces, not on their order, which only numbers nodes and segments, chooses

@@ -20,7 +20,7 @@ class Assembler {
     Arrangement run();
 
   private:
-    /// What becomes of an edge.
+    /// The role of an edge in the domain, or the reason why it is dropped.
     enum class Fate : std::uint8_t { Boundary, Constraint, Inner, Folded, Outside };
 
     void collectRuns();

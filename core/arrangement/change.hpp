@@ -11,7 +11,7 @@
 
 namespace FOREFRONT_API forefront {
 
-/// What an arrangement or a repair did to its input.
+/// Kinds of changes that an arrangement or a repair makes to its input.
 enum class ChangeKind : std::uint8_t {
     WeldedNodes,      ///< a node moved onto another one
     RepeatedNodes,    ///< a node of a domain was merged with another one at the same place
@@ -20,12 +20,12 @@ enum class ChangeKind : std::uint8_t {
     CrossingSegments, ///< a node was added where pieces cross
     TouchingSegments, ///< a piece was split at a node on it
     TouchingCurves,   ///< two curves touch, or are within the tolerance of each other, and were joined there
-    BentSegments,     ///< a piece was routed through a node near it
+    BentSegments,     ///< a piece was routed through a nearby node
     RepeatedSegments, ///< of coinciding segments of a domain, one was kept
     SharedBoundaries, ///< a boundary segment between two inner faces of a domain became a constraint
     FoldedOutlines,   ///< an outline runs back along itself; both parts vanish
     OverlapsDecided,  ///< several features cover a face, and one was chosen
-    VanishedShapes,   ///< nothing is left of a feature, or of a shape of the only one
+    VanishedShapes,   ///< nothing is left of a feature or, if there is only one, of a shape
     InnerOutlines,    ///< an outline with the same feature on both sides vanished
     OutsideLines,     ///< a constraint line outside the domain vanished
     OutsidePoints,    ///< a constraint point outside the domain vanished

@@ -13,7 +13,7 @@ namespace forefront {
 
 namespace {
 
-/// Ends farther than this many tolerances from their curve show that the line stands for itself.
+/// Ends farther than this many tolerances from their curve mean that the line does not follow that curve.
 constexpr double kReach = 4.0;
 /// Minimum tolerance of curves in terms of that of straight lines: places on them are computed in more steps.
 constexpr double kResolutions = 8.0;
@@ -190,7 +190,8 @@ Chord LineDivision::joinedChord(std::uint32_t part, Vec2 from, Vec2 to) const {
     return straightChord(from, to);
 }
 
-/// Returns the chords along the paths of all parts, those that joining has changed as fresh; `part` says whose they are.
+/// Returns the chords along the paths of all parts, those that joining has changed as fresh; `part` says whose they
+/// are.
 std::vector<Chord> LineDivision::joinedChords(const SnappedLines &snapped, std::vector<std::uint32_t> &part) const {
     std::vector<Chord> joined;
     const bool all = snapped.radius < tolerance_; // what was near enough to join may not be any longer

@@ -19,7 +19,7 @@ class LineDivision {
                  std::span<const Curve> curves, double tolerance);
 
     bool followsCurves() const { return followsCurves_; }
-    /// Returns the given tolerance, or the least one that rounding of places on curves allows.
+    /// Returns the given tolerance, or the minimum that rounding of points on curves allows.
     double tolerance() const { return tolerance_; }
 
     /// Divides chords until they fit their curves. Returns false if asked to stop.

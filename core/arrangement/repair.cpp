@@ -41,7 +41,8 @@ Result<Repaired> Repairer::run(double tolerance, const std::stop_token &stop) {
     collectEdges();
     const PlaneSweepResult sweep = sweepPlane(joined_.nodes, joined_.edges, stop);
     if (sweep.droppedCount != 0 && !stop.stop_requested()) {
-        return error("repair-failed", "segments still meet after joining", "please report this file as a bug");
+        return error("repair-failed", "segments still cross or touch after joining",
+                     "please report this file as a bug");
     }
     resolveRepeats();
     dropOutside(stop);

@@ -20,7 +20,7 @@ struct Repaired {
     std::vector<ArrangementChange> changes; ///< one entry per kind; the parts are those of the given domain
 };
 
-/// Repairs a domain as arrange() does a drawing: crossings, touchings and overlaps become nodes, nodes and segments
+/// Repairs a domain as arrange() does a drawing: crossings, contacts and overlaps become nodes, nodes and segments
 /// closer than the tolerance (in domain units; at least the resolution of the coordinates) are joined, repeated and
 /// empty segments and unreferenced nodes disappear.
 /// - Inside and outside follow the domain's own rule. Of boundary segments that coincide an even number of times, one

@@ -19,7 +19,7 @@ class Repairer {
     Result<Repaired> run(double tolerance, const std::stop_token &stop);
 
   private:
-    /// What is known of a joined edge and what becomes of it.
+    /// A joined edge: its origin, and whether it is kept.
     struct Edge {
         std::uint32_t source = kNoIndex; ///< the given segment whose tag it takes
         std::uint32_t line = kNoIndex;   ///< the part of that segment which runs along it

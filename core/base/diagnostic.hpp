@@ -23,7 +23,7 @@ struct DomainPart {
     /// Number in the domain's file, filled in by the reader; empty if unknown.
     std::optional<std::int64_t> number = {};
     int line = 0;   ///< in that file, 1-based; 0: unknown
-    int column = 0; ///< likewise
+    int column = 0; ///< in that line, 1-based; 0: unknown
 };
 inline DomainPart aNode(std::uint32_t index) {
     return {DomainPartKind::Node, index};

@@ -23,7 +23,7 @@ namespace FOREFRONT_API forefront {
 template <class Enum>
 struct EnumWords;
 
-/// Returns true if each value up to kLast has a word of its own; checked at compile time wherever the words are used.
+/// Returns true if each value up to kLast has a distinct word; checked at compile time wherever the words are used.
 template <class Enum>
 constexpr bool hasDistinctWords() {
     constexpr auto &list = EnumWords<Enum>::kList;
@@ -43,7 +43,7 @@ constexpr bool hasDistinctWords() {
 /// Returns the words in the order of the values.
 template <class Enum>
 constexpr const auto &wordsOf() {
-    static_assert(hasDistinctWords<Enum>(), "every value needs a word of its own");
+    static_assert(hasDistinctWords<Enum>(), "every value needs a distinct word");
     return EnumWords<Enum>::kList;
 }
 

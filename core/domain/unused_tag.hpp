@@ -7,7 +7,7 @@
 
 namespace forefront {
 
-/// Whether a tag belongs to a part of the boundary or to a region.
+/// The kinds of parts that a tag can belong to.
 enum class TagKind : std::uint8_t { Boundary, Region };
 
 /// Returns the lowest tag that is not in `taken`, has no entry in `names`, and whose default name names no other tag.

@@ -8,7 +8,7 @@
 
 namespace forefront {
 
-/// How closed shapes are combined. The first shape is the one that comes first in the document.
+/// Operations that combine closed shapes. The first shape is the one that comes first in the document.
 enum class ShapeOperation : std::uint8_t {
     Union,        ///< what any of them covers
     Difference,   ///< what the first covers and no other does

@@ -60,7 +60,8 @@ struct Shape {
     /// straight. A cubic begins and ends exactly at its nodes, an arc up to rounding. Empty: all segments are straight.
     std::vector<Curve> curves;
     /// For each segment of the outline, the parameters between 0 and 1 at which its curve is divided into chords in the
-    /// domain; readers keep those that are known to cross nothing. Empty: found from the tolerance.
+    /// domain. Readers keep the chords of the domain that they read, since these are known not to cross anything.
+    /// Empty: computed from the tolerance.
     std::vector<std::vector<double>> cuts;
     double radius = 0.0; ///< of a rectangle's corners; at most half its shorter side counts
 

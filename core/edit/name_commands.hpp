@@ -15,9 +15,9 @@ struct BoundaryPart {
     std::set<SegmentRef> segments;
 };
 
-/// Names a part of the boundary and nothing else. A name that another tag already has makes the part join that tag; a
-/// new name makes a new tag, unless the part is all that carries its tag, which is then renamed. An empty name gives
-/// the part a tag with the default name. Faults: no-such-shape, no-such-segment; not-possible for an empty part.
+/// Names a part of the boundary; other parts keep their names. If a tag already has the name, the part gets that tag. A
+/// new name creates a new tag, or renames the part's tag if nothing else has it. With an empty name the part gets a tag
+/// with the default name. Faults: no-such-shape, no-such-segment; not-possible for an empty part.
 Result<Document> nameBoundaryPart(const Document &document, const BoundaryPart &part, const std::string &name);
 
 /// Names the region of one marker, by the same rules. Fault: no-such-marker.

@@ -32,7 +32,7 @@ struct Control {
     Vec2 node;
 };
 
-/// How a path runs through a node. It follows from the control points, and is not stored.
+/// The way a path runs through a node. It follows from the control points, and is not stored.
 enum class NodeKind : std::uint8_t {
     Corner,   ///< anything else
     Smooth,   ///< the curves on both sides have one tangent

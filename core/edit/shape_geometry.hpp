@@ -12,9 +12,11 @@ namespace forefront {
 struct Outline {
     std::vector<Vec2> nodes;
     bool closed = false;
-    /// Per segment, its curve; a line stands for a straight segment, whatever its ends. Empty: all are straight.
+    /// Per segment, its curve. A curve of kind Line marks a straight segment; its ends are ignored. Empty: all
+    /// segments are straight.
     std::vector<Curve> curves;
-    /// Per segment, the part of the shape with a tag of its own that it belongs to; empty: each is such a part.
+    /// Per segment, the index of the tagged part (see taggedSegments()) that it belongs to. Empty: each segment is a
+    /// part.
     std::vector<std::uint32_t> parts;
 
     std::size_t segmentCount() const {
@@ -62,10 +64,10 @@ std::vector<Vec2> flattened(const Outline &outline, double tolerance);
 /// sagitta within `tolerance`·radius.
 std::size_t circleCorners(double tolerance);
 
-/// Returns the number of parts that can have their own tag: the segments of the outline, but the 4 sides of a rectangle
-/// and 1 for a circle or an ellipse.
+/// Returns the number of parts that can have their own tag: 4 for a rectangle (its sides), 1 for a circle or an
+/// ellipse, else the number of segments of the outline.
 std::size_t taggedSegments(const Shape &shape);
-/// Returns the tag of such a part.
+/// Returns the tag of a part; see taggedSegments().
 std::int32_t segmentTag(const Shape &shape, std::size_t part);
 
 /// Returns the points that can be dragged: the nodes, the four corners of a rectangle; centre and point of a circle,

@@ -18,8 +18,8 @@ struct CellBox {
     std::uint8_t minX, minY, maxX, maxY;
 };
 
-/// Converts boxes to those of a cell. Boxes that overlap do so in any cell: every step is monotone, so neither rounding
-/// nor clipping can separate them.
+/// Converts boxes to the coordinates of a cell. Boxes that overlap still do so after conversion: every step is
+/// monotone, so neither rounding nor clipping can separate them.
 class CellScale {
   public:
     CellScale(const CellLayout &layout, int i, int j)

@@ -43,8 +43,8 @@ class Cutout {
         return *this;
     }
 
-    /// Copies the elements around a free node, its free neighbours and theirs. `rho`: ρ per node. Returns false if they
-    /// are too many.
+    /// Copies the elements around a free node, its free neighbours and theirs. `rho`: ρ per node. Returns false if
+    /// there are too many.
     bool take(const ImproveWorkspace &work, std::span<const float> rho, NodeId centre);
 
     unsigned count() const { return count_; }

@@ -9,7 +9,7 @@
 
 namespace FOREFRONT_API forefront {
 
-/// How much the mesh is improved once the front is closed. Default swaps edges and smooths, in a fraction of the time
+/// The effort to improve the mesh once the front is closed. Default swaps edges and smooths, in a fraction of the time
 /// of the front. Best takes several times as long for the best shapes and edge lengths, and also adds and removes
 /// nodes.
 enum class ImproveLevel : std::uint8_t { None, Default, Best };

@@ -9,7 +9,7 @@
 
 namespace forefront {
 
-/// Whether an exported mesh keeps its inner edges: tagged edges with triangles on both sides, such as constraints and
+/// Treatment of inner edges in an exported mesh: tagged edges with triangles on both sides, such as constraints and
 /// interfaces between regions. Some programs, deal.II among them, refuse boundary tags there.
 enum class InnerEdges : std::uint8_t { Keep, Drop };
 

@@ -25,15 +25,15 @@ constexpr std::array<MeasureInfo, wordsOf<Measure>().size()> kInfos = {{
     {"Area", "area", "", MeshPart::Elements, BadEnd::None, true, -kUnbounded, kUnbounded,
      "Area of each element; negative if it is inverted"},
     {"Area ratio", "growth", "", MeshPart::Elements, BadEnd::High, true, 1.0, kUnbounded,
-     "Largest ratio of the areas of an element and one that shares an edge with it"},
+     "Largest area ratio between each element and the neighbours that share an edge with it"},
     {"Edge length", "length", "", MeshPart::Edges, BadEnd::None, true, 0.0, kUnbounded, "Length of each edge"},
     {"Edge length over \xcf\x81", "L/\xcf\x81", "", MeshPart::Edges, BadEnd::FarFromOne, true, 0.0, kUnbounded,
      "Length of each edge divided by the node spacing \xcf\x81 at its middle; 1 if the edge matches the spacing"},
     {"Spacing conformity", "\xce\xb4", "", MeshPart::Edges, BadEnd::Low, false, 0.0, 1.0,
      "Spacing conformity \xce\xb4 = min(L/\xcf\x81, \xcf\x81/L) of each edge, \xcf\x81 at its middle; 1 if the edge "
-     "keeps the spacing"},
+     "matches the spacing"},
     {"Valence", "valence", "", MeshPart::Nodes, BadEnd::High, false, 0.0, kUnbounded,
-     "Number of elements around each node; 6 is ideal inside"},
+     "Number of elements around each node; 6 is ideal for interior nodes"},
     {"Region", "region", "", MeshPart::Elements, BadEnd::None, false, 1.0, kUnbounded, "Region tag of each element"},
     {"Creation order", "birth", "", MeshPart::Elements, BadEnd::None, false, 0.0, kUnbounded,
      "Number of each element: its place in the file or, until the mesh is improved, the order in which the front made "

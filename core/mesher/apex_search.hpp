@@ -75,7 +75,7 @@ class ApexSearch {
     static Box2 reach(const Base &base, double radius);
     /// Finds the apex within one search radius (steps 5 to 8). Returns false if no candidate passes.
     bool find(const Base &base, const Limits &limits, Candidate &apex);
-    /// Finds the apex among existing nodes alone and doubles the radius until one passes, which cannot fail.
+    /// Finds the apex among existing nodes only; doubles the radius until one passes, which cannot fail.
     void force(const Base &base, double radius, Candidate &apex);
 
     void startCounting() { work_ = {}; }

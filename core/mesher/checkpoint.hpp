@@ -7,8 +7,8 @@
 
 namespace forefront {
 
-/// The state of a run at a position of its timeline, without its nodes and elements: they are the first ones of any
-/// later position. Its size follows from the length of Γ, not from the mesh.
+/// The state of a run at a position of its timeline, without its nodes and elements, which every later position
+/// begins with. Its size depends on the length of Γ, not on the size of the mesh.
 struct Checkpoint {
     GenerationFront front;
     WalkOrder walkOrder; ///< without history: the run cannot retreat beyond the checkpoint
@@ -16,7 +16,7 @@ struct Checkpoint {
     std::uint32_t strip = 0;
     WorkCounters work;
     std::uint64_t smallNodesLeft = 0;
-    std::size_t nodes = 0, elements = 0; ///< their numbers
+    std::size_t nodes = 0, elements = 0; ///< numbers of nodes and elements made so far
 
     explicit Checkpoint(const FrontState &state)
         : front(state.front), walkOrder(state.walkOrder.withoutHistory()), walk(state.walk), strip(state.strip),

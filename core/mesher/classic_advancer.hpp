@@ -8,7 +8,7 @@ namespace forefront {
 inline constexpr double kFirstRadius = 1.2;
 inline constexpr double kSecondRadius = 1.75;
 
-/// The classic method: the ten steps after Lo. Each advance takes the shortest base (see BaseOrder) and makes at most
+/// The classic method: Lo's ten steps. Each advance takes the shortest base (see BaseOrder) and makes at most
 /// one element.
 ///
 /// Closing guarantee. A base first looks for the best of the nearby front nodes and a new node. If none passes it is

@@ -42,8 +42,8 @@ struct FrontState {
     std::vector<std::uint32_t> elementFaces; ///< index of each element's face; only where there are several
     bool manyFaces = false;
     WorkCounters work;
-    /// How many more new nodes may be far closer to Γ than the node spacing; keeps the closing guarantee, see
-    /// ClassicAdvancer.
+    /// Number of further new nodes that may be far closer to Γ than the node spacing. The limit guarantees that the
+    /// front closes; see ClassicAdvancer.
     std::uint64_t smallNodesLeft = 0;
 
     /// Returns a hash of the state: equal for states that are equal bit for bit. Work that depends on the grid is left

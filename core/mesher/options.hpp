@@ -16,7 +16,7 @@ namespace FOREFRONT_API forefront {
 /// The method that advances the front.
 enum class Method : std::uint8_t {
     Fast,   ///< walks along the front; a new node makes up to three elements
-    Classic ///< the ten steps after Lo: shortest segment first, one element per advance
+    Classic ///< Lo's ten steps: shortest segment first, one element per advance
 };
 
 template <>
@@ -25,7 +25,7 @@ struct EnumWords<Method> {
     static constexpr std::array<std::string_view, 2> kList = {"fast", "classic"};
 };
 
-/// How a domain is meshed.
+/// Options for meshing a domain.
 struct MeshingOptions {
     Method method = Method::Fast;
     GridKind grid = GridKind::Hierarchical;

@@ -27,7 +27,8 @@ class Timeline {
     static constexpr std::size_t kMaxCheckpoints = 96;
     static constexpr std::size_t kMaxCheckpointBytes = std::size_t{128} << 20U;
 
-    /// Jumps to the checkpoint from which `target` is reached soonest, unless it is sooner reached from here.
+    /// Jumps to the checkpoint from which `target` is reached soonest, unless the current position is
+    /// closer.
     void approach(std::uint64_t target);
     std::size_t checkpoints() const { return checkpoints_.size(); }
     std::size_t checkpointBytes() const { return checkpointBytes_; }

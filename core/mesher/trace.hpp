@@ -11,7 +11,7 @@
 
 namespace FOREFRONT_API forefront {
 
-/// The ten steps of the advancing front technique after S. H. Lo.
+/// The ten steps of S. H. Lo's advancing front technique.
 enum class Step : std::uint8_t {
     BoundaryToFront = 1, ///< 1  Γ := boundary segments
     TakeBase,            ///< 2  take a base segment AB from Γ, the shortest first

@@ -89,7 +89,7 @@ void FileDialog::drawPlaces(Shell &context) {
     place("place/work", icon::kFolder, "Working folder", std::filesystem::current_path(ignored));
     const std::filesystem::path &document = context.document.path();
     if (!document.empty()) {
-        place("place/document", icon::kFile, "This drawing", document.parent_path());
+        place("place/document", icon::kFile, "Drawing folder", document.parent_path());
     }
     place("place/root", icon::kDot, "Computer", "/");
     if (context.settings.recentFiles.empty() || request_.saves) {

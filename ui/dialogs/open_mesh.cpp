@@ -69,7 +69,7 @@ void show(Shell &context, Mesh mesh, const std::filesystem::path &file) {
     context.run.showFile(std::move(mesh));
     showLayer(context.layers, "quality", true);
     context.log.announce(file.filename().string() + ": " + ui::count(elements) +
-                         " triangles, shown as they are in the file; press 2 to mesh the outline anew");
+                         " triangles, shown as they are in the file; press 2 to remesh the outline");
     context.animate();
 }
 

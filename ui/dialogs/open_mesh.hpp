@@ -11,8 +11,8 @@ struct Shell;
 /// Asks for the file of a mesh and opens it.
 void openMesh(Shell &context);
 
-/// Opens a mesh of any format to judge it, asking about unsaved changes first: the mesh is shown as it is, and its
-/// outline becomes the drawing. Returns the faults of a file that cannot be read.
+/// Opens a mesh of any format to inspect its quality, asking about unsaved changes first: the mesh is shown as it is,
+/// and its outline becomes the drawing. Returns the faults of a file that cannot be read.
 Diagnostics openMesh(Shell &context, const std::filesystem::path &file);
 
 } // namespace forefront

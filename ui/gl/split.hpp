@@ -6,8 +6,8 @@
 
 namespace forefront {
 
-/// A place split into the sum of two places in single precision. Subtracting a camera centre split the same way keeps
-/// about 48 bits, so that a drawing at an offset of 1e5 is as sharp as one at the origin.
+/// A position split into the sum of two single-precision positions. Subtracting a camera centre split the same way
+/// keeps about 48 bits, so that a drawing at an offset of 1e5 is as sharp as one at the origin.
 struct SplitPoint {
     glm::vec2 high{}, low{};
 

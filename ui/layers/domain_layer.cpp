@@ -46,7 +46,7 @@ class BoundaryLayer final : public Layer {
 
   private:
     void update(const LayerFrame &frame) {
-        // Curves become polylines finer than the pixels, anew where the zoom has doubled.
+        // Curves become polylines finer than the pixels; recomputed when the zoom crosses a power of two.
         const int zoom = frame.domain.curves.empty() ? 0 : std::ilogb(frame.camera.zoom);
         if (revision_ == frame.revision && theme_ == frame.theme.kind && zoom_ == zoom) {
             return;

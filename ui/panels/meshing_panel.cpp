@@ -28,8 +28,8 @@ class MeshingPanel final : public Panel {
         changed = ui::segmented(context, "meshing/improve", options.improve) || changed;
         ImGui::EndGroup();
         ui::rowTooltip(context,
-                       "Improve the finished mesh. Default: swap edges and move inner nodes. Best: slower, also "
-                       "adds and removes inner nodes. None: fastest; the mesh is left as it is.");
+                       "Improve the finished mesh. Default: swap edges and move interior nodes. Best: slower, also "
+                       "adds and removes interior nodes. None: fastest; the mesh is left as it is.");
         form::label(context, "Boundary");
         changed = ui::checkbox(context, "meshing/keepboundary", "Keep segments", options.keepBoundary) || changed;
         ui::rowTooltip(context, "Keep the drawn segments as mesh edges; do not subdivide them.");

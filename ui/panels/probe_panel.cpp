@@ -52,11 +52,11 @@ class ProbePanel final : public Panel {
         const std::optional<std::size_t> rank = context.probe.rank;
         ImGui::AlignTextToFramePadding();
         ui::small(context,
-                  count == 0 ? std::string(infoOf(judgement.of.measure).name) + " ranks nothing"
+                  count == 0 ? std::string(infoOf(judgement.of.measure).name) + ": nothing to rank"
                   : rank ? ui::format("%zu of the %zu worst: %s", *rank + 1, count, infoOf(judgement.of.measure).name)
                          : ui::format("The %zu worst: %s", count, infoOf(judgement.of.measure).name));
         ui::mark(context, "probe/rank");
-        ui::tooltip(context, "The measure is chosen in Histogram");
+        ui::tooltip(context, "Choose the measure in the Histogram panel");
         ImGui::SameLine(ImGui::GetContentRegionMax().x - context.px(62));
         if (ui::iconButton(context, "probe/previous", icon::kBack, "Previous", false, rank && *rank > 0, 26.0F)) {
             goToRank(context, *rank - 1);

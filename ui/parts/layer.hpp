@@ -51,7 +51,7 @@ struct LayerFrame {
 };
 
 /// A layer of the canvas. To add one, write its file and add a line to makeLayers(). Layers are drawn in the order of
-/// makeLayers(), all still parts first.
+/// makeLayers(): first the still parts of all (see drawStill()), then their live parts, then their overlays.
 class Layer {
   public:
     virtual ~Layer() = default;

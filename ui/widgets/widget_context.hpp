@@ -10,7 +10,7 @@
 
 namespace forefront {
 
-/// What a widget needs: the platform, the look, the registry of names, and a way to ask for more frames.
+/// Everything a widget needs: the platform, the look, the registry of names, and a way to ask for more frames.
 struct WidgetContext {
     Platform &platform;
     WidgetRegistry widgets;
@@ -26,7 +26,7 @@ struct WidgetContext {
     float px(double design) const { return static_cast<float>(design) * scale; }
     /// Requests two more frames, for changes on the screen that no input event causes.
     void animate() { redraw = std::max(redraw, 2); }
-    /// Requests a frame at `time`, in seconds of Platform::now(), although nothing happens (a message that fades).
+    /// Requests a frame at `time`, in seconds of Platform::now(), even without input (for a message that fades).
     void wakeAt(double time) { nextFrameAt = std::min(nextFrameAt, time); }
 };
 

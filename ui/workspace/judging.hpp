@@ -16,10 +16,10 @@ namespace forefront {
 struct Workspace;
 class CanvasPainter;
 
-/// Returns what is to be found out about the mesh shown now.
+/// Returns the request for the mesh shown now.
 JudgeRequest judgeRequest(const Workspace &context);
 
-/// Returns the range of colours of the measure judged by: set by the user, or fitted to the mesh.
+/// Returns the colour range of the chosen measure: set by the user, or fitted to the mesh.
 ColourRange measureRange(const Workspace &context);
 
 /// Chooses the measure that the mesh is judged by; forgets the colour range and the isolated bar of the last one.
@@ -28,7 +28,7 @@ void chooseMeasure(Workspace &context, Measure measure);
 /// Shows a part of the judged mesh: chooses it in the probe and zooms so that its surroundings are visible.
 void goToPart(Workspace &context, const MeshPick &pick);
 
-/// Shows the part of that rank, 0 being the worst, by the measure judged by.
+/// Shows the part with a rank, 0 being the worst, by the chosen measure.
 void goToRank(Workspace &context, std::size_t rank);
 
 /// Returns the part of the judged mesh at a place: the nearest node or edge of the element there if it is within

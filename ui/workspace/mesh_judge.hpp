@@ -18,7 +18,7 @@
 
 namespace forefront {
 
-/// What to find out about a mesh.
+/// The questions to answer about a mesh.
 struct JudgeRequest {
     std::shared_ptr<const MeshView> mesh;        ///< null: nothing to judge
     std::shared_ptr<const SpacingField> spacing; ///< may be null
@@ -30,7 +30,7 @@ struct JudgeRequest {
     friend bool operator==(const JudgeRequest &, const JudgeRequest &) = default;
 };
 
-/// What is known about a mesh.
+/// The answers about a mesh.
 struct Judgement {
     JudgeRequest of;
     /// Edges of the mesh; null if the request does not need them.

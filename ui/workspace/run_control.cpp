@@ -42,7 +42,7 @@ std::string resultText(const SessionSnapshot &s) {
 }
 
 std::string previewText(const SessionSnapshot &s) {
-    return ui::format("Preview of %llu triangles; the whole mesh has about %.2g",
+    return ui::format("Preview of %llu triangles; the full mesh will have about %.2g",
                       static_cast<unsigned long long>(s.quality.elements), s.requestedElements);
 }
 

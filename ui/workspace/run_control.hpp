@@ -139,7 +139,7 @@ class RunControl {
     double speed_ = 1.0;
     mutable std::shared_ptr<const Document> seen_; ///< the document of the last call of meshRevision()
     mutable std::uint64_t seenRevision_ = 0, meshRevision_ = 0;
-    mutable std::map<std::uint64_t, std::uint64_t> meshRevisions_; ///< by revision
+    mutable std::map<std::uint64_t, std::uint64_t> meshRevisions_; ///< by document revision
     std::uint64_t loggedRun_ = 0;
     RunState loggedState_ = RunState::Empty;
 };

@@ -2,7 +2,7 @@
 
 namespace forefront {
 
-/// What the tools snap to.
+/// The targets that the tools snap to.
 struct Snapping {
     bool toDrawing = true; ///< nodes and segments
     bool toGrid = true;    ///< the drawing lattice

@@ -18,7 +18,7 @@ struct CandidateChoice {
     std::size_t candidate = 0; ///< index into AdvanceExplanation::candidates
 };
 
-/// What a click of the trace tool does.
+/// The effect of a click with the trace tool.
 enum class TraceMode : std::uint8_t {
     Birth, ///< goes to the advance that made what was clicked
     Place, ///< stops the run when an element covers the place

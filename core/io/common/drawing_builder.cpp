@@ -100,7 +100,8 @@ Result<Domain> DrawingBuilder::finish() {
     return std::move(arranged->domain);
 }
 
-/// Arranges lines alone, finds those that bound the domain, and arranges all again as outlines and lines.
+/// Arranges lines that come without outlines: joins them, turns those that bound the domain into an outline, and
+/// arranges everything again.
 Result<Arrangement> DrawingBuilder::arrangeLines() {
     input_.keepOutside = true;
     Result<Arrangement> lines = arrange(input_);
@@ -109,10 +110,10 @@ Result<Arrangement> DrawingBuilder::arrangeLines() {
         return lines; // validation says why nothing is enclosed
     }
     source_.note("lines-as-outline",
-                 "there is no closed outline: lines that form closed loops are the outline (" + std::to_string(count) +
-                     " segments)",
+                 "no closed outline found: using the lines that form closed loops as the outline (" +
+                     std::to_string(count) + " segments)",
                  places_.front());
-    const ArrangementInput outlines = bounded(*lines);
+    const ArrangementInput outlines = withOutline(*lines);
     std::vector<std::size_t> places;
     for (const PieceStretch &stretch : lines->stretches) {
         places.insert(places.end(), {places_[2 * stretch.piece], places_[2 * stretch.piece + 1]});
@@ -128,8 +129,8 @@ Result<Arrangement> DrawingBuilder::arrangeLines() {
     return arrange(input_);
 }
 
-/// Returns the same lines, already joined, as outlines and lines.
-ArrangementInput DrawingBuilder::bounded(const Arrangement &lines) const {
+/// Returns joined lines as input again, with those on the boundary of the domain as an outline.
+ArrangementInput DrawingBuilder::withOutline(const Arrangement &lines) const {
     ArrangementInput outlines;
     const Domain &domain = lines.domain;
     outlines.curves = domain.curves;

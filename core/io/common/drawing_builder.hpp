@@ -45,7 +45,7 @@ class DrawingBuilder {
   private:
     std::size_t offset(std::size_t node) const;
     Result<Arrangement> arrangeLines();
-    ArrangementInput bounded(const Arrangement &lines) const;
+    ArrangementInput withOutline(const Arrangement &lines) const;
     Diagnostics report(const Arrangement &arrangement) const;
     void recordOrigin(const Arrangement &arrangement) const;
 

@@ -43,7 +43,7 @@ class UniqueNames {
     /// Returns the name, shortened to `maximum` bytes, or with "_2", "_3", ... at its end if it is already taken.
     std::string claim(const std::string &name, std::size_t maximum = 80);
 
-    /// Returns true if a name is taken, whatever its case.
+    /// Returns true if a name is taken, ignoring case.
     bool taken(const std::string &name) const;
 
   private:

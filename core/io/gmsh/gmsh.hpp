@@ -15,7 +15,7 @@ namespace forefront {
 Result<Mesh> readMsh(const SourceText &source);
 /// Reads the first scalar $NodeData as the spacing on a background mesh. Faults: no-values, bad-values.
 Result<SpacingSpec> readMshSpacing(const SourceText &source);
-/// Reads the mesh and the nodal values with this name. Faults as those of meshWithField.
+/// Reads the mesh and the nodal values with this name. Faults: those of meshWithField().
 Result<MeshField> readMshField(const SourceText &source, std::string_view name);
 /// Returns true if the first bytes of a file show that it is MSH.
 bool looksLikeMsh(std::string_view head);

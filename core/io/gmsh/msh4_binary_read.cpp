@@ -105,7 +105,7 @@ bool MshFile::readNodeBlockBinary(ByteScanner &bytes, std::size_t block, std::si
         return false;
     }
     if (size > limit - nodes.size()) {
-        return bytes.fail(sizePlace, "bad-count", "the blocks hold more nodes than the section announces");
+        return bytes.fail(sizePlace, "bad-count", "the blocks hold more nodes than the section declares");
     }
     const std::size_t numbersPlace = bytes.offset();
     const char *const numbers = bytes.block(size, kSize, {"the node numbers of node block", block});
@@ -188,7 +188,7 @@ bool MshFile::readElementBlockBinary(ByteScanner &bytes, std::size_t &left) {
         return false;
     }
     if (size > left) {
-        return bytes.fail(sizePlace, "bad-count", "the blocks hold more elements than the section announces");
+        return bytes.fail(sizePlace, "bad-count", "the blocks hold more elements than the section declares");
     }
     left -= size;
     const std::size_t place = bytes.offset();

@@ -188,7 +188,7 @@ bool MshFile::readElementBlock4(std::size_t &left) {
         return false;
     }
     if (size > left) {
-        return scanner_.fail(typeOffset, "bad-count", "the blocks hold more elements than the section announces");
+        return scanner_.fail(typeOffset, "bad-count", "the blocks hold more elements than the section declares");
     }
     left -= size;
     const std::int32_t tag = tagOf(static_cast<int>(dimension), entity);

@@ -10,7 +10,7 @@
 
 namespace FOREFRONT_API forefront {
 
-/// How a file is read.
+/// Options for reading a file.
 struct ImportOptions {
     /// Maximum distance between a curve and its polyline, in file units; 0: 1/2000 of the drawing's size.
     double curveTolerance = 0.0;

@@ -7,7 +7,7 @@
 
 namespace forefront {
 
-/// How a shape is painted.
+/// Fill and stroke of a shape.
 struct SvgPaint {
     bool filled = true;
     bool fillGiven = false; ///< the drawing states the fill

@@ -12,7 +12,7 @@ namespace forefront {
 
 /// Reads a VTK XML unstructured grid (.vtu). Every fault carries its place in the source.
 Result<Mesh> readVtu(const SourceText &source);
-/// Reads the mesh and the point data with this name. Faults as those of meshWithField.
+/// Reads the mesh and the point data with this name. Faults: those of meshWithField().
 Result<MeshField> readVtuField(const SourceText &source, std::string_view name);
 /// Returns true if the first bytes of a file show that it is VTU.
 bool looksLikeVtu(std::string_view head);
@@ -21,7 +21,7 @@ void writeVtu(const Mesh &mesh, TextWriter &out);
 
 /// Reads a VTK legacy file (.vtk), ASCII. Every fault carries its place in the source.
 Result<Mesh> readVtk(const SourceText &source);
-/// Reads the mesh and the point data with this name. Faults as those of meshWithField.
+/// Reads the mesh and the point data with this name. Faults: those of meshWithField().
 Result<MeshField> readVtkField(const SourceText &source, std::string_view name);
 /// Returns true if the first bytes of a file show that it is VTK legacy.
 bool looksLikeVtk(std::string_view head);

@@ -74,7 +74,7 @@ struct SpacingSpec {
     PaintedSpacing paint;
     std::shared_ptr<const BackgroundMesh> background;
     bool fromBoundary = false; ///< the given lengths of boundary segments act as sources
-    /// Edges per full turn of curved boundaries, >= 0; 0: the bend does not count. Absent: 40 where the spacing is
+    /// Edges per full turn of curved boundaries, >= 0; 0: curvature is ignored. Absent: 40 where the spacing is
     /// automatic, 0 elsewhere.
     std::optional<double> segmentsPerTurn;
     std::optional<double> minimum; ///< > 0

@@ -33,7 +33,7 @@ void checkSegmentsPerTurn(const std::optional<double> &value, Diagnostics &fault
     if (value && !isNotNegative(*value)) {
         faults.push_back(error("bad-size",
                                "invalid number of segments per turn " + text(*value) + "; expected 0 or more",
-                               "enter a number such as 40, or 0 to ignore the bend of curves")
+                               "enter a number such as 40, or 0 to ignore the curvature")
                              .front());
     }
 }

@@ -18,7 +18,7 @@ constexpr double kGapElementsEach = 8.0; ///< ... plus this many per domain segm
 double elementsFor(const Gap &gap, double floor) {
     const double length = distance(gap.a, gap.b);
     const double size = std::max(gap.width / kAcrossGap, floor);
-    return length / size * (1.0 + 1.1547 * gap.width / size);
+    return length / size * (1.0 + 1.1547 * gap.width / size); // 2/√3: rows of equilateral triangles
 }
 
 /// Returns the minimum size in narrow places that keeps their cost within the budget; 0 if none is needed.
@@ -66,7 +66,7 @@ AutomaticSpacing automaticSpacing(const Domain &domain, const Box2 &box, double 
     };
     const CurveChains chains = curveChains(domain);
     std::vector<PlacedSegment> segments = placedSegments(domain);
-    takeCurvesWhole(domain, chains, segments);
+    applyCurveLengths(domain, chains, segments);
     dropDominated(domain, gradation, segments);
     for (const PlacedSegment &segment : segments) {
         if (const double length = segment.whole; length < automatic.maximum) {
@@ -74,11 +74,11 @@ AutomaticSpacing automaticSpacing(const Domain &domain, const Box2 &box, double 
         }
     }
     if (segmentsPerTurn > 0.0) {
-        addCurvatureSites(domain, chains, segmentsPerTurn, minimum, gradation, SpacingOrigin::Automatic, true,
-                          progress, automatic.sites);
+        addCurvatureSites(domain, chains, segmentsPerTurn, minimum, gradation, SpacingOrigin::Automatic, true, progress,
+                          automatic.sites);
     }
     std::vector<PlacedSegment> placed = thingsOf(domain);
-    takeCurvesWhole(domain, chains, placed);
+    applyCurveLengths(domain, chains, placed);
     const SegmentIndex things(std::move(placed));
     const GapFinder finder(domain, things, automatic.maximum, kFinestGap * box.diagonal(), progress);
     const std::vector<Gap> gaps = finder.find();

@@ -29,7 +29,7 @@ std::vector<PlacedSegment> placedSegments(const Domain &domain) {
     return placed;
 }
 
-void takeCurvesWhole(const Domain &domain, const CurveChains &chains, std::vector<PlacedSegment> &segments) {
+void applyCurveLengths(const Domain &domain, const CurveChains &chains, std::vector<PlacedSegment> &segments) {
     if (chains.list.empty()) {
         return;
     }

@@ -18,12 +18,12 @@ struct PlacedSegment {
 /// Returns true if squares of distances between such coordinates do not overflow.
 bool isUsable(Vec2 p);
 
-/// Returns the segments with valid, usable, distinct ends of a domain that need not be validated.
+/// Returns the segments whose ends are valid, usable and distinct. The domain may be invalid.
 std::vector<PlacedSegment> placedSegments(const Domain &domain);
 
-/// Marks the segments that are chords of a curve or end in one, and sets the whole length of the chords: how finely a
-/// curve was flattened must not count.
-void takeCurvesWhole(const Domain &domain, const CurveChains &chains, std::vector<PlacedSegment> &segments);
+/// Marks the segments that are chords of a curve or end in one, and sets `whole` of the chords to the length of the
+/// curve, so that the result does not depend on how finely the curve was flattened.
+void applyCurveLengths(const Domain &domain, const CurveChains &chains, std::vector<PlacedSegment> &segments);
 
 /// Returns the box of the domain's usable nodes: the unit square if there are none, widened if it has no extent.
 Box2 spacingBox(const Domain &domain);
