@@ -4,8 +4,8 @@
 
 namespace forefront {
 
-/// Returns true if two documents have the same shapes (ids included), markers, names, spacing, options and limits, wherever
-/// those are in memory; `nextId` does not count.
+/// Returns true if two documents have the same shapes (ids included), markers, names, spacing, options and limits,
+/// wherever those are in memory; `nextId` does not count.
 bool sameContent(const Document &a, const Document &b);
 
 } // namespace forefront

@@ -223,8 +223,7 @@ TEST_CASE("tables: text, CSV and plot hold published and own figures") {
     CHECK(tableLines(adaptive).starts_with("3    0.05    none         Lo"));
     CHECK(tableLines(adaptive).find("\n3*   0.05    none         ours") != std::string::npos);
     CHECK(tableCsv({adaptive}).find("\n3,0.05,none,own case,") != std::string::npos);
-    CHECK(tableNotes({adaptive}).find("Adaptive refinement; *: domain and field are our own") !=
-          std::string::npos);
+    CHECK(tableNotes({adaptive}).find("Adaptive refinement; *: domain and field are our own") != std::string::npos);
     CHECK(tableNotes({adaptive}).find(" in 3*\n") != std::string::npos); // the least favourable row
     const LogPlot plot = tablePlot(rows);
     CHECK(plot.series.size() == 4);
