@@ -46,23 +46,63 @@ CurveContact crossingAt(const Curve &first, const Curve &second, double s, doubl
 }
 
 /// Finds the only crossing of parts whose directions differ everywhere.
-std::optional<CurveContact> steepCrossing(const CurvePart &first, const CurvePart &second) {
-    const auto share = [](const CurvePart &part, Vec2 p) {
-        return std::clamp(dot(p - part.start, part.along) / distance(part.start, part.end), 0.0, 1.0);
-    };
-    const Vec2 u = first.end - first.start, v = second.end - second.start;
-    const double meets = cross(second.start - first.start, v) / cross(u, v);
-    const Vec2 guess = lerp(first.start, first.end, std::isfinite(meets) ? std::clamp(meets, 0.0, 1.0) : 0.5);
-    double s = std::lerp(first.t0, first.t1, share(first, guess));
-    double t = std::lerp(second.t0, second.t1, share(second, guess));
-    polish(first.curve, second.curve, s, t);
-    const bool within = s >= first.t0 && s <= first.t1 && t >= second.t0 && t <= second.t1;
-    const double noise = std::max(first.noise, second.noise);
-    if (!within || distance(first.curve.point(s), second.curve.point(t)) > noise) {
+class SteepCrossing {
+  public:
+    SteepCrossing(const CurvePart &first, const CurvePart &second)
+        : first_(first), second_(second), noise_(std::max(first.noise, second.noise)) {}
+
+    std::optional<CurveContact> run() const { return search(first_, second_, kHalvings); }
+
+  private:
+    static constexpr int kHalvings = 100; // of both together: enough down to rounding
+
+    /// Newton's method may fail on curves of uneven speed, as near cusps: then halves the longer part.
+    std::optional<CurveContact> search(const CurvePart &first, const CurvePart &second, int halvings) const {
+        if (apart(first, second, 0.0)) {
+            return std::nullopt;
+        }
+        if (auto contact = byNewton(first, second); contact || halvings == 0) {
+            return contact;
+        }
+        const bool halveFirst = first.size() >= second.size();
+        const CurvePart &whole = halveFirst ? first : second;
+        if (whole.size() <= noise_) {
+            return std::nullopt;
+        }
+        const double middle = std::midpoint(whole.t0, whole.t1);
+        for (const auto &[t0, t1] : {std::pair(whole.t0, middle), std::pair(middle, whole.t1)}) {
+            const CurvePart half(whole.curve, t0, t1);
+            const CurvePart &other = halveFirst ? second : first;
+            if (const auto contact = search(halveFirst ? half : other, halveFirst ? other : half, halvings - 1)) {
+                return contact;
+            }
+        }
         return std::nullopt;
     }
-    return crossingAt(first.curve, second.curve, s, t);
-}
+
+    /// Returns the crossing within the whole parts that is found from where the chords of these parts cross.
+    std::optional<CurveContact> byNewton(const CurvePart &first, const CurvePart &second) const {
+        const auto share = [](const CurvePart &part, Vec2 p) {
+            const double chord = distance(part.start, part.end);
+            return chord > 0.0 ? std::clamp(dot(p - part.start, part.along) / chord, 0.0, 1.0) : 0.5;
+        };
+        const Vec2 u = first.end - first.start, v = second.end - second.start;
+        const double meets = cross(second.start - first.start, v) / cross(u, v);
+        const Vec2 guess = lerp(first.start, first.end, std::isfinite(meets) ? std::clamp(meets, 0.0, 1.0) : 0.5);
+        double s = std::lerp(first.t0, first.t1, share(first, guess));
+        double t = std::lerp(second.t0, second.t1, share(second, guess));
+        polish(first.curve, second.curve, s, t);
+        const bool within = s >= first_.t0 && s <= first_.t1 && t >= second_.t0 && t <= second_.t1;
+        if (!within || distance(first.curve.point(s), second.curve.point(t)) > noise_) {
+            return std::nullopt;
+        }
+        return crossingAt(first.curve, second.curve, s, t);
+    }
+
+    const CurvePart &first_;
+    const CurvePart &second_;
+    double noise_;
+};
 
 /// Two parts of similar direction as graphs over one axis.
 class Strip {
@@ -215,7 +255,7 @@ std::vector<CurveContact> curveContacts(const CurvePart &first, const CurvePart 
     std::vector<CurveContact> contacts;
     if (angle <= first.turn + second.turn + kSteep) {
         contacts = Strip(first, second, tolerance).run();
-    } else if (const auto crossing = steepCrossing(first, second)) {
+    } else if (const auto crossing = SteepCrossing(first, second).run()) {
         contacts.push_back(*crossing);
     }
     std::erase_if(contacts, [&](const CurveContact &contact) { // the end is the place to join
