@@ -88,8 +88,6 @@ TEST_CASE("Editor: the whole interface is inside the window at 1280x800, 1920x10
     const std::pair<PixelSize, double> sizes[] = {
         {{1280, 800}, 1.0}, {{1920, 1080}, 1.0}, {{2560, 1600}, 2.0}, {{1024, 700}, 1.0}};
     Driver driver;
-    driver.key(key::k2); // the legend of the shapes needs a mesh
-    driver.settle();
     for (const auto &each : sizes) {
         const PixelSize size = each.first; // not a structured binding: clang 14 lets no lambda of doctest capture one
         const double scale = each.second;
@@ -198,6 +196,8 @@ TEST_CASE("Editor: legends, hints and tool options do not cover a fitted drawing
     const std::pair<PixelSize, double> sizes[] = {
         {{1280, 800}, 1.0}, {{1920, 1080}, 1.0}, {{2560, 1600}, 2.0}, {{1024, 700}, 1.0}};
     Driver driver;
+    driver.key(key::k2); // the legend of the shapes needs a mesh
+    driver.settle();
     for (const auto &each : sizes) {
         driver.platform().resize(each.first, each.second);
         driver.settle();

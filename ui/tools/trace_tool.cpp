@@ -63,11 +63,11 @@ void TraceTool::click(Vec2 place, Shell &context) {
 void TraceTool::drawOptions(Shell &context, ui::Flow &flow) {
     flow.item("mode");
     int mode = static_cast<int>(context.view.traceMode);
-    const char *const names[] = {"Go to birth", "Stop at place", "Stop at cell"};
+    const char *const names[] = {"Birth", "Place", "Cell"};
     const char *const tips[] = {"A click goes to the advance that made the element, edge or node under the pointer",
                                 "A click sets a breakpoint: stop when an element covers the place",
                                 "A click sets a breakpoint: stop when a search visits the cell of the background grid"};
-    if (ui::segmented(context, "options/trace/mode", names, mode, 330.0F, tips)) {
+    if (ui::segmented(context, "options/trace/mode", names, mode, 200.0F, tips)) {
         context.view.traceMode = static_cast<TraceMode>(mode);
     }
 }
