@@ -242,7 +242,7 @@ TEST_CASE("Trace: a click sets a breakpoint at a place or at a cell of the grid"
     CHECK(driver.run().stop->kind == StopKind::Place);
     driver.key(key::kHome);
     driver.settle();
-    driver.click("options/trace/mode/Stop at cell");
+    driver.click("options/trace/mode/Cell");
     driver.moveTo(driver.canvas().centre());
     driver.settle();
     CHECK(driver.context().layer("grid")->visible);
