@@ -5,7 +5,8 @@
 
 namespace forefront {
 
-/// The icon of the program: a meshed corner and the front before it. RGBA, `size` x `size`, from the top.
+/// Returns the icon of the program, a meshed corner with the front ahead of it, as `size` x `size` RGBA pixels, row by
+/// row from the top.
 std::vector<std::uint8_t> makeIcon(int size);
 
 } // namespace forefront

@@ -30,9 +30,9 @@ Examples:
   forefront check plate.msh --spacing "max(0.05, 0.2*x)"
         how closely do its edges follow that spacing?
   forefront check plate.msh --min-angle 25 --max-growth 2
-        is it within these limits? Lists the worst places
+        is it within these limits? Lists the worst places if not
   forefront check plate.msh --measures
-        how are angles, areas, edge lengths and the other measures distributed?
+        how are the angles, areas, edge lengths and other measures distributed?
 
 Exit codes: 0 valid, 1 invalid or unreadable mesh, or a limit violated (faults on stderr, one per line), 2 usage error.)help";
 
@@ -173,7 +173,7 @@ int checkCommand(int argc, const char *const *argv) {
     addLimitOptions(*limits, arguments.limits);
     limits->add_option("--limits", arguments.savedLimits, "take the limits saved in a project, except those given here")
         ->type_name("PROJECT");
-    app.add_flag("--measures", arguments.measures, "print the distribution of each measure");
+    app.add_flag("--measures", arguments.measures, "print the distribution of each quality measure");
     if (const auto code = parseOptions(app, argc, argv)) {
         return *code;
     }

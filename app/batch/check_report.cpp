@@ -82,17 +82,17 @@ void printMeasures(const Mesh &mesh, const SpacingField *spacing) {
 
 bool printVerdicts(const std::filesystem::path &file, const Mesh &mesh, const MeshLimits &limits,
                    const SpacingField *spacing) {
-    bool kept = true;
+    bool met = true;
     for (const LimitVerdict &verdict : judge(mesh, limits, spacing, kListedPlaces)) {
         std::printf("%s\n", toString(verdict).c_str());
-        kept = kept && verdict.kept();
+        met = met && verdict.met();
         Diagnostics faults = faultsOf(verdict);
         for (Diagnostic &fault : faults) {
             fault.file = file.string();
         }
         printFaults(faults);
     }
-    return kept;
+    return met;
 }
 
 } // namespace forefront

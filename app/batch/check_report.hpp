@@ -15,10 +15,11 @@ void addLimitOptions(CLI::App &group, MeshLimits &limits);
 /// Reads the limits saved in a project and adds those that are not set yet. Returns the faults of the file.
 Diagnostics addSavedLimits(const std::filesystem::path &project, MeshLimits &limits);
 
-/// Prints a table of all measures that judge a mesh, with minimum, percentiles, maximum and mean.
+/// Prints a table of all quality measures of a mesh, with minimum, percentiles, maximum and mean.
 void printMeasures(const Mesh &mesh, const SpacingField *spacing);
 
-/// Prints the verdict on each limit to stdout and the worst places to stderr. Returns true if all limits are kept.
+/// Prints the verdict on each limit to stdout and the worst places to stderr. Returns true if the mesh meets all
+/// limits.
 bool printVerdicts(const std::filesystem::path &file, const Mesh &mesh, const MeshLimits &limits,
                    const SpacingField *spacing);
 

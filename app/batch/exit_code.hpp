@@ -18,19 +18,19 @@ enum ExitCode : int {
     kCancelled = 3 ///< 4 is kNoWindow, an exit code of the editor
 };
 
-/// Prints faults to stderr, one per line. Advice to repair the domain names the options for it.
+/// Prints faults to stderr, one per line. Advice to repair the domain also names the command-line options for that.
 void printFaults(const Diagnostics &faults);
 
 /// Returns true if one of the faults has that code.
 bool hasCode(const Diagnostics &faults, std::string_view code);
 
-/// Returns the reasons why a domain was not meshed, or a mesh does not fit it: the domain's own faults if it has any,
-/// with the name of its file and their places in it; else `faults`. `repaired`: the repair that gave the domain, or
-/// null if it is as read.
+/// Returns why a domain was not meshed, or why a mesh does not fit it: the domain's own faults if it has any, with the
+/// name of its file and their positions in it; otherwise `faults`. `repaired` is the repair that produced the domain,
+/// or null if the domain is as read.
 Diagnostics meshingFaults(const Diagnostics &faults, const Domain &domain, const Input &input,
                           const Repaired *repaired);
-/// Adds the domain's file to faults that concern parts of a domain, and the places of those parts in it; other faults
-/// stay as they are.
+/// Adds the name of the domain's file, and the positions of the parts in it, to faults that refer to parts of a domain;
+/// other faults are left unchanged.
 Diagnostics locateInDomain(Diagnostics faults, const Input &input, const Repaired *repaired);
 
 } // namespace forefront

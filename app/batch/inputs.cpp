@@ -55,7 +55,7 @@ Result<Input> openInput(const std::filesystem::path &path, const std::optional<s
         input.path = "standard input";
         input.options.content = std::make_shared<const std::string>(std::move(*bytes));
         if (input.format() == nullptr) {
-            Diagnostics fault = error("unknown-format", "the format cannot be told from the content",
+            Diagnostics fault = error("unknown-format", "cannot detect the format from the content",
                                       formatId ? "add --input-format with one of " + inputFormatIds()
                                                : std::string("give a file whose name has an extension"));
             fault.front().file = input.path.string();

@@ -31,23 +31,24 @@ struct Input {
     bool isProject() const;
 };
 
-/// Reads standard input if `path` is "-"; other files are left to their readers. `formatId`: from --input-format;
-/// absent for inputs that this option is not about. Faults: cannot-read, too-large, unknown-format.
+/// Reads standard input if `path` is "-"; other files are left to their readers. `formatId` is the value of
+/// --input-format, absent for inputs to which the option does not apply. Faults: cannot-read, too-large,
+/// unknown-format.
 Result<Input> openInput(const std::filesystem::path &path, const std::optional<std::string> &formatId = {});
 
-/// Returns the fault of --input-format and the inputs of a command, of which only one can be standard input; empty if
-/// valid.
+/// Returns what is wrong with --input-format or with the inputs of a command, at most one of which can be standard
+/// input; empty if all are valid.
 std::string checkInputs(std::initializer_list<std::optional<std::filesystem::path>> inputs,
                         const std::string &formatId = {});
 
-/// Returns the fault of a weld tolerance given for an input that is not joined; empty if valid. `repairs`: --repair is
-/// given.
+/// Returns what is wrong with a weld tolerance given for an input whose parts are not joined; empty if it is valid.
+/// `repairs` is true if --repair is given.
 std::string checkWeld(const std::optional<double> &tolerance, const Input &input, bool repairs);
 
-/// Returns the ids of the formats that can be read, as --input-format takes them, separated by commas.
+/// Returns the ids of the formats that can be read, as --input-format accepts them, separated by commas.
 std::string inputFormatIds();
 
-/// Prints the notes of a reader to stderr, one per line; nothing if `quiet`.
+/// Prints the notes of a reader to stderr, one per line; prints nothing if `quiet`.
 void printNotes(const ImportNotes &notes, bool quiet);
 
 } // namespace forefront

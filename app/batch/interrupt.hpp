@@ -9,9 +9,9 @@
 
 namespace forefront {
 
-/// Handles SIGINT and SIGTERM while it lives. While the program only reads, which leaves nothing behind and may block
-/// forever on a pipe, they end it at once with kCancelled; afterwards they request a stop. Create it before other
-/// threads, which inherit its signal mask.
+/// Handles SIGINT and SIGTERM during its lifetime. While the program only reads its input, a signal ends it at once
+/// with kCancelled: there is nothing to clean up yet, and reading from a pipe may block forever. After deferToStop(), a
+/// signal requests a stop. Create it before all other threads, so that they inherit its signal mask.
 class InterruptWatch {
   public:
     InterruptWatch();
@@ -31,7 +31,7 @@ class InterruptWatch {
     std::jthread watcher_;
 };
 
-/// Prints to stderr why the command ends, "cancelled" or the faults, and returns the exit code.
+/// Prints to stderr why the command failed ("cancelled" or the faults) and returns the exit code.
 int refuse(const Diagnostics &faults, const InterruptWatch &interrupt);
 
 } // namespace forefront

@@ -61,13 +61,13 @@ void addFrontOptions(CLI::App &app, MeshArguments &arguments, std::string &grid)
     app.add_flag("--keep-boundary", arguments.keepBoundary,
                  "keep the given segments as mesh edges; do not subdivide them");
     app.add_flag("--repair", arguments.repair,
-                 "split segments where they cross, join what coincides and drop what lies outside first, and report "
-                 "every change; always done for drawings and maps");
-    auto *improve = addWordOption<ImproveLevel>(
-                        app, "--improve", arguments.improve,
-                        "improve the shapes: none (fastest; leave the mesh as the front made it), default, best "
-                        "(slower; also adds and removes interior nodes)")
-                        ->type_name("LEVEL");
+                 "first split segments where they cross, merge duplicates and drop parts outside the domain, and "
+                 "report every change; always done for drawings and maps");
+    auto *improve =
+        addWordOption<ImproveLevel>(app, "--improve", arguments.improve,
+                                    "improve the element shapes: none (fastest; leave the mesh as the front made it), "
+                                    "default, or best (slower; also adds and removes interior nodes)")
+            ->type_name("LEVEL");
     app.add_flag_callback(
            "--no-improve", [&arguments] { arguments.improve = ImproveLevel::None; }, "the same as --improve none")
         ->excludes(improve);
@@ -75,7 +75,7 @@ void addFrontOptions(CLI::App &app, MeshArguments &arguments, std::string &grid)
 
 void addImportOptions(CLI::App &app, MeshArguments &arguments) {
     addArrangementOptions(app, arguments.weldTolerance, arguments.overlap);
-    app.add_flag("--strict", arguments.strict, "refuse an input that would have to be changed")
+    app.add_flag("--strict", arguments.strict, "refuse input that would need changes")
         ->excludes(app.get_option("--repair"));
 }
 

@@ -28,7 +28,7 @@ struct MeshArguments {
     int gridColumns = 0, gridRows = 0;
     bool keepBoundary = false;
     bool repair = false;
-    std::optional<double> weldTolerance; ///< nothing: the default of the input's format
+    std::optional<double> weldTolerance; ///< absent: the default of the input's format
     OverlapRule overlap = OverlapRule::Later;
     bool strict = false;
     std::optional<Method> method;
@@ -37,12 +37,12 @@ struct MeshArguments {
     std::optional<std::filesystem::path> statistics;
     bool quiet = false;
 
-    /// Returns true if the statistics go to standard output, which then holds nothing else.
+    /// Returns true if the statistics go to standard output, which then receives nothing else.
     bool printsStatistics() const { return statistics && *statistics == "-"; }
 };
 
-/// Parses the command line: the arguments, or the exit code with which to leave (help shown: 0; usage error printed:
-/// 2).
+/// Parses the command line. Returns the arguments, or the exit code if the program has to end: 0 after printing help, 2
+/// after printing a usage error.
 std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const *argv);
 
 } // namespace forefront

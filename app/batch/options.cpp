@@ -172,10 +172,9 @@ void addArrangementOptions(CLI::App &app, std::optional<double> &weldTolerance, 
                    "for other files, which are joined only with --repair)")
         ->check(nonNegativeNumber())
         ->type_name("T");
-    addWordOption<OverlapRule>(
-        app, "--overlap", overlap,
-        "where polygons of a map overlap, the later (default) or the smaller one wins; one inside another always "
-        "keeps its area")
+    addWordOption<OverlapRule>(app, "--overlap", overlap,
+                               "which polygon of a map wins where two overlap: later (default) or smaller; a polygon "
+                               "inside another always keeps its area")
         ->type_name("RULE");
 }
 

@@ -15,14 +15,14 @@
 
 namespace forefront {
 
-/// Checks of option values. A fault reads "--size: expected a positive number, got 'abc'".
+/// Validators for option values. Their messages read "--size: expected a positive number, got 'abc'".
 CLI::Validator positiveNumber();
 CLI::Validator nonNegativeNumber();
 CLI::Validator numberWithin(double minimum, double maximum);
 CLI::Validator wholeNumberWithin(int minimum, int maximum);
 CLI::Validator oneOf(std::span<const std::string_view> words);
 
-/// Adds an option that takes a word of an enumeration. `Value` is the enumeration or an optional of it.
+/// Adds an option whose value is a word of an enumeration. `Value` is the enumeration or a std::optional of it.
 template <class Enum, class Value>
 CLI::Option *addWordOption(CLI::App &app, const std::string &name, Value &value, const std::string &help) {
     return app
@@ -44,8 +44,8 @@ CLI::Option *addOutputOptions(CLI::App &app, std::vector<std::filesystem::path> 
 /// Adds the options --weld and --overlap.
 void addArrangementOptions(CLI::App &app, std::optional<double> &weldTolerance, OverlapRule &overlap);
 
-/// Parses the command line. Returns the exit code with which to leave (help shown: 0; usage error printed: 2), or
-/// nothing to continue.
+/// Parses the command line. Returns std::nullopt to continue, or the exit code if the program has to end: 0 after
+/// printing help, 2 after printing a usage error.
 std::optional<int> parseOptions(CLI::App &app, int argc, const char *const *argv);
 
 /// Prints the usage error of `command` ("forefront mesh") to stderr and returns the exit code.

@@ -13,12 +13,12 @@
 
 namespace forefront {
 
-/// Returns the ids of the mesh formats that can be written, as --format takes them, separated by commas.
+/// Returns the ids of the mesh formats that can be written, as --format accepts them, separated by commas.
 std::string formatIds();
 
-/// Returns the fault of an output's format; empty if it is valid. `id`: from --format; empty: by the extension. The
-/// extension of one format is refused for the content of another, since readers would be misled; unknown extensions are
-/// fine for any format.
+/// Returns what is wrong with the format of an output; empty if it is valid. `id` is the value of --format; if it is
+/// empty, the extension decides. The extension of one format is refused for the content of another, since it would
+/// mislead readers; unknown extensions are fine for any format.
 std::string checkFormat(const std::filesystem::path &output, const std::string &id);
 
 /// A file to be written.
@@ -37,11 +37,11 @@ std::vector<Output> pairFormats(const std::vector<std::filesystem::path> &output
 /// paths that are folders, files that are given twice or are inputs.
 Diagnostics checkOutputs(const std::vector<Output> &outputs, const std::vector<std::filesystem::path> &inputs = {});
 
-/// Returns true if one of the outputs is standard output, which then holds nothing else.
+/// Returns true if one of the outputs is standard output, which then receives nothing else.
 bool usesStandardOutput(const std::vector<std::filesystem::path> &outputs);
 
-/// Writes a mesh to files and to standard output. Stops at the first error. The result holds errors, else the notes of
-/// exportNotes().
+/// Writes a mesh to files and to standard output. Stops at the first error. Returns the errors or, if there are none,
+/// the notes of exportNotes().
 Diagnostics writeOutputs(const std::vector<Output> &outputs, const Mesh &mesh, InnerEdges innerEdges,
                          const Progress &progress);
 

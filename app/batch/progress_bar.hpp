@@ -6,10 +6,10 @@
 
 namespace forefront {
 
-/// A progress line on a terminal (stderr) with the stage and the fraction done; silent elsewhere.
+/// Shows the stage and the fraction done as a progress line on stderr; prints nothing if stderr is not a terminal.
 class ProgressBar {
   public:
-    /// If not `enabled`, silent even on a terminal.
+    /// Prints nothing, even on a terminal, unless `enabled`.
     explicit ProgressBar(bool enabled);
     ~ProgressBar() { clear(); }
     ProgressBar(const ProgressBar &) = delete;

@@ -12,7 +12,7 @@ namespace forefront {
 /// Corners of the domain below this angle, in degrees, are reported: no mesh has larger angles there.
 inline constexpr double kSharpCorner = 20.0;
 
-/// Figures of a finished run.
+/// Statistics of a finished run.
 struct RunReport {
     MeshQuality quality;
     SharpCorners sharp; ///< corners of the domain below kSharpCorner

@@ -8,8 +8,8 @@
 
 namespace forefront {
 
-/// A problem of our own in place of a published row of adaptive refinement, of which only the number of boundary nodes,
-/// the minimum node spacing and the size of the mesh are known.
+/// A problem of our own that stands in for a published row of adaptive refinement, of which only the number of boundary
+/// nodes, the minimum node spacing and the size of the mesh are known.
 struct AdaptiveCase {
     Domain domain;
     std::string field;  ///< expression in x and y
@@ -28,7 +28,7 @@ struct AdaptedJob {
     std::size_t rounds = 0; ///< new meshes until the estimate met the target
 };
 
-/// Meshes the case by default and refines it until the estimated error of the field meets the target. Faults:
+/// Meshes the case with default options and refines it until the estimated error of the field meets the target. Faults:
 /// "not-met", and those of `adapt`.
 Result<AdaptedJob> adaptToTarget(const AdaptiveCase &problem, const NodalField &field, const Progress &progress = {});
 

@@ -22,8 +22,8 @@ struct LogPlot {
     std::vector<PlotSeries> series;
 };
 
-/// The plot as an SVG picture: a grid line and a number at every decade, fine lines between, marks, fitted lines and a
-/// legend that tells the exponents. Points that are not positive are left out. The same plot gives the same bytes.
+/// Returns the plot as an SVG image: a labelled grid line at every decade, fine lines in between, marks, fitted lines
+/// and a legend with the exponents. Points that are not positive are left out. The same plot gives the same bytes.
 std::string toSvg(const LogPlot &plot);
 
 } // namespace forefront

@@ -14,7 +14,7 @@ struct PowerLaw {
     double at(double x) const;
 };
 
-/// Fits by least squares on the logarithms. Returns nothing for fewer than two different x or a coordinate <= 0.
+/// Fits by least squares on the logarithms. Returns std::nullopt for fewer than two different x or a coordinate <= 0.
 std::optional<PowerLaw> fitPowerLaw(std::span<const Vec2> points);
 
 } // namespace forefront

@@ -9,7 +9,7 @@ namespace forefront {
 /// Marks a figure that is not in the published tables.
 inline constexpr double kNotPublished = -1.0;
 
-/// One line of the statistics that S. H. Lo published of his advancing front mesher (Tables 3.1 and 3.2).
+/// One line of the statistics that S. H. Lo published for his advancing front mesher (Tables 3.1 and 3.2).
 struct PublishedFigures {
     std::string_view table;
     std::string_view row;              ///< 1A ... 1E, 2A ... 2E, 3, 4
@@ -29,8 +29,8 @@ struct PublishedFigures {
 /// Returns all lines, in the order of the tables. Generated from assets/lo_tables.csv when the program is built.
 std::span<const PublishedFigures> publishedFigures();
 
-/// Returns the line of a row and a grid; for grids that Lo did not have, that of 60x40, his best; null for an unknown
-/// row.
+/// Returns the line for a row and a grid; for a grid that Lo did not use, the line for 60x40, his best; null for an
+/// unknown row.
 const PublishedFigures *publishedFigures(std::string_view row, std::string_view grid);
 
 } // namespace forefront

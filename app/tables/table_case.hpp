@@ -19,7 +19,7 @@ std::span<const TableCase> tableCases();
 /// Returns the row with this name, or null. Ignores case, and accepts a star after 3 and 4, whose cases are our own.
 const TableCase *tableCase(std::string_view row);
 
-/// The job of a row that is not adaptive, with the boundary kept as it is given and without improvement.
+/// Returns the job of a row that is not adaptive; it keeps the given boundary and does not improve the mesh.
 ///
 /// 1A to 2E: the rectangle [0,90]x[0,60] in 50 segments of length 6. The published domain had 50 boundary nodes
 /// (2·Nn − Ne − 2 in every row without grid) and nothing else is known of it; the node spacing

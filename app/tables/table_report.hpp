@@ -15,7 +15,7 @@ std::string tableLines(const RowFigures &row);
 /// Returns the text below the table: the fitted exponents of the cost, the targets and whether they are met, and why
 /// counts differ.
 std::string tableNotes(const std::vector<RowFigures> &rows);
-/// Returns published and own figures as a CSV table.
+/// Returns the published figures and ours as a CSV table.
 std::string tableCsv(const std::vector<RowFigures> &rows);
 /// Returns a plot of seconds against elements, published and ours for each grid.
 LogPlot tablePlot(const std::vector<RowFigures> &rows);

@@ -17,9 +17,9 @@ struct TableGrid {
     GridKind kind = GridKind::None;
     int columns = 0, rows = 0;
 };
-/// Returns nothing for any other text.
+/// Parses the name of a grid; std::nullopt for any other text.
 std::optional<TableGrid> parseTableGrid(std::string_view text);
-/// Returns what parseTableGrid() takes: "none, COLUMNSxROWS or hierarchical".
+/// Returns what parseTableGrid() accepts: "none, COLUMNSxROWS or hierarchical".
 std::string tableGridList();
 
 /// The figures that depend on the grid: the work, never the mesh.
@@ -56,8 +56,8 @@ struct RowFigures {
 };
 
 /// Meshes one row by the classic method with each grid; finds the node spacing by adaptive refinement first where the
-/// row wants it. Faults: "grid-changes-mesh" where two grids differ in the mesh or in the segments tested, "cancelled",
-/// and those of the mesher.
+/// row calls for it. Faults: "grid-changes-mesh" where two grids differ in the mesh or in the segments tested,
+/// "cancelled", and those of the mesher.
 Result<RowFigures> runTableRow(const TableCase &row, const std::vector<TableGrid> &grids,
                                const Progress &progress = {});
 

@@ -21,7 +21,7 @@ using NodalField = std::function<Result<std::vector<double>>(const Mesh &, const
 /// the position, "cancelled".
 Result<NodalField> expressionField(const std::string &expression);
 
-/// A mesh of a round and the error of the field on it.
+/// The mesh of one round and the error of the field on it.
 struct AdaptRound {
     std::size_t nodes = 0, elements = 0;
     double error = 0.0; ///< ErrorEstimate::relative()
@@ -40,8 +40,8 @@ struct AdaptOutcome {
 };
 
 /// Adapts a mesh to a target error in rounds: estimates the error, remeshes the domain with the spacing that follows
-/// and evaluates the field on the new mesh, until the estimate meets the target or no longer falls. Makes at least one
-/// and at most `maxRounds` new meshes. Errors: those of the field and of the mesher, "cancelled".
+/// from it and evaluates the field on the new mesh, until the estimate meets the target or no longer falls. Makes at
+/// least one and at most `maxRounds` new meshes. Errors: those of the field and of the mesher, "cancelled".
 Result<AdaptOutcome> adapt(const Domain &domain, Mesh mesh, const NodalField &field, const AdaptTarget &target,
                            int maxRounds, const MeshingOptions &options, const Progress &progress = {},
                            const AdaptReport &report = {});

@@ -20,8 +20,8 @@ struct ErrorEstimate {
     double relative() const;
 };
 
-/// Estimates the error after O. C. Zienkiewicz and J. Z. Zhu (1987, 1992) with the recovered gradient G in place of the
-/// exact one. Error: "cancelled".
+/// Estimates the error by the method of O. C. Zienkiewicz and J. Z. Zhu (1987, 1992), with the recovered gradient G in
+/// place of the exact one. Error: "cancelled".
 Result<ErrorEstimate> estimateError(const Mesh &mesh, std::span<const double> values, const Progress &progress = {});
 
 } // namespace forefront

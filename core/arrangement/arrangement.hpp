@@ -44,7 +44,7 @@ struct ArrangementPiece {
     CurveStretch stretch = {};
 };
 
-/// The rule that says which winding numbers are inside.
+/// The rule that decides which winding numbers count as inside.
 enum class FillRule : std::uint8_t { NonZero, EvenOdd };
 
 /// Closed loops whose winding numbers are added: all subpaths of an SVG path, or one ring of a polygon.
@@ -71,11 +71,11 @@ struct ArrangementInput {
     std::uint32_t addFeature(std::int32_t regionTag, std::string name = {});
     std::uint32_t addShape(std::uint32_t feature, std::string name = {});
     std::uint32_t addContour(std::uint32_t shape, FillRule rule = FillRule::NonZero, bool hole = false);
-    /// A closed loop of a contour, its first node not repeated. Nodes equal to the previous one are skipped. The
-    /// stretches, if given, are those of the pieces that begin at the nodes; the last ones may be missing.
+    /// Adds a closed loop to a contour; its first node is not repeated at the end. Nodes equal to the previous one are
+    /// skipped. The stretches, if given, are those of the pieces that begin at the nodes; the last ones may be missing.
     void addRing(std::uint32_t contour, std::span<const Vec2> nodes, std::int32_t tag,
                  std::span<const CurveStretch> stretches = {});
-    /// A line that the mesh must contain.
+    /// Adds a line that the mesh must contain.
     void addChain(std::span<const Vec2> nodes, std::int32_t tag, std::span<const CurveStretch> stretches = {});
     void addPoint(Vec2 at, std::int32_t tag);
 

@@ -44,7 +44,7 @@ struct ArrangementChange {
     std::uint32_t piece = 0;   ///< the first piece concerned
     /// For OverlapsDecided "A and B", the first two features; for VanishedShapes the names of the first ones.
     std::string names;
-    std::optional<DomainPart> part = {}; ///< of the given domain at the first place; nothing for drawings
+    std::optional<DomainPart> part = {}; ///< of the given domain at the first place; absent for drawings
 };
 
 /// Collects changes, one entry per kind.

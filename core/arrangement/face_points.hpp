@@ -17,7 +17,8 @@ struct FaceEdge {
     bool twice = false; ///< the face lies on both sides
 };
 
-/// Returns a point well inside the face with these edges, away from all of them; nothing if rounding leaves no room.
+/// Returns a point well inside the face with these edges, away from all of them; std::nullopt if rounding leaves no
+/// room.
 std::optional<Vec2> pointInFace(std::span<const FaceEdge> edges);
 
 } // namespace forefront

@@ -10,7 +10,7 @@
 
 namespace forefront {
 
-/// Lines, some of them chords of curves, with a division of the chords that joins them as their curves meet.
+/// Lines, some of them chords of curves, with the chords divided so that they meet where their curves do.
 class LineDivision {
   public:
     /// `stretches`: per line, the part of a curve that it is a chord of. A line whose ends are off its curve by more
@@ -69,8 +69,8 @@ struct JoinedLines {
     SnappedLines snapped;
 };
 
-/// Joins lines as snapLines() does, and those that are chords of curves as the curves meet: nodes at crossings are on
-/// both curves to rounding, and no crossing beyond which curves are farther apart than the tolerance is missed.
+/// Joins lines as snapLines() does, and chords of curves where the curves meet: nodes at crossings are on both curves
+/// to rounding, and no crossing beyond which curves are farther apart than the tolerance is missed.
 JoinedLines joinLines(std::span<const SnapLine> lines, std::span<const CurveStretch> stretches,
                       std::span<const Curve> curves, double tolerance, const std::stop_token &stop = {});
 

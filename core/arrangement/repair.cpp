@@ -14,7 +14,7 @@ namespace forefront {
 
 namespace {
 
-/// Returns true if the lines meet only in common ends and pass no point.
+/// Returns true if the lines meet only at common ends and pass no point.
 bool meetOnlyInEnds(const SnappedLines &lines, const std::stop_token &stop) {
     const PlaneSweepResult sweep = sweepPlane(lines.nodes, lines.edges, stop);
     return sweep.droppedCount == 0 &&
@@ -83,7 +83,7 @@ void Repairer::collectLines() {
     }
 }
 
-/// Joins the collected lines. With the tolerance 0 they stay as they are if they meet only in common ends.
+/// Joins the collected lines. With the tolerance 0 they stay as they are if they meet only at common ends.
 JoinedLines Repairer::join(double tolerance, const std::stop_token &stop) const {
     Box2 box;
     for (const SnapLine &line : lines_.lines) {
@@ -103,7 +103,7 @@ JoinedLines Repairer::join(double tolerance, const std::stop_token &stop) const 
     return joinLines(lines_.lines, lines_.stretches, given_.curves, std::max(tolerance, resolution), stop);
 }
 
-/// Returns true if lines as given, and the curves that they follow, meet only in common ends.
+/// Returns true if lines as given, and the curves that they follow, meet only at common ends.
 bool Repairer::keepsNodes(const JoinedLines &kept, double resolution, const std::stop_token &stop) const {
     LineDivision division(kept.lines, kept.stretches, given_.curves, resolution);
     division.divide(stop);

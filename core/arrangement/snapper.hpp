@@ -7,7 +7,7 @@
 
 namespace forefront {
 
-/// Joins lines with one radius, without a limit on how far steps add up.
+/// Joins lines with one radius; does not limit how far successive moves add up.
 class Snapper {
   public:
     /// `preferred`: per line, true if its first end must stay where it is.

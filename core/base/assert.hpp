@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 /// Aborts if an invariant of our own code is broken. Active wherever FOREFRONT_ASSERTS is set, also in optimised
-/// builds. Never used for bad input: that is reported by Diagnostics.
+/// builds. Not for bad input, which is reported as Diagnostics.
 #if defined(FOREFRONT_ASSERTS)
 #define FOREFRONT_ASSERT(condition)                                                                                    \
     do {                                                                                                               \

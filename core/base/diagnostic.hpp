@@ -55,7 +55,7 @@ struct Diagnostic {
 
 using Diagnostics = std::vector<Diagnostic>;
 
-/// The number of faults that a check lists unless told otherwise.
+/// The maximum number of faults that a check lists by default.
 inline constexpr std::size_t kMaxListedFaults = 200;
 
 /// Returns "FILE:LINE:COLUMN: error: MESSAGE at (X, Y): segment 3 (line 7) and node 5 (line 4) [code]; ADVICE" without

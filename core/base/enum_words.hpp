@@ -13,7 +13,7 @@
 namespace FOREFRONT_API forefront {
 
 /// The words of an enumeration, shared by files, the command line and the user interface. Specialise it beside the
-/// enumeration, whose values must count up from 0:
+/// enumeration, whose values must be numbered from 0 without gaps:
 ///
 ///     template <>
 ///     struct EnumWords<Method> {

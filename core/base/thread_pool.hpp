@@ -49,7 +49,7 @@ class ThreadPool {
     std::mutex mutex_;
     std::condition_variable_any begin_;
     std::condition_variable done_;
-    // All below is guarded by the mutex.
+    // The mutex guards all members below.
     const Task *work_ = nullptr;
     const std::stop_token *stop_ = nullptr;
     std::size_t next_ = 0, tasks_ = 0;

@@ -14,8 +14,8 @@ struct BoundaryPiece {
     Vec2 b;
 };
 
-/// A box with the boundary pieces that run through it, from which the covered part of its area follows. Uses floating
-/// point, for estimates: a piece that touches an edge or the centre of the box may count either way.
+/// A box with the boundary pieces that cross it, for computing how much of its area lies inside the domain. Uses
+/// floating point, for estimates: a piece that touches an edge or the centre of the box may count either way.
 struct CoverageCell {
     Box2 box;
     bool centreInside = false;

@@ -33,10 +33,11 @@ class CurveCuts {
     /// Returns the parameters of all cuts of a chain, ends included; empty before divide().
     const std::vector<double> &cuts(std::uint32_t chain) const { return cuts_[chain]; }
     const Curve &curve(std::uint32_t chain) const { return domain_.curves[chains_.list[chain].curve]; }
-    /// Returns the domain segment that a piece is taken to come from: the one along its middle.
+    /// Returns the domain segment that a piece is attributed to: the one at its middle.
     std::uint32_t source(const ChainPiece &piece) const;
 
-    /// Divides a chain by the spacing; `integral` is workspace and holds the place of a fault afterwards.
+    /// Divides a chain by the spacing; `integral` is scratch space; afterwards it holds the location of a fault, if
+    /// any.
     SpacingIntegral::Outcome divide(std::uint32_t chain, const SpacingField &spacing, double longest, double limit,
                                     const Progress &progress, SpacingIntegral &integral);
     /// Halves pieces. Where one is already much finer than the chords of the domain, these are taken as straight

@@ -19,7 +19,7 @@ struct Division {
     std::span<const std::uint32_t> pointBelow;  ///< likewise: the domain segment directly below, or kNoIndex
 };
 
-/// The parts to divide again because their pieces meet other than in common ends, or lie on the wrong side.
+/// The parts to divide again because their pieces meet other than at common ends, or lie on the wrong side.
 struct MeetingParts {
     std::vector<std::uint32_t> segments; ///< straight segments of the domain, in order
     std::vector<ChainPiece> pieces;      ///< of curves

@@ -14,7 +14,7 @@ std::uint32_t regionAbove(const DiscreteDomain &domain, std::uint32_t edge);
 /// Finds nodes that are on the wrong side of something: where the regions of the segments around a node disagree, or
 /// where the region below a node that is left of all its neighbours is not the one that surrounds it. There are none if
 /// and only if the regions of all segments fit those of their faces. The segments are the edges of the sweep, which
-/// meet only in common ends. Exact.
+/// meet only at common ends. Exact.
 std::vector<std::uint32_t> misplacedNodes(const DiscreteDomain &domain, const PlaneSweepResult &sweep);
 
 } // namespace forefront

@@ -18,7 +18,7 @@ struct CurvePath {
     double tolerance = 0.0; ///< maximum distance of a piece from the curve, in domain units
 
     Vec2 at(double fraction) const { return curve->point(std::lerp(t0, t1, fraction)); }
-    /// Returns the pieces per unit of the fraction that the spacing `rho` and the bend of the curve ask for.
+    /// Returns the number of pieces per unit of the fraction that the spacing `rho` and the curvature call for.
     double density(double fraction, double rho) const;
     /// Returns the distance of a piece from the curve.
     double deviation(double from, double to) const {
@@ -29,7 +29,7 @@ struct CurvePath {
 };
 
 /// The integral N(t) = ∫ds/ρ from the start of a segment to the fraction t of its length: the number of pieces that the
-/// spacing asks for up to there.
+/// spacing calls for up to there.
 ///
 /// Sampled until no interval is longer than ρ at its ends and middle, and more finely where ρ more than doubles; the
 /// density is linear in between. Accurate to a few parts in a thousand if |∇ρ| <= 0.3, however much ρ varies along the
@@ -44,7 +44,7 @@ class SpacingIntegral {
     Outcome integrate(const SpacingField &spacing, Vec2 a, Vec2 b, double rhoA, double rhoB, double longest,
                       double limit, const Progress &progress);
 
-    /// Integrates along a curve, as above, and adds the pieces that its bend asks for.
+    /// Integrates along a curve, as above, and adds the pieces that its curvature calls for.
     Outcome integrate(const SpacingField &spacing, const CurvePath &path, double longest, double limit,
                       const Progress &progress);
 

@@ -7,7 +7,8 @@
 
 namespace forefront {
 
-/// Everything that makes the segments of a domain not simple. Edges and points are indices into the graph.
+/// All crossings, contacts and overlaps that keep the segments of a domain from being simple. Edges and points are
+/// indices into the graph.
 struct DomainMeetings {
     struct Duplicate {
         std::uint32_t first = 0;  ///< the first edge between these ends

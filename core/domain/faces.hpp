@@ -18,7 +18,7 @@ struct Faces {
         ofPoint; ///< per isolated point that is not on an edge: the face around it; else kNoIndex
 };
 
-/// Finds the faces of edges that meet only in common ends (sweep.droppedCount == 0). Loops may touch in a node, edges
+/// Finds the faces of edges that meet only at common ends (sweep.droppedCount == 0). Loops may touch at a node, edges
 /// may end freely, and components and isolated points may lie inside others. Exact; O(n log n) together with the sweep.
 Faces findFaces(std::span<const Vec2> points, std::span<const PlaneEdge> edges, const PlaneSweepResult &sweep);
 

@@ -9,8 +9,8 @@
 
 namespace forefront {
 
-/// Makes shapes of chains of a domain's segments. Consecutive segments that follow one curve become one curved segment,
-/// which remembers them as its chords.
+/// Makes shapes from chains of a domain's segments. Consecutive segments that follow one curve become one curved
+/// segment, which remembers them as its chords.
 class ChainShapes {
   public:
     /// Keeps a reference to the domain.
@@ -34,7 +34,7 @@ class ChainShapes {
 
     const Domain &domain_;
     CurveChains chains_;
-    double tolerance_; ///< distance between a curve and its ends that is rounding
+    double tolerance_; ///< distance between a curve and its ends that counts as rounding
 };
 
 } // namespace forefront

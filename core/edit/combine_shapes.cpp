@@ -111,7 +111,7 @@ Result<std::vector<ShapePointer>> chosenShapes(const Document &document, const s
         return error("no-such-shape", "shape not found");
     }
     if (chosen.size() < 2) {
-        return error("not-possible", "one shape cannot be combined; expected at least two closed shapes",
+        return error("not-possible", "cannot combine a single shape; expected at least two closed shapes",
                      "select more shapes");
     }
     return chosen;

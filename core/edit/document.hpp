@@ -18,14 +18,14 @@
 
 namespace FOREFRONT_API forefront {
 
-/// Kind of a shape, which gives its nodes their meaning.
+/// The kind of a shape, which determines the meaning of its nodes.
 enum class ShapeKind : std::uint8_t {
     Polygon,   ///< closed path, nodes in order
     Polyline,  ///< open path
     Rectangle, ///< two opposite corners
     Circle,    ///< centre, point on the circle
     Point,     ///< one node
-    Ellipse    ///< centre, ends of two conjugate half-axes; drawn from the first towards the second
+    Ellipse    ///< centre, ends of two conjugate semi-axes; drawn from the first towards the second
 };
 
 template <>
@@ -38,7 +38,7 @@ struct EnumWords<ShapeKind> {
 /// The role of a shape in the domain.
 enum class ShapeUse : std::uint8_t {
     Boundary,  ///< even-odd: outermost is outside, nested is a hole, nested in a hole is an island
-    Constraint ///< its segments (or point) must be in the mesh; a closed one bounds a region of its own
+    Constraint ///< its segments (or point) must be in the mesh; a closed one bounds a separate region
 };
 
 template <>
@@ -56,8 +56,8 @@ struct Shape {
     std::int32_t tag = 1;                  ///< of its segments, >= 1
     std::vector<std::int32_t> segmentTags; ///< per segment where they differ; empty: all `tag`
     std::string name;                      ///< shown in lists; names of tags are in Document::boundaryNames
-    /// Of a polygon or polyline, the curve of each segment from node to node; where it is a line, the segment is
-    /// straight. A cubic begins and ends exactly at its nodes, an arc up to rounding. Empty: all segments are straight.
+    /// For a polygon or polyline, the curve of each segment from node to node; a line marks a straight segment. A cubic
+    /// begins and ends exactly at its nodes, an arc up to rounding. Empty: all segments are straight.
     std::vector<Curve> curves;
     /// For each segment of the outline, the parameters between 0 and 1 at which its curve is divided into chords in the
     /// domain. Readers keep the chords of the domain that they read, since these are known not to cross anything.
@@ -77,7 +77,7 @@ struct Document {
     std::map<std::int32_t, std::string> regionNames;
     SpacingSpec spacing;
     MeshingOptions options;
-    MeshLimits limits; ///< that its meshes have to keep
+    MeshLimits limits; ///< that its meshes must meet
     /// Maximum distance between a curve and its chords in the domain, relative to the radius of a circle or the size of
     /// another curve. The mesh follows the curve itself.
     double circleTolerance = 0.002;

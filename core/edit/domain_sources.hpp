@@ -13,7 +13,7 @@ struct ShapeNode {
     std::uint32_t node = 0;  ///< index into the nodes of its outline
 };
 
-/// The shapes that the parts of a domain come from: lists in the order of the domain's own.
+/// The shapes that the parts of a domain come from: lists parallel to those of the domain.
 struct DomainSources {
     std::vector<ShapeNode> nodes, segments, points;
 };

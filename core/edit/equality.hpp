@@ -5,7 +5,7 @@
 namespace forefront {
 
 /// Returns true if two documents have the same shapes (ids included), markers, names, spacing, options and limits,
-/// wherever those are in memory; `nextId` does not count.
+/// regardless of where they are in memory; ignores `nextId`.
 bool sameContent(const Document &a, const Document &b);
 
 } // namespace forefront

@@ -83,7 +83,7 @@ JournalContent readJournal(std::string_view bytes) {
     std::string text;
     bool known = false, saved = true;
     std::size_t at = kJournalMagic.size();
-    content.soundBytes = at;
+    content.validBytes = at;
     while (bytes.size() - at >= kHeader) {
         const std::uint64_t kind = word(bytes, at), length = word(bytes, at + 8);
         if (length > bytes.size() - at - kHeader) {
@@ -101,7 +101,7 @@ JournalContent readJournal(std::string_view bytes) {
         case static_cast<std::uint64_t>(JournalRecord::Title):
             content.title = payload;
             break;
-        case static_cast<std::uint64_t>(JournalRecord::Whole):
+        case static_cast<std::uint64_t>(JournalRecord::FullText):
             text = payload;
             known = true;
             saved = false;
@@ -120,7 +120,7 @@ JournalContent readJournal(std::string_view bytes) {
             break;
         }
         at += kHeader + length;
-        content.soundBytes = at;
+        content.validBytes = at;
         ++content.records;
     }
     if (known && !saved) {

@@ -12,11 +12,11 @@ inline constexpr std::string_view kJournalMagic = "FFJOURN1";
 
 /// Kind of a journal record.
 enum class JournalRecord : std::uint8_t {
-    Path = 1,  ///< path of the saved document, UTF-8; empty: never saved
-    Whole = 2, ///< the text of the document
-    Delta = 3, ///< change of the previous text
-    Saved = 4, ///< the document is saved: nothing to recover
-    Title = 5  ///< title of the document, UTF-8, for one without a path
+    Path = 1,     ///< path of the saved document, UTF-8; empty: never saved
+    FullText = 2, ///< the text of the document
+    Delta = 3,    ///< change of the previous text
+    Saved = 4,    ///< the document is saved: nothing to recover
+    Title = 5     ///< title of the document, UTF-8, for one without a path
 };
 
 /// Encodes a record for a journal: kind, 7 zero bytes, length and checksum of 8 bytes each (little-endian), payload.
@@ -29,7 +29,7 @@ struct JournalContent {
     std::string path, title;         ///< of the document
     std::optional<std::string> text; ///< newest text; empty if there is nothing to recover
     std::size_t records = 0;         ///< number of valid records
-    std::size_t soundBytes = 0;      ///< length of the valid part; the rest is truncated or corrupt
+    std::size_t validBytes = 0;      ///< length of the valid part; the rest is truncated or corrupt
 };
 
 /// Reads a journal up to the first record that is truncated by a crash or corrupt. No count in it is trusted.

@@ -9,7 +9,7 @@
 
 namespace forefront {
 
-/// Part of the boundaries and constraints: whole shapes, and single segments of others.
+/// A part of the boundaries and constraints: entire shapes, and single segments of other shapes.
 struct BoundaryPart {
     std::set<std::uint32_t> shapes;
     std::set<SegmentRef> segments;

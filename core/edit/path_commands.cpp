@@ -22,7 +22,7 @@ Diagnostics notPath(const Shape &shape) {
     return error("not-possible", displayName(shape) + " is not a path", "convert it to a path first");
 }
 
-/// The segments that meet in a node; kNone where there is none.
+/// The segments that meet at a node; kNone where there is none.
 struct Beside {
     std::uint32_t before = kNone, after = kNone;
 };
@@ -327,7 +327,7 @@ Result<Shape> endingAt(const Document &document, NodeRef node, bool last) {
 
 Result<Document> joinEnds(const Document &document, NodeRef first, NodeRef second) {
     if (first == second) {
-        return error("not-possible", "one node cannot be joined", "select two ends of open paths");
+        return error("not-possible", "cannot join a single node", "select two ends of open paths");
     }
     Result<Shape> start = endingAt(document, first, true), rest = endingAt(document, second, false);
     if (!start || !rest) {

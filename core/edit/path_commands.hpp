@@ -35,7 +35,7 @@ struct Control {
 /// The way a path runs through a node. It follows from the control points, and is not stored.
 enum class NodeKind : std::uint8_t {
     Corner,   ///< anything else
-    Smooth,   ///< the curves on both sides have one tangent
+    Smooth,   ///< the curves on both sides have the same tangent
     Symmetric ///< smooth, and the control points are equally far away
 };
 
@@ -51,23 +51,23 @@ std::vector<Control> controlsOf(const Document &document, const Selection &selec
 /// Returns the kind of a node; Corner at the ends of an open path and beside straight segments.
 NodeKind nodeKind(const Shape &shape, std::uint32_t node);
 
-/// Moves a control point. Through a smooth node the opposite control point turns along, and keeps its distance unless
-/// the node is symmetric; `alone` leaves it where it is, so that the node becomes a corner.
+/// Moves a control point. At a smooth node the opposite control point turns with it and keeps its distance, unless the
+/// node is symmetric; `alone` leaves it where it is, so that the node becomes a corner.
 Result<Document> moveControl(const Document &document, const ControlRef &control, Vec2 to, bool alone = false);
 
-/// Makes nodes corners (their control points fall into them) or smooth: segments beside them become cubics whose
+/// Makes nodes corners (their control points collapse onto them) or smooth: segments beside them become cubics whose
 /// tangent is parallel to the line between the neighbours of the node.
 Result<Document> setNodeKind(const Document &document, const std::set<NodeRef> &nodes, NodeKind kind);
 
-/// Makes segments of paths straight, or cubics that start as straight ones; cubics stay as they are, and arcs become
-/// cubics close to them.
+/// Makes segments of paths straight, or turns them into cubics: a straight segment becomes a cubic along it, an arc one
+/// close to it, and cubics are left unchanged.
 Result<Document> setCurved(const Document &document, const std::set<SegmentRef> &segments, bool curved);
 
 /// Opens a closed path at a node, or divides an open one into two paths; the second part gets a new id.
 Result<Document> splitPath(const Document &document, NodeRef node);
 
-/// Joins two ends of open paths, of one or of two, by a straight segment, or directly if they are at one place. The
-/// joined path keeps the id of the first one.
+/// Joins two ends of one or two open paths by a straight segment, or directly if the ends coincide. The joined path
+/// keeps the id of the first one.
 Result<Document> joinEnds(const Document &document, NodeRef first, NodeRef second);
 
 } // namespace forefront

@@ -11,7 +11,7 @@ Curve moved(const Curve &curve, Vec2 by);
 /// turned and scaled, so that it keeps its shape. One that ends where it begins is only moved.
 Curve joining(const Curve &curve, Vec2 from, Vec2 to);
 
-/// Returns true if the curve begins and ends at two points, up to 1e-6 of its coordinates.
+/// Returns true if the curve begins and ends at the two points, up to 1e-6 of its coordinates.
 bool joins(const Curve &curve, Vec2 from, Vec2 to);
 
 /// Returns the signed area between the curve and the lines from a point to its ends, positive where the curve runs
@@ -22,10 +22,10 @@ double sectorArea(const Curve &curve, Vec2 from);
 /// with their outer ends and tangents that is nearest by least squares.
 Curve merged(const Curve &first, const Curve &second);
 
-/// Returns the arc of a circle from one point through another to a third; a line if they are on one.
+/// Returns the arc of a circle from one point through another to a third; a line if the three are collinear.
 Curve arcThrough(Vec2 from, Vec2 middle, Vec2 to);
-/// Returns the arc of a circle of a radius between two points, on the side of a third one, and more than half a circle
-/// if that is far from their line; half a circle if the radius is too small.
+/// Returns an arc of a circle with the given radius between two points, on the side of a third point: more than half a
+/// circle if that point is far from their line, exactly half if the radius is too small.
 Curve arcOfRadius(Vec2 from, Vec2 to, double radius, Vec2 side);
 
 } // namespace forefront

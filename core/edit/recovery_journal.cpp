@@ -147,7 +147,7 @@ void RecoveryJournal::write(const Entry &entry) {
         bytes += nameRecords(entry);
     }
     bytes += hasText_ ? encodeRecord(JournalRecord::Delta, encodeDelta(text_, text))
-                      : encodeRecord(JournalRecord::Whole, text);
+                      : encodeRecord(JournalRecord::FullText, text);
     text_ = std::move(text);
     savedAt_ = entry.savedAt;
     title_ = entry.title;
@@ -209,7 +209,7 @@ bool RecoveryJournal::compact(const Entry &entry) {
     std::filesystem::path temporary = file_;
     temporary.replace_extension(".new");
     const std::string bytes =
-        std::string(kJournalMagic) + nameRecords(entry) + encodeRecord(JournalRecord::Whole, text_);
+        std::string(kJournalMagic) + nameRecords(entry) + encodeRecord(JournalRecord::FullText, text_);
     const int descriptor = createLocked(temporary);
     if (descriptor < 0 || !writeAll(descriptor, bytes) || ::rename(temporary.c_str(), file_.c_str()) != 0) {
         fail(std::strerror(errno));

@@ -15,7 +15,8 @@ struct NodeRef {
     friend auto operator<=>(const NodeRef &, const NodeRef &) = default;
 };
 
-/// A part of a shape with a tag of its own: a segment of a path, a side of a rectangle; 0 for a circle or an ellipse.
+/// A part of a shape that can have its own tag: a segment of a path, a side of a rectangle; 0 for a circle or an
+/// ellipse.
 struct SegmentRef {
     std::uint32_t shape = 0;
     std::uint32_t segment = 0;

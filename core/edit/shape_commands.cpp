@@ -73,7 +73,7 @@ Result<Document> changeShape(const Document &document, std::uint32_t id, const C
     return changeShapes(document, {id}, change);
 }
 
-/// Returns false for a curve that is not finite, is a point, or does not run from node to node.
+/// Returns false for a curve that is not finite, is a point, or does not begin and end at its nodes.
 bool isSound(const Curve &curve, Vec2 from, Vec2 to) {
     if (curve.kind() == CurveKind::Line) {
         return true;
@@ -196,14 +196,13 @@ Diagnostics checkShape(const Shape &shape) {
         break;
     }
     if (!sound) {
-        return error(
-            "bad-shape", std::string(wordOf(shape.kind)) + " is degenerate",
-            "a polygon needs three nodes, a polyline two, a rectangle two sides, a circle a radius, an ellipse "
-            "two half-axes");
+        return error("bad-shape", std::string(wordOf(shape.kind)) + " is degenerate",
+                     "a polygon needs three nodes, a polyline two; the sides of a rectangle, the radius of a circle "
+                     "and the semi-axes of an ellipse must not be 0");
     }
     if (!hasSoundCurves(shape)) {
-        return error("bad-curve", "a curve of " + displayName(shape) + " does not run from node to node",
-                     "give it the nodes as its ends, and radii that are not 0");
+        return error("bad-curve", "a curve of " + displayName(shape) + " does not begin and end at its nodes",
+                     "let it begin and end at the nodes, with nonzero radii");
     }
     return {};
 }

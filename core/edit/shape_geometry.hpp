@@ -71,7 +71,7 @@ std::size_t taggedSegments(const Shape &shape);
 std::int32_t segmentTag(const Shape &shape, std::size_t part);
 
 /// Returns the points that can be dragged: the nodes, the four corners of a rectangle; centre and point of a circle,
-/// centre and the ends of both half-axes of an ellipse.
+/// centre and the ends of both semi-axes of an ellipse.
 std::vector<Vec2> handlesOf(const Shape &shape);
 std::size_t handleCount(const Shape &shape);
 
@@ -94,8 +94,8 @@ double lengthOf(const Shape &shape);
 void moveShape(Shape &shape, Vec2 by);
 /// Scales a shape about the origin; `factor` must not be 0.
 void scaleShape(Shape &shape, double factor);
-/// Makes a closed path with the same outline of a rectangle, circle or ellipse; other shapes stay as they are. A circle
-/// and an ellipse get four nodes.
+/// Turns a rectangle, circle or ellipse into a closed path with the same outline; leaves other shapes unchanged. A
+/// circle and an ellipse get four nodes.
 void becomePath(Shape &shape);
 /// Moves nodes of a path to new places, one for each node; curves move with their ends.
 void moveNodes(Shape &shape, std::vector<Vec2> places);

@@ -28,7 +28,7 @@ struct SnapLocks {
 /// A point to snap and the rules for it.
 struct SnapQuery {
     Vec2 at;                    ///< the pointer, in domain units
-    double tolerance = 0.0;     ///< reach of nodes and segments, domain units
+    double tolerance = 0.0;     ///< snapping distance of nodes and segments, domain units
     double gridPitch = 0.0;     ///< 0: no grid
     std::optional<Vec2> anchor; ///< the last node drawn, or the start of a drag
     bool off = false;           ///< ctrl: nothing snaps, but locks apply

@@ -95,7 +95,7 @@ class GenerationFront {
 
     /// Returns the part of Γ near the box.
     FrontPart part(const Box2 &box) const;
-    /// Takes over a part that changed only inside `box`. Ids of its nodes from `firstNew` on grow by `shift`.
+    /// Copies back a part that changed only inside `box`. Ids of its nodes from `firstNew` on are increased by `shift`.
     void adopt(const FrontPart &part, const Box2 &box, std::uint32_t firstNew, std::uint32_t shift);
 
     /// Returns true if the direction from the node of s to p lies strictly inside the free angle of s (exact).

@@ -48,13 +48,13 @@ class Curve {
 
     /// Returns the length of the part between two parameters, to about 12 digits.
     double length(double t0 = 0.0, double t1 = 1.0) const;
-    /// Returns the total change of direction along the part between two parameters, in radians; turns to either side
-    /// add up.
+    /// Returns the total change of direction along the part between two parameters, in radians; turns in both
+    /// directions add up.
     double turning(double t0 = 0.0, double t1 = 1.0) const;
     /// Returns the smallest box that contains the part between two parameters.
     Box2 bounds(double t0 = 0.0, double t1 = 1.0) const;
-    /// Returns the maximum distance of the part between two parameters from its chord; a little less, by some parts in
-    /// a hundred, if the part turns by more than a quarter turn, so that it may reach beyond the ends of its chord.
+    /// Returns the maximum distance of the part between two parameters from its chord; up to a few percent less if the
+    /// part turns by more than a quarter turn, so that it may reach beyond the ends of its chord.
     double deviation(double t0 = 0.0, double t1 = 1.0) const;
 
     /// Returns the parameter between two where the curve is nearest to a point; a local minimum if the part between

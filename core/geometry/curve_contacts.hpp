@@ -21,8 +21,8 @@ inline constexpr double kMaxContactTurn = 0.3;
 /// Finds where two parts of curves cross, and where they come within `tolerance` (positive) of each other and part
 /// again. Misses no crossing beyond which they are farther apart than the tolerance; several shallower ones in a row
 /// count as one contact. Where they are within the tolerance up to an end of one of them, there is no contact: that end
-/// says where they meet. Depends on the geometry alone, not on which part is the first. Both parts must turn by at most
-/// kMaxContactTurn from their chords.
+/// marks where they meet. Depends on the geometry alone, not on which part is the first. Both parts must turn by at
+/// most kMaxContactTurn from their chords.
 std::vector<CurveContact> curveContacts(const CurvePart &first, const CurvePart &second, double tolerance);
 
 } // namespace forefront

@@ -27,7 +27,7 @@ struct CurvePart {
     std::size_t cornerCount = 0;
     double turn = 0.0;    ///< maximum angle between the part and its chord, in radians; π if it has no chord
     double sagitta = 0.0; ///< maximum distance of the part from the line through its ends
-    double noise = 0.0;   ///< error of computed points by rounding
+    double noise = 0.0;   ///< rounding error of computed points
 };
 
 /// Returns true if the hulls of two parts are surely farther than `gap` apart.

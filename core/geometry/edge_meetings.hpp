@@ -9,7 +9,7 @@
 
 namespace forefront {
 
-/// Two edges, first < second, that meet other than in a common end.
+/// Two edges, first < second, that meet other than at a common end.
 struct EdgeMeeting {
     std::uint32_t first = 0;
     std::uint32_t second = 0;

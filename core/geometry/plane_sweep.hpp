@@ -27,16 +27,16 @@ struct PlaneSweepResult {
     std::vector<std::uint32_t> below;
     /// Per canonical point without edges: the edge it lies on (kNoIndex: none).
     std::vector<std::uint32_t> on;
-    /// Per edge: true if it was dropped because it meets another edge other than in a common end. The remaining edges
+    /// Per edge: true if it was dropped because it meets another edge other than at a common end. The remaining edges
     /// have no such meetings; no edge is dropped if and only if there are none at all.
     std::vector<std::uint8_t> dropped;
     std::size_t droppedCount = 0;
 };
 
-/// Sweeps the plane from left to right with exact predicates, after M. I. Shamos and D. Hoey, Geometric intersection
-/// problems (1976). O((n + m) log(n + m)) for any input: an edge found to meet another one is dropped and the sweep
-/// continues. All points must be finite. Edges between equal points and repeated edges are dropped. After a stop
-/// request the result is meaningless.
+/// Sweeps the plane from left to right with exact predicates by the method of M. I. Shamos and D. Hoey, Geometric
+/// intersection problems (1976). O((n + m) log(n + m)) for any input: an edge found to meet another one is dropped and
+/// the sweep continues. All points must be finite. Edges between equal points and repeated edges are dropped. After a
+/// stop request the result is meaningless.
 PlaneSweepResult sweepPlane(std::span<const Vec2> points, std::span<const PlaneEdge> edges, std::stop_token stop = {});
 
 } // namespace forefront

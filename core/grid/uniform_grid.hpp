@@ -10,8 +10,8 @@
 
 namespace forefront {
 
-/// The dynamic background grid after Lo: columns x rows of equal cells. Each cell lists the segments of Γ that cross
-/// it; segments are added and deleted as Γ evolves.
+/// Lo's dynamic background grid: columns x rows of equal cells. Each cell lists the segments of Γ that cross it;
+/// segments are added and deleted as Γ evolves.
 class UniformGrid {
   public:
     static constexpr GridKind kKind = GridKind::Uniform;
@@ -22,7 +22,7 @@ class UniformGrid {
 
     void insert(const GenerationFront &front, SlotId id);
     void remove(const GenerationFront &front, SlotId id);
-    /// See NoGrid::keeps(). Always false, without looking.
+    /// See NoGrid::keeps(). Always returns false, without checking.
     bool keeps(SlotId, Vec2, Vec2) const { return false; }
     void moved(const GenerationFront &, SlotId) {}
 

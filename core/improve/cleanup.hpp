@@ -7,7 +7,7 @@
 
 namespace forefront {
 
-/// The shape that cleanup aims at for each element.
+/// The shape that cleanup aims for in each element.
 struct ShapeGoal {
     double alpha = 0.8;  ///< minimum α
     double angle = 35.0; ///< minimum angle, degrees
@@ -22,8 +22,8 @@ struct CleanupCounts {
 };
 
 /// Improves the elements that miss the goal: swaps their edges and moves their free nodes by a pattern search (R.
-/// Hooke, T. A. Jeeves, 1961) wherever the worst element around comes nearer to the goal; later rounds also move the
-/// nodes around. No α falls below `minAlpha`, and no lower α falls further. α must be up to date and is kept up to
+/// Hooke, T. A. Jeeves, 1961) wherever that brings the worst element around closer to the goal; later rounds also move
+/// the nodes around. No α falls below `minAlpha`, and no lower α falls further. α must be up to date and is kept up to
 /// date. Elements whose surroundings do not touch are cleaned up in parallel.
 CleanupCounts cleanUpWorst(ImproveWorkspace &work, const ShapeGoal &goal, double minAlpha, const Progress &progress);
 

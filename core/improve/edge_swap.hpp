@@ -11,7 +11,7 @@ namespace forefront {
 /// The rule that selects edges to swap. An edge is swapped if that raises the lower α of its two elements.
 struct SwapRule {
     bool improveValence = false; ///< also swap where that brings valences nearer to 6 and hardly lowers the lower α
-    double floor = 0.0;          ///< an element below it may rise at the cost of valences; none falls below it
+    double floor = 0.0;          ///< elements below it may improve at the expense of valences; none falls below it
 };
 
 /// Swaps the edge of h for the other diagonal of its two elements, which must be positive. Updates neighbours, valences

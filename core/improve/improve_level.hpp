@@ -9,9 +9,9 @@
 
 namespace FOREFRONT_API forefront {
 
-/// The effort to improve the mesh once the front is closed. Default swaps edges and smooths, in a fraction of the time
-/// of the front. Best takes several times as long for the best shapes and edge lengths, and also adds and removes
-/// nodes.
+/// The effort spent on improving the mesh once the front is closed. Default swaps edges and smooths, in a fraction of
+/// the time of the front. Best takes several times as long for the best shapes and edge lengths, and also adds and
+/// removes nodes.
 enum class ImproveLevel : std::uint8_t { None, Default, Best };
 
 template <>

@@ -12,7 +12,7 @@ namespace forefront {
 class SpacingField;
 
 /// The weights of the two aims of smoothing. Their sum is the part of the way that a node moves in one sweep; above 1.4
-/// neighbours begin to chase each other.
+/// neighbouring nodes begin to oscillate.
 struct SmoothingAims {
     float shape = 0.6F;   ///< equilateral elements
     float spacing = 0.8F; ///< edges of length ρ

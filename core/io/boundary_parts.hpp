@@ -9,9 +9,9 @@
 
 namespace FOREFRONT_API forefront {
 
-/// Compares the boundary parts of a mesh with those that the file of its domain names, without the domain's reader:
-/// each physical group of curves of an ASCII MSH file must be as long in the mesh as in the file, and the mesh must not
-/// call another part by its name. Files of other formats, and meshes without tags, are not judged. Fault: wrong-part.
+/// Compares the boundary parts of a mesh with those named in its domain's file, without using the domain's reader: each
+/// physical group of curves of an ASCII MSH file must be as long in the mesh as in the file, and the mesh must not call
+/// another part by its name. Files of other formats, and meshes without tags, are not checked. Fault: wrong-part.
 Diagnostics checkBoundaryParts(const Mesh &mesh, const std::filesystem::path &domainFile,
                                const ImportOptions &options = {});
 

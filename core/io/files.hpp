@@ -47,8 +47,8 @@ Result<Document> readDocument(const std::filesystem::path &path, const ImportOpt
 Result<Domain> readDomain(const std::filesystem::path &path, const ImportOptions &options = {},
                           ImportNotes *notes = nullptr);
 /// Adds the file's name to the faults of a domain that readDomain read from it and, where the format has such places
-/// (.poly, GeoJSON, SVG, project), line and number of the parts. Reads the file once more. Faults that name a file
-/// already stay as they are.
+/// (.poly, GeoJSON, SVG, project), line and number of the parts. Reads the file once more. Leaves faults that already
+/// name a file unchanged.
 Diagnostics locateFaults(const std::filesystem::path &path, Diagnostics faults, const ImportOptions &options = {});
 /// Reads a mesh: MSH 2.2 (ASCII) or 4.1, VTU, VTK legacy, MEDIT, Abaqus, SU2, Triangle .node/.ele, OBJ, Netgen.
 Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &options = {},
@@ -60,8 +60,8 @@ Result<MeshField> readField(const std::filesystem::path &path, std::string_view 
 Result<SpacingSpec> readSpacing(const std::filesystem::path &path, const ImportOptions &options = {},
                                 ImportNotes *notes = nullptr);
 
-/// Writes a mesh in the format with this id or, if the id is empty, by the extension (.msh is MSH 2.2). Atomic: a
-/// temporary file beside it, then renamed. Triangle: PATH.node, PATH.ele and PATH.edge. SVG draws the mesh.
+/// Writes a mesh in the format with this id or, if the id is empty, by the extension (.msh is MSH 2.2). Atomic: writes
+/// a temporary file beside it, then renames that. Triangle: PATH.node, PATH.ele and PATH.edge. SVG draws the mesh.
 Status writeMesh(const std::filesystem::path &path, const Mesh &mesh, std::string_view formatId = {},
                  const Progress &progress = {});
 /// Writes a mesh in the format with this id to a sink, such as standard output. Faults: unknown-format, also for
@@ -77,8 +77,8 @@ std::vector<std::filesystem::path> filesOfMesh(const std::filesystem::path &path
 /// Returns the files that reading `path` may open: that file, the other files of a Triangle mesh, and the .node file
 /// beside a .poly file without nodes of its own.
 std::vector<std::filesystem::path> filesRead(const std::filesystem::path &path);
-/// Returns the reason why no file can be written at this path, as far as can be told without trying: the path has no
-/// file name, is a folder, or lies in a folder that does not exist. The fault does not name the file.
+/// Returns the reason why no file can be written at this path, as far as can be determined without trying: the path has
+/// no file name, is a folder, or lies in a folder that does not exist. The fault does not name the file.
 Status checkPlace(const std::filesystem::path &path);
 
 } // namespace forefront

@@ -113,16 +113,16 @@ std::string toString(const LimitVerdict &verdict) {
     const LimitInfo &info = limitInfo(verdict.limit);
     const std::string head = std::string(info.name) + ' ' + valueText(verdict.limit, verdict.bound) + ": ";
     if (verdict.judged == 0) {
-        return head + (infoOf(info.measure).part == MeshPart::Edges ? "not judged, there is no spacing"
-                                                                    : "not judged, there is nothing to measure");
+        return head + (infoOf(info.measure).part == MeshPart::Edges ? "not checked: there is no spacing"
+                                                                    : "not checked: there is nothing to measure");
     }
     const std::string worst = "worst " + valueText(verdict.limit, verdict.worst);
-    if (verdict.kept()) {
-        return head + "kept, " + worst;
+    if (verdict.met()) {
+        return head + "met, " + worst;
     }
     const std::string parts = std::string(wordOf(infoOf(info.measure).part)) + 's';
-    std::string text = head + "broken by " + std::to_string(verdict.broken) + " of " + std::to_string(verdict.judged) +
-                       ' ' + parts + ", " + worst;
+    std::string text = head + "violated by " + std::to_string(verdict.broken) + " of " +
+                       std::to_string(verdict.judged) + ' ' + parts + ", " + worst;
     return verdict.places.empty() ? text : text + " at " + placeText(verdict.places.front().at);
 }
 
@@ -133,7 +133,7 @@ Diagnostics faultsOf(const LimitVerdict &verdict) {
         Diagnostic fault;
         fault.code = wordOf(verdict.limit);
         fault.message = std::string(wordOf(measure.part)) + ' ' + std::to_string(place.part) + ": " + measure.symbol +
-                        ' ' + valueText(verdict.limit, place.value) + " breaks the limit " +
+                        ' ' + valueText(verdict.limit, place.value) + " violates the limit " +
                         valueText(verdict.limit, verdict.bound);
         fault.at = place.at;
         fault.ids = {place.part};

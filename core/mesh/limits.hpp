@@ -15,7 +15,7 @@
 
 namespace FOREFRONT_API forefront {
 
-/// A limit that the parts of a mesh have to keep. limitInfo() says what each one means.
+/// A limit that the parts of a mesh must meet. limitInfo() describes each one.
 enum class MeshLimit : std::uint8_t {
     MinAngle,
     MaxAngle,
@@ -48,7 +48,7 @@ struct LimitInfo {
 /// Returns the description of a limit.
 const LimitInfo &limitInfo(MeshLimit limit);
 
-/// The limits that a user sets for a mesh; those not set are not judged.
+/// The limits that a user sets for a mesh; limits that are not set are not checked.
 struct MeshLimits {
     std::array<std::optional<double>, wordsOf<MeshLimit>().size()> values;
 
@@ -61,7 +61,7 @@ struct MeshLimits {
 /// Returns what is wrong with the value of a limit, "expected a number from 0 to 60, got 70"; empty if it is valid.
 std::string limitFault(MeshLimit limit, double value);
 
-/// A part of a mesh that breaks a limit.
+/// A part of a mesh that violates a limit.
 struct LimitPlace {
     std::uint32_t part = 0; ///< number of the element, edge or node
     double value = 0.0;
@@ -72,25 +72,25 @@ struct LimitPlace {
 struct LimitVerdict {
     MeshLimit limit = MeshLimit::MinAngle;
     double bound = 0.0;             ///< the value of the limit
-    std::size_t judged = 0;         ///< number of parts judged; 0: it needs a spacing that is not given
-    std::size_t broken = 0;         ///< number of parts that break it
-    double worst = 0.0;             ///< the value closest to breaking the limit, or furthest beyond it
-    std::vector<LimitPlace> places; ///< that break it, the worst first
+    std::size_t judged = 0;         ///< number of parts checked; 0: the limit needs a spacing and none is given
+    std::size_t broken = 0;         ///< number of parts that violate it
+    double worst = 0.0;             ///< the value closest to violating the limit, or furthest beyond it
+    std::vector<LimitPlace> places; ///< that violate it, the worst first
 
-    bool kept() const { return broken == 0 && judged > 0; }
+    bool met() const { return broken == 0 && judged > 0; }
 };
 
-/// Judges a mesh by the limits that are set, in their order. Values within 1e-9 of a limit, relatively, keep it, so
-/// that rounding does not decide. Verdicts list at most `places` places. `spacing`: may be null.
+/// Checks a mesh against the limits that are set, in their order. A value within a relative 1e-9 of a limit meets it,
+/// so that rounding does not decide. Verdicts list at most `places` places. `spacing`: may be null.
 std::vector<LimitVerdict> judge(const Mesh &mesh, const MeshLimits &limits, const SpacingField *spacing,
                                 std::size_t places = 20);
-/// Judges as above, with the edges of the mesh at hand.
+/// Checks as above, with the edges of the mesh already known.
 std::vector<LimitVerdict> judge(const Mesh &mesh, const MeshEdges &edges, const MeshLimits &limits,
                                 const SpacingField *spacing, std::size_t places = 20);
 
-/// Returns the verdict as a line: "minimum angle 25°: broken by 3 of 1200 elements, worst 12.3° at (1.5, 2)".
+/// Returns the verdict as a line: "minimum angle 25°: violated by 3 of 1200 elements, worst 12.3° at (1.5, 2)".
 std::string toString(const LimitVerdict &verdict);
-/// Returns an error for each place of a verdict: "element 12: min ∠ 12.3° breaks the limit 25°".
+/// Returns an error for each place of a verdict: "element 12: min ∠ 12.3° violates the limit 25°".
 Diagnostics faultsOf(const LimitVerdict &verdict);
 /// Returns a value with the unit of what the limit bounds: "12.3°".
 std::string valueText(MeshLimit limit, double value);

@@ -36,8 +36,8 @@ constexpr std::array<MeasureInfo, wordsOf<Measure>().size()> kInfos = {{
      "Number of elements around each node; 6 is ideal for interior nodes"},
     {"Region", "region", "", MeshPart::Elements, BadEnd::None, false, 1.0, kUnbounded, "Region tag of each element"},
     {"Creation order", "birth", "", MeshPart::Elements, BadEnd::None, false, 0.0, kUnbounded,
-     "Number of each element: its place in the file or, until the mesh is improved, the order in which the front made "
-     "it"},
+     "Number of each element: its position in the file or, until the mesh is improved, the order in which the front "
+     "made it"},
 }};
 
 double degrees(double radians) {

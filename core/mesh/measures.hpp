@@ -27,7 +27,7 @@ struct EnumWords<MeshPart> {
     static constexpr std::array<std::string_view, 3> kList = {"element", "edge", "node"};
 };
 
-/// A quantity by which a mesh is judged. infoOf() says what each one means.
+/// A quantity that describes the quality of a mesh. infoOf() describes each one.
 enum class Measure : std::uint8_t {
     ShapeFactor,
     MinAngle,
@@ -50,12 +50,12 @@ struct EnumWords<Measure> {
                                                                "valence",    "region",    "birth"};
 };
 
-/// The values of a measure that are bad.
+/// The end of a measure's range at which values are bad.
 enum class BadEnd : std::uint8_t {
     Low,
     High,
     FarFromOne, ///< on a logarithmic scale: 0.5 is as bad as 2
-    None        ///< the measure does not judge
+    None        ///< no value is better than another
 };
 
 /// The description of a measure.
@@ -110,7 +110,7 @@ double percentile(std::vector<Number> &values, double fraction) {
 /// The percentiles that a summary holds.
 inline constexpr std::array<int, 7> kPercentiles = {1, 5, 25, 50, 75, 95, 99};
 
-/// Figures of the values of a measure.
+/// Statistics of the values of a measure.
 struct MeasureSummary {
     std::size_t count = 0; ///< of the values that are not NaN; if 0, the other figures are 0
     double minimum = 0.0, maximum = 0.0, mean = 0.0;
@@ -136,11 +136,11 @@ struct MeasureHistogram {
 MeasureHistogram histogramOf(std::span<const double> values, double from, double to, bool logarithmic,
                              std::size_t bins);
 
-/// Returns a number that is greater the worse a value is; NaN for NaN and for measures that do not judge.
+/// Returns a number that grows as the value gets worse; NaN for NaN and for measures without bad values.
 double badness(BadEnd bad, double value);
 
 /// Returns the parts with the worst values, worst first and equal ones by number, at most `limit`. Empty for measures
-/// that do not judge.
+/// without bad values.
 std::vector<std::uint32_t> worstParts(Measure measure, std::span<const double> values, std::size_t limit);
 
 } // namespace forefront

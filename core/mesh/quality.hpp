@@ -19,7 +19,7 @@ double spacingConformity(double segmentLength, double rho);
 
 inline constexpr std::size_t kHistogramBins = 40;
 
-/// Figures of the quality of a mesh.
+/// Quality statistics of a mesh.
 struct MeshQuality {
     std::size_t nodes = 0;
     std::size_t elements = 0;

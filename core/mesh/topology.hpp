@@ -20,7 +20,7 @@ struct NodeElements {
 };
 /// Returns the elements around each node.
 NodeElements nodeElements(const Mesh &mesh);
-/// Returns the elements around each node, or nothing when cancelled.
+/// Returns the elements around each node, or std::nullopt when cancelled.
 std::optional<NodeElements> nodeElements(const Mesh &mesh, const Progress &progress);
 
 } // namespace forefront

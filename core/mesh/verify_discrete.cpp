@@ -108,7 +108,7 @@ void checkTags(const Mesh &mesh, const RequiredEdges &required, FaultList &fault
     }
     for (std::size_t i = 0; i < required.size(); ++i) {
         if (!tagged[i]) {
-            faults.add("missing-tagged-edge", "the edge of a segment carries no tag",
+            faults.add("missing-tagged-edge", "the edge of a segment has no tag",
                        midpoint(mesh.nodes[index(required[i].lower)], mesh.nodes[index(required[i].upper)]));
         }
     }

@@ -25,7 +25,7 @@ class NodeFinder {
 /// Returns true for a mesh from a file format without tags, whose tags and regions are not compared.
 bool carriesNoTags(const Mesh &mesh);
 
-/// Adds the faults of a mesh against a discrete domain. The indices of the mesh must be valid.
+/// Adds the deviations of a mesh from a discrete domain. The indices of the mesh must be valid.
 void checkAgainst(const Mesh &mesh, const DiscreteDomain &domain, FaultList &faults);
 
 /// The area enclosed by the segments that have the outside on one side. `magnitude` is the sum of the sizes of its

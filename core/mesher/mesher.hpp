@@ -19,7 +19,7 @@ struct MadeSoFar {
     std::vector<Element> elements;
     std::vector<std::uint32_t> elementFaces; ///< as FrontState::elementFaces
 
-    /// Adds what a state has more.
+    /// Appends the nodes and elements that a state has beyond these.
     void add(const FrontState &state);
 };
 

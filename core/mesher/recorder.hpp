@@ -6,7 +6,7 @@
 
 #include <span>
 
-// Declared outside of FOREFRONT_API: these types are not part of the public surface.
+// Declared outside FOREFRONT_API: these types are not part of the public surface.
 namespace forefront {
 struct Base;
 struct Candidate;

@@ -155,7 +155,7 @@ std::string caption(const AdvanceExplanation &explanation, std::size_t cursor) {
         return text + "each candidate scored by α(ABC)·δ(AC)·δ(CB)";
     case Step::Sort:
         return text + (event.candidate == kNoIndex
-                           ? "no candidate near enough"
+                           ? "no candidate is near enough"
                            : "best first: " + candidateName(explanation.candidates[event.candidate]));
     case Step::Test:
         return text + testText(explanation, event);

@@ -28,7 +28,7 @@ const char *stopTitle(StopKind kind) {
     case StopKind::FrontLength:
         return "Segments on the front reach";
     case StopKind::Place:
-        return "An element covers the place";
+        return "An element covers the point";
     case StopKind::Cell:
         return "The grid cell is visited";
     }

@@ -70,10 +70,10 @@ struct TimelineMark {
     MarkKind kind = MarkKind::Closure;
 };
 
-/// The run from the start to the furthest advance, in at most RunCurves::kSamples stretches of equal length.
+/// The run from the start to the furthest advance, in at most RunCurves::kSamples intervals of equal length.
 struct RunCurves {
     static constexpr std::size_t kSamples = 512;
-    /// The means of a stretch.
+    /// The means over an interval.
     struct Sample {
         float front = 0.0F;                      ///< segments of Γ
         float tests = 0.0F;                      ///< segments tested for intersection per element; 0 without an element
@@ -126,7 +126,7 @@ struct SessionSnapshot {
     std::shared_ptr<const std::vector<GridCellView>> cells;
     std::shared_ptr<const AdvanceExplanation>
         explanation; ///< of the last advance, or of the one that contains the event cursor
-    /// By advance, at most 2000 of each kind: one for each stretch of the timeline that has any.
+    /// By advance, at most 2000 of each kind: one for each interval of the timeline that has any.
     std::shared_ptr<const std::vector<TimelineMark>> marks;
     std::shared_ptr<const RunCurves> curves;
 };

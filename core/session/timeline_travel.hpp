@@ -31,7 +31,7 @@ class TimelineTravel {
     bool playing() const { return activity_ == Activity::Playing; }
     /// Returns true at the end of the run.
     bool atEnd() const { return eventsDone_ == 0 && timeline_.complete() && timeline_.position() == timeline_.known(); }
-    /// Returns when work() has something to do; nothing at rest.
+    /// Returns when work() has something to do next; std::nullopt at rest.
     std::optional<Clock::time_point> workDue() const;
     /// Returns the advances per second of the last batch, or the requested rate.
     double rate() const { return measuredRate_; }
@@ -43,7 +43,7 @@ class TimelineTravel {
 
     /// Sets the conditions that stop play(), step() and reachStop().
     void setBreakpoints(const Breakpoints &breakpoints) { breakpoints_ = breakpoints; }
-    /// Returns the condition that ended the last move; none if the move went as far as it was to go.
+    /// Returns the condition that ended the last move; none if the move reached its target.
     const std::optional<Stop> &stop() const { return stop_; }
     /// Returns what the last reachBirth() found; empty after any other move.
     const std::optional<Birth> &birth() const { return birth_; }

@@ -294,7 +294,7 @@ class Streams(Case):
         _, messages = self.pipe("mesh", "-", "--input-format", "poly", "-o", "a.msh", text=poly([BOW]), code=1)
         self.assertRegex(messages, r"^standard input:\d+: error: two segments cross")
         _, messages = self.pipe("mesh", "-", "-o", "a.msh", text="nothing", code=1)
-        self.assertIn("standard input: error: the format cannot be told from the content [unknown-format]; "
+        self.assertIn("standard input: error: cannot detect the format from the content [unknown-format]; "
                       "add --input-format with one of project, geojson", messages)
         _, messages = self.pipe("check", "plate.poly", "--domain", "-", text="nothing", code=1)
         self.assertNotIn("--input-format", messages)
@@ -591,14 +591,14 @@ class Refusing(Case):
         self.call("mesh", "plate.poly", "-o", "plate.msh", "--size", "0.25")
         kept = self.call("check", "plate.msh", "--min-angle", "1", "--max-growth", "50", "--min-length", "0.01")
         self.assertEqual(kept.stderr, "")
-        self.assertRegex(kept.stdout, r"\nminimum angle 1°: kept, worst [\d.]+°\nmaximum growth 50: kept, worst ")
+        self.assertRegex(kept.stdout, r"\nminimum angle 1°: met, worst [\d.]+°\nmaximum growth 50: met, worst ")
         broken = self.call("check", "plate.msh", "--min-angle", "59.9", "--min-alpha", "0.1", code=1)
-        self.assertRegex(broken.stdout, r"\nminimum angle 59.9°: broken by \d+ of \d+ elements, worst [\d.]+° at \(")
-        self.assertIn("\nminimum α 0.1: kept", broken.stdout)
+        self.assertRegex(broken.stdout, r"\nminimum angle 59.9°: violated by \d+ of \d+ elements, worst [\d.]+° at \(")
+        self.assertIn("\nminimum α 0.1: met", broken.stdout)
         places = broken.stderr.splitlines()
         self.assertEqual(len(places), 5)
         for place in places:
-            self.assertRegex(place, r"^plate.msh: error: element \d+: min ∠ [\d.]+° breaks the limit 59.9° at \(.*"
+            self.assertRegex(place, r"^plate.msh: error: element \d+: min ∠ [\d.]+° violates the limit 59.9° at \(.*"
                                     r"\[min-angle\]$")
         worst, least = (float(re.search(pattern, broken.stdout).group(1))
                         for pattern in (r"worst ([\d.]+)°", r"angles ([\d.]+) to"))

@@ -17,7 +17,7 @@ struct Scene {
 /// "square", "disc": uniform, about `size` triangles. "graded": rectangle [0,60]x[0,40], ρ = max(r,
 /// 0.232·||p-(30,20)|-12|) with r = size. "ramp": ρ grows by 1e4 across a rectangle, about `size` triangles. "islands":
 /// a coast with 300 islands, `size` sets the open water. "coast": a fractal coast with 40 islands, `size` segments,
-/// automatic spacing. Returns nothing for any other name.
+/// automatic spacing. Returns std::nullopt for any other name.
 std::optional<Scene> makeScene(std::string_view name, double size);
 
 } // namespace forefront::bench

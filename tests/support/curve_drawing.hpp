@@ -14,7 +14,7 @@ class CurveDrawing {
     /// `deviation`: maximum distance of chords from their curves.
     explicit CurveDrawing(double deviation) : deviation_(deviation) {}
 
-    /// Adds a closed loop as a feature of its own, or to a contour. Returns the tag of the feature.
+    /// Adds a closed loop as a separate feature, or to a contour. Returns the tag of the feature.
     std::int32_t feature(const CurveLoop &curves);
     void loop(const CurveLoop &curves, std::uint32_t contour, std::int32_t tag);
     void line(const CurveLoop &curves, std::int32_t tag);

@@ -8,7 +8,7 @@
 namespace forefront::testing {
 
 /// Returns ½ ∫ C × dC along a part of a curve, relative to an origin: the area that the part sweeps as seen from there.
-/// By closed formulas.
+/// Uses closed formulas.
 double sweptArea(const Curve &curve, double t0, double t1, Vec2 origin);
 
 /// Returns the exact area inside a valid domain by region tag, along the curves that its segments follow.

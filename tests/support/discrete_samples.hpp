@@ -8,7 +8,7 @@
 
 namespace forefront::testing {
 
-/// A node spacing from any function of the plane.
+/// Returns a node spacing given by any function of the plane.
 std::shared_ptr<const SpacingField> spacingOf(std::function<double(Vec2)> rho);
 
 /// Builds small discretised domains, edge by edge.
@@ -27,14 +27,14 @@ class DiscreteBuilder {
     DiscreteDomain domain_;
 };
 
-/// Regular polygon of n nodes on a circle, counter-clockwise or clockwise.
+/// Returns a regular polygon of n nodes on a circle, counter-clockwise or clockwise.
 std::vector<Vec2> circleNodes(Vec2 centre, double radius, int n, bool counterClockwise = true);
-/// Rectangle whose sides are cut into pieces no longer than h, counter-clockwise or clockwise.
+/// Returns a rectangle whose sides are cut into pieces no longer than h, counter-clockwise or clockwise.
 std::vector<Vec2> rectangleNodes(Vec2 low, Vec2 high, double h, bool counterClockwise = true);
 
-/// Disc of radius 1, boundary pieces of length h.
+/// Returns a disc of radius 1 with boundary pieces of length h.
 std::shared_ptr<const DiscreteDomain> discreteDisc(double h);
-/// Unit square with a round hole, a slit, and an isolated point.
+/// Returns a unit square with a round hole, a slit and an isolated point.
 std::shared_ptr<const DiscreteDomain> discretePlate(double h);
 
 } // namespace forefront::testing

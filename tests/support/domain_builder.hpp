@@ -52,7 +52,7 @@ class DomainBuilder {
     Domain domain;
 };
 
-/// A star-shaped polygon about the centre with radii in [low, high]·radius.
+/// Returns a star-shaped polygon about the centre with radii in [low, high]·radius.
 inline std::vector<Vec2> star(RandomSource &random, Vec2 centre, double radius, double low, double high, int count) {
     const double phase = random.between(0.0, 6.28);
     std::vector<Vec2> polygon;

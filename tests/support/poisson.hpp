@@ -7,18 +7,18 @@
 
 namespace forefront::testing {
 
-/// [-1,1]² without [0,1]x[-1,0]: a re-entrant corner of 270 degrees at the origin.
+/// Returns [-1,1]² without [0,1]x[-1,0], which has a re-entrant corner of 270 degrees at the origin.
 Domain lShape();
 
-/// u = r^(2/3)·sin(2θ/3), θ from the positive x axis counter-clockwise: harmonic, zero on both sides of the corner, its
-/// gradient infinite there.
+/// Returns u = r^(2/3)·sin(2θ/3), with θ counter-clockwise from the positive x axis: harmonic, zero on both sides of
+/// the corner, its gradient infinite there.
 double cornerSolution(Vec2 p);
 
-/// Linear finite elements for Δu = 0 on the L-shape with the values of cornerSolution on the whole boundary; the values
-/// at the nodes.
+/// Solves Δu = 0 on the L-shape by linear finite elements, with the values of cornerSolution on the entire boundary,
+/// and returns the values at the nodes.
 std::vector<double> solveCornerProblem(const Mesh &mesh);
 
-/// ‖∇u − ∇u_h‖, the energy error, by numerical integration with element-wise subdivision towards the corner.
+/// Returns the energy error ‖∇u − ∇u_h‖, integrated numerically with elements subdivided towards the corner.
 double cornerEnergyError(const Mesh &mesh, const std::vector<double> &values);
 
 } // namespace forefront::testing

@@ -23,13 +23,13 @@ const char *nameOf(CurveFamily family);
 /// A closed curve in parts, each beginning where the previous one ends.
 using CurveLoop = std::vector<Curve>;
 
-/// Builds the domain that the loops bound by the even-odd rule, from chords that deviate by at most `deviation`. What
-/// is within `weld` of each other is joined.
+/// Builds the domain that the loops bound by the even-odd rule, from chords that deviate by at most `deviation`. Parts
+/// within `weld` of each other are joined.
 Domain curvedDomain(const std::vector<CurveLoop> &loops, double deviation, double weld = 0.0);
 
-/// A valid domain; the same for the same family and seed.
+/// Returns a valid domain, always the same for the same family and seed.
 Domain randomCurvedDomain(CurveFamily family, std::uint64_t seed);
-/// The families in turn: seed modulo kCurveFamilies.
+/// Returns a domain of the family seed modulo kCurveFamilies.
 Domain randomCurvedDomain(std::uint64_t seed);
 
 } // namespace forefront::testing

@@ -17,15 +17,16 @@ enum class DomainFamily : std::uint8_t {
     SizeRatio,       ///< features 10⁴ times smaller than the domain
     FarAway,         ///< one of those above, 10⁵ and more away from the origin
     Constraints,     ///< polylines (free, branched, from boundary nodes, closed) and points inside; region markers
-    SeveralOutlines, ///< parts apart from each other and parts that touch in a node
+    SeveralOutlines, ///< parts apart from each other and parts that touch at a node
     Lattice          ///< unions of lattice cells: collinear nodes, pinches, holes, all exactly axis-parallel
 };
 inline constexpr int kDomainFamilies = 10;
 const char *nameOf(DomainFamily family);
 
-/// A valid domain; the same for the same family and seed. Order and direction of its segments are shuffled.
+/// Returns a valid domain, always the same for the same family and seed. Order and direction of its segments are
+/// shuffled.
 Domain randomDomain(DomainFamily family, std::uint64_t seed);
-/// The families in turn: seed modulo kDomainFamilies.
+/// Returns a domain of the family seed modulo kDomainFamilies.
 Domain randomDomain(std::uint64_t seed);
 
 /// Random numbers that do not depend on the standard library's distributions.

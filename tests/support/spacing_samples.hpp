@@ -33,7 +33,7 @@ inline SpacingFunction constantSpacing(double rho) {
     return {[rho](Vec2) { return rho; }, rho, rho};
 }
 
-/// ρ = max(minimum, growth · distance to `centre`): steep, with a kink.
+/// Returns ρ = max(minimum, growth · distance to `centre`), which is steep and has a kink.
 inline SpacingFunction spacingAround(Vec2 centre, double minimum, double growth) {
     return {[=](Vec2 p) { return std::fmax(minimum, growth * distance(p, centre)); }, minimum,
             std::numeric_limits<double>::infinity()};

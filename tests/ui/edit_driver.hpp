@@ -45,7 +45,7 @@ class Draughtsman : public Driver {
         }
         key(key::kEnter);
     }
-    /// Folds the panels above `panel`, so that it is visible.
+    /// Collapses the panels above `panel`, so that it is visible.
     void unfold(std::string_view panel) {
         for (const char *id : {"layers", "inspector"}) {
             if (panel != id && !folded(id)) {

@@ -233,7 +233,7 @@ TEST_CASE("Trace: a click sets a breakpoint at a place or at a cell of the grid"
     driver.settle();
     driver.key('W');
     driver.frames(2);
-    driver.click("options/trace/mode/Place");
+    driver.click("options/trace/mode/Point");
     driver.clickAt(driver.context().view.camera.toPixel(driver.run().boundary->bounds().centre()));
     REQUIRE(driver.context().run.breakpoints().has(StopKind::Place));
     driver.key('N');

@@ -59,12 +59,12 @@ TEST_CASE("Notes: the progress of a long run does not cover the tool options") {
 TEST_CASE("SnapshotPace: snapshots that are slow to draw are drawn rarely during a run, and at once when it stops") {
     SnapshotPace pace;
     CHECK(pace.due(100.0, true));
-    pace.drew(100.0, 0.2);
+    pace.recordFrame(100.0, 0.2);
     CHECK_FALSE(pace.due(100.3, true));
     CHECK(pace.due(100.3, false));
     CHECK(pace.due(pace.next(), true));
     CHECK(pace.next() == doctest::Approx(100.4));
-    pace.drew(200.0, 60.0); // a stopped machine
+    pace.recordFrame(200.0, 60.0); // a stopped machine
     CHECK(pace.due(201.0, true));
 }
 

@@ -20,7 +20,7 @@ inline std::vector<Vec2> rectangle(double x, double y, double width, double heig
     return {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}};
 }
 
-/// A feature of one polygon.
+/// Adds a feature of one polygon.
 inline void addPolygon(ArrangementInput &input, std::int32_t tag, const std::vector<std::vector<Vec2>> &rings,
                        const std::string &name = {}) {
     const std::uint32_t shape = input.addShape(input.addFeature(tag, name));
@@ -29,7 +29,7 @@ inline void addPolygon(ArrangementInput &input, std::int32_t tag, const std::vec
     }
 }
 
-/// A painted path: all of one feature.
+/// Adds a painted path as one feature.
 inline void addPath(ArrangementInput &input, FillRule rule, const std::vector<std::vector<Vec2>> &subpaths) {
     if (input.features.empty()) {
         input.addFeature(1);
@@ -53,7 +53,7 @@ struct FacesOf {
     }
 };
 
-/// Area inside, by region tag.
+/// Returns the area inside by region tag.
 inline std::map<std::int32_t, double> areas(const Domain &domain) {
     const FacesOf of(domain);
     std::map<std::int32_t, double> result;

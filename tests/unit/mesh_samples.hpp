@@ -73,7 +73,7 @@ inline Mesh square(std::size_t columns, std::size_t rows, double jitter = 0.0, V
     return mesh;
 }
 
-/// The discrete domain of `square`: its tagged edges, the one region on their left.
+/// Returns the discrete domain of `square`: its tagged edges, with the only region on their left.
 inline DiscreteDomain squareDomain(const Mesh &mesh, double area = 1.0) {
     DiscreteDomain domain;
     domain.regions = {{1, area}};
@@ -102,7 +102,7 @@ inline std::string list(const Diagnostics &diagnostics) {
     return text;
 }
 
-/// A square whose right half is another region, with a tagged inner line and a tagged inner point.
+/// Returns a square whose right half is another region, with a tagged inner line and a tagged inner point.
 inline Mesh constrainedSquare(std::size_t n, double jitter, Vec2 offset, std::uint64_t seed) {
     Mesh mesh = samples::square(n, n, jitter, offset, seed);
     for (const Element &e : mesh.elements) {

@@ -130,7 +130,7 @@ TEST_CASE("arrange: curves that come closer than their chords deviate, but not t
     CHECK(areas.at(3) == doctest::Approx(kPi).epsilon(1e-12));
 }
 
-TEST_CASE("arrange: curves that touch, or nearly do, are joined in one node") {
+TEST_CASE("arrange: curves that touch, or nearly do, are joined at one node") {
     const double gaps[] = {0.0, 5e-7, -5e-7};
     for (const double gap : gaps) {
         CAPTURE(gap);

@@ -130,7 +130,7 @@ TEST_CASE("curve: lengths agree with fine polylines and with closed forms") {
     // The parabola y = x² from 0 to 1: (2 √5 + asinh 2) / 4.
     const Curve parabola = Curve::quadratic({0, 0}, {0.5, 0}, {1, 1});
     CHECK(parabola.length() == doctest::Approx((2.0 * std::sqrt(5.0) + std::asinh(2.0)) / 4.0).epsilon(1e-13));
-    // The circumference of an ellipse with the half-axes 2 and 1 (complete elliptic integral of the second kind).
+    // The circumference of an ellipse with the semi-axes 2 and 1 (complete elliptic integral of the second kind).
     CHECK(Curve::arc({0, 0}, {2, 0}, {0, 1}).length() == doctest::Approx(9.6884482205476761984).epsilon(1e-12));
     // A cubic that goes along the x axis to 1.25 and back.
     CHECK(Curve::cubic({0, 0}, {2, 0}, {2, 0}, {-0.5, 0}).length() > 1.5);

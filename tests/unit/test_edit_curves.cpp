@@ -391,7 +391,7 @@ TEST_CASE("checkShape: refuses curves that are not finite, have no radius or mis
     CHECK(checkShape(makeShape(ShapeKind::Ellipse, {{0, 0}, {1, 0}, {2, 0}})).front().code == "bad-shape");
 }
 
-TEST_CASE("setHandle: perpendicular half-axes of an ellipse stay perpendicular") {
+TEST_CASE("setHandle: perpendicular semi-axes of an ellipse stay perpendicular") {
     const Document document = documentOf({makeShape(ShapeKind::Ellipse, {{1, 1}, {4, 1}, {1, 3}})});
     CHECK(setHandle(document, {1, 1}, {1, 7})->shapes[0]->nodes == std::vector<Vec2>{{1, 1}, {1, 7}, {-1, 1}});
     CHECK(setHandle(document, {1, 2}, {9, 2})->shapes[0]->nodes == std::vector<Vec2>{{1, 1}, {4, 1}, {1, 2}});

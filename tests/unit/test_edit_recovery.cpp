@@ -42,7 +42,7 @@ std::shared_ptr<const Document> numbered(std::uint32_t next) {
 std::string journalOf(const std::vector<std::string> &texts) {
     std::string bytes(kJournalMagic);
     bytes += encodeRecord(JournalRecord::Path, "/home/me/harbour.forefront");
-    bytes += encodeRecord(JournalRecord::Whole, texts.front());
+    bytes += encodeRecord(JournalRecord::FullText, texts.front());
     for (std::size_t k = 1; k < texts.size(); ++k) {
         bytes += encodeRecord(JournalRecord::Delta, encodeDelta(texts[k - 1], texts[k]));
     }
@@ -71,7 +71,7 @@ TEST_CASE("Journal: truncated at any byte, it gives the newest complete text") {
     std::size_t next = 0;
     for (std::size_t cut = 0; cut <= bytes.size(); ++cut) {
         const JournalContent content = readJournal(std::string_view(bytes).substr(0, cut));
-        CHECK(content.soundBytes <= cut);
+        CHECK(content.validBytes <= cut);
         if (next < texts.size() && content.text == texts[next]) {
             ++next;
         }
@@ -92,7 +92,7 @@ TEST_CASE("Journal: a flipped bit ends it at the previous record") {
         std::string spoilt = bytes;
         spoilt[bit / 8] = static_cast<char>(spoilt[bit / 8] ^ (1 << (bit % 8)));
         const JournalContent content = readJournal(spoilt);
-        REQUIRE(content.soundBytes <= bit / 8);
+        REQUIRE(content.validBytes <= bit / 8);
         REQUIRE((!content.text || *content.text == texts[0] || *content.text == texts[1]));
     }
 }

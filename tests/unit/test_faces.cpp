@@ -110,7 +110,7 @@ TEST_CASE("Faces: closed constraints divide, open ones and points do not; marker
     }
 }
 
-TEST_CASE("Faces: loops that touch in a node stay apart") {
+TEST_CASE("Faces: loops that touch at a node stay apart") {
     Domain domain;
     const auto first = addLoop(domain, square(0, 0, 1));
     domain.nodes.insert(domain.nodes.end(), {{2, 1}, {2, 2}, {1, 2}});

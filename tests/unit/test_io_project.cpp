@@ -208,7 +208,7 @@ TEST_CASE("Project: curves that are broken are refused at their line and column"
     CHECK(fault.column == 22);
     fault =
         faultOf(R"("curves": [null, {"arc": {"centre": [1, 0], "u": [0, 0], "v": [0, 1], "start": 0, "sweep": 3}}])");
-    CHECK(fault.message == "the arc has no radius: its half-axes \"u\" and \"v\" enclose no area");
+    CHECK(fault.message == "the arc has no radius: its semi-axes \"u\" and \"v\" enclose no area");
     CHECK(fault.column == 26);
     CHECK(faultOf(arc + "0}}, null]").message.starts_with("invalid sweep 0"));
     CHECK(faultOf(arc + "7}}, null]").message.starts_with("invalid sweep 7"));

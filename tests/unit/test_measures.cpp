@@ -187,16 +187,17 @@ TEST_CASE("Limits: verdicts count what breaks a limit and list the worst places"
     CHECK(verdicts[0].places[0].part == 0);
     CHECK(distance(verdicts[0].places[0].at, {4.0 / 3.0, 1.0}) < 1e-12);
     CHECK(toString(verdicts[0]) ==
-          "minimum angle 40\xc2\xb0: broken by 1 of 2 elements, worst 36.87\xc2\xb0 at (1.33333, 1)");
+          "minimum angle 40\xc2\xb0: violated by 1 of 2 elements, worst 36.87\xc2\xb0 at (1.33333, 1)");
     REQUIRE(faultsOf(verdicts[0]).size() == 1);
-    CHECK(faultsOf(verdicts[0])[0].message == "element 0: min \xe2\x88\xa0 36.87\xc2\xb0 breaks the limit 40\xc2\xb0");
-    CHECK(verdicts[1].kept());
-    CHECK(toString(verdicts[1]) == "maximum angle 90\xc2\xb0: kept, worst 90\xc2\xb0");
+    CHECK(faultsOf(verdicts[0])[0].message ==
+          "element 0: min \xe2\x88\xa0 36.87\xc2\xb0 violates the limit 40\xc2\xb0");
+    CHECK(verdicts[1].met());
+    CHECK(toString(verdicts[1]) == "maximum angle 90\xc2\xb0: met, worst 90\xc2\xb0");
     CHECK(verdicts[2].broken == 4);
     CHECK(verdicts[2].places.size() == 2);
     CHECK(verdicts[2].places[0].value == 5.0);
     CHECK(verdicts[3].judged == 0);
-    CHECK_FALSE(verdicts[3].kept());
+    CHECK_FALSE(verdicts[3].met());
     const auto spacing = uniformSpacing(mesh, 4.0);
     CHECK(judge(mesh, limits, spacing.get())[3].broken == 2);
 }

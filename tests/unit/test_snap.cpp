@@ -37,7 +37,7 @@ std::vector<SnapLine> linesOf(const SnappedLines &snapped) {
     return lines;
 }
 
-/// Edges meet only in common ends; each way leads from near one end of its line to near the other.
+/// Edges meet only at common ends; each way leads from near one end of its line to near the other.
 void checkSound(const std::vector<SnapLine> &lines, const SnappedLines &snapped) {
     const PlaneSweepResult sweep = sweepPlane(snapped.nodes, snapped.edges);
     CHECK(sweep.droppedCount == 0);

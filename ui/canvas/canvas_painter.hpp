@@ -27,7 +27,7 @@ class CanvasPainter {
     void polyline(std::span<const Vec2> points, bool closed, Colour colour, double width = 1.5);
     /// Draws a curve as a polyline that looks smooth at the current zoom.
     void curve(const Curve &curve, Colour colour, double width = 1.5);
-    /// Returns the maximum distance between a curve and a polyline that cannot be told from it, in domain units.
+    /// Returns the maximum distance between a curve and a polyline that looks the same, in domain units.
     double curveTolerance() const;
     void triangle(Vec2 a, Vec2 b, Vec2 c, Colour fill);
     void rectangle(const Box2 &box, Colour colour, double width = 1.0);

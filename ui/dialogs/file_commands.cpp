@@ -127,7 +127,7 @@ void showDocument(Shell &context, const Document &document, const std::filesyste
     context.animate();
     if (!project && format != nullptr) {
         const std::size_t count = document.shapes.size();
-        context.log.announce(file.filename().string() + " (" + format->name + ") opened as a new drawing of " +
+        context.log.announce(file.filename().string() + " (" + format->name + ") opened as a new drawing with " +
                              ui::count(count) + (count == 1 ? " shape" : " shapes") +
                              "; save it as a project to keep your changes");
     }

@@ -12,7 +12,7 @@
 
 namespace forefront {
 
-/// A program for which a button chooses the right filter.
+/// A program with a button that chooses the right filter.
 struct FilePreset {
     std::string id; ///< the button is the widget "dialog/DIALOG/preset/ID"
     std::string label;

@@ -92,7 +92,7 @@ void KeyList::drawRow(Shell &context, const Action &action) {
         capturing_ = waits ? std::string() : action.id;
         justBegun_ = true;
     }
-    ui::tooltip(context, "Click, then press a key. Backspace: none. Esc: leave as it is.");
+    ui::tooltip(context, "Click, then press a key. Backspace: no key. Esc: cancel.");
     ImGui::SameLine(0, context.px(8));
     if (const std::vector<const Action *> others = context.actions.conflicts(action); !others.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, context.theme.warn);

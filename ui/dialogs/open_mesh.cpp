@@ -49,7 +49,7 @@ Diagnostics drawingFaults(const Mesh &mesh) {
     return elements && edges && points && finite
                ? Diagnostics{}
                : error("bad-index", "the mesh has nodes that do not exist or coordinates that are not finite",
-                       "forefront check lists them");
+                       "run 'forefront check' on the file to list them");
 }
 
 /// Shows a mesh with its outline as a drawing without a file.

@@ -30,7 +30,7 @@ void drawMeshing(Shell &context) {
     Settings &settings = context.settings;
     label(context, "Live meshing");
     ui::checkbox(context, "dialog/preferences/live", "Mesh after every change", settings.live);
-    note(context, "The mesh follows while you move nodes, sources and the brush.");
+    note(context, "Remesh while you move nodes or sources, or paint.");
     label(context, "Live budget");
     double budget = settings.liveBudget;
     if (ui::slider(context, "dialog/preferences/budget", budget, kMinLiveBudget, kMaxLiveBudget, "%.0f triangles",
@@ -38,9 +38,8 @@ void drawMeshing(Shell &context) {
         const double unit = std::pow(10.0, std::floor(std::log10(budget)) - 1.0);
         settings.liveBudget = std::round(budget / unit) * unit;
     }
-    note(context,
-         "Larger meshes have a coarser preview while you draw; the whole mesh follows when you let go. Lower it "
-         "if the pointer stutters.");
+    note(context, "Larger meshes show a coarser preview while you draw; the full mesh follows when you release the "
+                  "button. Lower this if the pointer stutters.");
 }
 
 void drawSnapping(Shell &context) {
@@ -49,7 +48,7 @@ void drawSnapping(Shell &context) {
     ImGui::SetCursorPosX(context.px(kLabel));
     ui::checkbox(context, "dialog/preferences/snap/grid", "Grid", context.snapping.toGrid);
     ImGui::Dummy({0, context.px(6)});
-    label(context, "Reach");
+    label(context, "Distance");
     ui::slider(context, "dialog/preferences/snap/reach", context.snapping.reach, kMinSnapReach, kMaxSnapReach,
                "%.0f pixels");
     note(context, "Hold Ctrl to turn snapping off, Shift for steps of 15\xc2\xb0.");
@@ -62,7 +61,7 @@ void drawNewDrawings(Shell &context) {
     ImGui::Dummy({0, context.px(2)});
     label(context, "Improve");
     ui::segmented(context, "dialog/preferences/new/improve", settings.newImprove);
-    note(context, "Used by File \xe2\x80\xba New. The open drawing keeps its own options; see the panel Meshing.");
+    note(context, "Used by File \xe2\x80\xba New. The open drawing keeps its own options; see the Meshing panel.");
 }
 
 } // namespace

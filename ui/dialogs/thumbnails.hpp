@@ -15,7 +15,7 @@
 
 namespace forefront {
 
-/// A small picture of a meshed project, with a few hundred elements; with none if the project has faults.
+/// A small picture of a meshed project, with a few hundred elements, or none if the project has faults.
 struct Thumbnail {
     Box2 box;
     std::vector<Vec2> nodes;
@@ -25,7 +25,7 @@ struct Thumbnail {
     std::vector<float> fineness;                        ///< per element: 0 where ρ is finest, 1 where it is coarsest
 };
 
-/// Makes the thumbnails of projects, one after the other, on a thread of its own.
+/// Makes the thumbnails of projects one after the other on a separate thread.
 class Thumbnails {
   public:
     /// `wake` is called from that thread after each thumbnail.

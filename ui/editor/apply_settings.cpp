@@ -19,7 +19,7 @@ void applySettings(Shell &context) {
     }
 }
 
-void takeSettings(Shell &context) {
+void collectSettings(Shell &context) {
     Settings &settings = context.settings;
     settings.layers.clear();
     for (const LayerSlot &slot : context.layers) {

@@ -4,9 +4,9 @@ namespace forefront {
 
 struct Shell;
 
-/// Gives the layers, panels, shortcuts and snapping the settings that were loaded. Called once, when all are there.
+/// Applies the loaded settings to the layers, panels, shortcuts and snapping. Called once, when all of them exist.
 void applySettings(Shell &context);
-/// Takes into the settings what the user changes elsewhere: layers, panels, snapping.
-void takeSettings(Shell &context);
+/// Updates the settings with what the user changes elsewhere: layers, panels, snapping.
+void collectSettings(Shell &context);
 
 } // namespace forefront

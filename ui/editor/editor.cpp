@@ -162,7 +162,7 @@ Editor::Editor(Platform &platform, EditorSetup options)
         if (gallery.empty()) {
             c.log.add(Diagnostic{.severity = Severity::Warning,
                                  .code = "no-assets",
-                                 .message = "the samples were not found",
+                                 .message = "samples not found",
                                  .advice = "set FOREFRONT_ASSETS to the folder that holds samples/"});
         } else {
             open(gallery.front().path);
@@ -391,7 +391,7 @@ void Editor::Parts::applyCursor() {
 }
 
 void Editor::Parts::rememberSettings() {
-    takeSettings(context);
+    collectSettings(context);
     if (!options.settingsFolder.empty() && savedSettings != context.settings) {
         saveSettings(options.settingsFolder / "settings.json", context.settings);
         savedSettings = context.settings;
@@ -449,7 +449,7 @@ void Editor::frame() {
     }
     if (p.drewNews) {
         const double end = steadySeconds();
-        p.pace.drew(end, end - begin);
+        p.pace.recordFrame(end, end - begin);
     }
     p.showTitle();
     if (!ImGui::IsAnyItemActive()) {

@@ -14,7 +14,7 @@ struct EditorSetup {
     std::filesystem::path settingsFolder; ///< empty: settings are neither read nor saved
     std::filesystem::path stateFolder;    ///< for the recovery journal, see stateFolder(); empty: no journal
     std::filesystem::path file;           ///< project or domain to open
-    bool judge = false;                   ///< open `file` as a mesh to judge, not as a drawing
+    bool judge = false;                   ///< open `file` as a mesh to inspect, not as a drawing
     bool sample = true;                   ///< open the first sample if no file is given
     std::filesystem::path stateFile;      ///< file that receives the state of each frame, for tests of the real window
 };
@@ -27,7 +27,7 @@ class Editor {
     Editor(const Editor &) = delete;
     Editor &operator=(const Editor &) = delete;
 
-    /// Takes input, builds the user interface, draws and presents one frame.
+    /// Processes input, builds the user interface, draws and presents one frame.
     void frame();
     /// Returns how many seconds the platform may sleep before the next frame; 0 while something is animated.
     double sleepSeconds() const;

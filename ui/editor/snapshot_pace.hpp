@@ -13,7 +13,7 @@ class SnapshotPace {
     /// Returns the time at which the next snapshot is due.
     double next() const { return next_; }
     /// Records that a frame with a new snapshot ended at `now` and took `cost`.
-    void drew(double now, double cost) { next_ = now + std::min(kShare * cost, kLongest); }
+    void recordFrame(double now, double cost) { next_ = now + std::min(kShare * cost, kLongest); }
 
   private:
     static constexpr double kShare = 2.0, kLongest = 1.0;

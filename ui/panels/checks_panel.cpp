@@ -26,7 +26,7 @@ class ChecksPanel final : public Panel {
         } else {
             drawDrawing(context);
         }
-        ui::heading(context, "Limits of the mesh");
+        ui::heading(context, "Mesh limits");
         drawLimits(context);
     }
 

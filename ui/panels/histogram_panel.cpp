@@ -35,7 +35,7 @@ class HistogramPanel final : public Panel {
         }
         drawChoice(context);
         if (judgement->summary.count == 0) {
-            ui::small(context, "This measure compares the mesh with the node spacing \xcf\x81, and there is none.",
+            ui::small(context, "This measure compares the mesh with the node spacing \xcf\x81, but there is none.",
                       true);
             ui::mark(context, "histogram/none");
             return;
@@ -62,8 +62,8 @@ class HistogramPanel final : public Panel {
         if (ui::combo(context, "histogram/measure", labels, choice, 118.0F)) {
             chooseMeasure(context, static_cast<Measure>(choice));
         }
-        ui::tooltip(context,
-                    std::string(infoOf(context.view.measure).meaning) + "\nThe layer Quality shows it in colours");
+        ui::tooltip(context, std::string(infoOf(context.view.measure).meaning) +
+                                 "\nThe Quality layer shows this measure in colour");
     }
 
     static void drawSummary(Workspace &context, const Judgement &judgement) {

@@ -60,9 +60,9 @@ void drawVerdict(Shell &context, const LimitVerdict &verdict, const std::string 
     if (verdict.judged == 0) {
         drawIcon(icon::kHelp, context.theme.muted);
     } else {
-        drawIcon(verdict.kept() ? icon::kCheck : icon::kError, verdict.kept() ? context.theme.good : context.theme.bad);
+        drawIcon(verdict.met() ? icon::kCheck : icon::kError, verdict.met() ? context.theme.good : context.theme.bad);
     }
-    ui::mark(context, name + (verdict.kept() ? "/kept" : verdict.judged == 0 ? "/unknown" : "/broken"));
+    ui::mark(context, name + (verdict.met() ? "/kept" : verdict.judged == 0 ? "/unknown" : "/broken"));
     ui::tooltip(context, toString(verdict));
     if (verdict.broken > 0) {
         ImGui::SameLine(0, context.px(5));
@@ -102,7 +102,7 @@ void drawMeshFaults(Shell &context) {
     const bool valid = judgement.faults.empty();
     drawIcon(valid ? icon::kCheck : icon::kError, valid ? context.theme.good : context.theme.bad);
     ImGui::SameLine(context.px(20));
-    ui::small(context, valid ? "The mesh is valid" : "Faults of the mesh");
+    ui::small(context, valid ? "The mesh is valid" : "Mesh faults");
     ui::mark(context, valid ? "checks/mesh/valid" : "checks/mesh/faulty");
     for (std::size_t k = 0; k < judgement.faults.size(); ++k) {
         const Diagnostic &fault = judgement.faults[k];

@@ -36,7 +36,7 @@ class MeshingPanel final : public Panel {
         form::label(context, "Grid");
         changed = ui::combo(context, "meshing/grid", options.grid) || changed;
         ui::rowTooltip(context, "Background grid that speeds up searches on the front. It changes the work, never the "
-                                "mesh. Turn on the layer Grid cells to see it.");
+                                "mesh. Turn on the Grid cells layer to see it.");
         if (changed) {
             Document next = *context.document.current();
             next.options = options;

@@ -13,13 +13,13 @@ std::unique_ptr<Panel> makeLayersPanel();
 std::unique_ptr<Panel> makeStepsPanel();
 /// Lists the candidates of the current advance with their scores and verdicts, and works out one of them in numbers.
 std::unique_ptr<Panel> makeCandidatesPanel();
-/// Shows a histogram of α; clicking a bar isolates its elements.
+/// Shows a histogram of the chosen measure; clicking a bar isolates its parts.
 std::unique_ptr<Panel> makeHistogramPanel();
 /// Shows the values of the part of the mesh that is chosen or under the pointer, and steps through the worst parts.
 std::unique_ptr<Panel> makeProbePanel();
 /// Shows Nn, Ne, Nb, Nc, Ns, α, δ, angles and times.
 std::unique_ptr<Panel> makeStatisticsPanel();
-/// Lists the commands of the history; a click travels there.
+/// Lists the commands of the history; a click returns to that state.
 std::unique_ptr<Panel> makeHistoryPanel();
 /// Lists messages with links to their locations.
 std::unique_ptr<Panel> makeLogPanel();

@@ -25,7 +25,7 @@ class ProbePanel final : public Panel {
     void draw(Shell &context) override {
         const std::shared_ptr<const Judgement> judgement = context.judgement;
         if (!judgement->of.mesh) {
-            ui::small(context, "Mesh the drawing, or open a mesh, to read values off its elements, edges and nodes.",
+            ui::small(context, "Mesh the drawing, or open a mesh, to read values from its elements, edges and nodes.",
                       true);
             ui::mark(context, "probe/empty");
             return;
@@ -35,8 +35,9 @@ class ProbePanel final : public Panel {
         const std::optional<MeshPick> pick = context.probe.chosen ? context.probe.chosen : context.probe.hovered;
         if (!pick) {
             ui::small(context,
-                      context.probe.active ? "Point at the mesh; click to keep an element, edge or node."
-                                           : "Press I, then point at an element, edge or node of the mesh.",
+                      context.probe.active
+                          ? "Point at the mesh; click an element, edge or node to keep it in view here."
+                          : "Press I, then point at an element, edge or node of the mesh.",
                       true);
             ui::mark(context, "probe/hint");
         } else {
@@ -98,9 +99,9 @@ class ProbePanel final : public Panel {
         if (pick.part == MeshPart::Nodes) {
             if (ui::button(context, "probe/pin", "Pin this node") &&
                 EditState::apply(context, pinNode(document, nodes[pick.index], kConstraintTag), "Pin node")) {
-                context.log.announce("The node is a constraint now; every mesh of the drawing will have it");
+                context.log.announce("The node is now a constraint; every mesh of this drawing will include it");
             }
-            ui::tooltip(context, "Add the node to the drawing, so that every later mesh has it");
+            ui::tooltip(context, "Add the node to the drawing, so that every later mesh includes it");
         } else if (pick.part == MeshPart::Edges) {
             const MeshEdge &edge = judgement.edges->edges[pick.index];
             const bool inner = edge.elements[1] != kNoElement;
@@ -108,9 +109,9 @@ class ProbePanel final : public Panel {
                 EditState::apply(context,
                                  keepEdge(document, nodes[index(edge.a)], nodes[index(edge.b)], kConstraintTag),
                                  "Keep edge")) {
-                context.log.announce("The edge is a constraint now; every mesh of the drawing will have it");
+                context.log.announce("The edge is now a constraint; every mesh of this drawing will include it");
             }
-            ui::tooltip(context, inner ? "Add the edge to the drawing, so that every later mesh follows it"
+            ui::tooltip(context, inner ? "Add the edge to the drawing, so that every later mesh includes it"
                                        : "The edge lies on the boundary, which every mesh follows");
         }
     }

@@ -128,7 +128,7 @@ void SpacingPanel::drawLimits(Shell &context) {
     if (ui::checkbox(context, "spacing/fromboundary", "Use boundary lengths", fromBoundary)) {
         context.document.apply(setFromBoundary(*context.document.current(), fromBoundary), "Spacing from boundary");
     }
-    ui::rowTooltip(context, "Take the lengths of the drawn boundary segments as node spacing there.");
+    ui::rowTooltip(context, "Use the lengths of the drawn boundary segments as the node spacing there.");
 }
 
 /// Returns true if no part of the spacing covers the whole domain, so that the automatic spacing applies.

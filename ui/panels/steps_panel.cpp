@@ -90,7 +90,7 @@ std::string worked(const AdvanceExplanation &e, Step step) {
                           ui::number(e.fieldRho).c_str(), ui::number(base).c_str(), ui::number(0.55 * base).c_str(),
                           ui::number(2.0 * base).c_str(), ui::number(e.rho).c_str());
     case Step::IdealPoint:
-        return ui::format("\nheight \xe2\x88\x9a(\xcf\x81\xc2\xb2 \xe2\x88\x92 |AB|\xc2\xb2/4) = %s over AB, "
+        return ui::format("\nheight \xe2\x88\x9a(\xcf\x81\xc2\xb2 \xe2\x88\x92 |AB|\xc2\xb2/4) = %s above AB, "
                           "at least |AB|/2 = %s",
                           ui::number(std::sqrt(std::max(0.0, e.rho * e.rho - 0.25 * base * base))).c_str(),
                           ui::number(0.5 * base).c_str());

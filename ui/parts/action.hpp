@@ -20,7 +20,7 @@ struct Shortcut {
 /// Returns the text shown for a shortcut: "Ctrl+Shift+Z", "Space", ".".
 std::string toString(Shortcut shortcut);
 
-/// Returns the shortcut that toString() gives this text; empty if there is none.
+/// Parses a shortcut as toString() writes it; std::nullopt if the text is not a shortcut.
 std::optional<Shortcut> parseShortcut(std::string_view text);
 
 /// An entry of a submenu.
@@ -60,7 +60,7 @@ class ActionRegistry {
     /// Returns true if a shortcut with this key repeats while held.
     bool repeats(int key) const;
     bool run(std::string_view id, Shell &context) const;
-    /// Gives an action another shortcut, or none, or its own ones again.
+    /// Gives an action another shortcut, none, or its default ones again.
     void rebind(std::string_view id, std::optional<Shortcut> shortcut);
     void resetShortcuts(std::string_view id);
     /// Returns the other actions that share a shortcut with this one. The first of them that is enabled runs.

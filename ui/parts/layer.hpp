@@ -40,9 +40,9 @@ struct LayerFrame {
     const Selection &selection;
     std::optional<Vec2> pointer;          ///< place under the pointer while it is over the canvas
     std::optional<std::size_t> candidate; ///< chosen in the table of the explained advance
-    const Judgement &judgement;           ///< of a mesh shown at most a moment ago
+    const Judgement &judgement;           ///< of the mesh shown now or a moment ago
     std::optional<int> isolatedBin;
-    ColourRange measureRange; ///< of the colours of the measure judged by
+    ColourRange measureRange; ///< of the colours of the chosen measure
     bool outOfDate;
     const std::vector<LayerSlot> &layers;
     GlKit &gl; ///< shared shaders and buffers

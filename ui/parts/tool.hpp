@@ -54,13 +54,13 @@ class Tool {
     virtual int key() const = 0;
 
     virtual void activate(Shell &) {}
-    /// Finishes or drops unfinished input when another tool is chosen.
+    /// Finishes or discards unfinished input when another tool is chosen.
     virtual void deactivate(Shell &) {}
     /// Handles an event and returns true if it was used. Unused keys go to the shortcuts, so that a tool in the middle
     /// of a path can take digits, Enter, Backspace and Esc.
     virtual bool handle(const CanvasEvent &event, Shell &context) = 0;
     virtual void drawOverlay(CanvasPainter &, Shell &) {}
-    /// Returns true if the options strip is to be shown now.
+    /// Returns true if the options strip should be shown now.
     virtual bool hasOptions(const Shell &) const { return false; }
     /// Draws the widgets of the options strip, each an item of `flow`.
     virtual void drawOptions(Shell &, ui::Flow &) {}

@@ -107,7 +107,7 @@ void drawRunPlot(Shell &context, const TimeAxis &axis, float top) {
                  run.known > 0);
     if (run.known == 0 || !run.curves || run.curves->samples.empty()) {
         ImGui::SetCursorScreenPos({context.px(14), top + context.px(8)});
-        ui::small(context, "Mesh the drawing or step through it to see its curves here.");
+        ui::small(context, "Mesh the drawing or step through it to see plots of the run here.");
         return;
     }
     ImGui::SetCursorScreenPos({axis.left, frame.top});

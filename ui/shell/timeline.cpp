@@ -156,7 +156,7 @@ std::string captionText(const Shell &context, const SessionSnapshot &run) {
     }
     const bool atEnd = run.complete && run.advance == run.known;
     if (context.run.showsFile()) {
-        return "A mesh read from a file, as it is; mesh its outline to follow the front.";
+        return "A mesh read from a file, unchanged; remesh its outline to watch the front.";
     }
     if (atEnd && run.coarsening > 1.0) {
         return "A preview with " + ui::number(run.coarsening, 2) + " times the node spacing of the drawing.";
@@ -195,7 +195,7 @@ void drawCaptionRow(Shell &context, const PixelRect &rect, float top) {
     const SessionSnapshot &run = context.run.now();
     const float right = static_cast<float>(rect.width) - context.px(14);
     ImGui::SetCursorScreenPos({right - context.px(56), top - context.px(5)});
-    if (ui::iconButton(context, "timeline/plotswitch", icon::kPolyline, "Curves of the run: front, tests, \xce\xb1",
+    if (ui::iconButton(context, "timeline/plotswitch", icon::kPolyline, "Plots of the run: front, tests, \xce\xb1",
                        context.view.runPlot, true, 26.0F)) {
         context.view.runPlot = !context.view.runPlot;
         context.animate();

@@ -32,7 +32,7 @@ MarkLook lookOf(const Theme &theme, MarkKind kind) {
     case MarkKind::Closure:
         return {"Closure", "The last element of a front", fade(theme.good, 0.7), 4.0, true};
     case MarkKind::Deferral:
-        return {"Deferral", "No candidate passed: the base was put back", theme.warn, 6.0, false};
+        return {"Deferral", "No candidate passed: the base segment was deferred", theme.warn, 6.0, false};
     case MarkKind::Forced:
         return {"Forced", "An element made from existing nodes only, to close the front", theme.bad, 6.0, false};
     }
@@ -125,8 +125,8 @@ void drawPlacedCondition(Shell &context, Breakpoints &breakpoints, StopKind kind
     }
     const std::string name = "breakpoints/" + std::to_string(static_cast<int>(kind)) + "/pick";
     if (ui::link(context, name,
-                 kind == StopKind::Place ? "Pick a place to be covered\xe2\x80\xa6"
-                                         : "Pick a grid cell to be visited\xe2\x80\xa6")) {
+                 kind == StopKind::Place ? "Pick a point to cover\xe2\x80\xa6"
+                                         : "Pick a grid cell to visit\xe2\x80\xa6")) {
         context.view.traceMode = kind == StopKind::Place ? TraceMode::Place : TraceMode::Cell;
         context.tools.choose("trace", context);
         ImGui::CloseCurrentPopup();

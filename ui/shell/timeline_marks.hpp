@@ -28,7 +28,7 @@ std::optional<TimelineMark> markUnderPointer(const Workspace &context, const Tim
 /// Returns the name of a kind of mark, such as "Deferral".
 const char *markName(MarkKind kind);
 
-/// Draws the button of the popup that chooses breakpoints and marks, and the popup while it is open.
+/// Draws the button that opens the popup for breakpoints and marks, and the popup while it is open.
 void drawBreakpointsButton(Shell &context);
 
 /// Returns why a run stopped, or what was found: "Two fronts join. "; empty without a reason.

@@ -10,7 +10,7 @@ Colour viridis(double t);
 Colour cividis(double t);
 /// Cividis from its bright end to its dark one.
 Colour cividisReversed(double t);
-/// A map with a neutral middle, purple at t = 0 and orange at t = 1, that the colour-blind can read too (PuOr of C.
+/// A map with a neutral middle, purple at t = 0 and orange at t = 1, that is also safe for the colour-blind (PuOr of C.
 /// Brewer).
 Colour diverging(double t);
 /// Eight colours that the colour-blind can tell apart (M. Okabe, K. Ito), each for an eighth of [0, 1].

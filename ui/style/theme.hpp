@@ -43,7 +43,7 @@ struct Theme {
     Colour element;   ///< faces of elements not coloured by a value
     Colour front;     ///< generation front Γ
     Colour base;      ///< base segment AB
-    Colour candidate; ///< candidate nodes and segments not yet judged
+    Colour candidate; ///< candidate nodes and segments not yet tested
     Colour cell;      ///< occupied cells of the background grid
     Colour visited;   ///< cells visited in this step
     Colour gridLine;  ///< drawing grid

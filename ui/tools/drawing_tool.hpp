@@ -21,7 +21,7 @@ class DrawingTool : public Tool {
     CursorShape cursor() const override { return CursorShape::Crosshair; }
 
   protected:
-    /// Takes a node given by a click, a typed number or the end of a drag.
+    /// Handles a node placed by a click, a typed number or the end of a drag.
     virtual void place(Vec2 at, Shell &context) = 0;
     /// Draws the unfinished shape.
     virtual void drawSketch(CanvasPainter &painter, Shell &context) = 0;
@@ -35,7 +35,7 @@ class DrawingTool : public Tool {
     virtual bool removeLast() { return false; }
     /// Returns true if releasing a drag places a second node.
     virtual bool dragPlaces() const { return false; }
-    /// Takes the pointer while it is dragged away from where a press placed a node; see PenTool.
+    /// Follows the pointer while it is dragged away from where a press placed a node; see PenTool.
     virtual void pull(Vec2) {}
     /// Returns a snap target of the tool, such as the first node of a path, that takes precedence over all others.
     virtual std::optional<Vec2> ownSnap(Vec2, const Shell &) const { return std::nullopt; }

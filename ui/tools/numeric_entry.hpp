@@ -17,8 +17,8 @@ struct TypedPair {
     bool relative = false;
 };
 
-/// Parses two numbers separated by a comma or a space; "@" in front makes them relative. The whole text must be used
-/// up.
+/// Parses two numbers separated by a comma or a space; "@" in front makes them relative. The entire text must be
+/// consumed.
 std::optional<TypedPair> parsePair(std::string_view text);
 
 /// A quantity that can be typed while drawing. Lengths in domain units, angles in degrees.

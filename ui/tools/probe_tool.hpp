@@ -6,7 +6,7 @@
 
 namespace forefront {
 
-/// Reads values off the mesh: the part under the pointer, and the part that is clicked.
+/// Reads values from the mesh: the part under the pointer, and the part that is clicked.
 class ProbeTool final : public Tool {
   public:
     const char *id() const override { return "probe"; }

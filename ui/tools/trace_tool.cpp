@@ -63,9 +63,9 @@ void TraceTool::click(Vec2 place, Shell &context) {
 void TraceTool::drawOptions(Shell &context, ui::Flow &flow) {
     flow.item("mode");
     int mode = static_cast<int>(context.view.traceMode);
-    const char *const names[] = {"Birth", "Place", "Cell"};
+    const char *const names[] = {"Creation", "Point", "Cell"};
     const char *const tips[] = {"A click goes to the advance that made the element, edge or node under the pointer",
-                                "A click sets a breakpoint: stop when an element covers the place",
+                                "A click sets a breakpoint: stop when an element covers that point",
                                 "A click sets a breakpoint: stop when a search visits the cell of the background grid"};
     if (ui::segmented(context, "options/trace/mode", names, mode, 200.0F, tips)) {
         context.view.traceMode = static_cast<TraceMode>(mode);
@@ -77,9 +77,9 @@ std::string TraceTool::statusText(const Shell &context) const {
     case TraceMode::Birth:
         return "Click an element, edge or node to go to the advance that made it";
     case TraceMode::Place:
-        return "Click where the run is to stop when an element covers the place; N runs to it";
+        return "Click a point: the run stops when an element covers it; N runs to it";
     case TraceMode::Cell:
-        return "Click a cell of the background grid to stop at its next visit; N runs to it";
+        return "Click a cell of the background grid: the run stops at its next visit; N runs to it";
     }
     return {};
 }

@@ -4,12 +4,12 @@
 
 namespace forefront {
 
-/// Asks where the mesh came from: a click goes to the advance that made an element, edge or node, or sets a breakpoint
-/// at a place or at a cell of the background grid.
+/// Traces how the mesh was made: a click goes to the advance that made an element, edge or node, or sets a breakpoint
+/// at a point or at a cell of the background grid.
 class TraceTool final : public Tool {
   public:
     const char *id() const override { return "trace"; }
-    const char *name() const override { return "Trace: who made this?"; }
+    const char *name() const override { return "Trace: what made this?"; }
     const char *icon() const override;
     int key() const override { return 'W'; }
     bool handle(const CanvasEvent &event, Shell &context) override;

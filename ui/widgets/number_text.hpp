@@ -7,7 +7,7 @@ namespace forefront {
 
 /// Returns `text` without the spaces at both ends.
 std::string_view trimmed(std::string_view text);
-/// Parses a finite number. The whole text must be used up, except for spaces around it.
+/// Parses a finite number. The entire text must be consumed, except for spaces around it.
 std::optional<double> parseNumber(std::string_view text);
 
 } // namespace forefront

@@ -79,7 +79,7 @@ bool badge(WidgetContext &context, std::string_view name, std::string_view text,
 std::string count(std::uint64_t number);
 /// Formats like printf and returns the string.
 std::string format(const char *pattern, ...) __attribute__((format(printf, 1, 2)));
-/// Formats a number for people, with `digits` significant digits, all digits before the point and no trailing zeros:
+/// Formats a number for display, with `digits` significant digits, all digits before the point and no trailing zeros:
 /// "0.05", "12.3", "140". Uses an exponent only below 0.0001 and from 10⁹.
 std::string number(double value, int digits = 4);
 /// Formats a mean of counts with about three digits: "3.27", "41.5", "140".

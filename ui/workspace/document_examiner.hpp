@@ -36,7 +36,7 @@ struct SpacingRaster {
     std::vector<float> rho;
 };
 
-/// Computes the preview of a document, and a raster of its spacing, on a thread of its own.
+/// Computes the preview of a document, and a raster of its spacing, on a separate thread.
 class DocumentExaminer {
   public:
     /// `wake` is called from that thread when a result is ready.

@@ -34,7 +34,7 @@ struct EditState {
     /// Makes `next` the document, or logs why it was refused. Returns true if it was applied.
     static bool apply(Workspace &context, Result<Document> next, const std::string &label,
                       const std::string &merge = {});
-    /// Converts a reach of the pointer from design pixels to domain units.
+    /// Converts a distance around the pointer from design pixels to domain units.
     static double reach(const Workspace &context, double designPixels);
     /// Returns a snap query with the current options; `angle` and `off` come from the modifiers of the event.
     SnapQuery query(const Workspace &context, Vec2 place, bool angle, bool off) const;

@@ -22,20 +22,20 @@ JudgeRequest judgeRequest(const Workspace &context);
 /// Returns the colour range of the chosen measure: set by the user, or fitted to the mesh.
 ColourRange measureRange(const Workspace &context);
 
-/// Chooses the measure that the mesh is judged by; forgets the colour range and the isolated bar of the last one.
+/// Chooses the measure to show; resets the colour range and the isolated bar of the previous one.
 void chooseMeasure(Workspace &context, Measure measure);
 
-/// Shows a part of the judged mesh: chooses it in the probe and zooms so that its surroundings are visible.
+/// Shows a part of the mesh: chooses it in the probe and zooms so that its surroundings are visible.
 void goToPart(Workspace &context, const MeshPick &pick);
 
 /// Shows the part with a rank, 0 being the worst, by the chosen measure.
 void goToRank(Workspace &context, std::size_t rank);
 
-/// Returns the part of the judged mesh at a place: the nearest node or edge of the element there if it is within
-/// `reach`, otherwise the element; nothing outside the mesh or while the tree of the judgement is not known.
+/// Returns the part of the mesh at a place: the nearest node or edge of the element there if it is within `reach`,
+/// otherwise the element; std::nullopt outside the mesh or until the search tree is ready.
 std::optional<MeshPick> partAt(const Judgement &judgement, Vec2 place, double reach);
 
-/// Returns what is known about a part, as labels and values.
+/// Returns the properties of a part as labels and values.
 std::vector<std::pair<std::string, std::string>> describePart(const Workspace &context, const MeshPick &pick);
 
 /// Draws marks around the chosen part and the part under the pointer.

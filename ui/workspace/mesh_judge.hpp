@@ -18,9 +18,9 @@
 
 namespace forefront {
 
-/// The questions to answer about a mesh.
+/// A request to evaluate a mesh.
 struct JudgeRequest {
-    std::shared_ptr<const MeshView> mesh;        ///< null: nothing to judge
+    std::shared_ptr<const MeshView> mesh;        ///< null: nothing to evaluate
     std::shared_ptr<const SpacingField> spacing; ///< may be null
     Measure measure = Measure::ShapeFactor;      ///< whose values are computed
     MeshLimits limits;
@@ -30,7 +30,7 @@ struct JudgeRequest {
     friend bool operator==(const JudgeRequest &, const JudgeRequest &) = default;
 };
 
-/// The answers about a mesh.
+/// The evaluation of a mesh.
 struct Judgement {
     JudgeRequest of;
     /// Edges of the mesh; null if the request does not need them.
@@ -47,7 +47,7 @@ struct Judgement {
     static constexpr std::size_t kRanked = 200;
 };
 
-/// Judges the mesh shown, on a thread of its own, so that the window never waits for it.
+/// Evaluates the mesh shown on a separate thread, so that the window never waits for it.
 class MeshJudge {
   public:
     /// `wake` is called from that thread when a judgement is ready.
@@ -56,11 +56,11 @@ class MeshJudge {
     MeshJudge(const MeshJudge &) = delete;
     MeshJudge &operator=(const MeshJudge &) = delete;
 
-    /// Sets what to find out; cheap if it has not changed. Work on an earlier request is finished first.
+    /// Sets the request; cheap if it has not changed. Work on an earlier request is finished first.
     void submit(const JudgeRequest &request);
     /// Returns the newest judgement; never null.
     std::shared_ptr<const Judgement> latest() const;
-    /// Returns true while the newest request is not answered.
+    /// Returns true while the newest request is unanswered.
     bool busy() const;
 
   private:
@@ -74,10 +74,10 @@ class MeshJudge {
     std::jthread thread_; ///< last, so that it ends before what it uses
 };
 
-/// Answers a request; takes what has not changed from an earlier answer.
+/// Answers a request; reuses what has not changed from an earlier answer.
 std::shared_ptr<const Judgement> judgementOf(const JudgeRequest &request, const Judgement &earlier);
 
-/// Returns the place of a part of the judged mesh. Edges must be known for those.
+/// Returns the position of a part of the evaluated mesh. For edges, the judgement must include them.
 Vec2 placeOf(const Judgement &judgement, MeshPart part, std::uint32_t index);
 
 } // namespace forefront

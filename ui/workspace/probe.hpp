@@ -15,7 +15,7 @@ struct MeshPick {
     friend bool operator==(const MeshPick &, const MeshPick &) = default;
 };
 
-/// The parts of the mesh that the user looks at.
+/// The parts of the mesh that the user is looking at.
 struct Probe {
     bool active = false;             ///< the tool is chosen, so that parts must be found at the pointer
     std::uint64_t mesh = 0;          ///< version of the mesh that the parts belong to

@@ -64,10 +64,10 @@ class PartReader {
         const auto tagged = std::find_if(mesh_.edges.begin(), mesh_.edges.end(), [&](const TaggedEdge &t) {
             return std::minmax(t.a, t.b) == std::minmax(edge.a, edge.b);
         });
-        rows.emplace_back("Part", tagged == mesh_.edges.end()
-                                      ? "none"
-                                      : tagText(tagged->tag, boundaryName(mesh_.boundaryNames, tagged->tag)));
-        rows.emplace_back("Middle", placeText(midpoint(at(edge.a), at(edge.b))));
+        rows.emplace_back("Boundary", tagged == mesh_.edges.end()
+                                          ? "none"
+                                          : tagText(tagged->tag, boundaryName(mesh_.boundaryNames, tagged->tag)));
+        rows.emplace_back("Midpoint", placeText(midpoint(at(edge.a), at(edge.b))));
         return rows;
     }
 
@@ -85,10 +85,10 @@ class PartReader {
             boundary = boundary || (edge.elements[1] == kNoElement && (edge.a == id || edge.b == id));
         }
         return {{"Node", std::to_string(number)},
-                {"Place", placeText(at(id))},
+                {"Position", placeText(at(id))},
                 {"Valence", std::to_string(valence)},
                 {"Elements", elements},
-                {"Lies", boundary ? "on the boundary" : "inside"}};
+                {"Location", boundary ? "on the boundary" : "inside"}};
     }
 
   private:

@@ -116,7 +116,7 @@ bool RunControl::wantsWhole() const {
 /// a preview, or one large enough to show its progress.
 bool RunControl::replaceable(const SessionSnapshot &newest, bool gestureOver) const {
     const auto last = starts_.find(lastStart_);
-    const bool follows = last != starts_.end() && last->second.live && last->second.extent == Extent::Whole;
+    const bool follows = last != starts_.end() && last->second.live && last->second.extent == Extent::Full;
     const bool large =
         newest.run == lastStart_ && (newest.state == RunState::Running || newest.state == RunState::Improving);
     return follows || (large && gestureOver);
@@ -124,7 +124,7 @@ bool RunControl::replaceable(const SessionSnapshot &newest, bool gestureOver) co
 
 void RunControl::followNewest() {
     if (followed_ == meshRevision()) {
-        start(StartMode::RunQuiet, Extent::Whole);
+        start(StartMode::RunQuiet, Extent::Full);
     } else if (!document_.current()->shapes.empty()) {
         start(StartMode::RunQuiet, Extent::Preview);
     }

@@ -29,15 +29,15 @@ class RunControl {
     /// Takes the newest snapshot and logs what the run reports. Called once per frame.
     void refresh();
     /// Keeps the mesh up to date with the document while `live`: the current run is finished and shown, then the newest
-    /// document is meshed. A mesh above `liveBudget` is followed by a coarser preview, and made as fine as the document
-    /// asks once `gestureOver`, which is also when the result is logged. `faulty`: the drawing has faults, which are
+    /// document is meshed. For a mesh above `liveBudget`, a coarser preview follows the edits, and the full mesh is
+    /// made once `gestureOver`, which is also when the result is logged. `faulty`: the drawing has faults, which are
     /// shown elsewhere. Called once per frame, after input.
     void follow(bool gestureOver, bool faulty);
-    /// Returns true if live meshing has yet to start a mesh of the newest document, or its whole mesh after a preview.
+    /// Returns true if live meshing has yet to start a mesh of the newest document, or its full mesh after a preview.
     bool hasToFollow() const;
-    /// Returns true if live meshing can start on it now, since the worker is idle.
+    /// Returns true if live meshing can do that now, since the worker is idle.
     bool canFollow() const { return hasToFollow() && !session_.busy(); }
-    /// Returns true if the mesh shown is a preview, coarser than its document asks.
+    /// Returns true if the mesh shown is a preview, coarser than the document asks for.
     bool preview() const { return snapshot_->coarsening > 1.0; }
     /// Returns true if a newer snapshot is waiting.
     bool hasNews() const { return session_.latest() != snapshot_; }
@@ -91,14 +91,14 @@ class RunControl {
     bool live = false;
     /// Number of elements up to which meshes follow every change; larger ones have a coarser preview.
     double liveBudget = 25'000.0;
-    /// Number of elements above which live meshing shows only the preview, since a whole mesh could take all memory.
+    /// Number of elements above which live meshing shows only the preview, since a full mesh could use up the memory.
     static constexpr double kLargestLive = 2e6;
 
   private:
-    /// A run for live meshing may be a preview; `Whole` makes the mesh that the document asks for.
-    enum class Extent : std::uint8_t { Preview, Whole };
+    /// The extent of a run for live meshing: a preview, or the full mesh that the document asks for.
+    enum class Extent : std::uint8_t { Preview, Full };
 
-    void start(StartMode mode, Extent extent = Extent::Whole);
+    void start(StartMode mode, Extent extent = Extent::Full);
     void followNewest();
     bool replaceable(const SessionSnapshot &newest, bool gestureOver) const;
     bool wantsWhole() const;
@@ -118,7 +118,7 @@ class RunControl {
         std::uint64_t revision = 0;
         Method method = Method::Fast;
         bool live = false;
-        Extent extent = Extent::Whole;
+        Extent extent = Extent::Full;
     };
     /// The result of the last live run; logged when the gesture is over.
     struct LiveResult {

@@ -20,8 +20,8 @@ struct CandidateChoice {
 
 /// The effect of a click with the trace tool.
 enum class TraceMode : std::uint8_t {
-    Birth, ///< goes to the advance that made what was clicked
-    Place, ///< stops the run when an element covers the place
+    Birth, ///< goes to the advance that made the part clicked on
+    Place, ///< stops the run when an element covers the point
     Cell   ///< stops the run when the search visits the cell of the background grid
 };
 
@@ -44,8 +44,8 @@ struct View {
     std::optional<int> isolatedBin;          ///< bin of the histogram whose parts are shown alone
     std::optional<ColourRange> measureRange; ///< of the colours of the measure; not set: it fits the mesh
 
-    /// Fits a part of the plane into the view, and keeps it fitted when the canvas is resized. Like every other move of
-    /// the camera below, it ends following.
+    /// Fits a part of the plane into the view, and keeps it fitted when the canvas is resized. Like every other camera
+    /// move below, it stops following the front.
     void fit(const Box2 &box);
     void pan(Pixel pixels);
     void zoomAt(Pixel pixel, double factor);

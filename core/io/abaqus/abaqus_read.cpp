@@ -40,7 +40,7 @@ class AbaqusReader {
             keyword(line());
         }
         if (scanner_.ok() && !nodesFinished_) {
-            scanner_.fail(scanner_.offset(), "bad-syntax", "the file has no *NODE and *ELEMENT");
+            scanner_.fail(scanner_.offset(), "bad-syntax", "the file has no *NODE or *ELEMENT section");
         }
         if (!scanner_.ok()) {
             return scanner_.faults();

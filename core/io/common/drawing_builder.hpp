@@ -17,7 +17,7 @@ class DrawingBuilder {
   public:
     explicit DrawingBuilder(const SourceText &source);
 
-    /// Sets the byte offsets in the text of the nodes added next; nodes beyond the list take its last offset.
+    /// Sets the byte offsets in the text of the nodes added next; nodes beyond the list get its last offset.
     void from(std::vector<std::size_t> offsets) { offsets_ = std::move(offsets); }
     std::uint32_t addFeature(std::int32_t regionTag, std::string name = {});
     std::uint32_t addShape(std::uint32_t feature, std::string name = {}) {
@@ -30,7 +30,7 @@ class DrawingBuilder {
     /// that the segments from each node on are chords of; the last ones may be missing.
     void addRing(std::uint32_t contour, std::span<const Vec2> nodes, std::int32_t tag,
                  std::span<const CurveStretch> stretches = {});
-    /// Adds a line; where it lies on an outline, that takes the tag of the line.
+    /// Adds a line; where it lies on an outline, the outline takes the tag of the line.
     void addChain(std::span<const Vec2> nodes, std::int32_t tag, std::span<const CurveStretch> stretches = {});
     void addPoint(Vec2 at, std::int32_t tag);
     /// Puts region markers into the domain; without them all elements have the tag 1.

@@ -18,7 +18,7 @@ struct MeshField {
     std::vector<double> values;
 };
 
-/// Scalar nodal values by name, as a file holds them; NaN where it has no value.
+/// Scalar nodal values by name, as stored in a file; NaN where it has no value.
 using NamedFields = std::map<std::string, std::vector<double>>;
 
 /// Returns the mesh with the field of that name. Faults: "no-field", which lists the fields of the file, and

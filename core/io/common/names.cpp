@@ -216,7 +216,7 @@ Diagnostics noteChangedNames(const TagList &tags, const FileNames &written) {
     Diagnostic note;
     note.severity = Severity::Note;
     note.code = "changed-names";
-    note.message = "names are changed to fit the format: " + list;
+    note.message = "names changed to fit the format: " + list;
     return {note};
 }
 

@@ -65,7 +65,7 @@ struct FileNames {
 /// their names, and regions and points whose names are taken get "_region" or "_point" appended.
 FileNames identifiersOf(const TagList &tags, UniqueNames &unique);
 
-/// Returns a note that lists the names which differ in the file, or nothing if none does.
+/// Returns a note that lists the names that differ in the file; empty if none do.
 Diagnostics noteChangedNames(const TagList &tags, const FileNames &written);
 
 /// Adds a name read from a file, unless it only repeats the default name of its tag.

@@ -87,7 +87,7 @@ class MshFile {
     bool takeNodes(std::vector<NumberedNode> nodes);
     /// Returns the tag of what lies on an entity: its first physical group, else a mark that resolveTags() replaces.
     std::int32_t tagOf(int dimension, std::int64_t entity) const;
-    /// Gives parts without a physical group, and points whose number is that of a curve, tags of their own.
+    /// Gives separate tags to parts without a physical group, and to points whose number is that of a curve.
     void resolveTags();
     void resolveRegions();
     void resolveEdgesAndPoints();

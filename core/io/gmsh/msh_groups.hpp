@@ -25,7 +25,7 @@ struct MshGroup {
 ///
 /// Edges keep their tags. Where a region has the tag of an edge or point, all regions are numbered tag + B, and where a
 /// point has the tag of an edge, all points are numbered tag + 2B; B is the smallest of 1000, 10000, ... above all tags
-/// in use. Should the sums exceed 32 bits, the unused numbers from 1 on are taken instead.
+/// in use. If the sums exceed 32 bits, the unused numbers from 1 on are used instead.
 ///
 /// Edges keep their names. Regions and points whose names are taken get "_region" or "_point" appended, and "_2", "_3",
 /// ... follow where that is not enough.
@@ -43,8 +43,8 @@ class MshGroups {
 
     /// Writes the section $PhysicalNames, which is the same in MSH 2.2 and 4.1.
     void writeNames(TextWriter &out) const;
-    /// Writes a section $Comments with the tags and names of the mesh that are different in the file; nothing if none
-    /// are. Must come last, since some readers expect only the standard sections before it.
+    /// Writes a section $Comments with the tags and names of the mesh that are different in the file; writes nothing if
+    /// none are. Must come last, since some readers expect only the standard sections before it.
     void writeOrigins(TextWriter &out) const;
 
   private:

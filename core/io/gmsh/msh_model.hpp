@@ -30,8 +30,8 @@ struct MshEntity {
 };
 
 /// The geometric model that Gmsh expects every node and element to belong to: each tagged point is a model point, each
-/// boundary tag a curve, each region a surface. Entities have distinct numbers across dimensions, too: GetFEM takes
-/// them for regions. Views the mesh and its groups.
+/// boundary tag a curve, each region a surface. Entities have distinct numbers across dimensions too, because GetFEM
+/// treats them as regions. Views the mesh and its groups.
 class MshModel {
   public:
     MshModel(const Mesh &mesh, const MshGroups &groups);

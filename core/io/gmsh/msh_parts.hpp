@@ -14,8 +14,8 @@ struct MshCurveGroup {
     double length = 0.0; ///< of all its lines; a line in several groups counts for the first
 };
 
-/// Returns the physical groups of curves of a valid ASCII file by number; nothing for binary files. It shares no code
-/// with readMsh, so that `check --domain` notices if readMsh mixes up groups.
+/// Returns the physical groups of curves of a valid ASCII file by number; std::nullopt for binary files. It shares no
+/// code with readMsh, so that `check --domain` notices if readMsh mixes up groups.
 std::optional<std::map<std::int32_t, MshCurveGroup>> mshCurveGroups(std::string_view text);
 
 } // namespace forefront

@@ -300,8 +300,7 @@ Result<SpacingSpec> readMshSpacing(const SourceText &source) {
     TextScanner &scanner = file.scanner();
     const Mesh mesh = file.builder().finish();
     if (file.values().empty() || mesh.elements.empty()) {
-        scanner.fail(0, "no-values",
-                     "the file holds no triangles with nodal values ($NodeData) to take a spacing from");
+        scanner.fail(0, "no-values", "the file holds no triangles with nodal values ($NodeData) to use as spacing");
         return scanner.faults();
     }
     const MshValues &values = file.values().front();

@@ -81,8 +81,8 @@ void MshFile::resolveRegions() {
         }
     }
     if (count > 0 && count < regions.size()) {
-        scanner_.source().note("no-group", "triangles in no physical group get a region of their own", elementsOffset_,
-                               count);
+        scanner_.source().note("no-group", "triangles outside every physical group are put in a separate region",
+                               elementsOffset_, count);
     }
 }
 
@@ -102,8 +102,8 @@ void MshFile::resolveEdgesAndPoints() {
         edge.tag = edge.tag > 0 ? edge.tag : tags.ofEntity(edge.tag);
     }
     if (grouped > 0 && grouped < mesh.edges.size()) {
-        scanner_.source().note("no-group", "lines in no physical group get a tag of their own", elementsOffset_,
-                               mesh.edges.size() - grouped);
+        scanner_.source().note("no-group", "lines outside every physical group are given a separate tag",
+                               elementsOffset_, mesh.edges.size() - grouped);
     }
     placePoints(tags, grouped > 0);
 }

@@ -17,9 +17,9 @@ enum class JsonKind : std::uint8_t { Null, False, True, Number, String, Array, O
 /// offset, so that a fault found later still has a line and column; numbers and strings are decoded on demand. The text
 /// must outlive it.
 ///
-/// Judged against simdjson's on-demand parser (Debian's 3.0.1) on a GeoJSON file of 70 MB with 4 million coordinates:
+/// Compared with simdjson's on-demand parser (Debian's 3.0.1) on a GeoJSON file of 70 MB with 4 million coordinates:
 /// 0.27 s of CPU time for parsing and decoding here, 0.10 s there (-O2, minimum of five runs). Reading the file into a
-/// domain takes 4.1 s, of which the library could save 4 %. The tape stays for what it can do: the whole text is
+/// domain takes 4.1 s, of which the library could save 4 %. The tape is kept for what it offers: the whole text is
 /// validated before any of it is used, whereas on-demand parsing accepts malformed text in members that nobody visits;
 /// members can be looked up in any order and visited again, as readers do that report all faults of a file at once; and
 /// values keep their places after parsing.
@@ -77,10 +77,10 @@ class JsonValue {
     Iterator begin() const { return {document_, index_ + 1, is(JsonKind::Object)}; }
     Iterator end() const { return {document_, entry().next, is(JsonKind::Object)}; }
     std::size_t count() const;
-    /// Returns the first member of that name; nothing if there is none or this is not an object.
+    /// Returns the first member of that name; std::nullopt if there is none or this is not an object.
     std::optional<JsonValue> find(std::string_view name) const;
 
-    /// Returns the number; nothing if this is not one or it is beyond the range of a double.
+    /// Returns the number; std::nullopt if this is not one or it is beyond the range of a double.
     std::optional<double> number() const;
     /// Returns the number if it is written as an integer within [-2^63, 2^63).
     std::optional<std::int64_t> integer() const;

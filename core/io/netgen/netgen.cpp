@@ -134,7 +134,7 @@ class NetgenReader {
             return line.fail(line.offset(), "not-a-triangle",
                              "surface element " + std::to_string(number) + " has " + std::to_string(nodes) +
                                  " nodes; expected 3",
-                             "mesh with straight triangles");
+                             "mesh with straight-sided triangles");
         }
         return builder_.readElement(line, region, what);
     }

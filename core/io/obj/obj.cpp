@@ -155,7 +155,7 @@ class ObjReader {
         }
         number = number < 0 ? number + item.nodes + 1 : number;
         if (number == 0) {
-            return scanner_.fail(offset, "bad-index", "nodes are counted from 1");
+            return scanner_.fail(offset, "bad-index", "node numbers start at 1");
         }
         id = NodeId{static_cast<std::uint32_t>(number - 1)};
         return true;
@@ -180,7 +180,7 @@ class ObjReader {
             const std::int32_t tag = tagOf(item);
             if (item.kind == Kind::Face) {
                 if (!line.atEnd()) {
-                    return scanner_.fail(line.offset(), "unknown-element", "only faces of 3 nodes can be read");
+                    return scanner_.fail(line.offset(), "unknown-element", "only faces with 3 nodes can be read");
                 }
                 builder_.addElement({nodes[0], nodes[1], nodes[2]}, tag);
             } else if (item.kind == Kind::Point) {

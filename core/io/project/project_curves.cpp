@@ -113,8 +113,8 @@ class CurveReader {
         const std::array<double, 8> n = arc.numbers();
         constexpr double kTurn = 2.0 * std::numbers::pi * (1.0 + 1e-12);
         if (cross({n[2], n[3]}, {n[4], n[5]}) == 0.0) {
-            check_.fault(value, "bad-curve", "the arc has no radius: its half-axes \"u\" and \"v\" enclose no area",
-                         "give two half-axes that are not parallel");
+            check_.fault(value, "bad-curve", "the arc has no radius: its semi-axes \"u\" and \"v\" enclose no area",
+                         "give two semi-axes that are not parallel");
         } else if (n[7] == 0.0 || std::fabs(n[7]) > kTurn) {
             check_.fault(value, "bad-curve",
                          "invalid sweep " + numberText(n[7], 6) +

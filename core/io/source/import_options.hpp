@@ -14,7 +14,7 @@ namespace FOREFRONT_API forefront {
 struct ImportOptions {
     /// Maximum distance between a curve and its polyline, in file units; 0: 1/2000 of the drawing's size.
     double curveTolerance = 0.0;
-    /// Nodes and segments of drawings and maps that are closer than this are joined, in domain units; nothing: 1e-6 of
+    /// Nodes and segments of drawings and maps that are closer than this are joined, in domain units; absent: 1e-6 of
     /// the diagonal. Other formats are read as they are.
     std::optional<double> weldTolerance = {};
     OverlapRule overlap = OverlapRule::Later;    ///< between features of a map

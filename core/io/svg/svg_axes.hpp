@@ -16,8 +16,8 @@ struct SvgAxes {
     std::string unit; ///< "mm" or the like, if the document's size changes the unit of coordinates
 };
 
-/// Returns the axes of the root element. The y axis of a domain points up, so the drawing is turned over within its
-/// view box. If the document's size is given in millimetres or the like, so are the coordinates.
+/// Returns the axes of the root element. The y axis of a domain points up, so the drawing is flipped within its view
+/// box. If the document's size is given in millimetres or the like, so are the coordinates.
 SvgAxes axesOf(const pugi::xml_node &root);
 
 } // namespace forefront

@@ -130,7 +130,9 @@ class SvgDrawer {
             css += part.value();
         }
         styles_.addSheet(css, [&](const std::string &rule) {
-            note(node, "svg-style", "CSS rules for " + inQuotes(rule) + " are ignored: only element, .class and #id");
+            note(node, "svg-style",
+                 "CSS rules for " + inQuotes(rule) +
+                     " are ignored: only element, .class and #id selectors are supported");
         });
     }
 
@@ -155,7 +157,7 @@ class SvgDrawer {
                 continue;
             }
             if (++visited > kSpareElements + source_.text.size()) {
-                fail(visit.node, "", 0, "too-large", "nested copies (<use>) make too many elements");
+                fail(visit.node, "", 0, "too-large", "nested <use> elements expand to too many elements");
                 return;
             }
             element(visit, open, tolerance);

@@ -12,7 +12,7 @@
 
 namespace forefront {
 
-/// A polyline of a drawing in the coordinates of the domain, with the curves that it is drawn along.
+/// A polyline of a drawing in the coordinates of the domain, with the curves that it follows.
 struct SvgPath {
     std::vector<Vec2> nodes;
     std::vector<Curve> curves;

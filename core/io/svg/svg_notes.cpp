@@ -10,16 +10,16 @@ void noteUnusedStyle(const SourceText &source, const SvgStyles &styles, const pu
         return !value.empty() && value != "none";
     };
     if (given("clip-path")) {
-        source.note("svg-clip-path", "clip paths are ignored: clipped shapes are read whole", offsetOf(node));
+        source.note("svg-clip-path", "clip paths are ignored: clipped shapes are read in full", offsetOf(node));
     }
     if (given("mask")) {
-        source.note("svg-mask", "masks are ignored: masked shapes are read whole", offsetOf(node));
+        source.note("svg-mask", "masks are ignored: masked shapes are read in full", offsetOf(node));
     }
     // The attribute is read; the property of CSS, which overrides it, is not.
     const bool attribute = !node.attribute("transform").empty();
     const bool inStyle = std::string_view(node.attribute("style").value()).find("transform") != std::string_view::npos;
     if (given("transform") && (!attribute || inStyle)) {
-        source.note("svg-css-transform", "CSS transforms are ignored; use the attribute transform", offsetOf(node));
+        source.note("svg-css-transform", "CSS transforms are ignored; use the transform attribute", offsetOf(node));
     }
     for (const pugi::xml_node child : node.children()) {
         const std::string_view name = localName(child);

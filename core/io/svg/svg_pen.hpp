@@ -10,7 +10,7 @@
 
 namespace forefront {
 
-/// A polyline drawn by the pen, in the coordinates of its element, with the curves that it is drawn along.
+/// A polyline drawn by the pen, in the coordinates of its element, with the curves that it follows.
 struct SvgSubpath {
     std::vector<Vec2> nodes;
     std::vector<Curve> curves;

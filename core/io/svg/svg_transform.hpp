@@ -7,7 +7,7 @@
 
 namespace forefront {
 
-/// An affine map, x' = a·x + c·y + e, y' = b·x + d·y + f, in the letters of SVG.
+/// An affine map, x' = a·x + c·y + e, y' = b·x + d·y + f, in the notation of SVG.
 struct AffineMap {
     double a = 1.0, b = 0.0, c = 0.0, d = 1.0, e = 0.0, f = 0.0;
 
@@ -18,7 +18,8 @@ struct AffineMap {
     double stretch() const;
 };
 
-/// Parses the attribute `transform`: a list of matrix, translate, scale, rotate, skewX, skewY; nothing if malformed.
+/// Parses the attribute `transform`: a list of matrix, translate, scale, rotate, skewX, skewY; std::nullopt if
+/// malformed.
 std::optional<AffineMap> parseTransform(std::string_view text);
 
 } // namespace forefront

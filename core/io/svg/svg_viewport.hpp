@@ -13,27 +13,27 @@ struct SvgLength {
     std::string_view unit; ///< as written: "", "px", "mm", "%", ...
 };
 
-/// Returns the number and unit of a length; nothing if it is malformed. The unit is a view into `text`.
+/// Returns the number and unit of a length; std::nullopt if it is malformed. The unit is a view into `text`.
 std::optional<SvgLength> parseLength(std::string_view text);
 
-/// Returns how many user units (pixels at 96 to the inch) one of that unit has; nothing for "%" and unknown units.
+/// Returns the number of user units (pixels, 96 per inch) in one of that unit; std::nullopt for "%" and unknown units.
 std::optional<double> pixelsPer(std::string_view unit);
 
-/// Returns the name of a unit in the plural, such as "inches" for "in"; unknown units as they are.
+/// Returns the name of a unit in the plural, such as "inches" for "in"; returns unknown units unchanged.
 std::string unitName(std::string_view unit);
 
 /// The extent of the viewport that a percentage refers to.
 enum class SvgExtent { Width, Height, Diagonal };
 
-/// Returns a length in user units, percentages being of the viewport; nothing if it is malformed or its unit
-/// unknown.
+/// Returns a length in user units, with percentages relative to the viewport; std::nullopt if it is malformed or its
+/// unit is unknown.
 std::optional<double> userLength(std::string_view text, SvgExtent extent, Vec2 viewport);
 
 /// The rectangle of user space that an attribute `viewBox` names.
 struct ViewBox {
     Vec2 corner, size;
 };
-/// Returns the view box; nothing if it is absent, malformed or empty.
+/// Returns the view box; std::nullopt if it is absent, malformed or empty.
 std::optional<ViewBox> parseViewBox(std::string_view text);
 
 /// Returns the map from a view box to the rectangle from the origin to `size`, by the rules of `preserveAspectRatio`.

@@ -32,7 +32,7 @@ class TextScanner {
 
     bool ok() const { return faults_.empty(); }
     const Diagnostics &faults() const { return faults_; }
-    /// Makes failures also name the byte: lines mean little where numbers are not text.
+    /// Makes failures also name the byte, since line numbers mean little in binary data.
     void nameBytes() { namesBytes_ = true; }
     /// Records a failure at a byte of the source; returns false for the caller to pass on.
     bool fail(std::size_t offset, std::string code, std::string message, std::string advice = {});

@@ -78,7 +78,7 @@ bool meshOfVtk(const VtkGrid &grid, TextScanner &scanner, Mesh &mesh) {
                                                  "; only triangles (5), lines (3) and vertices (1) can be read");
         }
         if (end - begin != expected || begin < 0 || end > static_cast<std::int64_t>(grid.connectivity.size())) {
-            return refuse("bad-count", "cell " + std::to_string(c) + " has a wrong number of nodes");
+            return refuse("bad-count", "cell " + std::to_string(c) + " has the wrong number of nodes");
         }
         NodeId nodes[3] = {};
         for (std::int64_t k = begin; k < end; ++k) {

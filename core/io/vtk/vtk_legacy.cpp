@@ -258,7 +258,7 @@ class VtkReader {
         const bool ofPoints = items_ > 0 && !inCells_;
         const bool fits = components == 0 || tuples <= scanner_.remaining() / components + 1;
         if (!fits || !(ofPoints ? values(components * tuples, reals) : values(components * tuples, tags))) {
-            return scanner_.fail(place, "bad-count", "fewer values follow than announced");
+            return scanner_.fail(place, "bad-count", "fewer values follow than declared");
         }
         if (ofPoints && components == 1) {
             grid_.pointArrays[name] = std::move(reals);

@@ -23,7 +23,7 @@ enum class SiteReason : std::uint8_t {
     LonePoint       ///< index: of the domain node
 };
 
-/// The part and the reason that a site stems from.
+/// The part of the specification that a site comes from, and the reason for it.
 struct SiteLabel {
     SpacingOrigin origin = SpacingOrigin::Source;
     SiteReason reason = SiteReason::Source;
@@ -39,8 +39,9 @@ struct SiteSet {
         sites.push_back(site);
         labels.push_back(label);
     }
-    /// Drops sites that ask for more than another one everywhere; of equal ones the first stays. If there are more than
-    /// kManySites, also drops sites that ask for little less than one that stays. Sites must have no radius.
+    /// Drops sites that demand a larger spacing than another one everywhere; of equal ones the first stays. If there
+    /// are more than kManySites, also drops sites that demand only slightly less than one that stays. Sites must have
+    /// no radius.
     void dropDominated();
 };
 

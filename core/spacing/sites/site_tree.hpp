@@ -29,8 +29,8 @@ class SiteTree {
     static constexpr double kTolerance = 0.005;
     static constexpr std::size_t kNeverMany = std::numeric_limits<std::size_t>::max();
 
-    /// Builds the tree of finite sites over a box, neither of them empty. With more than `many` sites, speed counts
-    /// more than accuracy. Returns nothing only if cancelled.
+    /// Builds the tree of finite sites over a box; neither may be empty. With more than `many` sites, speed counts more
+    /// than accuracy. Returns std::nullopt only if cancelled.
     static std::optional<SiteTree> build(std::vector<SizeSite> sites, const Box2 &box, const Progress &progress = {},
                                          std::size_t many = kNeverMany);
 
@@ -52,7 +52,7 @@ class SiteTree {
         }
         const std::uint32_t *entry = &lists_[*cell];
         double rho = std::numeric_limits<double>::infinity();
-        // Points beyond the box are judged at its nearest point, as in smooth leaves.
+        // Points beyond the box are evaluated at its nearest point, as in smooth leaves.
         const Vec2 q{corner_.x + u * unit_, corner_.y + v * unit_};
         for (std::uint32_t n = *entry++; n > 0; --n) {
             rho = std::min(rho, sites_[*entry++].at(q));

@@ -69,7 +69,7 @@ AutomaticSpacing automaticSpacing(const Domain &domain, const Box2 &box, double 
     applyCurveLengths(domain, chains, segments);
     dropDominated(domain, gradation, segments);
     for (const PlacedSegment &segment : segments) {
-        if (const double length = segment.whole; length < automatic.maximum) {
+        if (const double length = segment.wholeLength; length < automatic.maximum) {
             add(SizeSite::segment(segment.a, segment.b, length, gradation), SiteReason::SegmentLength, segment.index);
         }
     }
@@ -87,7 +87,7 @@ AutomaticSpacing automaticSpacing(const Domain &domain, const Box2 &box, double 
     for (const Gap &gap : gaps) {
         const double size = std::max(gap.width / kAcrossGap, floor);
         const double length = distance(gap.a, gap.b);
-        const double own = std::min(automatic.maximum, gap.whole);
+        const double own = std::min(automatic.maximum, gap.wholeLength);
         if (size < 0.95 * own && length > 0.0) {
             add(SizeSite::segment(gap.a, gap.b, size, gradation), gap.corner ? SiteReason::Corner : SiteReason::Channel,
                 gap.segment);

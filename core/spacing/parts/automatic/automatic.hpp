@@ -12,8 +12,8 @@ struct AutomaticSpacing {
     SiteSet sites;
 };
 
-/// Chooses a graded spacing that keeps short segments and curves whole, makes the domain about 45 elements across, and
-/// gives curves `segmentsPerTurn` edges a turn (0: as many as the rest asks for).
+/// Chooses a graded spacing that leaves short segments and curves undivided, makes the domain about 45 elements across,
+/// and gives curves `segmentsPerTurn` edges per turn (0: as many as the other rules require).
 AutomaticSpacing automaticSpacing(const Domain &domain, const Box2 &box, double minimum, double gradation,
                                   double segmentsPerTurn, const Progress &progress = {});
 

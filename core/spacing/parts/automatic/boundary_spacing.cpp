@@ -21,8 +21,8 @@ std::vector<PlacedSegment> placedSegments(const Domain &domain) {
             continue;
         }
         PlacedSegment candidate{domain.nodes[segment.a], domain.nodes[segment.b], static_cast<std::uint32_t>(i)};
-        candidate.whole = candidate.length();
-        if (isUsable(candidate.a) && isUsable(candidate.b) && candidate.whole > 0.0) {
+        candidate.wholeLength = candidate.length();
+        if (isUsable(candidate.a) && isUsable(candidate.b) && candidate.wholeLength > 0.0) {
             placed.push_back(candidate);
         }
     }
@@ -47,7 +47,7 @@ void applyCurveLengths(const Domain &domain, const CurveChains &chains, std::vec
         const std::uint32_t chain = chains.ofSegment[segment.index];
         segment.besideCurve = chain != kNoIndex || isEnd[ends.a] != 0 || isEnd[ends.b] != 0;
         if (chain != kNoIndex) {
-            segment.whole = std::max(segment.whole, lengths[chain]);
+            segment.wholeLength = std::max(segment.wholeLength, lengths[chain]);
         }
     }
 }
@@ -73,11 +73,11 @@ void dropDominated(const Domain &domain, double gradation, std::vector<PlacedSeg
     const auto ends = [&](const PlacedSegment &segment) { return domain.segments[segment.index]; };
     for (const PlacedSegment &segment : segments) {
         for (const std::uint32_t node : {ends(segment).a, ends(segment).b}) {
-            shortest[node] = std::min(shortest[node], segment.whole);
+            shortest[node] = std::min(shortest[node], segment.wholeLength);
         }
     }
     std::erase_if(segments, [&](const PlacedSegment &segment) {
-        const double length = segment.whole;
+        const double length = segment.wholeLength;
         const auto neighbour = [&](std::uint32_t node) {
             return shortest[node] < length ? shortest[node] : std::numeric_limits<double>::infinity();
         };

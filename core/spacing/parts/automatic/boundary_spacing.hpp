@@ -5,12 +5,12 @@
 
 namespace forefront {
 
-/// A domain segment with the places of its ends.
+/// A domain segment with the positions of its ends.
 struct PlacedSegment {
     Vec2 a;
     Vec2 b;
     std::uint32_t index = 0;  ///< into Domain::segments
-    double whole = 0.0;       ///< its length, or that of the curve that it is one of the chords of
+    double wholeLength = 0.0; ///< its length, or that of the entire curve if it is one of its chords
     bool besideCurve = false; ///< it is a chord of a curve or ends where one does
     double length() const { return distance(a, b); }
 };
@@ -21,8 +21,8 @@ bool isUsable(Vec2 p);
 /// Returns the segments whose ends are valid, usable and distinct. The domain may be invalid.
 std::vector<PlacedSegment> placedSegments(const Domain &domain);
 
-/// Marks the segments that are chords of a curve or end in one, and sets `whole` of the chords to the length of the
-/// curve, so that the result does not depend on how finely the curve was flattened.
+/// Marks the segments that are chords of a curve or end in one, and sets `wholeLength` of the chords to the length of
+/// the curve, so that the result does not depend on how finely the curve was flattened.
 void applyCurveLengths(const Domain &domain, const CurveChains &chains, std::vector<PlacedSegment> &segments);
 
 /// Returns the box of the domain's usable nodes: the unit square if there are none, widened if it has no extent.

@@ -172,8 +172,8 @@ void GapFinder::divide(std::uint32_t position, double from, double to, double re
     const bool hopeless = nearest.width < kNegligibleGap * reach &&
                           (nearest.needle || (!blunt && length(b - a) > kLongGap * nearest.width));
     if (!wide && !hopeless) {
-        gaps.push_back({a, b, own.whole, std::max(nearest.width, blunt ? 2.0 * kCornerFloor * reach : 0.0), own.index,
-                        nearest.corner});
+        gaps.push_back({a, b, own.wholeLength, std::max(nearest.width, blunt ? 2.0 * kCornerFloor * reach : 0.0),
+                        own.index, nearest.corner});
     }
 }
 
@@ -184,7 +184,7 @@ std::vector<Gap> GapFinder::find() const {
         if (isPoint(segment)) {
             continue;
         }
-        const double reach = std::min(longest_, segment.whole);
+        const double reach = std::min(longest_, segment.wholeLength);
         // Most segments are far from everything, so the sides are computed only if something is near.
         const Facing any = facing(i, segment.a, segment.b, 2.0 * reach, {true, true});
         if (any.width == kNothing && !any.tip) {

@@ -19,27 +19,27 @@ struct SegmentIndex {
     BoxTree tree; ///< items are indices into `segments`
 };
 
-/// A stretch of a domain segment and the width of the domain across from it.
+/// A part of a domain segment and the width of the domain across from it.
 struct Gap {
     Vec2 a;
     Vec2 b;
-    double whole = 0.0;        ///< length of the segment or curve that the stretch belongs to
-    double width = 0.0;        ///< minimum distance across the domain to what faces the stretch
+    double wholeLength = 0.0;  ///< length of the segment or curve that the part belongs to
+    double width = 0.0;        ///< minimum distance across the domain to what faces the part
     std::uint32_t segment = 0; ///< index into Domain::segments
     bool corner = false;       ///< the facing segment is a neighbour at a sharp corner
 };
 
 /// Finds where the domain is narrow.
 ///
-/// For each stretch of a boundary or constraint, looks for the facing part of the domain within twice the longest
-/// useful element, at most 60 degrees off the normal. Divides stretches until the width along each varies by less than
-/// a factor of 2, or they are `shortest` long. Decides inside and outside by even-odd counting in floating point, which
-/// is good enough for sizes under either inside rule. Leaves out long gaps, and tips of corners below 20 degrees, that
-/// are narrower than 1/32 of the longest useful element: finer elements would add to their number, not to their
-/// quality.
+/// For each part of a boundary or constraint, looks for the part of the domain that faces it within twice the longest
+/// useful element, at most 60 degrees off the normal. Divides parts until the width along each varies by less than a
+/// factor of 2, or they are no longer than `shortest`. Decides inside and outside by even-odd counting in floating
+/// point, which is good enough for sizes under either inside rule. Leaves out long gaps, and tips of corners below 20
+/// degrees, that are narrower than 1/32 of the longest useful element: finer elements would add to their number, not to
+/// their quality.
 class GapFinder {
   public:
-    /// `longest` is the maximum spacing; stretches shorter than `shortest` are not divided. `index` holds the segments,
+    /// `longest` is the maximum spacing; parts shorter than `shortest` are not divided. `index` holds the segments,
     /// then the lone points, whose `index` continues that of the segments.
     GapFinder(const Domain &domain, const SegmentIndex &index, double longest, double shortest,
               const Progress &progress);
@@ -51,10 +51,10 @@ class GapFinder {
 
   private:
     struct Facing {
-        double width = std::numeric_limits<double>::infinity(); ///< infinite: nothing faces the stretch
+        double width = std::numeric_limits<double>::infinity(); ///< infinite: nothing faces the part
         bool corner = false;                                    ///< what faces it is a neighbour
         bool needle = false; ///< what faces it is a neighbour at a corner of less than 20 degrees
-        bool tip = false;    ///< the stretch starts at a corner of less than 60 degrees
+        bool tip = false;    ///< the part starts at a corner of less than 60 degrees
     };
     struct Sides {
         bool left = false;
@@ -62,7 +62,7 @@ class GapFinder {
     };
     bool isPoint(const PlacedSegment &segment) const;
     Sides insideOf(std::uint32_t position) const;
-    /// Finds the nearest part facing the stretch from a to b of the segment.
+    /// Finds what faces the part of the segment from a to b at the smallest distance.
     Facing facing(std::uint32_t position, Vec2 a, Vec2 b, double reach, Sides sides) const;
     void divide(std::uint32_t position, double from, double to, double reach, Sides sides,
                 std::vector<Gap> &gaps) const;

@@ -15,7 +15,7 @@ inline constexpr double kSegmentsPerTurn = 40.0;
 ///
 /// With `visibleOnly`, where that would be needlessly fine, the spacing is such that edges leave at most a small
 /// fraction of the diagonal between them and the curve, and all curves together at most a small part of the area. Bends
-/// that this makes invisible, such as a corner rounded by a hair, count as corners. Incomplete after a stop request.
+/// that this makes invisible, such as a barely rounded corner, count as corners. Incomplete after a stop request.
 void addCurvatureSites(const Domain &domain, const CurveChains &chains, double segmentsPerTurn, double minimum,
                        double gradation, SpacingOrigin origin, bool visibleOnly, const Progress &progress,
                        SiteSet &sites);

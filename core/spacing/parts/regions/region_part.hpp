@@ -19,8 +19,8 @@ double spacingForArea(double maxArea);
 /// The maximum element areas of a domain's regions as spacing: constant in each face that has one.
 class RegionPart {
   public:
-    /// Returns nothing if no face has a maximum area, or segments cross so that there are no faces. Spacings are raised
-    /// to `minimum`. Of several markers in one face, the smallest area counts.
+    /// Returns the part, or std::nullopt if no face has a maximum area, or if segments cross so that there are no
+    /// faces. Spacings are raised to `minimum`. Of several markers in one face, the smallest area counts.
     static std::optional<RegionPart> build(const Domain &domain, double minimum);
 
     /// Returns the spacing of the face that contains p; infinity if it has no maximum area.
