@@ -35,8 +35,8 @@ Exit codes: 0 done, 1 input refused, 2 usage error, 3 cancelled, 4 no window (no
 )";
 
 #if defined(FOREFRONT_WITH_EDITOR)
-/// Opens the editor, with a mesh to judge if the command is "view". For tests it also takes --frames N, to close after
-/// N frames, and --state-file FILE, to write its state.
+/// Opens the editor, with a mesh to inspect if the command is "view". For tests it also accepts --frames N, to close
+/// after N frames, and --state-file FILE, to write its state.
 int editorCommand(int argc, const char *const *argv, bool view) {
     EditorArguments arguments;
     arguments.judge = view;

@@ -50,7 +50,7 @@ struct CheckArguments {
     bool measures = false;                            ///< print the table
 };
 
-/// Builds the requested node spacing; null when none is given.
+/// Builds the requested node spacing; null if none is requested.
 Result<std::shared_ptr<const SpacingField>> readWanted(const CheckArguments &arguments, const Mesh &mesh) {
     if (!arguments.size && !arguments.expression) {
         return std::shared_ptr<const SpacingField>();
@@ -88,7 +88,7 @@ Diagnostics checkAgainst(const Mesh &mesh, const CheckArguments &arguments, Inpu
     return locateInDomain(meshingFaults(faults, *domain, input, sources), input, sources);
 }
 
-/// Prints what is found about a valid mesh. Returns the exit code.
+/// Prints the figures of a valid mesh. Returns the exit code.
 int reportQuality(const CheckArguments &arguments, const std::filesystem::path &file, const Mesh &mesh) {
     const auto spacing = readWanted(arguments, mesh);
     if (!spacing) {

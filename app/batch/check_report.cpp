@@ -13,7 +13,7 @@ namespace forefront {
 
 namespace {
 
-/// Number of places listed for each broken limit.
+/// Number of places listed for each violated limit.
 constexpr std::size_t kListedPlaces = 5;
 
 std::string optionHelp(const LimitInfo &info) {
@@ -22,7 +22,7 @@ std::string optionHelp(const LimitInfo &info) {
     return text;
 }
 
-/// Pads a text that may hold characters of several bytes to a number of columns.
+/// Pads a text, which may contain multi-byte characters, to a number of columns.
 std::string padded(std::string text, std::size_t columns) {
     const auto width = static_cast<std::size_t>(std::count_if(
         text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; }));

@@ -15,7 +15,7 @@ namespace forefront {
 
 namespace {
 
-/// Returns advice in the words of the command line, where a repair is an option.
+/// Translates advice to repair the domain into the options of the command line.
 std::string inOptions(std::string advice) {
     constexpr std::pair<std::string_view, std::string_view> kOptions[] = {
         {"repair the domain with a weld tolerance of", "add --repair --weld"},
@@ -29,7 +29,7 @@ std::string inOptions(std::string advice) {
     return advice;
 }
 
-/// Replaces the parts of a repaired domain by those of the given one that they come from; drops others.
+/// Replaces parts of a repaired domain by the parts of the input domain that they come from; drops the others.
 void restoreParts(std::vector<DomainPart> &parts, const Repaired &repaired) {
     for (DomainPart &part : parts) {
         const std::vector<std::uint32_t> *const source = part.kind == DomainPartKind::Node ? &repaired.nodeSource

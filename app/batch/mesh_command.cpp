@@ -20,7 +20,7 @@ namespace forefront {
 
 namespace {
 
-/// Reads the domain of any file; also spacing and options if it is a project.
+/// Reads the domain of any file, and also spacing and options if the file is a project.
 Result<MeshingJob> readJob(const MeshArguments &arguments, const Input &input) {
     ImportNotes notes;
     if (input.isProject()) {
@@ -79,7 +79,7 @@ void applyOptions(const MeshArguments &arguments, MeshingOptions &options) {
     options.threads = arguments.threads.value_or(options.threads);
 }
 
-/// Repairs the domain of a job and keeps in `sources` what its parts come from.
+/// Repairs the domain of a job and records in `sources` where its parts come from.
 Diagnostics repairDomain(const MeshArguments &arguments, const Input &input, const Progress &progress, Domain &domain,
                          std::optional<Repaired> &sources) {
     Result<Repaired> repaired = repair(domain, arguments.weldTolerance.value_or(0.0), progress.stop);
@@ -94,7 +94,7 @@ Diagnostics repairDomain(const MeshArguments &arguments, const Input &input, con
     return {};
 }
 
-/// Writes the meshes and the statistics. The result holds errors, else notes on what the formats changed.
+/// Writes the meshes and the statistics. Returns the errors or, if there are none, notes on what the formats changed.
 Diagnostics writeResults(const MeshArguments &arguments, const Mesh &mesh, const RunReport &report,
                          const Progress &progress) {
     Diagnostics notes =

@@ -42,7 +42,7 @@ CLI::Validator check(std::string expected, Accepts accepts) {
             ""};
 }
 
-/// Lists the arguments that no option or input takes, in order.
+/// Lists the arguments that no option or input accepts, in order.
 std::string unexpectedArguments(const std::vector<std::string> &arguments) {
     std::string options, others;
     for (const std::string &argument : arguments) {
@@ -61,7 +61,7 @@ std::string namesOf(const std::vector<const CLI::Option *> &options) {
     return names;
 }
 
-/// Returns the fault of the first group of options of which too few or too many are given; empty if there is none.
+/// Describes the first group of options of which too few or too many are given; empty if there is none.
 std::string groupFault(const CLI::App &app) {
     for (const CLI::App *const group : app.get_subcommands([](const CLI::App *) { return true; })) {
         const std::vector<const CLI::Option *> all =
@@ -79,7 +79,7 @@ std::string groupFault(const CLI::App &app) {
     return {};
 }
 
-/// Returns what is wrong with the command line in our words, where CLI11's are hard to understand.
+/// Describes what is wrong with the command line, in our own words where CLI11's are hard to understand.
 std::string parseFault(const CLI::App &app, const CLI::ParseError &error) {
     const std::string text = error.what();
     const std::size_t colon = text.find(": ");

@@ -30,7 +30,7 @@ std::filesystem::path resolved(const std::filesystem::path &file) {
     return std::filesystem::weakly_canonical(std::filesystem::absolute(file, none), none);
 }
 
-/// Standard output as a sink that knows why writing has failed, which stdio does not tell.
+/// Standard output as a sink that records why writing failed, which stdio does not report.
 class StandardOutput final : public ByteSink {
   public:
     StandardOutput() { std::fflush(stdout); }
@@ -171,7 +171,7 @@ Diagnostics checkOutputs(const std::vector<Output> &outputs, const std::vector<s
         for (const std::filesystem::path &file : more) {
             std::error_code none;
             const std::filesystem::file_status kind = std::filesystem::status(file, none);
-            if (!std::filesystem::exists(kind) || std::filesystem::is_regular_file(kind)) { // a device takes all
+            if (!std::filesystem::exists(kind) || std::filesystem::is_regular_file(kind)) { // a device accepts anything
                 added = files.insert(resolved(file)).second && added;
             }
         }

@@ -37,7 +37,7 @@ struct TablesArguments {
     std::optional<std::filesystem::path> csv, svg;
 };
 
-/// Returns the first fault of the lists; empty if they are valid.
+/// Describes the first error in the lists; empty if they are valid.
 std::string parseLists(const std::vector<std::string> &rows, const std::vector<std::string> &grids,
                        TablesArguments &arguments) {
     for (const std::string &name : rows) {

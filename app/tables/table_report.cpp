@@ -24,7 +24,7 @@ namespace {
     return text.data();
 }
 
-/// Returns a number for a column, or blanks without a number.
+/// Formats a number for a column; blanks if there is none.
 std::string cell(int width, int digits, double value, bool given = true) {
     return given ? format(" %*.*f", width, digits, value) : std::string(static_cast<std::size_t>(width) + 1, ' ');
 }
@@ -83,8 +83,8 @@ Line lineOf(const RowFigures &r, const GridFigures &grid) {
     return line;
 }
 
-/// Writes our figures, each after Lo's with the same grid; his best come once, before the first grid that he did not
-/// have.
+/// Lists our figures, each after Lo's for the same grid; his best are listed once, before the first grid that he did
+/// not use.
 std::vector<Line> linesOf(const RowFigures &row) {
     std::vector<Line> lines;
     std::set<std::string_view> shown;

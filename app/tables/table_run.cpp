@@ -39,7 +39,7 @@ Result<GridRun> advanceOnce(const TableGrid &grid, const MeshingJob &job, const 
     return run;
 }
 
-/// Short runs are repeated and the minimum time taken, which other work on the machine affects least.
+/// Repeats short runs and takes the minimum time, which other work on the machine affects least.
 Result<GridRun> advanceWith(const TableGrid &grid, const MeshingJob &job, const PreparedJob &prepared,
                             const std::string &stage, const Progress &progress) {
     constexpr double kLong = 8.0; // seconds in total
@@ -139,7 +139,7 @@ void fillEfficiencies(std::vector<GridFigures> &grids) {
     }
 }
 
-/// Returns true if the text is a number from 1 to 100000 as a whole.
+/// Returns true if the entire text is a number from 1 to 100000.
 bool parseCount(std::string_view text, int &count) {
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), count);
     return code == std::errc() && end == text.data() + text.size() && count >= 1 && count <= 100'000;

@@ -49,9 +49,10 @@ class SpacingLaw {
         return std::min(std::max(size, target_.sizeMin), target_.sizeMax);
     }
 
-    /// Returns the error per element for which the total meets the target; nothing when cancelled. The square of the
-    /// total is the sum of (h_new/h)²·e² over the old elements and grows with it, so bisection of its logarithm finds
-    /// it. The minimum size is ignored: where it applies, no refinement of the other elements could make up for it.
+    /// Returns the error per element for which the total meets the target; std::nullopt when cancelled. The square of
+    /// the total is the sum of (h_new/h)²·e² over the old elements and grows with it, so bisection of its logarithm
+    /// finds it. The minimum size is ignored: where it applies, no refinement of the other elements could make up for
+    /// it.
     std::optional<double> solve(double wantedTotal, const Progress &progress) const {
         std::vector<double> maxShares(sizes_.size()); // share of each element at its maximum size
         for (std::size_t e = 0; e < maxShares.size(); ++e) {
@@ -128,7 +129,7 @@ bool limitGradation(const Mesh &mesh, double gradation, std::span<double> spacin
         entries.emplace_back(spacing[n], n);
     }
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue({}, std::move(entries));
-    // Most nodes leave the queue once, some again after they were lowered further.
+    // Most nodes leave the queue once, some of them again after being lowered further.
     PacedProgress pace(progress, "limiting the gradation", spacing.size());
     while (!queue.empty()) {
         if (!pace.next()) {

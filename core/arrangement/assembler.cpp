@@ -148,7 +148,7 @@ void Assembler::buildDomain() {
     takeCurves();
 }
 
-/// Takes the curves that segments follow, numbered in the order of the segments.
+/// Adds the curves that segments follow, numbered in the order of the segments.
 void Assembler::takeCurves() {
     std::vector<std::uint32_t> number(input_.curves.size(), kNoCurve);
     for (std::size_t s = 0; s < result_.domain.segments.size(); ++s) {

@@ -47,7 +47,7 @@ void Assembler::reportLine(std::uint32_t line) {
     }
 }
 
-/// Returns true if several features cover the face and do not lie one inside the other.
+/// Returns true if several features cover the face and none of them lies inside another.
 bool Assembler::overlap(std::uint32_t face) const {
     const auto rival = [&](std::uint32_t k) { return cover_.rivals.begin() + cover_.rivalStarts[face + k]; };
     std::vector<std::uint32_t> features(rival(0), rival(1));
@@ -57,7 +57,7 @@ bool Assembler::overlap(std::uint32_t face) const {
                               [&](std::uint32_t f, std::uint32_t g) { return !cover_.nested(f, g); }) != features.end();
 }
 
-/// Notes the faces that several features cover, the largest first, each at a place inside.
+/// Notes the faces that several features cover, the largest first, each with a point inside it.
 void Assembler::reportOverlaps() {
     std::vector<std::uint32_t> found;
     for (std::uint32_t face = 1; face < faces_.count; ++face) {
@@ -80,7 +80,7 @@ void Assembler::reportOverlaps() {
     }
 }
 
-/// Notes the features that own no face; of a single feature, the shapes of which no edge is left.
+/// Notes the features that own no face or, if there is only one feature, the shapes that have no edge left.
 void Assembler::reportVanished() {
     constexpr std::size_t kNames = 3;
     const bool single = input_.features.size() < 2;

@@ -8,7 +8,7 @@ namespace forefront {
 
 namespace {
 
-/// Words of a message about one kind of change; the count goes between them.
+/// The words of a message about one kind of change, before and after the count.
 struct Words {
     ChangeKind kind;
     const char *code;

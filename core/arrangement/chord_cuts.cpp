@@ -109,7 +109,7 @@ class CutFinder {
         }
     }
 
-    /// Returns true for neighbours on one curve that bend so little that they meet in their common end alone.
+    /// Returns true for neighbours on one curve that bend so little that they meet only at their common end.
     static bool continues(const Chord &first, const Chord &second) {
         constexpr double kMaxTurn = 0.8; // each from its chord
         return first.curve == second.curve && first.part.turn <= kMaxTurn && second.part.turn <= kMaxTurn &&
@@ -138,7 +138,7 @@ class CutFinder {
                (near(first.a, second.b) && near(first.b, second.a));
     }
 
-    /// Halves curves between the same ends whose chords would be the same although something lies between them.
+    /// Halves curves that have the same ends, and so the same chord, although something lies between them.
     void separate(std::uint32_t i, std::uint32_t j, double tolerance) {
         constexpr int kParts = 4;
         const CurvePart &first = chords_[i].part, &second = chords_[j].part;

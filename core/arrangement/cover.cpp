@@ -94,14 +94,14 @@ class Covering {
     std::vector<std::uint8_t> isListed_;   // per feature: in switched_
 };
 
-/// Finds which features cover all faces of a feature, from what covers one face after the other. Looks only at the
-/// features that differ from one face to the next, so that deep nesting costs no more than a list of the features that
-/// cover each face.
+/// Finds which features cover all faces of a feature, by going from face to face. Looks only at the features that
+/// differ from one face to the next, so that deep nesting costs no more than a list of the features that cover each
+/// face.
 class HolderFinder {
   public:
     explicit HolderFinder(std::size_t features) : holders_(features), state_(features, State::New) {}
 
-    /// Takes a face, and the features that may have changed since the last one.
+    /// Processes a face, given the features that may have changed since the last one.
     void visit(const Covering &covering, const std::vector<std::uint32_t> &switched) {
         std::vector<std::uint32_t> gone, fresh;
         for (const std::uint32_t feature : switched) {
@@ -309,7 +309,7 @@ class CoverFinder {
         }
     }
 
-    /// A feature that holds another one in the face leaves the face to it.
+    /// Where one feature contains another, the face belongs to the inner one.
     void chooseOwners() {
         std::vector<std::uint32_t> leavesFace(input_.features.size(), 0), order;
         std::uint32_t turn = 0;
@@ -323,7 +323,7 @@ class CoverFinder {
             });
             for (const std::uint32_t inner : order) {
                 if (leavesFace[inner] == turn) {
-                    continue; // so do all that hold it
+                    continue; // so do all that contain it
                 }
                 for (const std::uint32_t holder : result_.holders[inner]) {
                     leavesFace[holder] = result_.nested(inner, holder) ? turn : leavesFace[holder];

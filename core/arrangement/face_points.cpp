@@ -29,7 +29,7 @@ std::vector<std::pair<double, double>> tallestGaps(std::span<const FaceEdge> edg
     return gaps;
 }
 
-/// The widest stretch of the face along the line at this height, which is no node's: its width and its middle.
+/// Returns width and middle of the widest part of the face along the line at this height, at which no node lies.
 std::pair<double, double> widestStretch(std::span<const FaceEdge> edges, double height) {
     std::vector<std::pair<double, bool>> crossings;
     for (const FaceEdge &edge : edges) {

@@ -85,7 +85,7 @@ bool LineDivision::divide(const std::stop_token &stop) {
     return true;
 }
 
-/// Divides chords; only their parts are fresh afterwards.
+/// Divides chords; afterwards only the new parts are fresh.
 void LineDivision::apply(ChordCuts found) {
     for (ChordMeeting &meeting : found.meetings) {
         meeting.chord = source_[meeting.chord];
@@ -190,11 +190,11 @@ Chord LineDivision::joinedChord(std::uint32_t part, Vec2 from, Vec2 to) const {
     return straightChord(from, to);
 }
 
-/// Returns the chords along the paths of all parts, those that joining has changed as fresh; `part` says whose they
-/// are.
+/// Returns the chords along the paths of all parts and marks those that joining has changed as fresh; `part` gives the
+/// part of each.
 std::vector<Chord> LineDivision::joinedChords(const SnappedLines &snapped, std::vector<std::uint32_t> &part) const {
     std::vector<Chord> joined;
-    const bool all = snapped.radius < tolerance_; // what was near enough to join may not be any longer
+    const bool all = snapped.radius < tolerance_; // what was near enough to join may no longer be
     for (std::uint32_t k = 0; k < chords_.size(); ++k) {
         const SnapLine line = partLine(k);
         std::uint32_t node = snapped.first[k];

@@ -7,7 +7,7 @@
 
 namespace forefront {
 
-/// Returns, per face, the smallest index of the faces it has merged with now that some edges are gone.
+/// Returns, per face, the smallest index among the faces that it merges with when the dropped edges are removed.
 std::vector<std::uint32_t> Assembler::joinFaces() const {
     std::vector<std::uint32_t> root(faces_.count);
     std::iota(root.begin(), root.end(), 0U);

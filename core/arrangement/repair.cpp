@@ -83,7 +83,7 @@ void Repairer::collectLines() {
     }
 }
 
-/// Joins the collected lines. With the tolerance 0 they stay as they are if they meet only at common ends.
+/// Joins the collected lines. If the tolerance is 0 and they meet only at common ends, they are left unchanged.
 JoinedLines Repairer::join(double tolerance, const std::stop_token &stop) const {
     Box2 box;
     for (const SnapLine &line : lines_.lines) {
@@ -110,7 +110,7 @@ bool Repairer::keepsNodes(const JoinedLines &kept, double resolution, const std:
     return division.meetings().empty() && meetOnlyInEnds(kept.snapped, stop);
 }
 
-/// Takes joined lines and finds whose parts they are.
+/// Stores the joined lines and finds the segment or point that each is part of.
 void Repairer::takeLines(JoinedLines lines) {
     lines_ = std::move(lines);
     const std::vector<std::uint32_t> segments = std::exchange(segmentOf_, {});
@@ -144,9 +144,9 @@ void Repairer::collectEdges() {
     }
 }
 
-/// Decides the role of boundary segments that coincide an even number of times. If the boundary is closed with each
-/// kept once, a loop or segment was given twice. If it is closed only when all count, they do not separate inside from
-/// outside: neighbours share that boundary. Connected runs of such segments are treated alike.
+/// Decides the role of boundary segments that coincide an even number of times. If the boundary is closed when each is
+/// kept once, a loop or segment was given twice. If it is closed only when all of them count, they do not separate
+/// inside from outside: neighbours share that boundary. Connected runs of such segments are treated alike.
 void Repairer::resolveRepeats() {
     if (given_.insideRule != InsideRule::EvenOdd) {
         return;

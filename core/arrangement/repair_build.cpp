@@ -4,7 +4,7 @@
 
 namespace forefront {
 
-/// Puts the repaired domain together.
+/// Assembles the repaired domain.
 void Repairer::build() {
     mapNodes();
     number_.assign(joined_.nodes.size(), kNoIndex);

@@ -78,8 +78,8 @@ Domain Repairer::joinedDomain() const {
     return domain;
 }
 
-/// Drops what lies outside the domain. A boundary that is open or has invalid segments does not say what is outside, so
-/// then everything stays.
+/// Drops what lies outside the domain. If the boundary is open or has invalid segments, the outside is not defined, and
+/// everything stays.
 void Repairer::dropOutside(const std::stop_token &stop) {
     pointDropped_.assign(given_.points.size(), 0);
     markerDropped_.assign(given_.holeMarkers.size(), 0);
@@ -128,8 +128,8 @@ std::vector<std::uint8_t> Repairer::outsideEdges(const Domain &joined, const Fac
     return outside;
 }
 
-/// Returns true if the boundary has no open ends: with EvenOdd, an even number of its segments meets at every node;
-/// with HoleMarkers, none of its segments that bound nothing ends freely.
+/// Returns true if the boundary has no open ends: with EvenOdd, an even number of its segments meet at every node; with
+/// HoleMarkers, no boundary segment with the outside on both sides has a free end.
 bool Repairer::closed(const Domain &joined, const Faces &faces, const FaceLabels &labels) const {
     std::vector<std::uint32_t> degree(joined.nodes.size(), 0);
     std::vector<std::uint8_t> boundsNothing(joined.nodes.size(), 0);

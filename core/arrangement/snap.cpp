@@ -20,7 +20,7 @@ constexpr int kMaxAttempts = 8;
 /// Share of the radius that rounding may add to a distance.
 constexpr double kSlack = 1.0 + 1e-9;
 
-/// Lines, some of them cut into parts at places that must not move.
+/// Lines, some of them cut at places that must not move.
 class PinnedLines {
   public:
     PinnedLines(std::span<const SnapLine> lines, double radius) : lines_(lines), radius_(radius) {}
@@ -47,7 +47,7 @@ class PinnedLines {
         friend auto operator<=>(const Pin &, const Pin &) = default;
     };
 
-    /// The line from the end that comes first: the same whichever way it is given.
+    /// Returns the line from the end that comes first, so that its direction as given does not matter.
     SnapLine ordered(std::uint32_t line) const {
         const SnapLine &given = lines_[line];
         return comesBefore(given.b, given.a) ? SnapLine{given.b, given.a} : given;

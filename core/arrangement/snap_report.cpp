@@ -53,7 +53,7 @@ void noteMovedEnds(const JoinedLines &joined, ChangeList &changes) {
     }
 }
 
-/// Notes a given line of which nothing is left, at its first part.
+/// Notes an input line of which nothing is left, at its first part.
 void noteVanished(const JoinedLines &joined, std::uint32_t first, ChangeList &changes) {
     std::uint32_t end = first;
     while (end < joined.lines.size() && joined.source[end] == joined.source[first]) {

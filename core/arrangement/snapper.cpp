@@ -63,7 +63,7 @@ void Snapper::makeEdges() {
     boxLength_ = edges_.empty() ? 0.0 : length / static_cast<double>(edges_.size());
 }
 
-/// Turns the boxes along edges that mostly run in one slanting direction: boxes of close parallel edges overlap less.
+/// Aligns the boxes with edges that mostly run in one slanted direction: boxes of close parallel edges overlap less.
 void Snapper::chooseAxis() {
     constexpr double kMostly = 0.8, kSlant = 0.2;
     Vec2 sum; // of directions with their angles doubled, so that opposite ones are the same
@@ -184,7 +184,7 @@ void Snapper::compare(std::uint32_t edge, std::uint32_t other) {
     }
 }
 
-/// Routes the edge through the node if the node is near its inside and makes both parts shorter than the whole.
+/// Routes the edge through the node if the node is near its interior and both parts become shorter than the edge.
 bool Snapper::cutNear(std::uint32_t edge, std::uint32_t node) {
     const Edge &e = edges_[edge];
     if (node == e.a || node == e.b) {
@@ -209,7 +209,7 @@ void Snapper::addCut(std::uint32_t edge, std::uint32_t node) {
     }
 }
 
-/// Two edges cross, and no end of one is near the inside of the other.
+/// Handles two edges that cross, where no end of one is near the interior of the other.
 void Snapper::addCrossing(std::uint32_t edge, std::uint32_t other) {
     const bool swapped =
         std::tuple(places_[edges_[other].a].x, places_[edges_[other].a].y, places_[edges_[other].b].x,
@@ -252,7 +252,7 @@ std::uint32_t Snapper::nodeWithin(Vec2 at) const {
     return best;
 }
 
-/// Makes nodes where edges cross far from any node; of crossings near each other, one.
+/// Makes nodes where edges cross far from any node, only one where several crossings are close together.
 void Snapper::addCrossings() {
     if (crossings_.empty()) {
         return;

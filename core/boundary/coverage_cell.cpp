@@ -24,7 +24,7 @@ void clipAxis(double from, double along, double low, double high, Clip &clip) {
     clip.last = std::min(clip.last, std::max(s, t));
 }
 
-/// After Y.-D. Liang and B. A. Barsky, A new concept and method for line clipping (1984).
+/// Clips by the method of Y.-D. Liang and B. A. Barsky, A new concept and method for line clipping (1984).
 Clip clipped(const BoundaryPiece &piece, const Box2 &box) {
     const Vec2 along = piece.b - piece.a;
     Clip clip;
@@ -37,7 +37,7 @@ double heightAt(const BoundaryPiece &piece, double x) {
     return piece.a.y + (piece.b.y - piece.a.y) * ((x - piece.a.x) / (piece.b.x - piece.a.x));
 }
 
-bool crossesUpright(const BoundaryPiece &piece, double x) {
+bool crossesVertical(const BoundaryPiece &piece, double x) {
     return (piece.a.x <= x) != (piece.b.x <= x);
 }
 
@@ -46,7 +46,7 @@ bool crossesOddly(Vec2 p, Vec2 q, std::span<const std::uint32_t> pieces, std::sp
     bool odd = false;
     for (const std::uint32_t i : pieces) {
         const BoundaryPiece &piece = all[i];
-        if (crossesUpright(piece, p.x)) {
+        if (crossesVertical(piece, p.x)) {
             const double y = heightAt(piece, p.x);
             odd ^= (y <= p.y) != (y <= q.y);
         }
@@ -58,8 +58,8 @@ bool crossesOddly(Vec2 p, Vec2 q, std::span<const std::uint32_t> pieces, std::sp
     return odd;
 }
 
-/// The area that changes sides, seen from the upright line in the middle of the box, by a part of a piece from p to q
-/// that does not cross this line.
+/// Returns the signed area of the box beyond a part of a piece from p to q, as seen from the vertical line through the
+/// middle of the box, which the part does not cross.
 double areaBeyond(Vec2 p, Vec2 q, double middle, const Box2 &box) {
     const double x = 0.5 * (p.x + q.x);
     return (x > middle ? x - box.max.x : x - box.min.x) * (q.y - p.y);
@@ -77,8 +77,8 @@ BoundaryPiece partWithin(const BoundaryPiece &piece, const Box2 &box) {
     return {lerp(piece.a, piece.b, clip.first), lerp(piece.a, piece.b, clip.last)};
 }
 
-// A point of the box is reached from the centre up or down, then level. Each piece crossed on the way puts it from one
-// side to the other: integrating over all points, a piece counts with the area beyond it.
+// Reach each point of the box from the centre by going up or down, then sideways. Each piece crossed on the way
+// switches between inside and outside, so in the integral over all points a piece counts with the area beyond it.
 double CoverageCell::coveredArea(std::span<const BoundaryPiece> all) const {
     const Vec2 size = box.size(), centre = box.centre();
     double area = centreInside ? size.x * size.y : 0.0;
@@ -88,7 +88,7 @@ double CoverageCell::coveredArea(std::span<const BoundaryPiece> all) const {
             continue;
         }
         const auto [p, q] = partWithin(piece, box);
-        if (!crossesUpright(piece, centre.x)) {
+        if (!crossesVertical(piece, centre.x)) {
             area += areaBeyond(p, q, centre.x, box);
             continue;
         }

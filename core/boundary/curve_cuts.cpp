@@ -21,7 +21,7 @@ double upper(const CurveStretch &stretch) {
 
 /// Removes cuts beside pieces far shorter than the spacing where the joined piece is close to the curve, but leaves
 /// `minimum` pieces. A bend too small to be seen, such as the hook that a control point beyond its end makes, would
-/// otherwise get a piece of its own, and sharp elements beside it.
+/// otherwise become a separate piece with sharp elements beside it.
 void joinShortPieces(std::vector<double> &fractions, const CurvePath &path, const SpacingField &spacing,
                      std::size_t minimum) {
     constexpr double kShort = 0.25;  // of the spacing, and of the longer piece
@@ -105,7 +105,7 @@ SpacingIntegral::Outcome CurveCuts::divide(std::uint32_t chain, const SpacingFie
     if (!allowed(fractions)) {
         fractions = cutInto(std::ceil(integral.total()));
     }
-    constexpr int kMaxRounds = 12; // the integral asks for nearly enough
+    constexpr int kMaxRounds = 12; // the integral already calls for nearly enough
     for (int round = 0; round < kMaxRounds && !allowed(fractions); ++round) {
         std::vector<double> finer = {0.0};
         for (std::size_t i = 1; i < fractions.size(); ++i) {
@@ -130,7 +130,7 @@ bool CurveCuts::isFine(const ChainPiece &piece) const {
     return cuts[piece.index + 1] - cuts[piece.index] < kFinest * (upper(chord) - lower(chord));
 }
 
-/// Takes the chords along a piece as straight segments.
+/// Replaces a piece by the chords along it, as straight segments.
 void CurveCuts::straighten(const ChainPiece &piece) {
     const double from = cuts_[piece.chain][piece.index], to = cuts_[piece.chain][piece.index + 1];
     for (const std::uint32_t s : chains_.list[piece.chain].segments) {

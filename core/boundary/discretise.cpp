@@ -65,7 +65,7 @@ class Discretiser {
         }
         // Rounding may push an inserted node across a part that is closer than the last digits: such segments are cut
         // into fewer pieces until nothing meets. Pieces of curves are halved, or replaced by the chords of the domain,
-        // where they meet others or have them on the wrong side. As given the domain meets nothing, so this ends.
+        // where they meet others or have them on the wrong side. The segments of the input do not meet, so this ends.
         for (;;) {
             if (Status faults = cutSegments(); !faults.empty()) {
                 return faults;
@@ -160,7 +160,7 @@ class Discretiser {
         return true;
     }
 
-    /// Estimates ∫ds/ρ roughly, to refuse an absurd spacing before anything is built.
+    /// Estimates ∫ds/ρ roughly, to refuse an absurdly fine spacing before anything is built.
     Status refuseAbsurd() const {
         constexpr double kMargin = 1.2; // near the limit, the accurate integral decides
         double sum = 0.0, worst = 0.0;
@@ -200,7 +200,7 @@ class Discretiser {
             }
             const std::uint32_t chain = curves_ ? curves_->chainOf(s) : kNoIndex;
             if (chain != kNoIndex && curves_->firstSegment(chain) != s) {
-                continue; // the whole chain comes at its first segment
+                continue; // the chain is processed at its first segment
             }
             if (Status faults = chain == kNoIndex ? cutSegment(s) : cutChain(chain); !faults.empty()) {
                 return faults;
@@ -209,7 +209,7 @@ class Discretiser {
         return {};
     }
 
-    /// Takes the nodes of the domain except those that only divide curves into chords.
+    /// Adds the nodes of the domain, except those that only divide curves into chords.
     void takeNodes() {
         result_.points = points_;
         number_.clear();
@@ -331,7 +331,7 @@ class Discretiser {
     }
 
     void finish() {
-        // Each region from an origin of its own: neither an offset nor the size of the whole costs digits.
+        // Each region has its own origin, so that neither an offset nor the size of the domain costs digits.
         std::vector<Vec2> origin(result_.regions.size());
         std::vector<std::uint8_t> known(result_.regions.size(), 0);
         std::vector<CompensatedSum> twice(result_.regions.size());

@@ -159,8 +159,8 @@ class MeanDensity {
             maximum = std::max(maximum, cell.densities[k]);
         }
         cell.value = cell.covered * mean;
-        // Where the boundary cuts the cell, its part inside may be anywhere in it: above all along the boundary, which
-        // is where the spacing is smallest more often than not.
+        // Where the boundary cuts the cell, the part inside may be anywhere in it. Sample along the boundary, where the
+        // spacing tends to be smallest.
         for (std::size_t i = 0; i < std::min(coverage.pieces.size(), kPiecesProbed); ++i) {
             const BoundaryPiece part = partWithin(pieces_[coverage.pieces[i]], coverage.box);
             const double atA = density(part.a), atB = density(part.b);

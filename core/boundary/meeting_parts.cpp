@@ -75,7 +75,8 @@ class MeetingFinder {
         }
     }
 
-    /// Called when nothing meets: adds what may have pushed constraint points or whole loops to another region.
+    /// Called when no pieces meet: adds the pieces that may have pushed constraint points or entire loops to another
+    /// region.
     void addMisplaced(const PlaneSweepResult &sweep) {
         std::vector<std::uint32_t> misplaced;
         if (division_.curves != nullptr) {
@@ -103,7 +104,8 @@ class MeetingFinder {
         }
     }
 
-    /// Adds the curved pieces that may have a node between them and their curve; all, if there are none at some node.
+    /// Adds the curved pieces that may have a node between them and their curve; adds all curved pieces if some node
+    /// has none.
     void addCurvesAround(const std::vector<std::uint32_t> &nodes) {
         std::vector<std::uint32_t> curved;
         std::vector<Box2> boxes;

@@ -8,7 +8,7 @@ namespace forefront {
 
 namespace {
 
-constexpr double kMinStep = 0x1p-48; // finer fractions would be equal
+constexpr double kMinStep = 0x1p-48; // finer fractions would round to the same number
 constexpr double kMinFirstStep = 0x1p-10;
 
 bool isValid(double density) {

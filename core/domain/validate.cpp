@@ -15,14 +15,14 @@ namespace forefront {
 
 namespace {
 
-/// Maximum number of meetings to search for, so that those not listed can be counted.
+/// Maximum number of meetings to search for, so that the unlisted ones can be counted.
 constexpr std::size_t kMaxPairs = 100'000;
 
-/// Maximum width of a gap that the advice says to close by welding, as a fraction of the domain's diagonal. Where the
-/// ends are farther apart, something is missing.
+/// Maximum width of a gap for which the advice is to weld it, as a fraction of the domain's diagonal. Where the ends
+/// are farther apart, something is missing.
 constexpr double kWeldableGap = 0.01;
 
-/// Finds for an end of a line the nearest other one.
+/// Finds the free end of a line that is nearest to another free end.
 class FreeEnds {
   public:
     explicit FreeEnds(std::vector<Vec2> ends) : ends_(std::move(ends)) {
@@ -290,7 +290,7 @@ class Validator {
     }
 
     /// With EvenOdd, an even number of boundary segments must meet at every node. Segments with one valid end count
-    /// there; repeated segments and nodes at the same place count once, since they are reported as faults of their own.
+    /// there; repeated segments and nodes at the same place count once, since they are reported as separate faults.
     void checkChains(const DomainGraph &graph, const PlaneSweepResult &sweep) {
         if (domain_.insideRule != InsideRule::EvenOdd) {
             return;
@@ -334,7 +334,7 @@ class Validator {
         addOpenEnds(ends);
     }
 
-    /// Reports nodes at which the boundary ends, each with the distance to the next one.
+    /// Reports nodes at which the boundary ends, each with the distance to the nearest other end.
     void addOpenEnds(const std::vector<std::uint32_t> &nodes) {
         std::vector<Vec2> places;
         for (const std::uint32_t n : nodes) {
@@ -353,7 +353,7 @@ class Validator {
         return std::isfinite(gap) ? ", " + numberText(gap, 3) + " from the nearest other end" : std::string();
     }
 
-    /// Returns advice to weld a narrow gap, with a tolerance that surely suffices; empty for wide ones.
+    /// Returns advice to weld a narrow gap, with a tolerance that is certainly sufficient; empty for wide gaps.
     std::string weldAdvice(double gap) const {
         if (!(gap <= kWeldableGap * domain_.bounds().diagonal())) {
             return {};

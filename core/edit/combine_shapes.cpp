@@ -18,7 +18,7 @@ constexpr double kTolerance = 1e-9; ///< part of the extent: the rounding of pla
 
 using ShapePointer = std::shared_ptr<const Shape>;
 
-/// Makes the input of an arrangement that covers the result of an operation.
+/// Builds the input of an arrangement that covers the result of an operation.
 class Combination {
   public:
     Combination(const std::vector<ShapePointer> &shapes, double circleTolerance) {
@@ -81,7 +81,7 @@ class Combination {
         }
     }
 
-    /// A rectangle around everything, so that the outside of a shape is an area.
+    /// Adds a rectangle around everything, so that the outside of a shape is an area.
     void addFrame(std::uint32_t contour) {
         const Box2 box = box_.grown(0.25 * box_.diagonal());
         input_.addRing(contour, std::array{box.min, Vec2{box.max.x, box.min.y}, box.max, Vec2{box.min.x, box.max.y}},
@@ -144,7 +144,7 @@ Result<Document> combineShapes(const Document &document, const std::set<std::uin
     if (domain.segments.empty()) {
         return error("not-possible", "the result would be empty", "select shapes that overlap");
     }
-    for (std::size_t s = 0; s < domain.segments.size(); ++s) { // on common lines the first shape gives the tag
+    for (std::size_t s = 0; s < domain.segments.size(); ++s) { // where lines coincide, the first shape gives the tag
         domain.segments[s].tag = input.pieces[arranged->stretches[s].piece].tag;
     }
     Document next = document;

@@ -127,7 +127,7 @@ void addPoints(const Domain &domain, Document &document) {
                 pointShape(domain.nodes[point.node], ShapeUse::Constraint, point.tag, document.nextId++));
         }
     }
-    // An unreferenced node stays visible, and validation reports it; it is not dropped in silence.
+    // An unreferenced node stays visible, and validation reports it; it is not dropped silently.
     for (std::size_t node = 0; node < used.size(); ++node) {
         if (!used[node]) {
             document.shapes.push_back(pointShape(domain.nodes[node], ShapeUse::Boundary, 1, document.nextId++));

@@ -14,7 +14,7 @@ namespace {
 
 using Names = std::map<std::int32_t, std::string>;
 
-/// The tags of a part, and those that something outside of it carries.
+/// The tags of a part, and the tags in use outside it.
 struct TagUse {
     std::set<std::int32_t> inside, outside;
 };

@@ -83,7 +83,8 @@ void openCurves(Shape &shape) {
     shape.cuts.clear();
 }
 
-/// Replaces one path of a document by another, if that is sound; `more`, if any, gets a new id and follows it.
+/// Replaces one path of a document by another if the new one is valid; `more`, if given, gets a new id and is inserted
+/// after it.
 Result<Document> replacePath(const Document &document, Shape shape, std::optional<Shape> more = {}) {
     Result<Document> next = replaceShape(document, std::move(shape));
     if (next && more) {
@@ -121,7 +122,7 @@ void makeCorner(Shape &shape, const Outline &outline, std::uint32_t node) {
 void makeSmooth(Shape &shape, const Outline &outline, std::uint32_t node, NodeKind kind) {
     const Beside beside = segmentsAt(outline, node);
     if (beside.before == kNone || beside.after == kNone) {
-        return; // an end has one side only
+        return; // an end has only one side
     }
     const Vec2 at = outline.nodes[node], before = outline.from(beside.before), after = outline.to(beside.after);
     const double span = distance(before, after);
@@ -294,7 +295,7 @@ Result<Document> splitPath(const Document &document, NodeRef node) {
 
 namespace {
 
-/// Turns an open path around; its tags and curves must be complete lists.
+/// Reverses an open path; its tags and curves must be complete lists.
 void reverse(Shape &path) {
     std::reverse(path.nodes.begin(), path.nodes.end());
     std::reverse(path.segmentTags.begin(), path.segmentTags.end());

@@ -19,7 +19,7 @@ Vec2 times(Vec2 a, Vec2 b) {
     return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
 }
 
-/// Returns the arc along two consecutive arcs of one ellipse, if they are such.
+/// Returns the arc along two consecutive arcs if both are of one ellipse.
 std::optional<Curve> mergedArc(const Curve &first, const Curve &second) {
     if (first.kind() != CurveKind::Arc || second.kind() != CurveKind::Arc) {
         return std::nullopt;
@@ -57,7 +57,7 @@ struct Samples {
             }
             before += own;
         }
-        points.pop_back(); // the end of the whole
+        points.pop_back(); // the end of both curves
         parameters.pop_back();
     }
 };
@@ -83,7 +83,7 @@ Curve fitted(const Samples &samples, Vec2 from, Vec2 ahead, Vec2 back, Vec2 to) 
         alpha = (x0 * c11 - x1 * c01) / determinant;
         beta = (x1 * c00 - x0 * c01) / determinant;
     }
-    constexpr double kShortest = 1e-3; // a handle the other way would make a loop
+    constexpr double kShortest = 1e-3; // a handle in the other direction would make a loop
     alpha = alpha > kShortest * third ? alpha : third;
     beta = beta > kShortest * third ? beta : third;
     return Curve::cubic(from, from + alpha * ahead, to + beta * back, to);

@@ -16,7 +16,7 @@
 namespace forefront {
 namespace {
 
-/// Two places in any order, as a key.
+/// Two places in either order, as a key.
 using Ends = std::tuple<double, double, double, double>;
 Ends endsOf(Vec2 a, Vec2 b) {
     const bool swapped = std::tie(b.x, b.y) < std::tie(a.x, a.y);
@@ -43,7 +43,7 @@ struct NamedEdge {
     std::uint32_t shape = 0; ///< index into Document::shapes
 };
 
-/// Finds out which shapes a repair changed, and makes shapes of what became of them.
+/// Finds out which shapes a repair changed, and makes shapes from what they became.
 class DrawingRepair {
   public:
     explicit DrawingRepair(const Document &document) : document_(document), given_(toDomain(document, sources_)) {}

@@ -95,7 +95,7 @@ void removeNodes(Shape &shape, const std::set<std::uint32_t> &handles) {
     }
 }
 
-/// Returns the polylines that remain of a shape without some of its segments; none for a circle.
+/// Returns the polylines that remain when some segments of a shape are removed; none for a circle.
 std::vector<Shape> withoutSegments(const Shape &shape, const std::set<SegmentRef> &gone) {
     std::vector<Shape> pieces;
     const Outline outline = outlineOf(shape);

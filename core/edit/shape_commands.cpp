@@ -16,8 +16,8 @@ Diagnostics noSuch(const char *what) {
     return error(std::string("no-such-") + what, std::string(what) + " not found");
 }
 
-/// Keeps one tag per segment, or none if all segments have the tag of the shape; and one curve per segment, from node
-/// to node, or none if all are straight.
+/// Normalises the lists of a shape: one tag per segment, or none if all segments have the tag of the shape; one curve
+/// per segment, from node to node, or none if all are straight.
 void tidy(Shape &shape) {
     if (!shape.segmentTags.empty()) {
         shape.segmentTags.resize(taggedSegments(shape), shape.tag);
@@ -111,8 +111,8 @@ bool isLoopSound(const Shape &shape) {
     return n >= 3 || (n >= 1 && std::any_of(shape.curves.begin(), shape.curves.end(), curved));
 }
 
-/// Moves the end of a half-axis of an ellipse. Perpendicular axes stay so: the first turns the other one along, the
-/// second changes its length only.
+/// Moves the end of a half-axis of an ellipse. Perpendicular axes stay perpendicular: the first axis turns the second
+/// with it; the second only changes its length.
 void placeAxis(Shape &shape, std::uint32_t handle, Vec2 to) {
     constexpr double kPerpendicular = 1e-9;
     std::vector<Vec2> &nodes = shape.nodes;
@@ -262,7 +262,7 @@ void placeHandle(Shape &shape, std::uint32_t handle, Vec2 to) {
         std::vector<Vec2> places = nodes;
         places[handle] = to;
         moveNodes(shape, std::move(places));
-        return; // which drops the cuts of the segments that change
+        return; // dropping the cuts of the segments that change
     } else {
         nodes[handle] = to;
     }

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kMinCorners = 8;
 constexpr std::size_t kMaxCorners = 4096;
 
-/// Returns the segment of zero length of a circle without radius, which validation reports with its place.
+/// Returns the zero-length segment of a circle without radius, which validation reports with its position.
 Outline pointOutline(Vec2 at) {
     return {{at, at}, true, {}, {}};
 }

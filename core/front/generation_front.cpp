@@ -82,7 +82,7 @@ GenerationFront::GenerationFront(const DiscreteDomain &boundary) {
         if (degree[point.node] == 0) {
             const SlotId id = addSlot(point.node, 0);
             link(id, id);
-            degree[point.node] = 1; // in case it is given twice
+            degree[point.node] = 1; // in case it is listed twice
         }
     }
 }

@@ -13,7 +13,8 @@ std::uint32_t spread(std::uint32_t v) {
     return (v | (v << 1)) & 0x55555555U;
 }
 
-/// Position of the middle of [low, high] within the whole, in 0..65535. Halves and quarters, so that nothing overflows.
+/// Returns the position of the middle of [low, high] within the whole range, in 0..65535. Uses halves and quarters, so
+/// that nothing overflows.
 std::uint32_t step(double low, double high, double wholeLow, double wholeHigh) {
     const double extent = 0.5 * wholeHigh - 0.5 * wholeLow;
     const double part = extent > 0.0 ? (0.25 * low + 0.25 * high - 0.5 * wholeLow) / extent : 0.0;

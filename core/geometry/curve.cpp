@@ -34,7 +34,7 @@ void addRoots(double a, double b, double c, std::vector<double> &roots) {
     }
 }
 
-/// Integrates a function by Gauss's rule with 8 nodes, halving intervals until the halves agree with the whole.
+/// Integrates a function by Gauss's rule with 8 nodes, halving intervals until the halves agree with the full interval.
 template <class Function>
 class GaussIntegral {
   public:

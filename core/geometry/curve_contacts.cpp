@@ -18,7 +18,7 @@ bool lexicographicallyLess(Vec2 p, Vec2 q) {
     return p.x != q.x ? p.x < q.x : p.y < q.y;
 }
 
-/// Moves parameters so that the curves meet there, by Newton's method, as long as that brings them closer.
+/// Improves the parameters of a meeting by Newton's method as long as that brings the curves closer.
 void polish(const Curve &first, const Curve &second, double &s, double &t) {
     constexpr int kSteps = 20;
     Vec2 gap = second.point(t) - first.point(s);
@@ -56,7 +56,7 @@ class SteepCrossing {
   private:
     static constexpr int kHalvings = 100; // of both together: enough down to rounding
 
-    /// Newton's method may fail on curves of uneven speed, as near cusps: then halves the longer part.
+    /// Newton's method may fail on curves of uneven speed, as near cusps; then the longer part is halved.
     std::optional<CurveContact> search(const CurvePart &first, const CurvePart &second, int halvings) const {
         if (apart(first, second, 0.0)) {
             return std::nullopt;
@@ -144,7 +144,7 @@ class Strip {
     }
 
     /// Appends samples from the left one (excluded) to the right one between which the gap is linear to a fraction of
-    /// the tolerance; marks stretches without contact.
+    /// the tolerance; marks intervals without contact.
     void scan(const Sample &left, const Sample &right, int halvings) {
         const Sample middle = sample(std::midpoint(left.x, right.x));
         const double width = right.x - left.x;
@@ -249,7 +249,7 @@ std::vector<CurveContact> curveContacts(const CurvePart &first, const CurvePart 
     if (first.start == first.end || second.start == second.end) {
         return {};
     }
-    constexpr double kSteep = 1e-3; // beside what the parts turn
+    constexpr double kSteep = 1e-3; // in addition to what the parts turn
     const double angle =
         std::atan2(std::fabs(cross(first.along, second.along)), std::fabs(dot(first.along, second.along)));
     std::vector<CurveContact> contacts;

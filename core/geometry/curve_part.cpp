@@ -27,7 +27,7 @@ Extent extentOf(std::span<const Vec2> points, Vec2 origin, Vec2 axis) {
     return extent;
 }
 
-/// Returns the error of points on a curve by rounding: of a circle with a centre far away it is large.
+/// Returns the rounding error of points on a curve, which is large for a circle with a distant centre.
 double noiseOf(const Curve &curve) {
     double largest = 0.0;
     const auto numbers = curve.numbers();

@@ -143,7 +143,7 @@ class Sweeper {
         if (edge == kNoIndex || result_.dropped[edge] == 0) {
             return edge;
         }
-        // The remembered edge was dropped since; another one is found by the position of the point.
+        // The remembered edge has since been dropped; the position of the point leads to another one.
         const SweepStatus::Place place = status_.find(points_[result_.order[rank]]);
         return place.hit != kNoIndex && high_[place.hit] == rank ? place.hit : kNoIndex;
     }

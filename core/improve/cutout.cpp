@@ -244,8 +244,7 @@ bool Cutout::divide(Local a, unsigned first, unsigned taken) {
     }
     old.size = old.valence = static_cast<std::uint8_t>(size - taken + 1);
     std::copy_n(left.begin(), old.size, old.ring);
-    const float part =
-        0.4F * old.rho / std::max(1e-6F, std::sqrt(x * x + y * y)); // so that the two nodes are about ρ apart
+    const float part = 0.4F * old.rho / std::max(1e-6F, std::sqrt(x * x + y * y)); // puts the two nodes about ρ apart
     fresh.x = old.x + part * x;
     fresh.y = old.y + part * y;
     old.x -= part * x;
@@ -253,7 +252,7 @@ bool Cutout::divide(Local a, unsigned first, unsigned taken) {
     return true;
 }
 
-/// Returns by how much swapping ab for cd lowers Σ(valence − 6)².
+/// Returns the decrease of Σ(valence − 6)² when ab is swapped for cd.
 int Cutout::gainOfSwap(Local a, Local b, Local c, Local d) const {
     const auto gain = [this](Local n, int step) {
         const int off = nodes_[n].valence - 6;

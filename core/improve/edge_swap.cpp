@@ -28,7 +28,7 @@ Shapes shapes(const ImproveWorkspace &work, const Diamond &q) {
     return {before, positive ? std::min(left, right) : -1.0};
 }
 
-/// Returns by how much a swap lowers Σ(valence − 6)² over the free nodes.
+/// Returns the decrease of Σ(valence − 6)² over the free nodes by a swap.
 int valenceGain(const ImproveWorkspace &work, const Diamond &q) {
     const auto change = [&work](NodeId n, int step) {
         if (!work.isFree(n)) {

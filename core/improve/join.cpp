@@ -38,7 +38,7 @@ class Matcher {
         head = h;
     }
 
-    /// Moves the half-edges of the block that still wait from the lists to `waiting`.
+    /// Moves the half-edges of the block that are still waiting from the lists to `waiting`.
     void takeWaiting(HalfEdge begin, HalfEdge end, std::vector<HalfEdge> &waiting) {
         for (HalfEdge h = begin; h < end; ++h) {
             if ((work_.twin[h] & kWaiting) != 0) {

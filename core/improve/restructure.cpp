@@ -28,7 +28,7 @@ constexpr std::size_t kTrials = 4;
 constexpr int kSweeps = 2;
 constexpr int kRounds = 4;
 constexpr float kMinGain = 0.04F;
-/// Number of neighbours that a new node takes over.
+/// Number of neighbours that move to the new node.
 constexpr unsigned kTaken = 2;
 
 /// Lists the most promising changes at the first node of a cutout that do not move valences away from 6.
@@ -220,7 +220,8 @@ class Restructuring {
         return found;
     }
 
-    /// Makes the change unless another change of this block overlaps it; the site then comes again in the next round.
+    /// Makes the change unless it overlaps another change of this block; then the site is tried again in the next
+    /// round.
     void keep(NodeId site, const Gain &gain) {
         const auto &[before, after] = *gain.cutouts;
         for (unsigned n = 0; n < before.count(); ++n) {

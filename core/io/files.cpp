@@ -85,7 +85,7 @@ Result<const Format *> chooseFormat(const std::filesystem::path &path, std::stri
     return found;
 }
 
-/// Loads a file, finds its format and hands both to `read`. Memory that runs out is a fault like any other.
+/// Loads a file, finds its format and passes both to `read`. Running out of memory is a fault like any other.
 template <class T, class Read>
 Result<T> readFile(const std::filesystem::path &path, const ImportOptions &options, ImportNotes *notes,
                    bool (*accepts)(const Format &), Read read) {
@@ -119,8 +119,8 @@ Result<T> readFile(const std::filesystem::path &path, const ImportOptions &optio
     }
 }
 
-/// Returns a domain with curves as a document of it gives it, so that it meshes the same in the editor and in batch;
-/// `origin`, if not null, follows.
+/// Converts a domain with curves to a document and back, so that it meshes the same in the editor and in batch;
+/// reorders `origin`, if not null, accordingly.
 Domain asDrawn(const Domain &domain, DomainOrigin *origin) {
     Domain drawn = toDomain(fromDomain(domain));
     if (origin != nullptr) {
@@ -199,7 +199,7 @@ Diagnostics locateFaults(const std::filesystem::path &path, Diagnostics faults, 
                 }
                 return domain;
             });
-        static_cast<void>(read); // it was readable before; if it no longer is, the faults go without places
+        static_cast<void>(read); // it was readable before; if it no longer is, the faults are left without places
     }
     return named(std::move(faults), path);
 }

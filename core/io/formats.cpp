@@ -19,7 +19,7 @@ namespace forefront {
 
 namespace {
 
-// One line per format: what it is called, what it can do, and the functions that do it.
+// Every format with its name, its capabilities and its functions.
 constexpr std::array kFormats = {
     Format{.about = {"project", "Forefront project", ".json", true, false, false},
            .otherExtensions = ".forefront",

@@ -21,7 +21,7 @@ struct SweepEdge {
     int above() const { return below + rise; }
 };
 
-/// The order of the edges that the sweep line crosses, from below. Of collinear edges that overlap, as on the two sides
+/// The order of the edges that the sweep line crosses, from below. Where collinear edges overlap, as on the two sides
 /// of a slit or at a hanging node, the one with the mesh below it comes first.
 class Below {
   public:

@@ -61,7 +61,7 @@ class MeshOutline {
         used_.assign(tags_.size(), false);
     }
 
-    /// Parts without a tag must not take the tag, and with it the name, of another part.
+    /// Parts without a tag must not get the tag, and with it the name, of another part.
     void chooseTagsOfUnnamed() {
         std::set<std::int32_t> taken;
         for (const Tagged &tag : tags_) {

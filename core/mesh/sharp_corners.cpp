@@ -87,7 +87,7 @@ class Bands {
         }
     }
 
-    /// Takes the elements that can be reached from others across common sides and were not taken before.
+    /// Takes the elements that can be reached from the given ones across common sides and have not been taken yet.
     std::vector<Element> take(std::vector<Element> from) {
         std::vector<Element> found;
         while (!from.empty()) {
@@ -105,8 +105,8 @@ class Bands {
         return found;
     }
 
-    /// Takes the next element that was not taken and all that can be reached from it. Returns an empty list when all
-    /// are taken.
+    /// Takes the next element that has not been taken yet and all that can be reached from it. Returns an empty list
+    /// when all are taken.
     std::vector<Element> takeNext() {
         while (next_ < elements_.size() && taken_[next_] != 0) {
             ++next_;
@@ -127,7 +127,7 @@ class Bands {
     std::map<std::pair<NodeId, NodeId>, std::size_t> withSide_; // each direction of a side has one element
 };
 
-/// Finds elements that cut off a flat corner between two tagged edges: no gap forces them.
+/// Finds elements that cut off a flat corner between two tagged edges; these are not forced by a gap.
 class FlatCorners {
   public:
     explicit FlatCorners(const Mesh &mesh) : mesh_(mesh) {

@@ -66,8 +66,8 @@ void checkFinite(const Mesh &mesh, FaultList &faults) {
     }
 }
 
-/// Adds a fault for each element that refers to a node twice, whose sides cannot be followed. Returns false if there
-/// are any.
+/// Adds a fault for each element that refers to a node twice, since its sides cannot be followed. Returns false if
+/// there are any.
 bool checkNodesDistinct(const Mesh &mesh, FaultList &faults) {
     const std::size_t before = faults.count();
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {

@@ -167,7 +167,7 @@ class CurveWalk {
     double deviation_;        ///< maximum distance of an edge from the curve
 };
 
-/// Returns the constraint point of a domain at a place where there is one.
+/// Returns the constraint point of a domain at a place, which must have one.
 DomainPart partAt(const Domain &domain, Vec2 place) {
     const auto found = std::find_if(domain.points.begin(), domain.points.end(),
                                     [&](const ConstraintPoint &point) { return domain.nodes[point.node] == place; });
@@ -187,7 +187,7 @@ DiscreteDomain cutAsMeshed(const Mesh &mesh, const Domain &domain, const CurveCh
         const CurveChain *const curved = number == kNoIndex ? nullptr : &chains.list[number];
         if (curved != nullptr) {
             if (s.source != curved->segments.front()) {
-                continue; // the chain as a whole is taken at its first segment
+                continue; // the chain is processed at its first segment
             }
             if (domain.segments[s.source].stretch.t1 < domain.segments[s.source].stretch.t0) {
                 std::swap(s.leftRegion, s.rightRegion);
@@ -229,7 +229,7 @@ DiscreteDomain cutAsMeshed(const Mesh &mesh, const Domain &domain, const CurveCh
     return cut;
 }
 
-/// Returns by how much the area may differ because nodes inserted into a straight segment are rounded.
+/// Returns the maximum error of the area because nodes inserted into straight segments are rounded.
 double areaTolerance(const DiscreteDomain &domain, const EnclosedArea &enclosed) {
     double perimeter = 0.0, maxCoordinate = 0.0;
     for (const DiscreteSegment &s : domain.segments) {

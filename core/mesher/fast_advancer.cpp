@@ -15,9 +15,9 @@ constexpr double kSharp = 0.05;     ///< 87 degrees: sharper corners are closed
 constexpr double kWide = -0.94;     ///< 160 degrees: segments at wider corners do not share a node
 constexpr double kRoomy = -0.5;     ///< 120 degrees: wider corners have room for two nodes
 constexpr double kThreeFrom = -0.8; ///< 143 degrees: three segments share a node where both corners are sharper
-/// Segments shorter than this fraction of the node spacing share a node by three, so that one segment fewer remains.
+/// Three segments shorter than this fraction of the node spacing share a node, so that one fewer segment remains.
 constexpr double kShort = 0.85;
-/// Segments longer than this fraction of the node spacing get a node each, so that one segment more remains.
+/// Segments longer than this fraction of the node spacing get one node each, so that one more segment remains.
 constexpr double kLong = 1.2;
 /// Segments that share a node differ in length by less than this factor.
 constexpr double kSimilar = 2.0;

@@ -13,7 +13,7 @@ namespace forefront {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kMinStrips = 8.0;     ///< with fewer, one thread is done soon enough
+constexpr double kMinStrips = 8.0;     ///< with fewer, one thread is fast enough
 constexpr double kMaxStrips = 16.0;    ///< enough for any number of threads
 constexpr double kMultiple = 2.0;      ///< their number is a multiple, so that two threads both have work to the end
 constexpr double kCoarse = 1.0 / 16.0; ///< segments from this part of the width of a strip on are coarse

@@ -28,8 +28,7 @@ class GridMesher final : public Mesher {
         AdvanceDelta delta;
         std::uint64_t done = 0;
         advancer_.keepLog(deltas != nullptr);
-        // Without Γ, another try would drop entries of the order that are out of date, and the state would depend on
-        // it.
+        // With Γ empty, another attempt would drop outdated entries of the order, and the state would depend on it.
         for (; done < count && !finished() && advancer_.advance(delta); ++done) {
             if (deltas != nullptr) {
                 deltas->push_back(delta);

@@ -100,7 +100,7 @@ class LastAdvance {
     /// Returns true if the advance connected two places of Γ, neither of them an isolated point.
     bool connects() const { return delta_.kind == AdvanceDelta::Kind::Connection && delta_.s != delta_.t; }
 
-    /// Returns true if a connection made one loop of two: both of its new segments lie on the same loop now.
+    /// Returns true if a connection merged two loops into one: both of its new segments lie on the same loop now.
     bool joined() const {
         const GenerationFront &front = state_.front;
         for (SlotId id = front.next(delta_.a); id != delta_.a; id = front.next(id)) {
@@ -179,7 +179,7 @@ std::uint64_t advanceOf(const Timeline &timeline, std::size_t element) {
     return timeline.position();
 }
 
-/// The parts of elements near a place: how near each is, and the element it was first seen in.
+/// The parts of elements near a place: the distance of each, and the element it was first seen in.
 class BirthSearch {
   public:
     BirthSearch(const FrontState &state, Vec2 place, double tolerance)

@@ -188,7 +188,7 @@ void SessionWorker::beginMove() {
     improvementStopped_ = false;
     state_ = RunState::Running;
     stage_ = "advancing the front";
-    lastPublish_ = Clock::now(); // a short move shows its target alone
+    lastPublish_ = Clock::now(); // a short move shows only its target
 }
 
 void SessionWorker::follow(Outcome outcome) {
@@ -267,7 +267,7 @@ Progress SessionWorker::progressInto(RunState state, std::stop_token stop) {
 }
 
 void SessionWorker::publishIfDue() {
-    // Copying large meshes takes a quarter of the time at most.
+    // Copying large meshes takes at most a quarter of the time.
     if (Clock::now() - lastPublish_ > std::max<Clock::duration>(kFrame, 4 * publishCost_)) {
         publish(false);
     }

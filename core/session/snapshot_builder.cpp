@@ -56,7 +56,7 @@ bool has(const AdvanceDelta &delta, MarkKind kind) {
     return false;
 }
 
-/// Collects the advances of a stretch into a sample of the curves.
+/// Collects the advances of an interval into a sample of the curves.
 class SampleSum {
   public:
     void add(std::size_t segments, const AdvanceDelta &delta, std::span<const float> alphas) {
@@ -165,11 +165,11 @@ MeshQuality SnapshotBuilder::quickQuality(const FrontState &state) const {
     return quality;
 }
 
-/// Returns the first mark of each kind in each stretch of the timeline. New nodes are marked only if all of them fit.
+/// Returns the first mark of each kind in each interval of the timeline. New nodes are marked only if all of them fit.
 std::shared_ptr<const std::vector<TimelineMark>> SnapshotBuilder::marksOf(const Timeline &timeline) {
     auto marks = std::make_shared<std::vector<TimelineMark>>();
     const std::uint64_t stretch = timeline.known() / kMaxMarks + 1;
-    std::array<std::uint64_t, kMarkKinds> markedTo{}; ///< per kind: end of the stretch marked last
+    std::array<std::uint64_t, kMarkKinds> markedTo{}; ///< per kind: end of the interval marked last
     for (std::uint64_t p = 0; p < timeline.known(); ++p) {
         for (std::size_t k = stretch == 1 ? 0 : 1; k < kMarkKinds; ++k) {
             const auto kind = static_cast<MarkKind>(k);

@@ -91,7 +91,7 @@ class FieldBuilder {
                              std::move(automatic.sites.labels));
         }
     }
-    /// Sites that the domain alone asks for need not be met as exactly as those that a user sets.
+    /// Sites that follow from the domain alone need not be met as exactly as those that a user sets.
     std::size_t manySites() const {
         const bool own = std::all_of(parts_.few.labels.begin(), parts_.few.labels.end(), [](const SiteLabel &label) {
             return label.origin == SpacingOrigin::Automatic || label.origin == SpacingOrigin::Boundary;

@@ -117,7 +117,7 @@ std::string binaryValues() {
     return section + "\n$EndNodeData\n";
 }
 
-/// Bytes of every value, the same for the same seed.
+/// Returns bytes of every value, the same for the same seed.
 std::string anyBytes(std::uint32_t seed) {
     std::mt19937 random(seed);
     std::string bytes;

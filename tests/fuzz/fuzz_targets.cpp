@@ -136,8 +136,8 @@ void runTriangle(std::string_view bytes) {
     }
 }
 
-/// One target for each format with readers of its own. Triangle's files come in one input, since the reader finds its
-/// companions only beside a file.
+/// Lists one target for each format that has its own readers. Triangle's files come in one input, since the reader
+/// finds its companions only beside a file.
 std::vector<Target> listTargets() {
     std::vector<Target> list;
     for (const Format &format : formats()) {
@@ -206,7 +206,7 @@ void checkRepair(const Domain &domain, double tolerance) {
            "a second repair changes nothing");
 }
 
-/// Bytes as a domain: its nodes, then segments and points between them.
+/// Reads the bytes as a domain: its nodes, then segments and points between them.
 void runRepair(std::string_view bytes) {
     ByteNumbers numbers(bytes);
     const Domain domain = domainFrom(numbers);

@@ -34,8 +34,8 @@ Domain twoRegions() {
     return domain;
 }
 
-/// The same with names that formats have to change: boundaries and regions of the same name, as after GeoJSON, blanks,
-/// quotes, letters outside ASCII, and a point with the tag of an edge.
+/// The same domain with names that formats have to change: boundaries and regions of the same name, as after GeoJSON,
+/// blanks, quotes, letters outside ASCII, and a point with the tag of an edge.
 Domain twins() {
     Domain domain = twoRegions();
     domain.nodes.push_back({3.0, 1.25});

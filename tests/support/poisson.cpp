@@ -21,7 +21,7 @@ double angleFromAxis(Vec2 p) {
 Vec2 cornerGradient(Vec2 p) {
     const double r = length(p), theta = angleFromAxis(p);
     const double size = 2.0 / 3.0 * std::pow(r, -1.0 / 3.0);
-    // Along r: sin(2θ/3), across: cos(2θ/3), turned by θ.
+    // The component along r is sin(2θ/3), the one across it cos(2θ/3); turned by θ.
     const double along = size * std::sin(2.0 * theta / 3.0), across = size * std::cos(2.0 * theta / 3.0);
     return {along * std::cos(theta) - across * std::sin(theta), along * std::sin(theta) + across * std::cos(theta)};
 }

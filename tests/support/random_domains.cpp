@@ -259,7 +259,7 @@ void shuffle(Domain &domain, RandomSource &random) {
     }
 }
 
-/// Rounding far from the origin can let thin parts collapse: such a domain is not used.
+/// Rounding far from the origin can make thin parts collapse; such a domain is not used.
 bool isSimple(const Domain &domain) {
     std::vector<PlaneEdge> edges;
     for (const DomainSegment &segment : domain.segments) {

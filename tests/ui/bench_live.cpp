@@ -31,7 +31,7 @@ double percentile(std::vector<double> values, double part) {
 enum class Gesture { Node, Source, Brush };
 constexpr const char *kGestures[] = {"node", "source", "brush"};
 
-/// Drags a node or a source of a live-meshed square, or the brush, around a small circle without a pause, and measures
+/// Drags a node, a source or the brush around a small circle on a live-meshed square without pausing, and measures
 /// latencies.
 class DragBench {
   public:
@@ -126,7 +126,7 @@ class DragBench {
 } // namespace
 
 // Not a test; prints figures: forefront_ui_tests --no-skip -tc='Bench*live*'. The last column is the load of the
-// machine, without which the others mean little.
+// machine, without which the others cannot be interpreted.
 TEST_CASE("Bench: live meshes per second and latency from input to picture during gestures" * doctest::skip()) {
     std::printf("gesture,wanted,elements,frames_per_s,frame_ms_p50,p95,meshes_per_s,tints_per_s,"
                 "input_to_picture_ms_p50,p95,p99,max,load\n");

@@ -13,7 +13,7 @@
 #endif
 
 #if defined(FOREFRONT_SANITIZED)
-// Graphics drivers are unloaded before leaks are reported, and the reports then name no function: keep them loaded.
+// Keeps graphics drivers loaded: they are unloaded before leaks are reported, and the reports would name no function.
 extern "C" int dlclose(void *) {
     return 0;
 }

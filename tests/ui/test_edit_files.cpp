@@ -382,7 +382,7 @@ TEST_CASE("Quit: asks about unsaved changes; Cancel stays, Don't save leaves") {
     CHECK_FALSE(driver.editor().running());
 }
 
-// Not a test by itself: it is the process that the next test kills.
+// Not a test in itself: this is the process that the next test kills.
 TEST_CASE("Recovery: draws in the folder of FOREFRONT_TEST_VICTIM and waits" * doctest::skip()) {
     const char *folder = std::getenv("FOREFRONT_TEST_VICTIM");
     REQUIRE(folder != nullptr);

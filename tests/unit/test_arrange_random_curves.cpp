@@ -91,7 +91,7 @@ class RandomCurves {
         }
     }
 
-    /// An earlier loop, turned around, in other parts, moved by about the tolerance.
+    /// Returns an earlier loop, reversed, divided differently and moved by about the tolerance.
     CurveLoop again(const CurveLoop &earlier) {
         const double step = random_.chance(0.5) ? 0.0 : unit_ * random_.between(0.1, 3.0);
         const Vec2 move{step * random_.between(-1.0, 1.0), step * random_.between(-1.0, 1.0)};

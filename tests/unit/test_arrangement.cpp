@@ -22,7 +22,7 @@ TEST_CASE("arrange: a path is filled by its rule") {
     CHECK(areas(arranged(evenOdd).domain) == Areas{{1, 64.0}});
 }
 
-// One pair of features after the other, a search for what lies inside what takes minutes here.
+// Comparing every pair of features to find which lies inside which would take minutes here.
 TEST_CASE("arrange: a thousand features inside each other keep an area each") {
     constexpr int kDepth = 1000;
     for (const OverlapRule rule : {OverlapRule::Later, OverlapRule::Smaller}) {

@@ -120,7 +120,7 @@ TEST_CASE("curve: lengths agree with fine polylines and with closed forms") {
     for (int i = 0; i < 60; ++i) {
         const Curve curve = randomCurve(random, i);
         const double t0 = random.unit(), t1 = random.unit();
-        // Chords are short by O(h²), so two of them extrapolate.
+        // Chords are short by O(h²), so two of them can be extrapolated.
         const double coarse = polylineLength(samples(curve, t0, t1, 4000));
         const double fine = polylineLength(samples(curve, t0, t1, 8000));
         CHECK(curve.length(t0, t1) == doctest::Approx(fine + (fine - coarse) / 3.0).epsilon(1e-7));

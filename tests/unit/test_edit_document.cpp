@@ -156,7 +156,7 @@ TEST_CASE("fromDomain then toDomain: the same segments, nodes, points and tags f
         REQUIRE(placedSegments(back) == placedSegments(domain));
         REQUIRE(placedNodes(back) == placedNodes(domain));
         REQUIRE(back.points.size() == domain.points.size());
-        // Once more round, nothing changes at all.
+        // A second round trip changes nothing.
         const Document again = fromDomain(back);
         REQUIRE(placedSegments(toDomain(again)) == placedSegments(domain));
     }

@@ -18,7 +18,7 @@ TEST_CASE("nameBoundaryPart: a new name for one segment makes a new tag and leav
         CHECK(segmentTag(*named.shapes[0], k) == 1);
         CHECK(segmentTag(*named.shapes[1], k) == 1);
     }
-    // Alone with its tag it keeps the number, and a name that is known makes it join.
+    // The only part with its tag keeps the tag when renamed; a name that is already known gives it that name's tag.
     const Document renamed = *nameBoundaryPart(named, {.shapes = {}, .segments = {{1, 2}}}, "outlet");
     CHECK(renamed.boundaryNames == std::map<std::int32_t, std::string>{{2, "outlet"}});
     const Document joined = *nameBoundaryPart(renamed, {.shapes = {2}, .segments = {}}, "outlet");

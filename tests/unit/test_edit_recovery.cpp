@@ -124,7 +124,7 @@ TEST_CASE("RecoveryJournal: no file before the first change, none after a clean 
 TEST_CASE("RecoveryJournal: the file holds the newest document, however long it gets") {
     const TemporaryFolder folder;
     RecoveryJournal journal(folder.path, [](const Document &document) {
-        // Two texts that share nothing: every change is as long as the text, so the file is rewritten now and then.
+        // Two texts with nothing in common: every delta is as long as the text, so the file is rewritten now and then.
         return std::string(300000, document.nextId % 2 == 0 ? 'a' : 'b') + std::to_string(document.nextId);
     });
     for (std::uint32_t k = 1; k < 20; ++k) {

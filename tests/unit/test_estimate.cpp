@@ -115,7 +115,7 @@ TEST_CASE("estimateElements: equilateral elements of the spacing's size fill the
         const DiscreteDomain domain = asGiven(randomDomain(seed));
         const double size = domain.bounds().diagonal();
         CAPTURE(seed);
-        // Known bounds of the field are not its values: the integral has to find that it is constant.
+        // The bounds of the field do not show that it is constant; the integral has to find that out.
         const SpacingFunction spacing([&](Vec2) { return 0.001 * size; }, 1e-6 * size, size);
         REQUIRE(estimateElements(domain, spacing) ==
                 doctest::Approx(kPerArea * domain.area() / (1e-6 * size * size)).epsilon(1e-6));

@@ -71,7 +71,7 @@ TEST_CASE("GenerationFront: loops that touch at a node keep their own free angle
     const GenerationFront front(*domain);
     CHECK(front.segments() == 10);
     CHECK(front.consistent());
-    // Walking on from the one hole leads around the other.
+    // Continuing from one hole leads around the other.
     SlotId walk = slotAt(front, {0, 0});
     std::size_t length = 0;
     const SlotId first = walk;
@@ -192,7 +192,7 @@ TEST_CASE("BaseOrder: shortest first, ties by serial, deferred segments last") {
 }
 
 TEST_CASE("BaseOrder: similar lengths come in batches, oldest batch first, the shortest of a batch first") {
-    // Segments of some portions in a row, their lengths spread over two octaves.
+    // Segments of several batches in a row, with lengths spread over two octaves.
     constexpr std::uint32_t kSegments = 40'000;
     GenerationFront front(*DiscreteBuilder().loop({{0, 0}, {3e5, 0}, {3e5, 1}}).region(1, 1.5e5).build());
     std::mt19937_64 random(4);
@@ -228,7 +228,7 @@ TEST_CASE("BaseOrder: similar lengths come in batches, oldest batch first, the s
     }
     CHECK(order.take(front) == kNoSlot);
 
-    // Deferred segments are ordered by length alone, in any portion.
+    // Deferred segments are ordered by length alone, in any batch.
     std::vector<std::pair<double, SlotId>> deferred;
     for (const std::size_t k : {expected.size() / 2, expected.size() / 3, std::size_t{5}, expected.size() - 9}) {
         const SlotId id = expected[k].slot;

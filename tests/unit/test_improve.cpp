@@ -255,7 +255,8 @@ TEST_CASE("CleanupBatches: each element is in one batch, and no two of a batch t
     const ImproveWorkspace work(mesh, pool);
     std::vector<std::uint32_t> all(mesh.elements.size());
     std::iota(all.begin(), all.end(), 0U);
-    // The nodes of all elements around the nodes that the repair of an element may move: its own and those across.
+    // Returns the nodes of all elements around the nodes that the cleanup of an element may move: its own and those
+    // across.
     const auto touched = [&](std::uint32_t e) {
         std::set<NodeId> nodes;
         const auto addRing = [&](NodeId n) {

@@ -22,7 +22,7 @@ std::vector<NodeId> ringOf(const ImproveWorkspace &work, std::size_t n) {
     return ring;
 }
 
-/// The same mesh with its nodes numbered by chance: neighbours lie anywhere in memory.
+/// Returns the same mesh with its nodes numbered at random, so that neighbours lie anywhere in memory.
 Mesh shuffled(Mesh mesh, std::uint64_t seed) {
     std::vector<std::uint32_t> place(mesh.nodes.size());
     std::iota(place.begin(), place.end(), 0U);

@@ -22,7 +22,7 @@ using namespace forefront::testing;
 
 namespace {
 
-/// A small sound file of a format and the reader that takes it.
+/// A small valid file of a format and its reader.
 struct Seed {
     std::string name;
     std::string text;
@@ -63,7 +63,7 @@ std::vector<Seed> seeds() {
     return list;
 }
 
-/// The ways in which files break, each from a fixed sequence of chances.
+/// Breaks a file in one of several ways, each with its own fixed random sequence.
 std::string broken(const std::string &text, std::size_t way, std::mt19937 &random) {
     std::string result = text;
     const auto at = [&] { return static_cast<std::size_t>(random() % std::max<std::size_t>(result.size(), 1)); };

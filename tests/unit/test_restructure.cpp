@@ -422,8 +422,8 @@ TEST_CASE("restructure: leaves a valid mesh when another thread stops it between
     const auto begin = std::chrono::steady_clock::now();
     const std::size_t all = changesUntil(std::chrono::hours(1));
     const auto whole = std::chrono::steady_clock::now() - begin;
-    // A busy machine may stop a run before its first change or after its last: asked again until one is cut off, at
-    // delays that fill the time of a whole run evenly.
+    // A busy machine may stop a run before its first change or after its last, so repeat until one is interrupted, with
+    // delays spread evenly over the duration of a full run.
     bool cutOff = false;
     double part = 0.0;
     for (int tries = 0; tries < 1000 && !cutOff; ++tries) {

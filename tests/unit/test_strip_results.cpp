@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kStrips = 6;
 
-/// A whole of four nodes and as many strips with nodes, elements and faces by chance.
+/// A mesh of four nodes and the same number of strips with random nodes, elements and faces.
 struct Sample {
     explicit Sample(std::uint64_t seed, bool manyFaces) : whole(square(manyFaces)) {
         std::mt19937_64 random(seed);
@@ -52,7 +52,7 @@ struct Sample {
     std::vector<FrontState> states;
 };
 
-/// The plain way, one strip after the other.
+/// Merges the strips in the obvious way, one after the other.
 FrontState expected(const Sample &sample) {
     FrontState whole = sample.whole;
     for (const FrontState &state : sample.states) {

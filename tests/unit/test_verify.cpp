@@ -163,12 +163,12 @@ TEST_CASE("verify: an edge with three elements and two elements on one side of a
 TEST_CASE("verify: a node inside an edge of another element is a hanging node") {
     Mesh mesh;
     mesh.nodes = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 1}};
-    // 0-2 is one edge below, two edges above.
+    // The line from node 0 to node 2 is one edge of the element below and two edges of those above.
     mesh.elements = {{node(0), node(1), node(2)}, {node(0), node(4), node(3)}, {node(4), node(2), node(3)}};
     const Diagnostics faults = verify(mesh);
     CHECK(codes(faults) == Codes{"hanging-node"});
     CHECK(at(faults, {1, 1}));
-    // A part that touches another with a corner in the middle of its side hangs too.
+    // A part that touches the middle of another part's side with a corner also has a hanging node.
     Mesh touching = twoTriangles();
     append(touching, twoTriangles(), {1.0, 0.5});
     CHECK(codes(verify(touching)) == Codes{"hanging-node"});

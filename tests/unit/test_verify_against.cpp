@@ -10,7 +10,7 @@ using Codes = std::set<std::string>;
 
 namespace {
 
-/// A square with an inner constraint along x = 1/2 that parts two regions, and a constraint point.
+/// A square with an inner constraint along x = 1/2 that separates two regions, and a constraint point.
 struct Case {
     Mesh mesh;
     DiscreteDomain domain;
@@ -85,14 +85,14 @@ TEST_CASE("verifyAgainst: edge tags must be present, correct, single and on segm
 TEST_CASE("verifyAgainst: regions must be correct on both sides of segments and change nowhere else") {
     CHECK(after([](Case &c) { c.domain.regions[1].tag = 8; }) == Codes{"wrong-region"});
     CHECK(after([](Case &c) { c.mesh.regions[36] = 6; }) == Codes{"wrong-region"});
-    // An element without a segment of its own: only the change across its edges shows it.
+    // An element that no segment borders: only the change of region across its edges shows the fault.
     CHECK(after([](Case &c) { c.mesh.regions[2 * 9 + 1] = 7; }) == Codes{"wrong-region"});
 }
 
 TEST_CASE("verifyAgainst: elements must cover the inside and nothing else") {
     CHECK(after([](Case &c) { c.domain.segments[0].leftRegion = kOutside; }).count("element-outside") == 1);
     CHECK(after([](Case &c) { c.domain.segments[0].rightRegion = 0; }).count("missing-element") == 1);
-    // A mesh with a hole the domain does not know.
+    // A mesh with a hole that the domain does not have.
     CHECK(after([](Case &c) {
               for (const std::size_t e : {37U, 36U}) {
                   c.mesh.elements.erase(c.mesh.elements.begin() + e);

@@ -101,7 +101,7 @@ TEST_CASE("verifyAgainst domain: a mesh of a larger or smaller domain does not p
                c.domain.nodes[6] = c.domain.nodes[8];
                c.domain.nodes.pop_back();
            }).empty());
-    // The mesh has a hole that the domain has not.
+    // The mesh has a hole that the domain does not have.
     CHECK(after([](Case &c) {
               for (const std::size_t e : {31U, 30U}) {
                   c.mesh.elements.erase(c.mesh.elements.begin() + e);

@@ -75,7 +75,7 @@ TEST_CASE("Work counters: the standard scenes take at most the recorded work per
         CHECK(perElement(work.candidates) <= bounds.candidates);
         CHECK(perElement(work.delivered) <= bounds.delivered);
         CHECK(perElement(work.forced) <= bounds.forced);
-        // Counters that count nothing would pass any bound.
+        // Counters that stay at zero would pass any bound.
         CHECK(work.tested > 0);
         CHECK(perElement(work.cellsVisited) > 0.5 * bounds.cells);
         CHECK(perElement(work.candidates) > 0.5 * bounds.candidates);

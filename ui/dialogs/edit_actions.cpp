@@ -29,7 +29,7 @@ bool hasShapes(const Shell &context) {
     return !context.document.current()->shapes.empty();
 }
 
-/// Opens a recent file; one that is gone is taken off the list.
+/// Opens a recent file; removes it from the list if it no longer exists.
 void openRecent(Shell &context, const std::filesystem::path &file) {
     std::error_code ignored;
     if (!std::filesystem::exists(file, ignored)) {

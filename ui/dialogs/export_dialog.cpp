@@ -95,7 +95,7 @@ bool drawMeshLine(Shell &context, bool &asked) {
     return true;
 }
 
-/// What a mesh keeps in a file of each format.
+/// Describes what a mesh keeps in a file of each format.
 struct Kept {
     std::string_view format;
     const char *text;

@@ -57,7 +57,7 @@ Diagnostics openChosen(Shell &context, const std::filesystem::path &file) {
     }
     afterUnsaved(context, [file, read, notes, asked = context.document.dirty()](Shell &c) {
         if (asked && !c.document.dirty()) {
-            *read = readDocument(file); // read again: it may have just been saved
+            *read = readDocument(file); // read again: it may just have been saved
         }
         if (!*read) {
             c.log.add(read->faults());

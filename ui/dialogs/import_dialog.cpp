@@ -27,7 +27,7 @@ std::string extent(const Box2 &box, double scale) {
                        : ui::number(scale * box.size().x) + " \xc3\x97 " + ui::number(scale * box.size().y);
 }
 
-/// A drawing, and what reading it ignored and changed.
+/// A drawing, and a record of what the reader ignored and changed.
 struct Reading {
     Document drawing;
     Diagnostics notes;
@@ -48,7 +48,7 @@ Diagnostics joined(Diagnostics notes, const std::vector<ArrangementChange> &chan
     return notes;
 }
 
-/// A project keeps the shapes that the repair does not change, as they are.
+/// Repairs a drawing while reading it; a project keeps the shapes that the repair does not change.
 Result<Reading> readRepaired(const std::filesystem::path &file, const ImportOptions &options) {
     const double tolerance = options.weldTolerance.value_or(0.0);
     const FileFormat *const format = fileFormatOf(file);

@@ -49,7 +49,7 @@ std::optional<Shortcut> pressedShortcut() {
     return std::nullopt;
 }
 
-/// Rebinds an action and remembers it in the settings; with its own keys it is not remembered.
+/// Rebinds an action and saves that in the settings, unless the keys are the default ones.
 void rebind(Shell &context, const std::string &action, std::optional<Shortcut> shortcut) {
     context.actions.rebind(action, shortcut);
     context.settings.keys[action] = shortcut ? toString(*shortcut) : std::string();
@@ -62,7 +62,7 @@ void reset(Shell &context, const std::string &action) {
 
 } // namespace
 
-/// Takes the next key: Esc leaves the command as it is, Backspace takes its key away.
+/// Assigns the next key pressed: Esc cancels, Backspace removes the key.
 void KeyList::capture(Shell &context) {
     context.animate();
     if (justBegun_) {

@@ -24,7 +24,7 @@ void repairDrawing(Shell &context) {
     for (const ArrangementChange &change : repaired->changes) {
         count += change.count;
     }
-    // The last entry of a cut list says that there are more.
+    // The last entry of a truncated list says that there are more.
     const auto left = std::count_if(repaired->left.begin(), repaired->left.end(),
                                     [](const Diagnostic &fault) { return fault.code != "more-faults"; });
     const bool more = static_cast<std::size_t>(left) < repaired->left.size();

@@ -14,7 +14,7 @@
 namespace forefront {
 namespace {
 
-/// Elements of a thumbnail, about: more would be a grey veil at this size.
+/// Approximate number of elements of a thumbnail; more would blur into grey at this size.
 constexpr double kElements = 700.0;
 
 void addEdges(const Mesh &mesh, Thumbnail &thumbnail) {

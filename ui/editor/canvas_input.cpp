@@ -130,7 +130,7 @@ void CanvasInput::scroll(const InputEvent &event, Shell &context) {
 }
 
 void CanvasInput::spaceKey(const InputEvent &event, Shell &context) {
-    // A tap plays or pauses; holding it turns a drag into a pan.
+    // A tap on Space plays or pauses; holding it turns a drag into a pan.
     if (event.pressed && !spaceDown_) {
         spaceDown_ = true;
         spaceUsed_ = false;

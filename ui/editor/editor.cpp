@@ -110,7 +110,7 @@ bool Editor::Parts::gestureUnderWay() const {
 }
 
 /// Returns the seconds until the next frame may be drawn for input alone. During a gesture, frames leave half of the
-/// time to the mesh that follows; it is drawn as soon as it is there.
+/// time to the mesh that follows; it is drawn as soon as it is ready.
 double Editor::Parts::untilTurn() const {
     constexpr double kPeriod = 1.0 / 40.0;
     return gestureUnderWay() && !context.run.hasNews() ? lastEnd + kPeriod - steadySeconds() : 0.0;

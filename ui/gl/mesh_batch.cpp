@@ -21,7 +21,7 @@ constexpr std::size_t kSkip = 2;
 constexpr float kNoValue = -1e30F;
 /// Stands for infinity; more than the logarithm of any float, but less than the end of the last bar of a histogram.
 constexpr float kInfinite = 86.0F;
-/// Values of α by themselves, without a version of their own.
+/// Version of values of α, which change only with the mesh.
 constexpr std::uint64_t kAlphaVersion = ~std::uint64_t{0};
 /// Minimum number of elements for which culling pays off.
 constexpr std::size_t kWorthSorting = 16384;

@@ -61,7 +61,7 @@ class FrontLayer final : public Layer {
         }
         if (pixels > 60.0) {
             const Colour plate = fade(theme.popup, 0.85);
-            // Place the labels beyond the ends, on the meshed side, away from all candidates. On the screen y points
+            // Place the labels beyond the ends, on the meshed side, clear of all candidates. On the screen y points
             // down.
             const Vec2 along = (1.0 / distance(e.a, e.b)) * (e.b - e.a);
             const Vec2 right{along.y, -along.x};
@@ -75,7 +75,7 @@ class FrontLayer final : public Layer {
     }
 
   private:
-    /// Marks the place and the cell that stop the run.
+    /// Marks the point and the cell that stop the run.
     static void drawBreakpoints(CanvasPainter &painter, const LayerFrame &frame) {
         const Breakpoints &breakpoints = frame.breakpoints;
         if (breakpoints.has(StopKind::Place) && breakpoints.place) {

@@ -103,7 +103,7 @@ class LabelsLayer final : public Layer {
         }
     }
 
-    /// Returns true for A, B and the candidates, which have labels of their own.
+    /// Returns true for A, B and the candidates, which have separate labels.
     static bool namedElsewhere(const Moment &moment, std::size_t node) {
         if (!moment) {
             return false;

@@ -55,7 +55,7 @@ class SpacingLayer final : public Layer {
     }
 
   private:
-    /// Uses a new raster if there is one. Returns false if there is none at all.
+    /// Uses a new raster if there is one. Returns false if there is no raster at all.
     bool take(const LayerFrame &frame) {
         if (frame.raster != shown_) {
             shown_ = frame.raster;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char *kDot = " \xc2\xb7 ";
 
-/// The columns of the table with their right ends, in parts of its width.
+/// The columns of the table with their right ends, as fractions of its width.
 struct Column {
     const char *title;
     float end;
@@ -180,7 +180,7 @@ class CandidatesPanel final : public Panel {
                   theme.text, verdict);
     }
 
-    /// Writes the formulas with the numbers of a candidate put in.
+    /// Writes the formulas with the numbers of a candidate substituted.
     static void drawWorked(Shell &context, const Moment &moment, std::size_t i) {
         const AdvanceExplanation &e = *moment.advance;
         const CandidateTrace &c = e.candidates[i];

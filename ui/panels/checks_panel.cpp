@@ -12,7 +12,7 @@
 namespace forefront {
 namespace {
 
-/// Lists the faults of the drawing, updated a moment after every edit, and the limits that the mesh must keep.
+/// Lists the faults of the drawing, updated a moment after every edit, and the limits that the mesh must meet.
 class ChecksPanel final : public Panel {
   public:
     const char *id() const override { return "checks"; }

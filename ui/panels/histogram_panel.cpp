@@ -23,7 +23,7 @@ class HistogramPanel final : public Panel {
     PanelPlace place() const override { return PanelPlace::Tabbed; }
 
     void draw(Shell &context) override {
-        // Held, since choosing a measure must not change what the rest of the panel draws.
+        // Hold a reference, since choosing a measure must not change what the rest of the panel draws.
         const std::shared_ptr<const Judgement> judgement = context.judgement;
         if (!judgement->of.mesh) {
             ui::small(context,
@@ -133,7 +133,7 @@ class HistogramPanel final : public Panel {
         const double from = bins.edge(bin), to = bins.edge(bin + 1);
         const double middle = bins.logarithmic ? std::sqrt(from * to) : 0.5 * (from + to);
         const Colour colour = mapOf(measure)(std::clamp(mapPosition(measure, measureRange(context), middle), 0.0, 1.0));
-        // The dark end of a map would not be seen on a dark panel.
+        // The dark end of a map would be invisible on a dark panel.
         const bool dark = context.theme.kind == ThemeKind::Dark && colour.r + colour.g + colour.b < 240;
         return dark ? mix(colour, context.theme.muted, 0.35) : colour;
     }

@@ -32,7 +32,7 @@ class LogPanel final : public Panel {
     }
 
   private:
-    /// Draws an entry. One with a place is lit under the pointer, and a click anywhere on it goes to the place.
+    /// Draws an entry. One with a location is highlighted under the pointer, and a click anywhere on it goes there.
     void drawEntry(Workspace &context, const MessageLog::Entry &entry) {
         const Diagnostic &d = entry.diagnostic;
         const ImVec2 at = ImGui::GetCursorScreenPos();

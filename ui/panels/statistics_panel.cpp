@@ -38,7 +38,7 @@ class StatisticsPanel final : public Panel {
     }
 
   private:
-    /// A label and its value in two columns of the table; the tooltip covers both.
+    /// Draws a label and its value in two columns of the table; the tooltip covers both.
     static void cell(WidgetContext &context, const char *label, const std::string &value, const char *meaning) {
         ImGui::TableNextColumn();
         const ImVec2 from = ImGui::GetCursorScreenPos();

@@ -81,7 +81,7 @@ std::string finding(const Moment &moment, int step) {
     }
 }
 
-/// Returns the formula of a step with the numbers put in; empty for steps without one.
+/// Returns the formula of a step with the numbers substituted; empty for steps without one.
 std::string worked(const AdvanceExplanation &e, Step step) {
     const double base = distance(e.a, e.b);
     switch (step) {

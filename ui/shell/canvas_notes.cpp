@@ -56,7 +56,7 @@ struct Hint {
     const char *key, *text;
 };
 
-/// Returns the width of a hint in the strip, including the gap after it, in pixels.
+/// Returns the width of a hint in the strip, with the gap after it, in pixels.
 float widthOf(const WidgetContext &context, const Hint &hint) {
     return ImGui::CalcTextSize(hint.key).x + ImGui::CalcTextSize(hint.text).x + context.px(12 + 6 + 16);
 }
@@ -73,7 +73,7 @@ void drawHints(Shell &context, const PixelRect &canvas) {
     const auto &hints = context.document.current()->shapes.empty() ? kDrawing : kMeshing;
     const double scale = static_cast<double>(context.scale);
     float room = static_cast<float>(canvas.width - (2.0 * 14.0 + bandsOf(context, canvas).legends) * scale) -
-                 context.px(2 * 12 + 24); // the padding and the cross that closes it
+                 context.px(2 * 12 + 24); // the padding and the close button
     std::size_t shown = 0;
     while (shown < hints.size() && room >= widthOf(context, hints[shown])) {
         room -= widthOf(context, hints[shown++]);

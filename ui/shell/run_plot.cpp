@@ -14,7 +14,7 @@ namespace {
 
 using Sample = RunCurves::Sample;
 
-/// A curve with a scale of its own, see rangeOf().
+/// A curve with its own scale, see rangeOf().
 struct Curve {
     const char *name, *tip;
     float Sample::*value;

@@ -62,7 +62,7 @@ std::uint64_t roundedTo2(double count) {
     return static_cast<std::uint64_t>(std::round(count / unit) * unit);
 }
 
-/// Adds the figures of the mesh, and the predicted number of elements where it says more.
+/// Adds the figures of the mesh, and the predicted number of elements if that is more informative.
 void addMesh(Cells &cells, Shell &context) {
     const Theme &theme = context.theme;
     const SessionSnapshot &run = context.run.now();

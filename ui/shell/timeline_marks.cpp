@@ -92,7 +92,7 @@ std::optional<TimelineMark> markUnderPointer(const Workspace &context, const Tim
 
 namespace {
 
-/// Draws a row with a box to check and, for some conditions, what it compares with.
+/// Draws a row with a check box and, for some conditions, the value to compare with.
 void drawCondition(Shell &context, Breakpoints &breakpoints, StopKind kind) {
     const std::string name = "breakpoints/" + std::to_string(static_cast<int>(kind));
     bool on = breakpoints.has(kind);

@@ -306,7 +306,7 @@ void SelectTool::release(const CanvasEvent &event, Shell &context) {
     } else if (mode_ == Mode::Boxing) {
         select(grabbed_, adds_, context.selection);
     } else if (mode_ == Mode::Grabbed && wasSelected_ && !adds_ && event.clicks < 2) {
-        // A second click selects the segment instead of the shape.
+        // A second click selects the segment rather than the shape.
         const bool closer = grabbed_.kind == Hit::Kind::Segment && clicked_ == grabbed_.shape &&
                             context.selection.shapes.contains(grabbed_.shape) && context.selection.size() == 1;
         select(grabbed_, false, context.selection);

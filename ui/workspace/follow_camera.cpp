@@ -7,7 +7,7 @@ namespace forefront {
 
 namespace {
 
-// Sides of the advance in parts of the room: of a new target, and the limits within which the camera keeps still.
+// Sides of the advance as fractions of the room: for a new target, and the limits within which the camera keeps still.
 constexpr double kTarget = 0.42;
 constexpr double kLargest = 0.8;
 constexpr double kSmallest = 0.16;
@@ -18,7 +18,7 @@ constexpr double kTimeConstant = 0.16;
 /// Distance from the target that is not worth another frame, in pixels.
 constexpr double kArrived = 0.25;
 
-/// Returns the part of a room that a box takes when shown at this zoom.
+/// Returns the fraction of a room that a box takes up at this zoom.
 double part(const Box2 &box, const PixelRect &room, double zoom) {
     return zoom * std::max(box.size().x / room.width, box.size().y / room.height);
 }

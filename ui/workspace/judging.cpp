@@ -60,7 +60,7 @@ void goToPart(Workspace &context, const MeshPick &pick) {
     }
     View &view = context.view;
     view.goTo(placeOf(judgement, pick.part, pick.index), context.platform.now());
-    constexpr double kShare = 0.15; // of the canvas that the part takes
+    constexpr double kShare = 0.15; // of the canvas that the part takes up
     const double extent = box.diagonal();
     if (extent > 0.0) {
         const double zoom = kShare * std::min(view.camera.viewport.width, view.camera.viewport.height) / extent;
@@ -79,7 +79,7 @@ void goToRank(Workspace &context, std::size_t rank) {
 
 namespace {
 
-/// Returns the element that a place lies in; those that overlap there count by number.
+/// Returns the element that contains a place; the lowest number if elements overlap there.
 std::uint32_t elementAt(const Judgement &judgement, Vec2 place) {
     const Mesh &mesh = judgement.of.mesh->mesh;
     std::uint32_t found = kNoIndex;

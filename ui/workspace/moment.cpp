@@ -45,7 +45,7 @@ Moment momentOf(const SessionSnapshot &snapshot) {
         if (event.test != kNoIndex) {
             moment.tests = std::max<std::size_t>(moment.tests, event.test + 1U);
         }
-        // A candidate is judged once the next one is taken up or Γ is updated.
+        // The verdict on a candidate is known once the next one is tested or Γ is updated.
         const bool later = i < moment.cursor;
         if (event.step == Step::Test && event.candidate < moment.judged.size() && later) {
             const TraceEvent &next = advance.events[i + 1];

@@ -13,7 +13,7 @@ namespace {
 
 using Rows = std::vector<std::pair<std::string, std::string>>;
 
-/// Collects the rows of one part of the judged mesh.
+/// Collects the rows of one part of the evaluated mesh.
 class PartReader {
   public:
     explicit PartReader(const Judgement &judgement) : judgement_(judgement), mesh_(judgement.of.mesh->mesh) {}

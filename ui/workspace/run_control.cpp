@@ -77,7 +77,7 @@ void RunControl::log(const SessionSnapshot &s) {
     }
 }
 
-/// Limits judge a mesh and do not change it, so a revision that differs in nothing else counts as the one before.
+/// Limits do not change the mesh, so a revision that differs in nothing else counts as the one before.
 std::uint64_t RunControl::meshRevision() const {
     const std::uint64_t revision = document_.revision();
     if (revision != seenRevision_) {
@@ -102,7 +102,7 @@ bool RunControl::hasToFollow() const {
 }
 
 /// Returns true if the newest document has only a preview, or not even that because its boundary cannot be so coarse,
-/// and nothing speaks against the whole mesh.
+/// and there is no reason not to make the full mesh.
 bool RunControl::wantsWhole() const {
     const auto last = starts_.find(lastStart_);
     const bool previewed = last != starts_.end() && last->second.extent == Extent::Preview &&
@@ -112,7 +112,7 @@ bool RunControl::wantsWhole() const {
     return resting_ && previewed && (preview() || refused) && !tooLarge;
 }
 
-/// Returns true if the run in progress is not worth finishing once the document has changed: a whole mesh that followed
+/// Returns true if the run in progress is not worth finishing once the document has changed: a full mesh that followed
 /// a preview, or one large enough to show its progress.
 bool RunControl::replaceable(const SessionSnapshot &newest, bool gestureOver) const {
     const auto last = starts_.find(lastStart_);

@@ -21,7 +21,7 @@ std::string upper(std::string_view text) {
     return result;
 }
 
-/// Abaqus input: nodes, 3-node plane elements, element sets as regions, element surfaces as tagged edges. Other
+/// Reads Abaqus input: nodes, 3-node plane elements, element sets as regions, element surfaces as tagged edges. Other
 /// keywords are skipped.
 class AbaqusReader {
   public:

@@ -103,8 +103,9 @@ void writePoints(const Mesh &mesh, const AbaqusNames &names, TextWriter &out) {
 
 } // namespace
 
-/// Abaqus input for CalculiX and Abaqus: CPS3 elements in a set per region, a node set and a surface per boundary tag,
-/// a node set per tag of points. The names become identifiers; comments keep the given ones and the tags.
+/// Writes Abaqus input for CalculiX and Abaqus: CPS3 elements in a set per region, a node set and a surface per
+/// boundary tag, a node set per tag of points. The names become identifiers; comments keep the original names and the
+/// tags.
 void writeAbaqus(const Mesh &mesh, TextWriter &out) {
     const AbaqusNames names(tagsOf(mesh));
     out << "*HEADING\nPlane triangle mesh\n";

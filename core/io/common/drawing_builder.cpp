@@ -107,7 +107,7 @@ Result<Arrangement> DrawingBuilder::arrangeLines() {
     Result<Arrangement> lines = arrange(input_);
     const std::size_t count = lines ? takeLinesAsOutline(lines->domain) : 0;
     if (count == 0) {
-        return lines; // validation says why nothing is enclosed
+        return lines; // validation reports why nothing is enclosed
     }
     source_.note("lines-as-outline",
                  "no closed outline found: using the lines that form closed loops as the outline (" +

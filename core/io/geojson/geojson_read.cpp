@@ -349,7 +349,7 @@ class GeoJsonReader {
         polygons_.push_back(std::move(polygon));
     }
 
-    /// Polygons of a feature cover it together; each takes its own holes out of itself alone.
+    /// The polygons of a feature cover it together; a hole is cut only out of its own polygon.
     void addPolygons() {
         std::map<std::size_t, std::uint32_t> features;
         for (const GeoPolygon &polygon : polygons_) {

@@ -60,7 +60,7 @@ void MshModel::add(std::size_t number, std::uint32_t part) {
     }
 }
 
-/// Elements come in long runs of a region, and most of their nodes have been met in the same region before.
+/// Elements come in long runs of one region, and most of their nodes have already been seen in that region.
 void MshModel::addElements() {
     for (std::uint32_t begin = 0, end = 0; begin < mesh_.elements.size(); begin = end) {
         const std::int32_t region = mesh_.region(begin);

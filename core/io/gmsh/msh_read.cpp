@@ -323,7 +323,7 @@ Result<SpacingSpec> readMshSpacing(const SourceText &source) {
         }
         background->elements.push_back(corners);
     }
-    // Nodes that no triangle uses have no value; any positive one serves.
+    // Nodes that no triangle uses have no value; any positive value will do.
     for (double &value : background->values) {
         value = std::isnan(value) ? 1.0 : value;
     }

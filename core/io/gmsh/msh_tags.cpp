@@ -19,7 +19,7 @@ class MshTags {
 
     void take(std::int32_t tag) { taken_.insert(tag); }
     bool taken(std::int32_t tag) const { return taken_.count(tag) > 0; }
-    /// Returns the tag of an entity without a group: its own number where that is free, else an unused one.
+    /// Returns the tag of an entity without a group: its own number if that is free, otherwise an unused one.
     std::int32_t ofEntity(std::int32_t mark) {
         const auto known = entities_.find(mark);
         if (known != entities_.end()) {

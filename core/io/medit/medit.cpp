@@ -7,8 +7,8 @@
 
 namespace forefront {
 
-/// MEDIT .mesh (the Gamma mesh format of INRIA), ASCII, in two dimensions. Comments hold the names. Gmsh
-/// expects `Dimension` and its number on lines of their own.
+/// MEDIT .mesh (the Gamma mesh format of INRIA), ASCII, in two dimensions. Comments hold the names. Gmsh expects
+/// `Dimension` and its number on separate lines.
 void writeMedit(const Mesh &mesh, TextWriter &out) {
     out << "MeshVersionFormatted 2\n";
     writeNameComments(mesh, "#", out);

@@ -93,7 +93,7 @@ class NetgenReader {
         }
     }
 
-    /// Reads the lines of the first of these sections that the file has; none is fine.
+    /// Reads the lines of the first of these sections that the file has; it need not have any.
     bool section(std::initializer_list<const char *> names, Item item) {
         for (const char *name : names) {
             const auto found = places_.find(name);

@@ -18,8 +18,8 @@ FileNames groupsOf(const TagList &tags) {
 
 } // namespace
 
-/// Wavefront OBJ: a group of faces per region, a group of lines per boundary tag, a group of points per tag. Comments
-/// hold the names as given and the tags: "# tag TAG" belongs to the group before it.
+/// Writes Wavefront OBJ: a group of faces per region, a group of lines per boundary tag, a group of points per tag.
+/// Comments hold the original names and the tags: "# tag TAG" belongs to the group before it.
 void writeObj(const Mesh &mesh, TextWriter &out) {
     writeNameComments(mesh, "#", out);
     for (std::size_t n = 0; n < mesh.nodes.size() && out.ok(); ++n) {

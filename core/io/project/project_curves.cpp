@@ -51,7 +51,7 @@ class CurveReader {
   public:
     CurveReader(const Outline &outline, JsonCheck &check) : outline_(outline), check_(check) {}
 
-    /// Reads the curve of a segment; a line if it is straight or wrong.
+    /// Reads the curve of a segment; returns a line if it is straight or invalid.
     Curve read(const JsonValue &item, std::size_t segment) {
         if (item.is(JsonKind::Null)) {
             return {};

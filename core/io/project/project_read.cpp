@@ -75,8 +75,8 @@ class ProjectReader {
         }
     }
 
-    /// Records the places of the parts of the document's domain in the text. Those of rectangles, circles and
-    /// ellipses are at the list of its nodes.
+    /// Records the places of the parts of the document's domain in the text. The parts of rectangles, circles and
+    /// ellipses are placed at the list of nodes.
     void recordOrigins() {
         DomainSources sources;
         toDomain(document_, sources);

@@ -19,7 +19,7 @@ FileNames markersOf(const TagList &tags) {
 
 } // namespace
 
-/// SU2 mesh, two-dimensional. Each boundary tag is a marker. Comments hold what SU2 cannot express: "% tag TAG"
+/// Writes a two-dimensional SU2 mesh. Each boundary tag is a marker. Comments hold what SU2 cannot express: "% tag TAG"
 /// before a marker, "% elements COUNT TAG" for each run of elements of a region, "% point NODE TAG". The file is ASCII,
 /// since SU2 stops at other characters, even in comments.
 void writeSu2(const Mesh &mesh, TextWriter &out) {
@@ -68,7 +68,7 @@ Diagnostics noteSu2Changes(const Mesh &mesh) {
 
 namespace {
 
-/// Lines "KEY= value"; elements may precede the nodes, so their nodes are resolved at the end.
+/// Reads lines "KEY= value"; elements may precede the nodes, so their nodes are resolved at the end.
 class Su2Reader {
   public:
     explicit Su2Reader(const SourceText &source) : scanner_(source, '%', '=') {}

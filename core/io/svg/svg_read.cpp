@@ -19,7 +19,7 @@ void joinEnds(SvgPath &path, double tolerance) {
     while (nodes.size() > 1 && distance(nodes.front(), nodes.back()) <= tolerance) {
         path.closed = path.closed || nodes.size() > 3;
         nodes.pop_back();
-        // The segment to the node that is gone now leads to the first one.
+        // The segment that led to the removed node now leads to the first one.
         path.stretches.resize(std::min(path.stretches.size(), nodes.size()));
     }
 }
@@ -102,7 +102,7 @@ class SvgBuilder {
         return loop && !path.paint.stroked ? Part::Nothing : Part::Line;
     }
 
-    /// Says once per element how it is read where that is not how it looks.
+    /// Reports, once per element, how it is read if that differs from how it looks.
     void noteReading(const SvgPath &path, Part part) {
         const bool loop = path.closed && path.nodes.size() > 2;
         const bool first = std::exchange(noted_, path.element) != path.element;

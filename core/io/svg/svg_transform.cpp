@@ -21,7 +21,7 @@ double AffineMap::stretch() const {
 
 namespace {
 
-/// Returns one function of the list; nothing if it has the wrong number of arguments.
+/// Returns one function of the list; std::nullopt if it has the wrong number of arguments.
 std::optional<AffineMap> function(std::string_view name, const double *v, std::size_t count) {
     const double radians = std::numbers::pi / 180.0;
     if (name == "matrix" && count == 6) {

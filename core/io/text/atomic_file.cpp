@@ -27,7 +27,7 @@ int createBeside(const std::filesystem::path &target, std::string &name) {
     return -1;
 }
 
-/// Makes the new name itself durable; a file system that cannot do that is no reason to fail.
+/// Makes the new name itself durable; failure is ignored, since some file systems cannot do that.
 void syncFolder(const std::filesystem::path &folder) {
     const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor >= 0) {

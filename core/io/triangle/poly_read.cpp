@@ -116,8 +116,8 @@ class PolyReader {
         return true;
     }
 
-    /// Reads "number x y attribute [maximum area]". Attributes are numbers: whole ones from 1 are tags, others get the
-    /// next free tag and their digits as name.
+    /// Reads "number x y attribute [maximum area]". Attributes are numbers: integers of at least 1 are tags; others get
+    /// the next free tag and their digits as name.
     bool regions() {
         if (scanner_.atEnd()) {
             return true;
@@ -170,7 +170,7 @@ class PolyReader {
         if (!nextLine(line, {what})) {
             return false;
         }
-        // The items follow the line, so the count is weighed against the rest of the file.
+        // The items follow the line, so the count is checked against the rest of the file.
         TextScanner whole = scanner_.part(line.offset(), source_.text.size());
         if (!whole.count(count, bytes, {what})) {
             return line.fail(whole);
@@ -238,8 +238,8 @@ class PolyReader {
         }
     }
 
-    /// Segments that end freely inside are legal in a .poly file and bound nothing. A file of nothing but open chains
-    /// is left alone, so that `validate` names the gaps.
+    /// Turns open chains into constraints: segments with free ends inside are legal in a .poly file and bound nothing.
+    /// A file with nothing but open chains is left unchanged, so that `validate` reports the gaps.
     void openChainsAsConstraints() {
         std::vector<std::uint32_t> offsets(domain_.nodes.size() + 1, 0);
         for (std::size_t n = 0; n < degrees_.size(); ++n) {

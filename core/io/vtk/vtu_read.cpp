@@ -169,7 +169,7 @@ class VtuReader {
     bool arrays(const pugi::xml_node &parent, std::map<std::string, std::vector<std::int64_t>> &target) {
         for (const pugi::xml_node node : parent.children("DataArray")) {
             if (typeOf(node) == NumberType::None) {
-                continue; // strings and the like
+                continue; // strings, for example
             }
             if (!numbers(node, target[node.attribute("Name").value()])) {
                 return false;

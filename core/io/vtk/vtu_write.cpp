@@ -33,7 +33,7 @@ std::string xmlEscaped(std::string_view text) {
     return result;
 }
 
-/// Writes the heads of the arrays in the appended data, then the arrays in the same order.
+/// Writes the headers of the arrays in the appended data, then the arrays in the same order.
 class AppendedArrays {
   public:
     explicit AppendedArrays(TextWriter &out) : out_(out) {}

@@ -8,13 +8,13 @@
 namespace forefront {
 namespace {
 
-/// How much larger the spacing may get at a site that is dropped among many others. On a coast of 100,000 segments, 1.5
-/// keeps a third of the sites, preparing takes a third of the time, and α falls from .970 to .969.
+/// Factor by which the spacing may grow at a site that is dropped among many others. On a coast of 100,000 segments,
+/// 1.5 keeps a third of the sites, preparing takes a third of the time, and α falls from .970 to .969.
 constexpr double kSlackOfMany = 1.5;
 constexpr std::uint32_t kBeside = 3;
 
-/// Returns true if `strong` asks for at most `slack` times the spacing of `weak` at all its points, and so everywhere,
-/// growing no faster.
+/// Returns true if `strong` demands at most `slack` times the spacing of `weak` at all points of `weak`, and hence
+/// everywhere, since it grows no faster.
 bool dominates(const SizeSite &strong, const SizeSite &weak, double slack) {
     const double allowance = slack * weak.size - weak.growth * weak.radius;
     return strong.growth <= weak.growth && strong.at(weak.a) <= allowance && strong.at(weak.a + weak.ab) <= allowance;
@@ -47,7 +47,7 @@ void SiteSet::dropDominated() {
         for (std::uint32_t step = 1; step <= kBeside && !found; ++step) {
             found = (i >= step && dominated(i - step)) || (i + step < sites.size() && dominated(i + step));
         }
-        // Only what is near can ask for less: growth·distance must stay below the size.
+        // Only sites nearby can demand less: growth·distance must stay below the size.
         const double reach = sites[i].growth > 0.0 ? slack * sites[i].size / sites[i].growth : 0.0;
         state[i] = Kept;
         if (!found) {

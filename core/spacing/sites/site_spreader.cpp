@@ -10,7 +10,7 @@
 
 namespace forefront {
 
-/// Cells are as fine as the sites in them ask for, and at most twice as large as those beside them. From the cells at
+/// Cells are as fine as the sites in them demand, and at most twice as large as those beside them. From the cells at
 /// the sites, winners spread to the cells beside them until nothing changes: where all sites grow alike, the part of
 /// the plane that a site wins is star-shaped around it, so a path through that part leads to each of its cells. Each
 /// leaf then chooses among the sites at it and the winners of the leaves beside it.
@@ -82,7 +82,7 @@ class SiteSpreader : SiteTreeWriter {
         }
     };
 
-    /// Divides cells around the sites; where memory would run short, into coarser ones. Returns false if cancelled.
+    /// Divides cells around the sites, into coarser ones if memory would run short. Returns false if cancelled.
     bool divide(const Progress &progress) {
         const std::size_t undivided = tree_.cells_.size();
         for (int coarser = 0; !progress.cancelled(); ++coarser) {
@@ -138,7 +138,7 @@ class SiteSpreader : SiteTreeWriter {
     std::uint32_t tableSlot(std::uint32_t x, std::uint32_t y) const {
         return (y >> SiteTree::kBits) * tree_.columns_ + (x >> SiteTree::kBits);
     }
-    /// Splits cells until that at a place is of a level at most.
+    /// Splits cells until the one at a place has at most the given level.
     void splitDownTo(std::uint32_t x, std::uint32_t y, int level) {
         std::uint32_t slot = tableSlot(x, y);
         for (int l = SiteTree::kBits; l > level; --l) {
@@ -163,7 +163,7 @@ class SiteSpreader : SiteTreeWriter {
         for (std::size_t level = 1; level < SiteTree::kBits; ++level) {
             const std::uint32_t size = 1U << level;
             for (std::size_t i = 0; i < splits_[level].size(); ++i) {
-                // Of the cells around it, those within its parent are there.
+                // Of the cells around it, those within its parent already exist.
                 const auto [x, y] = splits_[level][i];
                 if (tree_.cells_.size() > maxCells_) {
                     return false;
@@ -295,8 +295,9 @@ class SiteSpreader : SiteTreeWriter {
         }
     }
 
-    /// Offers winners to the leaves beside theirs, to and fro in the order of the leaves, which keeps near ones near in
-    /// memory: on coasts, three times as fast as by increasing value, as Dijkstra's shortest paths would.
+    /// Offers winners to the leaves beside theirs, in passes forward and back through the leaves, which keeps
+    /// neighbours close in memory: on coasts, three times as fast as in order of increasing value, as in Dijkstra's
+    /// algorithm.
     void spread() {
         changed_.assign(leaves_.size(), 0);
         const auto count = static_cast<std::uint32_t>(leaves_.size());

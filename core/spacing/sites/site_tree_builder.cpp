@@ -35,7 +35,7 @@ class SiteTreeBuilder : SiteTreeWriter {
     }
 
   private:
-    /// What building aims at: `shortList` sites in a list, `thinning` per level and `tolerance` relative to the value.
+    /// The aims of building: `shortList` sites in a list, `thinning` per level and `tolerance` relative to the value.
     struct Aims {
         std::size_t shortList;
         double thinning, tolerance;
@@ -95,7 +95,7 @@ class SiteTreeBuilder : SiteTreeWriter {
         double length = 0.0;   ///< of the site
         std::int32_t sector = -1;
     };
-    /// Keeps the best one of many distant sites in the same direction. Of two sites whose nearest points lie e apart
+    /// Keeps only the best of many distant sites in the same direction. Of two sites whose nearest points lie e apart
     /// at distances of at least d, the difference changes within reach by at most reach·growth·e / (d − reach). The
     /// worse one can be dropped if that exceeds the difference at the centre by no more than a small part of the
     /// spacing.
@@ -134,7 +134,7 @@ class SiteTreeBuilder : SiteTreeWriter {
         const Vec2 to = sight.nearest - centre;
         sight.distance = length(to);
         if (sight.distance > 2.0 * reach + s.radius) {
-            // The "diamond angle" in [0, 4): as good as an angle for telling directions apart.
+            // The "diamond angle" in [0, 4): as good as an angle for distinguishing directions.
             const double slant = to.y / (std::fabs(to.x) + std::fabs(to.y));
             const double angle = to.x >= 0.0 ? 1.0 + slant : 3.0 - slant;
             sight.sector = std::min(static_cast<std::int32_t>(angle * 0.25 * sectors), sectors - 1);

@@ -97,7 +97,7 @@ bool SiteTreeWriter::isSmooth(double x, double y, double span, double tolerance)
 
 void SiteTreeWriter::storeList(std::uint32_t slot, double x, double y, double span) {
     const double reach = 0.70711 * (span * tree_.unit_);
-    // The likeliest winner first; ties by index keep the order independent of anything but the sites.
+    // The likeliest winner first; ties are broken by index, so that the order depends only on the sites.
     std::sort(competitors_.begin(), competitors_.end(), [](const Competitor &p, const Competitor &q) {
         return p.value != q.value ? p.value < q.value : p.site < q.site;
     });

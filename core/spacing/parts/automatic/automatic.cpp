@@ -14,7 +14,7 @@ constexpr double kFinestGap = 1e-4;      ///< fraction of the diagonal; narrower
 constexpr double kGapElements = 3.0e4;   ///< about this many elements may be spent on narrow places ...
 constexpr double kGapElementsEach = 8.0; ///< ... plus this many per domain segment
 
-/// Returns the number of elements in a stretch, which covers half the gap, if its size is at least `floor`.
+/// Returns the number of elements in the half of a gap beside its part of a segment, if their size is at least `floor`.
 double elementsFor(const Gap &gap, double floor) {
     const double length = distance(gap.a, gap.b);
     const double size = std::max(gap.width / kAcrossGap, floor);

@@ -83,7 +83,7 @@ void dropDominated(const Domain &domain, double gradation, std::vector<PlacedSeg
         };
         const double a = neighbour(ends(segment).a);
         const double b = neighbour(ends(segment).b);
-        // The demands of both neighbours grow along the segment; the maximum is where they meet.
+        // The sizes that both neighbours allow grow along the segment; the maximum is where they meet.
         const double growth = gradation * length;
         const double highest = std::fabs(a - b) <= growth ? 0.5 * (a + b + growth) : std::min(a, b) + growth;
         return highest <= length; // false where neither end has a shorter neighbour

@@ -8,11 +8,12 @@ namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::infinity();
 constexpr double kFacing = 0.5; ///< cosine of the widest angle to the normal
-/// Beside a sharp corner the width falls to zero; stretches there are at least this fraction of their reach.
+/// Beside a sharp corner the width falls to zero; parts there are at least this fraction of their reach.
 constexpr double kCornerFloor = 0.125;
 constexpr double kNeedle = 0.9396926207859084; ///< cosine of 20 degrees
 /// Gaps and tips of needles narrower than this part of their reach are left to the spacing around them. However fine
-/// the elements, some remain poor, and the finer the more: a needle of angle θ and elements of one size has about 2/θ.
+/// the elements, some remain poor, and finer elements only add to their number: a needle of angle θ and elements of one
+/// size has about 2/θ.
 constexpr double kNegligibleGap = 1.0 / 32.0;
 constexpr double kLongGap = 12.0; ///< in widths; a shorter gap, between two tips, costs few elements
 
@@ -68,18 +69,18 @@ GapFinder::Sides GapFinder::insideOf(std::uint32_t position) const {
     const PlacedSegment &segment = index_.segments[position];
     const Vec2 direction = segment.b - segment.a;
     const Vec2 middle = midpoint(segment.a, segment.b);
-    // A ray along the axis that crosses the segment at the larger angle: +x (upright) or +y.
-    const bool upright = std::fabs(direction.y) >= std::fabs(direction.x);
+    // A ray along the axis that crosses the segment at the larger angle: +x (vertical segment) or +y.
+    const bool vertical = std::fabs(direction.y) >= std::fabs(direction.x);
     Box2 ray = boxOf(middle, middle);
-    (upright ? ray.max.x : ray.max.y) = upright ? box_.max.x : box_.max.y;
+    (vertical ? ray.max.x : ray.max.y) = vertical ? box_.max.x : box_.max.y;
     bool odd = false;
     index_.tree.query(ray, [&](std::uint32_t other) {
         const PlacedSegment &wall = index_.segments[other];
         if (other == position || isPoint(wall) || domain_.segments[wall.index].role != SegmentRole::Boundary) {
             return;
         }
-        const auto across = [&](Vec2 p) { return upright ? p.y - middle.y : p.x - middle.x; };
-        const auto along = [&](Vec2 p) { return upright ? p.x - middle.x : p.y - middle.y; };
+        const auto across = [&](Vec2 p) { return vertical ? p.y - middle.y : p.x - middle.x; };
+        const auto along = [&](Vec2 p) { return vertical ? p.x - middle.x : p.y - middle.y; };
         const double from = across(wall.a);
         const double to = across(wall.b);
         if ((from > 0.0) != (to > 0.0)) {
@@ -91,7 +92,7 @@ GapFinder::Sides GapFinder::insideOf(std::uint32_t position) const {
         return {odd, odd};
     }
     // A ray along +x leaves a downward segment on its left, a ray along +y one that runs to the right.
-    const bool leavesLeft = upright ? direction.y < 0.0 : direction.x > 0.0;
+    const bool leavesLeft = vertical ? direction.y < 0.0 : direction.x > 0.0;
     return leavesLeft ? Sides{odd, !odd} : Sides{!odd, odd};
 }
 
@@ -108,7 +109,7 @@ GapFinder::Facing GapFinder::facing(std::uint32_t position, Vec2 a, Vec2 b, doub
         const PlacedSegment &wall = index_.segments[other];
         const Pair pair = closest(a, b, wall.a, wall.b);
         if (pair.square == 0.0) {
-            // They share an end; the corner is sharp if the wall runs back along the stretch.
+            // They share an end; the corner is sharp if the wall runs back along the part.
             const Vec2 along = pair.p == a ? own.b - own.a : own.a - own.b;
             const Vec2 back = pair.q == wall.a ? wall.b - wall.a : wall.a - wall.b;
             best.tip = best.tip || (dot(along, back) > kFacing * length(along) * length(back) &&
@@ -197,7 +198,7 @@ std::vector<Gap> GapFinder::find() const {
 
 double GapFinder::clearance(std::uint32_t position) const {
     const Vec2 p = index_.segments[position].a;
-    // Search in growing boxes, so that each point of a crowd is cheap.
+    // Search in growing boxes, which is cheap where points are crowded.
     double nearest = longest_;
     for (double reach = longest_ / 256.0; reach <= longest_ && nearest > reach / 2.0; reach *= 2.0) {
         index_.tree.query(boxAround(p, reach), [&](std::uint32_t other) {

@@ -169,7 +169,8 @@ class BackgroundBuilder {
         const Box2 wide = box.grown((box.max.x - box.min.x) * 1e-9); // rounding must not lose a triangle
         return bounds.overlaps(wide) && !separated(corners, wide);
     }
-    /// Counts, then fills, so that every table cell has its stretch of the work list. Returns false when cancelled.
+    /// Counts, then fills, so that every table cell has a contiguous part of the work list. Returns false when
+    /// cancelled.
     bool fillTable(const Progress &progress) {
         std::vector<std::size_t> begins(part_.cells_.size() + 1, 0);
         const auto visit = [&](auto use) {

@@ -15,7 +15,7 @@ constexpr double kVisible = 1.0 / 5000.0; ///< distance from a curve that counts
 constexpr double kAreaError = 0.002;      ///< part of the area that all edges together may cut off
 constexpr double kCorner = 3.0;           ///< bends with a smaller radius, in visible distances, are corners
 
-/// Returns the area inside, from the chords; nothing where segments cross, or after a stop request.
+/// Returns the area inside, from the chords; std::nullopt if segments cross, or after a stop request.
 std::optional<double> areaInside(const Domain &domain, const Progress &progress) {
     progress("measuring the domain", 0.0);
     const DomainGraph graph = graphOf(domain);
@@ -37,8 +37,8 @@ std::optional<double> areaInside(const Domain &domain, const Progress &progress)
     return 0.5 * twice.value();
 }
 
-/// Returns the distance between edges and curves that does not count. An edge of length c cuts off c³κ/12; with
-/// c² = 8 δ / κ that is 2δ/3 for each unit of length.
+/// Returns the distance between edges and curves that is too small to see. An edge of length c cuts off c³κ/12; with c²
+/// = 8 δ / κ that is 2δ/3 for each unit of length.
 double invisibleDistance(const Domain &domain, const CurveChains &chains, const Progress &progress) {
     double along = 0.0;
     for (const CurveChain &chain : chains.list) {

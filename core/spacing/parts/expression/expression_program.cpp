@@ -90,7 +90,7 @@ double applyBinary(Op op, double a, double b) {
     return b;
 }
 
-/// The form of a binary operation with a constant second operand, if there is one that gives the same doubles.
+/// Returns the form of a binary operation with a constant second operand, if one gives the same doubles.
 std::optional<Op> withConstantSecond(Op op, double constant) {
     switch (op) {
     case Op::Add:
@@ -167,7 +167,7 @@ class Optimiser {
         }
     }
 
-    /// Where the code ends with the square of x or y, of x − k or of x + k: that k, and the code is cut off.
+    /// If the code ends with the square of x or y, of x − k or of x + k, removes that end and returns k.
     static std::optional<double> takeSquare(std::vector<ExpressionInstruction> &code, Op coordinate) {
         if (code.size() < 2 || code.back().op != Op::Square) {
             return std::nullopt;

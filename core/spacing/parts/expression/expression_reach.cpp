@@ -106,8 +106,8 @@ class SlopeSearch {
             sites_.add(SizeSite::point(foot, rho_.at(foot), gradation_), kReach);
         }
     }
-    /// Finds the minimum near p by pattern search: at a kink, all samples may be well above it. Any
-    /// place is a valid site; a lower one is a better one.
+    /// Finds the minimum near p by pattern search: at a kink, all samples may be well above it. Any place is a valid
+    /// site; the lower its value, the better.
     Vec2 descended(Vec2 p, double step) const {
         double value = rho_.at(p);
         for (int round = 0; round < 6; ++round, step *= 0.5) {

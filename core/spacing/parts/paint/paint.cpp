@@ -30,7 +30,7 @@ struct LatticeDisc {
     NodeRange rows;
 };
 
-/// Does nothing if the numbers are unusable. The disc reaches at least the node nearest to its centre.
+/// Returns the disc, which reaches at least the node nearest to its centre; std::nullopt if the numbers are unusable.
 std::optional<LatticeDisc> latticeDisc(const PaintedSpacing &paint, Vec2 centre, double radius) {
     if (!isFinite(centre) || !isFinite(paint.origin) || !(radius > 0.0) || !std::isfinite(radius) ||
         !(paint.pitch > 0.0) || !std::isfinite(paint.pitch)) {
@@ -106,7 +106,7 @@ PaintedSpacing emptyPaint(const Box2 &domain) {
         return paint;
     }
     paint.pitch = std::ldexp(1.0, std::ilogb(diagonal / 512.0));
-    // Whole tiles from the origin of coordinates where they can be counted there, else from the box.
+    // Count whole tiles from the origin of coordinates if possible, otherwise from the box.
     const double farthest =
         std::max({std::fabs(domain.min.x), std::fabs(domain.max.x), std::fabs(domain.min.y), std::fabs(domain.max.y)});
     if (farthest > 1e6 * paint.pitch) {

@@ -116,8 +116,7 @@ class SiteFinder {
         std::int32_t i = 0;
         std::int32_t j = 0;
     };
-    /// Value of a cell that is painted in part: the smallest value of its painted nodes. 0: unpainted or wholly
-    /// painted.
+    /// Returns the smallest value of the painted nodes of a partly painted cell; 0 if it is unpainted or fully painted.
     float partValue(std::int32_t i, std::int32_t j) const {
         float minimum = 0.0F;
         int painted = 0;
@@ -141,8 +140,8 @@ class SiteFinder {
         const float part = partValue(cell.i, cell.j);
         return part > 0.0F ? part : std::min(nodes_.at(edge.i, edge.j), nodes_.at(edge.i + along.i, edge.j + along.j));
     }
-    /// Spacing that spreads from an edge between two cells: that of a cell painted in part beside a coarser or
-    /// unpainted one.
+    /// Returns the spacing that spreads from an edge between two cells: that of a partly painted cell beside a coarser
+    /// or unpainted one.
     float edgeValue(Step near, Step far, Step along) const {
         const float here = partValue(near.i, near.j);
         const float there = partValue(far.i, far.j);
@@ -177,7 +176,7 @@ class SiteFinder {
                 const double other = nodes_.at(i + di, j + dj);
                 const double growth = gradation_ * pitch_ * std::sqrt(static_cast<double>(di * di + dj * dj));
                 if (other > 0.0 && other + growth <= 0.999 * value) {
-                    return; // that one asks for less here
+                    return; // that one demands a smaller spacing here
                 }
                 lower = lower || value + growth < 0.999 * other;
             }
