@@ -12,7 +12,7 @@ namespace forefront {
 
 namespace {
 
-/// $XDG_CONFIG_HOME/forefront or ~/.config/forefront; empty without a home directory.
+/// Returns $XDG_CONFIG_HOME/forefront or ~/.config/forefront; empty without a home directory.
 std::filesystem::path settingsFolder() {
     const auto variable = [](const char *name) {
         const char *value = std::getenv(name);

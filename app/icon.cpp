@@ -34,7 +34,7 @@ double inside(Vec2 p, Vec2 a, Vec2 b, Vec2 c) {
     return std::min({depth(a, b), depth(b, c), depth(c, a)});
 }
 
-/// Distance into a square with rounded corners that fills [0, 64]².
+/// Returns the distance into a square with rounded corners that fills [0, 64]².
 double insideTile(Vec2 p) {
     constexpr double kRadius = 13.0;
     const Vec2 q{std::abs(p.x - 32.0) - (32.0 - kRadius), std::abs(p.y - 32.0) - (32.0 - kRadius)};

@@ -47,7 +47,7 @@ struct AdaptArguments {
     InnerEdges innerEdges = InnerEdges::Keep;
     bool quiet = false;
 
-    /// The stream for messages, which is not that of a mesh.
+    /// Returns the stream for messages: stderr if a mesh goes to standard output.
     std::FILE *messages() const { return usesStandardOutput(outputs) ? stderr : stdout; }
 };
 

@@ -2,16 +2,16 @@
 
 namespace forefront {
 
-/// `forefront mesh ...`; argv[0] is the word "mesh". Returns the exit code.
+/// Runs `forefront mesh ...` and returns the exit code; argv[0] is the word "mesh".
 int meshCommand(int argc, const char *const *argv);
 
-/// `forefront check ...`; argv[0] is the word "check". Returns the exit code.
+/// Runs `forefront check ...` and returns the exit code; argv[0] is the word "check".
 int checkCommand(int argc, const char *const *argv);
 
-/// `forefront adapt ...`; argv[0] is the word "adapt". Returns the exit code.
+/// Runs `forefront adapt ...` and returns the exit code; argv[0] is the word "adapt".
 int adaptCommand(int argc, const char *const *argv);
 
-/// `forefront tables ...`; argv[0] is the word "tables". Returns the exit code.
+/// Runs `forefront tables ...` and returns the exit code; argv[0] is the word "tables".
 int tablesCommand(int argc, const char *const *argv);
 
 } // namespace forefront

@@ -14,8 +14,8 @@ namespace {
 
 constexpr int kMaxRounds = 12;
 
-/// Row 3. The corner's field r^(2/3)·sin(2θ/3), θ counter-clockwise from the wall above it, is zero on both walls; the
-/// branch cut of θ lies outside the domain.
+/// Returns the case of row 3. The corner's field r^(2/3)·sin(2θ/3), with θ counter-clockwise from the wall above it, is
+/// zero on both walls; the branch cut of θ lies outside the domain.
 AdaptiveCase corner() {
     AdaptiveCase problem;
     addLoop(problem.domain, std::vector<Vec2>{{0, 0}, {90, 0}, {90, 30}, {45, 30}, {45, 60}, {0, 60}});

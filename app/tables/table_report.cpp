@@ -101,7 +101,7 @@ std::vector<Line> linesOf(const RowFigures &row) {
     return lines;
 }
 
-/// Figures of one function: rows 1A to 1E, or 2A to 2E.
+/// Returns true if a row belongs to one of the two functions: rows 1A to 1E, or 2A to 2E.
 bool belongs(const RowFigures &row, char function) {
     return row.row.row.size() == 2 && row.row.row.front() == function;
 }
@@ -196,7 +196,8 @@ std::string comparisons(const std::vector<RowFigures> &rows) {
         }
     }
     return "Raw meshes against the published figures, in the least favourable row\n" +
-           alpha.text("alpha higher by 0.03 or more", 0.03, "%+.4f") + delta.text("delta not lower", 0.0, "%+.4f") +
+           alpha.text("alpha higher by 0.03 or more", 0.03, "%+.4f") +
+           delta.text("delta at least as high", 0.0, "%+.4f") +
            tests.text("fewer segments tested per element (Ns)", 0.0, "%.3f fewer") +
            neighbours.text("hierarchical grid: at most 20 segments delivered (Nc)", -20.0, "%.2f", -1.0) +
            efficiency.text("hierarchical grid: efficiency of 100 or more", 100.0, "%.0f");
@@ -215,7 +216,7 @@ std::string countNotes(const std::vector<RowFigures> &rows) {
     return text;
 }
 
-/// Boundary nodes of a published mesh without holes, by Euler's formula.
+/// Returns the number of boundary nodes of a published mesh without holes, by Euler's formula.
 std::int64_t publishedBoundary(std::string_view row) {
     const PublishedFigures *line = publishedFigures(row, "none");
     return 2 * static_cast<std::int64_t>(line->nodes) - line->elements - 2;

@@ -57,7 +57,7 @@ Result<GridRun> advanceWith(const TableGrid &grid, const MeshingJob &job, const 
     return best;
 }
 
-/// ∫ 4/(√3·ρ²) dA with one point per element.
+/// Computes ∫ 4/(√3·ρ²) dA with one point per element.
 double integralOfDensity(const Mesh &mesh, const SpacingField &spacing) {
     double sum = 0.0;
     for (const Element &nodes : mesh.elements) {

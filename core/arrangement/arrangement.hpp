@@ -38,9 +38,9 @@ struct ArrangementPiece {
     std::uint32_t contour = 0; ///< of an Outline: index into ArrangementInput::contours
     std::int32_t tag = 1;      ///< of the boundary part or point
     PieceRole role = PieceRole::Outline;
-    /// The part of a curve, by its index into ArrangementInput::curves, that the piece is a chord of. The piece stands
-    /// for that part, and segments along it follow their share of it. Its ends must be on the curve within a few
-    /// tolerances; otherwise only the chord counts.
+    /// The part of a curve (an index into ArrangementInput::curves) of which the piece is a chord. The piece represents
+    /// that part, and segments along the piece follow the corresponding parts of the curve. The ends of the piece must
+    /// be on the curve within a few tolerances; otherwise only the chord counts.
     CurveStretch stretch = {};
 };
 
@@ -72,7 +72,7 @@ struct ArrangementInput {
     std::uint32_t addShape(std::uint32_t feature, std::string name = {});
     std::uint32_t addContour(std::uint32_t shape, FillRule rule = FillRule::NonZero, bool hole = false);
     /// Adds a closed loop to a contour; its first node is not repeated at the end. Nodes equal to the previous one are
-    /// skipped. The stretches, if given, are those of the pieces that begin at the nodes; the last ones may be missing.
+    /// skipped. The stretches, if given, belong to the pieces that begin at the nodes; the last ones may be missing.
     void addRing(std::uint32_t contour, std::span<const Vec2> nodes, std::int32_t tag,
                  std::span<const CurveStretch> stretches = {});
     /// Adds a line that the mesh must contain.
@@ -102,7 +102,7 @@ struct Arrangement {
     /// The domain, with the even-odd rule, without names, and with the curves that segments follow. Nodes, segments and
     /// points come in the order of the pieces.
     Domain domain;
-    std::vector<std::uint32_t> nodePiece;     ///< per node: the first piece that passes through it
+    std::vector<std::uint32_t> nodePiece;     ///< per node: the first piece through it
     std::vector<PieceStretch> stretches;      ///< per segment: the first piece that runs along it
     std::vector<std::uint32_t> pointPiece;    ///< per constraint point
     std::vector<std::uint32_t> markerFeature; ///< per region marker: the feature that its face belongs to

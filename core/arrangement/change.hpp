@@ -50,7 +50,8 @@ struct ArrangementChange {
 /// Collects changes, one entry per kind.
 class ChangeList {
   public:
-    /// `displacement`: distance moved, or the area for OverlapsDecided. `piece`: the index of the piece concerned.
+    /// Adds one change. `displacement`: distance moved, or the area for OverlapsDecided. `piece`: the index of the
+    /// piece concerned.
     void add(ChangeKind kind, Vec2 at, double displacement, std::uint32_t piece);
     /// Returns the changes ordered by kind.
     std::vector<ArrangementChange> take();

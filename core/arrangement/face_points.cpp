@@ -7,7 +7,7 @@ namespace forefront {
 
 namespace {
 
-/// The gaps between the heights of the nodes, the tallest first: lines through them have the most room.
+/// Returns the gaps between the heights of the nodes, the tallest first: lines through them have the most room.
 std::vector<std::pair<double, double>> tallestGaps(std::span<const FaceEdge> edges, std::size_t limit) {
     std::vector<double> heights;
     heights.reserve(2 * edges.size());

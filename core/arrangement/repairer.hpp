@@ -58,11 +58,11 @@ class Repairer {
     std::vector<std::uint32_t> pointOf_;   ///< per line that is a constraint point
     SnappedLines &joined_ = lines_.snapped;
     std::vector<Edge> edges_;                 ///< per joined edge
-    std::vector<std::uint8_t> pointDropped_;  ///< per given constraint point
-    std::vector<std::uint8_t> markerDropped_; ///< per given hole marker
-    std::vector<std::uint32_t> joinedNode_;   ///< per given node: the joined node it became, or kNoIndex
+    std::vector<std::uint8_t> pointDropped_;  ///< per input constraint point
+    std::vector<std::uint8_t> markerDropped_; ///< per input hole marker
+    std::vector<std::uint32_t> joinedNode_;   ///< per input node: the joined node it became, or kNoIndex
     std::vector<std::uint32_t> number_;       ///< per joined node: its index in the result, or kNoIndex
-    std::vector<std::uint32_t> ownNumber_;    ///< per given node that was not joined: likewise
+    std::vector<std::uint32_t> ownNumber_; ///< per input node that was not joined: its index in the result, or kNoIndex
     ChangeList changes_;
     Repaired result_;
 };

@@ -16,7 +16,7 @@ struct SnapLine {
     Vec2 b;
 };
 
-/// Nodes and edges that keep clear of each other, and the path of each line along them.
+/// Nodes and edges that keep a distance from each other, and the path of each line along them.
 struct SnappedLines {
     std::vector<Vec2> nodes;
     std::vector<std::uint8_t> crossing; ///< per node: true if it is a crossing and not the end of a line
@@ -24,7 +24,7 @@ struct SnappedLines {
     std::vector<std::uint32_t> starts; ///< per line: where its path begins in `ways`; then the size of `ways`
     std::vector<std::uint32_t> ways;   ///< 2e: along edge e from a to b; 2e + 1: back
     std::vector<std::uint32_t> first;  ///< per line: the node that its first end became
-    double radius = 0.0;               ///< things joined were at most this far apart
+    double radius = 0.0;               ///< maximum distance at which things were joined
     double displacement = 0.0;         ///< maximum distance between a line and its path
     bool finished = true;              ///< false if asked to stop
 };

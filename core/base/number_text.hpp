@@ -6,8 +6,8 @@
 
 namespace forefront {
 
-/// Returns a number with up to `digits` significant digits, as printf's %g writes it, for messages. The standard
-/// library does this without printf's dependence on the locale and without another library.
+/// Returns a number with up to `digits` significant digits, as printf's %g writes it, for messages. Unlike printf,
+/// std::to_chars does not depend on the locale, and it needs no other library.
 inline std::string numberText(double value, int digits) {
     std::array<char, 40> text{};
     const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits);

@@ -20,7 +20,7 @@ struct DiscreteSegment {
     std::uint32_t b = 0;
     std::int32_t tag = 1;
     std::uint32_t leftRegion = kOutside;  ///< index into DiscreteDomain::regions of the face left of a->b, or kOutside
-    std::uint32_t rightRegion = kOutside; ///< likewise on the right; never both kOutside
+    std::uint32_t rightRegion = kOutside; ///< the same for the right side; never both kOutside
     std::uint32_t source = 0;             ///< index of the DomainSegment it came from
 };
 

@@ -76,7 +76,7 @@ class MeanDensity {
         return std::min(ratio * ratio, 1e100);
     }
 
-    /// A lattice of cells as square as the box allows.
+    /// Lays out a lattice of cells as square as the box allows.
     void layOutCells() {
         const double columns = std::clamp(std::round(std::sqrt(kFirstCells * size_.x / size_.y)), 1.0, kFirstCells);
         columns_ = static_cast<std::size_t>(columns);

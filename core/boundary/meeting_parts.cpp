@@ -49,7 +49,7 @@ class MeetingFinder {
         }
     }
 
-    /// Where a curved piece meets a straight one, only the curved one gives way.
+    /// Adds the pieces that meet; where a curved piece meets a straight one, only the curved one.
     void addMeetings(std::span<const PlaneEdge> edges, const PlaneSweepResult &sweep) {
         std::vector<std::uint32_t> dropped;
         for (std::uint32_t e = 0; e < edges.size(); ++e) {

@@ -16,7 +16,7 @@ struct Division {
     const CurveCuts *curves;                    ///< null: all segments are straight
     std::span<const ChainPiece> pieces;         ///< per discrete segment, without a chain where straight; may be empty
     std::span<const std::uint32_t> pointRegion; ///< per isolated point: the region it belongs to
-    std::span<const std::uint32_t> pointBelow;  ///< likewise: the domain segment directly below, or kNoIndex
+    std::span<const std::uint32_t> pointBelow;  ///< per isolated point: the domain segment directly below, or kNoIndex
 };
 
 /// The parts to divide again because their pieces meet other than at common ends, or lie on the wrong side.

@@ -18,7 +18,7 @@ struct DomainGraph {
     std::vector<PlaneEdge> edges;
     std::vector<std::uint32_t> segment;      ///< per edge: its index in the domain
     std::vector<std::uint32_t> holeMarker;   ///< per hole marker of the domain: its point, or kNoIndex
-    std::vector<std::uint32_t> regionMarker; ///< likewise per region marker
+    std::vector<std::uint32_t> regionMarker; ///< per region marker of the domain: its point, or kNoIndex
 };
 
 /// Extracts the graph of a domain, which need not be valid.

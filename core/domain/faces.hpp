@@ -13,7 +13,7 @@ namespace forefront {
 struct Faces {
     std::uint32_t count = 1;
     std::vector<std::uint32_t> left;  ///< per edge: the face left of a->b
-    std::vector<std::uint32_t> right; ///< likewise on the right
+    std::vector<std::uint32_t> right; ///< per edge: the face right of a->b
     std::vector<std::uint32_t>
         ofPoint; ///< per isolated point that is not on an edge: the face around it; else kNoIndex
 };

@@ -13,7 +13,7 @@ namespace forefront {
 /// segment, which remembers them as its chords.
 class ChainShapes {
   public:
-    /// Keeps a reference to the domain.
+    /// Keeps a reference to the domain, which must outlive it.
     explicit ChainShapes(const Domain &domain);
 
     /// Returns a shape, without id, name and use, along segments in order: segment k joins nodes k and k+1; the last of

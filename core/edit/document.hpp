@@ -37,7 +37,7 @@ struct EnumWords<ShapeKind> {
 
 /// The role of a shape in the domain.
 enum class ShapeUse : std::uint8_t {
-    Boundary,  ///< even-odd: outermost is outside, nested is a hole, nested in a hole is an island
+    Boundary,  ///< even-odd: an outermost shape is an outline, one inside it a hole, one inside a hole an island
     Constraint ///< its segments (or point) must be in the mesh; a closed one bounds a separate region
 };
 

@@ -15,7 +15,7 @@ Result<Document> pinNode(const Document &document, Vec2 at, std::int32_t tag) {
     const PickIndex index(std::make_shared<const Document>(document));
     const auto hit = index.segment(at, reach, [](const Shape &) { return true; });
     if (hit && (distance(at, hit->a) <= reach || distance(at, hit->b) <= reach)) {
-        return error("not-possible", "a node of the drawing is already there");
+        return error("not-possible", "the drawing already has a node there");
     }
     if (hit) {
         return insertNode(document, hit->ref, at);

@@ -23,18 +23,19 @@ class Curve {
     /// A line from the origin to itself.
     Curve() = default;
     static Curve line(Vec2 start, Vec2 end);
-    /// The arc centre + cos θ·u + sin θ·v with θ from `startAngle` to `startAngle` + `sweep`, in radians. For a circle,
-    /// u and v are perpendicular and equally long.
+    /// Returns the arc centre + cos θ·u + sin θ·v with θ from `startAngle` to `startAngle` + `sweep`, in radians. For a
+    /// circle, u and v are perpendicular and equally long.
     static Curve arc(Vec2 centre, Vec2 u, Vec2 v, double startAngle = 0.0, double sweep = 2.0 * std::numbers::pi);
-    /// The circle around `centre` from `onCircle` to itself, counter-clockwise.
+    /// Returns the circle around `centre` from `onCircle` to itself, counter-clockwise.
     static Curve circle(Vec2 centre, Vec2 onCircle);
     static Curve quadratic(Vec2 start, Vec2 control, Vec2 end);
     static Curve cubic(Vec2 start, Vec2 control1, Vec2 control2, Vec2 end);
-    /// The curve of a kind from its numbers(), for readers of files.
+    /// Creates the curve of a kind from its numbers(), for readers of files.
     static Curve fromNumbers(CurveKind kind, const std::array<double, 8> &numbers);
 
     CurveKind kind() const { return kind_; }
-    /// Start and end of a line; centre, u, v, start angle and sweep of an arc; the four points of a cubic.
+    /// Returns the start and end of a line; the centre, u, v, start angle and sweep of an arc; the four points of a
+    /// cubic.
     std::array<double, 8> numbers() const;
     bool finite() const;
 

@@ -9,7 +9,7 @@ namespace forefront {
 /// A place where two curves cross, or touch within a tolerance.
 struct CurveContact {
     double first = 0.0;  ///< parameter on the first curve
-    double second = 0.0; ///< likewise on the second
+    double second = 0.0; ///< parameter on the second curve
     Vec2 onFirst;        ///< the same place on both where they cross
     Vec2 onSecond;
     bool crossing = false;

@@ -5,7 +5,7 @@
 
 namespace forefront {
 
-/// What a background grid is built for.
+/// The input from which a background grid is built.
 struct GridRequest {
     const DiscreteDomain &domain;
     const SpacingField &spacing;

@@ -24,7 +24,8 @@ class HierarchicalGrid {
 
     void insert(const GenerationFront &front, SlotId id);
     void remove(const GenerationFront &front, SlotId id);
-    /// See NoGrid::keeps(). True if the segment lies in one cell and stays in it, and the cell does not have to split.
+    /// See NoGrid::keeps(). Returns true if the segment lies in one cell and stays in it, and the cell does not have to
+    /// split.
     bool keeps(SlotId id, Vec2 a, Vec2 b) const;
     /// See NoGrid::moved().
     void moved(const GenerationFront &front, SlotId id);

@@ -12,7 +12,7 @@ namespace forefront {
 
 /// A copy of a few dozen nodes of the mesh to try changes on: the elements around its inner nodes. Inner nodes have
 /// rings of neighbours, counter-clockwise, and may move; nodes on the rim do not move. Nodes have local numbers.
-/// Coordinates are relative to the first node, in units of ρ there and single precision, so the mesh must be checked
+/// Coordinates are relative to the first node, in units of ρ there, in single precision, so the mesh must be checked
 /// when a cutout is put back.
 ///
 /// A change returns false if the cutout has no room for it, if it would join two nodes twice, or if it would leave an
@@ -54,7 +54,7 @@ class Cutout {
     Vec2 place(Local n) const { return origin_ + scale_ * Vec2{nodes_[n].x, nodes_[n].y}; }
     /// Returns ρ at a node.
     float rho(Local n) const { return static_cast<float>(scale_) * nodes_[n].rho; }
-    /// Return the neighbour after or before `what` in the ring of an inner node, or kNone.
+    /// Returns the neighbour after (or before) `what` in the ring of an inner node, or kNone.
     Local after(Local at, Local what) const;
     Local before(Local at, Local what) const;
 

@@ -32,7 +32,7 @@ class ShapeMeasure {
                std::min(alphaFactor_ / (uu + vv + third), sineFactor_ * twiceArea * shortest / (uu * vv * third));
     }
 
-    /// Elements with a higher α meet the goal.
+    /// Returns the α above which every element meets the goal.
     double surelyGood() const { return surelyGood_; }
 
   private:

@@ -27,7 +27,7 @@ struct Format {
     void (*writeMesh)(const Mesh &, TextWriter &) = nullptr;
     /// Returns notes on what the format changes in the mesh, such as names; null: it changes nothing.
     Diagnostics (*noteChanges)(const Mesh &) = nullptr;
-    /// For formats of several files; else null.
+    /// Writes a mesh for formats of several files; else null.
     Status (*writeFiles)(const std::filesystem::path &, const Mesh &, const Progress &) = nullptr;
 };
 

@@ -67,7 +67,7 @@ struct MeasureInfo {
     BadEnd bad;          ///< its bad values
     bool logarithmic;    ///< shown on a logarithmic scale
     double minimum;      ///< of the values it can have
-    double maximum;      ///< likewise; infinity: unbounded
+    double maximum;      ///< of the values it can have; infinity: unbounded
     const char *meaning; ///< a sentence for tooltips and help
 };
 

@@ -79,11 +79,11 @@ struct AdvanceDelta {
     std::uint32_t logged = 0;  ///< size of the log of the order before the advance
     std::uint32_t delivered = 0, tested = 0, cells = 0, candidates = 0;
 
-    /// The number of elements made.
+    /// Returns the number of elements made.
     unsigned elements() const {
         return kind == Kind::Deferral ? 0U : kind == Kind::Two ? 2U : kind == Kind::Three ? 3U : 1U;
     }
-    /// The change in the number of segments of Γ.
+    /// Returns the change in the number of segments of Γ.
     int growth() const;
 };
 

@@ -110,7 +110,7 @@ FrontStrips::FrontStrips() : phases{0, 1} {
 
 FrontStrips::FrontStrips(const DiscreteDomain &domain, const SpacingField &spacing, double perStrip) : FrontStrips() {
     const Box2 box = domain.bounds();
-    // The minimum spacing gives an upper bound, which spares most domains the estimate.
+    // The minimum spacing gives an upper bound, so that most domains need no estimate.
     const double maxElements = domain.area() * 4.0 / (std::numbers::sqrt3 * spacing.minimum() * spacing.minimum());
     if (!(maxElements > kMinStrips * perStrip)) {
         return;

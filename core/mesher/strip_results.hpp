@@ -19,7 +19,7 @@ class StripResults {
     /// all strips before it are merged. May be called from any thread, once for each strip.
     void finished(std::size_t k, FrontState &state);
 
-    /// The number of nodes before the phase; ids from here on belong to new nodes.
+    /// Returns the number of nodes before the phase; ids from here on belong to new nodes.
     std::uint32_t firstNew() const { return firstNew_; }
     /// Returns the offset added to the ids of new nodes of strip k. Strips up to k must have finished.
     std::uint32_t shift(std::size_t k) const { return shifts_[k]; }

@@ -16,12 +16,12 @@ class Timeline {
     /// `stride`: distance of the first checkpoints, in advances; to repeat that many takes a few milliseconds.
     explicit Timeline(std::unique_ptr<Mesher> mesher, std::uint64_t stride = 4096);
 
-    /// The number of advances at this position, and at the furthest position reached so far.
+    /// Returns the number of advances at this position; known() is that at the furthest position reached so far.
     std::uint64_t position() const { return position_; }
     std::uint64_t known() const { return deltas_.size(); }
-    /// The number of segments of Γ at the start.
+    /// Returns the number of segments of Γ at the start.
     std::uint64_t segmentsAtStart() const { return segmentsAtStart_; }
-    /// True once the end of the run has been reached; known() is the end.
+    /// Returns true once the end of the run has been reached; known() is the end.
     bool complete() const { return complete_; }
 
     static constexpr std::size_t kMaxCheckpoints = 96;

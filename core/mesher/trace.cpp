@@ -71,7 +71,7 @@ std::string plural(std::size_t count, const char *noun) {
     return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
 }
 
-/// "3 candidates rejected: 2 cross the front, 1 too near"
+/// Returns a text such as "3 candidates rejected: 2 cross the front, 1 too near".
 std::string rejections(const AdvanceExplanation &explanation) {
     struct Reason {
         Verdict verdict;

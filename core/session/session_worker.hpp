@@ -18,7 +18,7 @@ class SessionWorker {
     SessionWorker(const SessionWorker &) = delete;
     SessionWorker &operator=(const SessionWorker &) = delete;
 
-    /// The mailbox, which the UI thread may use.
+    /// Returns the mailbox, which the UI thread may use.
     SessionMailbox &mailbox() { return mailbox_; }
     const SessionMailbox &mailbox() const { return mailbox_; }
 

@@ -79,7 +79,7 @@ struct RunCurves {
         float tests = 0.0F;                      ///< segments tested for intersection per element; 0 without an element
         float alphaMean = 0.0F, alphaMin = 0.0F; ///< of its elements; both 1 without an element
     };
-    std::uint64_t stretch = 1; ///< advances per sample; the last one may have fewer
+    std::uint64_t advancesPerSample = 1; ///< the last sample may have fewer
     std::vector<Sample> samples;
 };
 

@@ -184,7 +184,7 @@ std::shared_ptr<const std::vector<TimelineMark>> SnapshotBuilder::marksOf(const 
 
 std::shared_ptr<const RunCurves> SnapshotBuilder::curvesOf(const Timeline &timeline) const {
     auto curves = std::make_shared<RunCurves>();
-    curves->stretch = timeline.known() / RunCurves::kSamples + 1;
+    curves->advancesPerSample = timeline.known() / RunCurves::kSamples + 1;
     curves->samples.reserve(RunCurves::kSamples);
     SampleSum sum;
     std::size_t element = 0;
@@ -196,7 +196,7 @@ std::shared_ptr<const RunCurves> SnapshotBuilder::curvesOf(const Timeline &timel
         element += delta.elements();
         sum.add(segments, delta, std::span(alpha_).subspan(from, std::min(element, alpha_.size()) - from));
         segments = static_cast<std::size_t>(static_cast<std::int64_t>(segments) + delta.growth());
-        if (sum.advances() == curves->stretch || p + 1 == timeline.known()) {
+        if (sum.advances() == curves->advancesPerSample || p + 1 == timeline.known()) {
             curves->samples.push_back(sum.take());
         }
     }

@@ -18,11 +18,12 @@ const char *capWords(SpacingOrigin origin) {
     }
 }
 
-/// Box corners and, for the lower bound, the nearest approach of a site to the box.
+/// Returns the maximum of a site over a box, which is at a corner.
 double maximumOverBox(const SizeSite &site, const Box2 &box) {
     return std::max(
         {site.at(box.min), site.at(box.max), site.at({box.min.x, box.max.y}), site.at({box.max.x, box.min.y})});
 }
+/// Returns a lower bound of a site over a box.
 double minimumOverBox(const SizeSite &site, const Box2 &box) {
     return std::max(site.size, site.at(box.centre()) - site.growth * 0.5 * box.diagonal());
 }

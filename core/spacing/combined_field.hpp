@@ -77,7 +77,7 @@ using PointParts = std::tuple<std::optional<ExpressionSpacing>, std::optional<Fi
 
 /// The ingredients of a combined field. Every part is already clamped and limited, so their minimum is, too.
 struct FieldParts {
-    double cap = 0.0; ///< constant, maximum or automatic spacing: finite where nothing else is
+    double cap = 0.0; ///< constant, maximum or automatic spacing, which makes the result finite everywhere
     SpacingOrigin capOrigin = SpacingOrigin::Constant;
     double minimum = 0.0;
     PointParts points;

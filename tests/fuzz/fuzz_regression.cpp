@@ -11,8 +11,8 @@ namespace {
 
 constexpr int kRounds = 3000;
 
-/// A few random edits: bytes flipped or overwritten by characters that matter in the formats, parts cut out or
-/// doubled.
+/// Applies a few random edits: flips bytes, overwrites them by characters that matter in the formats, cuts out or
+/// doubles parts.
 std::string mutated(std::string text, std::mt19937 &random) {
     constexpr std::string_view kMeaningful = "09-+.eE\"'<>[]{}(),:/#%$*\n \xff";
     for (unsigned edits = 1 + random() % 4; edits > 0 && !text.empty(); --edits) {

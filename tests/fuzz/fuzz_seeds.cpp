@@ -106,7 +106,7 @@ const char *const kTriangle =
     "3 2 0 1\n1 0 0 1\n2 1 0 1\n3 0 1 0\n# region 2 \"r\"\n# point 1 4\n%%\n1 3 1\n1 1 2 3 2\n"
     "%%\n2 1\n1 1 2 5\n2 2 3 0\n";
 
-/// kValues as they are in a binary file.
+/// Returns kValues as they are in a binary file.
 std::string binaryValues() {
     std::string section = "$NodeData\n1\n\"size\"\n1\n0\n3\n0\n1\n4\n";
     for (std::int32_t node = 1; node <= 4; ++node) {

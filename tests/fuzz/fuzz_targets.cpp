@@ -157,7 +157,7 @@ class ByteNumbers {
 
     bool atEnd() const { return at_ >= bytes_.size(); }
     unsigned byte() { return atEnd() ? 0U : static_cast<unsigned char>(bytes_[at_++]); }
-    /// A multiple of 1/8 in [0, 32), a few with a last digit off.
+    /// Returns a multiple of 1/8 in [0, 32), sometimes off by the last digit.
     double coordinate() {
         const double value = 0.125 * byte();
         return byte() % 16 == 0 ? value * (1.0 + std::numeric_limits<double>::epsilon()) : value;

@@ -12,12 +12,12 @@
 
 namespace forefront::testing {
 
-/// A document that uses every field of the project file.
+/// Returns a document that uses every field of the project file.
 Document fullDocument();
 
-/// Two regions (tags 2 and 5) with an interface, four named boundary parts, a constraint edge that ends inside, a
-/// tagged point, numbers with many digits and names with blanks, quotes and umlauts. Every edge of the boundary is
-/// tagged.
+/// Returns a mesh with two regions (tags 2 and 5) and an interface, four named boundary parts, a constraint edge that
+/// ends inside, a tagged point, numbers with many digits and names with blanks, quotes and umlauts. Every edge of the
+/// boundary is tagged.
 Mesh twoRegionMesh(std::size_t columns = 8, std::size_t rows = 5);
 
 /// Returns the differences between two meshes in nodes, elements, regions, edges, points or names; empty if they are

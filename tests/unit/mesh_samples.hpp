@@ -33,9 +33,9 @@ class Random {
     std::uint64_t state_;
 };
 
-/// The square [0,1]² moved by `offset`, of columns x rows cells with two triangles each, random diagonals; inner nodes
-/// displaced by up to `jitter` cells (below 0.25 nothing folds). Boundary edges tagged 1 bottom, 2 right, 3 top, 4
-/// left.
+/// Returns the square [0,1]² moved by `offset`, as columns x rows cells of two triangles each, with random diagonals;
+/// inner nodes displaced by up to `jitter` cells (below 0.25 nothing folds). Boundary edges tagged 1 bottom, 2 right, 3
+/// top, 4 left.
 inline Mesh square(std::size_t columns, std::size_t rows, double jitter = 0.0, Vec2 offset = {},
                    std::uint64_t seed = 1) {
     Random random(seed);

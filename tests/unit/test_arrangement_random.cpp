@@ -124,7 +124,7 @@ int windingAt(const ArrangementInput &input, std::uint32_t contour, Vec2 p) {
     return winding;
 }
 
-/// The features that cover a place.
+/// Returns the features that cover a place.
 std::set<std::uint32_t> featuresAt(const ArrangementInput &input, Vec2 p) {
     std::vector<int> outer(input.shapes.size(), 0), hole(input.shapes.size(), 0);
     for (std::uint32_t c = 0; c < input.contours.size(); ++c) {

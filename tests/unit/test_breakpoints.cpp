@@ -59,7 +59,7 @@ std::size_t loopsOf(const GenerationFront &front) {
     return loops;
 }
 
-/// What is known of an advance without breakpoints: from its delta, its explanation and the states around it.
+/// The facts about an advance without breakpoints: from its delta, its explanation and the states around it.
 struct Record {
     AdvanceDelta delta;
     AdvanceExplanation explanation;

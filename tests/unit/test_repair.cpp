@@ -40,7 +40,7 @@ std::set<std::string> codes(const Diagnostics &faults) {
     return result;
 }
 
-/// The repaired domain, which must be valid; repairing again changes nothing.
+/// Returns the repaired domain, which must be valid; repairing again changes nothing.
 Domain repaired(const Domain &domain) {
     const auto result = repair(domain);
     REQUIRE(result.ok());

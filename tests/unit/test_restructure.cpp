@@ -54,7 +54,7 @@ std::set<std::pair<unsigned, unsigned>> rimOf(const std::set<Triple> &elements) 
     return rim;
 }
 
-/// For each inner node: the ring has no repeated node, and as many nodes as there are elements around it.
+/// Returns true if the ring of each inner node has no repeated node, and as many nodes as there are elements around it.
 bool ringsFit(const Cutout &cutout) {
     const std::set<Triple> elements = elementsOf(cutout);
     for (unsigned n = 0; n < cutout.count(); ++n) {
@@ -103,7 +103,7 @@ double areaOf(const Mesh &mesh, std::int32_t region) {
     return area;
 }
 
-/// The parts of a mesh that no change of the nodes may move.
+/// Checks the parts of a mesh that no change of the nodes may move.
 void checkKept(const Mesh &mesh, const Mesh &before) {
     const Diagnostics faults = verify(mesh);
     REQUIRE_MESSAGE(faults.empty(), samples::list(faults));

@@ -13,7 +13,7 @@ namespace {
 
 constexpr Box2 kBox{{-10.0, -6.0}, {10.0, 6.0}};
 
-/// How the values of a tree compare with the minimum over all sites.
+/// Statistics that compare the values of a tree with the minimum over all sites.
 struct Accuracy {
     double low = 1e300, high = 0.0; ///< extreme ratios
     double shareOver5 = 0.0;        ///< of the places, more than 5 % too large

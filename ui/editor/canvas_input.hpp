@@ -34,7 +34,7 @@ class CanvasInput {
     std::optional<MouseButton> held_; ///< button pressed on the canvas, held for the tool
     bool spaceDown_ = false, spaceUsed_ = false;
     std::optional<Shortcut> waiting_;        ///< runs once the text field is left
-    std::optional<InputEvent> waitingPress_; ///< click on the canvas, likewise
+    std::optional<InputEvent> waitingPress_; ///< click on the canvas, handled once the text field is left
     Pixel clickPixel_{};
     double clickTime_ = -1.0;
     int clicks_ = 0;

@@ -23,7 +23,7 @@ class ImGuiBridge {
     void beginFrame(std::span<const InputEvent> events, double elapsedSeconds);
     /// Draws the interface built in this frame over the contents of the target framebuffer.
     void endFrame();
-    /// Call after the fonts were rebuilt.
+    /// Updates the font texture; call after rebuilding the fonts.
     void fontsChanged();
 
   private:

@@ -22,7 +22,7 @@ class ShaderProgram {
     ShaderProgram &operator=(const ShaderProgram &) = delete;
 
     void use() const;
-    // The program must be in use.
+    // Sets a uniform; the program must be in use.
     void set(const char *uniform, float value) const;
     void set(const char *uniform, int value) const;
     void set(const char *uniform, std::span<const float> values) const;

@@ -15,8 +15,8 @@ class DomainLayer final : public Layer {
     const char *id() const override { return "domain"; }
     const char *name() const override { return "Domain"; }
 
-    // The domain of the preview, which may be a little older than the document: a fill that followed every move of the
-    // pointer would redraw the mesh with it. The boundary follows every move.
+    // Identifies the domain of the preview, which may be a little older than the document: a fill that followed every
+    // move of the pointer would redraw the mesh with it. The boundary follows every move.
     std::uint64_t stillVersion(const LayerFrame &frame) const override {
         return 4 * frame.preview.revision + (frame.preview.spacing ? 1U : 0U) + (frame.visible("size") ? 2U : 0U);
     }

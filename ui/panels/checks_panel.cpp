@@ -49,7 +49,7 @@ class ChecksPanel final : public Panel {
             if (ui::button(context, "checks/repair", "Repair", ui::ButtonKind::Primary, true, 78.0F)) {
                 context.actions.run("edit.repair", context);
             }
-            ui::tooltip(context, "Split segments where they cross, join what coincides, and drop what lies outside. "
+            ui::tooltip(context, "Split segments where they cross, merge duplicates and drop parts outside the domain. "
                                  "The log reports every change.");
         }
         drawList(context, faults);

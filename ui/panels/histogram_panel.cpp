@@ -93,7 +93,7 @@ class HistogramPanel final : public Panel {
         ui::tooltip(context, percentiles);
     }
 
-    /// The ends of the colour map; they fit the mesh until the user sets them.
+    /// Draws the ends of the colour map, which fit the mesh until the user sets them.
     static void drawRange(Workspace &context, const Judgement &judgement) {
         if (judgement.of.measure == Measure::Region) {
             ImGui::NewLine();

@@ -55,7 +55,7 @@ struct LayerFrame {
 class Layer {
   public:
     virtual ~Layer() = default;
-    /// Stable name; the switch is the widget "layer/ID".
+    /// Returns the stable name of the layer; its switch is the widget "layer/ID".
     virtual const char *id() const = 0;
     virtual const char *name() const = 0;
     virtual bool visibleAtStart() const { return true; }

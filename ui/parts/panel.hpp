@@ -16,7 +16,7 @@ enum class PanelPlace : std::uint8_t {
 class Panel {
   public:
     virtual ~Panel() = default;
-    /// Stable name; the heading (or tab) is the widget "panel/ID".
+    /// Returns the stable name of the panel; its heading (or tab) is the widget "panel/ID".
     virtual const char *id() const = 0;
     virtual const char *title() const = 0;
     virtual PanelPlace place() const { return PanelPlace::Stacked; }

@@ -45,7 +45,7 @@ struct CanvasEvent {
 class Tool {
   public:
     virtual ~Tool() = default;
-    /// Stable name; the button in the strip is the widget "tool/ID".
+    /// Returns the stable name of the tool; its button in the strip is the widget "tool/ID".
     virtual const char *id() const = 0;
     virtual const char *name() const = 0;
     /// Returns an icon from ui/style/icons.hpp.

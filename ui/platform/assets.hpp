@@ -15,7 +15,7 @@ struct Sample {
     std::string about; ///< what it shows, in a few words
     std::filesystem::path path;
 };
-/// The samples of the gallery in the order of assets/samples/index.txt.
+/// Returns the samples of the gallery in the order of assets/samples/index.txt.
 std::vector<Sample> samples();
 
 } // namespace forefront

@@ -19,7 +19,7 @@ class Canvas {
 
     /// Draws to the target framebuffer, and overlays to Dear ImGui's background list. Call between NewFrame and Render.
     void draw(Shell &context);
-    /// Number of times the still parts were redrawn; for tests.
+    /// Returns how often the still parts were redrawn; for tests.
     std::uint64_t stillDraws() const;
 
   private:

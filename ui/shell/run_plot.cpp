@@ -61,8 +61,9 @@ void drawCurve(WidgetContext &context, const RunCurves &curves, const Curve &cur
     std::vector<ImVec2> points;
     points.reserve(curves.samples.size());
     for (std::size_t i = 0; i < curves.samples.size(); ++i) {
-        const double from = static_cast<double>(i * curves.stretch);
-        const double to = std::min(static_cast<double>(frame.axis.known), from + static_cast<double>(curves.stretch));
+        const double from = static_cast<double>(i * curves.advancesPerSample);
+        const double to =
+            std::min(static_cast<double>(frame.axis.known), from + static_cast<double>(curves.advancesPerSample));
         const float height = scale * (curves.samples[i].*curve.value - range.from);
         points.push_back({frame.axis.x(0.5 * (from + to)), frame.bottom - height});
     }
@@ -132,7 +133,7 @@ void drawRunPlot(Shell &context, const TimeAxis &axis, float top) {
         ui::tooltip(context, "Advance " + ui::count(shown));
     }
     const std::size_t last = run.curves->samples.size() - 1;
-    const auto index = static_cast<std::size_t>(shown / run.curves->stretch);
+    const auto index = static_cast<std::size_t>(shown / run.curves->advancesPerSample);
     drawNames(context, run.curves->samples[std::min(index, last)], top, axis.left - context.px(14));
 }
 

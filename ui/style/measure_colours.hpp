@@ -15,8 +15,8 @@ ColourMap mapOf(Measure measure);
 /// them, do not widen it.
 ColourRange fittedRange(Measure measure, const MeasureSummary &summary);
 
-/// Returns the histogram of a measure: over the whole range of α, δ and angles, for others over the range of the
-/// values.
+/// Returns the histogram of a measure: over the full range for α, δ and angles, over the range of the values for other
+/// measures.
 MeasureHistogram shownHistogram(Measure measure, std::span<const double> values, const MeasureSummary &summary);
 
 /// Returns the position of a value on the colour map of a measure; may lie outside [0, 1].

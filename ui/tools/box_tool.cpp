@@ -14,7 +14,7 @@ namespace forefront {
 
 namespace {
 
-/// What differs between the shapes.
+/// The differences between the shapes.
 struct Kind {
     const char *id, *name, *icon;
     int key;

@@ -31,7 +31,7 @@ class FieldFocus {
     bool takes(std::string_view name);
     /// Reports that the field has the focus.
     void gotFocus(std::string_view name);
-    /// True while the focus is moving to a field. Input must wait for it, or keys would be taken for shortcuts.
+    /// Returns true while the focus is moving to a field. Input must wait for it, or keys would be taken for shortcuts.
     bool travelling() const { return !wanted_.empty(); }
 
     /// Makes the field with the focus commit its text and give up the focus.

@@ -23,9 +23,9 @@ struct MshEntity {
     std::vector<std::uint32_t> nodes;
     std::vector<std::uint32_t> parts; ///< indices of points, edges or elements
 
-    /// Number of nodes of each of its parts.
+    /// Returns the number of nodes of each of its parts.
     std::size_t cornerCount() const { return static_cast<std::size_t>(dimension) + 1; }
-    /// The MSH number of its element type: point, 2-node line or 3-node triangle.
+    /// Returns the MSH number of its element type: point, 2-node line or 3-node triangle.
     int elementType() const { return std::array{15, 1, 2}[static_cast<std::size_t>(dimension)]; }
 };
 

@@ -31,7 +31,8 @@ class JsonDocument {
         JsonKind kind = JsonKind::Null;
     };
 
-    /// Faults: json-syntax, too-deep (more than 64 levels), too-large (more than 2^32 bytes), each located.
+    /// Parses a JSON text. Faults: json-syntax, too-deep (more than 64 levels), too-large (more than 2^32 bytes), each
+    /// located.
     static Result<JsonDocument> parse(const SourceText &source);
 
     class JsonValue root() const;

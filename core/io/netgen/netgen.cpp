@@ -121,7 +121,8 @@ class NetgenReader {
         return builder_.readNode(line, static_cast<std::int64_t>(number), 3);
     }
 
-    /// "surfnr bcnr domin domout np p1 p2 p3 ...": the boundary condition of a surface is the region of a plane mesh.
+    /// Reads "surfnr bcnr domin domout np p1 p2 p3 ...": the boundary condition of a surface is the region of a plane
+    /// mesh.
     bool element(TextScanner &line, std::size_t number) {
         std::int64_t surface = 0, inside = 0, outside = 0, nodes = 0;
         std::int32_t region = 1;
@@ -139,7 +140,7 @@ class NetgenReader {
         return builder_.readElement(line, region, what);
     }
 
-    /// "surfid 0 p1 p2 ...": in a plane mesh, the first number is that of the boundary condition.
+    /// Reads "surfid 0 p1 p2 ...": in a plane mesh, the first number is that of the boundary condition.
     bool edge(TextScanner &line, std::size_t number) {
         std::int64_t surface = 0, unused = 0;
         const Expect what{"edge segment", number};

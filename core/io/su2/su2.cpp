@@ -215,8 +215,8 @@ class Su2Reader {
         }
     }
 
-    /// "% elements COUNT TAG" and "% point NODE TAG". Values that do not fit the mesh are skipped: these are only
-    /// comments.
+    /// Applies the comments "% elements COUNT TAG" and "% point NODE TAG". Skips values that do not fit the mesh, since
+    /// these are only comments.
     void applyComments() {
         const std::string_view text = scanner_.source().text;
         std::size_t element = 0;

@@ -22,7 +22,7 @@ struct SvgSubpath {
 /// drawing, curves are replaced by points that bound them.
 class SvgPen {
   public:
-    /// `tolerance` in the element's units; nothing: measure only.
+    /// `tolerance` is in the element's units; absent: only measure.
     explicit SvgPen(std::optional<double> tolerance) : tolerance_(tolerance) {}
 
     Vec2 at() const { return at_; }

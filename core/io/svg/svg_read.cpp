@@ -81,13 +81,14 @@ class SvgBuilder {
   private:
     static constexpr auto kNone = static_cast<std::size_t>(-1);
 
-    /// Lines are often drawn without fill="none".
+    /// Returns true if a path is painted. Lines are often drawn without fill="none".
     static bool isPainted(const SvgPath &path) {
         const bool drawnLine = path.isLine && !path.closed && !path.paint.fillGiven;
         return path.paint.filled && path.nodes.size() > 2 && !drawnLine;
     }
 
-    /// Filled shapes, if any, are the domain, and strokes are lines in it. Otherwise closed strokes are outlines.
+    /// Returns the role of a path. Filled shapes, if any, are the domain, and strokes are lines in it; otherwise closed
+    /// strokes are outlines.
     Part partOf(const SvgPath &path) {
         if (path.nodes.size() < 2) {
             return Part::Nothing;
@@ -114,7 +115,8 @@ class SvgBuilder {
                          path.offset);
         } else if (part == Part::Nothing) {
             source_.note("svg-unpainted",
-                         "shapes with neither fill nor stroke are ignored, because other shapes have one", path.offset);
+                         "shapes with neither fill nor stroke are ignored, because other shapes have a fill or stroke",
+                         path.offset);
         } else if (part == Part::Line && loop) {
             source_.note("svg-unfilled", "shapes without fill are read as lines, because other shapes are filled",
                          path.offset);

@@ -214,7 +214,7 @@ class PolyReader {
                          expect.words() + " refers to node " + std::to_string(number) + ", which does not exist");
     }
 
-    /// Nodes that no segment uses become constraint points, as in Triangle.
+    /// Turns nodes that no segment uses into constraint points, as Triangle does.
     void isolatedNodes() {
         degrees_.assign(domain_.nodes.size(), 0);
         for (const DomainSegment &segment : domain_.segments) {

@@ -24,9 +24,9 @@ std::string nameWord(const std::string &name) {
     return word;
 }
 
-/// Legacy files have no place for names that every reader skips: a FIELD block before POINTS stops Gmsh, FreeFem++ and
-/// deal.II, and deal.II expects as many values in it as there are cells. All of them skip look-up tables, so each name
-/// is that of a table of one colour: "boundary:3:inlet".
+/// Writes the names of tags. Legacy files have no place for names that every reader skips: a FIELD block before POINTS
+/// stops Gmsh, FreeFem++ and deal.II, and deal.II expects as many values in it as there are cells. All of them skip
+/// look-up tables, so each name is that of a table of one colour: "boundary:3:inlet".
 void writeNames(const Mesh &mesh, TextWriter &out) {
     const TagList tags = tagsOf(mesh);
     const auto table = [&](const char *kind, std::int32_t tag, const std::string &name) {
@@ -48,8 +48,8 @@ void writeNames(const Mesh &mesh, TextWriter &out) {
 
 } // namespace
 
-/// Version 3.0, ASCII. `MaterialID` is the region of triangles and the boundary tag of lines and vertices, as deal.II
-/// expects it first; the arrays `region` and `boundary` hold the two apart, 0 where they do not apply.
+/// Writes version 3.0, ASCII. `MaterialID` is the region of triangles and the boundary tag of lines and vertices, as
+/// deal.II expects it first; the arrays `region` and `boundary` hold the two apart, 0 where they do not apply.
 void writeVtk(const Mesh &mesh, TextWriter &out) {
     const std::size_t cells = mesh.elements.size() + mesh.edges.size() + mesh.points.size();
     out << "# vtk DataFile Version 3.0\nPlane triangle mesh\nASCII\nDATASET UNSTRUCTURED_GRID\n";
@@ -190,8 +190,8 @@ class VtkReader {
         return true;
     }
 
-    /// Up to version 4: "CELLS n size", each cell as its number of nodes, then the nodes; from 5 on: offsets and
-    /// connectivity.
+    /// Reads the cells. Up to version 4: "CELLS n size", each cell as its number of nodes, then the nodes; from version
+    /// 5 on: offsets and connectivity.
     bool cells() {
         std::size_t count = 0, size = 0;
         if (!scanner_.count(count, 2, {"the number of cells"}) || !scanner_.count(size, 2, {"the size of the cells"})) {

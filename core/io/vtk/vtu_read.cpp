@@ -97,7 +97,7 @@ class VtuReader {
         return static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug(), 0));
     }
 
-    /// The XML ends where raw data begin; open elements are closed again.
+    /// Parses the XML, which ends where raw data begin; open elements are closed.
     bool parse() {
         const std::size_t appended = text_.find("<AppendedData");
         std::string head(text_.substr(0, appended));

@@ -18,7 +18,7 @@ struct PartInput {
     double gradation;
     const Progress &progress;
 
-    /// Maximum gradation for the other parts: the given one, or infinity.
+    /// Returns the maximum gradation for the other parts: the given one, or infinity.
     double givenGradation() const { return spec.gradation.value_or(std::numeric_limits<double>::infinity()); }
 };
 

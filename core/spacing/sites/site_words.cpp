@@ -5,7 +5,7 @@
 namespace forefront {
 namespace {
 
-/// The origin of a site's demand: a place from which the gradation limit spreads it, or empty.
+/// Describes where a site's demand comes from: a place from which the gradation limit spreads it; may be empty.
 std::string reachedFrom(const SiteLabel &label, const SiteWords &words) {
     switch (label.reason) {
     case SiteReason::PaintEdge:

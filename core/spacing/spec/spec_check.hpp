@@ -10,19 +10,19 @@
 
 namespace forefront {
 
-// Each check appends what is wrong with the numbers it is given.
+// Each check appends the faults of the given numbers to a list.
 
-/// Faults: bad-size unless the value is absent or a finite number above 0.
+/// Checks that a size is absent or a finite number above 0. Fault: bad-size.
 void checkSize(const std::optional<double> &value, const std::string &name, Diagnostics &faults);
 
-/// Faults: bad-source, with the index in `ids` and the place where it is finite.
+/// Checks a size source. Faults: bad-source, with the index in `ids` and the place if it is finite.
 void checkSource(const SizeSource &source, std::uint32_t index, Diagnostics &faults);
 void checkSources(std::span<const SizeSource> sources, Diagnostics &faults);
 
-/// Faults: bad-region-area, with the marker as part.
+/// Checks the maximum areas of region markers. Faults: bad-region-area, with the marker as part.
 void checkRegionAreas(std::span<const RegionMarker> markers, Diagnostics &faults);
 
-/// Faults: bad-size unless the number is absent, or finite and >= 0.
+/// Checks that the number of segments per turn is absent, or finite and >= 0. Fault: bad-size.
 void checkSegmentsPerTurn(const std::optional<double> &value, Diagnostics &faults);
 
 /// Checks minimum, maximum and gradation. Faults: bad-size.

@@ -17,7 +17,7 @@ constexpr int operandCount(ExpressionOp op) {
     return op <= ExpressionOp::Distance ? 2 : 1;
 }
 
-// As std::min and std::max, which muparser uses: where one operand is NaN, the first wins.
+// Work like std::min and std::max, which muparser uses: if one operand is NaN, the first wins.
 constexpr double lesser(double a, double b) {
     return b < a ? b : a;
 }

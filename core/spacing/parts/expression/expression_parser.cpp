@@ -189,7 +189,7 @@ class Parser {
             }
         }
     }
-    // A sign binds less tightly than a power: -x^2 is -(x^2).
+    // Parses a signed term; a sign binds less tightly than a power: -x^2 is -(x^2).
     void parseSigned() {
         if (take("-")) {
             parsePower();

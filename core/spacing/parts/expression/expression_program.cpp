@@ -187,7 +187,7 @@ class Optimiser {
         return centre;
     }
 
-    /// The root of (x − a)² + (y − b)² is the distance to (a, b), in the same doubles.
+    /// Replaces the root of (x − a)² + (y − b)² by the distance to (a, b), which gives the same doubles.
     bool foldDistance() {
         if (code_.back().op != Op::Add) {
             return false;

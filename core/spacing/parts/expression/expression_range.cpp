@@ -12,7 +12,7 @@ namespace {
 using Op = ExpressionOp;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// Bounds from the values at the corners of a monotone operation, widened by a few units in the last place.
+/// Returns bounds from the values at the corners of a monotone operation, widened by a few units in the last place.
 ValueRange hull(std::initializer_list<double> values, bool undefined) {
     ValueRange range{kInfinite, -kInfinite, undefined};
     for (const double value : values) {

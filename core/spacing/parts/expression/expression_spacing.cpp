@@ -82,8 +82,8 @@ void ExpressionSpacing::findBounds(const Box2 &box) {
             if (range.undefined) {
                 return;
             }
-            low = std::min(low, made(range.low));
-            high = std::max(high, made(range.high));
+            low = std::min(low, clamped(range.low));
+            high = std::max(high, clamped(range.high));
         }
     }
     minimum_ = low;
@@ -93,7 +93,7 @@ void ExpressionSpacing::findBounds(const Box2 &box) {
 void ExpressionSpacing::atMany(std::span<const Vec2> points, std::span<double> rho) const {
     program_.evaluateMany(points, rho);
     for (double &value : rho) {
-        value = made(value);
+        value = clamped(value);
     }
 }
 

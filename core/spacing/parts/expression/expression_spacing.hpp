@@ -19,7 +19,7 @@ class ExpressionSpacing {
     /// without a maximum.
     static Result<ExpressionSpacing> build(const SpacingSpec &spec, const Domain &domain, const Box2 &box);
 
-    double at(Vec2 p) const { return made(program_.evaluate(p)); }
+    double at(Vec2 p) const { return clamped(program_.evaluate(p)); }
     void atMany(std::span<const Vec2> points, std::span<double> rho) const;
     SpacingSample sample(Vec2 p, const SiteWords &) const {
         return {at(p), SpacingOrigin::Expression, 0, "expression " + text_};
@@ -34,16 +34,16 @@ class ExpressionSpacing {
 
   private:
     void findBounds(const Box2 &box);
-    // NaN becomes the ceiling.
-    double made(double value) const {
+    /// Clamps a value to the floor and the ceiling; NaN becomes the ceiling.
+    double clamped(double value) const {
         const double low = value < floor_ ? floor_ : value;
         return low <= ceiling_ ? low : ceiling_;
     }
 
     ExpressionProgram program_;
     std::string text_;
-    double floor_ = 0.0;   ///< 1e-9 of the box's diagonal, or the minimum given
-    double ceiling_ = 0.0; ///< 1e3 of the diagonal, or the maximum given
+    double floor_ = 0.0;   ///< 1e-9 of the box's diagonal, or the given minimum
+    double ceiling_ = 0.0; ///< 1000 times the box's diagonal, or the given maximum
     double minimum_ = 0.0;
     double maximum_ = 0.0;
 };

@@ -82,7 +82,7 @@ class Surroundings {
     bool painted_ = false;
 };
 
-/// The tiles with paint in or next to them.
+/// Returns the tiles with paint in or next to them.
 std::set<Key> tilesTouched(const PaintedSpacing &paint) {
     std::set<Key> keys;
     for (const auto &[key, tile] : paint.tiles) {

@@ -12,12 +12,12 @@ namespace {
 /// Part of the maximum area that the equilateral triangle of the spacing has; see spacingForArea().
 constexpr double kAreaShare = 0.6;
 
-/// Height of the segment from a to b (a.x < b.x) at x; exact at a.
+/// Returns the height of the segment from a to b (a.x < b.x) at x; exact at a.
 double heightAt(Vec2 a, Vec2 b, double x) {
     return a.y + (b.y - a.y) * ((x - a.x) / (b.x - a.x));
 }
 
-/// The marker with the smallest maximum area in each face, or kNoIndex.
+/// Returns the marker with the smallest maximum area in each face, or kNoIndex.
 std::vector<std::uint32_t> tightestMarkers(const Domain &domain, const DomainGraph &graph, const Faces &faces) {
     std::vector<std::uint32_t> markers(faces.count, kNoIndex);
     for (std::uint32_t m = 0; m < graph.regionMarker.size(); ++m) {

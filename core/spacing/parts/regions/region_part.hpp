@@ -11,7 +11,7 @@
 
 namespace forefront {
 
-/// Returns the spacing whose triangles keep to a maximum area: the side of an equilateral triangle of 0.6 times that
+/// Returns the spacing whose triangles stay below a maximum area: the side of an equilateral triangle of 0.6 times that
 /// area, since the largest triangles of a mesh have about 1.65 times the area that the spacing implies. A test requires
 /// that they stay within `maxArea`.
 double spacingForArea(double maxArea);
@@ -28,7 +28,7 @@ class RegionPart {
         const std::uint32_t face = faceAt(p);
         return face == kNoIndex ? std::numeric_limits<double>::infinity() : limits_[face].size;
     }
-    /// Names the region at p, which must have a maximum area.
+    /// Returns the spacing at p and the name of its region, which must have a maximum area.
     SpacingSample sample(Vec2 p, const SiteWords &words) const;
     double minimum() const { return minimum_; }
     double maximum() const { return std::numeric_limits<double>::infinity(); }
