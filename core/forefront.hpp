@@ -26,9 +26,10 @@
 /// | set the element size | forefront::SpacingSpec |
 /// | mesh it | forefront::MeshingJob, forefront::meshDomain |
 /// | step through a run, forward and back | forefront::MeshingSession |
-/// | judge a mesh | forefront::verify, forefront::verifyAgainst, forefront::measure, forefront::measureValues,
-/// forefront::judge | | adapt a mesh to a field | forefront::adapt | | read and write meshes | forefront::readMesh,
-/// forefront::writeMesh |
+/// | check a mesh | forefront::verify, forefront::verifyAgainst |
+/// | measure its quality | forefront::measure, forefront::measureValues, forefront::judge |
+/// | adapt a mesh to a field | forefront::adapt |
+/// | read and write meshes | forefront::readMesh, forefront::writeMesh |
 ///
 /// Nothing throws. A function that can fail returns a forefront::Result, which holds either the value or the
 /// diagnostics: what is wrong, where, and how to fix it. Functions that take a forefront::Progress report how far they

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes a CTest file in which each case of a doctest program is a test of its own.
+"""Writes a CTest file in which each case of a doctest program is a separate test.
 
     discover.py PROGRAM PREFIX LABELS OUTPUT
     discover.py --sources LABEL LABELS SOURCE...
@@ -28,7 +28,7 @@ def rules(path):
 
 def cases(program):
     listed = subprocess.run([program, "--list-test-cases", "--reporters=xml"], stdout=subprocess.PIPE, check=True, text=True)
-    # The program may print a line of its own before the XML.
+    # The program may print another line before the XML.
     document = ElementTree.fromstring(listed.stdout[listed.stdout.index("<?xml"):].encode())
     return document.findall("TestCase")
 
@@ -61,7 +61,7 @@ def main(program, prefix, labels_file, output):
     for case in cases(program):
         name, source = case.get("name"), pathlib.Path(case.get("filename")).name
         if name in names:
-            sys.exit(f"{source}: two cases are named '{name}'; each needs a name of its own")
+            sys.exit(f"{source}: two cases are named '{name}'; each needs a different name")
         names.add(name)
         labels = {prefix} | labels_of(name, source, given) | set(case.get("testsuite", "").split())
         if "slow" not in labels:

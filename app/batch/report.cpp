@@ -24,7 +24,7 @@ std::string sharpCornerLines(const SharpCorners &sharp) {
     }
     char text[200];
     std::snprintf(text, sizeof text,
-                  "%zu corner%s of the domain below %.0f degrees; minimum angle elsewhere %.1f degrees\n",
+                  "%zu corner%s of the domain below %.0f degrees; minimum angle elsewhere: %.1f degrees\n",
                   sharp.corners.size(), sharp.corners.size() == 1 ? "" : "s", kSharpCorner, sharp.minAngleElsewhere);
     std::string lines = text;
     for (std::size_t i = 0; i < std::min(kShown, sharp.corners.size()); ++i) {
@@ -55,7 +55,7 @@ std::string narrowPlaceLines(const SharpCorners &sharp) {
 
 RunReport reportOf(const MeshingOutcome &outcome, const MeshingOptions &options) {
     RunReport report;
-    report.peakBytes = peakBytes(); // before measuring, which needs memory of its own
+    report.peakBytes = peakBytes(); // before measuring, which needs more memory
     report.quality = measure(outcome.mesh, outcome.spacing.get());
     report.sharp = sharpCorners(outcome.mesh, kSharpCorner);
     report.work = outcome.work;

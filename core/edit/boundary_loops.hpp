@@ -15,7 +15,7 @@ struct BoundaryLoop {
 };
 
 /// Returns the loops around the faces inside an even-odd domain, with the inside on the left: outlines
-/// counter-clockwise, holes clockwise. Where faces touch at a node, each has a loop of its own. Loops come in the order
+/// counter-clockwise, holes clockwise. Where faces touch at a node, each has a separate loop. Loops come in the order
 /// of their first segments. Returns std::nullopt if segments cross or the boundary is not closed.
 std::optional<std::vector<BoundaryLoop>> boundaryLoops(const Domain &domain);
 

@@ -76,7 +76,7 @@ class BoxTree {
     void approach(std::size_t level, std::size_t first, std::size_t last, Vec2 p, double &limit, std::uint32_t &best,
                   Distance &distance) const {
         for (std::size_t k = first; k < last; ++k) {
-            // The limit shrinks as better items turn up, so each box is judged only when its turn comes.
+            // The limit shrinks as better items turn up, so each box is tested only when its turn comes.
             if (!(boxDistance(levels_[level][k], p) <= limit)) {
                 continue;
             }

@@ -75,7 +75,7 @@ Diagnostics exportNotes(const std::filesystem::path &path, const Mesh &mesh, std
 /// Returns the files that writeMesh writes under a name: one, or the three of Triangle.
 std::vector<std::filesystem::path> filesOfMesh(const std::filesystem::path &path, std::string_view formatId = {});
 /// Returns the files that reading `path` may open: that file, the other files of a Triangle mesh, and the .node file
-/// beside a .poly file without nodes of its own.
+/// beside a .poly file that contains no nodes.
 std::vector<std::filesystem::path> filesRead(const std::filesystem::path &path);
 /// Returns the reason why no file can be written at this path, as far as can be determined without trying: the path has
 /// no file name, is a folder, or lies in a folder that does not exist. The fault does not name the file.

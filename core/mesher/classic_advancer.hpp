@@ -14,8 +14,8 @@ inline constexpr double kSecondRadius = 1.75;
 /// Closing guarantee. A base first looks for the best of the nearby front nodes and a new node. If none passes it is
 /// deferred once; the second time, after a wider search, only existing nodes are taken and the search grows until it
 /// covers all of Γ. Γ is a set of polygons with holes that do not cross (exact predicates), and such a set has a
-/// triangulation, in which every segment has a visible apex: that last search cannot fail. By Euler's formula the
-/// number of elements still needed without new nodes falls by one with each of them. New nodes keep a distance in
+/// triangulation, in which every segment has a visible apex: that last search cannot fail. By Euler's formula, each
+/// element made without a new node lowers the number of elements still needed by one. New nodes keep a distance in
 /// proportion to the node spacing from Γ, hence from all nodes, so only finitely many fit; those far smaller than the
 /// node spacing are counted against FrontState::smallNodesLeft.
 template <class Grid, class Trace>

@@ -34,7 +34,7 @@ BOW = [(0.0, 0.0), (4.0, 3.0), (4.0, 0.0), (0.0, 3.0)]
 
 
 def poly(loops, holes=()):
-    """Triangle .poly text of closed loops, each with a tag of its own."""
+    """Triangle .poly text of closed loops, each with its own tag."""
     nodes = [p for loop in loops for p in loop]
     lines = [f"{len(nodes)} 2 0 0"] + [f"{i} {x!r} {y!r}" for i, (x, y) in enumerate(nodes, 1)]
     lines.append(f"{len(nodes)} 1")

@@ -13,7 +13,7 @@
 namespace forefront::testing {
 
 void checkRegions(const Domain &domain, const DiscreteDomain &discrete) {
-    Domain cut = domain; // the discrete segments as a domain of their own
+    Domain cut = domain; // the discrete segments as a domain
     cut.nodes = discrete.nodes;
     cut.points = discrete.points;
     cut.segments.clear();

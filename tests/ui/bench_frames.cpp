@@ -12,7 +12,7 @@ namespace forefront::test {
 
 namespace {
 
-/// Median of the CPU time of the whole process (a software renderer draws in threads of its own), in ms per frame.
+/// Median of the CPU time of the whole process (a software renderer draws in its own threads), in ms per frame.
 template <class Change>
 double millisecondsAFrame(Driver &driver, int count, Change change) {
     std::vector<double> times;

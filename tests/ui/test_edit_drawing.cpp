@@ -338,7 +338,7 @@ TEST_CASE("Shapes: union, difference, intersection, exclusion and divide are one
     CHECK(driver.document().shapes.size() == 1);
 }
 
-TEST_CASE("Regions: a click fills a face, a second click replaces its region, a click outside is refused") {
+TEST_CASE("Regions: a click fills a face, a second click replaces its region, and a click outside is refused") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.rectangle({3, 3}, {5, 5});

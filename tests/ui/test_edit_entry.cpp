@@ -148,7 +148,7 @@ TEST_CASE("NumericEntry: invalid text stays and is marked; Backspace and Esc rem
     CHECK(press(entry, key::kEscape) == Answer::Unused);
 }
 
-TEST_CASE("parseNumber and parsePair: accept only finite numbers that use up the whole text") {
+TEST_CASE("parseNumber and parsePair: accept only finite numbers that make up the entire text") {
     CHECK(parseNumber(" 2.5 ") == 2.5);
     CHECK(parseNumber("+1e-3") == 1e-3);
     for (const char *text : {"", "-", "2x", "1,5", "nan", "inf", "1e999", "0x10"}) {
@@ -162,7 +162,7 @@ TEST_CASE("parseNumber and parsePair: accept only finite numbers that use up the
     }
 }
 
-TEST_CASE("File list: folders first, hidden and other files left out, names sorted without regard to case") {
+TEST_CASE("File list: folders come first, hidden and other files are left out, names are sorted ignoring case") {
     const testing::TemporaryFolder place;
     const std::filesystem::path &folder = place.path;
     for (const char *name : {"b.forefront", "A.Forefront", "mesh.msh", ".hidden.forefront"}) {

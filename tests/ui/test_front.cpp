@@ -61,7 +61,7 @@ bool hasRejection(const AdvanceExplanation &e) {
 
 } // namespace
 
-TEST_CASE("Follow: T frames the current advance, keeps it in view over steps, and a pan ends it") {
+TEST_CASE("Follow: T frames the current advance and keeps it in view while stepping; a pan ends following") {
     Stepping driver;
     View &view = driver.context().view;
     driver.key('T');

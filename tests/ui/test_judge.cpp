@@ -208,7 +208,7 @@ TEST_CASE("Judge: the histogram shows the chosen measure, and a bar isolates its
     }
 }
 
-TEST_CASE("Judge: limits are edited in the checks panel, judged, undone and saved") {
+TEST_CASE("Judge: limits can be edited in the checks panel, checked, undone and saved") {
     JudgedSquare driver;
     driver.click("panel/checks");
     driver.context().settings.tabsHeight = 500;
@@ -274,7 +274,7 @@ TEST_CASE("Judge: setting a limit neither makes the mesh out of date nor meshes 
     CHECK_FALSE(driver.context().run.outOfDate());
 }
 
-TEST_CASE("Probe: hovering and clicking read values off elements, edges and nodes") {
+TEST_CASE("Probe: hovering and clicking read values from elements, edges and nodes") {
     JudgedSquare driver;
     driver.click("panel/probe");
     driver.context().settings.tabsHeight = 300;

@@ -130,7 +130,7 @@ TEST_CASE("Live: on by default, and switched off in the menu") {
     CHECK(driver.run().run == run);
 }
 
-TEST_CASE("Live: above the budget a coarser preview follows the hand, and the whole mesh comes at rest") {
+TEST_CASE("Live: above the budget a coarser preview follows the drag, and the full mesh is made when it ends") {
     LiveDrag driver;
     driver.release(driver.pixel({8, 8}));
     driver.context().settings.liveBudget = 1000.0;
@@ -157,7 +157,7 @@ TEST_CASE("Live: above the budget a coarser preview follows the hand, and the wh
     CHECK(driver.logged("triangles") == 1);
 }
 
-TEST_CASE("Live: of a mesh too large to make without being asked, the preview and the predicted number are shown") {
+TEST_CASE("Live: a mesh too large to make unasked is shown as a preview, with the predicted number of triangles") {
     LiveDrag driver;
     driver.release(driver.pixel({8, 8}));
     driver.context().settings.liveBudget = 1000.0;

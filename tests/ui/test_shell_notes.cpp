@@ -159,7 +159,7 @@ TEST_CASE("MessageLog: an entry belongs to a revision of the document") {
     CHECK(entries[3].revision == document.revision());
 }
 
-TEST_CASE("Notes: of several faults the message shows the first and says how many follow") {
+TEST_CASE("Notes: if there are several faults, the message shows the first and counts the rest") {
     Draughtsman driver;
     driver.polygon({{0, 0}, {8, 6}, {8, 0}, {0, 6}});
     driver.polygon({{1, 8}, {9, 8}, {9, 9}, {4, 7}});
@@ -196,7 +196,7 @@ TEST_CASE("Timeline: a step is an advance in the fast method and an element in t
     CHECK(driver.run().quality.elements == 1);
 }
 
-TEST_CASE("Tooltips: appear once the pointer rests, and above their widget at the lower edge") {
+TEST_CASE("Tooltips: appear once the pointer rests; at the lower edge they appear above their widget") {
     Driver driver;
     driver.hover("timeline/granularity/Event");
     driver.frames(8);

@@ -26,7 +26,7 @@ void openDialog(Driver &driver, const char *action, const char *dialog) {
 
 } // namespace
 
-TEST_CASE("Gallery: at least twelve samples, each described, with a mesh in its thumbnail") {
+TEST_CASE("Gallery: there are at least twelve samples, each with a description and a mesh in its thumbnail") {
     const std::vector<Sample> gallery = samples();
     REQUIRE(gallery.size() >= 12);
     std::vector<std::filesystem::path> paths;
@@ -64,7 +64,7 @@ TEST_CASE("Gallery: a click on a card opens the sample as a document without a f
     CHECK(driver.context().document.path().empty());
 }
 
-TEST_CASE("Recent files: the submenu opens them, drops those that are gone, and is cleared") {
+TEST_CASE("Recent files: the submenu opens files, drops missing ones, and can be cleared") {
     const TemporaryFolder place;
     Draughtsman driver;
     driver.rectangle({0, 0}, {4, 4});
@@ -107,7 +107,7 @@ TEST_CASE("Log: a click anywhere on an entry with a place goes there") {
     CHECK(driver.context().view.flag.has_value());
 }
 
-TEST_CASE("History: the panel lists the commands and a click travels there and back") {
+TEST_CASE("History: the panel lists the commands, and clicks move back and forward among them") {
     Draughtsman driver;
     driver.rectangle({0, 0}, {4, 4});
     driver.rectangle({1, 1}, {2, 2});
@@ -190,7 +190,7 @@ TEST_CASE("Keys: no two commands share a key by default") {
     CHECK_FALSE(parseShortcut("").has_value());
 }
 
-TEST_CASE("Keys: a command takes another key, shows a conflict, and returns to its own") {
+TEST_CASE("Keys: a command can be given another key, shows a conflict, and returns to its default key") {
     const TemporaryFolder place;
     const EditorSetup setup{.settingsFolder = place.path, .sample = false};
     const std::string row = "dialog/preferences/key/view.fit";
@@ -226,7 +226,7 @@ TEST_CASE("Keys: a command takes another key, shows a conflict, and returns to i
     CHECK(toString(driver.context().actions.find("view.fit")->shortcuts.front()) == "F");
 }
 
-TEST_CASE("Views: a file opens where it was left, with the layers and panels of the last time") {
+TEST_CASE("Views: a file reopens with its last view, layers and panels") {
     const TemporaryFolder place;
     const EditorSetup setup{.settingsFolder = place.path / "settings", .sample = false};
     const std::filesystem::path file = place.path / "square.forefront";

@@ -12,7 +12,7 @@
 using namespace forefront;
 using namespace forefront::testing;
 
-TEST_CASE("arrange: a path is filled by its rule") {
+TEST_CASE("arrange: a path is filled by its fill rule") {
     const std::vector<std::vector<Vec2>> squares{rectangle(0, 0, 10, 10), rectangle(2, 2, 6, 6)};
     ArrangementInput nonZero, evenOdd;
     addPath(nonZero, FillRule::NonZero, squares);

@@ -114,7 +114,7 @@ TEST_CASE("Automatic spacing: a needle is refined towards its tip, within a limi
     CHECK(field->minimum() > 0.003); // 1/64 of the size beside it
 }
 
-TEST_CASE("Automatic spacing: a slit far narrower than the elements beside it is not refined, and is named") {
+TEST_CASE("Automatic spacing: a slit far narrower than the elements beside it is not refined, but reported") {
     // Two basins of 4 x 4 joined by a slit of width 0.001; elements are 0.24 long at most.
     MeshingJob job;
     job.domain = loopOf(
@@ -164,7 +164,7 @@ TEST_CASE("Automatic spacing: a very long and thin channel stays affordable") {
     CHECK(pieces < 60000.0);
 }
 
-TEST_CASE("Automatic spacing: lone points ask for their distance to the next thing") {
+TEST_CASE("Automatic spacing: at an isolated point the spacing is its distance to the nearest part of the domain") {
     Domain domain = loopOf({{0, 0}, {10, 0}, {10, 10}, {0, 10}});
     domain.nodes.push_back({5, 5});
     domain.nodes.push_back({5.05, 5});
@@ -216,7 +216,7 @@ TEST_CASE("Automatic spacing: with very many segments, the spacing may grow by h
         REQUIRE(ratio < 1.6);
         atMost = std::max(atMost, ratio);
     }
-    CHECK(atMost > 1.1); // not every segment has a site of its own
+    CHECK(atMost > 1.1); // not every segment has its own site
     for (int i = 0; i < 4000; ++i) {
         const auto somewhere = [&] { return Vec2{24 * share(random) - 12, 24 * share(random) - 12}; };
         const Vec2 p = somewhere();

@@ -106,7 +106,7 @@ TEST_CASE("discretise: edges stay within the curve tolerance however large the s
     }
 }
 
-TEST_CASE("discretise: what lies between a coarse edge and its curve stays on its side") {
+TEST_CASE("discretise: nodes between a coarse edge and its curve stay on the right side") {
     // A hole and constraint points closer to the circle than the sagitta of the edges that the spacing asks for.
     Domain domain = curvedDomain({{Curve::circle({0, 0}, {1, 0})},
                                   {Curve::circle({0.0, 0.985}, {0.003, 0.985})},
@@ -152,7 +152,7 @@ TEST_CASE("discretise: curves that cross although their chords do not are taken 
     }
 }
 
-TEST_CASE("discretise: a hook at the end of a curve, too small to be seen, gets no edge of its own") {
+TEST_CASE("discretise: an invisibly small hook at the end of a curve gets no separate edge") {
     for (const double hook : {3e-4, 1e-3, 3e-3}) {
         CAPTURE(hook);
         // The last control point lies beyond the end, so that the curve turns back within a fraction of the hook.

@@ -134,7 +134,7 @@ TEST_CASE("discretise: every piece of a cut segment has nearly the same share of
     CHECK(cut > 10000);
 }
 
-TEST_CASE("discretise: order and direction of segments change neither places nor areas") {
+TEST_CASE("discretise: order and direction of segments change neither positions nor areas") {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         CAPTURE(seed);
         const Domain domain = randomDomain(seed);

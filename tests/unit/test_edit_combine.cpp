@@ -109,7 +109,7 @@ TEST_CASE("combineShapes: the other shapes stay, and the result takes the place 
     CHECK(result.shapes[2] == document.shapes[2]);
 }
 
-TEST_CASE("combineShapes: a hole becomes a shape of its own, shapes that touch unite, and several combine at once") {
+TEST_CASE("combineShapes: a hole becomes a separate shape, touching shapes unite, and several shapes combine at once") {
     const Document hole =
         combined(documentOf({square({0, 0}, 4), square({1, 1}, 1)}), {1, 2}, ShapeOperation::Difference);
     REQUIRE(hole.shapes.size() == 2);

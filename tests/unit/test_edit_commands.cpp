@@ -53,7 +53,7 @@ TEST_CASE("setHandle: a rectangle stays one, a circle moves with its centre") {
     CHECK(codeOf(setHandle(document, {9, 0}, {5, 5})) == "no-such-shape");
 }
 
-TEST_CASE("insertNode and deleting it again give the shape back, tags included") {
+TEST_CASE("insertNode: deleting the new node restores the shape with its tags") {
     Shape tagged = square({0, 0}, 4);
     tagged.segmentTags = {1, 2, 3, 4};
     const Document document = documentOf({tagged});
@@ -110,7 +110,7 @@ TEST_CASE("deleteSelection: a polygon without two of its segments leaves two pol
     CHECK(chain.shapes[0]->segmentTags == std::vector<std::int32_t>{4, 1, 2});
 }
 
-TEST_CASE("moveSelection: shapes whole, segments by both ends, sources and markers") {
+TEST_CASE("moveSelection: moves entire shapes, both ends of segments, sources and markers") {
     Document document = documentOf({square({0, 0}, 1), makeShape(ShapeKind::Rectangle, {{2, 0}, {3, 1}})});
     document = *addSource(document, {SourceShape::Line, {0, 0}, {1, 1}, 0.0, 0.1, 0.2, ""});
     document = *addRegionMarker(document, {{0.5, 0.5}, 3});
@@ -175,7 +175,7 @@ TEST_CASE("joinToSegments: where a line ends on other shapes, their segments get
     CHECK(sameContent(joinToSegments(before, 99), before));
 }
 
-TEST_CASE("toggleClosed: opening and closing a polygon gives it back") {
+TEST_CASE("toggleClosed: opening and closing a polygon restores it") {
     Shape tagged = square({0, 0}, 4);
     tagged.segmentTags = {1, 2, 3, 4};
     const Document document = documentOf({tagged});

@@ -225,7 +225,7 @@ TEST_CASE("A rectangle with rounded corners: sides without length vanish, tags a
     }
 }
 
-TEST_CASE("convertToPath: a circle becomes four arcs of it") {
+TEST_CASE("convertToPath: a circle becomes a path of four arcs") {
     const Document document = documentOf({makeShape(ShapeKind::Circle, {{1, 2}, {4, 6}}, ShapeUse::Boundary, 7)});
     const Result<Document> path = convertToPath(document, 1);
     REQUIRE(path.ok());
@@ -238,7 +238,7 @@ TEST_CASE("convertToPath: a circle becomes four arcs of it") {
     CHECK(convertToPath(*path, 1).faults().front().code == "not-possible");
 }
 
-TEST_CASE("insertNode and deleteSelection: a divided curve keeps its shape, and comes back") {
+TEST_CASE("insertNode and deleteSelection: a divided curve keeps its shape, and deleting the node restores it") {
     const Document document = documentOf({sail()});
     const Vec2 on = kWave.point(0.375);
     const Result<Document> divided = insertNode(document, {1, 0}, on);
@@ -354,7 +354,7 @@ TEST_CASE("combineShapes: curves stay curves") {
     CHECK(validate(toDomain(*both)).empty());
 }
 
-TEST_CASE("repairDrawing: a crossing of curves is repaired, and what is left are curves with their names") {
+TEST_CASE("repairDrawing: a crossing of curves is repaired, and the parts remain curves with their names") {
     Shape disc = makeShape(ShapeKind::Circle, {{6, 2}, {7, 2}}, ShapeUse::Boundary, 9);
     disc.name = "disc";
     Shape alone = makeShape(ShapeKind::Circle, {{20, 0}, {21, 0}});

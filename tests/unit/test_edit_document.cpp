@@ -234,7 +234,7 @@ TEST_CASE("fromDomain: an open outline of a domain with hole markers stays, for 
 TEST_CASE("withEvenOddRoles: agrees with the markers on random cell patterns") {
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         Random random(seed);
-        // A board of skewed cells, each a face of its own; some are marked as holes. A ring of loose squares beside it.
+        // A board of skewed cells, each a separate face; some are marked as holes. A ring of loose squares beside it.
         constexpr std::uint32_t kSide = 6;
         Domain domain;
         domain.insideRule = InsideRule::HoleMarkers;
@@ -265,7 +265,7 @@ TEST_CASE("withEvenOddRoles: agrees with the markers on random cell patterns") {
                 }
                 probes.push_back(centre);
                 inside.push_back(!hole);
-                // In the middle of some cells is a loose square; its inside is a face of its own.
+                // In the middle of some cells is a loose square; its inside is a separate face.
                 if (random.below(3) == 0) {
                     const Vec2 low = centre + Vec2{0.08, 0.08};
                     const bool islandHole = random.below(2) == 0;

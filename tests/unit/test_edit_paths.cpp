@@ -38,7 +38,7 @@ std::vector<Control> controlsAt(const Document &document, std::uint32_t node) {
 
 } // namespace
 
-TEST_CASE("setNodeKind: smooth and symmetric nodes bend the segments beside them, corners take the bend away") {
+TEST_CASE("setNodeKind: smooth and symmetric nodes bend the segments beside them, corners straighten them") {
     const Document document = documentOf({square({0, 0}, 6)});
     const Result<Document> smooth = setNodeKind(document, {{1, 1}}, NodeKind::Smooth);
     REQUIRE(smooth.ok());
@@ -63,7 +63,7 @@ TEST_CASE("setNodeKind: smooth and symmetric nodes bend the segments beside them
     CHECK(codeOf(setNodeKind(circle, {{1, 0}}, NodeKind::Smooth)) == "not-possible");
 }
 
-TEST_CASE("moveControl: through a smooth node the opposite control point turns along") {
+TEST_CASE("moveControl: at a smooth node the opposite control point turns with it") {
     Document document = *setHandle(documentOf({square({0, 0}, 6)}), {1, 1}, {9, 0});
     for (const NodeKind kind : {NodeKind::Smooth, NodeKind::Symmetric}) {
         const Document bent = *setNodeKind(document, {{1, 1}}, kind);
@@ -107,7 +107,7 @@ TEST_CASE("setCurved: a line becomes a cubic along it, an arc a cubic near it, a
     CHECK(codeOf(setCurved(document, {{1, 4}}, true)) == "no-such-segment");
 }
 
-TEST_CASE("splitPath and joinEnds: a path comes back from its parts") {
+TEST_CASE("splitPath and joinEnds: joining the parts restores the path") {
     Shape tagged = square({0, 0}, 6);
     tagged.segmentTags = {1, 2, 3, 4};
     tagged.curves = {{}, Curve::arc({6, 3}, {0, -3}, {3, 0}, 0.0, kPi), {}, {}};

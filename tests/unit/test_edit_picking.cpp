@@ -120,7 +120,7 @@ TEST_CASE("PickIndex: finds the same nodes and segments as an exhaustive search"
     }
 }
 
-TEST_CASE("PickIndex: takes the last drawn of coinciding nodes, unless it is filtered out") {
+TEST_CASE("PickIndex: picks the last drawn of coinciding nodes, unless it is filtered out") {
     const auto document = documentOf({square({0, 0}, 1), square({1, 0}, 1)});
     const PickIndex index(document);
     CHECK(index.node({1.01, 0}, 0.1)->ref == NodeRef{2, 0});
@@ -226,7 +226,7 @@ TEST_CASE("snap: shift keeps to multiples of 15 degrees from the anchor, exactly
     CHECK(std::atan2(thirty.y, thirty.x) == doctest::Approx(std::acos(-1.0) / 6));
 }
 
-TEST_CASE("snap: locked coordinates hold, the others still snap") {
+TEST_CASE("snap: locked coordinates stay fixed, the others still snap") {
     const PickIndex index(documentOf({square({0, 0}, 4)}));
     SnapQuery query;
     query.tolerance = 0.5;

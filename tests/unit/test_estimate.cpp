@@ -139,7 +139,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("estimateElements: a long thin strip graded along its length") {
+TEST_CASE("estimateElements: works for a long thin strip graded along its length") {
     const DiscreteDomain strip = asGiven(polygon({{0, 0}, {1000, 300}, {1000, 301}, {0, 1}}));
     const SpacingFunction spacing([](Vec2 p) { return 0.01 + 0.001 * p.x; }, 0.01, 1.01);
     // The integral of 1/ρ² over x from 0 to 1000, height 1.

@@ -93,7 +93,7 @@ std::string map(const std::vector<std::pair<std::string, std::string>> &polygons
 
 } // namespace
 
-TEST_CASE("Drawings: the fill rule says what is inside") {
+TEST_CASE("Drawings: the fill rule decides what is inside") {
     const std::string squares = R"(d="M0 0H9V9H0ZM3 3H6V6H3Z"/>)";
     checkAreas(areas(read(svg("<path fill-rule=\"nonzero\" " + squares)).domain), {{"region_1", 81}});
     checkAreas(areas(read(svg("<path " + squares)).domain), {{"region_1", 81}});
@@ -148,7 +148,7 @@ TEST_CASE("Drawings: the report says once how strokes and shapes without fill ar
     CHECK(plain.notes.entries().empty());
 }
 
-TEST_CASE("Drawings: shapes and features of which nothing is left are named") {
+TEST_CASE("Drawings: shapes and features of which nothing is left are reported") {
     const Read drawing =
         read(svg(R"(<rect id="wall" width="9" height="9"/><rect id="door" x="3" width="2" height="2"/>)"
                  R"(<rect id="hair" x="20" width="1e-9" height="5"/>)"));

@@ -150,7 +150,7 @@ TEST_CASE("Netgen: elements, regions, boundary parts and names are read") {
     CHECK(verify(*mesh).empty());
 }
 
-TEST_CASE("Netgen: what is not a plane mesh of triangles is refused with its line") {
+TEST_CASE("Netgen: anything other than a plane mesh of triangles is refused with its line") {
     const auto fault = [](const std::string &part, const std::string &by) {
         const auto mesh = readNetgenText(changed(kNetgen, part, by));
         REQUIRE_FALSE(mesh.ok());
@@ -252,7 +252,7 @@ TEST_CASE("TextScanner: a count larger than the file can hold is refused before 
     CHECK(count == 0);
 }
 
-TEST_CASE("parseReal: the whole text or nothing") {
+TEST_CASE("parseReal: the entire text must be a number") {
     CHECK(parseReal("1.5") == 1.5);
     CHECK(parseReal("+1.5") == 1.5);
     CHECK(parseReal("1.5d3") == 1500.0);

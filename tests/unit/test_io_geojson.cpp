@@ -112,7 +112,7 @@ TEST_CASE("GeoJSON: several polygons and a geometry collection without features"
     CHECK(count(domain, SegmentRole::Boundary) == 6);
 }
 
-TEST_CASE("GeoJSON: faults are placed") {
+TEST_CASE("GeoJSON: faults have a location") {
     const auto codeOf = [](const std::string &text) {
         const auto domain = readGeoJson(sourceOf(text, "a.geojson"));
         REQUIRE(!domain.ok());

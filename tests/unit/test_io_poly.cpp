@@ -81,7 +81,7 @@ TEST_CASE("Triangle .poly: chains that end freely become constraints, a lone ope
     CHECK(open->segments[0].role == SegmentRole::Boundary);
 }
 
-TEST_CASE("Triangle .poly: every fault is placed") {
+TEST_CASE("Triangle .poly: every fault has a location") {
     struct Case {
         const char *text;
         const char *code;

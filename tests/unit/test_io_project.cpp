@@ -227,7 +227,7 @@ TEST_CASE("Project: curves that are broken are refused at their line and column"
     CHECK(hasCode(faultsOf(kHead + R"({"id": 1, "kind": "ellipse", "nodes": [[0, 0], [1, 0]]}]})"), "bad-count"));
 }
 
-TEST_CASE("JSON: syntax faults are placed at the offending byte") {
+TEST_CASE("JSON: syntax faults are located at the offending byte") {
     const auto place = [](const char *text) {
         const auto json = JsonDocument::parse(sourceOf(text));
         REQUIRE(!json.ok());

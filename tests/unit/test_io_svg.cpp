@@ -134,7 +134,7 @@ TEST_CASE("SVG: closed outlines bound, open ones are constraints, labels become 
     CHECK(domain.segments[8].role == SegmentRole::Constraint);
 }
 
-TEST_CASE("SVG: faults are placed inside the attribute") {
+TEST_CASE("SVG: faults are located inside the attribute") {
     const Diagnostic path = faultOf(drawing("<g>\n <path id=\"x\" d=\"M1 1 L2 x\"/></g>"));
     CHECK(path.code == "bad-path");
     CHECK(path.line == 4);

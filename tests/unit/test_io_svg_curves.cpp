@@ -63,7 +63,7 @@ const Logo kLogos[] = {
 
 } // namespace
 
-TEST_CASE("SVG curves: logos get some hundred to some thousand triangles and their area") {
+TEST_CASE("SVG curves: logos get a few hundred to a few thousand triangles and the right area") {
     for (const Logo &logo : kLogos) {
         CAPTURE(std::string(logo.what));
         const Domain domain = domainOf(std::string("<path d=\"") + logo.path + "\"/>");
@@ -77,7 +77,7 @@ TEST_CASE("SVG curves: logos get some hundred to some thousand triangles and the
     }
 }
 
-TEST_CASE("SVG curves: the number of triangles does not follow from the flattening") {
+TEST_CASE("SVG curves: the number of triangles does not depend on the flattening") {
     const std::string ring = std::string("<path d=\"") + kLogos[1].path + "\"/>";
     Domain coarse = domainOf(ring, 0.1), fine = domainOf(ring, 1e-4);
     CHECK(fine.segments.size() > 20 * coarse.segments.size());

@@ -86,7 +86,7 @@ TEST_CASE("SVG: the attribute style wins over a style sheet, and !important over
     CHECK(shown("rect { display: none } #a, #b { display: block }", ""));
 }
 
-TEST_CASE("SVG: <use> draws copies at their places, of shapes, groups and symbols, also of copies") {
+TEST_CASE("SVG: <use> draws copies of shapes, groups, symbols and other copies at the right positions") {
     const Domain copies = domainOf(drawing("<defs><g id=\"pair\"><rect id=\"one\" width=\"1\" height=\"1\"/>"
                                            "<use href=\"#one\" x=\"2\"/></g></defs>"
                                            "<use xlink:href=\"#pair\" y=\"2\"/>"

@@ -150,7 +150,8 @@ TEST_CASE("nodeElements: lists for each node exactly the elements that contain i
     }
 }
 
-TEST_CASE("shapeFactor: 1 equilateral, √3/2 right isosceles, 0 flat, negative clockwise, the same at any size") {
+TEST_CASE(
+    "shapeFactor: 1 if equilateral, √3/2 if right isosceles, 0 if flat, negative if clockwise, independent of size") {
     const double h = std::sqrt(3.0) / 2.0;
     CHECK(shapeFactor({0, 0}, {1, 0}, {0.5, h}) == doctest::Approx(1.0).epsilon(1e-14));
     CHECK(shapeFactor({0, 0}, {1, 0}, {0, 1}) == doctest::Approx(h).epsilon(1e-14));

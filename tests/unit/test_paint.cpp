@@ -85,7 +85,7 @@ TEST_CASE("Paint: a dab shares the tiles it does not change, and changing nothin
     CHECK(first.tiles.size() < second.tiles.size());
 }
 
-TEST_CASE("Paint: erasing all leaves no tile, erasing a part keeps the rest") {
+TEST_CASE("Paint: erasing everything leaves no tile, erasing a part keeps the rest") {
     const PaintedSpacing painted = forefront::paint(canvas(10), {{5, 5}, 2.0, 0.05, 0.3, 1.0});
     CHECK(erase(painted, {5, 5}, 2.1).tiles.empty());
     const PaintedSpacing part = erase(painted, {5, 5}, 0.5);

@@ -228,7 +228,7 @@ TEST_CASE("predicates: two segments meet as rational arithmetic says") {
     }
 }
 
-TEST_CASE("predicates: a point lies on a closed segment only where it is exact") {
+TEST_CASE("predicates: a point lies on a closed segment only if it does so exactly") {
     CHECK(onSegment({0, 0}, {3, 3}, {1, 1}));
     CHECK(onSegment({0, 0}, {3, 3}, {3, 3}));
     CHECK_FALSE(onSegment({0, 0}, {3, 3}, {4, 4}));

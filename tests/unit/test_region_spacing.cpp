@@ -122,7 +122,7 @@ TEST_CASE("Region area: the smallest of several areas in a face applies") {
     CHECK(part->at({0.5, 0.5}) == spacingForArea(0.002));
 }
 
-TEST_CASE("Region area: every place gets the limit of its face") {
+TEST_CASE("Region area: every point gets the limit of its face") {
     // Columns of faces between vertical and slanting walls that meet in common nodes.
     DomainBuilder builder;
     constexpr int kColumns = 6;

@@ -31,7 +31,7 @@ TEST_CASE("sharpCorners: reports the tip of a needle with its position and angle
 }
 
 TEST_CASE("sharpCorners: elements along a needle belong to its tip, a needle elsewhere does not") {
-    // Two lines 2 degrees apart with nodes at 1, 2, 3; beyond them a flat element that has an edge of its own.
+    // Two lines 2 degrees apart with nodes at 1, 2, 3; beyond them a flat element with a separate edge.
     Mesh mesh;
     const double slope = std::tan(2.0 * 0.017453292519943295);
     mesh.nodes = {{0, 0}, {1, 0}, {1, slope}, {2, 0}, {2, 2 * slope}, {3, 0}, {3, 3 * slope}, {7, 0}, {9, 0}, {9, 0.2}};
@@ -51,7 +51,7 @@ TEST_CASE("sharpCorners: elements along a needle belong to its tip, a needle els
     CHECK(both.minAngleElsewhere == doctest::Approx(5.71).epsilon(0.01));
 }
 
-TEST_CASE("sharpCorners: names a slot without room for good elements, but not a cut-off flat corner") {
+TEST_CASE("sharpCorners: reports a slot without room for good elements, but not a cut-off flat corner") {
     // A slot of width 0.01 and length 3, closed at its right end, with nodes at 0, 1, 2, 3 on both sides.
     Mesh mesh;
     for (int i = 0; i <= 3; ++i) {

@@ -177,7 +177,8 @@ TEST_CASE("SpacingField: the gradation limits the difference between any two pla
     }
 }
 
-TEST_CASE("SpacingField: a minimum makes an expression that falls to zero valid, a maximum one that is unbounded") {
+TEST_CASE("SpacingField: a minimum makes an expression that falls to zero valid, and a maximum makes an unbounded one "
+          "valid") {
     SpacingSpec spec;
     spec.expression = "0.3*abs(x - 5)";
     const Domain domain = rectangle(10, 10, 1, 1);

@@ -55,7 +55,7 @@ TEST_CASE("SpacingIntegral: a linear spacing gives a logarithm, and pieces in ge
     }
 }
 
-TEST_CASE("SpacingIntegral: a spacing that varies a thousandfold is integrated within a few per mille") {
+TEST_CASE("SpacingIntegral: a spacing that varies a thousandfold is integrated to within a few tenths of a percent") {
     // rho = max(0.001, 0.3 |x - 0.7|): 0.002/0.3 / 0.001 in the valley, logarithms on both sides.
     const SpacingFunction steep = spacingAround({0.7, 0}, 0.001, 0.3);
     const double valley = 0.001 / 0.3;

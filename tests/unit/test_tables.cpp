@@ -15,7 +15,7 @@
 
 using namespace forefront;
 
-TEST_CASE("publishedFigures: every row with three grids, consistent in themselves") {
+TEST_CASE("publishedFigures: every row has three grids, and the figures are consistent") {
     std::set<std::string_view> rows;
     int odd = 0;
     for (const PublishedFigures &line : publishedFigures()) {
@@ -42,7 +42,7 @@ TEST_CASE("publishedFigures: every row with three grids, consistent in themselve
     CHECK(publishedFigures("5A", "none") == nullptr);
 }
 
-TEST_CASE("tableCase: rows by name, letters in either case") {
+TEST_CASE("tableCase: finds rows by name, ignoring case") {
     CHECK(tableCase("1A")->rhoMin == 0.1);
     CHECK(tableCase("2e")->row == "2E");
     CHECK(tableCase("3")->adaptive);
@@ -101,7 +101,7 @@ TEST_CASE("runTableRow: as many elements as the integral asks for, divided by th
     CHECK(static_cast<double>(row->elements) * row->alphaRaw == doctest::Approx(row->expectedElements).epsilon(0.01));
 }
 
-TEST_CASE("runTableRow: adaptive rows come near the published counts on cases of our own") {
+TEST_CASE("runTableRow: adaptive rows come near the published counts, though on different cases") {
     struct Expected {
         const char *row;
         double boundaryNodes; // by Euler's formula from the published counts
@@ -157,7 +157,7 @@ TEST_CASE("runTableRow: stops at once when cancelled") {
     }
 }
 
-TEST_CASE("fitPowerLaw: exact on a power law; nothing for too few points") {
+TEST_CASE("fitPowerLaw: is exact on a power law, and refuses too few points") {
     const std::vector<Vec2> points{{1e3, 2e-3}, {1e4, 2e-1}, {1e5, 2e1}};
     const auto law = fitPowerLaw(points);
     REQUIRE(law);
@@ -168,7 +168,7 @@ TEST_CASE("fitPowerLaw: exact on a power law; nothing for too few points") {
     CHECK_FALSE(fitPowerLaw(std::vector<Vec2>{{10, 1}, {20, 0}}));
 }
 
-TEST_CASE("tables: grids that Lo did not have are compared with his best, once") {
+TEST_CASE("tables: grids that Lo did not use are compared with his best, which is listed once") {
     const auto grids = [](std::vector<const char *> names) {
         RowFigures row;
         row.row = *tableCase("1A");
@@ -192,7 +192,7 @@ TEST_CASE("tables: grids that Lo did not have are compared with his best, once")
     CHECK(grids({"none", "7x5", "hierarchical"}) == "Lo/none ours/none Lo/60x40 ours/7x5 ours/hierarchical");
 }
 
-TEST_CASE("tables: text, CSV and plot hold published and own figures") {
+TEST_CASE("tables: text, CSV and plot contain the published figures and ours") {
     RowFigures row;
     row.row = *tableCase("2A");
     row.nodes = 22000;

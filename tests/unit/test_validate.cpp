@@ -94,7 +94,7 @@ TEST_CASE("validate: a constraint point on a segment touches it, one in a corner
     checkOne(domain, "touching-segments", {2, 0}, {4, 0});
 }
 
-TEST_CASE("validate: duplicate nodes and segments and segments without length are named") {
+TEST_CASE("validate: reports duplicate nodes and segments and segments without length") {
     Domain nodes = square();
     nodes.segments[3] = {3, addNode(nodes, {0, 0})};
     checkOne(nodes, "duplicate-node", {0, 0}, {0, 4});
@@ -121,7 +121,8 @@ TEST_CASE("validate: reports open chains and odd numbers of boundary segments at
     CHECK(codes(validate(tee)) == "");
 }
 
-TEST_CASE("validate: an open end names the nearest other end, and only narrow gaps are for welding") {
+TEST_CASE("validate: reports the distance from an open end to the nearest other end, and advises welding only for "
+          "narrow gaps") {
     const auto faultsOf = [](double gap) {
         Domain open = square();
         open.segments.pop_back();
@@ -193,7 +194,7 @@ TEST_CASE("validate: places of faults are finite for any coordinates") {
     }
 }
 
-TEST_CASE("validate: unreferenced nodes and things outside are named") {
+TEST_CASE("validate: reports unreferenced nodes and parts outside the domain") {
     Domain node = square();
     addNode(node, {1, 1});
     checkOne(node, "unreferenced-node", {1, 1}, {4});

@@ -22,7 +22,7 @@ Mesh twoTriangles() {
     return mesh;
 }
 
-/// Adds a copy of a mesh, moved, with nodes of its own.
+/// Adds a moved copy of a mesh with its own nodes.
 void append(Mesh &mesh, const Mesh &other, Vec2 by) {
     const std::size_t first = mesh.nodes.size();
     for (const Vec2 p : other.nodes) {

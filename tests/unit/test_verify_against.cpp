@@ -52,7 +52,7 @@ Codes after(Change &&change) {
 
 } // namespace
 
-TEST_CASE("verifyAgainst: a mesh of its own discrete domain has no fault, also far from the origin") {
+TEST_CASE("verifyAgainst: a mesh has no fault against its discrete domain, even far from the origin") {
     for (const Vec2 offset : {Vec2{}, Vec2{1e5, -1e5}, Vec2{1e5 + 0.3, 1e5 + 0.7}}) {
         const Case c = twoRegions(offset);
         const Diagnostics faults = verifyAgainst(c.mesh, c.domain);

@@ -110,8 +110,8 @@ constexpr Kept kKept[] = {
      "Keeps regions as element sets, boundary parts as node sets and surfaces, points as node sets, all with names "
      "that the solver accepts. Elements are CPS3."},
     {"su2", "Keeps boundary parts as markers, with their names; regions and points only as comments."},
-    {"vtu", "Keeps the numbers of regions and boundary parts as cell data; boundary edges are cells of their own."},
-    {"vtk", "Keeps the numbers of regions and boundary parts as cell data; boundary edges are cells of their own."},
+    {"vtu", "Keeps the numbers of regions and boundary parts as cell data; boundary edges are separate cells."},
+    {"vtk", "Keeps the numbers of regions and boundary parts as cell data; boundary edges are separate cells."},
     {"triangle", "Writes .node, .ele and .edge. Keeps boundary numbers as markers and regions as an attribute."},
     {"obj", "Keeps regions and boundary parts as groups, with their names."},
     {"svg", "A drawing of the mesh; cannot be read back as a mesh."},

@@ -8,7 +8,8 @@
 namespace forefront {
 
 /// Returns the colour map of a measure: cividis, bright where the mesh is good; the diverging map where both ends are
-/// bad; viridis where the values do not judge; categories for regions. All of them are safe for the colour-blind.
+/// bad; viridis where no value is better than another; categories for regions. All of them are safe for the
+/// colour-blind.
 ColourMap mapOf(Measure measure);
 
 /// Returns the range of colours that shows the differences within a mesh: a few extreme values, up to a hundredth of
