@@ -169,9 +169,9 @@ int checkCommand(int argc, const char *const *argv) {
     auto *spacing = app.add_option_group("Spacing", "report how closely the mesh follows this spacing; at most one");
     addSpacingOptions(*spacing, arguments.size, arguments.expression);
     spacing->require_option(0, 1);
-    auto *limits = app.add_option_group("Limits", "refuse a mesh that breaks one of these");
+    auto *limits = app.add_option_group("Limits", "refuse a mesh that violates one of these");
     addLimitOptions(*limits, arguments.limits);
-    limits->add_option("--limits", arguments.savedLimits, "take the limits saved in a project, except those given here")
+    limits->add_option("--limits", arguments.savedLimits, "use the limits saved in a project, except those given here")
         ->type_name("PROJECT");
     app.add_flag("--measures", arguments.measures, "print the distribution of each quality measure");
     if (const auto code = parseOptions(app, argc, argv)) {

@@ -111,15 +111,15 @@ std::string summary(const RunReport &report) {
     const MeshQuality &q = report.quality;
     const double cpu = report.meshCpu();
     char text[600];
-    std::snprintf(text, sizeof text,
-                  "%zu nodes, %zu elements, hash %s\n"
-                  "shape factor: mean %.4f, geometric mean %.4f, minimum %.4f; angles %.1f to %.1f degrees\n"
-                  "spacing conformity: mean %.4f\n"
-                  "%.3f s for the mesh (%.3f prepare, %.3f front, %.3f improve), %.0f elements/s, peak %.1f MB\n",
-                  q.nodes, q.elements, toHex(report.hash).c_str(), q.alphaMean, q.alphaGeometricMean, q.alphaMin,
-                  q.minAngle, q.maxAngle, q.deltaMean, cpu, report.secondsPrepare, report.secondsMesh,
-                  report.secondsImprove, cpu > 0.0 ? static_cast<double>(q.elements) / cpu : 0.0,
-                  static_cast<double>(report.peakBytes) / 1e6);
+    std::snprintf(
+        text, sizeof text,
+        "%zu nodes, %zu elements, hash %s\n"
+        "shape factor: mean %.4f, geometric mean %.4f, minimum %.4f; angles %.1f to %.1f degrees\n"
+        "spacing conformity: mean %.4f\n"
+        "%.3f s for the mesh (%.3f preparation, %.3f front, %.3f improvement), %.0f elements/s, peak %.1f MB\n",
+        q.nodes, q.elements, toHex(report.hash).c_str(), q.alphaMean, q.alphaGeometricMean, q.alphaMin, q.minAngle,
+        q.maxAngle, q.deltaMean, cpu, report.secondsPrepare, report.secondsMesh, report.secondsImprove,
+        cpu > 0.0 ? static_cast<double>(q.elements) / cpu : 0.0, static_cast<double>(report.peakBytes) / 1e6);
     return sharpCornerLines(report.sharp) + narrowPlaceLines(report.sharp) + text;
 }
 

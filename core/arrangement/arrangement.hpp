@@ -95,7 +95,7 @@ struct ArrangementInput {
 /// The part of a piece that a segment of the result follows.
 struct PieceStretch {
     std::uint32_t piece = 0;
-    CurveStretch stretch; ///< the share of the piece's curve
+    CurveStretch stretch; ///< the part of the piece's curve
 };
 
 struct Arrangement {
@@ -106,7 +106,7 @@ struct Arrangement {
     std::vector<PieceStretch> stretches;      ///< per segment: the first piece that runs along it
     std::vector<std::uint32_t> pointPiece;    ///< per constraint point
     std::vector<std::uint32_t> markerFeature; ///< per region marker: the feature that its face belongs to
-    double radius = 0.0; ///< joining distance: the tolerance, or less if several things crowd within it
+    double radius = 0.0; ///< joining distance: the tolerance, or less if several things are crowded within it
     std::vector<ArrangementChange> changes; ///< one entry per kind
 };
 
@@ -117,8 +117,8 @@ struct Arrangement {
 ///   Every crossing is found, unless the curves stay within the tolerance of each other beyond it. Curves that touch,
 ///   or come within the tolerance of each other, are joined where they are closest. Chords are divided as far as
 ///   needed.
-/// - Nothing moves by more than the tolerance. Nodes that nothing comes close to keep their coordinates bit for bit.
-/// - A valid domain comes back with its nodes and segments in the order of the pieces.
+/// - Nothing moves by more than the tolerance. Nodes with nothing close to them keep their coordinates bit for bit.
+/// - A valid domain is returned with its nodes and segments in the order of the pieces.
 /// - The result depends on the set of pieces, not on their order, which only numbers nodes and segments, chooses
 ///   between tags and decides between features.
 /// Errors: non-finite, out-of-range, open-contour (a contour whose pieces do not form closed loops), cancelled.

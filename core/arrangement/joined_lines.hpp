@@ -53,7 +53,7 @@ class LineDivision {
     bool followsCurves_ = false;
     std::vector<Chord> chords_;          ///< the parts of the lines
     std::vector<std::uint32_t> source_;  ///< per chord
-    std::vector<std::uint8_t> backward_; ///< per chord: from its b to its a
+    std::vector<std::uint8_t> backward_; ///< per chord: 1 if it runs from b to a
     std::vector<Chord> nextChords_;      ///< while dividing
     std::vector<std::uint32_t> nextSource_;
     std::vector<std::uint8_t> nextBackward_;

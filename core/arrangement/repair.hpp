@@ -16,7 +16,7 @@ struct Repaired {
     Domain domain;
     std::vector<std::uint32_t> nodeSource;    ///< per node: the (first) input node it came from, or kNoIndex if new
     std::vector<std::uint32_t> segmentSource; ///< per segment: the input segment that it is part of
-    double radius = 0.0; ///< joining distance: the tolerance, or less if several things crowd within it
+    double radius = 0.0; ///< joining distance: the tolerance, or less if several things are crowded within it
     std::vector<ArrangementChange> changes; ///< one entry per kind; the parts are those of the given domain
 };
 

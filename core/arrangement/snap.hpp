@@ -39,8 +39,8 @@ SnappedLines unsnapped(std::span<const SnapLine> lines);
 /// Joins everything closer than the tolerance (positive) and moves nothing farther than that. Afterwards all nodes are
 /// farther than `radius` from one another, edges meet only at common ends, and no node is within the radius of the
 /// interior of an edge, except where going through it would make a part of the edge longer than the edge. So joining
-/// again with that radius changes nothing. The radius is the tolerance, but where several things crowd within it so
-/// that steps add up to more than the tolerance, it is halved until they do not.
+/// again with that radius changes nothing. The radius is the tolerance, but where several things are crowded within it
+/// so that steps add up to more than the tolerance, it is halved until they do not.
 ///
 /// Ends of lines become nodes unchanged; of several within the radius, the first by x, then y, becomes a node, and the
 /// others move onto it (as snap rounding does with the pixels of a grid: J. Hershberger, Stable snap rounding, 2013).

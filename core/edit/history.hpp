@@ -44,7 +44,7 @@ class History {
 
     /// Records that the current document has been saved.
     void markSaved() { saved_ = revision(); }
-    /// Records that the current document is in no file, as after recovery or import.
+    /// Records that the current document is not saved in any file, as after recovery or import.
     void markUnsaved() { saved_ = 0; }
     bool dirty() const { return revision() != saved_; }
 

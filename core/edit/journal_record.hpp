@@ -32,7 +32,7 @@ struct JournalContent {
     std::size_t validBytes = 0;      ///< length of the valid part; the rest is truncated or corrupt
 };
 
-/// Reads a journal up to the first record that is truncated by a crash or corrupt. No count in it is trusted.
+/// Reads a journal up to the first record that is truncated by a crash or corrupt. Trusts no count in the file.
 JournalContent readJournal(std::string_view bytes);
 
 } // namespace forefront

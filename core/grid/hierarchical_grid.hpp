@@ -11,7 +11,7 @@
 namespace forefront {
 
 /// A background grid whose cells adapt to the lengths of the front segments. It starts with coarse cells; a cell splits
-/// into n x n for good when a segment much shorter than the cell enters it. So the number of delivered segments does
+/// permanently into n x n when a segment much shorter than the cell enters it. So the number of delivered segments does
 /// not grow with the ratio of sizes.
 class HierarchicalGrid {
   public:

@@ -42,7 +42,8 @@ class CellScale {
 };
 
 /// Up to eight segments of a cell with their boxes side by side, so that a few vector instructions compare them all. A
-/// block fills a cache line: a large front does not fit in the caches, and a search costs what it has to fetch.
+/// block fills a cache line: a large front does not fit in the caches, so a search costs as much as the memory it
+/// fetches.
 struct alignas(64) SegmentBlock {
     static constexpr unsigned kWidth = 8;
 

@@ -33,7 +33,7 @@ Diagnostics compare(const Mesh &mesh, const std::map<std::int32_t, MshCurveGroup
         const std::string name = "boundary part " + inQuotes(group.name) + " (tag " + std::to_string(tag) + ')';
         if (!(std::abs(lengths[tag] - group.length) <= tolerance)) {
             fault(name + " is " + shown(lengths[tag]) + " long in the mesh, but " + shown(group.length) +
-                  " in the file of the domain");
+                  " in the domain's file");
         }
         for (const auto &[other, given] : mesh.boundaryNames) {
             if (other != tag && !group.name.empty() && given == group.name && lengths.count(other) > 0 &&

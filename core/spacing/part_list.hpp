@@ -15,7 +15,7 @@ struct SpacingPartKind {
     /// Applies to the whole domain, so that automatic spacing is not needed.
     bool coversDomain = false;
     bool (*given)(const SpacingSpec &, const Domain &);
-    /// Adds the faults of the numbers in it.
+    /// Adds the faults of its numbers.
     void (*check)(const SpacingSpec &, const Domain &, Diagnostics &);
     /// Returns true if two specifications agree in this part.
     bool (*same)(const SpacingSpec &, const SpacingSpec &);

@@ -107,7 +107,7 @@ TEST_CASE("discretise: edges stay within the curve tolerance however large the s
 }
 
 TEST_CASE("discretise: nodes between a coarse edge and its curve stay on the right side") {
-    // A hole and constraint points closer to the circle than the sagitta of the edges that the spacing asks for.
+    // A hole and constraint points closer to the circle than the sagitta of the edges that the spacing calls for.
     Domain domain = curvedDomain({{Curve::circle({0, 0}, {1, 0})},
                                   {Curve::circle({0.0, 0.985}, {0.003, 0.985})},
                                   {Curve::circle({-0.7, -0.69}, {-0.702, -0.69})}},

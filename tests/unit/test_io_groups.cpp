@@ -110,5 +110,5 @@ TEST_CASE("Boundary parts: detects an inlet that is longer in the mesh than in t
     const Diagnostics faults = checkBoundaryParts(mesh, folder / "domain.msh");
     REQUIRE(faults.size() == 1);
     CHECK(faults[0].code == "wrong-part");
-    CHECK(faults[0].message == "boundary part 'inlet' (tag 1) is 2 long in the mesh, but 1 in the file of the domain");
+    CHECK(faults[0].message == "boundary part 'inlet' (tag 1) is 2 long in the mesh, but 1 in the domain's file");
 }

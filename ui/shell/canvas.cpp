@@ -140,8 +140,8 @@ void Canvas::Parts::requestRaster(Shell &context) {
     }
 }
 
-/// Takes the newest raster, unless it is of another document than the preview and the raster drawn is not: the two are
-/// drawn together.
+/// Uses the newest raster, unless it belongs to another document than the preview while the raster drawn does not,
+/// since the two are drawn together.
 void Canvas::Parts::takeRaster(const Shell &context) {
     std::shared_ptr<const SpacingRaster> newest = context.examiner.raster();
     const std::uint64_t revision = context.preview->revision;

@@ -26,7 +26,7 @@ class RunControl {
 
     RunControl(DocumentStore &document, MessageLog &log, std::function<void()> wake);
 
-    /// Takes the newest snapshot and logs what the run reports. Called once per frame.
+    /// Fetches the newest snapshot and logs what the run reports. Called once per frame.
     void refresh();
     /// Keeps the mesh up to date with the document while `live`: the current run is finished and shown, then the newest
     /// document is meshed. For a mesh above `liveBudget`, a coarser preview follows the edits, and the full mesh is

@@ -83,7 +83,7 @@ class MshFile {
     bool readElementBlockBinary(ByteScanner &bytes, std::size_t &left);
     bool readValuesBinary(std::size_t count, MshValues &field);
 
-    /// Takes the nodes in the order of their numbers.
+    /// Stores the nodes in the order of their numbers.
     bool takeNodes(std::vector<NumberedNode> nodes);
     /// Returns the tag of what lies on an entity: its first physical group, else a mark that resolveTags() replaces.
     std::int32_t tagOf(int dimension, std::int64_t entity) const;
@@ -93,7 +93,7 @@ class MshFile {
     void resolveEdgesAndPoints();
     void placePoints(class MshTags &tags, bool groupedEdges);
 
-    /// Reads the nodes of a point, line or triangle; refuses other types.
+    /// Refuses a type of elements that cannot be read; returns false.
     bool failType(const std::string &what, std::int64_t type, std::size_t place);
     bool readConnection(std::int64_t type, std::int32_t tag, std::size_t typeOffset, Expect expect);
 

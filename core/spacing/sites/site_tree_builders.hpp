@@ -8,8 +8,8 @@
 
 namespace forefront {
 
-/// Builds the tree from the root down: each cell passes the sites that may win in it to its quarters. Takes any sites;
-/// the time grows faster than their number.
+/// Builds the tree from the root down: each cell passes the sites that may win in it to its quarters. Accepts any
+/// sites; the time grows faster than their number.
 std::optional<SiteTree> buildTreeFromRoot(std::vector<SizeSite> sites, const Box2 &box, const Progress &progress);
 
 /// Returns true if spreadSites() can take these sites: all of them grow alike, and not by zero.
