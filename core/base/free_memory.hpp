@@ -8,7 +8,7 @@
 namespace forefront {
 
 /// Returns unused memory from the allocator to the system, where the C library supports it. Each thread otherwise keeps
-/// some megabytes that large arrays and other threads cannot use. Takes less than a millisecond.
+/// a few megabytes that large arrays and other threads cannot use. Takes less than a millisecond.
 inline void releaseFreeMemory() {
 #ifdef __GLIBC__
     malloc_trim(0);

@@ -54,7 +54,7 @@ double CurvePath::density(double fraction, double rho) const {
 }
 
 bool CurvePath::allows(double from, double to) const {
-    constexpr double kSlack = 1.1; // the integral is accurate to some parts in a hundred on one piece
+    constexpr double kSlack = 1.1; // the integral is accurate to a few percent on one piece
     const double a = std::lerp(t0, t1, from), b = std::lerp(t0, t1, to);
     const double deviation = curve->deviation(a, b), turning = curve->turning(a, b);
     return (deviation <= tolerance && turning <= kSlack * kMaxTurn) ||

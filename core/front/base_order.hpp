@@ -12,9 +12,9 @@ namespace forefront {
 /// On a large front the shortest segments are scattered, and their surroundings would not be in the caches. So segments
 /// that were never deferred are taken in batches by age: lengths count as equal if their first five binary digits are
 /// the same, hence within 1/16, and of equal ones the oldest batch comes first, with its shortest segment first. A
-/// batch is a number of consecutive segments that fit in a cache; up to some 10,000 elements there is only one. On Lo's
-/// rows this lowers the exponent of the cost in Ne from 1.05 to 1.035 at the same quality; α of a uniform disc of 1e6
-/// elements falls from .997 to .995.
+/// batch is a number of consecutive segments that fit in a cache; up to about 10,000 elements there is only one. On
+/// Lo's rows this lowers the exponent of the cost in Ne from 1.05 to 1.035 at the same quality; α of a uniform disc of
+/// 1e6 elements falls from .997 to .995.
 ///
 /// There is one binary heap for each length class, so that its depth does not grow with Γ. Entries of segments that are
 /// gone or were deferred since are skipped. The result depends on Γ alone, not on the history of the heaps, so stepping

@@ -7,7 +7,7 @@
 
 namespace forefront::testing {
 
-/// Families of valid domains, some ordinary and some hostile. All are even-odd, of 3 to some hundred segments.
+/// Families of valid domains, some ordinary and some hostile. All are even-odd, with 3 to a few hundred segments.
 enum class DomainFamily : std::uint8_t {
     StarWithHoles,   ///< a star-shaped outline and holes of any size
     NestedIslands,   ///< holes in islands in holes

@@ -26,7 +26,7 @@ constexpr std::uint64_t kShare = 23; // not a divisor of the number of families
 constexpr std::uint64_t kShare = 1;
 #endif
 
-/// Returns the number of random domains to mesh: FOREFRONT_CURVE_DOMAINS, or as many as take some seconds.
+/// Returns the number of random domains to mesh: FOREFRONT_CURVE_DOMAINS, or as many as take a few seconds.
 std::uint64_t curvedDomains() {
     constexpr std::uint64_t kDefault = 210;
     const char *const requested = std::getenv("FOREFRONT_CURVE_DOMAINS");

@@ -38,7 +38,7 @@ bool segmented(WidgetContext &context, std::string_view name, Enum &value, float
     return changed;
 }
 
-/// Draws the values of an enumeration as a list that opens; returns true when the choice changed.
+/// Draws the values of an enumeration as a drop-down list; returns true when the choice changed.
 template <class Enum>
 bool combo(WidgetContext &context, std::string_view name, Enum &value) {
     int choice = static_cast<int>(value);

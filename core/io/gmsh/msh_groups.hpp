@@ -38,7 +38,7 @@ class MshGroups {
     /// Returns the number of the group of a tag in use.
     std::int32_t number(int dimension, std::int32_t tag) const;
 
-    /// Returns the first of `count` successive numbers above those of all groups; 1 where 32 bits do not hold them.
+    /// Returns the first of `count` successive numbers above those of all groups; 1 if they would exceed 32 bits.
     std::int32_t unusedNumbers(std::size_t count) const;
 
     /// Writes the section $PhysicalNames, which is the same in MSH 2.2 and 4.1.
