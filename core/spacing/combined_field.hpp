@@ -82,7 +82,7 @@ struct FieldParts {
     double minimum = 0.0;
     PointParts points;
     SiteSet few;                  ///< evaluated one by one
-    std::optional<SiteTree> tree; ///< replaces `few` where there are many
+    std::optional<SiteTree> tree; ///< of the other sites where there are many
     std::vector<SiteLabel> treeLabels;
     SiteWords words;
 

@@ -17,7 +17,9 @@ namespace {
 constexpr double kDefaultGradation = 0.25;
 constexpr double kFarBeyond = 1e3; ///< diagonals of the domain's box
 constexpr std::size_t kFew = 6;    ///< up to this number, sites are evaluated one by one
-constexpr std::size_t kManyOwnSites = 2048;
+/// Above these numbers, speed counts more than accuracy.
+constexpr std::size_t kManyOwnSites = 2048, kManyPaintSites = 256;
+constexpr double kPaintCellsPerSize = 4.0; ///< keeps the gradation within 2 %
 
 /// Gathers the parts of one specification.
 class FieldBuilder {
@@ -91,21 +93,48 @@ class FieldBuilder {
                              std::move(automatic.sites.labels));
         }
     }
-    /// Sites that follow from the domain alone need not be met as exactly as those that a user sets.
-    std::size_t manySites() const {
-        const bool own = std::all_of(parts_.few.labels.begin(), parts_.few.labels.end(), [](const SiteLabel &label) {
-            return label.origin == SpacingOrigin::Automatic || label.origin == SpacingOrigin::Boundary;
-        });
-        return own ? kManyOwnSites : SiteTree::kNeverMany;
+    /// Returns how accurately to meet the sites. Those that follow from the domain alone need not be met as exactly as
+    /// those that a user sets; nor need those at the edges of paint: there are many, and meshes follow the brush.
+    SpreadOptions spreadOptions() const {
+        const std::vector<SiteLabel> &labels = parts_.few.labels;
+        const auto count = [&](SpacingOrigin origin) {
+            return static_cast<std::size_t>(std::count_if(
+                labels.begin(), labels.end(), [origin](const SiteLabel &label) { return label.origin == origin; }));
+        };
+        const std::size_t paint = count(SpacingOrigin::Paint);
+        const std::size_t own = count(SpacingOrigin::Automatic) + count(SpacingOrigin::Boundary);
+        if (paint + own < labels.size()) {
+            return {};
+        }
+        if (paint == 0) {
+            return {.many = kManyOwnSites};
+        }
+        return paint > kManyPaintSites ? SpreadOptions{kManyPaintSites, kPaintCellsPerSize} : SpreadOptions{};
+    }
+    /// Removes the sites of sources and returns them, if there are few of them among many at the edges of paint.
+    SiteSet takeSources() {
+        SiteSet sources, others;
+        std::size_t paint = 0;
+        for (std::size_t i = 0; i < parts_.few.sites.size(); ++i) {
+            const SiteLabel &label = parts_.few.labels[i];
+            (label.origin == SpacingOrigin::Source ? sources : others).add(parts_.few.sites[i], label);
+            paint += label.origin == SpacingOrigin::Paint ? 1 : 0;
+        }
+        if (paint <= kManyPaintSites || sources.sites.size() > kFew) {
+            return {};
+        }
+        parts_.few = std::move(others);
+        return sources;
     }
     Result<std::shared_ptr<const SpacingField>> finish() {
         if (input_.progress.cancelled()) {
             return cancelled("preparing the spacing");
         }
         if (parts_.few.sites.size() > kFew) {
-            parts_.tree = SiteTree::build(std::move(parts_.few.sites), input_.box, input_.progress, manySites());
+            SiteSet sources = takeSources();
+            parts_.tree = SiteTree::build(std::move(parts_.few.sites), input_.box, input_.progress, spreadOptions());
             parts_.treeLabels = std::move(parts_.few.labels);
-            parts_.few = {};
+            parts_.few = std::move(sources);
             if (!parts_.tree) {
                 return cancelled("preparing the spacing");
             }

@@ -1,5 +1,6 @@
 #include "core/domain/domain.hpp"
 #include "core/spacing/parts/paint/paint.hpp"
+#include "core/spacing/parts/paint/painted_part.hpp"
 #include "core/spacing/spacing_field.hpp"
 
 #include <doctest/doctest.h>
@@ -197,6 +198,34 @@ TEST_CASE("SpacingField: random paint keeps the gradation within 2 %") {
                   0.2 * distance(p, q) + 0.02 * std::max(field->at(p), field->at(q)));
         }
     }
+}
+
+TEST_CASE("SpacingField: a size source beside a long stroke keeps its exact values") {
+    SpacingSpec spec;
+    spec.size = 1.0;
+    spec.gradation = 0.2;
+    spec.paint = canvas(10);
+    for (int n = 0; n <= 100; ++n) {
+        const Vec2 centre{1.0 + 0.08 * n, 2.0 + std::sin(0.3 * n)};
+        spec.paint = forefront::paint(spec.paint, {centre, 0.5, 0.1, 0.7, 0.8});
+    }
+    SiteSet edges;
+    PaintedPart::addSites(spec.paint, 0.0, 0.2, edges);
+    REQUIRE(edges.sites.size() > 1000); // too many to be met exactly
+    SizeSource source;
+    source.a = {5, 8};
+    source.size = 0.05;
+    source.growth = 0.2;
+    const auto strokeAlone = built(spec, square(10));
+    spec.sources = {source};
+    const auto field = built(spec, square(10));
+    for (int n = 0; n <= 100; ++n) {
+        const Vec2 p{0.1 * n, 7.0}; // nearer to the source in the middle
+        const double expected = std::min(strokeAlone->at(p), 0.05 + 0.2 * distance(p, source.a));
+        CHECK(field->at(p) == doctest::Approx(std::min(1.0, expected)).epsilon(1e-12));
+    }
+    CHECK(field->sample({5, 8}).origin == SpacingOrigin::Source);
+    CHECK(field->sample({5, 2}).origin == SpacingOrigin::Paint);
 }
 
 TEST_CASE("SpacingField: refuses invalid paint") {

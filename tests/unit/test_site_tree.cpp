@@ -20,7 +20,7 @@ struct Accuracy {
 };
 
 Accuracy accuracyOf(const std::vector<SizeSite> &sites, unsigned seed) {
-    const auto tree = SiteTree::build(sites, kBox, {}, kManySites);
+    const auto tree = SiteTree::build(sites, kBox, {}, {.many = kManySites});
     REQUIRE(tree.has_value());
     CHECK(tree->bytes() < 60'000'000 + 300 * sites.size());
     std::mt19937 random(seed);

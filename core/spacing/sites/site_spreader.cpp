@@ -16,7 +16,8 @@ namespace forefront {
 /// leaf then chooses among the sites at it and the winners of the leaves beside it.
 class SiteSpreader : SiteTreeWriter {
   public:
-    SiteSpreader(std::vector<SizeSite> sites, const Box2 &box) : SiteTreeWriter(std::move(sites), box) {
+    SiteSpreader(std::vector<SizeSite> sites, const Box2 &box, double cellsPerSize)
+        : SiteTreeWriter(std::move(sites), box), cellsPerSize_(cellsPerSize) {
         maxCells_ = std::max(kMaxCells, kMaxCellsPerSite * tree_.sites_.size());
     }
 
@@ -41,8 +42,6 @@ class SiteSpreader : SiteTreeWriter {
     }
 
   private:
-    // Measured on a coast of 100,000 segments: 1 cell makes building twice as slow, 0.12 lowers α by 0.0005.
-    static constexpr double kCellsPerSize = 0.2; ///< minimum per size of a site, along a side
     static constexpr std::size_t kMaxCells = 2'000'000;
     static constexpr std::size_t kMaxCellsPerSite = 24;
     static constexpr std::size_t kLongestList = 12;
@@ -96,7 +95,7 @@ class SiteSpreader : SiteTreeWriter {
     }
 
     int levelOf(const SizeSite &s, int coarser) const {
-        const double units = std::max(1.0, s.size * tree_.toUnits_ / kCellsPerSize);
+        const double units = std::max(1.0, s.size * tree_.toUnits_ / cellsPerSize_);
         return std::min(std::ilogb(units) + coarser, SiteTree::kBits);
     }
     double stepsAlong(const SizeSite &s, double cell) const { return std::ceil(length(s.ab) * tree_.toUnits_ / cell); }
@@ -372,6 +371,7 @@ class SiteSpreader : SiteTreeWriter {
         }
     }
 
+    double cellsPerSize_;
     std::size_t maxCells_ = kMaxCells;
     std::array<std::vector<Split>, SiteTree::kBits + 1> splits_; ///< cells that were split, by level
     std::vector<std::uint8_t> levels_;                           ///< per site: of the cells along it
@@ -386,8 +386,9 @@ bool canSpread(std::span<const SizeSite> sites) {
                        [&](const SizeSite &s) { return s.growth > 0.0 && s.growth == sites.front().growth; });
 }
 
-std::optional<SiteTree> spreadSites(std::vector<SizeSite> sites, const Box2 &box, const Progress &progress) {
-    return SiteSpreader(std::move(sites), box).run(progress);
+std::optional<SiteTree> spreadSites(std::vector<SizeSite> sites, const Box2 &box, double cellsPerSize,
+                                    const Progress &progress) {
+    return SiteSpreader(std::move(sites), box, cellsPerSize).run(progress);
 }
 
 } // namespace forefront

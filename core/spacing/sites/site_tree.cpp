@@ -8,10 +8,10 @@
 namespace forefront {
 
 std::optional<SiteTree> SiteTree::build(std::vector<SizeSite> sites, const Box2 &box, const Progress &progress,
-                                        std::size_t many) {
+                                        const SpreadOptions &spread) {
     FOREFRONT_ASSERT(!sites.empty() && !box.empty());
-    if (sites.size() > many && canSpread(sites)) {
-        return spreadSites(std::move(sites), box, progress);
+    if (sites.size() > spread.many && canSpread(sites)) {
+        return spreadSites(std::move(sites), box, spread.cellsPerSize, progress);
     }
     return buildTreeFromRoot(std::move(sites), box, progress);
 }

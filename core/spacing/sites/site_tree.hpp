@@ -12,6 +12,14 @@
 
 namespace forefront {
 
+/// When a site tree is built from the sites outwards, which is faster and less accurate, and how.
+struct SpreadOptions {
+    std::size_t many = std::numeric_limits<std::size_t>::max(); ///< number of sites above which it is
+    /// Minimum number of cells along the size of a site. On a coast of 100,000 segments, 1 makes building twice as slow
+    /// as 0.2, and 0.12 lowers α by 0.0005.
+    double cellsPerSize = 0.2;
+};
+
 /// The minimum over many size sites, prepared for fast evaluation in a box.
 ///
 /// A table of equal square cells, each the root of a quadtree. A leaf holds either the few sites that can win in it
@@ -27,12 +35,9 @@ namespace forefront {
 class SiteTree {
   public:
     static constexpr double kTolerance = 0.005;
-    static constexpr std::size_t kNeverMany = std::numeric_limits<std::size_t>::max();
-
-    /// Builds the tree of finite sites over a box; neither may be empty. With more than `many` sites, speed counts more
-    /// than accuracy. Returns std::nullopt only if cancelled.
+    /// Builds the tree of finite sites over a box; neither may be empty. Returns std::nullopt only if cancelled.
     static std::optional<SiteTree> build(std::vector<SizeSite> sites, const Box2 &box, const Progress &progress = {},
-                                         std::size_t many = kNeverMany);
+                                         const SpreadOptions &spread = {});
 
     double at(Vec2 p) const {
         const double u = std::min(spanX_, std::max(0.0, (p.x - corner_.x) * toUnits_));

@@ -16,7 +16,8 @@ std::optional<SiteTree> buildTreeFromRoot(std::vector<SizeSite> sites, const Box
 bool canSpread(std::span<const SizeSite> sites);
 
 /// Builds the tree from the sites outwards, in time proportional to their number. Values may be a few percent too large
-/// where one site takes over from another, seldom more.
-std::optional<SiteTree> spreadSites(std::vector<SizeSite> sites, const Box2 &box, const Progress &progress);
+/// where one site takes over from another, seldom more. `cellsPerSize`: see SpreadOptions.
+std::optional<SiteTree> spreadSites(std::vector<SizeSite> sites, const Box2 &box, double cellsPerSize,
+                                    const Progress &progress);
 
 } // namespace forefront
