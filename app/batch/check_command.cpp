@@ -11,8 +11,10 @@
 #include "core/mesh/verify.hpp"
 #include "core/spacing/spacing_field.hpp"
 
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -63,6 +65,16 @@ Result<std::shared_ptr<const SpacingField>> readWanted(const CheckArguments &arg
     return SpacingField::build(spec, extent);
 }
 
+/// Adds the length of each boundary part, by tag, times a factor.
+void addLengths(const Domain &domain, double factor, std::map<std::int32_t, double> &lengths) {
+    const auto known = [&](std::uint32_t node) { return node < domain.nodes.size(); };
+    for (const DomainSegment &segment : domain.segments) {
+        if (known(segment.a) && known(segment.b)) {
+            lengths[segment.tag] += factor * distance(domain.nodes[segment.a], domain.nodes[segment.b]);
+        }
+    }
+}
+
 /// Returns the differences between a mesh and the domain it was made from.
 Diagnostics checkAgainst(const Mesh &mesh, const CheckArguments &arguments, Input &input) {
     input.options.weldTolerance = arguments.weldTolerance;
@@ -72,18 +84,21 @@ Diagnostics checkAgainst(const Mesh &mesh, const CheckArguments &arguments, Inpu
         return domain.faults();
     }
     std::optional<Repaired> repaired;
+    std::map<std::int32_t, double> changes; // of the lengths of boundary parts
     if (arguments.repair) {
         Result<Repaired> result = repair(*domain, arguments.weldTolerance.value_or(0.0));
         if (!result) {
             return locateFaults(input.path, result.faults(), input.options);
         }
         repaired = std::move(*result);
+        addLengths(*domain, -1.0, changes);
+        addLengths(repaired->domain, 1.0, changes);
         domain = std::move(repaired->domain);
     }
     const Repaired *const sources = repaired ? &*repaired : nullptr;
     Diagnostics faults = verifyAgainst(mesh, *domain);
     if (!hasErrors(faults)) {
-        return arguments.repair ? faults : checkBoundaryParts(mesh, input.path, input.options);
+        return checkBoundaryParts(mesh, input.path, input.options, changes);
     }
     return locateInDomain(meshingFaults(faults, *domain, input, sources), input, sources);
 }

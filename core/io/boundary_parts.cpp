@@ -20,7 +20,8 @@ std::string shown(double length) {
     return text;
 }
 
-Diagnostics compare(const Mesh &mesh, const std::map<std::int32_t, MshCurveGroup> &groups, double tolerance) {
+Diagnostics compare(const Mesh &mesh, const std::map<std::int32_t, MshCurveGroup> &groups,
+                    const std::map<std::int32_t, double> &changes, double tolerance) {
     std::map<std::int32_t, double> lengths;
     for (const TaggedEdge &edge : mesh.edges) {
         lengths[edge.tag] += distance(mesh.nodes[index(edge.a)], mesh.nodes[index(edge.b)]);
@@ -31,9 +32,12 @@ Diagnostics compare(const Mesh &mesh, const std::map<std::int32_t, MshCurveGroup
     };
     for (const auto &[tag, group] : groups) {
         const std::string name = "boundary part " + inQuotes(group.name) + " (tag " + std::to_string(tag) + ')';
-        if (!(std::abs(lengths[tag] - group.length) <= tolerance)) {
+        const auto change = changes.find(tag);
+        const double repaired = change == changes.end() ? 0.0 : change->second;
+        if (!(std::abs(lengths[tag] - repaired - group.length) <= tolerance)) {
+            const std::string note = repaired == 0.0 ? "" : "; the repair changes it by " + shown(repaired);
             fault(name + " is " + shown(lengths[tag]) + " long in the mesh, but " + shown(group.length) +
-                  " in the domain's file");
+                  " in the domain's file" + note);
         }
         for (const auto &[other, given] : mesh.boundaryNames) {
             if (other != tag && !group.name.empty() && given == group.name && lengths.count(other) > 0 &&
@@ -47,8 +51,8 @@ Diagnostics compare(const Mesh &mesh, const std::map<std::int32_t, MshCurveGroup
 
 } // namespace
 
-Diagnostics checkBoundaryParts(const Mesh &mesh, const std::filesystem::path &domainFile,
-                               const ImportOptions &options) {
+Diagnostics checkBoundaryParts(const Mesh &mesh, const std::filesystem::path &domainFile, const ImportOptions &options,
+                               const std::map<std::int32_t, double> &changes) {
     if (mesh.edges.empty()) {
         return {};
     }
@@ -65,9 +69,9 @@ Diagnostics checkBoundaryParts(const Mesh &mesh, const std::filesystem::path &do
     if (!looksLikeMsh(std::string_view(text).substr(0, kHeadBytes))) {
         return {};
     }
+    const double tolerance = 1e-9 * static_cast<double>(mesh.edges.size()) * mesh.bounds().diagonal();
     const auto groups = mshCurveGroups(text);
-    return groups ? compare(mesh, *groups, 1e-9 * static_cast<double>(mesh.edges.size()) * mesh.bounds().diagonal())
-                  : Diagnostics{};
+    return groups ? compare(mesh, *groups, changes, tolerance) : Diagnostics{};
 }
 
 } // namespace forefront

@@ -494,6 +494,20 @@ class Refusing(Case):
         self.call("check", "bow.msh", "--domain", "bow.poly", "--repair")
         self.call("check", "bow.msh", "--domain", "bow.poly", code=1)
 
+    def test_check_expects_the_boundary_parts_that_a_repair_leaves(self):
+        nodes = [(0, 0), (1, 0), (1, 1), (0, 1), (1, 0), (2, 0), (2, 1), (1, 1)]  # two squares, not joined
+        lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", "1", '1 1 "wall"', "$EndPhysicalNames",
+                 "$Nodes", str(len(nodes))] + [f"{i} {x} {y} 0" for i, (x, y) in enumerate(nodes, 1)]
+        lines += ["$EndNodes", "$Elements", "12"]
+        for i in range(8):
+            lines.append(f"{i + 1} 1 2 1 1 {i + 1} {i + 2 if i % 4 < 3 else i - 2}")
+        for i, (a, b, c) in enumerate([(1, 2, 3), (1, 3, 4), (5, 6, 7), (5, 7, 8)], 9):
+            lines.append(f"{i} 2 2 1 1 {a} {b} {c}")
+        self.write("domain.msh", "\n".join(lines + ["$EndElements"]) + "\n")
+        self.call("mesh", "domain.msh", "-o", "a.msh", "--repair")
+        self.call("check", "a.msh", "--domain", "domain.msh", "--repair")
+        self.call("check", "a.msh", "--domain", "domain.msh", code=1)
+
     def test_repair_closes_gaps_within_the_weld_tolerance_and_only_then(self):
         self.write("gap.poly", "5 2\n1 0 0\n2 4 0\n3 4 3\n4 0 3\n5 0 0.01\n4\n1 1 2\n2 2 3\n3 3 4\n4 4 5\n0\n")
         self.call("mesh", "gap.poly", "-o", "gap.msh", "--repair", code=1)

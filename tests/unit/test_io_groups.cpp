@@ -112,3 +112,14 @@ TEST_CASE("Boundary parts: detects an inlet that is longer in the mesh than in t
     CHECK(faults[0].code == "wrong-part");
     CHECK(faults[0].message == "boundary part 'inlet' (tag 1) is 2 long in the mesh, but 1 in the domain's file");
 }
+
+TEST_CASE("Boundary parts: a length that a repair has changed is expected to differ by that much") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "domain.msh") << twoSquares(kInlet, "1 1 2 1 1 4 1\n2 1 2 1 1 1 2\n", 2);
+    const Mesh mesh = meshOf(twoSquares(kInlet, "1 1 2 1 1 4 1\n", 1));
+    CHECK(checkBoundaryParts(mesh, folder / "domain.msh", {}, {{1, -1.0}}).empty());
+    const Diagnostics faults = checkBoundaryParts(mesh, folder / "domain.msh", {}, {{1, -0.5}});
+    REQUIRE(faults.size() == 1);
+    CHECK(faults[0].message == "boundary part 'inlet' (tag 1) is 1 long in the mesh, but 2 in the domain's file; "
+                               "the repair changes it by -0.5");
+}
