@@ -1,5 +1,7 @@
 #include "core/boundary/curve_cuts.hpp"
 
+#include "core/base/ids.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -42,29 +44,30 @@ void joinShortPieces(std::vector<double> &fractions, const CurvePath &path, cons
 } // namespace
 
 CurveCuts::CurveCuts(const Domain &domain)
-    : domain_(domain), tolerance_(chordTolerance(domain)), straight_(domain.segments.size(), 0) {
-    findChains();
+    : domain_(domain), tolerance_(chordTolerance(domain)), straight_(domain.segments.size(), 0),
+      chains_(curveChains(domain)), inner_(chains_.list.empty() ? 0 : domain.nodes.size(), 0) {
+    std::vector<CurveChain> chains;
+    chains.swap(chains_.list);
+    for (CurveChain &chain : chains) {
+        addChain(std::move(chain));
+    }
 }
 
-void CurveCuts::findChains() {
-    chains_ = curveChains(domain_, straight_);
-    cuts_.assign(chains_.list.size(), {});
-    first_.clear();
-    inner_.clear();
-    if (!any()) {
-        return;
+bool CurveCuts::any() const {
+    return std::any_of(chains_.list.begin(), chains_.list.end(),
+                       [](const CurveChain &chain) { return !chain.segments.empty(); });
+}
+
+/// Adds a chain, not divided yet.
+void CurveCuts::addChain(CurveChain chain) {
+    first_.push_back(*std::min_element(chain.segments.begin(), chain.segments.end()));
+    for (const std::uint32_t s : chain.segments) {
+        chains_.ofSegment[s] = static_cast<std::uint32_t>(chains_.list.size());
+        inner_[domain_.segments[s].a] = inner_[domain_.segments[s].b] = 1;
     }
-    inner_.assign(domain_.nodes.size(), 0);
-    for (const CurveChain &chain : chains_.list) {
-        first_.push_back(*std::min_element(chain.segments.begin(), chain.segments.end()));
-        for (const std::uint32_t s : chain.segments) {
-            const DomainSegment &segment = domain_.segments[s];
-            inner_[segment.a] = inner_[segment.b] = 1;
-        }
-    }
-    for (const CurveChain &chain : chains_.list) {
-        inner_[chain.start] = inner_[chain.end] = 0;
-    }
+    inner_[chain.start] = inner_[chain.end] = 0;
+    chains_.list.push_back(std::move(chain));
+    cuts_.emplace_back();
 }
 
 std::uint32_t CurveCuts::source(const ChainPiece &piece) const {
@@ -130,7 +133,7 @@ bool CurveCuts::isFine(const ChainPiece &piece) const {
     return cuts[piece.index + 1] - cuts[piece.index] < kFinest * (upper(chord) - lower(chord));
 }
 
-/// Replaces a piece by the chords along it, as straight segments.
+/// Marks the chords along a piece as straight segments.
 void CurveCuts::straighten(const ChainPiece &piece) {
     const double from = cuts_[piece.chain][piece.index], to = cuts_[piece.chain][piece.index + 1];
     for (const std::uint32_t s : chains_.list[piece.chain].segments) {
@@ -141,20 +144,55 @@ void CurveCuts::straighten(const ChainPiece &piece) {
     }
 }
 
+/// Replaces a chain by those between its straightened segments. It stays in the list, without segments.
+void CurveCuts::cutOut(std::uint32_t chain) {
+    const CurveChain whole = std::exchange(chains_.list[chain], {});
+    cuts_[chain].clear();
+    const auto endNode = [&](std::uint32_t s, bool upperEnd) {
+        const DomainSegment &segment = domain_.segments[s];
+        return (segment.stretch.t0 < segment.stretch.t1) == upperEnd ? segment.b : segment.a;
+    };
+    const auto isStraight = [&](std::uint32_t s) { return straight_[s] != 0; };
+    for (auto from = whole.segments.begin(); from != whole.segments.end();) {
+        if (isStraight(*from)) {
+            chains_.ofSegment[*from] = kNoIndex;
+            inner_[domain_.segments[*from].a] = inner_[domain_.segments[*from].b] = 0;
+            ++from;
+            continue;
+        }
+        const auto to = std::find_if(from, whole.segments.end(), isStraight);
+        const std::uint32_t first = *from, last = *(to - 1);
+        addChain({whole.curve,
+                  endNode(first, false),
+                  endNode(last, true),
+                  lower(domain_.segments[first].stretch),
+                  upper(domain_.segments[last].stretch),
+                  {from, to}});
+        from = to;
+    }
+}
+
 void CurveCuts::refine(std::vector<ChainPiece> pieces) {
     std::sort(pieces.begin(), pieces.end());
     pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
-    bool straightened = false;
+    std::vector<std::uint32_t> straightened; // chains
     for (const ChainPiece &piece : pieces) {
         if (isFine(piece)) {
             straighten(piece);
-            straightened = true;
+            straightened.push_back(piece.chain);
         }
     }
-    if (straightened) {
-        findChains();
-        return;
+    straightened.erase(std::unique(straightened.begin(), straightened.end()), straightened.end());
+    for (const std::uint32_t chain : straightened) {
+        cutOut(chain);
     }
+    if (straightened.empty()) {
+        halve(pieces);
+    }
+}
+
+/// Halves pieces, given in order.
+void CurveCuts::halve(std::span<const ChainPiece> pieces) {
     for (std::size_t i = 0; i < pieces.size();) {
         const std::uint32_t chain = pieces[i].chain;
         std::vector<double> finer;

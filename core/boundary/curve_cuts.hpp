@@ -4,6 +4,7 @@
 #include "core/domain/curve_chains.hpp"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace forefront {
@@ -21,14 +22,14 @@ class CurveCuts {
   public:
     explicit CurveCuts(const Domain &domain);
 
-    bool any() const { return !chains_.list.empty(); }
+    bool any() const;
     /// Returns the chain of a segment, or kNoIndex if it is straight.
     std::uint32_t chainOf(std::uint32_t segment) const { return chains_.ofSegment[segment]; }
     const CurveChain &chain(std::uint32_t chain) const { return chains_.list[chain]; }
     /// Returns the first of the chain's segments in the order of the domain.
     std::uint32_t firstSegment(std::uint32_t chain) const { return first_[chain]; }
     /// Returns true for nodes that only divide a chain into chords.
-    bool vanishes(std::uint32_t node) const { return any() && inner_[node] != 0; }
+    bool vanishes(std::uint32_t node) const { return !inner_.empty() && inner_[node] != 0; }
 
     /// Returns the parameters of all cuts of a chain, ends included; empty before divide().
     const std::vector<double> &cuts(std::uint32_t chain) const { return cuts_[chain]; }
@@ -41,22 +42,23 @@ class CurveCuts {
     SpacingIntegral::Outcome divide(std::uint32_t chain, const SpacingField &spacing, double longest, double limit,
                                     const Progress &progress, SpacingIntegral &integral);
     /// Halves pieces. Where one is already much finer than the chords of the domain, these are taken as straight
-    /// segments instead, and all chains must be divided again. Duplicates in the list count once.
+    /// segments instead, and what is left of the chain must be divided again. Duplicates in the list count once.
     void refine(std::vector<ChainPiece> pieces);
 
   private:
-    void findChains();
+    void addChain(CurveChain chain);
     bool isFine(const ChainPiece &piece) const;
     void straighten(const ChainPiece &piece);
-    double parameter(std::uint32_t chain, double fraction) const;
+    void cutOut(std::uint32_t chain);
+    void halve(std::span<const ChainPiece> pieces);
 
     const Domain &domain_;
     double tolerance_;
     std::vector<std::uint8_t> straight_; ///< per segment
     CurveChains chains_;
+    std::vector<std::uint8_t> inner_;       ///< per node of the domain; empty without chains
     std::vector<std::uint32_t> first_;      ///< per chain
     std::vector<std::vector<double>> cuts_; ///< per chain
-    std::vector<std::uint8_t> inner_;       ///< per node of the domain; empty without chains
 };
 
 } // namespace forefront

@@ -14,8 +14,7 @@ constexpr double kOnCurve = 1e-9; ///< part of the domain's diagonal
 
 class ChainFinder {
   public:
-    ChainFinder(const Domain &domain, std::span<const std::uint8_t> straight)
-        : domain_(domain), straight_(straight), tolerance_(kOnCurve * domain.bounds().diagonal()) {}
+    explicit ChainFinder(const Domain &domain) : domain_(domain), tolerance_(kOnCurve * domain.bounds().diagonal()) {}
 
     CurveChains run() {
         result_.ofSegment.assign(domain_.segments.size(), kNoIndex);
@@ -59,7 +58,7 @@ class ChainFinder {
     bool follows(std::uint32_t s) const {
         const DomainSegment &segment = domain_.segments[s];
         const CurveStretch &stretch = segment.stretch;
-        if (stretch.curve >= domain_.curves.size() || (!straight_.empty() && straight_[s] != 0)) {
+        if (stretch.curve >= domain_.curves.size()) {
             return false;
         }
         const Curve &curve = domain_.curves[stretch.curve];
@@ -120,7 +119,6 @@ class ChainFinder {
     }
 
     const Domain &domain_;
-    std::span<const std::uint8_t> straight_;
     double tolerance_;
     std::vector<std::uint8_t> follows_;                ///< per segment
     std::vector<std::array<std::uint32_t, 2>> around_; ///< per node: its first two segments
@@ -135,8 +133,8 @@ double chordTolerance(const Domain &domain) {
     return domain.curveTolerance > 0.0 ? domain.curveTolerance : kDefault * domain.bounds().diagonal();
 }
 
-CurveChains curveChains(const Domain &domain, std::span<const std::uint8_t> straight) {
-    return ChainFinder(domain, straight).run();
+CurveChains curveChains(const Domain &domain) {
+    return ChainFinder(domain).run();
 }
 
 } // namespace forefront

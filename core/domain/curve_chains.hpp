@@ -3,7 +3,6 @@
 #include "core/domain/domain.hpp"
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace forefront {
@@ -27,9 +26,9 @@ struct CurveChains {
 /// its default.
 double chordTolerance(const Domain &domain);
 
-/// Finds the chains of a domain, which need not be valid. Segments marked in `straight`, if given, are left out, as are
-/// those whose ends are nowhere near their curve. An inner node of a chain is on the curve, belongs to no other segment
-/// and is no constraint point; all segments of a chain have one tag and role.
-CurveChains curveChains(const Domain &domain, std::span<const std::uint8_t> straight = {});
+/// Finds the chains of a domain, which need not be valid. Segments whose ends are nowhere near their curve are left
+/// out. An inner node of a chain is on the curve, belongs to no other segment and is no constraint point; all segments
+/// of a chain have one tag and role.
+CurveChains curveChains(const Domain &domain);
 
 } // namespace forefront
