@@ -167,9 +167,10 @@ CLI::Option *addOutputOptions(CLI::App &app, std::vector<std::filesystem::path> 
 }
 
 void addArrangementOptions(CLI::App &app, std::optional<double> &weldTolerance, OverlapRule &overlap) {
-    app.add_option("--weld", weldTolerance,
-                   "join nodes and segments closer than this (default: 1e-6 of the diagonal for drawings and maps; 0 "
-                   "for other files, which are joined only with --repair)")
+    app.add_option(
+           "--weld", weldTolerance,
+           "join nodes and segments closer than this (default: 1e-6 of the diagonal for drawings and maps, less "
+           "if that changes their area by over 0.1 %; 0 for other files, which are joined only with --repair)")
         ->check(nonNegativeNumber())
         ->type_name("T");
     addWordOption<OverlapRule>(app, "--overlap", overlap,

@@ -2,6 +2,7 @@
 
 #include "core/arrangement/stretch_part.hpp"
 #include "core/base/ids.hpp"
+#include "core/geometry/polygon.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,7 @@ Arrangement Assembler::run() {
     if (input_.markRegions) {
         markRegions();
     }
+    result_.areaChange = areaChange();
     report();
     return std::move(result_);
 }
@@ -204,6 +206,42 @@ void Assembler::addPoint(std::uint32_t line) {
         result_.domain.points.push_back({node(at, piece), input_.pieces[piece].tag});
         result_.pointPiece.push_back(piece);
     }
+}
+
+/// Compares the areas that contours run around before and after joining.
+double Assembler::areaChange() const {
+    std::vector<Vec2> origin(input_.contours.size());
+    std::vector<std::uint8_t> known(input_.contours.size(), 0);
+    std::vector<CompensatedSum> given(input_.contours.size()), change(input_.contours.size());
+    for (std::uint32_t i = 0; i < lineCount(); ++i) {
+        if (pieceOf(i).role != PieceRole::Outline) {
+            continue;
+        }
+        const std::uint32_t contour = pieceOf(i).contour;
+        const SnapLine &line = joined_.lines[i];
+        if (known[contour] == 0) {
+            known[contour] = 1;
+            origin[contour] = line.a;
+        }
+        const Vec2 from = origin[contour];
+        const double own = cross(line.a - from, line.b - from);
+        given[contour].add(own);
+        change[contour].add(-own);
+        for (std::uint32_t k = snapped_.starts[i]; k < snapped_.starts[i + 1]; ++k) {
+            const PlaneEdge &edge = snapped_.edges[snapped_.ways[k] / 2];
+            const double area = cross(snapped_.nodes[edge.a] - from, snapped_.nodes[edge.b] - from);
+            change[contour].add(snapped_.ways[k] % 2 == 0 ? area : -area);
+        }
+    }
+    double whole = 0.0, changed = 0.0, covered = 0.0;
+    for (std::size_t c = 0; c < given.size(); ++c) {
+        whole += 0.5 * std::fabs(given[c].value());
+        changed += 0.5 * std::fabs(change[c].value());
+    }
+    for (std::uint32_t face = 1; face < faces_.count; ++face) {
+        covered += inside(face) ? cover_.area[face] : 0.0; // of contours that cross themselves
+    }
+    return changed > 0.0 ? changed / std::max(whole, covered) : 0.0;
 }
 
 } // namespace forefront

@@ -36,6 +36,7 @@ class Assembler {
     bool pointInside(std::uint32_t node) const;
     std::vector<std::uint32_t> joinFaces() const;
     void markRegions();
+    double areaChange() const;
     void report();
     void reportLine(std::uint32_t line);
     void reportOverlaps();

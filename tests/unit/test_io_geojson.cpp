@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 using namespace forefront;
 using namespace forefront::testing;
 
@@ -110,6 +112,28 @@ TEST_CASE("GeoJSON: several polygons and a geometry collection without features"
         domainOf("{\"type\": \"GeometryCollection\", \"geometries\": [{\"type\": \"MultiPolygon\", \"coordinates\": "
                  "[[[[0,0],[1,0],[0,1],[0,0]]], [[[5,0],[6,0],[5,1],[5,0]]]]}]}");
     CHECK(count(domain, SegmentRole::Boundary) == 6);
+}
+
+TEST_CASE("GeoJSON: a polygon thinner than a millionth of the map stays if it is a visible part of its area") {
+    const std::string needle = feature("Polygon", "[[[100,100],[1e6,110],[1e7,100],[100,100]]]");
+    const std::string square = feature("Polygon", "[[[0,0],[0,200],[200,200],[200,0],[0,0]]]");
+    const std::string continent = feature("Polygon", "[[[0,-9e6],[1e7,-9e6],[1e7,-10],[0,-10],[0,-9e6]]]");
+    const auto nodesAt = [](const Domain &domain, Vec2 place) {
+        return std::count(domain.nodes.begin(), domain.nodes.end(), place);
+    };
+    ImportNotes notes;
+    const std::string text = collection({square, needle});
+    SourceText source = sourceOf(text);
+    source.notes = &notes;
+    const auto domain = readGeoJson(source);
+    REQUIRE(domain.ok());
+    CHECK(nodesAt(*domain, {1e6, 110.0}) == 1);
+    CHECK(nodesAt(*domain, {1e7, 100.0}) == 1);
+    REQUIRE(notes.entries().size() > 0);
+    CHECK(notes.entries().front().code == "finer-weld");
+    CHECK(notes.entries().front().message ==
+          "joined what is closer than 0.313 instead of 10, which would change the area by over 0.1 %");
+    CHECK(nodesAt(domainOf(collection({square, needle, continent})), {1e6, 110.0}) == 0);
 }
 
 TEST_CASE("GeoJSON: faults have a location") {

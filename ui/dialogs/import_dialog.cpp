@@ -162,7 +162,7 @@ void ImportDialog::drawJoining(Shell &context) {
     }
     ui::tooltip(context, arranges_
                              ? "Join nodes and lines closer than this, in units of the file. Auto: 1e-6 of the "
-                               "drawing's diagonal."
+                               "drawing's diagonal, less if that changes its area by over 0.1 %."
                              : "Join nodes and lines closer than this, in units of the file. 0: leave the drawing "
                                "as it is.");
     ImGui::SameLine();

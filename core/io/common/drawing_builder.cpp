@@ -1,8 +1,11 @@
 #include "core/io/common/drawing_builder.hpp"
 
+#include "core/arrangement/snap.hpp"
+#include "core/base/number_text.hpp"
 #include "core/io/common/line_outline.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace forefront {
@@ -11,13 +14,13 @@ namespace {
 
 constexpr double kDefaultTolerance = 1e-6; ///< part of the diagonal: the error of relative path data and digitising
 
-double diagonalOf(const ArrangementInput &input) {
+Box2 boundsOf(const ArrangementInput &input) {
     Box2 box;
     for (const ArrangementPiece &piece : input.pieces) {
         box.add(piece.a);
         box.add(piece.b);
     }
-    return box.diagonal();
+    return box;
 }
 
 } // namespace
@@ -75,8 +78,9 @@ void DrawingBuilder::addPoint(Vec2 at, std::int32_t tag) {
 }
 
 Result<Domain> DrawingBuilder::finish() {
-    input_.tolerance = source_.options.weldTolerance.value_or(kDefaultTolerance * diagonalOf(input_));
-    Result<Arrangement> arranged = hasOutlines() ? arrange(input_) : arrangeLines();
+    const std::optional<double> &chosen = source_.options.weldTolerance;
+    input_.tolerance = chosen.value_or(kDefaultTolerance * boundsOf(input_).diagonal());
+    Result<Arrangement> arranged = !hasOutlines() ? arrangeLines() : chosen ? arrange(input_) : arrangeByDefault();
     if (!arranged) {
         Diagnostics faults = arranged.faults();
         for (Diagnostic &fault : faults) {
@@ -98,6 +102,27 @@ Result<Domain> DrawingBuilder::finish() {
     }
     recordOrigin(*arranged);
     return std::move(arranged->domain);
+}
+
+/// Arranges with the default tolerance, or with a smaller one where that would change the area of outlines visibly: all
+/// of a drawing may be thinner than a millionth of its length.
+Result<Arrangement> DrawingBuilder::arrangeByDefault() {
+    constexpr double kMaxAreaChange = 1e-3;
+    constexpr double kStep = 1.0 / 32.0;
+    const double standard = input_.tolerance, minimum = resolutionOf(boundsOf(input_));
+    for (;; input_.tolerance *= kStep) {
+        Result<Arrangement> arranged = arrange(input_);
+        if (arranged && arranged->areaChange > kMaxAreaChange && input_.tolerance > minimum) {
+            continue;
+        }
+        if (input_.tolerance < standard) {
+            source_.note("finer-weld",
+                         "joined what is closer than " + numberText(input_.tolerance, 3) + " instead of " +
+                             numberText(standard, 3) + ", which would change the area by over 0.1 %",
+                         places_.front());
+        }
+        return arranged;
+    }
 }
 
 /// Arranges lines that come without outlines: joins them, turns those that bound the domain into an outline, and

@@ -44,6 +44,7 @@ class DrawingBuilder {
 
   private:
     std::size_t offset(std::size_t node) const;
+    Result<Arrangement> arrangeByDefault();
     Result<Arrangement> arrangeLines();
     ArrangementInput withOutline(const Arrangement &lines) const;
     Diagnostics report(const Arrangement &arrangement) const;
