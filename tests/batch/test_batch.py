@@ -627,7 +627,7 @@ class Refusing(Case):
         self.write("plate.json", limits)
         self.call("mesh", "plate.json", "-o", "plate.msh")
         done = self.call("check", "plate.msh", "--limits", "plate.json", code=1)
-        self.assertIn("minimum angle 59.9°: broken", done.stdout)
+        self.assertIn("minimum angle 59.9°: violated", done.stdout)
         self.assertIn("maximum valence 20: kept", done.stdout)
         done = self.call("check", "plate.msh", "--limits", "plate.json", "--min-angle", "5")
         self.assertIn("minimum angle 5°: kept", done.stdout)
