@@ -137,7 +137,8 @@ class Sweep {
         }
     }
 
-    /// Records an overlap where two edges cross: of the four sectors between them, some winding number is not 0 or 1.
+    /// Records an overlap where two edges cross: the winding number of one of the four sectors between them is neither
+    /// 0 nor 1.
     void checkCrossing(std::uint32_t i, std::uint32_t j) {
         const SweepEdge &a = edges_[i], &b = edges_[j];
         if (found_.overlap || meet(a.left, a.right, b.left, b.right) != SegmentMeeting::Crossing) {

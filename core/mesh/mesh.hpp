@@ -37,8 +37,8 @@ struct Mesh {
     std::vector<TaggedEdge> edges;     ///< boundary and constraint edges
     std::vector<TaggedNode> points;    ///< constraint points
     std::vector<Curve> curves;         ///< those that tagged edges are chords of
-    /// Per tagged edge, the part of a curve that it is a chord of; empty if the domain had no curves. Known for meshes
-    /// made here; no file format keeps it.
+    /// Per tagged edge, the part of a curve that it is a chord of; empty if the domain had no curves. Known only for
+    /// meshes made by this library, since no file format keeps it.
     std::vector<CurveStretch> edgeStretches;
     std::map<std::int32_t, std::string> boundaryNames;
     std::map<std::int32_t, std::string> regionNames;

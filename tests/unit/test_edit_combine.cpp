@@ -149,7 +149,7 @@ TEST_CASE("combineShapes: refuses open shapes, single ones, unknown ones, and an
     CHECK(canCombine(document, selection));
 }
 
-TEST_CASE("combineShapes: random polygons are covered as the operation says") {
+TEST_CASE("combineShapes: the results for random polygons cover what the operation defines") {
     Random random(5);
     std::size_t tested = 0;
     for (int round = 0; round < 120; ++round) {

@@ -45,8 +45,8 @@ void drawColourBar(CanvasPainter &painter, const Theme &theme, const Fonts &font
 /// "≤", since smaller values share its colour.
 std::vector<LegendTick> linearTicks(const ColourRange &range);
 
-/// Returns the round numbers 1, 2, 5 · 10ⁿ in a range, or fewer of them (1, 3 or 1 · 10ⁿ, or every second and so on)
-/// where there are more than `limit`.
+/// Returns the round numbers 1, 2, 5 · 10ⁿ in a range, or fewer (1 and 3 · 10ⁿ, 10ⁿ alone, or every second power and so
+/// on) if there are more than `limit`.
 std::vector<double> roundValues(double minimum, double maximum, std::size_t limit);
 
 /// Returns the ticks of a logarithmic scale: the ends, and at most `limit` round numbers (1, 2, 5 · 10ⁿ) in between.

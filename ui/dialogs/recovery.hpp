@@ -20,8 +20,8 @@ class Recovery {
     void offer(Shell &context);
     /// Records the document in the journal if it has changed. Called once per frame.
     void follow(Shell &context);
-    /// Opens the document of a journal as unsaved, and removes that journal once the document is in our own. Returns
-    /// false if the journal cannot be read.
+    /// Opens the document of a journal as unsaved, and removes that journal once the document is in the current one.
+    /// Returns false if the journal cannot be read.
     bool recover(OrphanedJournal &orphan, Shell &context);
 
   private:

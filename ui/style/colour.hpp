@@ -17,7 +17,7 @@ struct Colour : glm::u8vec4 {
     static constexpr Colour rounded(const glm::dvec4 &channels) { return glm::u8vec4(channels + 0.5); }
 
     operator std::uint32_t() const { return glm::packUint4x8(*this); }
-    /// Returns the channels in [0, 1], as OpenGL takes them.
+    /// Returns the channels in [0, 1], as OpenGL expects them.
     glm::vec4 channels() const { return glm::vec4(*this) / 255.0F; }
 };
 static_assert(sizeof(Colour) == 4, "arrays of colours are uploaded to the GPU");

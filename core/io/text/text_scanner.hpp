@@ -10,7 +10,7 @@
 
 namespace forefront {
 
-/// Parses the whole of `text` as a finite or infinite number or NaN, also with a leading '+' or Fortran's D exponent.
+/// Parses the entire `text` as a finite or infinite number or NaN; accepts a leading '+' and Fortran's D exponent.
 std::optional<double> parseReal(std::string_view text);
 
 /// The purpose of a number in a file, for messages that are composed only when needed.

@@ -11,9 +11,9 @@
 namespace forefront {
 
 /// Cells are as fine as the sites in them demand, and at most twice as large as those beside them. From the cells at
-/// the sites, winners spread to the cells beside them until nothing changes: where all sites grow alike, the part of
-/// the plane that a site wins is star-shaped around it, so a path through that part leads to each of its cells. Each
-/// leaf then chooses among the sites at it and the winners of the leaves beside it.
+/// the sites, winners spread to the cells beside them until nothing changes: where all sites grow at the same rate, the
+/// part of the plane that a site wins is star-shaped around it, so a path through that part leads to each of its cells.
+/// Each leaf then chooses among the sites at it and the winners of the leaves beside it.
 class SiteSpreader : SiteTreeWriter {
   public:
     SiteSpreader(std::vector<SizeSite> sites, const Box2 &box, double cellsPerSize)

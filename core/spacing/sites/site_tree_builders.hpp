@@ -12,7 +12,7 @@ namespace forefront {
 /// sites; the time grows faster than their number.
 std::optional<SiteTree> buildTreeFromRoot(std::vector<SizeSite> sites, const Box2 &box, const Progress &progress);
 
-/// Returns true if spreadSites() can take these sites: all of them grow alike, and not by zero.
+/// Returns true if spreadSites() can take these sites: all of them grow at the same rate, which is not zero.
 bool canSpread(std::span<const SizeSite> sites);
 
 /// Builds the tree from the sites outwards, in time proportional to their number. Values may be a few percent too large
