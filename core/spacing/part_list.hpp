@@ -8,7 +8,7 @@
 
 namespace forefront {
 
-/// One kind of spacing part: everything that building, checking, comparing and files need to know about it.
+/// One kind of spacing part, with everything needed to build, check, compare, read and write it.
 struct SpacingPartKind {
     /// Member of "spacing" in a project file; empty for parts that belong to the domain.
     std::string_view word;

@@ -19,7 +19,7 @@ TEST_CASE("Pen: clicks and Enter draw a polygon, and one inside it is a hole") {
     CHECK(driver.context().selection.shapes == std::set<std::uint32_t>{2});
 }
 
-TEST_CASE("Pen: a click on the first node closes the path; Backspace and undo remove nodes, redo restores them") {
+TEST_CASE("Pen: a click on the first node closes the path; Backspace and undo remove nodes, and redo restores them") {
     Draughtsman driver;
     driver.key('P');
     driver.clickPlace({1, 1});
@@ -37,7 +37,7 @@ TEST_CASE("Pen: a click on the first node closes the path; Backspace and undo re
     CHECK(driver.document().shapes[0]->nodes == std::vector<Vec2>{{1, 1}, {9, 1}, {9, 9}, {1, 9}});
 }
 
-TEST_CASE("Pen: Esc cancels the path, choosing another tool finishes it") {
+TEST_CASE("Pen: Esc cancels the path, and choosing another tool finishes it") {
     Draughtsman driver;
     driver.key('P');
     driver.clickPlace({1, 1});
@@ -119,7 +119,7 @@ TEST_CASE("Numeric entry: letters open distance and angle, and digits before the
     CHECK(driver.run().state == RunState::Empty);
 }
 
-TEST_CASE("Snapping: the pointer snaps to nodes, Ctrl disables it, Shift snaps to 15 degrees") {
+TEST_CASE("Snapping: the pointer snaps to nodes, Ctrl disables snapping, and Shift snaps to 15 degrees") {
     Draughtsman driver;
     driver.polygon({{1, 1}, {9, 1}, {9, 9}});
     driver.key('L');
@@ -220,7 +220,7 @@ TEST_CASE("Select: double-clicking a segment inserts a node, and Delete removes 
     CHECK(driver.undoLabel() == "Delete");
 }
 
-TEST_CASE("Select: a box selects whole shapes, Ctrl+A selects all, Ctrl+D duplicates, arrow keys nudge") {
+TEST_CASE("Select: a box selects entire shapes, Ctrl+A selects all, Ctrl+D duplicates, and arrow keys nudge") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {3, 3});
     driver.rectangle({5, 5}, {8, 8});

@@ -368,7 +368,7 @@ TEST_CASE("Import: an exact file is repaired only with a weld tolerance") {
     CHECK(driver.document().shapes.front()->kind == ShapeKind::Polygon);
 }
 
-TEST_CASE("Quit: asks about unsaved changes; Cancel stays, Don't save leaves") {
+TEST_CASE("Quit: asks about unsaved changes; Cancel stays, and Don't save leaves") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.editor().input().push({.kind = InputKind::Close});

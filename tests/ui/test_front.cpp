@@ -120,7 +120,8 @@ TEST_CASE("Follow: the camera moves smoothly and stays still while the advance i
     CHECK(view.camera.zoom > rest.zoom);
 }
 
-TEST_CASE("Breakpoints: the popup sets them, N runs to the next one, Shift+N back, and the caption says why") {
+TEST_CASE("Breakpoints: the popup sets them, N runs to the next, Shift+N back to the previous, and the caption says "
+          "why it stopped") {
     Stepping driver;
     driver.key(key::kHome);
     driver.settle();

@@ -96,7 +96,7 @@ TEST_CASE("Run: dragging the scrubber seeks") {
     CHECK(run.mesh->mesh.elements.size() > 100);
 }
 
-TEST_CASE("Run: Space plays the front, Space pauses it") {
+TEST_CASE("Run: Space plays the front and pauses it") {
     Driver driver;
     driver.context().run.setSpeed(20.0);
     driver.key(key::kSpace);

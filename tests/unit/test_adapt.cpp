@@ -165,7 +165,7 @@ TEST_CASE("limitGradation: gives the largest spacing, not above the given one, w
     CHECK(limited != given);
 }
 
-TEST_CASE("outlineOf: drops nodes that only divide a straight side, keeps tags and names") {
+TEST_CASE("outlineOf: drops nodes that only divide a straight side, and keeps tags and names") {
     const Mesh mesh = samples::square(9, 4, 0.1, {3.0, 7.0});
     const Result<Domain> domain = outlineOf(mesh);
     REQUIRE(domain);
@@ -335,7 +335,8 @@ TEST_CASE("adapt: can be cancelled in any round, and names the round in each sta
     }
 }
 
-TEST_CASE("adapt: at a re-entrant corner the energy error falls at the optimal rate, uniform refinement is slower") {
+TEST_CASE(
+    "adapt: at a re-entrant corner the energy error falls at the optimal rate, while uniform refinement is slower") {
     using namespace forefront::testing;
     const Domain domain = lShape();
     std::vector<Vec2> uniform, adapted; // energy error against degrees of freedom

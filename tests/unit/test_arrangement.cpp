@@ -166,7 +166,7 @@ TEST_CASE("arrange: tags and curve parameters survive splitting") {
     REQUIRE(find(result, ChangeKind::CrossingSegments) != nullptr);
 }
 
-TEST_CASE("arrange: slivers thinner than the tolerance collapse, needles vanish") {
+TEST_CASE("arrange: slivers thinner than the tolerance collapse, and needles vanish") {
     ArrangementInput input;
     addPolygon(input, 1, {rectangle(0, 0, 1, 1)});
     addPolygon(input, 2, {{{1.0005, 0}, {2, 0}, {2, 1}, {1.0004, 1}, {1.0003, 0.5}}});

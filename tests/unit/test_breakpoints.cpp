@@ -207,7 +207,7 @@ TEST_CASE("Breakpoints: running back stops at the same advances in reverse") {
     CHECK(back == forward);
 }
 
-TEST_CASE("Breakpoints: steps and layers stop, seeking and running to the end do not") {
+TEST_CASE("Breakpoints: steps and layers stop at them, but seeking and running to the end do not") {
     const std::vector<std::uint64_t> closures = stopsOf(Method::Fast, only(StopKind::Closure));
     REQUIRE_FALSE(closures.empty());
     TimelineTravel travel(mesherWithHoles(Method::Fast));

@@ -37,7 +37,7 @@ TEST_CASE("addShape: refuses invalid shapes and never reuses an id") {
     CHECK(addShape(document, square({4, 0}, 1))->shapes.back()->id == 3);
 }
 
-TEST_CASE("setHandle: a rectangle stays one, a circle moves with its centre") {
+TEST_CASE("setHandle: a rectangle stays a rectangle, and a circle moves with its centre") {
     const Document document =
         documentOf({makeShape(ShapeKind::Rectangle, {{0, 0}, {4, 2}}), makeShape(ShapeKind::Circle, {{0, 0}, {1, 0}})});
     for (std::uint32_t corner = 0; corner < 4; ++corner) {
@@ -158,7 +158,7 @@ TEST_CASE("setRadius and setSegmentLength keep the direction") {
     CHECK(codeOf(setSegmentLength(document, {2, 0}, -5)) == "bad-number");
 }
 
-TEST_CASE("joinToSegments: where a line ends on other shapes, their segments get a node; tags stay") {
+TEST_CASE("joinToSegments: where a line ends on other shapes, their segments get a node and keep their tags") {
     Shape tagged = square({0, 0}, 4);
     tagged.segmentTags = {1, 2, 3, 4};
     Document document = documentOf({tagged, makeShape(ShapeKind::Rectangle, {{6, 0}, {8, 4}})});

@@ -104,7 +104,7 @@ TEST_CASE("History: an unchanged document is not recorded") {
     CHECK(history.size() == 2);
 }
 
-TEST_CASE("History: a drag is one command, two drags are two") {
+TEST_CASE("History: a drag is one command, and two drags are two") {
     History history;
     history.commit("a", withPoint(history.document(), {0, 0}));
     const std::uint32_t id = history.document().shapes[0]->id;
@@ -135,7 +135,7 @@ TEST_CASE("History: an abandoned stroke leaves no trace") {
     CHECK(history.size() == 1);
 }
 
-TEST_CASE("History: dirty compares with the saved document, also inside a stroke") {
+TEST_CASE("History: a document is dirty if it differs from the saved one, even within a stroke") {
     History history;
     history.commit("a", withPoint(history.document(), {0, 0}), "stroke");
     CHECK(history.dirty());
@@ -153,7 +153,8 @@ TEST_CASE("History: dirty compares with the saved document, also inside a stroke
     CHECK(history.dirty());
 }
 
-TEST_CASE("History: random commands; undo all is the start, redo all the end, every step the same both ways") {
+TEST_CASE("History: undoing random commands leads to the start, redoing them to the end, through the same documents "
+          "both ways") {
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         Random random(seed);
         History history;

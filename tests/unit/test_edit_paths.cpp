@@ -89,7 +89,8 @@ TEST_CASE("moveControl: at a smooth node the opposite control point turns with i
     CHECK(codeOf(moveControl(document, {7, 0, true}, {8, -2})) == "no-such-shape");
 }
 
-TEST_CASE("setCurved: a line becomes a cubic along it, an arc a cubic near it, and both become lines") {
+TEST_CASE(
+    "setCurved: a line becomes a cubic along it, an arc becomes a cubic near it, and both can become lines again") {
     const Document document = documentOf({square({0, 0}, 6)});
     const Result<Document> curved = setCurved(document, {{1, 0}, {1, 2}}, true);
     REQUIRE(curved.ok());

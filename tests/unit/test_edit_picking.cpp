@@ -47,7 +47,7 @@ std::shared_ptr<const Document> randomDocument(std::uint64_t seed, int count) {
 
 } // namespace
 
-TEST_CASE("BoxTree: query and nearest agree with looking at every box") {
+TEST_CASE("BoxTree: query and nearest agree with an exhaustive search") {
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         Random random(seed);
         std::vector<Box2> boxes(random.below(400));
@@ -128,7 +128,7 @@ TEST_CASE("PickIndex: picks the last drawn of coinciding nodes, unless it is fil
     CHECK_FALSE(index.node({1.01, 0}, 0.001).has_value());
 }
 
-TEST_CASE("PickIndex: a line is picked before an inside, and the smallest inside wins") {
+TEST_CASE("PickIndex: a line is picked before the inside of a shape, and the smallest shape wins") {
     const auto document =
         documentOf({square({0, 0}, 10), square({2, 2}, 4), makeShape(ShapeKind::Circle, {{4, 4}, {5, 4}})});
     const PickIndex index(document);
@@ -140,7 +140,7 @@ TEST_CASE("PickIndex: a line is picked before an inside, and the smallest inside
     CHECK(index.shape({11, 11}, 0.1) == kNoIndex);
 }
 
-TEST_CASE("PickIndex: sources by their parts, markers, and boxes") {
+TEST_CASE("PickIndex: finds the parts of sources, markers, and everything in a box") {
     Document drawn = *documentOf({square({0, 0}, 1), makeShape(ShapeKind::Circle, {{5, 5}, {6, 5}})});
     drawn = *addSource(drawn, {SourceShape::Line, {0, 8}, {4, 8}, 0.0, 0.1, 0.2, ""});
     drawn = *addSource(drawn, {SourceShape::Circle, {8, 8}, {}, 1.0, 0.1, 0.2, ""});
@@ -185,7 +185,7 @@ TEST_CASE("PickIndex: a hundred thousand searches among a hundred thousand nodes
     CHECK(found < 400000);
 }
 
-TEST_CASE("snap: nodes before segments before the grid, nothing with ctrl") {
+TEST_CASE("snap: nodes take precedence over segments, and segments over the grid; with Ctrl nothing snaps") {
     const PickIndex index(documentOf({square({0, 0}, 4)}));
     SnapQuery query;
     query.tolerance = 0.2;

@@ -12,7 +12,7 @@
 using namespace forefront;
 using namespace forefront::edit_test;
 
-TEST_CASE("fillRegion: one marker per face; a second fill replaces it") {
+TEST_CASE("fillRegion: each face has one marker, which a second fill replaces") {
     // A square with a hole, an island in the hole, and constraints that cut what is around the hole in two faces.
     Document document =
         *addShapes({}, {makeShape(ShapeKind::Polygon, {{0, 0}, {10, 0}, {10, 5}, {10, 10}, {0, 10}, {0, 5}}),

@@ -54,7 +54,8 @@ TEST_CASE("repairDrawing: shapes that it does not change stay the same objects")
     CHECK(result.document.boundaryNames == document.boundaryNames);
 }
 
-TEST_CASE("repairDrawing: neighbours become one outline with a constraint between them, points outside go") {
+TEST_CASE(
+    "repairDrawing: neighbours become one outline with a constraint between them, and points outside are dropped") {
     const Document document = documentOf({square({0, 0}, 2), square({2, 0}, 2), square({9, 9}, 1),
                                           makeShape(ShapeKind::Point, {{7, 7}}, ShapeUse::Constraint),
                                           makeShape(ShapeKind::Point, {{1, 1}}, ShapeUse::Boundary)});

@@ -58,7 +58,7 @@ std::vector<double> twiceAreas(const std::vector<Vec2> &points, const std::vecto
 
 } // namespace
 
-TEST_CASE("Faces: a hole is outside and an island in it inside, for any orientation of loops") {
+TEST_CASE("Faces: a hole is outside and an island in it is inside, for any orientation of loops") {
     Domain domain;
     const auto outer = addLoop(domain, square(0, 0, 10));
     const std::vector<Vec2> clockwise{{2, 2}, {2, 8}, {8, 8}, {8, 2}};
@@ -78,7 +78,7 @@ TEST_CASE("Faces: a hole is outside and an island in it inside, for any orientat
     CHECK(s.labels.inside[s.faces.left[other]] == 1);
 }
 
-TEST_CASE("Faces: closed constraints divide, open ones and points do not; markers give tags") {
+TEST_CASE("Faces: closed constraints divide faces, but open ones and points do not; markers give tags") {
     Domain domain;
     const auto outer = addLoop(domain, square(0, 0, 10));
     const auto inner = addLoop(domain, square(1, 1, 2), SegmentRole::Constraint);

@@ -160,7 +160,7 @@ TEST_CASE("Drawings: shapes and features of which nothing is left are reported")
     CHECK(covered.find("vanished-shapes")->message.find("under") != std::string::npos);
 }
 
-TEST_CASE("Maps: holes, covers and features without a name") {
+TEST_CASE("Maps: holes, covered features and features without a name are read") {
     checkAreas(
         areas(
             read(map({{"", rectangle(0, 0, 9, 9) + ',' + rectangle(4, 4, 2, 2)}, {"", rectangle(3, 3, 4, 4)}})).domain),

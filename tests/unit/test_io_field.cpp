@@ -46,7 +46,7 @@ TEST_CASE("readMshField: by name, of any sign, the last of several time steps") 
     CHECK(messages(missing.faults()).find("'heat'") != std::string::npos);
 }
 
-TEST_CASE("readMshField: nodes without a value are refused, values of several components are skipped") {
+TEST_CASE("readMshField: nodes without a value are refused, and values with several components are skipped") {
     CHECK(hasCode(
         readMshField(sourceOf(kMsh + "$NodeData\n1\n\"h\"\n1\n0\n3\n0\n1\n1\n1 3\n$EndNodeData\n"), "h").faults(),
         "bad-values"));

@@ -69,7 +69,7 @@ TEST_CASE("Triangle .poly: nodes may be in a .node file beside it, numbered from
     CHECK(damaged.faults()[0].column == 5);
 }
 
-TEST_CASE("Triangle .poly: chains that end freely become constraints, a lone open ring stays a boundary") {
+TEST_CASE("Triangle .poly: chains with free ends become constraints, but a lone open ring stays a boundary") {
     const auto domain = readPoly(sourceOf("5 2 0 0\n1 0 0\n2 4 0\n3 0 4\n4 1 1\n5 2 1\n"
                                           "5 0\n1 1 2\n2 2 3\n3 3 1\n4 5 4\n5 1 4\n0\n"));
     REQUIRE(domain.ok());

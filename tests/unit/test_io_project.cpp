@@ -189,7 +189,7 @@ TEST_CASE("Project: version 1 is read as before, and written as version 2") {
     CHECK(sameContent(*document, *back));
 }
 
-TEST_CASE("Project: curves that are broken are refused at their line and column") {
+TEST_CASE("Project: invalid curves are refused with their line and column") {
     const auto faultOf = [](const std::string &members) {
         const Diagnostics faults =
             faultsOf(kHead + "\n{\"id\": 1, \"kind\": \"polygon\", \"nodes\": [[0, 0], [2, 0]],\n" + members + "}]}");

@@ -85,7 +85,7 @@ TEST_CASE("SVG: circles, ellipses and rounded rectangles keep their area within 
           2 * domainOf(drawing("<circle r=\"2\"/>"), 1e-4).nodes.size());
 }
 
-TEST_CASE("SVG: transforms of groups and elements are combined, hidden parts and definitions left out") {
+TEST_CASE("SVG: transforms of groups and elements are combined, and hidden parts and definitions are left out") {
     const Domain domain = domainOf(
         drawing("<defs><rect width=\"1\" height=\"1\"/></defs><g transform=\"translate(2 3) scale(2)\">"
                 "<rect transform=\"rotate(90)\" width=\"1\" height=\"2\"/></g>"
@@ -97,7 +97,7 @@ TEST_CASE("SVG: transforms of groups and elements are combined, hidden parts and
     CHECK(distance(domain.nodes[3], {-2, 7}) < 1e-12);
 }
 
-TEST_CASE("SVG: transform lists") {
+TEST_CASE("SVG: transform lists are parsed") {
     const auto at = [](const char *text, Vec2 p) {
         const auto map = parseTransform(text);
         REQUIRE(map.has_value());
@@ -116,7 +116,7 @@ TEST_CASE("SVG: transform lists") {
     }
 }
 
-TEST_CASE("SVG: closed outlines bound, open ones are constraints, labels become names") {
+TEST_CASE("SVG: closed outlines bound the domain, open ones are constraints, and labels become names") {
     const Domain domain =
         domainOf(drawing("<g fill=\"none\"><rect id=\"frame\" width=\"9\" height=\"9\"/>"
                          "<rect id=\"r1\" inkscape:label=\"pier\" x=\"1\" y=\"1\" width=\"1\" height=\"1\"/>"

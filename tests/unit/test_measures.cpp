@@ -149,7 +149,7 @@ TEST_CASE("Measures: percentiles are values of that rank") {
     CHECK(summarise({}).count == 0);
 }
 
-TEST_CASE("Measures: a histogram counts every value once, outer ones in the end bins") {
+TEST_CASE("Measures: a histogram counts every value once, and values outside in the end bins") {
     const std::vector<double> numbers{-5.0, 0.0, 0.24, 0.25, 0.99, 1.0, 7.0, std::nan("")};
     const MeasureHistogram linear = histogramOf(numbers, 0.0, 1.0, false, 4);
     CHECK(linear.bins == std::vector<std::uint64_t>{3, 1, 0, 3});
@@ -160,7 +160,7 @@ TEST_CASE("Measures: a histogram counts every value once, outer ones in the end 
     CHECK(logarithmic.edge(1) == doctest::Approx(10.0));
 }
 
-TEST_CASE("Measures: the worst parts come first, equal ones by number") {
+TEST_CASE("Measures: the worst parts come first, and equal ones are ordered by number") {
     const std::vector<double> low{0.5, 0.1, std::nan(""), 0.1, 0.9};
     CHECK(worstParts(Measure::ShapeFactor, low, 3) == std::vector<std::uint32_t>{1, 3, 0});
     CHECK(worstParts(Measure::MaxAngle, low, 9) == std::vector<std::uint32_t>{4, 0, 1, 3});

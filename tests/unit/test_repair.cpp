@@ -114,7 +114,7 @@ TEST_CASE("repair: a valid domain is left exactly as it is") {
     }
 }
 
-TEST_CASE("repair: crossings become nodes, tags stay with the pieces") {
+TEST_CASE("repair: crossings become nodes, and tags stay with the pieces") {
     Domain bowTie;
     addLoop(bowTie, {{0, 0}, {2, 2}, {2, 0}, {0, 2}});
     for (std::int32_t s = 0; s < 4; ++s) {
@@ -164,7 +164,7 @@ TEST_CASE("repair: a loop given twice counts once") {
     CHECK(constraintCount(whole) == 0);
 }
 
-TEST_CASE("repair: a boundary folded onto itself outside is dropped, inside it stays as a constraint") {
+TEST_CASE("repair: a boundary folded onto itself is dropped outside the domain and stays as a constraint inside") {
     Domain outside;
     addLoop(outside, {{0, 0}, {2, 0}, {2, 2}, {5, 2}, {2, 2}, {0, 2}});
     CHECK(repaired(outside).segments.size() == 4);

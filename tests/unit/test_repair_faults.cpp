@@ -214,7 +214,7 @@ TEST_CASE("repair: fixes faults and gaps within the tolerance, and moves nothing
     checkRepairs(1e-7, 1000);
 }
 
-TEST_CASE("repair: a gap in the outline closes if it is within the tolerance, and stays open if not") {
+TEST_CASE("repair: a gap in the outline is closed if it is within the tolerance, and stays open otherwise") {
     Domain domain;
     domain.nodes = {{0, 0}, {4, 0}, {4, 3}, {0, 3}, {0, 0.01}};
     domain.segments = {{0, 1, 1}, {1, 2, 2}, {2, 3, 3}, {3, 4, 4}};
@@ -266,7 +266,7 @@ TEST_CASE("repair: segments keep their parts of a curve, also where they are spl
     CHECK(split->domain.segments.size() == kChords + 2);
 }
 
-TEST_CASE("repair: what lies outside disappears, but nothing does while the boundary is open") {
+TEST_CASE("repair: parts outside disappear, but nothing does while the boundary is open") {
     Domain domain;
     domain.nodes = {{0, 0}, {4, 0}, {4, 3}, {0, 3}, {3, 1}, {6, 1}, {8, 8}};
     domain.segments = {{0, 1, 1}, {1, 2, 1}, {2, 3, 1}, {3, 0, 1}, {4, 5, 5, SegmentRole::Constraint}};

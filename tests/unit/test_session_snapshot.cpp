@@ -74,7 +74,7 @@ TEST_CASE("TimelineTravel: playing from the end starts again at the beginning") 
     CHECK_FALSE(travel.workDue());
 }
 
-TEST_CASE("TimelineTravel: seeking far jumps to a checkpoint and repeats little") {
+TEST_CASE("TimelineTravel: seeking far jumps to a checkpoint and repeats few advances") {
     TimelineTravel travel(mesherOfSquare(0.02));
     travel.reachEnd();
     travelOn(travel);

@@ -30,7 +30,7 @@ TEST_CASE("sharpCorners: reports the tip of a needle with its position and angle
     CHECK(sharpCorners(needle(), 9.0).minAngleElsewhere == doctest::Approx(10.0));
 }
 
-TEST_CASE("sharpCorners: elements along a needle belong to its tip, a needle elsewhere does not") {
+TEST_CASE("sharpCorners: elements along a needle belong to its tip, but a needle elsewhere does not") {
     // Two lines 2 degrees apart with nodes at 1, 2, 3; beyond them a flat element with a separate edge.
     Mesh mesh;
     const double slope = std::tan(2.0 * 0.017453292519943295);
@@ -78,7 +78,7 @@ TEST_CASE("sharpCorners: reports a slot without room for good elements, but not 
     CHECK(both.minAngleElsewhere < 1.0);
 }
 
-TEST_CASE("sharpCorners: a wedge outside the mesh does not count, one between inner lines does") {
+TEST_CASE("sharpCorners: a wedge outside the mesh does not count, but one between inner lines does") {
     Mesh mesh = needle();
     mesh.elements.erase(mesh.elements.begin()); // what is left lies beyond the tip
     CHECK(sharpCorners(mesh, 20.0).corners.empty());

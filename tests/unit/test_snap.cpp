@@ -101,7 +101,7 @@ std::vector<SnapLine> randomLines(RandomSource &random, double radius) {
 
 } // namespace
 
-TEST_CASE("clusterPlaces: leaders keep apart, and every place is near its leader") {
+TEST_CASE("clusterPlaces: leaders keep their distance, and every place is near its leader") {
     RandomSource random(5);
     for (int run = 0; run < 50; ++run) {
         std::vector<Vec2> places;
@@ -157,7 +157,7 @@ TEST_CASE("snapLines: lines far apart stay unchanged, bit for bit") {
     CHECK(snapped.starts == std::vector<std::uint32_t>{0, 1, 2, 2});
 }
 
-TEST_CASE("snapLines: a gap narrower than the radius closes, a wider one stays") {
+TEST_CASE("snapLines: a gap narrower than the radius is closed, and a wider one stays") {
     const auto gapOf = [](double gap) {
         // Two squares side by side, the right one with a node halfway up.
         const std::vector<Vec2> left{{0, 0}, {1, 0}, {1, 1}, {0, 1}};

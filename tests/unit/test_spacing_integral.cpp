@@ -67,7 +67,7 @@ TEST_CASE("SpacingIntegral: a spacing that varies a thousandfold is integrated t
           doctest::Approx(exact).epsilon(0.1));
 }
 
-TEST_CASE("SpacingIntegral: a dip narrower than the longest interval may be missed, a wider one is found") {
+TEST_CASE("SpacingIntegral: a dip narrower than the longest interval may be missed, but a wider one is found") {
     const SpacingFunction dip{[](Vec2 p) { return std::fabs(p.x - 0.3) < 0.02 ? 0.001 : 10.0; }, 0.001, 10.0};
     SpacingIntegral integral;
     REQUIRE(integral.integrate(dip, {0, 0}, {1, 0}, 10.0, 10.0, 0.01, kNoLimit, {}) == Outcome::Done);

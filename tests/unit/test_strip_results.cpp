@@ -110,7 +110,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("StripResults: the whole is the same when threads finish strips at the same time") {
+TEST_CASE("StripResults: the merged state is the same when threads finish strips at the same time") {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         CAPTURE(seed);
         Sample sample(seed, seed % 2 == 0);

@@ -86,7 +86,7 @@ TEST_CASE("validate: distinguishes crossing, touching and overlapping segments, 
     checkOne(overlapping, "overlapping-segments", {2.5, 1}, {4, 5});
 }
 
-TEST_CASE("validate: a constraint point on a segment touches it, one in a corner does not") {
+TEST_CASE("validate: a constraint point on a segment touches it, but one at a corner does not") {
     Domain domain = square();
     domain.points = {{1, 5}};
     CHECK(codes(validate(domain)) == "");

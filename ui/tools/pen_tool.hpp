@@ -32,8 +32,8 @@ class PenTool final : public DrawingTool {
     void pull(Vec2 to) override;
 
   private:
-    /// A node of the unfinished path; smooth if it has an arm, which leads to the control point after it and, the other
-    /// way, to the one before it.
+    /// A node of the unfinished path. It is smooth if it has an arm: the vector to the control point after it; the
+    /// opposite vector leads to the one before it.
     struct Node {
         Vec2 at;
         Vec2 arm;
