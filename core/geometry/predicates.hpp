@@ -17,7 +17,7 @@ int orientationExact(Vec2 a, Vec2 b, Vec2 c);
 /// Arithmetic and Fast Robust Geometric Predicates, 1997), or with big integers where an expansion would overflow or
 /// underflow.
 inline int orientation(Vec2 a, Vec2 b, Vec2 c) {
-    // Shewchuk's bound A, and the least normal number for what underflows; NaN and infinity fail both comparisons.
+    // Shewchuk's bound A, and the smallest normal number in case of underflow; NaN and infinity fail both comparisons.
     constexpr double kRelative =
         (3.0 + 8.0 * std::numeric_limits<double>::epsilon()) * 0.5 * std::numeric_limits<double>::epsilon();
     const double left = (a.x - c.x) * (b.y - c.y);

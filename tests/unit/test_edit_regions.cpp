@@ -13,7 +13,7 @@ using namespace forefront;
 using namespace forefront::edit_test;
 
 TEST_CASE("fillRegion: each face has one marker, which a second fill replaces") {
-    // A square with a hole, an island in the hole, and constraints that cut what is around the hole in two faces.
+    // A square with a hole, an island in the hole, and constraints that divide the ring around the hole into two faces.
     Document document =
         *addShapes({}, {makeShape(ShapeKind::Polygon, {{0, 0}, {10, 0}, {10, 5}, {10, 10}, {0, 10}, {0, 5}}),
                         makeShape(ShapeKind::Polygon, {{2, 2}, {8, 2}, {8, 5}, {8, 8}, {2, 8}, {2, 5}}),
@@ -55,7 +55,7 @@ TEST_CASE("fillRegion: where shapes cross, the faces between the crossings are f
     CHECK(repaired->document.regionMarkers == document.regionMarkers);
 }
 
-TEST_CASE("insertDrawing: shapes get new ids, are scaled, and become the selection; names already there win") {
+TEST_CASE("insertDrawing: shapes get new ids, are scaled, and become the selection; existing names take precedence") {
     Document here = *addShape({}, square({0, 0}, 1));
     here = *setBoundaryName(here, 1, "wall");
     Document there = *addShapes({}, {square({2, 2}, 2), makeShape(ShapeKind::Circle, {{1, 1}, {2, 1}})});

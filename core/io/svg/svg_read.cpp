@@ -111,7 +111,8 @@ class SvgBuilder {
             return;
         }
         if (part == Part::Outline) {
-            source_.note("svg-outlines", "nothing is filled: closed lines are outlines, one inside another is a hole",
+            source_.note("svg-outlines",
+                         "nothing is filled: closed lines are outlines, and a closed line inside another is a hole",
                          path.offset);
         } else if (part == Part::Nothing) {
             source_.note("svg-unpainted",

@@ -11,7 +11,7 @@
 
 namespace forefront {
 
-/// An expression as spacing: always finite and > 0, even if the formula is not between the probed places.
+/// An expression as spacing: always finite and > 0, even where the formula is not at places between the probes.
 class ExpressionSpacing {
   public:
     /// Compiles `spec.expression` and evaluates it at 65 x 65 places of the box and at the domain's nodes. Errors:
