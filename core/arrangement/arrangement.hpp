@@ -107,7 +107,7 @@ struct Arrangement {
     std::vector<std::uint32_t> pointPiece;    ///< per constraint point
     std::vector<std::uint32_t> markerFeature; ///< per region marker: the feature that its face belongs to
     double radius = 0.0; ///< joining distance: the tolerance, or less if several things are crowded within it
-    /// By how much joining changes the areas that contours run around, summed over all, as a part of their sum.
+    /// The total change by joining of the areas that contours run around, as a fraction of their sum.
     double areaChange = 0.0;
     std::vector<ArrangementChange> changes; ///< one entry per kind
 };

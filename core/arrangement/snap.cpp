@@ -40,7 +40,7 @@ class PinnedLines {
     }
 
   private:
-    /// A place on a line, at a part of the way from the end that comes first by x, then y.
+    /// A place on a line, at a fraction of the way from the end that comes first by x, then y.
     struct Pin {
         std::uint32_t line = 0;
         double part = 0.0;

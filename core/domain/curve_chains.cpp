@@ -10,7 +10,7 @@ namespace forefront {
 
 namespace {
 
-constexpr double kOnCurve = 1e-9; ///< part of the domain's diagonal
+constexpr double kOnCurve = 1e-9; ///< fraction of the domain's diagonal
 
 class ChainFinder {
   public:

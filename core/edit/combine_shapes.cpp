@@ -14,7 +14,7 @@
 namespace forefront {
 namespace {
 
-constexpr double kTolerance = 1e-9; ///< part of the extent: the rounding of places that are meant to be the same
+constexpr double kTolerance = 1e-9; ///< fraction of the extent: the rounding of places that are meant to be the same
 
 using ShapePointer = std::shared_ptr<const Shape>;
 

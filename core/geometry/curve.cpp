@@ -167,7 +167,7 @@ Vec2 Curve::secondDerivative(double t) const {
 }
 
 Vec2 Curve::tangent(double t) const {
-    constexpr double kVanishes = 1e-13; // part of the curve's size
+    constexpr double kVanishes = 1e-13; // fraction of the curve's size
     Vec2 along = derivative(t);
     if (kind_ == CurveKind::Cubic) {
         const double negligible =

@@ -80,7 +80,7 @@ class SteepCrossing {
         return std::nullopt;
     }
 
-    /// Returns the crossing within the whole parts that is found from where the chords of these parts cross.
+    /// Returns the crossing within the full parts, found by starting where the chords of these parts cross.
     std::optional<CurveContact> byNewton(const CurvePart &first, const CurvePart &second) const {
         const auto share = [](const CurvePart &part, Vec2 p) {
             const double chord = distance(part.start, part.end);

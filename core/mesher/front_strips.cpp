@@ -16,7 +16,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMinStrips = 8.0;     ///< with fewer, one thread is fast enough
 constexpr double kMaxStrips = 16.0;    ///< enough for any number of threads
 constexpr double kMultiple = 2.0;      ///< their number is a multiple, so that two threads both have work to the end
-constexpr double kCoarse = 1.0 / 16.0; ///< segments from this part of the width of a strip on are coarse
+constexpr double kCoarse = 1.0 / 16.0; ///< segments at least this fraction of a strip's width are coarse
 
 /// The distribution of the expected elements along the longer side of a box: ∫ dA/ρ², by cells that are quartered where
 /// ρ varies. Small spacing that the samples miss makes strips uneven, which costs time and nothing else.

@@ -14,7 +14,7 @@ struct Target {
     const Format *format; ///< null: the repair
 
     /// Aborts if the result breaks a promise: faults without a place, a mesh with bad indices or numbers, a project
-    /// that does not survive being written, a repair that leaves something to do.
+    /// that does not survive being written, a repair that is not complete.
     void run(std::string_view bytes) const;
 };
 /// Returns the targets in the order of the list of formats, then the repair.

@@ -132,7 +132,7 @@ TEST_CASE("GeoJSON: a polygon thinner than a millionth of the map stays if it is
     REQUIRE(notes.entries().size() > 0);
     CHECK(notes.entries().front().code == "finer-weld");
     CHECK(notes.entries().front().message ==
-          "joined what is closer than 0.313 instead of 10, which would change the area by over 0.1 %");
+          "used a weld tolerance of 0.313 instead of 10, which would change the area by over 0.1 %");
     CHECK(nodesAt(domainOf(collection({square, needle, continent})), {1e6, 110.0}) == 0);
 }
 

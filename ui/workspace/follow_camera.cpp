@@ -11,7 +11,7 @@ namespace {
 constexpr double kTarget = 0.42;
 constexpr double kLargest = 0.8;
 constexpr double kSmallest = 0.16;
-/// The camera keeps still while the advance lies within this part of the room.
+/// The camera keeps still while the advance lies within this fraction of the room.
 constexpr double kMiddle = 0.9;
 /// Seconds in which the distance from the target falls to 1/e.
 constexpr double kTimeConstant = 0.16;

@@ -12,7 +12,7 @@ namespace forefront {
 
 namespace {
 
-constexpr double kDefaultTolerance = 1e-6; ///< part of the diagonal: the error of relative path data and digitising
+constexpr double kDefaultTolerance = 1e-6; ///< fraction of the diagonal: the error of relative path data and digitising
 
 Box2 boundsOf(const ArrangementInput &input) {
     Box2 box;
@@ -117,7 +117,7 @@ Result<Arrangement> DrawingBuilder::arrangeByDefault() {
         }
         if (input_.tolerance < standard) {
             source_.note("finer-weld",
-                         "joined what is closer than " + numberText(input_.tolerance, 3) + " instead of " +
+                         "used a weld tolerance of " + numberText(input_.tolerance, 3) + " instead of " +
                              numberText(standard, 3) + ", which would change the area by over 0.1 %",
                          places_.front());
         }

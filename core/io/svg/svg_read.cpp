@@ -11,7 +11,7 @@ namespace forefront {
 
 namespace {
 
-constexpr double kSameNode = 1e-6; ///< part of the drawing's size: the rounding error of relative path data
+constexpr double kSameNode = 1e-6; ///< fraction of the drawing's size: the rounding error of relative path data
 
 /// Closes a path that ends where it begins.
 void joinEnds(SvgPath &path, double tolerance) {

@@ -69,7 +69,7 @@ std::optional<ViewBox> parseViewBox(std::string_view text) {
 
 AffineMap viewBoxMap(const ViewBox &box, Vec2 size, std::string_view preserveAspectRatio) {
     Vec2 scale{size.x / box.size.x, size.y / box.size.y};
-    Vec2 share{0.5, 0.5}; // part of the free space before the box
+    Vec2 share{0.5, 0.5}; // fraction of the free space before the box
     const bool keeps = preserveAspectRatio.find("none") == std::string_view::npos;
     if (keeps) {
         const bool slice = preserveAspectRatio.find("slice") != std::string_view::npos;

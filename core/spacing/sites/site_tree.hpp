@@ -12,7 +12,7 @@
 
 namespace forefront {
 
-/// When a site tree is built from the sites outwards, which is faster and less accurate, and how.
+/// Options for building a site tree from the sites outwards, which is faster and less accurate.
 struct SpreadOptions {
     std::size_t many = std::numeric_limits<std::size_t>::max(); ///< number of sites above which it is
     /// Minimum number of cells along the size of a site. On a coast of 100,000 segments, 1 makes building twice as slow

@@ -8,7 +8,8 @@
 
 namespace forefront {
 
-/// The number of sites from which they are simplified, since evaluating them exactly would take longer than meshing.
+/// The number of sites from which on they are simplified, since evaluating so many exactly would take longer than
+/// meshing.
 inline constexpr std::size_t kManySites = 4096;
 
 /// A place that demands a spacing: `size` within `radius` of the segment from `a` to a + `ab` (a point if ab = 0),

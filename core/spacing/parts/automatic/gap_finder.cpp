@@ -11,9 +11,9 @@ constexpr double kFacing = 0.5; ///< cosine of the widest angle to the normal
 /// Beside a sharp corner the width falls to zero; parts there are at least this fraction of their reach.
 constexpr double kCornerFloor = 0.125;
 constexpr double kNeedle = 0.9396926207859084; ///< cosine of 20 degrees
-/// Gaps and tips of needles narrower than this part of their reach are left to the spacing around them. However fine
-/// the elements, some remain poor, and finer elements only add to their number: a needle of angle θ and elements of one
-/// size has about 2/θ.
+/// Gaps and tips of needles narrower than this fraction of their reach are left to the spacing around them. However
+/// fine the elements, some remain poor, and finer elements only add to their number: a needle of angle θ and elements
+/// of one size has about 2/θ.
 constexpr double kNegligibleGap = 1.0 / 32.0;
 constexpr double kLongGap = 12.0; ///< in widths; a shorter gap, between two tips, costs few elements
 

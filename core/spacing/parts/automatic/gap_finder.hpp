@@ -52,8 +52,8 @@ class GapFinder {
   private:
     struct Facing {
         double width = std::numeric_limits<double>::infinity(); ///< infinite: nothing faces the part
-        bool corner = false;                                    ///< what faces it is a neighbour
-        bool needle = false; ///< what faces it is a neighbour at a corner of less than 20 degrees
+        bool corner = false;                                    ///< the facing segment is a neighbour
+        bool needle = false; ///< the facing segment is a neighbour at a corner of less than 20 degrees
         bool tip = false;    ///< the part starts at a corner of less than 60 degrees
     };
     struct Sides {

@@ -11,8 +11,8 @@
 namespace forefront {
 namespace {
 
-constexpr double kVisible = 1.0 / 5000.0; ///< distance from a curve that counts, as a part of the diagonal
-constexpr double kAreaError = 0.002;      ///< part of the area that all edges together may cut off
+constexpr double kVisible = 1.0 / 5000.0; ///< smallest visible distance from a curve, as a fraction of the diagonal
+constexpr double kAreaError = 0.002;      ///< fraction of the area that all edges together may cut off
 constexpr double kCorner = 3.0;           ///< bends with a smaller radius, in visible distances, are corners
 
 /// Returns the area inside, from the chords; std::nullopt if segments cross, or after a stop request.

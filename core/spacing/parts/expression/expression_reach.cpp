@@ -15,8 +15,7 @@ constexpr std::size_t kMaxCells = 3'000'000;
 
 constexpr SiteLabel kReach{SpacingOrigin::Expression, SiteReason::ExpressionEdge, 0};
 
-/// Looks for the foot of every steep slope: a place that no neighbour undercuts by the gradation, but that undercuts
-/// one.
+/// Looks for the foot of every steep slope: a place that is not steeply above any neighbour but is steeply below one.
 class SlopeSearch {
   public:
     SlopeSearch(const ExpressionSpacing &rho, const Box2 &box, double gradation, SiteSet &sites)
@@ -39,7 +38,7 @@ class SlopeSearch {
                 if ((++seen & 255U) == 0 && progress.cancelled()) {
                     return;
                 }
-                treat(corner, side, last, next);
+                searchCell(corner, side, last, next);
             }
             cells.swap(next);
         }
@@ -72,7 +71,7 @@ class SlopeSearch {
         return slopes;
     }
 
-    void treat(Vec2 corner, double side, bool last, std::vector<Vec2> &next) {
+    void searchCell(Vec2 corner, double side, bool last, std::vector<Vec2> &next) {
         if (!box_.overlaps({corner, corner + Vec2{side, side}})) {
             return;
         }
@@ -92,7 +91,7 @@ class SlopeSearch {
         if (inside && slopes.minimum - 2.0 * slopes.change > gradation_) {
             return; // downhill all over: no foot of a slope, but where it leaves the box
         }
-        // A foot may lie half a cell off its true place, and the next one is a cell away.
+        // A foot may be half a cell off its true place, and the next one is a cell away.
         const bool fine = side * gradation_ <= kAccuracy * values[lowest];
         if (!last && !fine) {
             for (std::uint32_t child = 0; child < 4; ++child) {

@@ -8,9 +8,10 @@ namespace forefront {
 /// One dab of the brush.
 struct Dab {
     Vec2 centre;
-    double radius = 1.0;   ///< > 0
-    double spacing = 0.1;  ///< target in the core, > 0
-    double hardness = 0.7; ///< the core is this part of the radius, 0..1; beyond, the paint fades out to the radius
+    double radius = 1.0;  ///< > 0
+    double spacing = 0.1; ///< target in the core, > 0
+    double hardness =
+        0.7; ///< size of the core as a fraction of the radius, 0..1; between core and radius the paint fades out
     /// Spacing that the paint fades into where nothing is painted yet, such as ρ at the centre before the stroke. With
     /// 0 the paint ends in the middle of the fading rim, and gradation blends it outwards.
     double ambient = 0.0;
