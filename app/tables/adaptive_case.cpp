@@ -26,7 +26,7 @@ AdaptiveCase corner() {
     return problem;
 }
 
-/// Row 4.
+/// Returns the case of row 4.
 AdaptiveCase hole() {
     AdaptiveCase problem;
     addLoop(problem.domain, std::vector<Vec2>{{0, 0}, {90, 0}, {90, 60}, {0, 60}});

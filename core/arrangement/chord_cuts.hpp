@@ -45,7 +45,8 @@ struct ChordCuts {
 /// Finds where chords have to be divided so that they meet as their curves do: where curves cross, or touch within the
 /// tolerance; where a node is within the tolerance of a curve but not of its chord; and where a node lies between a
 /// curve and its chord. When nothing is left to divide, chords that do not share an end cross as often as their curves
-/// do, up to crossings no deeper than the tolerance: moving a chord onto its curve passes no end of another one.
+/// do, apart from crossings no deeper than the tolerance, because no end of another chord lies between a chord and its
+/// curve.
 ChordCuts findChordCuts(std::span<const Chord> chords, double tolerance, const std::stop_token &stop);
 
 } // namespace forefront

@@ -38,7 +38,7 @@ SnappedLines unsnapped(std::span<const SnapLine> lines);
 
 /// Joins everything closer than the tolerance (positive) and moves nothing farther than that. Afterwards all nodes are
 /// farther than `radius` from one another, edges meet only at common ends, and no node is within the radius of the
-/// interior of an edge, except where going through it would make a part of the edge longer than the edge. So joining
+/// interior of an edge, except where routing the edge through it would make a part longer than the edge. So joining
 /// again with that radius changes nothing. The radius is the tolerance, but where several things are crowded within it
 /// so that steps add up to more than the tolerance, it is halved until they do not.
 ///

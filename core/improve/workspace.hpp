@@ -28,7 +28,7 @@ struct ImproveWorkspace {
     /// Unusable after a stop. `room`: number of further nodes to reserve memory for.
     ImproveWorkspace(Mesh &mesh, ThreadPool &pool, const std::stop_token &stop = {}, std::size_t room = 0);
 
-    /// Maximum number of elements: joining them needs a bit of each half-edge.
+    /// Maximum number of elements: joining them uses one bit of each half-edge.
     static constexpr std::size_t kMaxElements = 0x7fffffffU / 3U;
     /// Nodes with more elements around them are fixed.
     static constexpr unsigned kMaxValence = 64;

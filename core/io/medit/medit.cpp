@@ -7,7 +7,7 @@
 
 namespace forefront {
 
-/// MEDIT .mesh (the Gamma mesh format of INRIA), ASCII, in two dimensions. Comments hold the names. Gmsh expects
+/// Writes MEDIT .mesh (the Gamma mesh format of INRIA), ASCII, in two dimensions. Comments hold the names. Gmsh expects
 /// `Dimension` and its number on separate lines.
 void writeMedit(const Mesh &mesh, TextWriter &out) {
     out << "MeshVersionFormatted 2\n";
