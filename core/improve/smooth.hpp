@@ -39,7 +39,7 @@ class NodeSmoother {
 
     /// Evaluates ρ at the current positions of the nodes.
     void renewSpacing(const std::stop_token &stop = {});
-    /// Moves ρ at the nodes out; the smoother is then unusable.
+    /// Moves out the values of ρ at the nodes; the smoother is then unusable.
     RawVector<float> takeSpacing() && { return std::move(rho_); }
 
   private:

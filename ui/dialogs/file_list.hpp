@@ -31,7 +31,7 @@ Result<std::vector<FileEntry>> listFolder(const std::filesystem::path &folder, c
 
 /// Returns true if a file name passes the filter.
 bool passes(const FileFilter &filter, std::string_view name);
-/// Returns a fault if the extension of a new file's name belongs to no filter; nothing if it is known or missing.
+/// Returns a fault if the extension of a new file's name belongs to no filter; empty if it is known or missing.
 Diagnostics checkExtension(std::string_view name, const std::vector<FileFilter> &filters);
 /// Adds the first extension of the filter to a name, unless the name already has one of the filter's extensions. An
 /// extension of one of the `others` is replaced.
