@@ -269,8 +269,8 @@ TimelineTravel::Outcome TimelineTravel::playABatch() {
     owed_ += rate_ * std::chrono::duration<double>(now - lastTick_).count();
     lastTick_ = now;
     // A slow machine plays more slowly instead of falling ever further behind.
-    const double most = 0.05 * std::abs(rate_) + 1.0;
-    owed_ = std::clamp(owed_, -most, most);
+    const double limit = 0.05 * std::abs(rate_) + 1.0;
+    owed_ = std::clamp(owed_, -limit, limit);
     const auto due = static_cast<std::int64_t>(owed_);
     if (due == 0) {
         return Outcome::Still;

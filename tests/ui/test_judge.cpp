@@ -194,9 +194,9 @@ TEST_CASE("Judge: the histogram shows the chosen measure, and a bar isolates its
         driver.settle();
         const auto whole = driver.picture();
         const auto &bins = driver.judgement().histogram.bins;
-        const auto most = std::max_element(bins.begin(), bins.end()) - bins.begin();
-        CHECK(driver.click("histogram/" + std::to_string(most)));
-        REQUIRE(driver.context().view.isolatedBin == static_cast<int>(most));
+        const auto fullest = std::max_element(bins.begin(), bins.end()) - bins.begin();
+        CHECK(driver.click("histogram/" + std::to_string(fullest)));
+        REQUIRE(driver.context().view.isolatedBin == static_cast<int>(fullest));
         CHECK(driver.has("histogram/all"));
         driver.moveTo({5, 5});
         driver.settle();

@@ -200,10 +200,10 @@ TEST_CASE("Run: a bar of the histogram isolates its elements; a second click sho
     driver.settle();
     const auto whole = driver.picture();
     const auto &bins = driver.run().quality.alphaHistogram;
-    const auto most = std::max_element(bins.begin(), bins.end()) - bins.begin();
-    const std::string bar = "histogram/" + std::to_string(most);
+    const auto fullest = std::max_element(bins.begin(), bins.end()) - bins.begin();
+    const std::string bar = "histogram/" + std::to_string(fullest);
     driver.click(bar);
-    REQUIRE(driver.context().view.isolatedBin == static_cast<int>(most));
+    REQUIRE(driver.context().view.isolatedBin == static_cast<int>(fullest));
     driver.moveTo({5, 5});
     driver.settle();
     CHECK(driver.picture().differences(whole, driver.canvas()) > 1000);

@@ -256,14 +256,14 @@ TEST_CASE("adapt: every stage of a round can be cancelled at each of its reports
     const AdaptTarget target{0.02, 0.0, 0.2, 0.3};
     std::vector<std::string> reports;
     std::stop_source stop;
-    std::size_t most = 0;
+    std::size_t limit = 0;
     Progress progress;
     progress.stop = stop.get_token();
     progress.report = [&](std::string_view stage, double part) {
         CHECK(part >= 0.0);
         CHECK(part <= 1.0);
         reports.emplace_back(stage);
-        if (reports.size() == most) {
+        if (reports.size() == limit) {
             stop.request_stop();
         }
     };
@@ -299,15 +299,15 @@ TEST_CASE("adapt: every stage of a round can be cancelled at each of its reports
         CAPTURE(stage);
         CHECK(std::count(all.begin(), all.end(), stage) >= minimum);
     }
-    for (most = 1; most <= all.size(); ++most) {
+    for (limit = 1; limit <= all.size(); ++limit) {
         stop = std::stop_source();
         progress.stop = stop.get_token();
         reports.clear();
         const Diagnostics faults = run();
-        CAPTURE(all[most - 1]);
+        CAPTURE(all[limit - 1]);
         REQUIRE(faults.size() == 1);
         CHECK(faults.front().code == "cancelled");
-        CHECK(reports.size() == most); // nothing begins after it
+        CHECK(reports.size() == limit); // nothing begins after it
     }
 }
 

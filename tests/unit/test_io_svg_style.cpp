@@ -133,7 +133,8 @@ TEST_CASE("SVG: a document in millimetres gives millimetres, for any view box") 
     const auto size = [&](const std::string &attributes) { return sizeOf(domainOf(drawing(rect, attributes))); };
     CHECK(size("width=\"50mm\" height=\"25mm\" viewBox=\"0 0 200 100\"") == Vec2{50, 25});
     CHECK(size("width=\"5cm\" viewBox=\"0 0 200 100\"") == Vec2{5, 2.5});
-    CHECK(size("width=\"400\" height=\"200\" viewBox=\"0 0 200 100\"") == Vec2{200, 100}); // pixels are no measure
+    CHECK(size("width=\"400\" height=\"200\" viewBox=\"0 0 200 100\"") ==
+          Vec2{200, 100}); // pixels are not a physical unit
     CHECK(size("width=\"100%\" viewBox=\"0 0 200 100\"") == Vec2{200, 100});
     CHECK(size("width=\"50mm\" height=\"50mm\" viewBox=\"0 0 200 100\"") == Vec2{50, 25});
     CHECK(size("width=\"50mm\" height=\"50mm\" preserveAspectRatio=\"none\" viewBox=\"0 0 200 100\"") == Vec2{50, 50});

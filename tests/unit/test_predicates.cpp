@@ -160,8 +160,8 @@ constexpr bool isLattice(int kind) {
     return kind == 2 || kind == 8;
 }
 /// Rational numbers of a thousand digits are slow.
-constexpr int rounds(int kind, int most) {
-    return kind == 0 || kind == 1 || kind == 5 || kind == 6 ? most / 6 : most;
+constexpr int rounds(int kind, int limit) {
+    return kind == 0 || kind == 1 || kind == 5 || kind == 6 ? limit / 6 : limit;
 }
 
 } // namespace

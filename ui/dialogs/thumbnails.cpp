@@ -34,10 +34,10 @@ void addEdges(const Mesh &mesh, Thumbnail &thumbnail) {
 }
 
 void addFineness(const Mesh &mesh, const SpacingField &spacing, Thumbnail &thumbnail) {
-    const double least = std::log(spacing.minimum()), span = std::log(spacing.maximum()) - least;
+    const double lowest = std::log(spacing.minimum()), span = std::log(spacing.maximum()) - lowest;
     for (const Element &e : mesh.elements) {
         const Vec2 middle = (1.0 / 3.0) * (mesh.nodes[index(e[0])] + mesh.nodes[index(e[1])] + mesh.nodes[index(e[2])]);
-        const double t = span > 0.02 ? (std::log(spacing.at(middle)) - least) / span : 0.5;
+        const double t = span > 0.02 ? (std::log(spacing.at(middle)) - lowest) / span : 0.5;
         thumbnail.fineness.push_back(static_cast<float>(std::clamp(t, 0.0, 1.0)));
     }
 }

@@ -53,7 +53,7 @@ class MeshBatch {
     MeshBatch &operator=(const MeshBatch &) = delete;
 
     /// Uploads what has changed; cheap if the version is the same. `atRest` means that the mesh will be shown for a
-    /// while, so that sorting its chunks by location pays off. Without `values`, the elements have those of α.
+    /// while, so that sorting its chunks by location pays off. Without `values`, the elements are coloured by α.
     void update(const std::shared_ptr<const MeshView> &view, bool atRest, const MeshValues *values = nullptr);
     std::size_t elements() const { return uploaded_; }
     /// Returns the number of elements uploaded by all updates together; for tests.

@@ -108,11 +108,11 @@ void SiteTreeWriter::storeList(std::uint32_t slot, double x, double y, double sp
         tree_.lists_.push_back(competitor.site);
         const SizeSite &s = site(competitor);
         tree_.minimum_ = std::min(tree_.minimum_, std::max(s.size, competitor.value - s.growth * reach));
-        double most = 0.0; // distance to a convex shape is maximal at a corner
+        double maximum = 0.0; // distance to a convex shape is maximal at a corner
         for (std::uint32_t corner = 0; corner < 4; ++corner) {
-            most = std::max(most, s.at(placeOf(x + (corner & 1U) * span, y + (corner >> 1) * span)));
+            maximum = std::max(maximum, s.at(placeOf(x + (corner & 1U) * span, y + (corner >> 1) * span)));
         }
-        high = std::min(high, most);
+        high = std::min(high, maximum);
     }
     tree_.maximum_ = std::max(tree_.maximum_, high);
 }

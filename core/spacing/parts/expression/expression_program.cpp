@@ -233,13 +233,13 @@ class Optimiser {
 
 std::size_t stackNeeded(const std::vector<ExpressionInstruction> &code) {
     std::size_t entries = 0;
-    std::size_t most = 0;
+    std::size_t maximum = 0;
     for (const ExpressionInstruction &instruction : code) {
         entries += 1;
         entries -= static_cast<std::size_t>(operandCount(instruction.op));
-        most = std::max(most, entries);
+        maximum = std::max(maximum, entries);
     }
-    return most;
+    return maximum;
 }
 
 } // namespace
