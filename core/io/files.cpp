@@ -210,11 +210,26 @@ Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &op
         [](const Format &format, const SourceText &source) { return format.readMesh(source); });
 }
 
+Result<MeshFields> readFields(const std::filesystem::path &path, const ImportOptions &options, ImportNotes *notes) {
+    return readFile<MeshFields>(
+        path, options, notes, [](const Format &format) { return format.readMesh != nullptr; },
+        [](const Format &format, const SourceText &source) -> Result<MeshFields> {
+            if (format.readFields != nullptr) {
+                return format.readFields(source);
+            }
+            Result<Mesh> mesh = format.readMesh(source);
+            return mesh ? Result<MeshFields>(MeshFields{std::move(*mesh), {}}) : mesh.faults();
+        });
+}
+
 Result<MeshField> readField(const std::filesystem::path &path, std::string_view name, const ImportOptions &options,
                             ImportNotes *notes) {
     return readFile<MeshField>(
-        path, options, notes, [](const Format &format) { return format.readField != nullptr; },
-        [name](const Format &format, const SourceText &source) { return format.readField(source, name); });
+        path, options, notes, [](const Format &format) { return format.readFields != nullptr; },
+        [name](const Format &format, const SourceText &source) -> Result<MeshField> {
+            Result<MeshFields> fields = format.readFields(source);
+            return fields ? meshWithField(std::move(*fields), name, source) : fields.faults();
+        });
 }
 
 Result<SpacingSpec> readSpacing(const std::filesystem::path &path, const ImportOptions &options, ImportNotes *notes) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/edit/document.hpp"
+#include "core/io/common/mesh_field.hpp"
 #include "core/io/source/source.hpp"
 #include "core/io/text/text_writer.hpp"
 #include "core/mesh/mesh.hpp"
@@ -40,5 +41,12 @@ bool hasCode(const Diagnostics &faults, std::string_view code);
 
 /// Returns true if every error names its file and line.
 bool allLocated(const Diagnostics &faults);
+
+/// Reads the nodal values of that name.
+inline Result<MeshField> fieldIn(Result<MeshFields> (*read)(const SourceText &), const SourceText &source,
+                                 std::string_view name) {
+    Result<MeshFields> fields = read(source);
+    return fields ? meshWithField(std::move(*fields), name, source) : fields.faults();
+}
 
 } // namespace forefront::testing

@@ -76,7 +76,7 @@ TEST_CASE("Binary MSH: nodal values are read as field and as spacing") {
     }
     const std::size_t values = bytes.size() - 9 * 12;
     bytes += "\n$EndNodeData\n";
-    const Result<MeshField> field = readMshField(sourceOf(bytes), "heat");
+    const Result<MeshField> field = fieldIn(readMshFields, sourceOf(bytes), "heat");
     REQUIRE_MESSAGE(field.ok(), messages(field.faults()));
     CHECK(field->values[0] == 10.0);
     CHECK(field->values[8] == 10.0 / 9.0);

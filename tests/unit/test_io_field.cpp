@@ -35,12 +35,12 @@ const std::string kVtuTail =
 TEST_CASE("readMshField: by name, of any sign, the last of several time steps") {
     const std::string text = kMsh + nodeData("heat", "1 -1\n2 0\n3 2.5\n4 7\n") +
                              nodeData("flow", "1 1\n2 1\n3 1\n4 1\n") + nodeData("heat", "1 5\n2 6\n3 7\n4 -8\n");
-    const auto field = readMshField(sourceOf(text), "heat");
+    const auto field = fieldIn(readMshFields, sourceOf(text), "heat");
     REQUIRE_MESSAGE(field.ok(), messages(field.faults()));
     CHECK(field->values == std::vector<double>{5, 6, 7, -8});
     CHECK(field->mesh.elements.size() == 2);
-    CHECK(readMshField(sourceOf(text), "flow")->values[2] == 1.0);
-    const auto missing = readMshField(sourceOf(text), "cold");
+    CHECK(fieldIn(readMshFields, sourceOf(text), "flow")->values[2] == 1.0);
+    const auto missing = fieldIn(readMshFields, sourceOf(text), "cold");
     REQUIRE_FALSE(missing.ok());
     CHECK(hasCode(missing.faults(), "no-field"));
     CHECK(messages(missing.faults()).find("'heat'") != std::string::npos);
@@ -48,11 +48,12 @@ TEST_CASE("readMshField: by name, of any sign, the last of several time steps") 
 
 TEST_CASE("readMshField: nodes without a value are refused, and values with several components are skipped") {
     CHECK(hasCode(
-        readMshField(sourceOf(kMsh + "$NodeData\n1\n\"h\"\n1\n0\n3\n0\n1\n1\n1 3\n$EndNodeData\n"), "h").faults(),
+        fieldIn(readMshFields, sourceOf(kMsh + "$NodeData\n1\n\"h\"\n1\n0\n3\n0\n1\n1\n1 3\n$EndNodeData\n"), "h")
+            .faults(),
         "bad-values"));
     const std::string vectors = kMsh + "$NodeData\n1\n\"v\"\n1\n0\n3\n0\n3\n1\n1 3 4 5\n$EndNodeData\n";
     CHECK(readMsh(sourceOf(vectors)).ok());
-    CHECK(hasCode(readMshField(sourceOf(vectors), "v").faults(), "no-field"));
+    CHECK(hasCode(fieldIn(readMshFields, sourceOf(vectors), "v").faults(), "no-field"));
 }
 
 TEST_CASE("readMshSpacing: a value of 0 or less is still refused with its line") {
@@ -67,20 +68,20 @@ TEST_CASE("readVtkField: scalars and fields of points, not of cells") {
         kVtk + "CELL_DATA 1\nSCALARS heat double 1\nLOOKUP_TABLE default\n9\n" +
         "POINT_DATA 3\nVECTORS v double\n1 2 3 4 5 6 7 8 9\n" +
         "SCALARS heat double 1\nLOOKUP_TABLE default\n0.5 -1 2\nFIELD f 1\nflow 1 3 float\n1 2 3\n";
-    const auto heat = readVtkField(sourceOf(text), "heat");
+    const auto heat = fieldIn(readVtkFields, sourceOf(text), "heat");
     REQUIRE_MESSAGE(heat.ok(), messages(heat.faults()));
     CHECK(heat->values == std::vector<double>{0.5, -1, 2});
-    CHECK(readVtkField(sourceOf(text), "flow")->values == std::vector<double>{1, 2, 3});
-    CHECK(hasCode(readVtkField(sourceOf(text), "v").faults(), "no-field"));
+    CHECK(fieldIn(readVtkFields, sourceOf(text), "flow")->values == std::vector<double>{1, 2, 3});
+    CHECK(hasCode(fieldIn(readVtkFields, sourceOf(text), "v").faults(), "no-field"));
     CHECK(readVtk(sourceOf(text)).ok());
 }
 
 TEST_CASE("readVtuField: point data by name, with as many values as nodes") {
     const std::string array = "<DataArray type=\"Float64\" Name=\"heat\">";
-    const auto heat = readVtuField(sourceOf(kVtuHead + array + "0.5 -1 2</DataArray>" + kVtuTail), "heat");
+    const auto heat = fieldIn(readVtuFields, sourceOf(kVtuHead + array + "0.5 -1 2</DataArray>" + kVtuTail), "heat");
     REQUIRE_MESSAGE(heat.ok(), messages(heat.faults()));
     CHECK(heat->values == std::vector<double>{0.5, -1, 2});
-    CHECK(hasCode(readVtuField(sourceOf(kVtuHead + array + "0.5 -1</DataArray>" + kVtuTail), "heat").faults(),
+    CHECK(hasCode(fieldIn(readVtuFields, sourceOf(kVtuHead + array + "0.5 -1</DataArray>" + kVtuTail), "heat").faults(),
                   "bad-values"));
-    CHECK(hasCode(readVtuField(sourceOf(kVtuHead + kVtuTail), "heat").faults(), "no-field"));
+    CHECK(hasCode(fieldIn(readVtuFields, sourceOf(kVtuHead + kVtuTail), "heat").faults(), "no-field"));
 }

@@ -17,12 +17,12 @@ Diagnostics noField(const NamedFields &fields, std::string_view name, const Sour
 
 } // namespace
 
-Result<MeshField> meshWithField(Mesh mesh, NamedFields fields, std::string_view name, const SourceText &source) {
-    const auto found = fields.find(std::string(name));
-    if (found == fields.end()) {
-        return noField(fields, name, source);
+Result<MeshField> meshWithField(MeshFields fields, std::string_view name, const SourceText &source) {
+    const auto found = fields.fields.find(std::string(name));
+    if (found == fields.fields.end()) {
+        return noField(fields.fields, name, source);
     }
-    MeshField field{std::move(mesh), std::move(found->second)};
+    MeshField field{std::move(fields.mesh), std::move(found->second)};
     if (field.values.size() != field.mesh.nodes.size()) {
         return Diagnostics{faultAt(source, 0, "bad-values",
                                    "the field " + inQuotes(name) + " has " + std::to_string(field.values.size()) +

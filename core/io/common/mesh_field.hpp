@@ -21,8 +21,14 @@ struct MeshField {
 /// Scalar nodal values by name, as stored in a file; NaN where it has no value.
 using NamedFields = std::map<std::string, std::vector<double>>;
 
-/// Returns the mesh with the field of that name. Faults: "no-field", which lists the fields of the file, and
+/// A mesh with all its scalar nodal values.
+struct MeshFields {
+    Mesh mesh;
+    NamedFields fields;
+};
+
+/// Returns the mesh with one of its fields. Faults: "no-field", which lists the fields of the file, and
 /// "bad-values" where a node of an element has no finite value.
-Result<MeshField> meshWithField(Mesh mesh, NamedFields fields, std::string_view name, const SourceText &source);
+Result<MeshField> meshWithField(MeshFields fields, std::string_view name, const SourceText &source);
 
 } // namespace forefront

@@ -15,8 +15,8 @@ namespace forefront {
 Result<Mesh> readMsh(const SourceText &source);
 /// Reads the first scalar $NodeData as the spacing on a background mesh. Faults: no-values, bad-values.
 Result<SpacingSpec> readMshSpacing(const SourceText &source);
-/// Reads the mesh and the nodal values with this name. Faults: those of meshWithField().
-Result<MeshField> readMshField(const SourceText &source, std::string_view name);
+/// Reads the mesh and its scalar nodal values; of several time steps, the last.
+Result<MeshFields> readMshFields(const SourceText &source);
 /// Returns true if the first bytes of a file show that it is MSH.
 bool looksLikeMsh(std::string_view head);
 

@@ -280,7 +280,7 @@ Result<Mesh> readMsh(const SourceText &source) {
     return file.builder().finish();
 }
 
-Result<MeshField> readMshField(const SourceText &source, std::string_view name) {
+Result<MeshFields> readMshFields(const SourceText &source) {
     MshFile file(source);
     if (!file.read()) {
         return file.faults();
@@ -289,7 +289,7 @@ Result<MeshField> readMshField(const SourceText &source, std::string_view name) 
     for (const MshValues &field : file.values()) {
         fields.insert_or_assign(field.name, field.values); // the last of several time steps
     }
-    return meshWithField(file.builder().finish(), std::move(fields), name, source);
+    return MeshFields{file.builder().finish(), std::move(fields)};
 }
 
 Result<SpacingSpec> readMshSpacing(const SourceText &source) {

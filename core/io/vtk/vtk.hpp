@@ -12,8 +12,8 @@ namespace forefront {
 
 /// Reads a VTK XML unstructured grid (.vtu). Every fault carries its place in the source.
 Result<Mesh> readVtu(const SourceText &source);
-/// Reads the mesh and the point data with this name. Faults: those of meshWithField().
-Result<MeshField> readVtuField(const SourceText &source, std::string_view name);
+/// Reads the mesh and its scalar point data.
+Result<MeshFields> readVtuFields(const SourceText &source);
 /// Returns true if the first bytes of a file show that it is VTU.
 bool looksLikeVtu(std::string_view head);
 /// Writes a VTK XML unstructured grid (.vtu).
@@ -21,8 +21,8 @@ void writeVtu(const Mesh &mesh, TextWriter &out);
 
 /// Reads a VTK legacy file (.vtk), ASCII. Every fault carries its place in the source.
 Result<Mesh> readVtk(const SourceText &source);
-/// Reads the mesh and the point data with this name. Faults: those of meshWithField().
-Result<MeshField> readVtkField(const SourceText &source, std::string_view name);
+/// Reads the mesh and its scalar point data.
+Result<MeshFields> readVtkFields(const SourceText &source);
 /// Returns true if the first bytes of a file show that it is VTK legacy.
 bool looksLikeVtk(std::string_view head);
 /// Writes a VTK legacy file, ASCII.

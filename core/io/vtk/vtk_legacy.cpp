@@ -358,13 +358,13 @@ Result<Mesh> readVtk(const SourceText &source) {
     return VtkReader(source).read();
 }
 
-Result<MeshField> readVtkField(const SourceText &source, std::string_view name) {
+Result<MeshFields> readVtkFields(const SourceText &source) {
     VtkReader reader(source);
     Result<Mesh> mesh = reader.read();
     if (!mesh) {
         return mesh.faults();
     }
-    return meshWithField(std::move(*mesh), reader.takePointArrays(), name, source);
+    return MeshFields{std::move(*mesh), reader.takePointArrays()};
 }
 
 } // namespace forefront

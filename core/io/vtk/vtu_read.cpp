@@ -346,13 +346,13 @@ Result<Mesh> readVtu(const SourceText &source) {
     return VtuReader(source, false).read();
 }
 
-Result<MeshField> readVtuField(const SourceText &source, std::string_view name) {
+Result<MeshFields> readVtuFields(const SourceText &source) {
     VtuReader reader(source, true);
     Result<Mesh> mesh = reader.read();
     if (!mesh) {
         return mesh.faults();
     }
-    return meshWithField(std::move(*mesh), reader.takePointArrays(), name, source);
+    return MeshFields{std::move(*mesh), reader.takePointArrays()};
 }
 
 } // namespace forefront
