@@ -24,6 +24,7 @@ enum class MeshLimit : std::uint8_t {
     MinLength,
     MaxLength,
     MinDelta,
+    MinAcross,
     MaxValence
 };
 
@@ -31,8 +32,9 @@ enum class MeshLimit : std::uint8_t {
 template <>
 struct EnumWords<MeshLimit> {
     static constexpr auto kLast = MeshLimit::MaxValence;
-    static constexpr std::array<std::string_view, 8> kList = {"min-angle",  "max-angle",  "min-alpha", "max-growth",
-                                                              "min-length", "max-length", "min-delta", "max-valence"};
+    static constexpr std::array<std::string_view, 9> kList = {"min-angle",  "max-angle",  "min-alpha",
+                                                              "max-growth", "min-length", "max-length",
+                                                              "min-delta",  "min-across", "max-valence"};
 };
 
 /// The description of a limit.
@@ -77,7 +79,8 @@ struct LimitVerdict {
     double worst = 0.0;             ///< the value closest to violating the limit, or furthest beyond it
     std::vector<LimitPlace> places; ///< that violate it, the worst first
 
-    bool met() const { return broken == 0 && judged > 0; }
+    /// Returns true if nothing violates the limit. A limit that needs a spacing is not met without one.
+    bool met() const { return broken == 0 && (judged > 0 || limit != MeshLimit::MinDelta); }
 };
 
 /// Checks a mesh against the limits that are set, in their order. A value within a relative 1e-9 of a limit meets it,

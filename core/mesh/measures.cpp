@@ -1,6 +1,7 @@
 #include "core/mesh/measures.hpp"
 
 #include "core/mesh/edge_table.hpp"
+#include "core/mesh/elements_across.hpp"
 #include "core/mesh/quality.hpp"
 #include "core/spacing/spacing_field.hpp"
 
@@ -32,6 +33,8 @@ constexpr std::array<MeasureInfo, wordsOf<Measure>().size()> kInfos = {{
     {"Spacing conformity", "\xce\xb4", "", MeshPart::Edges, BadEnd::Low, false, 0.0, 1.0,
      "Spacing conformity \xce\xb4 = min(L/\xcf\x81, \xcf\x81/L) of each edge, \xcf\x81 at its middle; 1 if the edge "
      "matches the spacing"},
+    {"Elements across", "across", "", MeshPart::Edges, BadEnd::Low, false, 1.0, kUnbounded,
+     "Number of elements between facing parts of the boundary, counted through each edge halfway between them"},
     {"Valence", "valence", "", MeshPart::Nodes, BadEnd::High, false, 0.0, kUnbounded,
      "Number of elements around each node; 6 is ideal for interior nodes"},
     {"Region", "region", "", MeshPart::Elements, BadEnd::None, false, 1.0, kUnbounded, "Region tag of each element"},
@@ -185,6 +188,8 @@ std::vector<double> measureValues(Measure measure, const Mesh &mesh, const MeshE
         }
         return values;
     }
+    case Measure::Across:
+        return elementsAcross(mesh, edges);
     case Measure::Valence:
         return valences(mesh);
     case Measure::Region:

@@ -37,6 +37,7 @@ enum class Measure : std::uint8_t {
     Length,
     SizeRatio,
     Conformity,
+    Across,
     Valence,
     Region,
     Birth
@@ -45,9 +46,9 @@ enum class Measure : std::uint8_t {
 template <>
 struct EnumWords<Measure> {
     static constexpr auto kLast = Measure::Birth;
-    static constexpr std::array<std::string_view, 11> kList = {"alpha",      "min-angle", "max-angle", "area",
+    static constexpr std::array<std::string_view, 12> kList = {"alpha",      "min-angle", "max-angle", "area",
                                                                "area-ratio", "length",    "size",      "delta",
-                                                               "valence",    "region",    "birth"};
+                                                               "across",     "valence",   "region",    "birth"};
 };
 
 /// The end of a measure's range at which values are bad.

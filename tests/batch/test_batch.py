@@ -642,7 +642,7 @@ class Refusing(Case):
                          ["minimum", "1%", "5%", "25%", "50%", "75%", "95%", "99%", "maximum", "mean"])
         table = {line[:22].strip(): [float(v) for v in line[22:].split()] for line in lines[head + 1:]}
         self.assertEqual(list(table), ["Shape factor", "Minimum angle", "Maximum angle", "Area", "Area ratio",
-                                       "Edge length", "Valence"])
+                                       "Edge length", "Elements across", "Valence"])
         for name, numbers in table.items():
             self.assertEqual(len(numbers), 10, name)
             self.assertEqual(sorted(numbers[:9]), numbers[:9], name)

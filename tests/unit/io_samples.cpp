@@ -83,7 +83,7 @@ Document fullDocument() {
     document.options.improve = ImproveLevel::Best;
     document.options.threads = 3;
     for (const MeshLimit limit : valuesOf<MeshLimit>()) {
-        document.limits[limit] = limitInfo(limit).isMinimum ? 0.5 : 70.5;
+        document.limits[limit] = std::max(limitInfo(limit).isMinimum ? 0.5 : 70.5, limitInfo(limit).minimum);
     }
     document.circleTolerance = 0.01;
     document.curveTolerance = 0.001;

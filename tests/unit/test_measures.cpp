@@ -122,7 +122,10 @@ TEST_CASE("Measures: their figures are those of measure()") {
 }
 
 TEST_CASE("Measures: every value lies in the range that its description states") {
-    const Mesh mesh = samples::square(9, 8, 0.24);
+    Mesh mesh = samples::square(40, 3, 0.1);
+    for (Vec2 &place : mesh.nodes) {
+        place.x *= 10.0; // a strip, whose long sides face each other
+    }
     const auto spacing = uniformSpacing(mesh, 0.1);
     for (const Measure measure : valuesOf<Measure>()) {
         CAPTURE(wordOf(measure));
@@ -132,6 +135,21 @@ TEST_CASE("Measures: every value lies in the range that its description states")
         CHECK(summary.maximum <= infoOf(measure).maximum);
         CHECK(std::string_view(infoOf(measure).meaning).size() > 10);
     }
+}
+
+TEST_CASE("Measures: elements across a gap are counted between parts of the boundary that face each other") {
+    const auto narrowest = [](Mesh mesh, Vec2 stretch) {
+        for (Vec2 &place : mesh.nodes) {
+            place = {stretch.x * place.x, stretch.y * place.y};
+        }
+        return summarise(values(Measure::Across, mesh));
+    };
+    for (const std::size_t rows : {1U, 2U, 3U, 4U, 7U}) {
+        CAPTURE(rows);
+        CHECK(narrowest(samples::square(40, rows), {10.0, 1.0}).minimum == static_cast<double>(rows));
+    }
+    CHECK(narrowest(samples::square(12, 12, 0.1), {1.0, 1.0}).count == 0); // neither corners nor a square are gaps
+    CHECK(narrowest(twoTriangles(), {1.0, 1.0}).count == 0);
 }
 
 TEST_CASE("Measures: percentiles are values of that rank") {
@@ -200,6 +218,11 @@ TEST_CASE("Limits: verdicts count what breaks a limit and list the worst places"
     CHECK_FALSE(verdicts[3].met());
     const auto spacing = uniformSpacing(mesh, 4.0);
     CHECK(judge(mesh, limits, spacing.get())[3].broken == 2);
+    MeshLimits across;
+    across[MeshLimit::MinAcross] = 3.0; // nothing faces anything, which violates no limit
+    CHECK(judge(mesh, across, nullptr).front().met());
+    CHECK(toString(judge(mesh, across, nullptr).front()) ==
+          "minimum across gaps 3: met: no parts of the boundary face each other");
 }
 
 TEST_CASE("Limits: values outside their range are explained") {
