@@ -106,6 +106,20 @@ const char *const kTriangle =
     "3 2 0 1\n1 0 0 1\n2 1 0 1\n3 0 1 0\n# region 2 \"r\"\n# point 1 4\n%%\n1 3 1\n1 1 2 3 2\n"
     "%%\n2 1\n1 1 2 5\n2 2 3 0\n";
 
+const char *const kLesson = "{\"format\":\"forefront-lesson\",\"version\":1,\"title\":\"T\",\"about\":\"a\",\"pages\":["
+                            "{\"title\":\"P\",\"text\":[\"{front} "
+                            "b\"],\"document\":\"d.json\",\"method\":\"fast\",\"grid\":\"none\",\"improve\":\"best\","
+                            "\"position\":{\"advance\":3,\"events\":2},"
+                            "\"layers\":[\"mesh\"],\"panel\":\"steps\",\"camera\":{\"centre\":[1,2],\"size\":3},"
+                            "\"highlight\":[\"a/b\"],\"question\":{\"text\":"
+                            "\"q\",\"choices\":[{\"text\":\"a\",\"right\":{\"value\":\"Nc\",\"is\":\"Nb\",\"within\":1}"
+                            "},{\"text\":\"b\",\"right\":false}],"
+                            "\"hint\":\"h\",\"why\":\"w\",\"show\":\"end\"}},{\"title\":\"Q\",\"text\":\"t\","
+                            "\"camera\":\"follow\",\"question\":{\"text\":\"q\","
+                            "\"until\":[{\"value\":\"chosen\",\"is\":\"winner\"},{\"value\":\"front\",\"below\":9}],"
+                            "\"show\":4}},{\"title\":\"R\",\"text\":\"t\","
+                            "\"question\":{\"text\":\"q\",\"number\":\"alpha\",\"within\":0.1}}]}";
+
 /// Returns kValues as they are in a binary file.
 std::string binaryValues() {
     std::string section = "$NodeData\n1\n\"size\"\n1\n0\n3\n0\n1\n4\n";
@@ -147,7 +161,7 @@ std::vector<std::string> handMade(std::string_view id) {
 
 std::vector<std::string> seeds(const Target &target) {
     if (target.format == nullptr) {
-        return {anyBytes(1)};
+        return {std::string_view(target.name) == "lesson" ? std::string(kLesson) : anyBytes(1)};
     }
     std::vector<std::string> list = handMade(target.name);
     if (target.format->writeMesh != nullptr) {

@@ -3,6 +3,7 @@
 #include "core/arrangement/repair.hpp"
 #include "core/domain/validate.hpp"
 #include "core/io/format.hpp"
+#include "core/io/lesson/lesson_read.hpp"
 #include "core/io/project/project.hpp"
 #include "core/io/triangle/triangle.hpp"
 #include "core/mesh/mesh_domain.hpp"
@@ -136,20 +137,6 @@ void runTriangle(std::string_view bytes) {
     }
 }
 
-/// Lists one target for each format that has its own readers. Triangle's files come in one input, since the reader
-/// finds its companions only beside a file.
-std::vector<Target> listTargets() {
-    std::vector<Target> list;
-    for (const Format &format : formats()) {
-        const auto same = [&](const Target &target) { return sameReaders(*target.format, format); };
-        if (std::none_of(list.begin(), list.end(), same)) {
-            list.push_back({format.about.id, &format});
-        }
-    }
-    list.push_back({"repair", nullptr});
-    return list;
-}
-
 /// Reads numbers from bytes, 0 at the end of them.
 class ByteNumbers {
   public:
@@ -214,11 +201,44 @@ void runRepair(std::string_view bytes) {
     checkRepair(domain, 0.25);
 }
 
+void runLesson(std::string_view bytes) {
+    const auto lesson = readLesson(sourceOf(bytes), {});
+    if (!lesson) {
+        checkFaults(lesson.faults());
+        return;
+    }
+    demand(!lesson->pages.empty(), "a lesson has pages");
+    const SessionSnapshot run;
+    for (const LessonPage &page : lesson->pages) {
+        for (const std::string &paragraph : page.paragraphs) {
+            demand(!withValues(paragraph, {run}).empty(), "a paragraph has a text");
+        }
+        if (page.question) {
+            demand(!page.question->text.empty(), "a question has a text");
+        }
+    }
+}
+
+/// Lists one target for each format that has its own readers. Triangle's files come in one input, since the reader
+/// finds its companions only beside a file.
+std::vector<Target> listTargets() {
+    std::vector<Target> list;
+    for (const Format &format : formats()) {
+        const auto same = [&](const Target &target) { return sameReaders(*target.format, format); };
+        if (std::none_of(list.begin(), list.end(), same)) {
+            list.push_back({format.about.id, &format});
+        }
+    }
+    list.push_back({"lesson", nullptr, runLesson});
+    list.push_back({"repair", nullptr, runRepair});
+    return list;
+}
+
 } // namespace
 
 void Target::run(std::string_view bytes) const {
     if (format == nullptr) {
-        runRepair(bytes);
+        runOther(bytes);
     } else if (format->readMesh == readTriangle) {
         runTriangle(bytes);
     } else {

@@ -8,16 +8,17 @@
 
 namespace forefront::fuzz {
 
-/// Feeds bytes to the readers of one format, or to the repair of domains.
+/// Feeds bytes to the readers of one format, to the reader of lessons, or to the repair of domains.
 struct Target {
     const char *name;
-    const Format *format; ///< null: the repair
+    const Format *format;                               ///< null: not a format
+    void (*runOther)(std::string_view bytes) = nullptr; ///< what runs instead
 
     /// Aborts if the result breaks a promise: faults without a place, a mesh with bad indices or numbers, a project
     /// that does not survive being written, a repair that is not complete.
     void run(std::string_view bytes) const;
 };
-/// Returns the targets in the order of the list of formats, then the repair.
+/// Returns the targets in the order of the list of formats, then the lessons and the repair.
 const std::vector<Target> &targets();
 const Target *find(std::string_view name);
 

@@ -1,0 +1,95 @@
+#pragma once
+
+#include "core/edit/document.hpp"
+#include "core/lesson/lesson_value.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace forefront {
+
+/// A position of the timeline.
+struct LessonPosition {
+    bool atEnd = false;        ///< the finished and improved mesh; the rest is ignored
+    std::uint64_t advance = 0; ///< advances done
+    std::int64_t events = 0;   ///< moments shown of the next advance
+
+    friend bool operator==(const LessonPosition &, const LessonPosition &) = default;
+};
+
+/// What the camera shows.
+struct LessonCamera {
+    bool follow = false;     ///< the current advance
+    std::optional<Box2> box; ///< this part of the plane; otherwise the whole drawing
+};
+
+/// A question answered by choosing one of several texts.
+struct LessonChoices {
+    struct Choice {
+        std::string text;
+        bool right = false;                  ///< if there is no condition
+        std::vector<LessonCondition> when{}; ///< right if the run fulfils all of them
+    };
+    std::vector<Choice> list;
+};
+
+/// A question answered by a number.
+struct LessonNumber {
+    LessonValue value = LessonValue::Advance;
+    double within = 1e-9; ///< largest difference from the value
+};
+
+/// A task: bring the run into a state that fulfils all conditions.
+struct LessonTask {
+    std::vector<LessonCondition> until;
+};
+
+/// A question of a page. Answers are checked against the state of the run when they are given.
+struct LessonQuestion {
+    std::string text;
+    std::variant<LessonChoices, LessonNumber, LessonTask> answer;
+    std::string hint;                     ///< shown after a wrong answer; may be empty
+    std::string why;                      ///< shown after the right answer; may be empty
+    std::optional<LessonPosition> show{}; ///< where the run shows the answer
+};
+
+/// A page of a lesson with the scene that it shows. What a page leaves out is as on the page before.
+struct LessonPage {
+    std::string title;
+    std::vector<std::string> paragraphs; ///< may contain lesson values, see withValues()
+    std::shared_ptr<const Document> document;
+    std::string documentName;
+    std::optional<Method> method;        ///< instead of that of the document
+    std::optional<GridKind> grid;        ///< instead of that of the document
+    std::optional<ImproveLevel> improve; ///< instead of that of the document
+    LessonPosition position;
+    std::optional<std::vector<std::string>> layers; ///< ids of the visible layers; not set: as they are
+    std::string panel;                              ///< id of the tab to show; empty: as it is
+    LessonCamera camera;
+    std::vector<std::string> highlights; ///< names of widgets to outline; of this page alone
+    std::optional<LessonQuestion> question;
+};
+
+/// A lesson about the advancing front: pages of text, each with a scene to explore and perhaps a question.
+struct Lesson {
+    std::string title;
+    std::string about; ///< what it teaches, in a sentence
+    std::vector<LessonPage> pages;
+};
+
+/// Returns the document of a page with the method and grid of the page.
+std::shared_ptr<const Document> documentOf(const LessonPage &page);
+
+/// Returns true if the answer of a question is choice `index`.
+bool isRight(const LessonChoices &choices, std::size_t index, const LessonState &state);
+/// Returns true if a number answers a question.
+bool isRight(const LessonNumber &question, double number, const LessonState &state);
+/// Returns true if the task is done.
+bool isDone(const LessonTask &task, const LessonState &state);
+
+} // namespace forefront

@@ -1,0 +1,194 @@
+#include "core/io/lesson/lesson_read.hpp"
+#include "tests/unit/io_samples.hpp"
+
+#include <doctest/doctest.h>
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+using namespace forefront;
+using namespace forefront::testing;
+
+namespace {
+
+/// A lesson of one page with further members.
+std::string page(const std::string &members) {
+    return "{\"format\": \"forefront-lesson\", \"version\": 1, \"title\": \"T\", \"pages\": [\n"
+           "{\"title\": \"P\", \"text\": \"t\"" +
+           members + "}]}";
+}
+std::string question(const std::string &members) {
+    return page(",\n\"question\": {\"text\": \"q\", " + members + "}");
+}
+
+Diagnostics faultsOf(const std::string &text, const LessonNames &names = {}) {
+    const auto lesson = readLesson(sourceOf(text), names);
+    return lesson ? Diagnostics{} : lesson.faults();
+}
+
+/// A run at advance 7 with three candidates, of which the second won.
+struct Run {
+    SessionSnapshot snapshot;
+
+    Run() {
+        auto advance = std::make_shared<AdvanceExplanation>();
+        advance->a = {0, 0};
+        advance->b = {3, 4};
+        advance->rho = 2.5;
+        advance->candidates.resize(3);
+        advance->candidates[0].verdict = Verdict::CrossesFront;
+        advance->candidates[1].verdict = Verdict::Accepted;
+        advance->candidates[1].alpha = 0.75;
+        advance->candidates[2].verdict = Verdict::Withdrawn;
+        snapshot.state = RunState::Paused;
+        snapshot.advance = 7;
+        snapshot.frontSegments = 34;
+        snapshot.work = {.elements = 4, .frontSum = 70, .delivered = 10};
+        snapshot.explanation = std::move(advance);
+    }
+    LessonState state(std::optional<std::size_t> chosen = {}) const { return {snapshot, chosen}; }
+};
+
+} // namespace
+
+TEST_CASE("Lesson: a page continues the scene of the one before, except for questions and highlights") {
+    const std::string text = R"({"format": "forefront-lesson", "version": 1, "title": "T", "about": "A", "pages": [
+        {"title": "one", "text": ["Γ has {front}.", "b"], "document": "a.json", "method": "classic", "grid": "none",
+         "position": {"advance": 4, "events": 2}, "layers": ["mesh"], "panel": "steps", "highlight": ["x/y"],
+         "camera": {"centre": [1, 2], "size": 4},
+         "question": {"text": "q", "number": "front", "within": 0.5, "hint": "h", "why": "w {front}"}},
+        {"title": "two", "text": "c", "position": "end", "camera": "follow"},
+        {"title": "three", "text": "d", "document": "b.json"}]})";
+    int read = 0;
+    LessonNames names{.layers = {"mesh", "front"}, .panels = {"steps"}, .document = {}};
+    names.document = [&](const std::string &name) -> Result<Document> {
+        ++read;
+        Document document;
+        document.options.grid = name == "a.json" ? GridKind::Uniform : GridKind::Hierarchical;
+        return document;
+    };
+    const auto lesson = readLesson(sourceOf(text), names);
+    REQUIRE_MESSAGE(lesson.ok(), messages(lesson.faults()));
+    CHECK(read == 2);
+    REQUIRE(lesson->pages.size() == 3);
+    const LessonPage &one = lesson->pages[0], &two = lesson->pages[1], &three = lesson->pages[2];
+    CHECK(one.paragraphs.size() == 2);
+    CHECK(one.position == LessonPosition{false, 4, 2});
+    CHECK(one.camera.box->max.x == 3.0);
+    REQUIRE(one.question);
+    CHECK(std::get<LessonNumber>(one.question->answer).within == 0.5);
+    CHECK(documentOf(one)->options.grid == GridKind::None);
+    CHECK(two.document == one.document);
+    CHECK(two.layers == one.layers);
+    CHECK(two.method == Method::Classic);
+    CHECK(two.position.atEnd);
+    CHECK(two.camera.follow);
+    CHECK(two.highlights.empty());
+    CHECK_FALSE(two.question);
+    CHECK_FALSE(three.method); // of another document
+    CHECK(documentOf(three)->options.grid == GridKind::Hierarchical);
+    CHECK_FALSE(three.position.atEnd);
+}
+
+TEST_CASE("Lesson: faults are reported with line, column and what was expected") {
+    const struct {
+        std::string text;
+        const char *code;
+        int line;
+        const char *part; ///< of message or advice
+    } cases[] = {
+        {"{\"format\": \"forefront\"}", "not-a-lesson", 1, "not a Forefront lesson"},
+        {"{\"format\": \"forefront-lesson\", \"version\": 1, \"title\": \"T\"}", "missing-field", 1, "pages"},
+        {"{\"format\": \"forefront-lesson\", \"version\": 1, \"title\": \"T\", \"pages\": []}", "no-pages", 1,
+         "no pages"},
+        {"{\"format\": \"forefront-lesson\", \"version\": 9, \"title\": \"T\", \"pages\": []}", "bad-number", 1,
+         "version"},
+        {page(", \"txet\": 1"), "unknown-member", 2, "'txet'"},
+        {page(",\n\"method\": \"slow\""), "bad-field", 3, "\"classic\""},
+        {page(",\n\"position\": \"middle\""), "bad-field", 3, "\"end\""},
+        {page(",\n\"position\": -1"), "bad-number", 3, "position"},
+        {page(",\n\"position\": {\"events\": 3}"), "missing-field", 3, "advance"},
+        {page(",\n\"layers\": [\"mesh\",\n\"sky\"]"), "unknown-name", 4, "'sky'"},
+        {page(",\n\"panel\": \"stairs\""), "unknown-name", 3, "steps"},
+        {page(",\n\"camera\": {\"centre\": [0, 0], \"size\": 0}"), "bad-number", 3, "greater than 0"},
+        {page(",\n\"document\": \"none.json\""), "bad-document", 3, "'none.json'"},
+        {page(",\n\"question\": {\"text\": \"{fron}\", \"number\": \"front\"}"), "unknown-value", 3, "'fron'"},
+        {page(",\n\"question\": {\"text\": \"{front\", \"number\": \"front\"}"), "unknown-value", 3, "'front'"},
+        {question("\"number\": \"fronts\""), "bad-field", 3, "\"front\""},
+        {question("\"hint\": \"h\""), "bad-question", 3, "found 0"},
+        {question("\"number\": \"front\", \"until\": {\"value\": \"front\", \"is\": 1}"), "bad-question", 3, "found 2"},
+        {question("\"until\": []"), "bad-condition", 3, "at least one"},
+        {question("\"until\": {\"value\": \"front\"}"), "bad-condition", 3, "found 0"},
+        {question("\"until\": {\"value\": \"front\", \"is\": 1, \"above\": 0}"), "bad-condition", 3, "found 2"},
+        {question("\"choices\": [{\"text\": \"a\", \"right\": true}]"), "bad-count", 3, "found 1"},
+        {question("\"choices\": [{\"text\": \"a\"}, {\"text\": \"b\", \"right\": false}]"), "no-answer", 3,
+         "can be right"},
+        {question("\"choices\": [{\"text\": \" \"}, {\"text\": \"b\", \"right\": true}]"), "empty-text", 3, "empty"},
+    };
+    LessonNames names{.layers = {"mesh"}, .panels = {"steps"}, .document = {}};
+    names.document = [](const std::string &) -> Result<Document> { return error("cannot-read", "no such file"); };
+    for (const auto &each : cases) {
+        CAPTURE(each.text);
+        const Diagnostics faults = faultsOf(each.text, names);
+        REQUIRE_FALSE(faults.empty());
+        CHECK(hasCode(faults, each.code));
+        CHECK(faults.front().line == each.line);
+        CHECK(faults.front().column > 0);
+        const std::string said = faults.front().message + ' ' + faults.front().advice;
+        CHECK_MESSAGE(said.find(each.part) != std::string::npos, said);
+    }
+}
+
+TEST_CASE("Lesson: several faults of a file are reported together") {
+    const Diagnostics faults = faultsOf(page(",\n\"method\": \"slow\",\n\"grid\": 3,\n\"zoom\": 1"));
+    REQUIRE(faults.size() == 3);
+    CHECK(faults[0].line + faults[1].line + faults[2].line == 3 + 4 + 5);
+}
+
+TEST_CASE("Lesson values: they describe the run, the advance and the choice of the learner") {
+    const Run run;
+    const auto value = [&](LessonValue of) { return valueOf(of, run.state()); };
+    CHECK(value(LessonValue::Advance) == 7.0);
+    CHECK(value(LessonValue::Front) == 34.0);
+    CHECK(value(LessonValue::Delivered) == 2.5);
+    CHECK(value(LessonValue::Finished) == 0.0);
+    CHECK(value(LessonValue::Base) == 5.0);
+    CHECK(value(LessonValue::Candidates) == 3.0);
+    CHECK(value(LessonValue::Winner) == 2.0);
+    CHECK(value(LessonValue::Rejected) == 1.0);
+    CHECK(value(LessonValue::Alpha) == 0.75);
+    CHECK(value(LessonValue::Chosen) == 0.0);
+    CHECK(valueOf(LessonValue::Chosen, run.state(1)) == 2.0);
+    const SessionSnapshot nothing;
+    for (const LessonValue of : valuesOf<LessonValue>()) {
+        CAPTURE(wordOf(of));
+        CHECK(valueOf(of, {nothing}).has_value() == (of == LessonValue::Chosen));
+    }
+}
+
+TEST_CASE("Lesson texts: values in braces are filled in") {
+    const Run run;
+    CHECK(withValues("Γ: {front}, α {alpha}", run.state()) == "Γ: 34, α 0.75");
+    CHECK(withValues("{Nc}{front}", run.state()) == "2.534");
+    CHECK(withValues("no values", run.state()) == "no values");
+    CHECK(withValues("{front}", {SessionSnapshot()}) == "\xe2\x80\x93");
+}
+
+TEST_CASE("Lesson conditions: is, above and below a number or another value") {
+    const Run run;
+    const auto check = [&](LessonCondition condition, std::optional<std::size_t> chosen = {}) {
+        return holds(condition, run.state(chosen));
+    };
+    CHECK(check({LessonValue::Front, LessonRelation::Is, 34.0}));
+    CHECK_FALSE(check({LessonValue::Front, LessonRelation::Is, 34.5}));
+    CHECK(check({LessonValue::Front, LessonRelation::Is, 34.5, {}, 0.5}));
+    CHECK(check({LessonValue::Front, LessonRelation::Above, 33.0}));
+    CHECK_FALSE(check({LessonValue::Front, LessonRelation::Above, 34.0}));
+    CHECK(check({LessonValue::Front, LessonRelation::Below, 35.0}));
+    const LessonCondition wins{LessonValue::Chosen, LessonRelation::Is, 0.0, LessonValue::Winner};
+    CHECK(check(wins, 1));
+    CHECK_FALSE(check(wins, 0));
+    CHECK_FALSE(check(wins));
+    CHECK_FALSE(holds({LessonValue::Front, LessonRelation::Below, 1e9}, {SessionSnapshot()})); // there is no run
+}
