@@ -5,6 +5,7 @@
 #include "app/batch/options.hpp"
 #include "core/arrangement/repair.hpp"
 #include "core/base/hash.hpp"
+#include "core/edit/shape_geometry.hpp"
 #include "core/io/boundary_parts.hpp"
 #include "core/io/files.hpp"
 #include "core/mesh/quality.hpp"
@@ -52,10 +53,15 @@ struct CheckArguments {
     bool measures = false;                            ///< print the table
 };
 
-/// Builds the requested node spacing; null if none is requested.
+/// Builds the requested node spacing: that of the options, or that of the project with the limits if one of them needs
+/// a spacing; null if there is none.
 Result<std::shared_ptr<const SpacingField>> readWanted(const CheckArguments &arguments, const Mesh &mesh) {
     if (!arguments.size && !arguments.expression) {
-        return std::shared_ptr<const SpacingField>();
+        if (!arguments.savedLimits || !arguments.limits[MeshLimit::MinDelta]) {
+            return std::shared_ptr<const SpacingField>();
+        }
+        const Result<Document> project = readDocument(*arguments.savedLimits);
+        return project ? SpacingField::build(project->spacing, toDomain(*project)) : project.faults();
     }
     SpacingSpec spec;
     spec.size = arguments.size;
@@ -186,7 +192,10 @@ int checkCommand(int argc, const char *const *argv) {
     spacing->require_option(0, 1);
     auto *limits = app.add_option_group("Limits", "refuse a mesh that violates one of these");
     addLimitOptions(*limits, arguments.limits);
-    limits->add_option("--limits", arguments.savedLimits, "use the limits saved in a project, except those given here")
+    limits
+        ->add_option("--limits", arguments.savedLimits,
+                     "use the limits saved in a project, except those given here, and its spacing if a "
+                     "limit needs one and none is given")
         ->type_name("PROJECT");
     app.add_flag("--measures", arguments.measures, "print the distribution of each quality measure");
     if (const auto code = parseOptions(app, argc, argv)) {
@@ -196,7 +205,8 @@ int checkCommand(int argc, const char *const *argv) {
     if (!wrong.empty()) {
         return wrongUsage(app.get_name(), wrong);
     }
-    if (arguments.limits[MeshLimit::MinDelta] && !arguments.size && !arguments.expression) {
+    const bool spaced = arguments.size || arguments.expression || arguments.savedLimits;
+    if (arguments.limits[MeshLimit::MinDelta] && !spaced) {
         return wrongUsage(app.get_name(), "--min-delta needs a spacing; add --size or --spacing");
     }
     return check(arguments);

@@ -3,7 +3,7 @@
 #include "core/base/number_text.hpp"
 #include "core/domain/coordinate_range.hpp"
 #include "core/domain/domain_meetings.hpp"
-#include "core/geometry/box_tree.hpp"
+#include "core/domain/free_ends.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,33 +22,10 @@ constexpr std::size_t kMaxPairs = 100'000;
 /// are farther apart, something is missing.
 constexpr double kWeldableGap = 0.01;
 
-/// Finds the free end of a line that is nearest to another free end.
-class FreeEnds {
-  public:
-    explicit FreeEnds(std::vector<Vec2> ends) : ends_(std::move(ends)) {
-        std::vector<Box2> boxes;
-        for (const Vec2 end : ends_) {
-            boxes.push_back(boxOf(end, end));
-        }
-        tree_ = BoxTree(boxes);
-    }
-    /// Returns the distance from end k to the nearest other one; infinity if there is none.
-    double gap(std::size_t k) const {
-        double limit = std::numeric_limits<double>::infinity();
-        tree_.nearest(ends_[k], limit, [&](std::uint32_t other) {
-            return other == k ? std::numeric_limits<double>::infinity() : distance(ends_[k], ends_[other]);
-        });
-        return limit;
-    }
-
-  private:
-    std::vector<Vec2> ends_;
-    BoxTree tree_;
-};
-
 class Validator {
   public:
-    Validator(const Domain &domain, std::size_t limit) : domain_(domain), limit_(limit) {}
+    Validator(const Domain &domain, std::size_t limit)
+        : domain_(domain), limit_(limit), weldable_(kWeldableGap * domain.bounds().diagonal()) {}
 
     Diagnostics run() {
         checkNodes();
@@ -342,6 +319,10 @@ class Validator {
         }
         const FreeEnds ends(std::move(places));
         for (std::size_t k = 0; k < nodes.size(); ++k) {
+            if (faults_.size() >= limit_) { // only counted, so the gaps do not matter
+                count_ += nodes.size() - k;
+                return;
+            }
             const double gap = ends.gap(k);
             add("open-chain", "the boundary ends at a node" + gapText(gap) + "; expected a closed loop",
                 "close the loop" + weldAdvice(gap) + ", or turn boundary segments that bound nothing into constraints",
@@ -355,7 +336,7 @@ class Validator {
 
     /// Returns advice to weld a narrow gap, with a tolerance that is certainly sufficient; empty for wide gaps.
     std::string weldAdvice(double gap) const {
-        if (!(gap <= kWeldableGap * domain_.bounds().diagonal())) {
+        if (!(gap <= weldable_)) {
             return {};
         }
         return ", repair the domain" + (gap > 0.0 ? " with a weld tolerance of " + numberText(1.1 * gap, 2) : "");
@@ -489,6 +470,7 @@ class Validator {
 
     const Domain &domain_;
     std::size_t limit_;
+    double weldable_; ///< maximum gap that the advice is to weld
     std::size_t count_ = 0;
     Diagnostics faults_;
     bool incomplete_ = false; // a segment is missing from the geometry because it is faulty

@@ -10,8 +10,42 @@
 namespace forefront {
 namespace {
 
-bool isRound(const Shape &shape) {
-    return shape.kind == ShapeKind::Circle || shape.kind == ShapeKind::Ellipse;
+/// A node of one shape on a segment of another, between its ends.
+struct Meeting {
+    SegmentRef segment;
+    double t = 0.0; ///< parameter on the segment
+    Vec2 node;
+};
+
+std::vector<Meeting> meetingsOf(const Document &document, const Shape &shape, double reach) {
+    const PickIndex index(std::make_shared<const Document>(document));
+    const auto others = [&](const Shape &other) { return other.id != shape.id; };
+    std::vector<Meeting> meetings;
+    for (const Vec2 node : outlineOf(shape).nodes) {
+        const auto hit = index.segment(node, reach, others);
+        if (!hit) {
+            continue;
+        }
+        const bool circle = findShape(document, hit->ref.shape)->kind == ShapeKind::Circle; // has no ends
+        if (circle || (distance(node, hit->a) > reach && distance(node, hit->b) > reach)) {
+            meetings.push_back({hit->ref, hit->t, node});
+        }
+    }
+    return meetings;
+}
+
+/// Converts the shapes that are met to paths, so that nodes can be inserted into exactly the segments that are met.
+Document withPaths(Document document, const std::vector<Meeting> &meetings) {
+    for (const Meeting &meeting : meetings) {
+        const Shape *shape = findShape(document, meeting.segment.shape);
+        if (isPath(*shape)) {
+            continue;
+        }
+        if (Result<Document> next = convertToPath(document, shape->id)) {
+            document = *std::move(next);
+        }
+    }
+    return document;
 }
 
 } // namespace
@@ -19,25 +53,16 @@ bool isRound(const Shape &shape) {
 Document joinToSegments(const Document &document, std::uint32_t id) {
     const Shape *shape = findShape(document, id);
     const double reach = 1e-9 * boundsOf(document).diagonal();
-    if (shape == nullptr || isRound(*shape) || !(reach > 0.0)) {
+    if (shape == nullptr || shape->kind == ShapeKind::Circle || shape->kind == ShapeKind::Ellipse || !(reach > 0.0)) {
         return document;
     }
-    const PickIndex index(std::make_shared<const Document>(document));
-    const auto others = [&](const Shape &other) { return other.id != id && !isRound(other); };
-    std::vector<std::tuple<SegmentRef, double, Vec2>> meetings;
-    for (const Vec2 node : outlineOf(*shape).nodes) {
-        const auto hit = index.segment(node, reach, others);
-        if (hit && distance(node, hit->a) > reach && distance(node, hit->b) > reach) {
-            meetings.emplace_back(hit->ref, hit->t, node);
-        }
-    }
+    Document joined = withPaths(document, meetingsOf(document, *shape, reach));
+    std::vector<Meeting> meetings = meetingsOf(joined, *shape, reach);
     // From the last segment to the first, and backwards along each, so that insertions do not shift later places.
-    std::sort(meetings.begin(), meetings.end(), [](const auto &a, const auto &b) {
-        return std::tie(std::get<0>(b), std::get<1>(b)) < std::tie(std::get<0>(a), std::get<1>(a));
-    });
-    Document joined = document;
-    for (const auto &[ref, t, node] : meetings) {
-        if (Result<Document> next = insertNode(joined, ref, node)) {
+    std::sort(meetings.begin(), meetings.end(),
+              [](const Meeting &a, const Meeting &b) { return std::tie(b.segment, b.t) < std::tie(a.segment, a.t); });
+    for (const Meeting &meeting : meetings) {
+        if (Result<Document> next = insertNode(joined, meeting.segment, meeting.node)) {
             joined = *std::move(next);
         }
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -128,13 +129,22 @@ Curve joining(const Curve &curve, Vec2 from, Vec2 to) {
 }
 
 bool joins(const Curve &curve, Vec2 from, Vec2 to) {
-    constexpr double kRounding = 1e-6; // of numbers written by hand or by other programs
+    constexpr double kWritten = 1e-6; // of the size: numbers written by hand or by other programs
+    constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon(); // of the coordinates
     const std::array<double, 8> n = curve.numbers();
-    double size = 0.0;
-    for (std::size_t k = 0; k < (curve.kind() == CurveKind::Arc ? 6U : 8U); ++k) {
-        size = std::max(size, std::fabs(n[k]));
+    const Vec2 first{n[0], n[1]};
+    double size = 0.0, magnitude = 0.0;
+    if (curve.kind() == CurveKind::Arc) {
+        size = std::max(length({n[2], n[3]}), length({n[4], n[5]}));
+        magnitude = length(first) + size;
+    } else {
+        for (std::size_t k = 0; k < n.size(); k += 2) {
+            size = std::max(size, distance({n[k], n[k + 1]}, first));
+            magnitude = std::max(magnitude, length({n[k], n[k + 1]}));
+        }
     }
-    return distance(curve.point(0.0), from) <= kRounding * size && distance(curve.point(1.0), to) <= kRounding * size;
+    const double tolerance = kWritten * size + kRounding * magnitude;
+    return distance(curve.point(0.0), from) <= tolerance && distance(curve.point(1.0), to) <= tolerance;
 }
 
 double sectorArea(const Curve &curve, Vec2 from) {
@@ -192,7 +202,8 @@ Curve arcOfRadius(Vec2 from, Vec2 to, double radius, Vec2 side) {
     const Vec2 across = (0.5 / half) * leftNormal(to - from), centre = midpoint(from, to);
     const double height = dot(side - centre, across), reach = std::max(radius, half);
     const double rise = std::sqrt(reach * reach - half * half);
-    const double sagitta = std::fabs(height) > half ? reach + rise : reach - rise;
+    // The smaller one is reach − rise, which would cancel.
+    const double sagitta = std::fabs(height) > half ? reach + rise : half * half / (reach + rise);
     return arcThrough(from, centre + std::copysign(sagitta, height) * across, to);
 }
 

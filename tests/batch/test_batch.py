@@ -631,6 +631,9 @@ class Refusing(Case):
         self.assertIn("maximum valence 20: met", done.stdout)
         done = self.call("check", "plate.msh", "--limits", "plate.json", "--min-angle", "5")
         self.assertIn("minimum angle 5°: met", done.stdout)
+        self.write("delta.json", limits.replace('"minAngle": 59.9', '"minDelta": 0.01'))
+        done = self.call("check", "plate.msh", "--limits", "delta.json")  # by the spacing of the project
+        self.assertRegex(done.stdout, r"\nminimum δ 0.01: met, worst ")
         self.write("none.json", PROJECT)
         self.assertIn("[no-limits]", self.call("check", "plate.msh", "--limits", "none.json", code=1).stderr)
 

@@ -220,6 +220,25 @@ TEST_CASE("Select: double-clicking a segment inserts a node, and Delete removes 
     CHECK(driver.undoLabel() == "Delete");
 }
 
+TEST_CASE("Select: a node inserted into a rounded rectangle by double-click is the one that is selected") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 9});
+    Document rounded = driver.document();
+    Shape box = *rounded.shapes[0];
+    box.radius = 1.0;
+    rounded.shapes[0] = std::make_shared<const Shape>(box);
+    driver.context().document.apply(std::move(rounded), "Round");
+    driver.key('V');
+    driver.key(key::kEscape);
+    driver.doubleClickPlace({9, 5}); // of eight segments, the fourth
+    const std::vector<Vec2> &nodes = driver.document().shapes[0]->nodes;
+    REQUIRE(nodes.size() == 9);
+    REQUIRE(driver.context().selection.nodes.size() == 1);
+    const Vec2 selected = nodes[driver.context().selection.nodes.begin()->node];
+    CHECK(selected.x == doctest::Approx(9));
+    CHECK(selected.y == doctest::Approx(5).epsilon(0.02));
+}
+
 TEST_CASE("Select: a box selects entire shapes, Ctrl+A selects all, Ctrl+D duplicates, and arrow keys nudge") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {3, 3});

@@ -130,6 +130,10 @@ TEST_CASE("Judge: meshing the outline replaces the mesh of the file") {
     REQUIRE(openMesh(driver.context(), folder / "plate.msh").empty());
     driver.settle();
     REQUIRE(driver.context().run.showsFile());
+    driver.key('W'); // a click of the trace tool must not discard it
+    driver.clickPlace({4, 4});
+    driver.settle();
+    REQUIRE(driver.context().run.showsFile());
     driver.key(key::kF5);
     driver.settle();
     CHECK_FALSE(driver.context().run.showsFile());

@@ -339,6 +339,65 @@ TEST_CASE("joinToSegments: a line that ends on a curve divides it there") {
     CHECK(areaOf(*joined.shapes[0]) == doctest::Approx(areaOf(sail())));
 }
 
+TEST_CASE("joinToSegments: a line from side to side of a rounded rectangle divides just these sides") {
+    const Shape box = roundedBox(1.0);
+    const Box2 bounds = boundsOf(box);
+    const double middle = bounds.centre().y;
+    const std::pair<Vec2, Vec2> lines[] = {
+        {{bounds.min.x, middle}, {bounds.centre().x, bounds.max.y}}, // left to top
+        {{bounds.min.x, middle}, {bounds.max.x, middle}},            // left to right
+        {{bounds.max.x, middle}, {bounds.centre().x, bounds.min.y}}, // right to bottom
+    };
+    for (const auto &[from, to] : lines) {
+        Document document = documentOf({box});
+        document = *addShape(document, makeShape(ShapeKind::Polyline, {from, to}, ShapeUse::Constraint));
+        const Document joined = joinToSegments(document, 2);
+        const std::vector<Vec2> &nodes = joined.shapes[0]->nodes;
+        REQUIRE(nodes.size() == 10);
+        CHECK(std::count(nodes.begin(), nodes.end(), from) == 1);
+        CHECK(std::count(nodes.begin(), nodes.end(), to) == 1);
+        CHECK(areaOf(*joined.shapes[0]) == doctest::Approx(areaOf(box)).epsilon(1e-12));
+        CHECK(validate(toDomain(joined)).empty());
+    }
+}
+
+TEST_CASE("joinToSegments: a line that begins on a circle or an ellipse divides it there") {
+    const Shape circle = makeShape(ShapeKind::Circle, {{0, 0}, {1, 0}});
+    const Shape ellipse = makeShape(ShapeKind::Ellipse, {{0, 0}, {2, 0}, {0, 1}});
+    for (const Shape &round : {circle, ellipse}) {
+        for (const double angle : {0.06, 1.0, 3.0}) {
+            const double width = round.kind == ShapeKind::Circle ? 1.0 : 2.0;
+            const Vec2 on{width * std::cos(angle), std::sin(angle)};
+            Document document = documentOf({round});
+            document = *addShape(document, makeShape(ShapeKind::Polyline, {on, {0.1, 0.2}}, ShapeUse::Constraint));
+            const Document joined = joinToSegments(document, 2);
+            const std::vector<Vec2> &nodes = joined.shapes[0]->nodes;
+            CHECK(std::count(nodes.begin(), nodes.end(), on) == 1);
+            CHECK(areaOf(*joined.shapes[0]) == doctest::Approx(areaOf(round)));
+            CHECK(validate(toDomain(joined)).empty());
+        }
+    }
+}
+
+TEST_CASE("joins: the ends of an arc are judged by its size, not by its distance from the origin") {
+    const Vec2 centre{500000, 5000000};
+    const Curve arc = Curve::arc(centre, {5, 0}, {0, 5}, 0.0, kPi);
+    CHECK(joins(arc, centre + Vec2{5, 0}, centre - Vec2{5, 0}));
+    CHECK(joins(arc, centre + Vec2{5.000001, 0}, centre - Vec2{5, 0}));
+    CHECK_FALSE(joins(arc, centre + Vec2{5.001, 0}, centre - Vec2{5, 0}));
+    const Curve cubic = Curve::cubic(centre, centre + Vec2{1, 1}, centre + Vec2{2, 1}, centre + Vec2{3, 0});
+    CHECK(joins(cubic, centre, centre + Vec2{3, 0}));
+    CHECK_FALSE(joins(cubic, centre + Vec2{0.01, 0}, centre + Vec2{3, 0}));
+}
+
+TEST_CASE("arcOfRadius: a very large radius keeps its value") {
+    for (const double radius : {1.0, 10.0, 1e4, 1e6}) {
+        const Curve arc = arcOfRadius({0, 0}, {2, 0}, radius, {1, 0.1});
+        REQUIRE(arc.kind() == CurveKind::Arc);
+        CHECK(length({arc.numbers()[2], arc.numbers()[3]}) == doctest::Approx(radius).epsilon(1e-8));
+    }
+}
+
 TEST_CASE("combineShapes: curves stay curves") {
     const Document document = documentOf({makeShape(ShapeKind::Rectangle, {{0, -5}, {5, 5}}),
                                           makeShape(ShapeKind::Circle, {{0, 0}, {2, 0}}, ShapeUse::Boundary, 3)});

@@ -106,6 +106,36 @@ TEST_CASE("Project: unknown members are ignored and reported") {
     CHECK(notes.entries()[0].line == 2);
 }
 
+TEST_CASE("Project: unknown members of shapes, markers, options and limits are reported, too") {
+    const std::string text = kHead + R"(
+{"id": 1, "kind": "polygon", "nodes": [[0, 0], [1, 0], [0, 1]], "curvs": []}],
+"regionMarkers": [{"at": [0.1, 0.1], "tag": 2, "maxarea": 3}],
+"options": {"methd": "fast"},
+"limits": {"minAngel": 20}})";
+    ImportNotes notes;
+    SourceText source = sourceOf(text, "new.forefront");
+    source.notes = &notes;
+    REQUIRE(readProjectText(source).ok());
+    std::string all;
+    for (const auto &note : notes.entries()) {
+        all += note.message + '\n';
+    }
+    for (const char *const word : {"'curvs'", "'maxarea'", "'methd'", "'minAngel'"}) {
+        CHECK_MESSAGE(all.find(word) != std::string::npos, word);
+    }
+}
+
+TEST_CASE("Project: shapes with numbers near the limit are renumbered, so that new shapes can be saved and read") {
+    const std::string shape = R"("kind": "point", "use": "constraint", "nodes": [[0, 0]]})";
+    const auto document = parseProject(kHead + R"({"id": 4294967294, )" + shape + "]}", "a.forefront");
+    REQUIRE(document.ok());
+    CHECK(document->shapes[0]->id == 1);
+    CHECK(document->nextId == 2);
+    const auto last = parseProject(kHead + R"({"id": 7, )" + shape + R"(], "nextId": 4294967295})", "a.forefront");
+    REQUIRE(last.ok());
+    CHECK(last->nextId == 2);
+}
+
 TEST_CASE("Project: several wrong fields are all reported, each at its line and column") {
     const Diagnostics faults =
         faultsOf(kHead + "\n{\"id\": 1, \"kind\": \"hexagon\", \"nodes\": [[0, 0]]},\n"
@@ -222,6 +252,11 @@ TEST_CASE("Project: invalid curves are refused with their line and column") {
     CHECK(faultOf(R"("cuts": [[0.5, 0.25], []])").code == "bad-number");
     CHECK(faultOf(R"("cuts": [[0.5], [], []])").code == "bad-count");
     CHECK(faultOf(R"("radius": -1)").code == "bad-number");
+    CHECK(faultOf(R"("curves": [{"cubic": [[0, 1e61], [2, 1]]}, null])").message == "a control point lies beyond 1e60");
+    CHECK(faultsOf(kHead + R"({"id": 1, "kind": "polygon", "nodes": [[1, 1], [1, 1]], "curves": )" +
+                   R"([{"cubic": [[1, 1], [1, 1]]}, null]}]})")
+              .front()
+              .message.starts_with("the cubic is a point"));
     CHECK(hasCode(faultsOf(kHead + R"({"id": 1, "kind": "circle", "nodes": [[0, 0], [1, 0]], "curves": []}]})"),
                   "bad-curve"));
     CHECK(hasCode(faultsOf(kHead + R"({"id": 1, "kind": "ellipse", "nodes": [[0, 0], [1, 0]]}]})"), "bad-count"));

@@ -121,6 +121,20 @@ TEST_CASE("validate: reports open chains and odd numbers of boundary segments at
     CHECK(codes(validate(tee)) == "");
 }
 
+TEST_CASE("validate: a boundary of very many loose segments is refused with a list of limited length") {
+    Domain loose;
+    constexpr std::uint32_t kSegments = 200'000; // must not take time quadratic in their number
+    for (std::uint32_t k = 0; k < kSegments; ++k) {
+        const double x = k;
+        loose.nodes.insert(loose.nodes.end(), {{x, 0.0}, {x + 0.5, 1.0}});
+        loose.segments.push_back({2 * k, 2 * k + 1});
+    }
+    const Diagnostics faults = validate(loose, 10);
+    REQUIRE(faults.size() == 11);
+    CHECK(faults[0].code == "open-chain");
+    CHECK(faults[10].message == "399990 more faults are not listed");
+}
+
 TEST_CASE("validate: reports the distance from an open end to the nearest other end, and advises welding only for "
           "narrow gaps") {
     const auto faultsOf = [](double gap) {

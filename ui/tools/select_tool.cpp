@@ -5,6 +5,8 @@
 #include "core/edit/spacing_commands.hpp"
 #include "ui/parts/shell.hpp"
 
+#include <algorithm>
+
 namespace forefront {
 
 const char *SelectTool::icon() const {
@@ -205,7 +207,9 @@ void SelectTool::insertAt(const Hit &hit, Shell &context) {
     start_ = context.document.current();
     startIndex_ = state_->index(context);
     grabbed_.kind = Hit::Kind::Node;
-    grabbed_.node = {hit.shape, hit.segment->ref.segment + 1};
+    const std::vector<Vec2> &nodes = findShape(*start_, hit.shape)->nodes;
+    const auto inserted = std::find(nodes.begin(), nodes.end(), hit.at);
+    grabbed_.node = {hit.shape, static_cast<std::uint32_t>(inserted - nodes.begin())};
     select(grabbed_, false, context.selection);
     wasSelected_ = false;
     mode_ = Mode::Grabbed;

@@ -29,10 +29,14 @@ const char *TraceTool::icon() const {
     return icon::kSearch;
 }
 
-bool TraceTool::handle(const CanvasEvent &event, Shell &context) {
+/// The cells can be clicked only while they are shown: only then does the snapshot have them.
+void TraceTool::activate(Shell &context) {
     if (context.view.traceMode == TraceMode::Cell) {
-        showLayer(context.layers, "grid", true); // the snapshot has cells only while they are shown
+        showLayer(context.layers, "grid", true);
     }
+}
+
+bool TraceTool::handle(const CanvasEvent &event, Shell &context) {
     if (event.kind != CanvasEvent::Kind::Press || event.button != MouseButton::Left) {
         return false;
     }
@@ -41,6 +45,10 @@ bool TraceTool::handle(const CanvasEvent &event, Shell &context) {
 }
 
 void TraceTool::click(Vec2 place, Shell &context) {
+    if (context.run.showsFile()) {
+        context.log.announce("An opened mesh has no run to trace; mesh the drawing first");
+        return;
+    }
     Breakpoints breakpoints = context.run.breakpoints();
     switch (context.view.traceMode) {
     case TraceMode::Birth:
@@ -69,6 +77,7 @@ void TraceTool::drawOptions(Shell &context, ui::Flow &flow) {
                                 "A click sets a breakpoint: stop when a search visits the cell of the background grid"};
     if (ui::segmented(context, "options/trace/mode", names, mode, 200.0F, tips)) {
         context.view.traceMode = static_cast<TraceMode>(mode);
+        activate(context);
     }
 }
 

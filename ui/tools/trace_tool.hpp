@@ -12,6 +12,7 @@ class TraceTool final : public Tool {
     const char *name() const override { return "Trace: what made this?"; }
     const char *icon() const override;
     int key() const override { return 'W'; }
+    void activate(Shell &context) override;
     bool handle(const CanvasEvent &event, Shell &context) override;
     bool hasOptions(const Shell &) const override { return true; }
     void drawOptions(Shell &context, ui::Flow &flow) override;

@@ -6,6 +6,7 @@
 #include "core/edit/document.hpp"
 
 #include <algorithm>
+#include <new>
 
 namespace forefront {
 
@@ -116,6 +117,15 @@ std::shared_ptr<const SpacingRaster> sampleRaster(const SpacingField *field, con
     return raster;
 }
 
+std::shared_ptr<const DocumentPreview> withoutMemory(std::uint64_t revision) {
+    auto preview = std::make_shared<DocumentPreview>();
+    preview->revision = revision;
+    preview->domain = std::make_shared<Domain>();
+    preview->faults = error("out-of-memory", "there is not enough memory to examine the drawing",
+                            "close other programs, or simplify the drawing");
+    return preview;
+}
+
 } // namespace
 
 void DocumentExaminer::work(const std::stop_token &stop) {
@@ -138,7 +148,12 @@ void DocumentExaminer::work(const std::stop_token &stop) {
             examining_ = std::stop_source();
             const std::stop_token superseded = examining_.get_token();
             lock.unlock();
-            auto preview = examine(*document, revision, superseded);
+            std::shared_ptr<const DocumentPreview> preview;
+            try {
+                preview = examine(*document, revision, superseded);
+            } catch (const std::bad_alloc &) {
+                preview = withoutMemory(revision);
+            }
             lock.lock();
             if (!superseded.stop_requested()) {
                 preview_ = std::move(preview);

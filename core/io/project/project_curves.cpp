@@ -1,6 +1,7 @@
 #include "core/io/project/project_curves.hpp"
 
 #include "core/base/number_text.hpp"
+#include "core/domain/coordinate_range.hpp"
 #include "core/edit/path_curve.hpp"
 #include "core/edit/shape_geometry.hpp"
 
@@ -80,7 +81,17 @@ class CurveReader {
             check_.fault(value, "bad-count", "a cubic has 2 control points, found " + std::to_string(controls.size()));
             return {};
         }
-        return Curve::cubic(outline_.from(segment), controls[0], controls[1], outline_.to(segment));
+        const Vec2 from = outline_.from(segment), to = outline_.to(segment);
+        if (tooLarge(controls[0]) || tooLarge(controls[1])) {
+            check_.fault(value, "bad-curve", "a control point lies beyond 1e60", "scale the drawing down");
+            return {};
+        }
+        if (from == to && controls[0] == from && controls[1] == from) {
+            check_.fault(value, "bad-curve", "the cubic is a point: its nodes and control points coincide",
+                         "remove a node, or move a control point");
+            return {};
+        }
+        return Curve::cubic(from, controls[0], controls[1], to);
     }
 
     Curve readArc(const JsonValue &value, std::size_t segment) {

@@ -11,6 +11,7 @@
 #include <charconv>
 #include <limits>
 #include <set>
+#include <span>
 
 namespace forefront {
 
@@ -54,7 +55,9 @@ class ProjectReader {
         if (!check_.faults().empty()) {
             return check_.faults();
         }
-        noteUnknownMembers(root);
+        noteUnknown(root, std::array<std::string_view, 12>{"format", "version", "shapes", "regionMarkers",
+                                                           "boundaryNames", "regionNames", "spacing", "options",
+                                                           "limits", "nextId", "circleTolerance", "curveTolerance"});
         if (source_.origin != nullptr) {
             recordOrigins();
         }
@@ -63,13 +66,10 @@ class ProjectReader {
 
   private:
     /// Reports unknown members, which a newer or another program may have added.
-    void noteUnknownMembers(const JsonValue &root) const {
-        constexpr std::array<std::string_view, 12> kKnown = {
-            "format",  "version", "shapes", "regionMarkers", "boundaryNames",   "regionNames",
-            "spacing", "options", "limits", "nextId",        "circleTolerance", "curveTolerance"};
-        for (auto member = root.begin(); member != root.end(); ++member) {
+    void noteUnknown(const JsonValue &object, std::span<const std::string_view> known) const {
+        for (auto member = object.begin(); member != object.end(); ++member) {
             const std::string key = member.key();
-            if (std::find(kKnown.begin(), kKnown.end(), key) == kKnown.end()) {
+            if (std::find(known.begin(), known.end(), key) == known.end()) {
                 source_.note("members", "unknown member " + inQuotes(key) + " is ignored", member.keyValue().offset());
             }
         }
@@ -179,6 +179,8 @@ class ProjectReader {
             }
             segmentTagCount(shape, *tags);
         }
+        noteUnknown(item, std::array<std::string_view, 10>{"id", "kind", "use", "tag", "name", "nodes", "radius",
+                                                           "curves", "cuts", "segmentTags"});
         return shape;
     }
 
@@ -237,6 +239,7 @@ class ProjectReader {
             if (const auto area = item.find("maxArea")) {
                 marker.maxArea = check_.notNegative(*area, "the maximum area of a region marker");
             }
+            noteUnknown(item, std::array<std::string_view, 3>{"at", "tag", "maxArea"});
             document_.regionMarkers.push_back(marker);
             markerOffsets_.push_back(item.offset());
         }
@@ -281,6 +284,8 @@ class ProjectReader {
         if (const auto threads = object.find("threads")) {
             options.threads = static_cast<unsigned>(check_.integer(*threads, 0, kMaxThreads, "\"threads\""));
         }
+        noteUnknown(object, std::array<std::string_view, 7>{"method", "grid", "gridColumns", "gridRows", "keepBoundary",
+                                                            "improve", "threads"});
     }
 
     void limits(const JsonValue &object) {
@@ -296,6 +301,11 @@ class ProjectReader {
                 }
             }
         }
+        std::vector<std::string_view> known;
+        for (const MeshLimit limit : valuesOf<MeshLimit>()) {
+            known.emplace_back(limitInfo(limit).member);
+        }
+        noteUnknown(object, known);
     }
 
     /// Reads a word, or true (default) and false (none) as in older projects.
@@ -311,6 +321,14 @@ class ProjectReader {
         if (const auto value = root.find("nextId")) {
             const std::int64_t next = check_.integer(*value, 1, kMaxId + 1, "\"nextId\"");
             document_.nextId = std::max(document_.nextId, static_cast<std::uint32_t>(next));
+        }
+        if (document_.nextId > kMaxId / 2) { // leave room for new shapes
+            document_.nextId = 1;
+            for (std::shared_ptr<const Shape> &shape : document_.shapes) {
+                Shape renumbered = *shape;
+                renumbered.id = document_.nextId++;
+                shape = std::make_shared<const Shape>(std::move(renumbered));
+            }
         }
     }
 
