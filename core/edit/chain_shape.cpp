@@ -59,6 +59,9 @@ void ChainShapes::addRun(std::span<const Link> run, Shape &shape) const {
                 cuts.push_back(cut);
             }
         }
+        if (cuts.empty()) {
+            cuts.push_back(1.0); // a single chord
+        }
     }
     shape.curves.push_back(curve);
     shape.cuts.push_back(std::move(cuts));

@@ -60,8 +60,8 @@ struct Shape {
     /// begins and ends exactly at its nodes, an arc up to rounding. Empty: all segments are straight.
     std::vector<Curve> curves;
     /// For each segment of the outline, the parameters between 0 and 1 at which its curve is divided into chords in the
-    /// domain. Readers keep the chords of the domain that they read, since these are known not to cross anything.
-    /// Empty: computed from the tolerance.
+    /// domain; 1 alone: it is a single chord. Readers keep the chords of the domain that they read, since these are
+    /// known not to cross anything. Empty: computed from the tolerance.
     std::vector<std::vector<double>> cuts;
     double radius = 0.0; ///< of a rectangle's corners; at most half its shorter side counts
 

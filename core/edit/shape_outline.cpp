@@ -150,7 +150,9 @@ Chords chordsOf(const Shape &shape, const Outline &outline, double circleToleran
         std::vector<double> ends;
         if (k < shape.cuts.size() && !shape.cuts[k].empty()) {
             ends = shape.cuts[k];
-            ends.push_back(1.0);
+            if (ends.back() < 1.0) {
+                ends.push_back(1.0);
+            }
         } else {
             ends = chordEnds(curve, circleTolerance, count == 1 && outline.closed);
         }

@@ -131,6 +131,23 @@ TEST_CASE("Curved drawings: a document meshes like its file, also after it was s
     }
 }
 
+TEST_CASE("fromDomain: a curve of one chord keeps it, also in a project file") {
+    Domain domain;
+    domain.nodes = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+    domain.curves = {Curve::cubic({0, 0}, {1, -1}, {3, -1}, {4, 0})};
+    for (std::uint32_t k = 0; k < 4; ++k) {
+        domain.segments.push_back({k, (k + 1) % 4});
+    }
+    domain.segments[0].stretch = {0, 0.0, 1.0};
+    const Document document = fromDomain(domain);
+    REQUIRE(document.shapes.size() == 1);
+    CHECK(document.shapes[0]->cuts == std::vector<std::vector<double>>{{1.0}, {}, {}, {}});
+    CHECK(sameDomain(toDomain(document), domain));
+    const Result<Document> again = parseProject(projectText(document), "again.forefront");
+    REQUIRE_MESSAGE(again.ok(), messages(again.faults()));
+    CHECK(sameDomain(toDomain(*again), domain));
+}
+
 TEST_CASE("Curved drawings: paths keep the curves of the file exactly") {
     const TemporaryFolder folder;
     const Drawing drop{"drop", R"svg(<g transform="scale(2)"><path d="M1 2C3 4 5 -6 7 2A3 2 0 0 1 1 2z"/></g>)svg"};

@@ -250,6 +250,7 @@ TEST_CASE("Project: invalid curves are refused with their line and column") {
     CHECK(faultOf(R"("curves": [null])").code == "bad-count");
     CHECK(faultOf(R"("curves": {})").code == "bad-field");
     CHECK(faultOf(R"("cuts": [[0.5, 0.25], []])").code == "bad-number");
+    CHECK(faultOf(R"("cuts": [[1.5], []])").code == "bad-number");
     CHECK(faultOf(R"("cuts": [[0.5], [], []])").code == "bad-count");
     CHECK(faultOf(R"("radius": -1)").code == "bad-number");
     CHECK(faultOf(R"("curves": [{"cubic": [[0, 1e61], [2, 1]]}, null])").message == "a control point lies beyond 1e60");

@@ -188,8 +188,8 @@ std::vector<double> readCutsOf(const JsonValue &item, JsonCheck &check) {
     }
     for (const JsonValue value : item) {
         const double cut = check.number(value, "a cut");
-        if (!(cut > (cuts.empty() ? 0.0 : cuts.back()) && cut < 1.0)) {
-            check.fault(value, "bad-number", "expected cuts that increase between 0 and 1");
+        if (!(cut > (cuts.empty() ? 0.0 : cuts.back()) && cut <= 1.0)) {
+            check.fault(value, "bad-number", "expected cuts that increase from above 0 to 1 at most");
             return {};
         }
         cuts.push_back(cut);
