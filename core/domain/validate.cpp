@@ -470,7 +470,7 @@ class Validator {
 
     const Domain &domain_;
     std::size_t limit_;
-    double weldable_; ///< maximum gap that the advice is to weld
+    double weldable_; ///< maximum gap for which the advice is to weld it
     std::size_t count_ = 0;
     Diagnostics faults_;
     bool incomplete_ = false; // a segment is missing from the geometry because it is faulty

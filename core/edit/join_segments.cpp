@@ -34,7 +34,7 @@ std::vector<Meeting> meetingsOf(const Document &document, const Shape &shape, do
     return meetings;
 }
 
-/// Converts the shapes that are met to paths, so that nodes can be inserted into exactly the segments that are met.
+/// Converts the shapes that are touched to paths, so that nodes can be inserted into exactly the segments touched.
 Document withPaths(Document document, const std::vector<Meeting> &meetings) {
     for (const Meeting &meeting : meetings) {
         const Shape *shape = findShape(document, meeting.segment.shape);

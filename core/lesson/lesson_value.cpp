@@ -50,7 +50,7 @@ double cellsMean(const WorkCounters &work) {
     return work.elements == 0 ? 0.0 : static_cast<double>(work.cellsVisited) / static_cast<double>(work.elements);
 }
 
-/// Formats a value with four significant digits, or all digits of a count.
+/// Formats a value with four significant digits, a count with all its digits.
 std::string text(double value) {
     const bool whole = value == std::floor(value) && std::abs(value) < 1e15;
     return numberText(value, whole ? 15 : 4);

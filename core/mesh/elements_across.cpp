@@ -31,7 +31,7 @@ class BoundaryLoops {
 
     bool holds(NodeId node) const { return loop_[index(node)] != kNoIndex; }
 
-    /// Returns true if two boundary nodes are far apart along the boundary for their straight distance.
+    /// Returns true if two boundary nodes are far apart along the boundary compared with their straight distance.
     bool facing(NodeId a, NodeId b) const {
         const std::uint32_t loop = loop_[index(a)];
         if (loop != loop_[index(b)]) {
@@ -85,7 +85,7 @@ struct Nearest {
     std::vector<std::uint32_t> edges;
 };
 
-/// Spreads from the boundary over the edges, all nodes at once.
+/// Finds the nearest boundary nodes by a search that starts at all boundary nodes at once.
 Nearest nearestBoundary(const Mesh &mesh, const MeshEdges &edges, const BoundaryLoops &loops) {
     std::vector<std::uint32_t> offsets(mesh.nodes.size() + 1, 0);
     for (const MeshEdge &edge : edges.edges) {

@@ -219,8 +219,8 @@ void runLesson(std::string_view bytes) {
     }
 }
 
-/// Lists one target for each format that has its own readers. Triangle's files come in one input, since the reader
-/// finds its companions only beside a file.
+/// Lists one target for each format that has its own readers. Triangle's files share one input, since the reader
+/// looks for the others only beside the file that it reads.
 std::vector<Target> listTargets() {
     std::vector<Target> list;
     for (const Format &format : formats()) {

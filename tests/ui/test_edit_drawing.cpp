@@ -220,7 +220,7 @@ TEST_CASE("Select: double-clicking a segment inserts a node, and Delete removes 
     CHECK(driver.undoLabel() == "Delete");
 }
 
-TEST_CASE("Select: a node inserted into a rounded rectangle by double-click is the one that is selected") {
+TEST_CASE("Select: a double-click that inserts a node into a rounded rectangle selects that node") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 9});
     Document rounded = driver.document();
