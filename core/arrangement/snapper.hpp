@@ -7,7 +7,7 @@
 
 namespace forefront {
 
-/// Joins lines with one radius; does not limit how far successive moves add up.
+/// Joins lines within a single radius. Does not limit the distance that successive moves add up to.
 class Snapper {
   public:
     /// `preferred`: per line, true if its first end must stay where it is.
