@@ -1,5 +1,6 @@
 #include "ui/workspace/judging.hpp"
 
+#include "core/geometry/polygon.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/workspace.hpp"
@@ -94,12 +95,6 @@ std::uint32_t elementAt(const Judgement &judgement, Vec2 place) {
     return found;
 }
 
-double distanceToSegment(Vec2 p, Vec2 a, Vec2 b) {
-    const double squared = distanceSquared(a, b);
-    const double t = squared > 0.0 ? std::clamp(dot(p - a, b - a) / squared, 0.0, 1.0) : 0.0;
-    return distance(p, lerp(a, b, t));
-}
-
 /// Returns the nodes of a part.
 std::vector<Vec2> nodesOf(const Judgement &judgement, const MeshPick &pick) {
     const Mesh &mesh = judgement.of.mesh->mesh;
@@ -139,7 +134,7 @@ std::optional<MeshPick> partAt(const Judgement &judgement, Vec2 place, double re
         }
     }
     for (std::size_t k = 0; k < 3; ++k) {
-        if (distanceToSegment(place, p[k], p[(k + 1) % 3]) <= 0.5 * near) {
+        if (distanceToSegment(p[k], p[(k + 1) % 3], place) <= 0.5 * near) {
             return MeshPick{MeshPart::Edges, judgement.edges->ofElement[element][k]};
         }
     }

@@ -1,10 +1,10 @@
 #include "core/io/source/reorder_origin.hpp"
 
 #include "core/base/ids.hpp"
+#include "core/geometry/box_tree.hpp"
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -15,29 +15,23 @@ namespace {
 /// Finds the node of a domain that is nearest to a place, up to rounding.
 class NodeFinder {
   public:
-    explicit NodeFinder(const Domain &domain)
-        : nodes_(domain.nodes), order_(domain.nodes.size()), reach_(1e-7 * domain.bounds().diagonal()) {
-        std::iota(order_.begin(), order_.end(), 0U);
-        std::sort(order_.begin(), order_.end(), [&](auto m, auto n) { return nodes_[m].x < nodes_[n].x; });
+    explicit NodeFinder(const Domain &domain) : nodes_(domain.nodes), reach_(1e-7 * domain.bounds().diagonal()) {
+        std::vector<Box2> boxes;
+        boxes.reserve(nodes_.size());
+        for (const Vec2 node : nodes_) {
+            boxes.push_back(boxOf(node, node));
+        }
+        tree_ = BoxTree(boxes);
     }
 
     std::uint32_t find(Vec2 p) const {
-        const auto first = std::partition_point(order_.begin(), order_.end(),
-                                                [&](std::uint32_t n) { return nodes_[n].x < p.x - reach_; });
-        std::uint32_t best = kNoIndex;
         double limit = reach_;
-        for (auto n = first; n != order_.end() && nodes_[*n].x <= p.x + reach_; ++n) {
-            if (distance(nodes_[*n], p) <= limit) {
-                limit = distance(nodes_[*n], p);
-                best = *n;
-            }
-        }
-        return best;
+        return tree_.nearest(p, limit, [&](std::uint32_t n) { return distance(nodes_[n], p); });
     }
 
   private:
     const std::vector<Vec2> &nodes_;
-    std::vector<std::uint32_t> order_; ///< by x
+    BoxTree tree_;
     double reach_;
 };
 
