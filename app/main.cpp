@@ -21,6 +21,7 @@ constexpr const char *kUsageText = R"(Forefront: planar triangle meshes by the a
   forefront mesh IN -o OUT  mesh a file in batch           (forefront mesh --help)
   forefront check MESH      check a mesh                   (forefront check --help)
   forefront adapt MESH      remesh to a requested error    (forefront adapt --help)
+  forefront film IN -o GIF  film a run step by step        (forefront film --help)
   forefront tables          run the published tables       (forefront tables --help)
   forefront --version       print the version
   forefront --help          print this help
@@ -75,6 +76,9 @@ int dispatch(int argc, const char *const *argv) {
     if (command == "adapt") {
         return adaptCommand(argc - 1, argv + 1);
     }
+    if (command == "film") {
+        return filmCommand(argc - 1, argv + 1);
+    }
     if (command == "tables") {
         return tablesCommand(argc - 1, argv + 1);
     }
@@ -89,7 +93,7 @@ int dispatch(int argc, const char *const *argv) {
     std::error_code none;
     if (!command.empty() && !command.starts_with('-') && !std::filesystem::exists(command, none)) {
         return wrongUsage("forefront", "unknown command or file '" + std::string(command) +
-                                           "'; expected view, mesh, check, adapt, tables or an existing file");
+                                           "'; expected view, mesh, check, adapt, film, tables or an existing file");
     }
     return editorCommand(argc, argv, false);
 }

@@ -736,6 +736,62 @@ class Refusing(Case):
         self.assertIn("4 no window", self.call("--help").stdout)
 
 
+class Films(Case):
+    def frames(self, name):
+        """Returns the sizes of the frames of a GIF and the delay of the first, by walking over its blocks."""
+        data = (self.path / name).read_bytes()
+        self.assertEqual(data[:6], b"GIF89a")
+        at, sizes, delays = 13 + 3 * 256, [], []
+        while data[at] != 0x3B:
+            if data[at] == 0x21:
+                if data[at + 1] == 0xF9:
+                    delays.append(int.from_bytes(data[at + 4:at + 6], "little"))
+                at += 2
+            else:
+                self.assertEqual(data[at], 0x2C)
+                sizes.append((int.from_bytes(data[at + 5:at + 7], "little"), int.from_bytes(data[at + 7:at + 9], "little")))
+                at += 11
+            while data[at]:
+                at += data[at] + 1
+            at += 1
+        return sizes, delays[0]
+
+    def test_a_gif_has_a_frame_for_each_step(self):
+        done = self.call("film", "plate.poly", "-o", "run.gif", "--method", "classic", "--size", "1", "--steps", "5", "--speed",
+                         "5", "--width", "200")
+        self.assertIn("wrote run.gif: 6 frames", done.stdout)
+        sizes, delay = self.frames("run.gif")
+        self.assertEqual(sizes, [(200, 186)] * 6)
+        self.assertEqual(delay, 20)
+
+    def test_drawings_follow_the_run(self):
+        self.call("film", "plate.poly", "-o", "f-%d.svg", "--method", "classic", "--size", "1", "--frames", "4")
+        drawings = [self.read(f"f-{k}.svg") for k in range(1, 5)]
+        self.assertFalse((self.path / "f-5.svg").exists())
+        triangles = [drawing.count("Z\n") for drawing in drawings]
+        self.assertEqual(triangles[0], 0)
+        self.assertEqual(triangles, sorted(triangles))
+        self.assertEqual(triangles[-1], self.stats("plate.poly", "-o", "p.msh", "--method", "classic", "--size", "1")["elements"])
+        self.assertIn("Advance 0, ", drawings[0])
+
+    def test_a_moment_shows_the_layers_asked_for(self):
+        words = ("film", "plate.poly", "-o", "m.svg", "--method", "classic", "--size", "1", "--from", "3", "--steps", "1")
+        self.call(*words, "--layers", "mesh,caption")
+        self.assertIn(">Advance 4, ", self.read("m.svg"))
+        self.assertNotIn("#d95f02\" stroke-width", self.read("m.svg"))
+        self.call(*words, "--layers", "front")
+        self.assertIn("#d95f02\" stroke-width", self.read("m.svg"))
+        self.assertNotIn("<text", self.read("m.svg"))
+
+    def test_wrong_usage_is_refused(self):
+        for words, part in ((("-o", "run.mp4"), "expected .gif or .svg"), (("-o", "f-%d.gif"), "leave out %d"),
+                            (("-o", "m.svg", "--layers", "sky"), "sky"), (("-o", "m.svg", "--frames", "0"), "--frames")):
+            self.assertIn(part, self.call("film", "plate.poly", *words, code=2).stderr)
+        self.assertIn("cannot-write", self.call("film", "plate.poly", "-o", "gone/m.svg", "--size", "1", code=1).stderr)
+        self.write("bow.poly", poly([BOW]))
+        self.assertIn("cross", self.call("film", "bow.poly", "-o", "m.svg", code=1).stderr)
+
+
 class Tables(Case):
     def test_rows_are_run_and_written(self):
         done = self.call("tables", "--rows", "1a,2A", "--grids", "60x40,hierarchical", "--csv", "t.csv", "--svg",

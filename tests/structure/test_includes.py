@@ -8,7 +8,7 @@ from pathlib import Path
 # are equals and must not include each other. "*" stands for all rooms that are not named.
 ORDERS = {
     "core": ["base", "geometry", "domain", "arrangement", "spacing", "boundary", "front", "grid", "mesh", "improve", "mesher",
-             "adapt edit session", "lesson", "io", "."],
+             "adapt edit session", "lesson film", "io", "."],
     "core/spacing": ["spec", "sites", "parts", "."],
     "core/io": ["source", "text", "common", "json", "*", "."],
     "ui": ["input style", "platform", "widgets", "canvas", "gl", "workspace", "parts", "layers tools panels dialogs", "lessons", "shell",
