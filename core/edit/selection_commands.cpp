@@ -1,8 +1,11 @@
 #include "core/edit/path_curve.hpp"
+#include "core/edit/selected_handles.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
+#include "core/edit/transform.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 namespace forefront {
@@ -31,28 +34,6 @@ std::map<std::uint32_t, std::set<std::uint32_t>> handlesOfSelection(const Docume
         }
     }
     return handles;
-}
-
-Status moveHandles(Shape &shape, const std::set<std::uint32_t> &handles, Vec2 by) {
-    std::vector<Vec2> places = handlesOf(shape);
-    if (std::any_of(handles.begin(), handles.end(), [&](std::uint32_t handle) { return handle >= places.size(); })) {
-        return error("no-such-node", "node not found");
-    }
-    // A selected centre moves the whole circle, including its point.
-    if ((shape.kind == ShapeKind::Circle || shape.kind == ShapeKind::Ellipse) && handles.contains(0)) {
-        moveShape(shape, by);
-        return {};
-    }
-    for (const std::uint32_t handle : handles) {
-        places[handle] += by;
-        if (!isPath(shape)) {
-            placeHandle(shape, handle, places[handle]);
-        }
-    }
-    if (isPath(shape)) {
-        moveNodes(shape, std::move(places));
-    }
-    return {};
 }
 
 /// Joins the curves before and after a node that is removed next; the first of them takes the place of both.
@@ -134,48 +115,36 @@ std::vector<Shape> withoutSegments(const Shape &shape, const std::set<SegmentRef
     return pieces;
 }
 
-SizeSource moved(SizeSource source, Vec2 by) {
-    source.a += by;
-    source.b += by;
-    return source;
-}
-
 } // namespace
 
+std::map<std::uint32_t, std::set<std::uint32_t>> handlesToMove(const Document &document, const Selection &selection) {
+    return handlesOfSelection(document, selection, true);
+}
+
+Status mapHandles(Shape &shape, const std::set<std::uint32_t> &handles, const PlaneMap &map) {
+    std::vector<Vec2> places = handlesOf(shape);
+    if (std::any_of(handles.begin(), handles.end(), [&](std::uint32_t handle) { return handle >= places.size(); })) {
+        return error("no-such-node", "node not found");
+    }
+    // A selected centre moves the whole circle, including its point.
+    if ((shape.kind == ShapeKind::Circle || shape.kind == ShapeKind::Ellipse) && handles.contains(0)) {
+        moveShape(shape, map.isTranslation() ? map.shift : map(places[0]) - places[0]);
+        return {};
+    }
+    for (const std::uint32_t handle : handles) {
+        places[handle] = map(places[handle]);
+        if (!isPath(shape)) {
+            placeHandle(shape, handle, places[handle]);
+        }
+    }
+    if (isPath(shape)) {
+        moveNodes(shape, std::move(places));
+    }
+    return {};
+}
+
 Result<Document> moveSelection(const Document &document, const Selection &selection, Vec2 by) {
-    if (!isFinite(by)) {
-        return error("bad-number", "invalid distance; expected a finite number");
-    }
-    Document next = document;
-    const auto handles = handlesOfSelection(document, selection, true);
-    for (auto &pointer : next.shapes) {
-        const bool whole = selection.shapes.contains(pointer->id);
-        const auto part = handles.find(pointer->id);
-        if (!whole && part == handles.end()) {
-            continue;
-        }
-        Shape shape = *pointer;
-        if (whole) {
-            moveShape(shape, by);
-        } else if (Status status = moveHandles(shape, part->second, by); !status.empty()) {
-            return status;
-        }
-        if (Diagnostics faults = checkShape(shape); !faults.empty()) {
-            return faults;
-        }
-        pointer = std::make_shared<const Shape>(std::move(shape));
-    }
-    for (const std::uint32_t k : selection.sources) {
-        if (k < next.spacing.sources.size()) {
-            next.spacing.sources[k] = moved(next.spacing.sources[k], by);
-        }
-    }
-    for (const std::uint32_t k : selection.markers) {
-        if (k < next.regionMarkers.size()) {
-            next.regionMarkers[k].at += by;
-        }
-    }
-    return next;
+    return transformSelection(document, selection, PlaneMap::translation(by));
 }
 
 Document deleteSelection(const Document &document, const Selection &selection) {
@@ -221,31 +190,7 @@ Document deleteSelection(const Document &document, const Selection &selection) {
 }
 
 Result<Document> duplicateSelection(const Document &document, const Selection &selection, Vec2 by, Selection *copies) {
-    std::vector<Shape> shapes;
-    for (const auto &shape : document.shapes) {
-        if (selection.shapes.contains(shape->id)) {
-            shapes.push_back(*shape);
-            moveShape(shapes.back(), by);
-        }
-    }
-    Selection fresh;
-    for (std::uint32_t k = 0; k < shapes.size(); ++k) {
-        fresh.shapes.insert(document.nextId + k);
-    }
-    Result<Document> next = addShapes(document, std::move(shapes));
-    if (!next) {
-        return next;
-    }
-    for (const std::uint32_t k : selection.sources) {
-        if (k < document.spacing.sources.size()) {
-            fresh.sources.insert(static_cast<std::uint32_t>(next->spacing.sources.size()));
-            next->spacing.sources.push_back(moved(document.spacing.sources[k], by));
-        }
-    }
-    if (copies != nullptr) {
-        *copies = std::move(fresh);
-    }
-    return next;
+    return copySelection(document, selection, std::array{PlaneMap::translation(by)}, copies);
 }
 
 } // namespace forefront

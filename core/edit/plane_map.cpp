@@ -1,0 +1,57 @@
+#include "core/edit/plane_map.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace forefront {
+namespace {
+
+/// Returns the unit vector at an angle in degrees, without rounding at multiples of 90.
+Vec2 direction(double degrees) {
+    const double turn = std::fmod(degrees, 360.0), quarters = turn / 90.0;
+    if (quarters == std::floor(quarters)) {
+        constexpr std::array<Vec2, 4> kAxes = {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}};
+        return kAxes[static_cast<std::size_t>(static_cast<int>(quarters) + 4) % 4];
+    }
+    const double angle = turn * std::numbers::pi / 180.0;
+    return {std::cos(angle), std::sin(angle)};
+}
+
+/// Returns the map with given images of the axes that leaves a point where it is.
+PlaneMap fixing(Vec2 u, Vec2 v, Vec2 point) {
+    return {u, v, point - (point.x * u + point.y * v)};
+}
+
+} // namespace
+
+PlaneMap PlaneMap::rotation(double degrees, Vec2 about) {
+    if (!std::isfinite(degrees)) {
+        return {{degrees, degrees}, {degrees, degrees}, about};
+    }
+    const Vec2 u = direction(degrees);
+    return fixing(u, leftNormal(u), about);
+}
+
+PlaneMap PlaneMap::scaling(Vec2 factors, Vec2 about) {
+    return fixing({factors.x, 0.0}, {0.0, factors.y}, about);
+}
+
+PlaneMap PlaneMap::reflection(double degrees, Vec2 through) {
+    const PlaneMap back = rotation(2.0 * degrees, {});
+    return fixing(back.u, {-back.v.x, -back.v.y}, through);
+}
+
+PlaneMap PlaneMap::after(const PlaneMap &first) const {
+    const auto turned = [this](Vec2 p) { return p.x * u + p.y * v; };
+    return {turned(first.u), turned(first.v), (*this)(first.shift)};
+}
+
+bool PlaneMap::isSimilarity() const {
+    constexpr double kRounding = 1e-12;
+    const double size = lengthSquared(u) + lengthSquared(v);
+    return std::fabs(dot(u, v)) <= kRounding * size &&
+           std::fabs(lengthSquared(u) - lengthSquared(v)) <= kRounding * size;
+}
+
+} // namespace forefront

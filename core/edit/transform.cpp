@@ -1,0 +1,273 @@
+#include "core/edit/transform.hpp"
+
+#include "core/edit/selected_handles.hpp"
+#include "core/edit/shape_commands.hpp"
+#include "core/edit/shape_geometry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace forefront {
+namespace {
+
+constexpr double kMaxCopies = 10000.0;
+
+/// Maps a rectangle whose image is one. A quarter turn exchanges its sides: the first one runs along x.
+void mapRectangle(Shape &shape, const PlaneMap &map) {
+    shape.nodes = {map(shape.nodes[0]), map(shape.nodes[1])};
+    shape.radius *= std::sqrt(std::fabs(map.determinant()));
+    shape.cuts.clear();
+    if (map.u.x == 0.0) {
+        std::reverse(shape.segmentTags.begin(), shape.segmentTags.end());
+    }
+}
+
+void mapCircle(Shape &shape, const PlaneMap &map) {
+    const Vec2 centre = shape.nodes[0], arm = shape.nodes[1] - centre;
+    if (!map.isSimilarity()) {
+        shape.kind = ShapeKind::Ellipse;
+        shape.nodes.push_back(centre + leftNormal(arm));
+    } else if (map.determinant() < 0.0) {
+        shape.cuts.clear(); // it still runs counter-clockwise
+    }
+    std::transform(shape.nodes.begin(), shape.nodes.end(), shape.nodes.begin(), map);
+}
+
+/// Something that is aligned and distributed as a whole.
+struct Item {
+    Selection what;
+    Box2 box;
+};
+
+std::vector<Item> itemsOf(const Document &document, const Selection &selection) {
+    std::vector<Item> items;
+    const auto add = [&](Selection what) {
+        const Box2 box = boundsOf(document, what);
+        items.push_back({std::move(what), box});
+    };
+    for (const std::uint32_t id : selection.shapes) {
+        Selection what;
+        what.shapes.insert(id);
+        add(std::move(what));
+    }
+    if (selection.shapes.empty()) {
+        for (const NodeRef node : selection.nodes) {
+            Selection what;
+            what.nodes.insert(node);
+            add(std::move(what));
+        }
+    }
+    return items;
+}
+
+/// Returns the movement that aligns a box to another one.
+Vec2 aligning(const Box2 &box, const Box2 &all, Alignment alignment) {
+    switch (alignment) {
+    case Alignment::Left:
+        return {all.min.x - box.min.x, 0.0};
+    case Alignment::CentreX:
+        return {all.centre().x - box.centre().x, 0.0};
+    case Alignment::Right:
+        return {all.max.x - box.max.x, 0.0};
+    case Alignment::Bottom:
+        return {0.0, all.min.y - box.min.y};
+    case Alignment::CentreY:
+        return {0.0, all.centre().y - box.centre().y};
+    case Alignment::Top:
+        break;
+    }
+    return {0.0, all.max.y - box.max.y};
+}
+
+Diagnostics tooFew(const char *command, const char *count, std::size_t found) {
+    return error("not-possible",
+                 std::string(command) + " needs " + count + " shapes or nodes; selected: " + std::to_string(found),
+                 "select more of them, with Shift or a box");
+}
+
+Status checkCount(double count) {
+    if (!(count >= 2.0 && count <= kMaxCopies) || count != std::floor(count)) {
+        return error("bad-number", "invalid number of copies; expected a whole number from 2 to 10000");
+    }
+    return {};
+}
+
+SizeSource mapped(SizeSource source, const PlaneMap &map) {
+    source.a = map(source.a);
+    source.b = map(source.b);
+    source.radius *= map.isTranslation() ? 1.0 : std::sqrt(std::fabs(map.determinant()));
+    return source;
+}
+
+} // namespace
+
+void mapShape(Shape &shape, const PlaneMap &map) {
+    if (map.isTranslation()) {
+        moveShape(shape, map.shift); // without rounding axes of arcs
+        return;
+    }
+    if (shape.kind == ShapeKind::Rectangle) {
+        const bool sameCorners = shape.radius == 0.0 || map.isSimilarity();
+        if (map.keepsAxes() && sameCorners) {
+            mapRectangle(shape, map);
+            return;
+        }
+        becomePath(shape);
+    }
+    if (shape.kind == ShapeKind::Circle) {
+        mapCircle(shape, map);
+        return;
+    }
+    std::transform(shape.nodes.begin(), shape.nodes.end(), shape.nodes.begin(), map);
+    for (Curve &curve : shape.curves) {
+        curve = curve.kind() == CurveKind::Line ? Curve() : curve.mapped(map);
+    }
+}
+
+Result<Document> transformSelection(const Document &document, const Selection &selection, const PlaneMap &map) {
+    if (!map.finite() || map.determinant() == 0.0) {
+        return error("bad-number", "invalid transformation; expected finite numbers, and factors that are not 0");
+    }
+    Document next = document;
+    const auto handles = handlesToMove(document, selection);
+    for (auto &pointer : next.shapes) {
+        const bool whole = selection.shapes.contains(pointer->id);
+        const auto part = handles.find(pointer->id);
+        if (!whole && part == handles.end()) {
+            continue;
+        }
+        Shape shape = *pointer;
+        if (whole) {
+            mapShape(shape, map);
+        } else if (Status status = mapHandles(shape, part->second, map); !status.empty()) {
+            return status;
+        }
+        if (Diagnostics faults = checkShape(shape); !faults.empty()) {
+            return faults;
+        }
+        pointer = std::make_shared<const Shape>(std::move(shape));
+    }
+    for (const std::uint32_t k : selection.sources) {
+        if (k < next.spacing.sources.size()) {
+            next.spacing.sources[k] = mapped(next.spacing.sources[k], map);
+        }
+    }
+    for (const std::uint32_t k : selection.markers) {
+        if (k < next.regionMarkers.size()) {
+            next.regionMarkers[k].at = map(next.regionMarkers[k].at);
+        }
+    }
+    return next;
+}
+
+Result<Document> copySelection(const Document &document, const Selection &selection, std::span<const PlaneMap> maps,
+                               Selection *copies) {
+    std::vector<Shape> shapes;
+    Selection fresh;
+    for (const PlaneMap &map : maps) {
+        if (!map.finite() || map.determinant() == 0.0) {
+            return error("bad-number", "invalid transformation; expected finite numbers, and factors that are not 0");
+        }
+        for (const auto &shape : document.shapes) {
+            if (selection.shapes.contains(shape->id)) {
+                fresh.shapes.insert(document.nextId + static_cast<std::uint32_t>(shapes.size()));
+                shapes.push_back(*shape);
+                mapShape(shapes.back(), map);
+            }
+        }
+    }
+    Result<Document> next = addShapes(document, std::move(shapes));
+    if (!next) {
+        return next;
+    }
+    for (const PlaneMap &map : maps) {
+        for (const std::uint32_t k : selection.sources) {
+            if (k < document.spacing.sources.size()) {
+                fresh.sources.insert(static_cast<std::uint32_t>(next->spacing.sources.size()));
+                next->spacing.sources.push_back(mapped(document.spacing.sources[k], map));
+            }
+        }
+    }
+    if (copies != nullptr) {
+        *copies = std::move(fresh);
+    }
+    return next;
+}
+
+std::size_t alignableItems(const Selection &selection) {
+    return selection.shapes.empty() ? selection.nodes.size() : selection.shapes.size();
+}
+
+Result<Document> alignSelection(const Document &document, const Selection &selection, Alignment alignment) {
+    const std::vector<Item> items = itemsOf(document, selection);
+    if (items.size() < 2) {
+        return tooFew("align", "at least two", items.size());
+    }
+    Box2 all;
+    for (const Item &item : items) {
+        all.add(item.box);
+    }
+    Result<Document> next = document;
+    for (const Item &item : items) {
+        next = next ? moveSelection(*next, item.what, aligning(item.box, all, alignment)) : next;
+    }
+    return next;
+}
+
+Result<Document> distributeSelection(const Document &document, const Selection &selection, bool alongX) {
+    std::vector<Item> items = itemsOf(document, selection);
+    if (items.size() < 3) {
+        return tooFew("distribute", "at least three", items.size());
+    }
+    const auto low = [&](const Item &item) { return alongX ? item.box.min.x : item.box.min.y; };
+    const auto size = [&](const Item &item) { return alongX ? item.box.size().x : item.box.size().y; };
+    std::stable_sort(items.begin(), items.end(),
+                     [&](const Item &a, const Item &b) { return low(a) + 0.5 * size(a) < low(b) + 0.5 * size(b); });
+    double room = low(items.back()) - low(items.front());
+    for (std::size_t k = 0; k + 1 < items.size(); ++k) {
+        room -= size(items[k]);
+    }
+    const double gap = room / static_cast<double>(items.size() - 1);
+    Result<Document> next = document;
+    double place = low(items.front());
+    for (std::size_t k = 0; k + 1 < items.size() && next; ++k) {
+        const double by = place - low(items[k]);
+        next = moveSelection(*next, items[k].what, alongX ? Vec2{by, 0.0} : Vec2{0.0, by});
+        place += size(items[k]) + gap;
+    }
+    return next;
+}
+
+Result<Document> linearArray(const Document &document, const Selection &selection, double count, Vec2 step,
+                             Selection *copies) {
+    if (Status status = checkCount(count); !status.empty()) {
+        return status;
+    }
+    std::vector<PlaneMap> maps;
+    for (double k = 1.0; k < count; ++k) {
+        maps.push_back(PlaneMap::translation(k * step));
+    }
+    return copySelection(document, selection, maps, copies);
+}
+
+Result<Document> polarArray(const Document &document, const Selection &selection, double count, Vec2 centre,
+                            double degrees, bool turns, Selection *copies) {
+    if (Status status = checkCount(count); !status.empty()) {
+        return status;
+    }
+    if (!(std::fabs(degrees) <= 360.0) || degrees == 0.0) {
+        return error("bad-number", "invalid angle; expected degrees from -360 to 360, not 0");
+    }
+    const double step = degrees / (std::fabs(degrees) == 360.0 ? count : count - 1.0);
+    const Vec2 middle = boundsOf(document, selection).centre();
+    std::vector<PlaneMap> maps;
+    for (double k = 1.0; k < count; ++k) {
+        const PlaneMap turn = PlaneMap::rotation(k * step, centre);
+        maps.push_back(turns ? turn : PlaneMap::translation(turn(middle) - middle));
+    }
+    return copySelection(document, selection, maps, copies);
+}
+
+} // namespace forefront

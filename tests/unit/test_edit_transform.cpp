@@ -1,0 +1,175 @@
+#include "core/edit/path_curve.hpp"
+#include "core/edit/shape_commands.hpp"
+#include "core/edit/shape_geometry.hpp"
+#include "core/edit/transform.hpp"
+#include "tests/unit/edit_support.hpp"
+
+#include <doctest/doctest.h>
+
+#include <numbers>
+#include <set>
+#include <string>
+#include <utility>
+
+using namespace forefront;
+using namespace forefront::edit_test;
+
+namespace {
+
+Document documentOf(std::vector<Shape> shapes) {
+    Result<Document> document = addShapes({}, std::move(shapes));
+    REQUIRE(document.ok());
+    return *std::move(document);
+}
+
+Document mapped(const Document &document, const Selection &selection, const PlaneMap &map) {
+    Result<Document> result = transformSelection(document, selection, map);
+    REQUIRE(result.ok());
+    return *std::move(result);
+}
+
+Selection shapes(std::set<std::uint32_t> ids) {
+    Selection selection;
+    selection.shapes = std::move(ids);
+    return selection;
+}
+
+std::string codeOf(const Result<Document> &result) {
+    return result ? "" : result.faults().front().code;
+}
+
+/// A path with a line, an arc and a cubic.
+Shape curvedPath() {
+    Shape path = makeShape(ShapeKind::Polygon, {{0, 0}, {4, 0}, {4, 2}});
+    path.curves = {Curve(), arcThrough({4, 0}, {5, 1}, {4, 2}), Curve::cubic({4, 2}, {3, 4}, {0, 3}, {0, 0})};
+    return path;
+}
+
+} // namespace
+
+TEST_CASE("PlaneMap: quarter turns and mirrors are exact, and maps compose") {
+    const PlaneMap turn = PlaneMap::rotation(90.0, {1, 1});
+    CHECK(turn({2, 1}) == Vec2{1, 2});
+    CHECK(PlaneMap::rotation(-270.0, {1, 1})({2, 1}) == Vec2{1, 2});
+    CHECK(PlaneMap::reflection(90.0, {3, 0})({1, 5}) == Vec2{5, 5});
+    CHECK(PlaneMap::reflection(0.0, {0, 2})({1, 5}) == Vec2{1, -1});
+    const PlaneMap both = PlaneMap::translation({10, 0}).after(PlaneMap::scaling({2, 3}, {}));
+    CHECK(both({1, 1}) == Vec2{12, 3});
+    CHECK(PlaneMap::rotation(30.0, {5, 5}).isSimilarity());
+    CHECK_FALSE(both.isSimilarity());
+}
+
+TEST_CASE("transformSelection: every kind of shape keeps its area under rotation, and scales it as the map says") {
+    Shape rounded = makeShape(ShapeKind::Rectangle, {{1, 1}, {5, 3}});
+    rounded.radius = 0.5;
+    const Document document = documentOf({curvedPath(), makeShape(ShapeKind::Rectangle, {{0, 0}, {4, 1}}), rounded,
+                                          makeShape(ShapeKind::Circle, {{2, 2}, {3, 2}}),
+                                          makeShape(ShapeKind::Ellipse, {{1, 1}, {3, 1}, {1, 2}}), square({0, 0}, 2)});
+    const Selection all = selectAll(document);
+    const struct {
+        PlaneMap map;
+        double area;
+    } cases[] = {{PlaneMap::rotation(90.0, {1, 2}), 1.0},     {PlaneMap::rotation(33.0, {1, 2}), 1.0},
+                 {PlaneMap::reflection(90.0, {1, 2}), 1.0},   {PlaneMap::scaling({2, 2}, {1, 2}), 4.0},
+                 {PlaneMap::scaling({2, -0.5}, {1, 2}), 1.0}, {PlaneMap::scaling({3, 1}, {0, 0}), 3.0}};
+    for (const auto &test : cases) {
+        CAPTURE(test.map.u);
+        const Document result = mapped(document, all, test.map);
+        for (std::size_t k = 0; k < document.shapes.size(); ++k) {
+            CAPTURE(k);
+            CHECK(areaOf(*result.shapes[k]) == doctest::Approx(test.area * areaOf(*document.shapes[k])));
+            CHECK(checkShape(*result.shapes[k]).empty());
+        }
+    }
+}
+
+TEST_CASE("transformSelection: shapes keep their kind where the image is of that kind") {
+    Shape box = makeShape(ShapeKind::Rectangle, {{0, 0}, {4, 1}});
+    box.segmentTags = {1, 2, 3, 4};
+    const Document document = documentOf({box, makeShape(ShapeKind::Circle, {{2, 2}, {3, 2}})});
+    const Selection all = selectAll(document);
+    const Document turned = mapped(document, all, PlaneMap::rotation(90.0, {}));
+    CHECK(turned.shapes[0]->kind == ShapeKind::Rectangle);
+    CHECK(turned.shapes[0]->nodes == std::vector<Vec2>{{0, 0}, {-1, 4}});
+    CHECK(turned.shapes[0]->segmentTags == std::vector<std::int32_t>{4, 3, 2, 1}); // its lower side was the left one
+    CHECK(turned.shapes[1]->kind == ShapeKind::Circle);
+    const Document stretched = mapped(document, all, PlaneMap::scaling({2, 1}, {}));
+    CHECK(stretched.shapes[0]->kind == ShapeKind::Rectangle);
+    CHECK(stretched.shapes[1]->kind == ShapeKind::Ellipse);
+    CHECK(stretched.shapes[1]->nodes == std::vector<Vec2>{{4, 2}, {6, 2}, {4, 3}});
+    CHECK(mapped(document, all, PlaneMap::rotation(20.0, {})).shapes[0]->kind == ShapeKind::Polygon);
+}
+
+TEST_CASE("transformSelection: single nodes, sources and markers are mapped; a map to a line is refused") {
+    Document document = documentOf({square({0, 0}, 2)});
+    SizeSource source;
+    source.a = {1, 0};
+    source.radius = 1.0;
+    document.spacing.sources = {source};
+    document.regionMarkers = {{{1, 1}, 2, 0.0}};
+    Selection some;
+    some.nodes = {{1, 2}};
+    some.sources = {0};
+    some.markers = {0};
+    const Document result = mapped(document, some, PlaneMap::scaling({3, 3}, {}));
+    CHECK(result.shapes[0]->nodes == std::vector<Vec2>{{0, 0}, {2, 0}, {6, 6}, {0, 2}});
+    CHECK(result.spacing.sources[0].a == Vec2{3, 0});
+    CHECK(result.spacing.sources[0].radius == doctest::Approx(3.0));
+    CHECK(result.regionMarkers[0].at == Vec2{3, 3});
+    CHECK(codeOf(transformSelection(document, some, PlaneMap::scaling({1, 0}, {}))) == "bad-number");
+}
+
+TEST_CASE("alignSelection, distributeSelection: shapes line up at each side, and gaps become equal") {
+    const Document document = documentOf({square({0, 0}, 1), square({3, 5}, 2), square({9, 2}, 3)});
+    const Selection all = selectAll(document);
+    const auto boxes = [&](const Result<Document> &result) {
+        REQUIRE(result.ok());
+        std::vector<Box2> list;
+        for (const auto &shape : result->shapes) {
+            list.push_back(boundsOf(*shape));
+        }
+        return list;
+    };
+    for (const Box2 &box : boxes(alignSelection(document, all, Alignment::Left))) {
+        CHECK(box.min.x == 0.0);
+    }
+    for (const Box2 &box : boxes(alignSelection(document, all, Alignment::Top))) {
+        CHECK(box.max.y == 7.0);
+    }
+    for (const Box2 &box : boxes(alignSelection(document, all, Alignment::CentreX))) {
+        CHECK(box.centre().x == 6.0);
+    }
+    const std::vector<Box2> spread = boxes(distributeSelection(document, all, true));
+    CHECK(spread[0].min.x == 0.0);
+    CHECK(spread[1].min.x == doctest::Approx(4.0));
+    CHECK(spread[2].min.x == 9.0);
+    CHECK(codeOf(alignSelection(document, shapes({1}), Alignment::Left)) == "not-possible");
+    CHECK(codeOf(distributeSelection(document, shapes({1, 2}), true)) == "not-possible");
+    Selection nodes;
+    nodes.nodes = {{1, 0}, {1, 2}, {2, 1}};
+    const Result<Document> row = alignSelection(document, nodes, Alignment::Bottom);
+    REQUIRE(row.ok());
+    CHECK(row->shapes[0]->nodes[2] == Vec2{1, 0});
+    CHECK(row->shapes[1]->nodes[1] == Vec2{5, 0});
+}
+
+TEST_CASE("linearArray, polarArray: copies stand where they should, and are selected") {
+    const Document document = documentOf({makeShape(ShapeKind::Circle, {{4, 0}, {5, 0}})});
+    Selection made;
+    const Result<Document> row = linearArray(document, shapes({1}), 4, {3, 1}, &made);
+    REQUIRE(row.ok());
+    REQUIRE(row->shapes.size() == 4);
+    CHECK(row->shapes[3]->nodes[0] == Vec2{13, 3});
+    CHECK(made.shapes == std::set<std::uint32_t>{2, 3, 4});
+    const Result<Document> ring = polarArray(document, shapes({1}), 4, {0, 0}, 360.0, true);
+    REQUIRE(ring.ok());
+    REQUIRE(ring->shapes.size() == 4);
+    CHECK(ring->shapes[1]->nodes == std::vector<Vec2>{{0, 4}, {0, 5}});
+    CHECK(ring->shapes[2]->nodes == std::vector<Vec2>{{-4, 0}, {-5, 0}});
+    const Result<Document> fan = polarArray(document, shapes({1}), 3, {0, 0}, 180.0, false);
+    REQUIRE(fan.ok());
+    CHECK(fan->shapes[2]->nodes == std::vector<Vec2>{{-4, 0}, {-3, 0}});
+    CHECK(codeOf(linearArray(document, shapes({1}), 1, {1, 0})) == "bad-number");
+    CHECK(codeOf(linearArray(document, shapes({1}), 2.5, {1, 0})) == "bad-number");
+    CHECK(codeOf(polarArray(document, shapes({1}), 3, {0, 0}, 0.0, true)) == "bad-number");
+}
