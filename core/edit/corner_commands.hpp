@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/edit/references.hpp"
+
+namespace forefront {
+
+// Commands on the corners of paths and rectangles: those of the selected nodes, or all corners of the selected shapes.
+// Errors: bad-number, no-such-node, not-possible (a smooth node, the end of an open path, or a corner that is too
+// narrow for the number).
+
+/// Rounds corners by arcs of circles that are tangent to both sides, which may be curves.
+Result<Document> filletCorners(const Document &document, const Selection &selection, double radius);
+
+/// Cuts corners by straight segments between the points at a distance from the node along both sides.
+Result<Document> chamferCorners(const Document &document, const Selection &selection, double distance);
+
+/// Returns true if the selection holds a node or a shape with corners.
+bool hasCorners(const Document &document, const Selection &selection);
+
+} // namespace forefront

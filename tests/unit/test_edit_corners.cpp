@@ -1,0 +1,211 @@
+#include "core/domain/validate.hpp"
+#include "core/edit/corner_commands.hpp"
+#include "core/edit/offset_shapes.hpp"
+#include "core/edit/path_curve.hpp"
+#include "core/edit/shape_commands.hpp"
+#include "core/edit/shape_geometry.hpp"
+#include "core/edit/slot.hpp"
+#include "tests/unit/edit_support.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <string>
+#include <utility>
+
+using namespace forefront;
+using namespace forefront::edit_test;
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+Document documentOf(std::vector<Shape> shapes) {
+    Result<Document> document = addShapes({}, std::move(shapes));
+    REQUIRE(document.ok());
+    return *std::move(document);
+}
+
+Selection shapes(std::set<std::uint32_t> ids) {
+    Selection selection;
+    selection.shapes = std::move(ids);
+    return selection;
+}
+
+std::string codeOf(const Result<Document> &result) {
+    return result ? "" : result.faults().front().code;
+}
+
+/// Returns the largest turn of a path in one of its nodes, in radians.
+double sharpest(const Shape &shape) {
+    const Outline outline = outlineOf(shape);
+    double worst = 0.0;
+    const std::size_t count = outline.segmentCount();
+    for (std::size_t k = 0; k < (outline.closed ? count : count - 1); ++k) {
+        const Vec2 a = outline.curve(k).tangent(1.0), b = outline.curve((k + 1) % count).tangent(0.0);
+        worst = std::max(worst, std::fabs(std::atan2(cross(a, b), dot(a, b))));
+    }
+    return worst;
+}
+
+/// A half disc of radius 2 on a cubic.
+Shape mixedPath() {
+    Shape path = makeShape(ShapeKind::Polygon, {{-2, 0}, {2, 0}});
+    path.curves = {Curve::cubic({-2, 0}, {-1, 1}, {1, -1}, {2, 0}), arcThrough({2, 0}, {0, 2}, {-2, 0})};
+    path.tag = 3;
+    return path;
+}
+
+} // namespace
+
+TEST_CASE("filletCorners: a square loses its corners to quarter circles; the sides keep their tags") {
+    Shape plate = square({0, 0}, 4);
+    plate.segmentTags = {1, 2, 3, 4};
+    const Result<Document> result = filletCorners(documentOf({plate}), shapes({1}), 1.0);
+    REQUIRE(result.ok());
+    const Shape &shape = *result->shapes[0];
+    CHECK(shape.nodes.size() == 8);
+    CHECK(areaOf(shape) == doctest::Approx(16.0 - 4.0 + kPi));
+    CHECK(sharpest(shape) < 1e-9);
+    CHECK(segmentTag(shape, 0) == 4); // the arc at the first corner continues the last side
+    CHECK(segmentTag(shape, 1) == 1);
+}
+
+TEST_CASE("filletCorners: single nodes, both turns, and a radius that takes whole sides") {
+    const Shape arrow = makeShape(ShapeKind::Polygon, {{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}});
+    const Document document = documentOf({arrow});
+    Selection reflex;
+    reflex.nodes = {{1, 3}};
+    const Result<Document> inner = filletCorners(document, reflex, 0.5);
+    REQUIRE(inner.ok());
+    CHECK(inner->shapes[0]->nodes.size() == 6);
+    CHECK(areaOf(*inner->shapes[0]) > areaOf(arrow));
+    const Result<Document> disc = filletCorners(documentOf({square({0, 0}, 4)}), shapes({1}), 2.0);
+    REQUIRE(disc.ok());
+    CHECK(disc->shapes[0]->nodes.size() == 4);
+    CHECK(areaOf(*disc->shapes[0]) == doctest::Approx(4.0 * kPi));
+    CHECK(codeOf(filletCorners(documentOf({square({0, 0}, 4)}), shapes({1}), 2.1)) == "not-possible");
+    CHECK(codeOf(filletCorners(document, reflex, 0.0)) == "bad-number");
+    CHECK(codeOf(filletCorners(documentOf({makeShape(ShapeKind::Circle, {{0, 0}, {1, 0}})}), shapes({1}), 1)) ==
+          "not-possible");
+}
+
+TEST_CASE("filletCorners: arcs and cubics as sides get a circle that is tangent to both") {
+    const Document document = documentOf({mixedPath()});
+    for (const double radius : {0.05, 0.2, 0.5}) {
+        CAPTURE(radius);
+        const Result<Document> result = filletCorners(document, shapes({1}), radius);
+        REQUIRE(result.ok());
+        const Shape &shape = *result->shapes[0];
+        CHECK(shape.nodes.size() == 4);
+        CHECK(sharpest(shape) < 1e-6);
+        CHECK(areaOf(shape) < areaOf(mixedPath()));
+        CHECK(validate(toDomain(*result)).empty());
+    }
+}
+
+TEST_CASE("filletCorners: the ends of an open path stay; selected ends and smooth nodes are refused") {
+    const Document document = documentOf({makeShape(ShapeKind::Polyline, {{0, 0}, {4, 0}, {4, 4}, {4, 6}})});
+    const Result<Document> result = filletCorners(document, shapes({1}), 1.0);
+    REQUIRE(result.ok());
+    CHECK(result->shapes[0]->nodes.size() == 5);
+    CHECK(lengthOf(*result->shapes[0]) == doctest::Approx(10.0 - 2.0 + 0.5 * kPi));
+    Selection end, straight;
+    end.nodes = {{1, 0}};
+    straight.nodes = {{1, 2}};
+    CHECK(codeOf(filletCorners(document, end, 1.0)) == "not-possible");
+    CHECK(codeOf(filletCorners(document, straight, 1.0)) == "not-possible");
+}
+
+TEST_CASE("chamferCorners: cuts at a distance along both sides, straight or curved") {
+    const Result<Document> cut = chamferCorners(documentOf({square({0, 0}, 4)}), shapes({1}), 1.0);
+    REQUIRE(cut.ok());
+    CHECK(cut->shapes[0]->nodes.size() == 8);
+    CHECK(areaOf(*cut->shapes[0]) == doctest::Approx(14.0));
+    const Shape mixed = mixedPath();
+    const Result<Document> curved = chamferCorners(documentOf({mixed}), shapes({1}), 0.25);
+    REQUIRE(curved.ok());
+    const Outline outline = outlineOf(*curved->shapes[0]);
+    double bent = 0.0;
+    for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
+        bent += outline.isCurved(k) ? outline.curve(k).length() : 0.0;
+    }
+    CHECK(bent == doctest::Approx(lengthOf(mixed) - 1.0));
+    CHECK(codeOf(chamferCorners(documentOf({square({0, 0}, 1)}), shapes({1}), 1.5)) == "not-possible");
+}
+
+TEST_CASE("offsetShapes: areas follow Steiner's formula outside, and shrink by it inside") {
+    Shape plate = square({0, 0}, 4);
+    plate.segmentTags = {1, 2, 3, 4};
+    plate.name = "plate";
+    Selection made;
+    const Result<Document> outside = offsetShapes(documentOf({plate}), {1}, 0.5, &made);
+    REQUIRE(outside.ok());
+    REQUIRE(outside->shapes.size() == 2);
+    const Shape &wide = *outside->shapes[1];
+    CHECK(made.shapes == std::set<std::uint32_t>{wide.id});
+    CHECK(areaOf(wide) == doctest::Approx(16.0 + 16.0 * 0.5 + 0.25 * kPi));
+    CHECK(wide.name == "plate");
+    CHECK(wide.nodes.size() == 8);
+    CHECK(sharpest(wide) < 1e-6);
+    const Result<Document> inside = offsetShapes(documentOf({plate}), {1}, -0.5);
+    REQUIRE(inside.ok());
+    REQUIRE(inside->shapes.size() == 2);
+    CHECK(areaOf(*inside->shapes[1]) == doctest::Approx(9.0));
+    CHECK(inside->shapes[1]->segmentTags.size() == 4);
+    CHECK(codeOf(offsetShapes(documentOf({plate}), {1}, -2.5)) == "not-possible");
+    CHECK(codeOf(offsetShapes(documentOf({plate}), {1}, 0.0)) == "bad-number");
+}
+
+TEST_CASE("offsetShapes: circles, ellipses and mixed paths; parallels stay tangent to their wedges") {
+    Shape rounded = makeShape(ShapeKind::Rectangle, {{0, 0}, {6, 4}});
+    rounded.radius = 1.0;
+    const std::vector<Shape> shapes = {makeShape(ShapeKind::Circle, {{0, 0}, {2, 0}}), rounded,
+                                       makeShape(ShapeKind::Ellipse, {{0, 0}, {3, 0}, {0, 2}}), mixedPath()};
+    for (const Shape &shape : shapes) {
+        CAPTURE(shape.kind);
+        const double d = 0.3;
+        const Result<Document> outside = offsetShapes(documentOf({shape}), {1}, d);
+        REQUIRE(outside.ok());
+        REQUIRE(outside->shapes.size() == 2);
+        CHECK(validate(toDomain(*outside)).empty());
+        if (shape.kind != ShapeKind::Polygon) { // convex, so that the formula holds
+            CHECK(areaOf(*outside->shapes[1]) ==
+                  doctest::Approx(areaOf(shape) + d * lengthOf(shape) + kPi * d * d).epsilon(1e-6));
+            const Result<Document> inside = offsetShapes(documentOf({shape}), {1}, -d);
+            REQUIRE(inside.ok());
+            CHECK(areaOf(*inside->shapes[1]) ==
+                  doctest::Approx(areaOf(shape) - d * lengthOf(shape) + kPi * d * d).epsilon(1e-6));
+        }
+        CHECK(outside->shapes[1]->tag == shape.tag);
+    }
+    const Result<Document> circle = offsetShapes(documentOf({shapes[0]}), {1}, -0.5);
+    REQUIRE(circle.ok());
+    CHECK(circle->shapes[1]->kind == ShapeKind::Circle);
+    CHECK(circleRadius(*circle->shapes[1]) == doctest::Approx(1.5));
+}
+
+TEST_CASE("offsetShapes: a waist that closes divides a shape; an open path becomes a band") {
+    const Shape dumbbell =
+        makeShape(ShapeKind::Polygon,
+                  {{0, 0}, {3, 0}, {3, 1}, {6, 1}, {6, 0}, {9, 0}, {9, 3}, {6, 3}, {6, 2}, {3, 2}, {3, 3}, {0, 3}});
+    const Result<Document> inside = offsetShapes(documentOf({dumbbell}), {1}, -0.6);
+    REQUIRE(inside.ok());
+    CHECK(inside->shapes.size() == 3);
+    const Document line = documentOf({makeShape(ShapeKind::Polyline, {{0, 0}, {4, 0}, {4, 3}})});
+    const Result<Document> band = offsetShapes(line, {1}, 0.5);
+    REQUIRE(band.ok());
+    REQUIRE(band->shapes.size() == 2);
+    // Two straight bands of width 1, two half discs at the ends, a quarter disc at the corner less the overlap there.
+    CHECK(areaOf(*band->shapes[1]) == doctest::Approx(7.0 + 0.25 * kPi + 0.25 * 0.25 * kPi - 0.25));
+}
+
+TEST_CASE("slotAround: two half circles and two lines around a line") {
+    const Shape slot = slotAround({1, 1}, {4, 5}, 0.5);
+    CHECK(checkShape(slot).empty());
+    CHECK(areaOf(slot) == doctest::Approx(5.0 + 0.25 * kPi));
+    CHECK(lengthOf(slot) == doctest::Approx(10.0 + kPi));
+    CHECK(slotAround({1, 1}, {1, 1}, 0.5).kind == ShapeKind::Circle);
+}
