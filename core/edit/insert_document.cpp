@@ -2,6 +2,8 @@
 
 #include "core/edit/shape_geometry.hpp"
 
+#include <utility>
+
 namespace forefront {
 
 Document insertDrawing(const Document &document, const Document &other, double scale, Selection *added) {
@@ -20,6 +22,19 @@ Document insertDrawing(const Document &document, const Document &other, double s
     }
     next.boundaryNames.insert(other.boundaryNames.begin(), other.boundaryNames.end());
     next.regionNames.insert(other.regionNames.begin(), other.regionNames.end());
+    if (added != nullptr) {
+        *added = std::move(fresh);
+    }
+    return next;
+}
+
+Document insertCopied(const Document &document, const Document &other, Selection *added) {
+    Selection fresh;
+    Document next = insertDrawing(document, other, 1.0, &fresh);
+    for (const SizeSource &source : other.spacing.sources) {
+        fresh.sources.insert(static_cast<std::uint32_t>(next.spacing.sources.size()));
+        next.spacing.sources.push_back(source);
+    }
     if (added != nullptr) {
         *added = std::move(fresh);
     }

@@ -9,4 +9,7 @@ namespace forefront {
 /// name a tag, the name in `document` wins. `added`, if not null, becomes the selection of everything added.
 Document insertDrawing(const Document &document, const Document &other, double scale, Selection *added);
 
+/// Like insertDrawing() without scaling, and with the size sources.
+Document insertCopied(const Document &document, const Document &other, Selection *added);
+
 } // namespace forefront

@@ -63,11 +63,8 @@ Curve asCubic(const Outline &outline, std::uint32_t segment) {
     switch (curve.kind()) {
     case CurveKind::Cubic:
         return curve;
-    case CurveKind::Arc: {
-        // The usual cubic along an arc: it misses a quarter turn by 2.7e-4 of the radius.
-        const double reach = 4.0 / 3.0 * std::tan(0.25 * curve.numbers()[7]) / curve.numbers()[7];
-        return Curve::cubic(from, from + reach * curve.derivative(0.0), to - reach * curve.derivative(1.0), to);
-    }
+    case CurveKind::Arc:
+        return joining(cubicAlong(curve), from, to);
     case CurveKind::Line:
         break;
     }

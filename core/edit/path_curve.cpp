@@ -178,6 +178,12 @@ Curve merged(const Curve &first, const Curve &second) {
     return fitted(Samples(first, second), from, first.tangent(0.0), -1.0 * second.tangent(1.0), to);
 }
 
+Curve cubicAlong(const Curve &arc) {
+    const double sweep = arc.numbers()[7], reach = 4.0 / 3.0 * std::tan(0.25 * sweep) / sweep;
+    const Vec2 from = arc.point(0.0), to = arc.point(1.0);
+    return Curve::cubic(from, from + reach * arc.derivative(0.0), to - reach * arc.derivative(1.0), to);
+}
+
 Curve arcThrough(Vec2 from, Vec2 middle, Vec2 to) {
     constexpr double kStraight = 1e-9;
     const Vec2 p = middle - from, q = to - from;

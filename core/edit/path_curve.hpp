@@ -22,6 +22,9 @@ double sectorArea(const Curve &curve, Vec2 from);
 /// with their outer ends and tangents that is nearest by least squares.
 Curve merged(const Curve &first, const Curve &second);
 
+/// Returns the cubic with the ends and tangents of an arc; it misses a quarter turn by 2.7e-4 of the radius.
+Curve cubicAlong(const Curve &arc);
+
 /// Returns the arc of a circle from one point through another to a third; a line if the three are collinear.
 Curve arcThrough(Vec2 from, Vec2 middle, Vec2 to);
 /// Returns an arc of a circle with the given radius between two points, on the side of a third point: more than half a

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/edit/references.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace forefront {
+
+/// Returns the selected shapes, sources and region markers as the text of an SVG drawing, for the clipboard. Its
+/// metadata hold them exactly, for readClipboard(); other programs see paths of lines and cubics. Empty if nothing that
+/// can be copied is selected.
+std::string clipboardText(const Document &document, const Selection &selection);
+
+/// Returns what a text from the clipboard draws: an SVG drawing, a project, or lines of coordinates. Each line of
+/// coordinates is a point: its first two numbers, with any separators between them; a comma is a decimal comma where
+/// tabs or semicolons separate. Blank lines and lines of text begin another path. A path whose ends are about as near
+/// as its nodes is closed. Errors: those of the readers; no-drawing.
+Result<Document> readClipboard(std::string_view text);
+
+} // namespace forefront

@@ -1,0 +1,75 @@
+#include "core/edit/path_curve.hpp"
+#include "core/edit/shape_commands.hpp"
+#include "core/edit/shape_geometry.hpp"
+#include "core/io/clipboard.hpp"
+#include "tests/unit/edit_support.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+using namespace forefront;
+using namespace forefront::edit_test;
+
+namespace {
+
+const Shape &only(const Result<Document> &drawing) {
+    REQUIRE(drawing.ok());
+    REQUIRE(drawing->shapes.size() == 1);
+    return *drawing->shapes[0];
+}
+
+} // namespace
+
+TEST_CASE("Clipboard: what is copied comes back exactly, and other programs see an SVG drawing of it") {
+    Shape leaf = makeShape(ShapeKind::Polygon, {{0, 0}, {4, 0}});
+    leaf.curves = {Curve::cubic({0, 0}, {1, 1}, {3, 1}, {4, 0}), arcThrough({4, 0}, {2, -1}, {0, 0})};
+    leaf.name = "leaf";
+    Document document = *addShapes({}, {leaf, makeShape(ShapeKind::Circle, {{7, 7}, {8, 7}})});
+    document.regionMarkers = {{{2, 0.1}, 3, 0.0}};
+    document.boundaryNames[1] = "edge";
+    Selection some;
+    some.shapes = {1};
+    some.markers = {0};
+    const std::string text = clipboardText(document, some);
+    CHECK(text.starts_with("<svg"));
+    const Result<Document> read = readClipboard(text);
+    CHECK(only(read) == *document.shapes[0]);
+    CHECK(read->regionMarkers == document.regionMarkers);
+    CHECK(read->boundaryNames.at(1) == "edge");
+    std::string plain = text; // as after a detour through another program
+    plain.erase(plain.find("<metadata"), plain.find("</metadata>") + 11 - plain.find("<metadata"));
+    const Result<Document> drawing = readClipboard(plain);
+    CHECK(only(drawing).kind == ShapeKind::Polygon);
+    CHECK(areaOf(only(drawing)) == doctest::Approx(areaOf(leaf)).epsilon(1e-3));
+    CHECK(clipboardText(document, {}).empty());
+}
+
+TEST_CASE("Clipboard: two columns of a spreadsheet, with any separators, become a polygon or a polyline") {
+    const std::vector<Vec2> triangle{{0, 0}, {1.5, 0}, {1, 2.25}, {0.25, 1}};
+    for (const char *text : {"0\t0\n1.5\t0\n1\t2.25\n0.25\t1\n", "x y\n0 0\n1.5 0\n1 2.25\n0.25 1",
+                             "0,0\r\n1.5,0\r\n1,2.25\r\n.25,1\r\n0,0\r\n", "0;0\n1,5;0\n1;2,25\n0,25;1\n",
+                             "(0, 0)\n(1.5, 0)\n(1, 2.25)\n(0.25, 1)", "0 0 9\n+1.5 0 9\n1 2.25 9\n0.25 1 9"}) {
+        CAPTURE(text);
+        const Result<Document> drawing = readClipboard(text);
+        CHECK(only(drawing).kind == ShapeKind::Polygon);
+        CHECK(only(drawing).use == ShapeUse::Boundary);
+        CHECK(only(drawing).nodes == triangle);
+    }
+    const Result<Document> open = readClipboard("0 0\n1 0\n2 0\n3 1\n");
+    CHECK(only(open).kind == ShapeKind::Polyline);
+    CHECK(only(open).use == ShapeUse::Constraint);
+    CHECK(only(readClipboard("-1e-3 2")).kind == ShapeKind::Point);
+}
+
+TEST_CASE("Clipboard: blank lines divide paths; text without numbers is refused") {
+    const Result<Document> two = readClipboard("0 0\n1 0\n\n5 5\n6 6\n7 5\n");
+    REQUIRE(two.ok());
+    CHECK(two->shapes.size() == 2);
+    for (const char *text : {"", "hello", "1\n2\n3\n", "nan inf", "<html><body>1 2</body></html>"}) {
+        CAPTURE(text);
+        const Result<Document> none = readClipboard(text);
+        REQUIRE_FALSE(none.ok());
+        CHECK(none.faults().front().code == "no-drawing");
+    }
+}
