@@ -352,7 +352,7 @@ TEST_CASE("Shapes: union, difference, intersection, exclusion and divide are one
         CHECK(driver.document().shapes.size() == 2);
     }
     driver.key('A', {Modifiers::kControl});
-    driver.click("menu/Edit");
+    driver.click("menu/Shape");
     driver.click("menu/edit.union");
     CHECK(driver.document().shapes.size() == 1);
 }

@@ -1,14 +1,15 @@
 #include "core/arrangement/repair.hpp"
-#include "core/edit/combine_shapes.hpp"
 #include "core/edit/path_commands.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
 #include "core/edit/spacing_commands.hpp"
+#include "ui/dialogs/clipboard_actions.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/dialogs/gallery_dialog.hpp"
 #include "ui/dialogs/open_mesh.hpp"
 #include "ui/dialogs/preferences_dialog.hpp"
 #include "ui/dialogs/repair.hpp"
+#include "ui/dialogs/shape_actions.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/workspace/edit_state.hpp"
 
@@ -143,36 +144,6 @@ void addHistoryActions(ActionRegistry &actions) {
                  .repeats = true});
 }
 
-/// Adds the commands that combine the areas of the selected shapes.
-void addShapeOperations(ActionRegistry &actions) {
-    const struct {
-        ShapeOperation operation;
-        const char *id, *title;
-        int key;
-    } operations[] = {{ShapeOperation::Union, "edit.union", "Union", 'U'},
-                      {ShapeOperation::Difference, "edit.difference", "Difference", 'D'},
-                      {ShapeOperation::Intersection, "edit.intersection", "Intersection", 'I'},
-                      {ShapeOperation::Exclusion, "edit.exclusion", "Exclusion", 'X'},
-                      {ShapeOperation::Divide, "edit.divide", "Divide", 'V'}};
-    for (const auto &entry : operations) {
-        actions.add(
-            {.id = entry.id,
-             .menu = "Edit",
-             .title = entry.title,
-             .shortcuts = {{entry.key, kControlShift}},
-             .run =
-                 [operation = entry.operation, title = entry.title](Shell &c) {
-                     Selection made;
-                     const Document &before = *c.document.current();
-                     if (EditState::apply(c, combineShapes(before, c.selection.shapes, operation, &made), title)) {
-                         c.selection = std::move(made);
-                     }
-                 },
-             .enabled = [](const Shell &c) { return canCombine(*c.document.current(), c.selection); },
-             .separatorBefore = entry.operation == ShapeOperation::Union});
-    }
-}
-
 bool hasPathNode(const Shell &context) {
     const Document &document = *context.document.current();
     return std::any_of(context.selection.nodes.begin(), context.selection.nodes.end(), [&](NodeRef node) {
@@ -222,6 +193,7 @@ void addPathActions(ActionRegistry &actions) {
 }
 
 void addSelectionActions(ActionRegistry &actions) {
+    addClipboardActions(actions);
     actions.add({.id = "edit.delete",
                  .menu = "Edit",
                  .title = "Delete",
@@ -231,8 +203,7 @@ void addSelectionActions(ActionRegistry &actions) {
                          c.document.apply(deleteSelection(*c.document.current(), c.selection), "Delete");
                          c.selection.clear();
                      },
-                 .enabled = hasSelection,
-                 .separatorBefore = true});
+                 .enabled = hasSelection});
     actions.add(
         {.id = "edit.duplicate",
          .menu = "Edit",
@@ -268,7 +239,6 @@ void addSelectionActions(ActionRegistry &actions) {
                  .enabled = [](const Shell &c) { return !c.selection.shapes.empty(); },
                  .separatorBefore = true});
     addPathActions(actions);
-    addShapeOperations(actions);
     actions.add({.id = "edit.repair",
                  .menu = "Edit",
                  .title = "Repair drawing",
@@ -287,6 +257,7 @@ void addEditActions(ActionRegistry &actions) {
     addFileActions(actions);
     addHistoryActions(actions);
     addSelectionActions(actions);
+    addShapeActions(actions);
     actions.add({.id = "edit.preferences",
                  .menu = "Edit",
                  .title = "Preferences\xe2\x80\xa6",

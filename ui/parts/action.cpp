@@ -85,7 +85,7 @@ const Action *ActionRegistry::find(std::string_view id) const {
 
 bool ActionRegistry::run(std::string_view id, Shell &context) const {
     const Action *action = find(id);
-    if (action == nullptr || (action->enabled && !action->enabled(context))) {
+    if (action == nullptr || !action->run || (action->enabled && !action->enabled(context))) {
         return false;
     }
     action->run(context);

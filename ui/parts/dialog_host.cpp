@@ -1,3 +1,4 @@
+#include "ui/parts/preview_dialog.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -20,7 +21,12 @@ void DialogHost::drawFrom(std::size_t level, Shell &context, std::vector<bool> &
     const float margin = context.px(24);
     const float width = std::min(context.px(static_cast<double>(dialog.width())), size.x - margin);
     const float height = std::min(context.px(static_cast<double>(dialog.height())), size.y - margin);
-    ImGui::SetNextWindowPos({std::round(size.x / 2), std::round(size.y / 2)}, ImGuiCond_Always, {0.5F, 0.5F});
+    auto *const preview = dynamic_cast<PreviewDialog *>(&dialog);
+    if (preview != nullptr) {
+        ImGui::SetNextWindowPos({std::min(context.px(64), size.x - margin / 2 - width), context.px(48)});
+    } else {
+        ImGui::SetNextWindowPos({std::round(size.x / 2), std::round(size.y / 2)}, ImGuiCond_Always, {0.5F, 0.5F});
+    }
     ImGui::SetNextWindowSize({width, dialog.height() > 0.0F ? height : 0.0F});
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, size.y - margin});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.px(22), context.px(18)));
@@ -39,16 +45,15 @@ void DialogHost::drawFrom(std::size_t level, Shell &context, std::vector<bool> &
         ImGui::PopFont();
         const std::string name = std::string("dialog/") + dialog.id();
         ImGui::SameLine(ImGui::GetWindowWidth() - context.px(22 + 26));
-        if (ui::iconButton(context, name + "/close", icon::kCross, "Close (Esc)", false, dialog.closesOnEscape(),
-                           26.0F)) {
-            keep[level] = false;
-        }
+        const bool closed = ui::iconButton(context, name + "/close", icon::kCross, "Close (Esc)", false,
+                                           dialog.closesOnEscape(), 26.0F);
         ImGui::Dummy({0, context.px(4)});
         const bool isTop = level + 1 == keep.size();
         const bool escape = isTop && dialog.closesOnEscape() && ImGui::IsKeyPressed(key::kEscape, false) &&
                             !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId);
-        if (!dialog.draw(context) || escape) {
-            keep[level] = false;
+        keep[level] = dialog.draw(context) && !escape && !closed;
+        if (preview != nullptr && (escape || closed)) {
+            preview->dismiss(context);
         }
         const ImVec2 at = ImGui::GetWindowPos(), extent = ImGui::GetWindowSize();
         ui::markRect(context, name, {at.x, at.y, extent.x, extent.y});
@@ -72,6 +77,11 @@ void DialogHost::draw(Shell &context) {
     }
     opening_.clear();
     // Dialogs opened while another draws wait in opening_ until the next frame, so that the stack does not change here.
+    const bool dims = std::any_of(stack_.begin(), stack_.end(), [](const std::unique_ptr<Dialog> &dialog) {
+        return dynamic_cast<const PreviewDialog *>(dialog.get()) == nullptr;
+    });
+    ImGui::GetStyle().Colors[ImGuiCol_ModalWindowDimBg] =
+        ImGui::ColorConvertU32ToFloat4(dims ? context.theme.dim : Colour());
     const std::size_t count = stack_.size();
     std::vector<bool> keep(count, true);
     if (count > 0) {

@@ -54,6 +54,8 @@ class ShortcutSheet final : public Dialog {
         group(context, "shortcuts/files", "Files and editing", column, [&] {
             actionRows(context, column, {"File", "Edit"});
         });
+        flow.item("shapes");
+        group(context, "shortcuts/shapes", "Shapes", column, [&] { actionRows(context, column, {"Shape"}); });
         group(context, "shortcuts/view", "View", column, [&] {
             row(context, column, "Wheel", "Zoom at pointer");
             row(context, column, "Space + drag", "Pan");
@@ -171,7 +173,8 @@ class Palette final : public Dialog {
         const std::string query = lowered(query_);
         for (const Action &action : context.actions.all()) {
             const bool enabled = !action.enabled || action.enabled(context);
-            if (enabled && action.id != "view.palette" && matches(action.menu + " " + action.title, query)) {
+            if (enabled && action.run && action.id != "view.palette" &&
+                matches(action.menu + " " + action.title, query)) {
                 found.push_back(&action);
             }
         }

@@ -12,7 +12,7 @@ namespace forefront::shell {
 
 namespace {
 
-constexpr std::array<const char *, 6> kMenus{"File", "Edit", "View", "Mesh", "Learn", "Help"};
+constexpr std::array<const char *, 7> kMenus{"File", "Edit", "Shape", "View", "Mesh", "Learn", "Help"};
 
 /// Draws a menu item that runs an action.
 void actionItem(Shell &context, const Action &action) {

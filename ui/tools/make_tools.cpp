@@ -2,11 +2,13 @@
 
 #include "ui/tools/box_tool.hpp"
 #include "ui/tools/brush_tool.hpp"
+#include "ui/tools/measure_tool.hpp"
 #include "ui/tools/pen_tool.hpp"
 #include "ui/tools/point_tool.hpp"
 #include "ui/tools/probe_tool.hpp"
 #include "ui/tools/round_tools.hpp"
 #include "ui/tools/select_tool.hpp"
+#include "ui/tools/slot_tool.hpp"
 #include "ui/tools/source_tool.hpp"
 #include "ui/tools/trace_tool.hpp"
 
@@ -21,6 +23,7 @@ std::vector<std::unique_ptr<Tool>> makeTools() {
     tools.push_back(std::make_unique<BoxTool>(state, ShapeKind::Circle));
     tools.push_back(std::make_unique<BoxTool>(state, ShapeKind::Ellipse));
     tools.push_back(std::make_unique<RegularPolygonTool>(state));
+    tools.push_back(std::make_unique<SlotTool>(state));
     tools.push_back(std::make_unique<PenTool>(state, ShapeKind::Polyline));
     tools.push_back(std::make_unique<ArcTool>(state));
     tools.push_back(std::make_unique<PointTool>(state));
@@ -28,6 +31,7 @@ std::vector<std::unique_ptr<Tool>> makeTools() {
     tools.push_back(std::make_unique<BrushTool>(state, false));
     tools.push_back(std::make_unique<BrushTool>(state, true));
     tools.push_back(std::make_unique<SourceTool>(state));
+    tools.push_back(std::make_unique<MeasureTool>(state));
     tools.push_back(std::make_unique<TraceTool>());
     tools.push_back(std::make_unique<ProbeTool>());
     return tools;

@@ -1,0 +1,229 @@
+#include "tests/ui/edit_driver.hpp"
+#include "ui/tools/measure_tool.hpp"
+
+#include <doctest/doctest.h>
+
+#include <set>
+#include <string>
+
+using namespace forefront;
+using namespace forefront::test;
+
+namespace {
+
+constexpr Modifiers kShift{Modifiers::kShift};
+constexpr Modifiers kControl{Modifiers::kControl};
+constexpr Modifiers kControlShift{Modifiers::kControl | Modifiers::kShift};
+
+/// Types a number into a field and goes on with Tab.
+void fill(Draughtsman &driver, const char *field, const char *number) {
+    driver.click(field);
+    driver.key('A', kControl);
+    driver.type(number);
+    driver.key(key::kTab);
+    driver.settle();
+}
+
+} // namespace
+
+TEST_CASE("Shape menu: mirror and quarter turns about the middle of the selection, by key, menu and palette") {
+    Draughtsman driver;
+    driver.polygon({{1, 1}, {5, 1}, {1, 3}});
+    driver.key('V');
+    driver.key('H', kShift);
+    CHECK(driver.document().shapes[0]->nodes == std::vector<Vec2>{{5, 1}, {1, 1}, {5, 3}});
+    CHECK(driver.undoLabel() == "Mirror left-right");
+    driver.click("menu/Shape");
+    driver.click("menu/shape.mirrorY");
+    CHECK(driver.document().shapes[0]->nodes == std::vector<Vec2>{{5, 3}, {1, 3}, {5, 1}});
+    driver.key('Z', kControl);
+    driver.key('Z', kControl);
+    driver.key('P', kControl);
+    driver.type("rotate left");
+    driver.key(key::kEnter);
+    driver.settle();
+    CHECK(driver.document().shapes[0]->nodes == std::vector<Vec2>{{4, 0}, {4, 4}, {2, 0}});
+    driver.key(key::kRightBracket, kControl);
+    CHECK(driver.document().shapes[0]->nodes == std::vector<Vec2>{{1, 1}, {5, 1}, {1, 3}});
+}
+
+TEST_CASE(
+    "Transform: numbers show their result while the dialog is open; Cancel and Esc take it back, OK is one step") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {5, 3});
+    driver.key('V');
+    const auto box = [&] { return boundsOf(*driver.document().shapes[0]); };
+    driver.key('M', kControlShift);
+    driver.settle();
+    fill(driver, "dialog/transform/x", "2");
+    CHECK(box() == Box2{{3, 1}, {7, 3}});
+    fill(driver, "dialog/transform/scalex", "50");
+    driver.settle();
+    CHECK(box() == Box2{{4, 1}, {6, 3}});
+    driver.click("dialog/transform/cancel");
+    driver.settle();
+    CHECK(box() == Box2{{1, 1}, {5, 3}});
+    CHECK(driver.undoLabel() == "Draw rectangle");
+    driver.key('M', kControlShift);
+    driver.settle();
+    fill(driver, "dialog/transform/scaley", "0");
+    CHECK(driver.has("dialog/transform/fault"));
+    driver.key(key::kEscape);
+    driver.settle();
+    CHECK(box() == Box2{{1, 1}, {5, 3}});
+    driver.key('M', kControlShift);
+    driver.settle();
+    fill(driver, "dialog/transform/angle", "90");
+    driver.click("dialog/transform/ok");
+    driver.settle();
+    CHECK(box() == Box2{{2, 0}, {4, 4}});
+    CHECK(driver.undoLabel() == "Transform");
+    driver.key('Z', kControl);
+    CHECK(box() == Box2{{1, 1}, {5, 3}});
+}
+
+TEST_CASE("Arrays: copies are shown while the number is typed, and become the selection") {
+    Draughtsman driver;
+    driver.rectangle({0, 0}, {9, 9});
+    driver.rectangle({1, 4}, {2, 5});
+    driver.key('V');
+    driver.key('P', kControlShift);
+    driver.settle();
+    fill(driver, "dialog/polararray/count", "4");
+    CHECK(driver.document().shapes.size() == 5);
+    driver.click("dialog/polararray/ok");
+    driver.settle();
+    CHECK(driver.document().shapes.size() == 5);
+    CHECK(driver.context().selection.shapes == std::set<std::uint32_t>{3, 4, 5});
+    CHECK(driver.undoLabel() == "Polar array");
+    driver.key('Z', kControl);
+    CHECK(driver.document().shapes.size() == 2);
+    driver.clickPlace({1, 4.5});
+    driver.key('L', kControlShift);
+    driver.settle();
+    fill(driver, "dialog/lineararray/x", "2");
+    driver.click("dialog/lineararray/ok");
+    driver.settle();
+    REQUIRE(driver.document().shapes.size() == 4);
+    CHECK(boundsOf(*driver.document().shapes[3]) == Box2{{5, 4}, {6, 5}});
+}
+
+TEST_CASE("Align: a submenu lines up the selected shapes; each entry is one undo step") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {2, 2});
+    driver.rectangle({4, 5}, {6, 6});
+    driver.key('A', kControl);
+    driver.click("menu/Shape");
+    driver.hover("menu/shape.arrange");
+    driver.frames(40); // the submenu opens after a moment
+    driver.click("menu/shape.arrange/shape.alignLeft");
+    CHECK(boundsOf(*driver.document().shapes[1]).min == Vec2{1, 5});
+    CHECK(driver.undoLabel() == "Align left");
+    CHECK_FALSE(driver.context().actions.find("shape.distributeX")->enabled(driver.context()));
+}
+
+TEST_CASE("Fillet, chamfer, offset: typed sizes show on the canvas; OK is one undo step") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('V');
+    driver.key('F', kControlShift);
+    driver.settle();
+    fill(driver, "dialog/fillet/size", "9");
+    CHECK(driver.has("dialog/fillet/fault"));
+    CHECK(driver.document().shapes[0]->kind == ShapeKind::Rectangle);
+    fill(driver, "dialog/fillet/size", "1");
+    CHECK_FALSE(driver.has("dialog/fillet/fault"));
+    driver.click("dialog/fillet/ok");
+    driver.settle();
+    CHECK(driver.document().shapes[0]->nodes.size() == 8);
+    CHECK(driver.undoLabel() == "Fillet");
+    driver.key('Z', kControl);
+    CHECK(driver.document().shapes[0]->kind == ShapeKind::Rectangle);
+    driver.clickPlace({9, 8}); // one node
+    driver.key('K', kControlShift);
+    driver.settle();
+    fill(driver, "dialog/chamfer/size", "2");
+    driver.key(key::kEnter);
+    driver.settle();
+    CHECK(areaOf(*driver.document().shapes[0]) == doctest::Approx(54.0));
+    driver.key('Z', kControl);
+    driver.key('A', kControl);
+    driver.key('O', kControlShift);
+    driver.settle();
+    fill(driver, "dialog/offset/size", "-1");
+    driver.click("dialog/offset/ok");
+    driver.settle();
+    REQUIRE(driver.document().shapes.size() == 2);
+    CHECK(areaOf(*driver.document().shapes[1]) == doctest::Approx(30.0));
+    CHECK(driver.context().selection.shapes == std::set<std::uint32_t>{2});
+}
+
+TEST_CASE("Clipboard: copy, paste beside the original, and cut") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {3, 2});
+    driver.key('V');
+    driver.key('C', kControl);
+    driver.key('V', kControl);
+    REQUIRE(driver.document().shapes.size() == 2);
+    CHECK(driver.document().shapes[1]->nodes != driver.document().shapes[0]->nodes);
+    CHECK(driver.context().selection.shapes == std::set<std::uint32_t>{2});
+    CHECK(driver.undoLabel() == "Paste");
+    driver.key('X', kControl);
+    CHECK(driver.document().shapes.size() == 1);
+    CHECK(driver.undoLabel() == "Cut");
+    driver.key('N', kControl); // another drawing, as in another window
+    driver.settle();
+    driver.click("dialog/unsaved/discard");
+    driver.settle();
+    REQUIRE(driver.document().shapes.empty());
+    driver.key('V', kControl);
+    driver.settle();
+    REQUIRE(driver.document().shapes.size() == 1);
+    CHECK(driver.document().shapes[0]->kind == ShapeKind::Rectangle);
+}
+
+TEST_CASE("Clipboard: two columns of a spreadsheet become a shape; other text is refused") {
+    Draughtsman driver;
+    driver.platform().setClipboard("1\t0\n0.5\t0.1\n0\t0\n0.5\t-0.1\n");
+    driver.key('V', kControl);
+    driver.settle();
+    REQUIRE(driver.document().shapes.size() == 1);
+    CHECK(driver.document().shapes[0]->nodes == std::vector<Vec2>{{1, 0}, {0.5, 0.1}, {0, 0}, {0.5, -0.1}});
+    driver.platform().setClipboard("nothing to draw");
+    driver.key('V', kControl);
+    CHECK(driver.document().shapes.size() == 1);
+    CHECK(driver.logHas("no-drawing"));
+}
+
+TEST_CASE("Slot: two centres and a radius, by clicks or typed") {
+    Draughtsman driver;
+    driver.key('U');
+    driver.clickPlace({2, 5});
+    driver.clickPlace({6, 5});
+    driver.moveToPlace({4, 6});
+    driver.type("1.5");
+    driver.key(key::kEnter);
+    REQUIRE(driver.document().shapes.size() == 1);
+    CHECK(boundsOf(*driver.document().shapes[0]).max.x == doctest::Approx(7.5));
+    CHECK(boundsOf(*driver.document().shapes[0]).min.y == doctest::Approx(3.5));
+    CHECK(driver.undoLabel() == "Draw slot");
+    driver.key('Z', kControl);
+    CHECK(driver.document().shapes.empty());
+}
+
+TEST_CASE("Measure: two clicks read distance and angle and leave the document alone") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {4, 5});
+    const std::uint64_t before = driver.context().document.revision();
+    driver.key('M');
+    driver.clickPlace({1, 1});
+    driver.clickPlace({4, 5});
+    const auto &tool = dynamic_cast<const MeasureTool &>(driver.context().tools.current());
+    CHECK(tool.reading() == "5   \xce\x94x 3   \xce\x94y 4   \xe2\x88\xa0 53.13\xc2\xb0");
+    CHECK(driver.context().document.revision() == before);
+    driver.clickPlace({1, 1}); // begins anew
+    driver.moveToPlace({1, 5});
+    CHECK(tool.reading().starts_with("4 "));
+    driver.key(key::kEscape);
+    CHECK(tool.reading().empty());
+}

@@ -1,0 +1,83 @@
+#include "ui/dialogs/clipboard_actions.hpp"
+
+#include "core/edit/insert_document.hpp"
+#include "core/edit/shape_commands.hpp"
+#include "core/edit/shape_geometry.hpp"
+#include "core/io/clipboard.hpp"
+#include "ui/parts/shell.hpp"
+#include "ui/workspace/edit_state.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace forefront {
+namespace {
+
+constexpr Modifiers kControl{Modifiers::kControl};
+
+bool canCopy(const Shell &context) {
+    const Selection &selection = context.selection;
+    return !selection.shapes.empty() || !selection.sources.empty() || !selection.markers.empty();
+}
+
+void copy(Shell &context) {
+    context.platform.setClipboard(clipboardText(*context.document.current(), context.selection));
+}
+
+/// Returns true if a shape of the drawing lies exactly where one of the document does.
+bool coincides(const Document &document, const Document &drawing) {
+    return std::any_of(drawing.shapes.begin(), drawing.shapes.end(), [&](const auto &fresh) {
+        return std::any_of(document.shapes.begin(), document.shapes.end(),
+                           [&](const auto &old) { return old->kind == fresh->kind && old->nodes == fresh->nodes; });
+    });
+}
+
+/// Inserts the drawing on the clipboard where it was copied, or a little beside it if it is still there.
+void paste(Shell &context) {
+    const Result<Document> drawing = readClipboard(context.platform.clipboard());
+    if (!drawing) {
+        context.log.add(drawing.faults());
+        return;
+    }
+    const Document &document = *context.document.current();
+    Selection added;
+    Result<Document> next = insertCopied(document, *drawing, &added);
+    if (coincides(document, *drawing)) {
+        const double step = 2.0 * gridPitch(EditState::reach(context, 1.0));
+        next = moveSelection(*next, added, {step, -step});
+    }
+    const bool first = document.shapes.empty();
+    if (EditState::apply(context, std::move(next), "Paste")) {
+        context.tools.choose("select", context);
+        context.selection = std::move(added);
+        if (first) {
+            context.actions.run("view.fit", context);
+        }
+    }
+}
+
+} // namespace
+
+void addClipboardActions(ActionRegistry &actions) {
+    actions.add({.id = "edit.cut",
+                 .menu = "Edit",
+                 .title = "Cut",
+                 .shortcuts = {{'X', kControl}},
+                 .run =
+                     [](Shell &c) {
+                         copy(c);
+                         c.document.apply(deleteSelection(*c.document.current(), c.selection), "Cut");
+                         c.selection.clear();
+                     },
+                 .enabled = canCopy,
+                 .separatorBefore = true});
+    actions.add({.id = "edit.copy",
+                 .menu = "Edit",
+                 .title = "Copy",
+                 .shortcuts = {{'C', kControl}},
+                 .run = copy,
+                 .enabled = canCopy});
+    actions.add({.id = "edit.paste", .menu = "Edit", .title = "Paste", .shortcuts = {{'V', kControl}}, .run = paste});
+}
+
+} // namespace forefront

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/edit/references.hpp"
+#include "ui/parts/preview_dialog.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace forefront {
+
+/// A question of an operation on the selection.
+struct OperationField {
+    enum class Kind : std::uint8_t { Number, Choice, Flag };
+    const char *id = "";
+    const char *label = "";
+    double value = 0.0; ///< proposed; index of a choice; 0 or 1 for a flag
+    const char *tooltip = "";
+    Kind kind = Kind::Number;
+    std::vector<const char *> choices{};
+};
+
+/// An operation on the selection that asks for numbers.
+struct Operation {
+    const char *id = "";    ///< its fields are the widgets "dialog/ID/FIELD"
+    const char *title = ""; ///< also the label of the edit
+    std::vector<OperationField> fields;
+    /// Returns the document after the operation; the values are those of the fields, in order. `made` may become the
+    /// new selection.
+    std::function<Result<Document>(const Document &, const Selection &, const std::vector<double> &, Selection *made)>
+        run;
+};
+
+/// Asks for the numbers of an operation and shows its result on the canvas meanwhile. Cancel leaves the document as it
+/// was; OK is one undo step.
+class OperationDialog final : public PreviewDialog {
+  public:
+    OperationDialog(Operation operation, Shell &context);
+
+    const char *id() const override { return operation_.id; }
+    std::string title() const override { return operation_.title; }
+    float width() const override { return 340.0F; }
+    void dismiss(Shell &context) override;
+    bool draw(Shell &context) override;
+
+  private:
+    bool drawField(Shell &context, std::size_t index);
+    void show(Shell &context);
+    void accept(Shell &context);
+    std::string widget(std::size_t index) const;
+
+    Operation operation_;
+    std::vector<double> values_;
+    std::shared_ptr<const Document> start_;
+    Selection selection_;
+    Selection made_;
+    std::string stroke_;
+    std::string fault_; ///< why there is no result
+};
+
+} // namespace forefront

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "ui/parts/dialog.hpp"
+
+namespace forefront {
+
+/// A dialog that shows on the canvas what it is about to do. It is placed in the upper left corner and does not dim the
+/// window.
+class PreviewDialog : public Dialog {
+  public:
+    /// Takes the preview back; called when Esc or the close button closes the dialog.
+    virtual void dismiss(Shell &context) = 0;
+};
+
+} // namespace forefront

@@ -1,0 +1,88 @@
+#include "ui/tools/slot_tool.hpp"
+
+#include "core/edit/shape_geometry.hpp"
+#include "core/edit/slot.hpp"
+#include "core/geometry/polygon.hpp"
+#include "ui/canvas/canvas_painter.hpp"
+#include "ui/parts/shell.hpp"
+#include "ui/tools/tool_options.hpp"
+#include "ui/widgets/widgets.hpp"
+
+#include <array>
+#include <utility>
+
+namespace forefront {
+
+const char *SlotTool::icon() const {
+    return "\xef\x88\x84"; // Font Awesome: toggle-off
+}
+
+std::span<const EntryField> SlotTool::entryFields() const {
+    static constexpr std::array kRadius{EntryField::Radius};
+    return centres_.size() == 2 ? std::span<const EntryField>(kRadius) : DrawingTool::entryFields();
+}
+
+double SlotTool::radiusTo(Vec2 at) const {
+    const double reach = distanceToSegment(centres_[0], centres_[1], at);
+    return entry_.value(EntryField::Radius).value_or(reach);
+}
+
+bool SlotTool::removeLast() {
+    if (centres_.empty()) {
+        return false;
+    }
+    centres_.pop_back();
+    return true;
+}
+
+void SlotTool::place(Vec2 at, Shell &context) {
+    if (centres_.size() < 2) {
+        if (centres_.empty() || at != centres_.front()) {
+            centres_.push_back(at);
+        }
+        return;
+    }
+    const double radius = radiusTo(at);
+    if (radius > 0.0 && commitShape(context, slotAround(centres_[0], centres_[1], radius), "Draw slot")) {
+        centres_.clear();
+    }
+}
+
+void SlotTool::drawSketch(CanvasPainter &painter, Shell &context) {
+    const Theme &theme = context.theme;
+    std::string measure;
+    if (centres_.size() == 1) {
+        painter.dashed(centres_[0], pointer_.at, fade(theme.selection, 0.6), 1.5);
+        measure = ui::number(distance(centres_[0], pointer_.at));
+    } else if (centres_.size() == 2) {
+        const double radius = radiusTo(pointer_.at);
+        painter.dashed(centres_[0], centres_[1], fade(theme.selection, 0.6), 1.0);
+        if (radius > 0.0) {
+            const Outline outline = outlineOf(slotAround(centres_[0], centres_[1], radius));
+            painter.polyline(flattened(outline, painter.curveTolerance()), true, theme.selection, 2.0);
+        }
+        measure = "r = " + ui::number(radius);
+    }
+    for (const Vec2 centre : centres_) {
+        painter.handle(centre, 3.0, theme.canvas, theme.selection);
+    }
+    drawMeasure(painter, context, measure);
+}
+
+void SlotTool::drawOptions(Shell &context, ui::Flow &flow) {
+    drawTagOption(context, flow, state_->boundaryTag, "Tag of the next boundary");
+    state_->drawSnapOptions(context, flow);
+}
+
+std::string SlotTool::statusText(const Shell &) const {
+    switch (centres_.size()) {
+    case 0:
+        return "Click the centre of one end, or type x, Tab, y. Inside another shape it becomes a hole";
+    case 1:
+        return "Click the centre of the other end, or type distance, Tab, angle";
+    default:
+        return "Click a point on the side, or type the radius. Backspace: remove the last centre";
+    }
+}
+
+} // namespace forefront
