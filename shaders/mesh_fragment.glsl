@@ -6,7 +6,7 @@ uniform vec4 face;        // of elements not coloured by a value
 uniform vec4 edge;
 uniform float edgeWidth;  // pixels, of the whole edge
 uniform int coloured;     // 1: by value and map
-uniform int part;         // that has values: 0 elements, 1 edges, 2 nodes
+uniform int part;         // that has values: 0 elements, 1 edges, 2 nodes, 3 nodes with contour lines between them
 uniform int cyclic;       // 1: the map repeats every eight values
 uniform sampler2D map;
 uniform vec2 range;       // values at the ends of the map
@@ -24,7 +24,15 @@ float valueHere() {
     if (part == 2) {
         return corner.x >= max(corner.y, corner.z) ? shades.x : corner.y >= corner.z ? shades.y : shades.z;
     }
-    return shades.x;
+    return part == 3 ? dot(corner, shades) : shades.x;
+}
+
+// The opacity of the contour lines, ten over the range of the map.
+float contourHere(float t) {
+    float at = 10.0 * t;
+    float width = fwidth(at);
+    float apart = abs(fract(at + 0.5) - 0.5) / max(width, 1e-6);
+    return part == 3 && width < 0.5 ? 0.75 * clamp(1.3 - apart, 0.0, 1.0) : 0.0;
 }
 
 void main() {
@@ -37,8 +45,10 @@ void main() {
     float height = 1.0 / max(max(rate.x, rate.y), rate.z);
     float line = mix(denseEdges, clamp(0.5 * edgeWidth + 0.5 - nearest, 0.0, 1.0), smoothstep(2.0, 9.0, height));
     float t = clamp((shade - range.x) / (range.y - range.x), 0.0, 1.0);
+    float contour = contourHere((shade - range.x) / (range.y - range.x));
     t = cyclic == 1 ? (mod(shade - 1.0, 8.0) + 0.5) / 8.0 : t;
     vec4 fill = coloured == 1 && known ? vec4(texture(map, vec2(t * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb, 1.0) : face;
+    fill.rgb = coloured == 1 && known ? mix(fill.rgb, vec3(0.04, 0.06, 0.09), contour) : fill.rgb;
     if (coloured == 1 && known && shade < badBelow) {
         float stripe = abs(fract((gl_FragCoord.x + gl_FragCoord.y) / 7.0) - 0.5) * 7.0;
         fill = mix(fill, vec4(hatch.rgb, 1.0), hatch.a * clamp(1.75 - stripe, 0.0, 1.0));

@@ -192,6 +192,40 @@ TEST_CASE("Judge: elements, edges and nodes have the colours of their values") {
     }
 }
 
+TEST_CASE("Judge: nodal values of a file are shown smoothly, with contour lines") {
+    JudgedSquare maker;
+    MeshFields made{maker.mesh(), {}};
+    for (const Vec2 place : made.mesh.nodes) {
+        made.fields["heat"].push_back(place.x);
+    }
+    Draughtsman driver;
+    driver.context().run.showFile(made);
+    driver.context().view.fit(made.mesh.bounds());
+    showLayer(driver.context().layers, "quality", true);
+    showLayer(driver.context().layers, "mesh", false);
+    driver.settle();
+    driver.click("panel/histogram");
+    chooseField(driver.context(), "heat");
+    driver.moveTo({5, 5});
+    driver.settle();
+    const Judgement &judgement = *driver.context().judgement;
+    REQUIRE(judgement.of.nodal);
+    CHECK(judgement.summary.minimum == 1.0);
+    CHECK(judgement.summary.maximum == 9.0);
+    CHECK(driver.has("canvas/legend/quality"));
+    const Driver::Picture picture = driver.picture();
+    for (int k = 0; k < 10; ++k) {
+        CAPTURE(k);
+        const double t = 0.1 * k + 0.05; // between two contour lines
+        CHECK(difference(colourAt(picture, driver.pixel({1.0 + 8.0 * t, 5.3})), viridis(t)) <= 8);
+        const Colour line = colourAt(picture, driver.pixel({1.0 + 8.0 * (0.1 * k + (k == 0 ? 0.1 : 0.0)), 5.3}));
+        CHECK(line.r + line.g + line.b < 330); // dark on any colour of the map
+    }
+    chooseMeasure(driver.context(), Measure::MinAngle);
+    driver.settle();
+    CHECK_FALSE(driver.context().judgement->of.nodal);
+}
+
 TEST_CASE("Judge: the histogram shows the chosen measure, and a bar isolates its parts") {
     JudgedSquare driver;
     driver.click("panel/histogram");

@@ -53,7 +53,8 @@ Diagnostics drawingFaults(const Mesh &mesh) {
 }
 
 /// Shows a mesh with its outline as a drawing without a file.
-void show(Shell &context, Mesh mesh, const std::filesystem::path &file) {
+void show(Shell &context, MeshFields read, const std::filesystem::path &file) {
+    const Mesh &mesh = read.mesh;
     Result<Domain> outline = domainOfMesh(mesh);
     if (!outline) {
         context.log.add(outline.faults());
@@ -64,9 +65,10 @@ void show(Shell &context, Mesh mesh, const std::filesystem::path &file) {
     context.examiner.abandon();
     context.view.isolatedBin.reset();
     context.view.measureRange.reset();
+    context.view.field.clear();
     context.view.fitPending = true;
     const std::size_t elements = mesh.elements.size();
-    context.run.showFile(std::move(mesh));
+    context.run.showFile(std::move(read));
     showLayer(context.layers, "quality", true);
     context.log.announce(file.filename().string() + ": " + ui::count(elements) +
                          " triangles, shown as they are in the file; press 2 to remesh the outline");
@@ -77,17 +79,17 @@ void show(Shell &context, Mesh mesh, const std::filesystem::path &file) {
 
 Diagnostics openMesh(Shell &context, const std::filesystem::path &file) {
     const auto notes = std::make_shared<ImportNotes>();
-    Result<Mesh> mesh = readMesh(file, {}, notes.get());
+    Result<MeshFields> mesh = readFields(file, {}, notes.get());
     if (!mesh) {
         return mesh.faults();
     }
-    if (Diagnostics faults = drawingFaults(*mesh); !faults.empty()) {
+    if (Diagnostics faults = drawingFaults(mesh->mesh); !faults.empty()) {
         for (Diagnostic &fault : faults) {
             fault.file = file.string();
         }
         return faults;
     }
-    const auto read = std::make_shared<Mesh>(std::move(*mesh));
+    const auto read = std::make_shared<MeshFields>(std::move(*mesh));
     afterUnsaved(context, [file, read, notes](Shell &c) {
         show(c, std::move(*read), file);
         c.log.add(notes->diagnostics());

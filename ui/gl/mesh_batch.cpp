@@ -217,6 +217,7 @@ void MeshBatch::update(const std::shared_ptr<const MeshView> &view, bool atRest,
     shown_ = view;
     valuesVersion_ = version;
     part_ = values != nullptr ? values->part : MeshPart::Elements;
+    smooth_ = values != nullptr && values->smooth;
     logarithmic_ = values != nullptr && values->logarithmic;
 }
 
@@ -237,7 +238,7 @@ void MeshBatch::draw(const GlKit &gl, const Camera &camera, const MeshStyle &sty
     };
     program.set("coloured", style.map != nullptr ? 1 : 0);
     program.set("cyclic", style.cyclic ? 1 : 0);
-    program.set("part", static_cast<int>(part_));
+    program.set("part", smooth_ ? 3 : static_cast<int>(part_));
     program.set("range", glm::vec2(scaled(style.range.from), scaled(style.range.to)));
     program.set("denseEdges", static_cast<float>(style.denseEdges));
     program.set("badBelow", static_cast<float>(style.badBelow));

@@ -23,6 +23,7 @@ struct MeshValues {
     MeshPart part = MeshPart::Elements;
     std::span<const double> values;
     const MeshEdges *edges = nullptr; ///< of the mesh, for values of edges
+    bool smooth = false;              ///< values of nodes are interpolated, with contour lines
     bool logarithmic = false;         ///< the map shows the logarithms of the values
     /// Identifies the values, which are uploaded again when it changes.
     std::uint64_t version = 0;
@@ -85,7 +86,7 @@ class MeshBatch {
     std::vector<std::uint32_t> order_; ///< elements in the order of the buffers; empty: their own
     std::uint64_t valuesVersion_ = 0;
     MeshPart part_ = MeshPart::Elements;
-    bool logarithmic_ = false;
+    bool logarithmic_ = false, smooth_ = false;
     std::size_t uploaded_ = 0; ///< elements
     std::size_t capacity_ = 0; ///< elements that fit into the buffers
     std::size_t sent_ = 0;

@@ -43,6 +43,7 @@ std::uint64_t versionOf(const LayerFrame &frame) {
     hash.add(static_cast<std::uint64_t>(frame.judgement.of.measure));
     hash.add(reinterpret_cast<std::uintptr_t>(frame.judgement.of.spacing.get()));
     hash.add(static_cast<std::uint64_t>(frame.judgement.values.size()));
+    hash.add(reinterpret_cast<std::uintptr_t>(frame.judgement.of.nodal.get()));
     hash.add(frame.measureRange.from);
     hash.add(frame.measureRange.to);
     return hash.value();
@@ -89,15 +90,17 @@ class ElementPainter {
   private:
     static MeshValues valuesOf(const LayerFrame &frame) {
         const Judgement &judgement = frame.judgement;
-        const MeasureInfo &info = infoOf(judgement.of.measure);
+        const MeasureInfo &info = judgement.info;
         Hash64 version;
         version.add(judgement.of.mesh ? judgement.of.mesh->version : 0);
         version.add(static_cast<std::uint64_t>(judgement.of.measure));
         version.add(reinterpret_cast<std::uintptr_t>(judgement.of.spacing.get()));
         version.add(static_cast<std::uint64_t>(judgement.values.size()));
+        version.add(reinterpret_cast<std::uintptr_t>(judgement.of.nodal.get()));
         return {.part = info.part,
                 .values = judgement.values,
                 .edges = judgement.edges.get(),
+                .smooth = judgement.of.nodal != nullptr,
                 .logarithmic = info.logarithmic,
                 .version = version.value()};
     }
@@ -161,11 +164,11 @@ class QualityLayer final : public Layer {
     bool hasLegend() const override { return true; }
     bool drawLegend(CanvasPainter &painter, const LayerFrame &frame, Pixel corner) override {
         const Measure measure = frame.judgement.of.measure;
-        const MeasureInfo &info = infoOf(measure);
+        const MeasureInfo &info = frame.judgement.info;
         if (frame.judgement.summary.count == 0) {
             return false;
         }
-        std::string title = info.name;
+        std::string title = frame.judgement.name;
         double hatched = 0.0;
         if (measure == Measure::ShapeFactor) {
             title = "shape factor \xce\xb1  (hatched: below 0.5)";

@@ -8,8 +8,8 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <vector>
 
 namespace forefront {
 
@@ -35,8 +35,7 @@ class HistogramPanel final : public Panel {
         }
         drawChoice(context);
         if (judgement->summary.count == 0) {
-            ui::small(context, "This measure compares the mesh with the node spacing \xcf\x81, but there is none.",
-                      true);
+            ui::small(context, noneText(*judgement), true);
             ui::mark(context, "histogram/none");
             return;
         }
@@ -52,29 +51,47 @@ class HistogramPanel final : public Panel {
     }
 
   private:
-    static void drawChoice(Workspace &context) {
-        static const auto labels = [] {
-            std::array<const char *, wordsOf<Measure>().size()> list{};
-            std::ranges::transform(valuesOf<Measure>(), list.begin(), [](Measure m) { return infoOf(m).name; });
-            return list;
-        }();
-        int choice = static_cast<int>(context.view.measure);
-        if (ui::combo(context, "histogram/measure", labels, choice, 118.0F)) {
-            chooseMeasure(context, static_cast<Measure>(choice));
+    /// Returns why there are no values.
+    static const char *noneText(const Judgement &judgement) {
+        if (judgement.of.nodal) {
+            return "The nodes have no values.";
         }
-        ui::tooltip(context, std::string(infoOf(context.view.measure).meaning) +
-                                 "\nThe Quality layer shows this measure in colour");
+        return judgement.of.measure == Measure::Across
+                   ? "No parts of the boundary face each other."
+                   : "This measure compares the mesh with the node spacing \xcf\x81, but there is none.";
+    }
+
+    static void drawChoice(Workspace &context) {
+        std::vector<const char *> labels;
+        for (const Measure measure : valuesOf<Measure>()) {
+            labels.push_back(infoOf(measure).name);
+        }
+        int choice = static_cast<int>(context.view.measure);
+        const std::shared_ptr<const NamedFields> fields = context.run.fields();
+        if (fields) {
+            for (const auto &[name, values] : *fields) {
+                choice = name == context.view.field ? static_cast<int>(labels.size()) : choice;
+                labels.push_back(name.c_str());
+            }
+        }
+        if (ui::combo(context, "histogram/measure", labels, choice, 118.0F)) {
+            constexpr auto kMeasures = static_cast<int>(wordsOf<Measure>().size());
+            choice < kMeasures ? chooseMeasure(context, static_cast<Measure>(choice))
+                               : chooseField(context, labels[static_cast<std::size_t>(choice)]);
+        }
+        ui::tooltip(context, (context.view.field.empty() ? std::string(infoOf(context.view.measure).meaning)
+                                                         : "Nodal values of the file") +
+                                 "\nThe Quality layer shows it in colour");
     }
 
     static void drawSummary(Workspace &context, const Judgement &judgement) {
-        const Measure measure = judgement.of.measure;
         const MeasureSummary &summary = judgement.summary;
         constexpr int kDigits = 3; // so that the line fits into the panel
-        const auto text = [measure](double value) { return measureText(measure, value, kDigits); };
+        const auto text = [&judgement](double value) { return valueText(judgement, value, kDigits); };
         const std::optional<int> bin = context.view.isolatedBin;
         if (bin && static_cast<std::size_t>(*bin) < judgement.histogram.bins.size()) {
             const auto k = static_cast<std::size_t>(*bin);
-            const std::string range = std::string("only ") + infoOf(measure).symbol + ' ' +
+            const std::string range = std::string("only ") + judgement.info.symbol + ' ' +
                                       ui::number(judgement.histogram.edge(k)) + "\xe2\x80\x93" +
                                       ui::number(judgement.histogram.edge(k + 1));
             if (ui::badge(context, "histogram/all", range + "   " + icon::kCross, context.theme.accent)) {
@@ -85,8 +102,8 @@ class HistogramPanel final : public Panel {
         ui::small(context, "min " + text(summary.minimum) + "   median " + text(summary.percentiles[3]) + "   mean " +
                                ui::number(summary.mean, kDigits) + "   max " + text(summary.maximum));
         ui::mark(context, "histogram/summary");
-        std::string percentiles = std::string(infoOf(measure).name) + " of " + ui::count(summary.count) + ' ' +
-                                  std::string(wordOf(infoOf(measure).part)) + (summary.count == 1 ? "" : "s");
+        std::string percentiles = judgement.name + " of " + ui::count(summary.count) + ' ' +
+                                  std::string(wordOf(judgement.info.part)) + (summary.count == 1 ? "" : "s");
         for (std::size_t i = 0; i < kPercentiles.size(); ++i) {
             percentiles += ui::format("\n%d %% are below ", kPercentiles[i]) + text(summary.percentiles[i]);
         }
@@ -111,14 +128,14 @@ class HistogramPanel final : public Panel {
             context.animate();
         }
         ui::tooltip(context, "Fit the colours to the mesh");
-        const MeasureInfo &info = infoOf(judgement.of.measure);
+        const MeasureInfo &info = judgement.info;
         const bool possible = range.from < range.to && range.from >= info.minimum && range.to <= info.maximum &&
                               (!info.logarithmic || range.from > 0.0);
         if ((from || to) && !possible) {
             context.log.add(Diagnostic{.severity = Severity::Warning,
                                        .code = "bad-range",
                                        .message = "colour range " + ui::number(range.from) + " to " +
-                                                  ui::number(range.to) + " is not a range of " + info.name,
+                                                  ui::number(range.to) + " is not a range of " + judgement.name,
                                        .advice = "enter two numbers in increasing order"});
         } else if (from || to) {
             context.view.measureRange = range;
@@ -175,7 +192,7 @@ class HistogramPanel final : public Panel {
 
     static std::string barText(const Judgement &judgement, std::size_t bin) {
         const MeasureHistogram &bins = judgement.histogram;
-        const MeasureInfo &info = infoOf(judgement.of.measure);
+        const MeasureInfo &info = judgement.info;
         const std::uint64_t count = bins.bins[bin];
         return std::string(info.symbol) + ' ' + ui::number(bins.edge(bin)) + "\xe2\x80\x93" +
                ui::number(bins.edge(bin + 1)) + info.unit + ": " + ui::count(count) + ' ' +

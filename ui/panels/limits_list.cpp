@@ -57,7 +57,7 @@ void drawPlaces(Shell &context, const LimitVerdict &verdict, const std::string &
 }
 
 void drawVerdict(Shell &context, const LimitVerdict &verdict, const std::string &name) {
-    if (verdict.judged == 0) {
+    if (verdict.judged == 0 && !verdict.met()) {
         drawIcon(icon::kHelp, context.theme.muted);
     } else {
         drawIcon(verdict.met() ? icon::kCheck : icon::kError, verdict.met() ? context.theme.good : context.theme.bad);

@@ -52,10 +52,9 @@ class ProbePanel final : public Panel {
         const std::size_t count = judgement.worst.size();
         const std::optional<std::size_t> rank = context.probe.rank;
         ImGui::AlignTextToFramePadding();
-        ui::small(context,
-                  count == 0 ? std::string(infoOf(judgement.of.measure).name) + ": nothing to rank"
-                  : rank ? ui::format("%zu of the %zu worst: %s", *rank + 1, count, infoOf(judgement.of.measure).name)
-                         : ui::format("The %zu worst: %s", count, infoOf(judgement.of.measure).name));
+        ui::small(context, count == 0 ? judgement.name + ": nothing to rank"
+                           : rank     ? ui::format("%zu of the %zu worst: %s", *rank + 1, count, judgement.name.c_str())
+                                      : ui::format("The %zu worst: %s", count, judgement.name.c_str()));
         ui::mark(context, "probe/rank");
         ui::tooltip(context, "Choose the measure in the Histogram panel");
         ImGui::SameLine(ImGui::GetContentRegionMax().x - context.px(62));

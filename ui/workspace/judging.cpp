@@ -11,6 +11,13 @@
 
 namespace forefront {
 
+namespace {
+
+/// The measure whose colours and linear scale nodal values use; it has no good or bad end.
+constexpr Measure kFieldScale = Measure::Birth;
+
+} // namespace
+
 JudgeRequest judgeRequest(const Workspace &context) {
     const SessionSnapshot &shown = context.run.now();
     JudgeRequest request;
@@ -20,6 +27,14 @@ JudgeRequest judgeRequest(const Workspace &context) {
     // A mesh opened from a file is compared with the spacing of the drawing.
     request.spacing = shown.spacing || !context.run.showsFile() ? shown.spacing : context.preview->spacing;
     request.measure = context.view.measure;
+    if (const auto fields = context.run.fields(); fields && !context.view.field.empty()) {
+        const auto field = fields->find(context.view.field);
+        if (field != fields->end()) {
+            request.measure = kFieldScale;
+            request.field = field->first;
+            request.nodal = {fields, &field->second};
+        }
+    }
     request.limits = context.document.current()->limits;
     request.verify = context.run.showsFile();
     request.parts = context.probe.active || context.probe.chosen.has_value();
@@ -28,18 +43,32 @@ JudgeRequest judgeRequest(const Workspace &context) {
 
 ColourRange measureRange(const Workspace &context) {
     const Judgement &judgement = *context.judgement;
-    const bool current = judgement.of.measure == context.view.measure;
+    const bool current = judgement.of.field.empty() ? judgement.of.measure == context.view.measure
+                                                    : judgement.of.field == context.view.field;
     return current && context.view.measureRange ? *context.view.measureRange : judgement.fitted;
 }
 
 void chooseMeasure(Workspace &context, Measure measure) {
-    if (context.view.measure != measure) {
+    if (context.view.measure != measure || !context.view.field.empty()) {
         context.view.measure = measure;
+        context.view.field.clear();
         context.view.measureRange.reset();
         context.view.isolatedBin.reset();
         context.probe.rank.reset();
         context.animate();
     }
+}
+
+void chooseField(Workspace &context, const std::string &name) {
+    context.view.field = name;
+    context.view.measureRange.reset();
+    context.view.isolatedBin.reset();
+    context.probe.rank.reset();
+    context.animate();
+}
+
+std::string valueText(const Judgement &judgement, double value, int digits) {
+    return judgement.of.nodal ? ui::number(value, digits) : measureText(judgement.of.measure, value, digits);
 }
 
 void goToPart(Workspace &context, const MeshPick &pick) {
@@ -165,7 +194,8 @@ std::string measureText(Measure measure, double value, int digits) {
     if (std::isnan(value)) {
         return "none";
     }
-    const bool whole = measure == Measure::Region || measure == Measure::Birth || measure == Measure::Valence;
+    const bool whole = measure == Measure::Region || measure == Measure::Birth || measure == Measure::Valence ||
+                       measure == Measure::Across;
     return whole ? ui::format("%.0f", value) : ui::number(value, digits) + infoOf(measure).unit;
 }
 

@@ -3,6 +3,9 @@
 #include "core/mesh/verify.hpp"
 #include "ui/style/measure_colours.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace forefront {
@@ -24,11 +27,33 @@ BoxTree treeOf(const Mesh &mesh) {
     return BoxTree(boxes);
 }
 
+/// Summarises the nodal values on a linear scale from their minimum to their maximum.
+void showNodal(Judgement &judgement) {
+    constexpr std::size_t kBins = 40;
+    judgement.name = judgement.of.field;
+    judgement.info.part = MeshPart::Nodes;
+    judgement.info.symbol = "value";
+    judgement.info.minimum = -std::numeric_limits<double>::infinity();
+    judgement.values = *judgement.of.nodal;
+    const MeasureSummary summary = summarise(judgement.values);
+    judgement.summary = summary;
+    const double least = 1e-9 * std::max(std::abs(summary.minimum), std::abs(summary.maximum));
+    const double to = std::max(summary.maximum, summary.minimum + std::max(least, 1e-300));
+    judgement.fitted = {summary.minimum, to};
+    judgement.histogram = histogramOf(judgement.values, summary.minimum, to, false, kBins);
+}
+
 /// Measures the values; `judgement` has its edges.
 void measureInto(Judgement &judgement) {
     static const MeshEdges kNoEdges;
     const JudgeRequest &of = judgement.of;
     const MeshEdges &edges = judgement.edges ? *judgement.edges : kNoEdges;
+    judgement.name = infoOf(of.measure).name;
+    judgement.info = infoOf(of.measure);
+    if (of.nodal) {
+        showNodal(judgement);
+        return;
+    }
     judgement.values = measureValues(of.measure, of.mesh->mesh, edges, of.spacing.get());
     judgement.summary = summarise(judgement.values);
     judgement.histogram = shownHistogram(of.measure, judgement.values, judgement.summary);

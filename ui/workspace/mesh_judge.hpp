@@ -13,6 +13,7 @@
 #include <mutex>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -20,9 +21,11 @@ namespace forefront {
 
 /// A request to evaluate a mesh.
 struct JudgeRequest {
-    std::shared_ptr<const MeshView> mesh;        ///< null: nothing to evaluate
-    std::shared_ptr<const SpacingField> spacing; ///< may be null
-    Measure measure = Measure::ShapeFactor;      ///< whose values are computed
+    std::shared_ptr<const MeshView> mesh;             ///< null: nothing to evaluate
+    std::shared_ptr<const SpacingField> spacing;      ///< may be null
+    Measure measure = Measure::ShapeFactor;           ///< whose values are computed
+    std::string field;                                ///< name of `nodal`; empty: none
+    std::shared_ptr<const std::vector<double>> nodal; ///< nodal values to show instead; null: none
     MeshLimits limits;
     bool verify = false; ///< also find the faults of the mesh
     bool parts = false;  ///< also prepare to find the parts at a place
@@ -35,8 +38,10 @@ struct Judgement {
     JudgeRequest of;
     /// Edges of the mesh; null if the request does not need them.
     std::shared_ptr<const MeshEdges> edges;
-    std::shared_ptr<const BoxTree> tree; ///< over the boxes of the elements; null unless `parts`
-    std::vector<double> values;          ///< of the measure
+    std::shared_ptr<const BoxTree> tree;             ///< over the boxes of the elements; null unless `parts`
+    std::vector<double> values;                      ///< of the measure
+    std::string name;                                ///< of the measure or the nodal values
+    MeasureInfo info = infoOf(Measure::ShapeFactor); ///< of the measure, or of nodal values
     MeasureSummary summary;
     MeasureHistogram histogram;       ///< over all values
     ColourRange fitted;               ///< range of the colours that shows the differences within the mesh

@@ -84,11 +84,15 @@ class PartReader {
         for (const MeshEdge &edge : judgement_.edges->edges) {
             boundary = boundary || (edge.elements[1] == kNoElement && (edge.a == id || edge.b == id));
         }
-        return {{"Node", std::to_string(number)},
-                {"Position", placeText(at(id))},
-                {"Valence", std::to_string(valence)},
-                {"Elements", elements},
-                {"Location", boundary ? "on the boundary" : "inside"}};
+        Rows rows{{"Node", std::to_string(number)},
+                  {"Position", placeText(at(id))},
+                  {"Valence", std::to_string(valence)},
+                  {"Elements", elements},
+                  {"Location", boundary ? "on the boundary" : "inside"}};
+        if (judgement_.of.nodal) {
+            rows.emplace_back(judgement_.name, ui::number(judgement_.values[number], 6));
+        }
+        return rows;
     }
 
   private:

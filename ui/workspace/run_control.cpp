@@ -155,8 +155,11 @@ void RunControl::want(SnapshotLayers layers) {
     session_.want(layers);
 }
 
-void RunControl::showFile(Mesh mesh) {
+void RunControl::showFile(MeshFields read) {
     clear();
+    Mesh &mesh = read.mesh;
+    std::erase_if(read.fields, [&](const auto &field) { return field.second.size() != mesh.nodes.size(); });
+    fields_ = read.fields.empty() ? nullptr : std::make_shared<const NamedFields>(std::move(read.fields));
     auto view = std::make_shared<MeshView>();
     view->alpha = shapeFactors(mesh);
     view->version = (std::uint64_t{1} << 63) + ++openedCount_; // unlike those of runs
@@ -172,6 +175,7 @@ void RunControl::showFile(Mesh mesh) {
 
 void RunControl::start(StartMode mode, Extent extent) {
     opened_.reset();
+    fields_.reset();
     cancelling_ = false;
     const std::shared_ptr<const Document> document = document_.current();
     auto job = std::make_shared<MeshingJob>();
@@ -260,6 +264,7 @@ void RunControl::cancel() {
 void RunControl::clear() {
     session_.clear();
     opened_.reset();
+    fields_.reset();
     started_ = cancelling_ = false;
     liveResult_.reset();
 }

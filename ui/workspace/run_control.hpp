@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/io/common/mesh_field.hpp"
 #include "core/mesher/options.hpp"
 #include "core/session/meshing_session.hpp"
 
@@ -44,8 +45,10 @@ class RunControl {
     /// Returns the snapshot of this frame; it does not change within a frame.
     const SessionSnapshot &now() const { return *snapshot(); }
     const std::shared_ptr<const SessionSnapshot> &snapshot() const { return opened_ ? opened_ : snapshot_; }
-    /// Shows a mesh that was read from a file until a run starts.
-    void showFile(Mesh mesh);
+    /// Shows a mesh that was read from a file, with its nodal values, until a run starts.
+    void showFile(MeshFields read);
+    /// Returns the nodal values of the mesh shown, one for each of its nodes; null if there are none.
+    std::shared_ptr<const NamedFields> fields() const { return opened_ ? fields_ : nullptr; }
     /// Returns true if the mesh shown was read from a file.
     bool showsFile() const { return opened_ != nullptr; }
     void want(SnapshotLayers layers);
@@ -112,6 +115,7 @@ class RunControl {
     Breakpoints breakpoints_;
     std::shared_ptr<const SessionSnapshot> snapshot_;
     std::shared_ptr<const SessionSnapshot> opened_; ///< mesh of a file; null: the run's mesh is shown
+    std::shared_ptr<const NamedFields> fields_;     ///< nodal values of that mesh; null: none
     std::uint64_t openedCount_ = 0;
     /// The document revision and options that a run was started with.
     struct Start {

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 
 namespace forefront {
 
@@ -41,6 +42,7 @@ struct View {
     TraceMode traceMode = TraceMode::Birth;
     bool runPlot = false;                    ///< show the curves of the run above the timeline
     Measure measure = Measure::ShapeFactor;  ///< that the histogram shows and the layer "quality" colours by
+    std::string field;                       ///< nodal values shown instead of the measure; empty: none
     std::optional<int> isolatedBin;          ///< bin of the histogram whose parts are shown alone
     std::optional<ColourRange> measureRange; ///< of the colours of the measure; not set: it fits the mesh
 
