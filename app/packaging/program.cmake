@@ -2,7 +2,8 @@
 # itself, so the installed tree can be moved.
 install(TARGETS forefront RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 if(TARGET forefront_ui)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/samples DESTINATION ${CMAKE_INSTALL_DATADIR}/forefront/assets)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/samples ${PROJECT_SOURCE_DIR}/assets/lessons
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/forefront/assets)
   install(FILES ${CMAKE_CURRENT_LIST_DIR}/forefront.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
   install(FILES ${CMAKE_CURRENT_LIST_DIR}/forefront.svg
           DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)

@@ -23,8 +23,10 @@ void collectSettings(Shell &context) {
     Settings &settings = context.settings;
     settings.layers.clear();
     for (const LayerSlot &slot : context.layers) {
-        if (slot.visible != slot.layer->visibleAtStart()) {
-            settings.layers[slot.layer->id()] = slot.visible;
+        const bool visible =
+            context.lessons.open ? context.lessons.open->layersBefore.at(slot.layer->id()) : slot.visible;
+        if (visible != slot.layer->visibleAtStart()) {
+            settings.layers[slot.layer->id()] = visible;
         }
     }
     settings.panels = context.view.panels;

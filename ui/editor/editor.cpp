@@ -271,7 +271,7 @@ void Editor::Parts::takeResults(bool cancels) {
         }
     }
     wanted.mesh = true; // the panels show its figures
-    wanted.explanation = wanted.explanation || context.view.following;
+    wanted.explanation = wanted.explanation || context.view.following || context.lessons.open;
     context.run.want(wanted);
     const auto before = context.run.snapshot();
     if (newsDue() && !cancels) {
@@ -362,6 +362,7 @@ void Editor::Parts::buildInterface() {
     ui::markRect(context, "canvas", layout.canvas);
     shell::drawMenuBar(context, layout.menu);
     shell::drawToolStrip(context, layout.tools);
+    shell::drawLessons(context, layout.lessons);
     shell::drawColumn(context, layout.column);
     shell::drawTimeline(context, layout.timeline);
     shell::drawStatusBar(context, layout.status);

@@ -74,6 +74,21 @@ void readMaps(const Json &json, Settings &settings) {
             settings.layers[layer] = visible.get<bool>();
         }
     });
+    forMembers(json, "lessons", [&](const std::string &lesson, const Json &progress) {
+        if (!progress.is_object()) {
+            return;
+        }
+        LessonProgress &to = settings.lessons[lesson];
+        to.page = static_cast<std::size_t>(numberIn(progress, "page", 0.0, 0.0, 1000.0));
+        const auto answered = progress.find("answered");
+        if (answered != progress.end() && answered->is_array()) {
+            for (const Json &page : *answered) {
+                if (page.is_number_unsigned() && page.get<std::uint64_t>() < 1000) {
+                    to.answered.insert(page.get<std::size_t>());
+                }
+            }
+        }
+    });
     forMembers(json, "views", [&](const std::string &file, const Json &view) {
         const bool numbers = view.is_array() && view.size() == 3 &&
                              std::all_of(view.begin(), view.end(), [](const Json &n) { return n.is_number(); });
@@ -146,6 +161,9 @@ void saveSettings(const std::filesystem::path &file, const Settings &settings) {
               {"recentFiles", settings.recentFiles}};
     for (const auto &[name, view] : settings.views) {
         json["views"][name] = {view.centre.x, view.centre.y, view.zoom};
+    }
+    for (const auto &[name, progress] : settings.lessons) {
+        json["lessons"][name] = {{"page", progress.page}, {"answered", progress.answered}};
     }
     if (settings.window) {
         const WindowPlace &place = *settings.window;

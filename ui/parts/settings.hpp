@@ -7,9 +7,11 @@
 #include "ui/style/theme.hpp"
 #include "ui/workspace/snapping.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,13 @@ struct SavedView {
     Vec2 centre;
     double zoom = 1.0; ///< pixels per unit
     friend bool operator==(const SavedView &, const SavedView &) = default;
+};
+
+/// How far a lesson has been read.
+struct LessonProgress {
+    std::size_t page = 0;
+    std::set<std::size_t> answered; ///< pages whose question was answered
+    friend bool operator==(const LessonProgress &, const LessonProgress &) = default;
 };
 
 /// The settings that the program saves between runs.
@@ -42,6 +51,7 @@ struct Settings {
     ImproveLevel newImprove = ImproveLevel::Default;
     /// Shortcuts that the user changed, by id of the action; an empty text means none.
     std::map<std::string, std::string> keys;
+    std::map<std::string, LessonProgress> lessons; ///< by id of the lesson
     friend bool operator==(const Settings &, const Settings &) = default;
 };
 

@@ -6,6 +6,7 @@
 #include "ui/parts/panel.hpp"
 #include "ui/parts/settings.hpp"
 #include "ui/parts/tool.hpp"
+#include "ui/workspace/lesson_room.hpp"
 #include "ui/workspace/workspace.hpp"
 
 #include <cstddef>
@@ -32,6 +33,7 @@ struct Shell : Workspace {
     ToolBox tools;
     std::vector<LayerSlot> layers;
     std::vector<std::unique_ptr<Panel>> panels;
+    LessonRoom lessons;
     bool quit = false;           ///< end the program after this frame
     bool closeRequested = false; ///< the user closed the window; "file.quit" decides
 

@@ -1,5 +1,6 @@
 #include "ui/platform/assets.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 
@@ -28,6 +29,18 @@ fs::path assetFolder() {
         }
     }
     return {};
+}
+
+std::vector<fs::path> lessonFiles() {
+    std::vector<fs::path> found;
+    std::error_code ignored;
+    for (const auto &entry : fs::directory_iterator(assetFolder() / "lessons", ignored)) {
+        if (entry.path().extension() == ".json") {
+            found.push_back(entry.path());
+        }
+    }
+    std::sort(found.begin(), found.end());
+    return found;
 }
 
 std::vector<Sample> samples() {

@@ -10,6 +10,9 @@ namespace forefront {
 /// or one above it; else where the program was configured to be installed. Empty if none of them exists.
 std::filesystem::path assetFolder();
 
+/// Returns the files of the lessons that come with the program, by name.
+std::vector<std::filesystem::path> lessonFiles();
+
 struct Sample {
     std::string title;
     std::string about; ///< what it shows, in a few words

@@ -12,6 +12,7 @@ namespace forefront::shell {
 namespace {
 
 constexpr double kMenuHeight = 34, kTimelineHeight = 78, kStatusHeight = 27;
+constexpr double kLessonWidth = 330;
 constexpr double kMinColumn = 250; ///< fields of a narrower column are unreadable
 
 } // namespace
@@ -34,8 +35,11 @@ Layout layOut(const Shell &context) {
         context.view.panels ? std::min({px(context.settings.panelWidth), widest, std::max(0.0, 0.6 * (width - tools))})
                             : 0.0;
     layout.tools = {0, top, tools, middle};
+    const double lessons =
+        context.lessons.visible ? std::min(px(kLessonWidth), std::max(0.0, 0.5 * (width - tools - column))) : 0.0;
+    layout.lessons = {tools, top, lessons, middle};
     layout.column = {width - column, top, column, middle};
-    layout.canvas = {tools, top, std::max(1.0, width - tools - column), std::max(1.0, middle)};
+    layout.canvas = {tools + lessons, top, std::max(1.0, width - tools - lessons - column), std::max(1.0, middle)};
     return layout;
 }
 

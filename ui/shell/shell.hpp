@@ -6,10 +6,12 @@ namespace forefront::shell {
 
 /// Registers the actions of tools, view, run and help.
 void addShellActions(ActionRegistry &actions);
+/// Registers the actions of lessons.
+void addLessonActions(ActionRegistry &actions);
 
 /// The rectangles of the main window in this frame, in pixels.
 struct Layout {
-    PixelRect menu, tools, canvas, column, timeline, status;
+    PixelRect menu, tools, lessons, canvas, column, timeline, status;
 };
 Layout layOut(const Shell &context);
 
@@ -39,6 +41,8 @@ void drawMenuBar(Shell &context, const PixelRect &rect);
 void drawToolStrip(Shell &context, const PixelRect &rect);
 void drawToolOptions(Shell &context, const PixelRect &canvas);
 void drawColumn(Shell &context, const PixelRect &rect);
+/// Draws the lessons, or the page of the open one, and outlines the widgets that it points to.
+void drawLessons(Shell &context, const PixelRect &rect);
 void drawTimeline(Shell &context, const PixelRect &rect);
 void drawStatusBar(Shell &context, const PixelRect &rect);
 /// Draws the hint strip, the out-of-date badge, the progress and the newest message over the canvas.

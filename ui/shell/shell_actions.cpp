@@ -266,6 +266,7 @@ void shell::addShellActions(ActionRegistry &actions) {
     addRunActions(actions);
     addTimelineActions(actions);
     addPlaceActions(actions);
+    shell::addLessonActions(actions);
     addHelpActions(actions);
 }
 

@@ -1,0 +1,248 @@
+#include "ui/lessons/lesson_player.hpp"
+
+#include "core/io/files.hpp"
+#include "ui/dialogs/file_commands.hpp"
+#include "ui/parts/shell.hpp"
+#include "ui/platform/assets.hpp"
+#include "ui/widgets/number_text.hpp"
+#include "ui/workspace/moment.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace forefront {
+
+namespace {
+
+/// Files beyond this size are no lessons.
+constexpr std::size_t kMaxBytes = std::size_t{4} << 20U;
+
+void rememberProgress(Shell &context) {
+    const OpenLesson &open = *context.lessons.open;
+    LessonProgress &progress = context.settings.lessons[open.entry.id];
+    progress.page = open.page;
+    if (open.reply == OpenLesson::Reply::Right) {
+        progress.answered.insert(open.page);
+    }
+}
+
+void showPosition(Shell &context, const LessonPosition &position) {
+    context.view.isolatedBin.reset();
+    if (position.atEnd) {
+        context.run.mesh();
+        return;
+    }
+    context.run.seek(position.advance);
+    if (position.events > 0) {
+        context.run.step(Granularity::Event, position.events);
+    }
+}
+
+void showDocumentOf(Shell &context, OpenLesson &open) {
+    const std::shared_ptr<const Document> document = documentOf(open.now());
+    const bool untouched = open.document == open.now().document && open.revision == context.document.revision() &&
+                           document->options == context.document.current()->options;
+    if (!untouched) {
+        rememberView(context);
+        context.document.load(*document, {}, false, open.entry.lesson->title);
+        context.run.clear();
+        context.examiner.abandon();
+        context.selection.clear();
+    }
+    open.document = open.now().document;
+    open.revision = context.document.revision();
+}
+
+void showLayers(Shell &context, const std::vector<std::string> &visible) {
+    for (const LayerSlot &slot : context.layers) {
+        const bool listed = std::find(visible.begin(), visible.end(), slot.layer->id()) != visible.end();
+        showLayer(context.layers, slot.layer->id(), listed);
+    }
+}
+
+void showCamera(Shell &context, const LessonCamera &camera) {
+    context.view.following = false;
+    if (camera.box) {
+        context.view.fit(*camera.box);
+        context.view.fitPending = false;
+    } else {
+        context.view.fitPending = true;
+    }
+    context.view.following = camera.follow;
+}
+
+void showPage(Shell &context) {
+    OpenLesson &open = *context.lessons.open;
+    const LessonPage &page = open.now();
+    open.reply = OpenLesson::Reply::None;
+    open.picked.reset();
+    open.typed.clear();
+    open.settled = false;
+    context.view.candidate.reset();
+    if (page.document) {
+        showDocumentOf(context, open);
+        showPosition(context, page.position);
+    }
+    if (page.layers) {
+        showLayers(context, *page.layers);
+    }
+    if (!page.panel.empty()) {
+        context.settings.tab = page.panel;
+        context.view.panels = true;
+    }
+    showCamera(context, page.camera);
+    rememberProgress(context);
+    context.animate();
+}
+
+} // namespace
+
+Result<Lesson> loadLesson(const Shell &context, const std::filesystem::path &file) {
+    const Result<std::string> bytes = readFileBytes(file, kMaxBytes);
+    if (!bytes) {
+        return bytes.faults();
+    }
+    LessonNames names;
+    for (const LayerSlot &slot : context.layers) {
+        names.layers.emplace_back(slot.layer->id());
+    }
+    for (const auto &panel : context.panels) {
+        if (panel->place() == PanelPlace::Tabbed) {
+            names.panels.emplace_back(panel->id());
+        }
+    }
+    names.document = [folder = file.parent_path()](const std::string &name) { return readDocument(folder / name); };
+    SourceText source;
+    source.text = *bytes;
+    source.name = file.string();
+    source.path = file;
+    return readLesson(source, names);
+}
+
+void listLessons(Shell &context) {
+    if (std::exchange(context.lessons.listed, true)) {
+        return;
+    }
+    for (const std::filesystem::path &file : lessonFiles()) {
+        Result<Lesson> lesson = loadLesson(context, file);
+        if (!lesson) {
+            context.log.add(lesson.faults());
+            continue;
+        }
+        context.lessons.list.push_back(
+            {file.stem().string(), file, std::make_shared<const Lesson>(std::move(*lesson))});
+    }
+}
+
+void openLesson(Shell &context, const LessonEntry &entry) {
+    afterUnsaved(context, [entry](Shell &c) {
+        closeLesson(c);
+        OpenLesson open{.entry = entry};
+        for (const LayerSlot &slot : c.layers) {
+            open.layersBefore[slot.layer->id()] = slot.visible;
+        }
+        open.tabBefore = c.settings.tab;
+        const std::size_t left = c.settings.lessons[entry.id].page;
+        open.page = std::min(left, entry.lesson->pages.size() - 1);
+        c.lessons.open = std::move(open);
+        c.lessons.visible = true;
+        showPage(c);
+    });
+}
+
+Diagnostics openLessonFile(Shell &context, const std::filesystem::path &file) {
+    Result<Lesson> lesson = loadLesson(context, file);
+    if (!lesson) {
+        return lesson.faults();
+    }
+    const LessonEntry entry{file.stem().string(), file, std::make_shared<const Lesson>(std::move(*lesson))};
+    listLessons(context);
+    std::vector<LessonEntry> &list = context.lessons.list;
+    std::erase_if(list, [&](const LessonEntry &known) { return known.id == entry.id; });
+    list.push_back(entry);
+    openLesson(context, entry);
+    return {};
+}
+
+void closeLesson(Shell &context) {
+    if (!context.lessons.open) {
+        return;
+    }
+    const OpenLesson open = *std::exchange(context.lessons.open, std::nullopt);
+    for (const auto &[layer, visible] : open.layersBefore) {
+        showLayer(context.layers, layer, visible);
+    }
+    context.settings.tab = open.tabBefore;
+    context.view.following = false;
+    context.animate();
+}
+
+void goToPage(Shell &context, std::size_t page) {
+    if (!context.lessons.open || page >= context.lessons.open->entry.lesson->pages.size()) {
+        return;
+    }
+    afterUnsaved(context, [page](Shell &c) {
+        if (c.lessons.open) {
+            c.lessons.open->page = page;
+            showPage(c);
+        }
+    });
+}
+
+LessonState lessonState(const Shell &context) {
+    const SessionSnapshot &run = context.run.now();
+    return {run, chosenCandidate(context.view, run)};
+}
+
+void answerChoice(Shell &context, std::size_t choice) {
+    OpenLesson &open = *context.lessons.open;
+    const auto &question = open.now().question;
+    const auto *choices = question ? std::get_if<LessonChoices>(&question->answer) : nullptr;
+    if (choices == nullptr || choice >= choices->list.size() || !open.settled) {
+        return;
+    }
+    open.picked = choice;
+    open.reply = isRight(*choices, choice, lessonState(context)) ? OpenLesson::Reply::Right : OpenLesson::Reply::Wrong;
+    rememberProgress(context);
+    context.animate();
+}
+
+void answerNumber(Shell &context) {
+    OpenLesson &open = *context.lessons.open;
+    const auto &question = open.now().question;
+    const auto *number = question ? std::get_if<LessonNumber>(&question->answer) : nullptr;
+    if (number == nullptr || open.typed.empty() || !open.settled) {
+        return;
+    }
+    const std::optional<double> typed = parseNumber(open.typed);
+    const bool right = typed && isRight(*number, *typed, lessonState(context));
+    open.reply = right ? OpenLesson::Reply::Right : OpenLesson::Reply::Wrong;
+    rememberProgress(context);
+    context.animate();
+}
+
+void showAnswer(Shell &context) {
+    const auto &question = context.lessons.open->now().question;
+    if (question && question->show) {
+        showPosition(context, *question->show);
+        context.animate();
+    }
+}
+
+void followLesson(Shell &context) {
+    if (!context.lessons.open) {
+        return;
+    }
+    OpenLesson &open = *context.lessons.open;
+    open.settled = open.settled || (!context.run.busy() && !context.run.hasNews());
+    const auto &question = open.now().question;
+    const auto *task = question ? std::get_if<LessonTask>(&question->answer) : nullptr;
+    if (task != nullptr && open.settled && open.reply != OpenLesson::Reply::Right &&
+        isDone(*task, lessonState(context))) {
+        open.reply = OpenLesson::Reply::Right;
+        rememberProgress(context);
+        context.animate();
+    }
+}
+
+} // namespace forefront

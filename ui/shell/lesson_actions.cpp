@@ -1,0 +1,98 @@
+#include "ui/dialogs/file_commands.hpp"
+#include "ui/dialogs/file_dialog.hpp"
+#include "ui/lessons/lesson_player.hpp"
+#include "ui/shell/shell.hpp"
+
+#include <memory>
+
+namespace forefront::shell {
+
+namespace {
+
+constexpr Modifiers kNone{};
+constexpr Modifiers kAlt{Modifiers::kAlt};
+
+bool isOpen(const Shell &context) {
+    return context.lessons.visible && context.lessons.open.has_value();
+}
+
+void chooseLessonFile(Shell &context) {
+    FileRequest request;
+    request.id = "openlesson";
+    request.title = "Open lesson";
+    request.action = "Open";
+    request.filters = {{"Lessons (.json)", {".json"}, "lesson"}};
+    request.folder = startFolder(context);
+    request.chosen = [](Shell &c, const std::filesystem::path &file, const FileFilter &) {
+        return openLessonFile(c, file);
+    };
+    context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));
+}
+
+void addPageActions(ActionRegistry &actions) {
+    actions.add({.id = "lesson.next",
+                 .menu = "Learn",
+                 .title = "Next page",
+                 .shortcuts = {{key::kPageDown, kNone}},
+                 .run = [](Shell &c) { goToPage(c, c.lessons.open->page + 1); },
+                 .enabled =
+                     [](const Shell &c) {
+                         return isOpen(c) && c.lessons.open->page + 1 < c.lessons.open->entry.lesson->pages.size();
+                     }});
+    actions.add({.id = "lesson.previous",
+                 .menu = "Learn",
+                 .title = "Previous page",
+                 .shortcuts = {{key::kPageUp, kNone}},
+                 .run = [](Shell &c) { goToPage(c, c.lessons.open->page - 1); },
+                 .enabled = [](const Shell &c) { return isOpen(c) && c.lessons.open->page > 0; }});
+    actions.add(
+        {.id = "lesson.close", .menu = "Learn", .title = "Close lesson", .run = closeLesson, .enabled = isOpen});
+    for (int k = 0; k < 9; ++k) {
+        actions.add({.id = "lesson.choice" + std::to_string(k + 1),
+                     .menu = "",
+                     .title = "Lesson: answer " + std::to_string(k + 1),
+                     .shortcuts = {{key::k0 + 1 + k, kAlt}},
+                     .run = [k](Shell &c) { answerChoice(c, static_cast<std::size_t>(k)); },
+                     .enabled = isOpen});
+    }
+    actions.add({.id = "lesson.number",
+                 .menu = "",
+                 .title = "Lesson: type the answer",
+                 .shortcuts = {{key::k0, kAlt}},
+                 .run =
+                     [](Shell &c) {
+                         c.lessons.open->focus = true;
+                         c.animate();
+                     },
+                 .enabled = isOpen});
+    actions.add({.id = "lesson.show",
+                 .menu = "",
+                 .title = "Lesson: show me",
+                 .shortcuts = {{'H', kAlt}},
+                 .run = showAnswer,
+                 .enabled = isOpen});
+}
+
+} // namespace
+
+void addLessonActions(ActionRegistry &actions) {
+    actions.add({.id = "help.lessons",
+                 .menu = "Help",
+                 .title = "Lessons",
+                 .shortcuts = {{key::kF1 + 1, kNone}},
+                 .run =
+                     [](Shell &c) {
+                         c.lessons.visible = !c.lessons.visible;
+                         c.animate();
+                     },
+                 .checked = [](const Shell &c) { return c.lessons.visible; }});
+    actions.add({.id = "learn.lessons", .menu = "Learn", .title = "Lessons", .run = [](Shell &c) {
+                     c.lessons.visible = true;
+                     c.animate();
+                 }});
+    actions.add(
+        {.id = "learn.openLesson", .menu = "Learn", .title = "Open lesson\xe2\x80\xa6", .run = chooseLessonFile});
+    addPageActions(actions);
+}
+
+} // namespace forefront::shell

@@ -1,0 +1,228 @@
+#include "ui/lessons/lesson_player.hpp"
+#include "ui/shell/shell.hpp"
+#include "ui/widgets/text_wrap.hpp"
+#include "ui/widgets/widgets.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <string>
+#include <variant>
+
+namespace forefront::shell {
+
+namespace {
+
+using Reply = OpenLesson::Reply;
+
+/// Returns "3 of 8" for a lesson that has been begun.
+std::string progressText(const Shell &context, const LessonEntry &entry) {
+    const auto known = context.settings.lessons.find(entry.id);
+    const std::size_t pages = entry.lesson->pages.size();
+    return known == context.settings.lessons.end()
+               ? ui::format("%zu pages", pages)
+               : ui::format("page %zu of %zu", std::min(known->second.page + 1, pages), pages);
+}
+
+/// Draws a row of wrapped text that can be clicked, with a mark to its left.
+bool textRow(Shell &context, const std::string &name, const char *mark, Colour markColour, const std::string &text) {
+    const float left = context.px(26), pad = context.px(5);
+    const float width = ImGui::GetContentRegionAvail().x;
+    const std::string lines = ui::wrapped(text, width - left - pad);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float height = ImGui::CalcTextSize(lines.c_str()).y + 2.0F * pad;
+    const bool pressed = ImGui::InvisibleButton(name.c_str(), {width, height});
+    ui::mark(context, name);
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(at, {at.x + width, at.y + height},
+                       ImGui::IsItemHovered() ? context.theme.hovered : context.theme.raised, context.px(5));
+    list.AddText({at.x + context.px(8), at.y + pad}, markColour, mark);
+    list.AddText({at.x + left, at.y + pad}, context.theme.text, lines.c_str());
+    return pressed;
+}
+
+void drawList(Shell &context) {
+    listLessons(context);
+    ui::wrappedText(
+        "Lessons about the advancing front, with the run that each page talks about. Leave one at any time; "
+        "it opens again at the same page.");
+    ImGui::Dummy({0, context.px(4)});
+    if (context.lessons.list.empty()) {
+        ui::small(context, "No lessons found; set FOREFRONT_ASSETS to the folder that holds lessons/.", true);
+        ui::mark(context, "lessons/empty");
+    }
+    const LessonEntry *chosen = nullptr;
+    for (std::size_t k = 0; k < context.lessons.list.size(); ++k) {
+        const LessonEntry &entry = context.lessons.list[k];
+        if (textRow(context, "lessons/" + entry.id, std::to_string(k + 1).c_str(), context.theme.muted,
+                    entry.lesson->title)) {
+            chosen = &entry;
+        }
+        ui::tooltip(context, entry.lesson->about);
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + context.px(26));
+        ui::small(context, progressText(context, entry));
+        ui::mark(context, "lessons/" + entry.id + "/progress");
+    }
+    if (chosen != nullptr) {
+        openLesson(context, LessonEntry(*chosen));
+    }
+}
+
+void drawReply(Shell &context, const OpenLesson &open, const LessonQuestion &question) {
+    if (open.reply == Reply::None) {
+        return;
+    }
+    const bool right = open.reply == Reply::Right;
+    ImGui::PushStyleColor(ImGuiCol_Text, right ? context.theme.good : context.theme.bad);
+    ImGui::TextUnformatted(right ? (std::string(icon::kCheck) + "  Right").c_str()
+                                 : (std::string(icon::kCross) + "  Not yet").c_str());
+    ImGui::PopStyleColor();
+    ui::mark(context, right ? "lesson/right" : "lesson/wrong");
+    const std::string &more = right ? question.why : question.hint;
+    if (!more.empty()) {
+        ui::wrappedText(withValues(more, lessonState(context)));
+    }
+}
+
+void drawChoices(Shell &context, const OpenLesson &open, const LessonChoices &choices) {
+    std::optional<std::size_t> chosen;
+    for (std::size_t k = 0; k < choices.list.size(); ++k) {
+        const bool picked = open.picked == k;
+        const Colour colour = !picked                      ? context.theme.accent
+                              : open.reply == Reply::Right ? context.theme.good
+                                                           : context.theme.bad;
+        const std::string mark = !picked                      ? std::to_string(k + 1)
+                                 : open.reply == Reply::Right ? icon::kCheck
+                                                              : icon::kCross;
+        if (textRow(context, "lesson/choice/" + std::to_string(k), mark.c_str(), colour,
+                    withValues(choices.list[k].text, lessonState(context)))) {
+            chosen = k;
+        }
+        ui::tooltip(context, "Alt+" + std::to_string(k + 1));
+    }
+    if (chosen) {
+        answerChoice(context, *chosen);
+    }
+}
+
+void drawNumber(Shell &context, OpenLesson &open) {
+    const bool entered =
+        ui::inputText(context, "lesson/number", open.typed, "a number", 110.0F, true, std::exchange(open.focus, false));
+    ui::tooltip(context, "Alt+0");
+    ImGui::SameLine();
+    if (ui::button(context, "lesson/check", "Check") || entered) {
+        answerNumber(context);
+    }
+}
+
+void drawQuestion(Shell &context, OpenLesson &open) {
+    const LessonQuestion &question = *open.now().question;
+    ImGui::Dummy({0, context.px(2)});
+    ui::heading(context, std::holds_alternative<LessonTask>(question.answer) ? "Try it" : "Question");
+    ui::wrappedText(withValues(question.text, lessonState(context)));
+    ui::mark(context, "lesson/question");
+    if (const auto *choices = std::get_if<LessonChoices>(&question.answer)) {
+        drawChoices(context, open, *choices);
+    } else if (std::holds_alternative<LessonNumber>(question.answer)) {
+        drawNumber(context, open);
+    }
+    drawReply(context, open, question);
+    if (question.show && open.reply != Reply::Right && ui::link(context, "lesson/show", "Show me")) {
+        showAnswer(context);
+    }
+}
+
+void drawPage(Shell &context, OpenLesson &open) {
+    const LessonPage &page = open.now();
+    ImGui::PushFont(context.fonts.title);
+    ui::wrappedText(page.title);
+    ImGui::PopFont();
+    ui::mark(context, "lesson/title");
+    for (const std::string &paragraph : page.paragraphs) {
+        ui::wrappedText(withValues(paragraph, lessonState(context)));
+        ImGui::Dummy({0, context.px(1)});
+    }
+    if (page.question) {
+        drawQuestion(context, open);
+    }
+}
+
+void drawFooter(Shell &context, const OpenLesson &open) {
+    const std::size_t pages = open.entry.lesson->pages.size();
+    const bool last = open.page + 1 == pages;
+    if (ui::button(context, "lesson/previous", "Previous", ui::ButtonKind::Plain, open.page > 0)) {
+        context.actions.run("lesson.previous", context);
+        return;
+    }
+    ui::tooltip(context, "Page Up");
+    const std::string place = ui::format("%zu of %zu", open.page + 1, pages);
+    ImGui::SameLine((ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(place.c_str()).x) / 2);
+    ImGui::AlignTextToFramePadding();
+    ui::muted(context, place);
+    ui::mark(context, "lesson/place");
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - context.px(84));
+    if (ui::button(context, "lesson/next", last ? "Finish" : "Next", ui::ButtonKind::Primary, true, 84.0F)) {
+        context.actions.run(last ? "lesson.close" : "lesson.next", context);
+        return;
+    }
+    ui::tooltip(context, last ? "Back to the list of lessons" : "Page Down");
+}
+
+void drawOpen(Shell &context) {
+    const std::string title = context.lessons.open->entry.lesson->title;
+    if (ui::link(context, "lesson/list", "All lessons")) {
+        closeLesson(context);
+        return;
+    }
+    ImGui::SameLine();
+    ui::small(context, title);
+    const float footer = context.px(40);
+    ImGui::BeginChild("page", {0, ImGui::GetContentRegionAvail().y - footer}, false, ImGuiWindowFlags_NoNav);
+    drawPage(context, *context.lessons.open);
+    ImGui::EndChild();
+    ImGui::Dummy({0, context.px(2)});
+    drawFooter(context, *context.lessons.open);
+}
+
+/// Outlines the widgets that the page points to, where they were drawn in the last frame.
+void drawHighlights(Shell &context) {
+    if (!context.lessons.open || context.dialogs.any()) {
+        return;
+    }
+    for (const std::string &name : context.lessons.open->now().highlights) {
+        const WidgetRegistry::Widget *const widget = context.widgets.find(name);
+        if (widget == nullptr || !widget->visible) {
+            continue;
+        }
+        const float gap = context.px(3);
+        const PixelRect &r = widget->rect;
+        ImGui::GetForegroundDrawList()->AddRect(
+            {static_cast<float>(r.x) - gap, static_cast<float>(r.y) - gap},
+            {static_cast<float>(r.x + r.width) + gap, static_cast<float>(r.y + r.height) + gap}, context.theme.warn,
+            context.px(5), 0, context.px(2));
+    }
+}
+
+} // namespace
+
+void drawLessons(Shell &context, const PixelRect &rect) {
+    if (rect.width < 1.0 || rect.height < 1.0) {
+        return;
+    }
+    followLesson(context);
+    beginRegion("##lessons", rect, context.theme.panel, context.px(12), context.px(8));
+    const float edge = static_cast<float>(rect.x + rect.width) - 1.0F;
+    ImGui::GetWindowDrawList()->AddLine({edge, static_cast<float>(rect.y)},
+                                        {edge, static_cast<float>(rect.y + rect.height)}, context.theme.line);
+    ui::heading(context, "Lessons");
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - context.px(22));
+    const bool hide = ui::iconButton(context, "lessons/hide", icon::kCross, "Hide the lessons", false, true, 22.0F);
+    context.lessons.open ? drawOpen(context) : drawList(context);
+    ImGui::End();
+    drawHighlights(context);
+    if (hide) {
+        context.actions.run("help.lessons", context);
+    }
+}
+
+} // namespace forefront::shell

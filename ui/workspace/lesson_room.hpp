@@ -1,0 +1,50 @@
+#pragma once
+
+#include "core/lesson/lesson.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace forefront {
+
+/// A lesson in the list of lessons.
+struct LessonEntry {
+    std::string id; ///< name of its file without extension; the key of its progress
+    std::filesystem::path file;
+    std::shared_ptr<const Lesson> lesson;
+};
+
+/// The lesson being read, its page and the answers given there.
+struct OpenLesson {
+    enum class Reply : std::uint8_t { None, Wrong, Right };
+
+    LessonEntry entry;
+    std::size_t page = 0;
+    Reply reply = Reply::None;         ///< to the last answer
+    std::optional<std::size_t> picked; ///< the last choice
+    std::string typed;                 ///< answer that is a number
+    bool focus = false;                ///< move the keyboard to the field for the number
+    bool settled = false;              ///< the run has reached the position of the page
+    std::uint64_t revision = 0;        ///< of the document, when the page was shown
+    std::shared_ptr<const Document> document;
+    std::map<std::string, bool> layersBefore; ///< visible layers, restored at the end
+    std::string tabBefore;
+
+    const LessonPage &now() const { return entry.lesson->pages[page]; }
+};
+
+/// The pane of lessons: the list of lessons, or the one being read.
+struct LessonRoom {
+    bool visible = false;
+    bool listed = false; ///< the lessons have been read
+    std::vector<LessonEntry> list;
+    std::optional<OpenLesson> open;
+};
+
+} // namespace forefront
