@@ -2,11 +2,14 @@
 
 #if defined(FOREFRONT_WITH_GIF)
 
+#include "core/io/text/atomic_file.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstring>
 #include <gif_lib.h>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace forefront {
@@ -15,22 +18,39 @@ namespace {
 
 constexpr int kColours = 256, kBits = 8;
 
-Diagnostics cannotWrite(const std::filesystem::path &file, int code) {
-    const char *const reason = GifErrorString(code);
-    return error("cannot-write",
-                 "cannot write " + file.string() + ": " + (reason != nullptr ? reason : "unknown reason"));
-}
-
 struct FreeColours {
     void operator()(ColorMapObject *map) const { GifFreeMapObject(map); }
 };
 
 } // namespace
 
+/// The file appears only when it is finished.
 struct GifFilm::File {
-    GifFileType *gif = nullptr;
+    File(const std::filesystem::path &place, int delayOfFrames) : path(place), output(place), delay(delayOfFrames) {}
+
     std::filesystem::path path;
-    int delay = 10;
+    AtomicFile output;
+    GifFileType *gif = nullptr;
+    int delay;
+    bool refused = false; ///< bytes could not be written
+
+    /// Passes bytes of giflib on to the file; returns their number, or 0 if they cannot be written.
+    static int write(GifFileType *gif, const GifByteType *bytes, int count) {
+        auto *const file = static_cast<File *>(gif->UserData);
+        const auto size = static_cast<std::size_t>(count);
+        file->refused = !file->output.write({reinterpret_cast<const char *>(bytes), size}) || file->refused;
+        return file->refused ? 0 : count;
+    }
+
+    /// Returns why the file cannot be written, given an error of giflib.
+    Diagnostics fault(int code) {
+        if (refused) {
+            return output.commit(); // which only reports it
+        }
+        const char *const reason = GifErrorString(code);
+        return error("cannot-write",
+                     "cannot write " + path.string() + ": " + (reason != nullptr ? reason : "unknown reason"));
+    }
 
     ~File() {
         if (gif != nullptr) {
@@ -40,13 +60,11 @@ struct GifFilm::File {
 };
 
 Result<GifFilm> GifFilm::create(const std::filesystem::path &file, int width, int height, int delay) {
-    auto made = std::make_shared<File>();
-    made->path = file;
-    made->delay = delay;
+    auto made = std::make_shared<File>(file, delay);
     int code = 0;
-    made->gif = EGifOpenFileName(file.c_str(), false, &code);
+    made->gif = EGifOpen(made.get(), File::write, &code);
     if (made->gif == nullptr) {
-        return cannotWrite(file, code);
+        return made->fault(code);
     }
     EGifSetGifVersion(made->gif, true);
     const std::vector<std::uint8_t> palette = filmPalette();
@@ -61,7 +79,10 @@ Result<GifFilm> GifFilm::create(const std::filesystem::path &file, int width, in
                          EGifPutExtensionBlock(made->gif, 11, "NETSCAPE2.0") == GIF_OK &&
                          EGifPutExtensionBlock(made->gif, kForEver.size(), kForEver.data()) == GIF_OK &&
                          EGifPutExtensionTrailer(made->gif) == GIF_OK;
-    return written ? Result<GifFilm>(GifFilm(std::move(made))) : cannotWrite(file, made->gif->Error);
+    if (!written) {
+        return made->fault(made->gif->Error);
+    }
+    return GifFilm(std::move(made));
 }
 
 Status GifFilm::add(const FilmScene &scene) {
@@ -79,13 +100,13 @@ Status GifFilm::add(const FilmScene &scene) {
         std::uint8_t *const row = pixels.data() + static_cast<std::ptrdiff_t>(y) * scene.width;
         written = EGifPutLine(gif, row, scene.width) == GIF_OK;
     }
-    return written ? Status() : Status(cannotWrite(file_->path, gif->Error));
+    return written ? Status() : Status(file_->fault(gif->Error));
 }
 
 Status GifFilm::finish() {
     int code = 0;
     GifFileType *const gif = std::exchange(file_->gif, nullptr);
-    return EGifCloseFile(gif, &code) == GIF_OK ? Status() : Status(cannotWrite(file_->path, code));
+    return EGifCloseFile(gif, &code) == GIF_OK ? file_->output.commit() : Status(file_->fault(code));
 }
 
 } // namespace forefront

@@ -762,6 +762,7 @@ class Films(Case):
         self.assertIn("wrote run.gif: 6 frames", done.stdout)
         sizes, delay = self.frames("run.gif")
         self.assertEqual(sizes, [(200, 186)] * 6)
+        self.assertEqual((self.path / "run.gif").stat().st_mode, (self.path / "plate.poly").stat().st_mode)
         self.assertEqual(delay, 20)
 
     def test_drawings_follow_the_run(self):
