@@ -121,8 +121,7 @@ def by_pkg_config(kind, prefix, folder):
 
 
 def by_add_subdirectory(folder):
-    """One build tree, first static and then shared, so that the library is compiled once. The flags are those of our
-    release preset: a compiler cache then finds every object."""
+    """One build tree, first static and then shared, so that the library is compiled once."""
     made = source_folder(folder, "add-subdirectory", EXAMPLE + CARELESS)
     (made / "CMakeLists.txt").write_text(PROJECT.format(find=f'add_subdirectory("{REPOSITORY}" forefront)'))
     for kind, shared in (("static", "OFF"), ("shared", "ON")):
