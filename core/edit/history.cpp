@@ -2,6 +2,10 @@
 
 #include "core/edit/equality.hpp"
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
 namespace forefront {
 
 History::History(Document start, std::string label) {
@@ -14,21 +18,31 @@ bool History::commit(std::string label, Document document, std::string_view stro
         return false;
     }
     const bool goesOn = !stroke.empty() && stroke == stroke_ && !canRedo() && position_ > 0 && dirty();
-    entries_.resize(position_ + 1);
     Entry entry{std::move(label), std::make_shared<const Document>(std::move(document)), nextRevision_++};
     if (goesOn) {
         entries_.back() = std::move(entry);
     } else {
+        const auto tail = entries_.begin() + static_cast<std::ptrdiff_t>(++position_);
+        discarded_.clear();
+        if (!stroke.empty()) {
+            discarded_.assign(std::make_move_iterator(tail), std::make_move_iterator(entries_.end()));
+        }
+        entries_.erase(tail, entries_.end());
         entries_.push_back(std::move(entry));
-        ++position_;
     }
     stroke_ = stroke;
     return true;
 }
 
+void History::endStroke() {
+    stroke_.clear();
+    discarded_.clear();
+}
+
 void History::abandonStroke() {
-    if (!stroke_.empty() && undo()) {
-        entries_.resize(position_ + 1);
+    if (!stroke_.empty() && canUndo()) {
+        entries_.resize(position_--);
+        std::move(discarded_.begin(), discarded_.end(), std::back_inserter(entries_));
     }
     endStroke();
 }

@@ -25,8 +25,9 @@ class History {
     /// non-empty `stroke` (a drag, a brush stroke) become one entry, until endStroke(). A document with the same
     /// content as the current one is not recorded. Returns true if something changed.
     bool commit(std::string label, Document document, std::string_view stroke = {});
-    void endStroke() { stroke_.clear(); }
-    /// Removes the stroke in progress, as when Esc is pressed during a drag.
+    void endStroke();
+    /// Removes the stroke in progress, as when Esc is pressed during a drag, and restores what could be redone before
+    /// it.
     void abandonStroke();
 
     bool canUndo() const { return position_ > 0; }
@@ -59,7 +60,8 @@ class History {
     std::size_t position_ = 0;
     std::uint64_t nextRevision_ = 1;
     std::uint64_t saved_ = 0;
-    std::string stroke_; ///< stroke of the current entry; empty: closed
+    std::string stroke_;           ///< stroke of the current entry; empty: closed
+    std::vector<Entry> discarded_; ///< what could be redone before the stroke
 };
 
 } // namespace forefront

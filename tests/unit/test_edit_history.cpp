@@ -135,6 +135,51 @@ TEST_CASE("History: an abandoned stroke leaves no trace") {
     CHECK(history.size() == 1);
 }
 
+TEST_CASE("History: abandoning a stroke restores what could be redone; ending it does not") {
+    for (const bool abandon : {true, false}) {
+        CAPTURE(abandon);
+        History history;
+        history.commit("a", withPoint(history.document(), {0, 0}));
+        history.commit("b", withPoint(history.document(), {1, 0}));
+        history.markSaved();
+        history.commit("c", withPoint(history.document(), {2, 0}));
+        history.goTo(1);
+        const std::uint64_t before = history.revision();
+        history.commit("drag", withPoint(history.document(), {5, 5}), "stroke");
+        history.commit("drag", withPoint(history.document(), {6, 5}), "stroke");
+        abandon ? history.abandonStroke() : history.endStroke();
+        history.abandonStroke(); // no stroke is in progress: no effect
+        if (!abandon) {
+            CHECK(history.size() == 3);
+            CHECK(history.undoLabel() == "drag");
+            CHECK_FALSE(history.canRedo());
+            continue;
+        }
+        CHECK(history.revision() == before);
+        CHECK(history.size() == 4);
+        REQUIRE(history.redo());
+        CHECK(history.undoLabel() == "b");
+        CHECK_FALSE(history.dirty());
+        REQUIRE(history.redo());
+        CHECK(history.document().shapes.size() == 3);
+        CHECK_FALSE(history.canRedo());
+    }
+}
+
+TEST_CASE(
+    "History: an abandoned stroke that was saved half-way goes back to the saved document, with nothing to redo") {
+    History history;
+    history.commit("a", withPoint(history.document(), {0, 0}));
+    history.undo();
+    history.commit("drag", withPoint(history.document(), {5, 5}), "stroke");
+    history.markSaved();
+    history.commit("drag", withPoint(history.document(), {6, 5}), "stroke");
+    history.abandonStroke();
+    CHECK_FALSE(history.dirty());
+    CHECK(history.document().shapes.size() == 1);
+    CHECK_FALSE(history.canRedo());
+}
+
 TEST_CASE("History: a document is dirty if it differs from the saved one, even within a stroke") {
     History history;
     history.commit("a", withPoint(history.document(), {0, 0}), "stroke");
