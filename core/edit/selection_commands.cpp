@@ -27,9 +27,9 @@ std::map<std::uint32_t, std::set<std::uint32_t>> handlesOfSelection(const Docume
                 continue;
             }
             const auto count = static_cast<std::uint32_t>(handleCount(*shape));
-            handles[segment.shape].insert(segment.segment);
-            if (shape->kind != ShapeKind::Circle && shape->kind != ShapeKind::Ellipse) {
-                handles[segment.shape].insert((segment.segment + 1) % count);
+            const bool whole = shape->kind == ShapeKind::Circle || shape->kind == ShapeKind::Ellipse;
+            for (std::uint32_t k = 0; k < (whole ? count : 2); ++k) {
+                handles[segment.shape].insert((segment.segment + k) % count);
             }
         }
     }
@@ -72,6 +72,22 @@ void removeNodes(Shape &shape, const std::set<std::uint32_t> &handles) {
         if (!shape.segmentTags.empty()) {
             const auto last = static_cast<std::uint32_t>(shape.segmentTags.size() - 1);
             shape.segmentTags.erase(shape.segmentTags.begin() + std::min(*handle, last));
+        }
+    }
+}
+
+/// Maps some nodes of a path. Curves with both ends among them are mapped exactly, the others follow their ends.
+void mapNodes(Shape &path, const std::set<std::uint32_t> &nodes, const PlaneMap &map) {
+    const Outline before = outlineOf(path);
+    std::vector<Vec2> places = path.nodes;
+    for (const std::uint32_t node : nodes) {
+        places[node] = map(places[node]);
+    }
+    moveNodes(path, std::move(places));
+    for (const std::uint32_t node : nodes) {
+        if (before.isCurved(node) && nodes.contains((node + 1) % static_cast<std::uint32_t>(path.nodes.size()))) {
+            const Curve &curve = before.curves[node];
+            path.curves[node] = map.isTranslation() ? moved(curve, map.shift) : curve.mapped(map);
         }
     }
 }
@@ -122,9 +138,17 @@ std::map<std::uint32_t, std::set<std::uint32_t>> handlesToMove(const Document &d
 }
 
 Status mapHandles(Shape &shape, const std::set<std::uint32_t> &handles, const PlaneMap &map) {
-    std::vector<Vec2> places = handlesOf(shape);
+    const std::vector<Vec2> places = handlesOf(shape);
     if (std::any_of(handles.begin(), handles.end(), [&](std::uint32_t handle) { return handle >= places.size(); })) {
         return error("no-such-node", "node not found");
+    }
+    if (handles.size() == places.size()) {
+        mapShape(shape, map);
+        return {};
+    }
+    if (isPath(shape)) {
+        mapNodes(shape, handles, map);
+        return {};
     }
     // A selected centre moves the whole circle, including its point.
     if ((shape.kind == ShapeKind::Circle || shape.kind == ShapeKind::Ellipse) && handles.contains(0)) {
@@ -132,13 +156,7 @@ Status mapHandles(Shape &shape, const std::set<std::uint32_t> &handles, const Pl
         return {};
     }
     for (const std::uint32_t handle : handles) {
-        places[handle] = map(places[handle]);
-        if (!isPath(shape)) {
-            placeHandle(shape, handle, places[handle]);
-        }
-    }
-    if (isPath(shape)) {
-        moveNodes(shape, std::move(places));
+        placeHandle(shape, handle, map(places[handle]));
     }
     return {};
 }

@@ -119,6 +119,51 @@ TEST_CASE("transformSelection: single nodes, sources and markers are mapped; a m
     CHECK(codeOf(transformSelection(document, some, PlaneMap::scaling({1, 0}, {}))) == "bad-number");
 }
 
+TEST_CASE("transformSelection: a curve with both ends selected is mapped as part of a whole shape would be") {
+    Shape dome = makeShape(ShapeKind::Polyline, {{-1, -2}, {1, 0}, {-1, 0}, {-3, 0}});
+    dome.curves = {Curve::cubic({-1, -2}, {0, -3}, {2, -1}, {1, 0}), arcThrough({1, 0}, {0, 1}, {-1, 0}), Curve()};
+    const Document document = documentOf({dome});
+    Selection top, nodes;
+    top.segments = {{1, 1}};
+    nodes.nodes = {{1, 1}, {1, 2}};
+    for (const Selection &selection : {top, nodes}) {
+        const Shape mirrored = *mapped(document, selection, PlaneMap::reflection(90.0, {})).shapes[0];
+        CHECK(mirrored.nodes[1] == Vec2{-1, 0});
+        CHECK(mirrored.nodes[2] == Vec2{1, 0});
+        CHECK(distance(mirrored.curves[1].point(0.5), {0, 1}) < 1e-12); // still a dome, not a bowl
+        CHECK(checkShape(mirrored).empty());
+        const Shape stretched = *mapped(document, selection, PlaneMap::scaling({1, 3}, {})).shapes[0];
+        CHECK(distance(stretched.curves[1].point(0.5), {0, 3}) < 1e-12);
+    }
+}
+
+TEST_CASE("transformSelection: all handles of a shape are mapped like the shape itself") {
+    Shape rounded = makeShape(ShapeKind::Rectangle, {{1, 1}, {5, 3}});
+    rounded.radius = 0.5;
+    Shape lens = makeShape(ShapeKind::Polygon, {{0, 0}, {4, 0}});
+    lens.curves = {Curve::cubic({0, 0}, {1, -1}, {3, -2}, {4, 0}), arcThrough({4, 0}, {2, 1}, {0, 0})};
+    for (const Shape &shape :
+         {curvedPath(), lens, rounded, makeShape(ShapeKind::Rectangle, {{0, 0}, {4, 1}}),
+          makeShape(ShapeKind::Circle, {{2, 2}, {3, 2}}), makeShape(ShapeKind::Ellipse, {{1, 1}, {3, 1}, {1, 2}})}) {
+        CAPTURE(shape.kind);
+        const Document document = documentOf({shape});
+        Selection nodes, segments;
+        for (std::uint32_t k = 0; k < handleCount(shape); ++k) {
+            nodes.nodes.insert({1, k});
+        }
+        for (std::uint32_t k = 0; k < taggedSegments(shape); ++k) {
+            segments.segments.insert({1, k});
+        }
+        for (const PlaneMap &map :
+             {PlaneMap::rotation(90.0, {1, 2}), PlaneMap::rotation(33.0, {1, 2}), PlaneMap::reflection(20.0, {1, 2}),
+              PlaneMap::scaling({2, -0.5}, {1, 2}), PlaneMap::translation({0.1, 0.7})}) {
+            const Shape whole = *mapped(document, shapes({1}), map).shapes[0];
+            CHECK(*mapped(document, nodes, map).shapes[0] == whole);
+            CHECK(*mapped(document, segments, map).shapes[0] == whole);
+        }
+    }
+}
+
 TEST_CASE("alignSelection, distributeSelection: shapes line up at each side, and gaps become equal") {
     const Document document = documentOf({square({0, 0}, 1), square({3, 5}, 2), square({9, 2}, 3)});
     const Selection all = selectAll(document);
