@@ -1,10 +1,56 @@
 #include "core/edit/insert_document.hpp"
 
+#include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
 
+#include <algorithm>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 namespace forefront {
+namespace {
+
+/// The places of all shapes, sources and markers of a document.
+class Places {
+  public:
+    explicit Places(const Document &document) {
+        for (const auto &shape : document.shapes) {
+            places_.push_back({static_cast<int>(shape->kind), shape->nodes});
+        }
+        for (const SizeSource &source : document.spacing.sources) {
+            places_.push_back({kFirstSource + static_cast<int>(source.shape), {source.a, source.b}});
+        }
+        for (const RegionMarker &marker : document.regionMarkers) {
+            places_.push_back({kMarker, {marker.at}});
+        }
+        std::sort(places_.begin(), places_.end(), before);
+    }
+
+    /// Returns true if an item is exactly where one of the same kind in another document is.
+    bool meet(const Places &other) const {
+        return std::any_of(other.places_.begin(), other.places_.end(), [this](const Place &place) {
+            return std::binary_search(places_.begin(), places_.end(), place, before);
+        });
+    }
+
+  private:
+    static constexpr int kMarker = -1, kFirstSource = 100;
+    struct Place {
+        int kind = 0;
+        std::vector<Vec2> points;
+    };
+    static bool before(const Place &a, const Place &b) {
+        return a.kind != b.kind ? a.kind < b.kind
+                                : std::lexicographical_compare(
+                                      a.points.begin(), a.points.end(), b.points.begin(), b.points.end(),
+                                      [](Vec2 p, Vec2 q) { return std::tuple(p.x, p.y) < std::tuple(q.x, q.y); });
+    }
+
+    std::vector<Place> places_;
+};
+
+} // namespace
 
 Document insertDrawing(const Document &document, const Document &other, double scale, Selection *added) {
     Document next = document;
@@ -28,10 +74,20 @@ Document insertDrawing(const Document &document, const Document &other, double s
     return next;
 }
 
-Document insertCopied(const Document &document, const Document &other, Selection *added) {
+Result<Document> insertCopied(const Document &document, const Document &other, Vec2 step, Selection *added) {
+    const Selection all = selectAll(other);
+    const Places taken(document);
+    Result<Document> moved = other;
+    constexpr int kMaxSteps = 1000; // for steps too small to move anything
+    for (int k = 1; k <= kMaxSteps && taken.meet(Places(*moved)); ++k) {
+        moved = moveSelection(other, all, static_cast<double>(k) * step);
+        if (!moved) {
+            return moved;
+        }
+    }
     Selection fresh;
-    Document next = insertDrawing(document, other, 1.0, &fresh);
-    for (const SizeSource &source : other.spacing.sources) {
+    Document next = insertDrawing(document, *moved, 1.0, &fresh);
+    for (const SizeSource &source : moved->spacing.sources) {
         fresh.sources.insert(static_cast<std::uint32_t>(next.spacing.sources.size()));
         next.spacing.sources.push_back(source);
     }

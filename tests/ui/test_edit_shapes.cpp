@@ -82,6 +82,24 @@ TEST_CASE(
     CHECK(box() == Box2{{1, 1}, {5, 3}});
 }
 
+TEST_CASE("Dialogs with a preview: Esc and Cancel leave what can be redone") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {5, 3});
+    driver.rectangle({6, 1}, {8, 3});
+    driver.key('Z', kControl);
+    driver.key('A', kControl);
+    for (const bool escape : {true, false}) {
+        driver.key('F', kControlShift);
+        driver.settle();
+        CHECK(driver.document().shapes[0]->nodes.size() == 8);
+        CHECK(driver.context().document.redoLabel().empty());
+        escape ? driver.key(key::kEscape) : static_cast<void>(driver.click("dialog/fillet/cancel"));
+        driver.settle();
+        CHECK(driver.document().shapes[0]->nodes.size() == 2);
+        CHECK(driver.context().document.redoLabel() == "Draw rectangle");
+    }
+}
+
 TEST_CASE("Arrays: copies are shown while the number is typed, and become the selection") {
     Draughtsman driver;
     driver.rectangle({0, 0}, {9, 9});
@@ -180,6 +198,20 @@ TEST_CASE("Clipboard: copy, paste beside the original, and cut") {
     driver.settle();
     REQUIRE(driver.document().shapes.size() == 1);
     CHECK(driver.document().shapes[0]->kind == ShapeKind::Rectangle);
+}
+
+TEST_CASE("Clipboard: a second paste does not lie on the first") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {3, 2});
+    driver.key('V');
+    driver.key('C', kControl);
+    driver.key('V', kControl);
+    driver.key('V', kControl);
+    REQUIRE(driver.document().shapes.size() == 3);
+    const auto corner = [&](std::size_t k) { return driver.document().shapes[k]->nodes[0]; };
+    CHECK(corner(1) != corner(0));
+    CHECK(corner(2) != corner(0));
+    CHECK(corner(2) != corner(1));
 }
 
 TEST_CASE("Clipboard: two columns of a spreadsheet become a shape; other text is refused") {

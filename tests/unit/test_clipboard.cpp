@@ -1,3 +1,4 @@
+#include "core/edit/insert_document.hpp"
 #include "core/edit/path_curve.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
@@ -43,6 +44,27 @@ TEST_CASE("Clipboard: what is copied comes back exactly, and other programs see 
     CHECK(only(drawing).kind == ShapeKind::Polygon);
     CHECK(areaOf(only(drawing)) == doctest::Approx(areaOf(leaf)).epsilon(1e-3));
     CHECK(clipboardText(document, {}).empty());
+}
+
+TEST_CASE("insertCopied: each paste lies beside everything there, also of sources and markers alone") {
+    const Vec2 step{2, -2};
+    Document box = *addShapes({}, {square({0, 0}, 1)}), source, marker;
+    source.spacing.sources = {{SourceShape::Line, {1, 1}, {2, 1}, 0.0, 0.1, 0.2, "wake"}};
+    marker.regionMarkers = {{{5, 5}, 3, 0.0}};
+    for (const Document &copied : {box, source, marker}) {
+        Document document = copied;
+        for (int k = 1; k <= 3; ++k) {
+            Selection added;
+            Result<Document> next = insertCopied(document, copied, step, &added);
+            REQUIRE(next.ok());
+            CHECK(boundsOf(*next, added).min == boundsOf(copied, selectAll(copied)).min + k * step);
+            document = *std::move(next);
+        }
+        CHECK(boundsOf(*insertCopied({}, copied, step, nullptr), selectAll(copied)).min ==
+              boundsOf(copied, selectAll(copied)).min);
+    }
+    const Document far = *addShapes({}, {square({1e9, 1e9}, 10)});
+    CHECK(insertCopied(far, far, {1e-9, 0}, nullptr)->shapes.size() == 2); // the step is lost in rounding
 }
 
 TEST_CASE("Clipboard: two columns of a spreadsheet, with any separators, become a polygon or a polyline") {

@@ -2,12 +2,10 @@
 
 #include "core/edit/insert_document.hpp"
 #include "core/edit/shape_commands.hpp"
-#include "core/edit/shape_geometry.hpp"
 #include "core/io/clipboard.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/workspace/edit_state.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace forefront {
@@ -24,15 +22,7 @@ void copy(Shell &context) {
     context.platform.setClipboard(clipboardText(*context.document.current(), context.selection));
 }
 
-/// Returns true if a shape of the drawing lies exactly where one of the document does.
-bool coincides(const Document &document, const Document &drawing) {
-    return std::any_of(drawing.shapes.begin(), drawing.shapes.end(), [&](const auto &fresh) {
-        return std::any_of(document.shapes.begin(), document.shapes.end(),
-                           [&](const auto &old) { return old->kind == fresh->kind && old->nodes == fresh->nodes; });
-    });
-}
-
-/// Inserts the drawing on the clipboard where it was copied, or a little beside it if it is still there.
+/// Inserts the drawing on the clipboard where it was copied, or beside everything that already lies there.
 void paste(Shell &context) {
     const Result<Document> drawing = readClipboard(context.platform.clipboard());
     if (!drawing) {
@@ -41,11 +31,8 @@ void paste(Shell &context) {
     }
     const Document &document = *context.document.current();
     Selection added;
-    Result<Document> next = insertCopied(document, *drawing, &added);
-    if (coincides(document, *drawing)) {
-        const double step = 2.0 * gridPitch(EditState::reach(context, 1.0));
-        next = moveSelection(*next, added, {step, -step});
-    }
+    const double step = 2.0 * gridPitch(EditState::reach(context, 1.0));
+    Result<Document> next = insertCopied(document, *drawing, {step, -step}, &added);
     const bool first = document.shapes.empty();
     if (EditState::apply(context, std::move(next), "Paste")) {
         context.tools.choose("select", context);
