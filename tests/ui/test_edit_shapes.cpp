@@ -214,6 +214,20 @@ TEST_CASE("Clipboard: a second paste does not lie on the first") {
     CHECK(corner(2) != corner(1));
 }
 
+TEST_CASE("Clipboard: cut removes only what it copies") {
+    Draughtsman driver;
+    driver.polygon({{1, 1}, {3, 1}, {3, 3}, {1, 3}});
+    driver.polygon({{5, 1}, {7, 1}, {7, 3}, {5, 3}});
+    driver.context().selection.shapes = {1};
+    driver.context().selection.nodes = {{2, 0}};
+    driver.context().selection.segments = {{2, 2}};
+    driver.key('X', kControl);
+    REQUIRE(driver.document().shapes.size() == 1);
+    CHECK(driver.document().shapes[0]->nodes == std::vector<Vec2>{{5, 1}, {7, 1}, {7, 3}, {5, 3}});
+    driver.key('V', kControl);
+    CHECK(driver.document().shapes.size() == 2);
+}
+
 TEST_CASE("Clipboard: two columns of a spreadsheet become a shape; other text is refused") {
     Draughtsman driver;
     driver.platform().setClipboard("1\t0\n0.5\t0.1\n0\t0\n0.5\t-0.1\n");

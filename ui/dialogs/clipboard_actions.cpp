@@ -53,6 +53,8 @@ void addClipboardActions(ActionRegistry &actions) {
                  .run =
                      [](Shell &c) {
                          copy(c);
+                         c.selection.nodes.clear(); // single nodes and segments are not on the clipboard
+                         c.selection.segments.clear();
                          c.document.apply(deleteSelection(*c.document.current(), c.selection), "Cut");
                          c.selection.clear();
                      },
