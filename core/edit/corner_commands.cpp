@@ -1,6 +1,7 @@
 #include "core/edit/corner_commands.hpp"
 
 #include "core/base/number_text.hpp"
+#include "core/edit/path_curve.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
 
@@ -41,12 +42,7 @@ struct Parallel {
     double offset;
 
     Vec2 point(double t) const { return curve.point(t) + offset * leftNormal(curve.tangent(t)); }
-    Vec2 derivative(double t) const {
-        const Vec2 d = curve.derivative(t);
-        const double speed = length(d);
-        const double curvature = speed > 0.0 ? cross(d, curve.secondDerivative(t)) / (speed * speed * speed) : 0.0;
-        return (1.0 - offset * curvature) * d;
-    }
+    Vec2 derivative(double t) const { return (1.0 - offset * curvatureOf(curve, t)) * curve.derivative(t); }
 };
 
 bool inRange(double t) {

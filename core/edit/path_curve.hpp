@@ -14,6 +14,9 @@ Curve joining(const Curve &curve, Vec2 from, Vec2 to);
 /// Returns true if the curve begins and ends at the two points, up to 1e-6 of its coordinates.
 bool joins(const Curve &curve, Vec2 from, Vec2 to);
 
+/// Returns the curvature at a parameter, positive to the left; 0 where the curve stands still.
+double curvatureOf(const Curve &curve, double t);
+
 /// Returns the signed area between the curve and the lines from a point to its ends, positive where the curve runs
 /// counter-clockwise around the point.
 double sectorArea(const Curve &curve, Vec2 from);
