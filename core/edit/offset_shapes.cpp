@@ -1,11 +1,15 @@
 #include "core/edit/offset_shapes.hpp"
 
 #include "core/edit/combine_shapes.hpp"
+#include "core/edit/path_curve.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -13,7 +17,7 @@
 namespace forefront {
 namespace {
 
-constexpr double kStraight = 1e-9; ///< radians by which a path turns in a node that needs no wedge
+constexpr double kStraight = 1e-9; ///< maximum turn, in radians, of a path in a node that needs no wedge
 
 bool isCircular(const Curve &curve) {
     if (curve.kind() != CurveKind::Arc) {
@@ -29,36 +33,119 @@ bool isCircular(const Curve &curve) {
 class Bands {
   public:
     /// `offset` is the distance to the left of the outline, negative to the right.
-    Bands(const Shape &shape, double offset) : shape_(shape), outline_(outlineOf(shape)), offset_(offset) {}
-
-    std::vector<Shape> make() {
-        const std::size_t count = outline_.segmentCount();
-        for (std::size_t k = 0; k < count; ++k) {
-            tag_ = segmentTag(shape_, outline_.part(k));
-            addStrips(outline_.curve(k));
-            if (outline_.closed || k + 1 < count) {
-                addWedge(outline_.curve(k), outline_.curve((k + 1) % count));
+    Bands(const Shape &shape, double offset) : offset_(offset) {
+        const Outline outline = outlineOf(shape);
+        size_ = boundsOf(shape).diagonal() + std::fabs(offset);
+        for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
+            divide(outline.curve(k), segmentTag(shape, outline.part(k)));
+        }
+        for (std::size_t k = 0; k < pieces_.size(); ++k) {
+            addStrip(pieces_[k]);
+            if (outline.closed || k + 1 < pieces_.size()) {
+                addWedge(pieces_[k], pieces_[(k + 1) % pieces_.size()]);
             }
         }
-        return std::move(bands_);
     }
 
+    std::vector<Shape> take() { return std::move(bands_); }
+
   private:
+    /// A part of a segment that turns little, so that its strip does not overlap itself.
+    struct Piece {
+        Curve curve;
+        std::int32_t tag = 1;
+    };
+
+    /// Divides a segment into pieces. Pieces of no length are left out: a wedge fills the gap if the path turns there.
+    void divide(const Curve &curve, std::int32_t tag) {
+        if (curve.kind() == CurveKind::Line || isCircular(curve)) {
+            const auto count = std::max(1.0, std::ceil(curve.turning() / (0.75 * std::numbers::pi)));
+            for (double k = 0.0; k < count; ++k) {
+                keep(count > 1.0 ? curve.part(k / count, (k + 1.0) / count) : curve, tag);
+            }
+            return;
+        }
+        constexpr int kParts = 4; // so that a loop is not taken for its two ends
+        for (double k = 0.0; k < kParts; ++k) {
+            bisect(curve, k / kParts, (k + 1.0) / kParts, tag);
+        }
+    }
+
+    void bisect(const Curve &curve, double t0, double t1, std::int32_t tag) {
+        constexpr double kCusp = 1e-12; // of the parameter: what still turns there is a cusp
+        const Curve piece = curve.part(t0, t1);
+        const double corner = t0 + (t1 - t0) * cornerOf(piece);
+        const bool cut = corner - t0 > kCusp && t1 - corner > kCusp;
+        if (!cut && (t1 - t0 <= kCusp || isFine(piece))) {
+            keep(piece, tag);
+            return;
+        }
+        const double middle = cut ? corner : 0.5 * (t0 + t1);
+        bisect(curve, t0, middle, tag);
+        bisect(curve, middle, t1, tag);
+    }
+
+    /// Returns the parameter at which the parallel begins or ceases to follow the centres of curvature, and makes a
+    /// corner; 0 if there is none.
+    double cornerOf(const Curve &piece) const {
+        const bool first = endsAtCentre(piece, 0.0);
+        if (first == endsAtCentre(piece, 1.0)) {
+            return 0.0;
+        }
+        double low = 0.0, high = 1.0;
+        constexpr int kSteps = 53; // the bits of a double
+        for (int step = 0; step < kSteps; ++step) {
+            const double middle = 0.5 * (low + high);
+            (endsAtCentre(piece, middle) == first ? low : high) = middle;
+        }
+        return high;
+    }
+
+    void keep(const Curve &piece, std::int32_t tag) {
+        if (piece.bounds().diagonal() > 1e-9 * size_) {
+            pieces_.push_back({piece, tag});
+        }
+    }
+
+    /// Returns the curvature at a parameter of a piece; at a cusp, that beside it.
+    double curvature(const Curve &piece, double t) const {
+        const bool stands = length(piece.derivative(t)) <= 1e-12 * size_;
+        return curvatureOf(piece, stands ? std::lerp(t, 0.5, 1e-3) : t);
+    }
+
+    /// Returns true where the parallel ends at the centre of curvature: beyond it, other places are nearer.
+    bool endsAtCentre(const Curve &piece, double t) const { return curvature(piece, t) * offset_ > 1.0; }
+
+    /// Returns true if the strip of a piece covers what it should, within the accuracy.
+    bool isFine(const Curve &piece) {
+        constexpr double kMaxTurn = 0.5, kMaxTurnAtCentres = 0.125; // radians
+        constexpr double kAccuracy = 1e-7;                          // relative
+        constexpr int kMaxQuestions = 50000; // limits the work where rounding exceeds the accuracy
+        constexpr std::array kSamples = {0.25, 0.5, 0.75};
+        const auto atCentres =
+            std::count_if(kSamples.begin(), kSamples.end(), [&](double t) { return endsAtCentre(piece, t); });
+        const double turn = piece.turning();
+        if (atCentres > 0) { // a little more is covered than should be, but not beyond other strips
+            return atCentres == std::ssize(kSamples) && !(turn > kMaxTurnAtCentres);
+        }
+        const Curve back = parallel(piece);
+        return !(turn > kMaxTurn) &&
+               (++questions_ > kMaxQuestions || std::all_of(kSamples.begin(), kSamples.end(), [&](double t) {
+                   return distance(back.point(t), moved(piece, t)) <= kAccuracy * size_;
+               }));
+    }
+
     /// Returns the distance of the parallel at a parameter: it ends at the centre of curvature.
     double reach(const Curve &curve, double t) const {
-        const Vec2 d = curve.derivative(t);
-        const double speed = length(d);
-        const double curvature = speed > 0.0 ? cross(d, curve.secondDerivative(t)) / (speed * speed * speed) : 0.0;
-        return curvature * offset_ > 1.0 ? 1.0 / curvature : offset_;
+        return endsAtCentre(curve, t) ? 1.0 / curvature(curve, t) : offset_;
     }
 
     Vec2 moved(const Curve &curve, double t) const {
         return curve.point(t) + reach(curve, t) * leftNormal(curve.tangent(t));
     }
 
-    /// Returns the parallel of a part of a curve that turns little: exact for lines and circles.
+    /// Returns the parallel of a piece: exact for lines and circles.
     Curve parallel(const Curve &curve) const {
-        const Vec2 from = moved(curve, 0.0), to = moved(curve, 1.0);
         if (curve.kind() == CurveKind::Line) {
             return Curve();
         }
@@ -70,37 +157,26 @@ class Bands {
             return Curve::arc({n[0], n[1]}, scale * u, scale * Vec2{n[4], n[5]}, n[6], n[7]);
         }
         const auto speed = [&](double t) {
-            const Vec2 d = curve.derivative(t);
-            const double size = length(d);
-            const double curvature = size > 0.0 ? cross(d, curve.secondDerivative(t)) / (size * size * size) : 0.0;
-            return (1.0 - reach(curve, t) * curvature) / 3.0 * d;
+            return (1.0 - reach(curve, t) * curvature(curve, t)) / 3.0 * curve.derivative(t);
         };
+        const Vec2 from = moved(curve, 0.0), to = moved(curve, 1.0);
         return Curve::cubic(from, from + speed(0.0), to - speed(1.0), to);
     }
 
-    void addStrips(const Curve &curve) {
-        constexpr double kMostTurn = 0.125; // radians; the cubic is then within 1e-6 of the parallel
-        const bool exact = curve.kind() == CurveKind::Line || isCircular(curve);
-        const double most = exact ? 0.75 * std::numbers::pi : kMostTurn;
-        const auto pieces = std::max(1.0, std::ceil(curve.turning() / most));
-        for (double k = 0.0; k < pieces; ++k) {
-            addStrip(pieces > 1.0 ? curve.part(k / pieces, (k + 1.0) / pieces) : curve);
-        }
-    }
-
-    void addStrip(const Curve &curve) {
+    void addStrip(const Piece &piece) {
+        const Curve &curve = piece.curve;
         const Vec2 a = curve.point(0.0), b = curve.point(1.0), c = moved(curve, 1.0), d = moved(curve, 0.0);
         Curve back = parallel(curve);
         back = back.kind() == CurveKind::Line ? back : back.part(1.0, 0.0);
         const Curve along = curve.kind() == CurveKind::Line ? Curve() : curve;
         const double size = std::fabs(offset_);
-        distance(c, d) > 1e-9 * size ? add({a, b, c, d}, {along, Curve(), back, Curve()})
-                                     : add({a, b, c}, {along, Curve(), Curve()});
+        distance(c, d) > 1e-9 * size ? add({a, b, c, d}, {along, Curve(), back, Curve()}, piece.tag)
+                                     : add({a, b, c}, {along, Curve(), Curve()}, piece.tag);
     }
 
-    /// Fills the gap between the strips of two segments where the path turns away from the side.
-    void addWedge(const Curve &before, const Curve &after) {
-        const Vec2 a = before.tangent(1.0), b = after.tangent(0.0);
+    /// Fills the gap between the strips of two pieces where the path turns away from the side.
+    void addWedge(const Piece &before, const Piece &after) {
+        const Vec2 a = before.curve.tangent(1.0), b = after.curve.tangent(0.0);
         double turn = std::atan2(cross(a, b), dot(a, b));
         if (std::fabs(turn) > std::numbers::pi - kStraight) {
             turn = std::copysign(std::numbers::pi, -offset_); // a spike counts as turning away
@@ -108,36 +184,26 @@ class Bands {
         if (turn * offset_ >= 0.0 || std::fabs(turn) <= kStraight) {
             return;
         }
-        const Vec2 node = after.point(0.0), arm = offset_ * leftNormal(a);
+        const Vec2 node = after.curve.point(0.0), arm = offset_ * leftNormal(a);
         const Curve arc = Curve::arc(node, arm, leftNormal(arm), 0.0, turn);
-        add({node, node + arm, arc.point(1.0)}, {Curve(), arc, Curve()});
+        add({node, node + arm, arc.point(1.0)}, {Curve(), arc, Curve()}, before.tag);
     }
 
-    void add(std::vector<Vec2> nodes, std::vector<Curve> curves) {
+    void add(std::vector<Vec2> nodes, std::vector<Curve> curves, std::int32_t tag) {
         Shape band;
         band.kind = ShapeKind::Polygon;
-        band.tag = tag_;
+        band.tag = tag;
         band.nodes = std::move(nodes);
         band.curves = std::move(curves);
         bands_.push_back(std::move(band));
     }
 
-    const Shape &shape_;
-    Outline outline_;
     double offset_;
-    std::int32_t tag_ = 1;
+    double size_ = 0.0; ///< of the result, about
+    int questions_ = 0;
+    std::vector<Piece> pieces_;
     std::vector<Shape> bands_;
 };
-
-/// Returns +1 if a closed outline runs counter-clockwise, else -1.
-double orientation(const Shape &shape) {
-    const std::vector<Vec2> points = flattened(outlineOf(shape), 1e-3 * boundsOf(shape).diagonal());
-    double sum = 0.0;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-        sum += cross(points[k] - points[0], points[(k + 1) % points.size()] - points[0]);
-    }
-    return sum < 0.0 ? -1.0 : 1.0;
-}
 
 /// The disc around the end of an open path, or a point.
 Shape disc(Vec2 centre, double radius, std::int32_t tag) {
@@ -148,18 +214,50 @@ Shape disc(Vec2 centre, double radius, std::int32_t tag) {
     return shape;
 }
 
-/// Returns the shapes whose union, or whose difference from the first, is the offset of a shape.
+/// Returns how many times a closed outline turns counter-clockwise, 1 or -1 for every outline that does not cross
+/// itself; 0 if it turns back on itself in a node.
+int rotationOf(const Outline &outline) {
+    constexpr int kParts = 32;
+    std::vector<Vec2> directions;
+    for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
+        const int parts = outline.isCurved(k) ? kParts : 1;
+        const Curve curve = outline.curve(k);
+        for (int i = 0; i <= parts; ++i) {
+            if (const Vec2 direction = curve.tangent(i / static_cast<double>(parts)); direction != Vec2{}) {
+                directions.push_back(direction);
+            }
+        }
+    }
+    double sum = 0.0;
+    for (std::size_t k = 0; k < directions.size(); ++k) {
+        const Vec2 a = directions[k], b = directions[(k + 1) % directions.size()];
+        const double turn = std::atan2(cross(a, b), dot(a, b));
+        if (std::fabs(turn) > std::numbers::pi - kStraight) {
+            return 0;
+        }
+        sum += turn;
+    }
+    return static_cast<int>(std::lround(sum / (2.0 * std::numbers::pi)));
+}
+
+/// Returns the shapes whose union, or whose difference from the first, is the offset of a shape. They cover one side of
+/// the outline, or both where it is not known which one is outside: what is too much lies within the shape, or beyond
+/// it.
 std::vector<Shape> parts(const Shape &shape, double distance) {
+    const double reach = std::fabs(distance);
+    const int rotation = isClosed(shape) ? rotationOf(outlineOf(shape)) : 0;
+    const bool oneSide = rotation == 1 || rotation == -1;
+    std::vector<Shape> list = Bands(shape, oneSide ? -distance * rotation : reach).take();
+    if (!oneSide) {
+        std::vector<Shape> right = Bands(shape, -reach).take();
+        std::move(right.begin(), right.end(), std::back_inserter(list));
+    }
     if (isClosed(shape)) {
-        std::vector<Shape> list = Bands(shape, -distance * orientation(shape)).make();
         list.insert(list.begin(), shape);
         return list;
     }
-    std::vector<Shape> list = Bands(shape, std::fabs(distance)).make();
-    std::vector<Shape> right = Bands(shape, -std::fabs(distance)).make();
-    std::move(right.begin(), right.end(), std::back_inserter(list));
-    list.push_back(disc(shape.nodes.front(), std::fabs(distance), shape.tag));
-    list.push_back(disc(shape.nodes.back(), std::fabs(distance), shape.tag));
+    list.push_back(disc(shape.nodes.front(), reach, shape.tag));
+    list.push_back(disc(shape.nodes.back(), reach, shape.tag));
     return list;
 }
 
