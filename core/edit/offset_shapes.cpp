@@ -280,9 +280,12 @@ Result<std::vector<Shape>> offsetOf(const Shape &shape, double distance, double 
     const bool inside = isClosed(shape) && distance < 0.0;
     Result<Document> result =
         combineShapes(*drawn, selectAll(*drawn).shapes, inside ? ShapeOperation::Difference : ShapeOperation::Union);
-    if (!result) {
+    if (!result && inside && result.faults().front().code == "not-possible") {
         return error("not-possible", "nothing is left of " + displayName(shape) + " at this distance",
                      "enter a smaller number");
+    }
+    if (!result) {
+        return result.faults();
     }
     std::vector<Shape> made;
     for (const auto &piece : result->shapes) {

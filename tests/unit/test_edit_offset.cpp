@@ -160,3 +160,14 @@ TEST_CASE("offsetShapes: neither the direction of an outline nor a crossing of i
     REQUIRE(inside.size() == 2);
     CHECK(worstMiss(inside, bow, 0.25) < 1e-9);
 }
+
+TEST_CASE("offsetShapes: only an inside offset of which nothing is left asks for a smaller number") {
+    const Result<Document> plate = addShape({}, square({0, 0}, 4));
+    const Result<Document> nothing = offsetShapes(*plate, {1}, -2.5);
+    REQUIRE_FALSE(nothing.ok());
+    CHECK(nothing.faults().front().message.starts_with("nothing is left of polygon 1"));
+    const Result<Document> far = offsetShapes(*plate, {1}, 1e200);
+    REQUIRE_FALSE(far.ok());
+    CAPTURE(far.faults().front().message);
+    CHECK_FALSE(far.faults().front().message.starts_with("nothing is left"));
+}
