@@ -1,10 +1,16 @@
 #pragma once
 
-#include "core/edit/document.hpp"
+#include "core/edit/references.hpp"
+#include "core/edit/shape_commands.hpp"
+
+#include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <set>
+#include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace forefront::edit_test {
@@ -21,6 +27,24 @@ inline Shape makeShape(ShapeKind kind, std::vector<Vec2> nodes, ShapeUse use = S
 
 inline Shape square(Vec2 low, double side, ShapeUse use = ShapeUse::Boundary) {
     return makeShape(ShapeKind::Polygon, {low, low + Vec2{side, 0}, low + Vec2{side, side}, low + Vec2{0, side}}, use);
+}
+
+/// Returns the code of the first fault; empty if there is none.
+inline std::string codeOf(const Result<Document> &result) {
+    return result ? std::string() : result.faults().front().code;
+}
+
+/// Returns a drawing of valid shapes, numbered from 1.
+inline Document documentOf(std::vector<Shape> shapes) {
+    Result<Document> document = addShapes({}, std::move(shapes));
+    REQUIRE_MESSAGE(document.ok(), codeOf(document));
+    return *std::move(document);
+}
+
+inline Selection selected(std::set<std::uint32_t> shapes) {
+    Selection selection;
+    selection.shapes = std::move(shapes);
+    return selection;
 }
 
 /// A segment by its coordinates, smaller end first: compares domains independently of the order of nodes and segments.

@@ -18,12 +18,6 @@ using namespace forefront::edit_test;
 
 namespace {
 
-Document documentOf(std::vector<Shape> shapes) {
-    Result<Document> document = addShapes({}, std::move(shapes));
-    REQUIRE(document.ok());
-    return *std::move(document);
-}
-
 /// Two squares of side 4, the second one 2 to the right and above; tags 1 and 2.
 Document twoSquares() {
     Shape first = square({0, 0}, 4), second = square({2, 2}, 4);

@@ -11,20 +11,7 @@
 using namespace forefront;
 using namespace forefront::edit_test;
 
-namespace {
-
-Document documentOf(std::vector<Shape> shapes) {
-    Result<Document> document = addShapes({}, std::move(shapes));
-    REQUIRE(document.ok());
-    return *std::move(document);
-}
-
-const std::string &codeOf(const Result<Document> &refused) {
-    REQUIRE_FALSE(refused.ok());
-    return refused.faults().front().code;
-}
-
-} // namespace
+namespace {} // namespace
 
 TEST_CASE("addShape: refuses invalid shapes and never reuses an id") {
     CHECK(codeOf(addShape({}, makeShape(ShapeKind::Polygon, {{0, 0}, {1, 1}}))) == "bad-shape");

@@ -22,22 +22,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-Document documentOf(std::vector<Shape> shapes) {
-    Result<Document> document = addShapes({}, std::move(shapes));
-    REQUIRE(document.ok());
-    return *std::move(document);
-}
-
-Selection shapes(std::set<std::uint32_t> ids) {
-    Selection selection;
-    selection.shapes = std::move(ids);
-    return selection;
-}
-
-std::string codeOf(const Result<Document> &result) {
-    return result ? "" : result.faults().front().code;
-}
-
 /// Returns the largest turn of a path in one of its nodes, in radians.
 double sharpest(const Shape &shape) {
     const Outline outline = outlineOf(shape);
@@ -63,7 +47,7 @@ Shape mixedPath() {
 TEST_CASE("filletCorners: a square loses its corners to quarter circles; the sides keep their tags") {
     Shape plate = square({0, 0}, 4);
     plate.segmentTags = {1, 2, 3, 4};
-    const Result<Document> result = filletCorners(documentOf({plate}), shapes({1}), 1.0);
+    const Result<Document> result = filletCorners(documentOf({plate}), selected({1}), 1.0);
     REQUIRE(result.ok());
     const Shape &shape = *result->shapes[0];
     CHECK(shape.nodes.size() == 8);
@@ -82,13 +66,13 @@ TEST_CASE("filletCorners: single nodes, both turns, and a radius that takes whol
     REQUIRE(inner.ok());
     CHECK(inner->shapes[0]->nodes.size() == 6);
     CHECK(areaOf(*inner->shapes[0]) > areaOf(arrow));
-    const Result<Document> disc = filletCorners(documentOf({square({0, 0}, 4)}), shapes({1}), 2.0);
+    const Result<Document> disc = filletCorners(documentOf({square({0, 0}, 4)}), selected({1}), 2.0);
     REQUIRE(disc.ok());
     CHECK(disc->shapes[0]->nodes.size() == 4);
     CHECK(areaOf(*disc->shapes[0]) == doctest::Approx(4.0 * kPi));
-    CHECK(codeOf(filletCorners(documentOf({square({0, 0}, 4)}), shapes({1}), 2.1)) == "not-possible");
+    CHECK(codeOf(filletCorners(documentOf({square({0, 0}, 4)}), selected({1}), 2.1)) == "not-possible");
     CHECK(codeOf(filletCorners(document, reflex, 0.0)) == "bad-number");
-    CHECK(codeOf(filletCorners(documentOf({makeShape(ShapeKind::Circle, {{0, 0}, {1, 0}})}), shapes({1}), 1)) ==
+    CHECK(codeOf(filletCorners(documentOf({makeShape(ShapeKind::Circle, {{0, 0}, {1, 0}})}), selected({1}), 1)) ==
           "not-possible");
 }
 
@@ -96,7 +80,7 @@ TEST_CASE("filletCorners: arcs and cubics as sides get a circle that is tangent 
     const Document document = documentOf({mixedPath()});
     for (const double radius : {0.05, 0.2, 0.5}) {
         CAPTURE(radius);
-        const Result<Document> result = filletCorners(document, shapes({1}), radius);
+        const Result<Document> result = filletCorners(document, selected({1}), radius);
         REQUIRE(result.ok());
         const Shape &shape = *result->shapes[0];
         CHECK(shape.nodes.size() == 4);
@@ -108,7 +92,7 @@ TEST_CASE("filletCorners: arcs and cubics as sides get a circle that is tangent 
 
 TEST_CASE("filletCorners: the ends of an open path stay; selected ends and smooth nodes are refused") {
     const Document document = documentOf({makeShape(ShapeKind::Polyline, {{0, 0}, {4, 0}, {4, 4}, {4, 6}})});
-    const Result<Document> result = filletCorners(document, shapes({1}), 1.0);
+    const Result<Document> result = filletCorners(document, selected({1}), 1.0);
     REQUIRE(result.ok());
     CHECK(result->shapes[0]->nodes.size() == 5);
     CHECK(lengthOf(*result->shapes[0]) == doctest::Approx(10.0 - 2.0 + 0.5 * kPi));
@@ -120,12 +104,12 @@ TEST_CASE("filletCorners: the ends of an open path stay; selected ends and smoot
 }
 
 TEST_CASE("chamferCorners: cuts at a distance along both sides, straight or curved") {
-    const Result<Document> cut = chamferCorners(documentOf({square({0, 0}, 4)}), shapes({1}), 1.0);
+    const Result<Document> cut = chamferCorners(documentOf({square({0, 0}, 4)}), selected({1}), 1.0);
     REQUIRE(cut.ok());
     CHECK(cut->shapes[0]->nodes.size() == 8);
     CHECK(areaOf(*cut->shapes[0]) == doctest::Approx(14.0));
     const Shape mixed = mixedPath();
-    const Result<Document> curved = chamferCorners(documentOf({mixed}), shapes({1}), 0.25);
+    const Result<Document> curved = chamferCorners(documentOf({mixed}), selected({1}), 0.25);
     REQUIRE(curved.ok());
     const Outline outline = outlineOf(*curved->shapes[0]);
     double bent = 0.0;
@@ -133,7 +117,7 @@ TEST_CASE("chamferCorners: cuts at a distance along both sides, straight or curv
         bent += outline.isCurved(k) ? outline.curve(k).length() : 0.0;
     }
     CHECK(bent == doctest::Approx(lengthOf(mixed) - 1.0));
-    CHECK(codeOf(chamferCorners(documentOf({square({0, 0}, 1)}), shapes({1}), 1.5)) == "not-possible");
+    CHECK(codeOf(chamferCorners(documentOf({square({0, 0}, 1)}), selected({1}), 1.5)) == "not-possible");
 }
 
 TEST_CASE("offsetShapes: areas follow Steiner's formula outside, and shrink by it inside") {

@@ -32,12 +32,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-Document documentOf(std::vector<Shape> shapes) {
-    Result<Document> document = addShapes({}, std::move(shapes));
-    REQUIRE_MESSAGE(document.ok(), messages(document.faults()));
-    return *std::move(document);
-}
-
 const Curve kWave = Curve::cubic({0, 0}, {1, -2}, {3, 2}, {4, 0});
 
 /// A closed path: a wave at the bottom, a half circle on the right, a straight line back.

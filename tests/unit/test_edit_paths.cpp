@@ -19,16 +19,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-Document documentOf(std::vector<Shape> shapes) {
-    Result<Document> document = addShapes({}, std::move(shapes));
-    REQUIRE(document.ok());
-    return *std::move(document);
-}
-
-std::string codeOf(const Result<Document> &result) {
-    return result ? std::string() : result.faults().front().code;
-}
-
 /// Returns the control points of the segments at a node.
 std::vector<Control> controlsAt(const Document &document, std::uint32_t node) {
     Selection selection;

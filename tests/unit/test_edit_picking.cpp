@@ -14,10 +14,8 @@ using namespace forefront::edit_test;
 
 namespace {
 
-std::shared_ptr<const Document> documentOf(std::vector<Shape> shapes) {
-    Result<Document> document = addShapes({}, std::move(shapes));
-    REQUIRE(document.ok());
-    return std::make_shared<const Document>(*std::move(document));
+std::shared_ptr<const Document> sharedDocumentOf(std::vector<Shape> shapes) {
+    return std::make_shared<const Document>(documentOf(std::move(shapes)));
 }
 
 std::shared_ptr<const Document> randomDocument(std::uint64_t seed, int count) {
@@ -42,7 +40,7 @@ std::shared_ptr<const Document> randomDocument(std::uint64_t seed, int count) {
             shapes.push_back(makeShape(ShapeKind::Point, {at}, ShapeUse::Constraint));
         }
     }
-    return documentOf(std::move(shapes));
+    return sharedDocumentOf(std::move(shapes));
 }
 
 } // namespace
@@ -121,7 +119,7 @@ TEST_CASE("PickIndex: finds the same nodes and segments as an exhaustive search"
 }
 
 TEST_CASE("PickIndex: picks the last drawn of coinciding nodes, unless it is filtered out") {
-    const auto document = documentOf({square({0, 0}, 1), square({1, 0}, 1)});
+    const auto document = sharedDocumentOf({square({0, 0}, 1), square({1, 0}, 1)});
     const PickIndex index(document);
     CHECK(index.node({1.01, 0}, 0.1)->ref == NodeRef{2, 0});
     CHECK(index.node({1.01, 0}, 0.1, [](const Shape &shape) { return shape.id != 2; })->ref == NodeRef{1, 1});
@@ -130,7 +128,7 @@ TEST_CASE("PickIndex: picks the last drawn of coinciding nodes, unless it is fil
 
 TEST_CASE("PickIndex: a line is picked before the inside of a shape, and the smallest shape wins") {
     const auto document =
-        documentOf({square({0, 0}, 10), square({2, 2}, 4), makeShape(ShapeKind::Circle, {{4, 4}, {5, 4}})});
+        sharedDocumentOf({square({0, 0}, 10), square({2, 2}, 4), makeShape(ShapeKind::Circle, {{4, 4}, {5, 4}})});
     const PickIndex index(document);
     CHECK(index.shape({1, 1}, 0.1) == 1);
     CHECK(index.shape({2.5, 2.5}, 0.1) == 2);
@@ -141,7 +139,7 @@ TEST_CASE("PickIndex: a line is picked before the inside of a shape, and the sma
 }
 
 TEST_CASE("PickIndex: finds the parts of sources, markers, and everything in a box") {
-    Document drawn = *documentOf({square({0, 0}, 1), makeShape(ShapeKind::Circle, {{5, 5}, {6, 5}})});
+    Document drawn = *sharedDocumentOf({square({0, 0}, 1), makeShape(ShapeKind::Circle, {{5, 5}, {6, 5}})});
     drawn = *addSource(drawn, {SourceShape::Line, {0, 8}, {4, 8}, 0.0, 0.1, 0.2, ""});
     drawn = *addSource(drawn, {SourceShape::Circle, {8, 8}, {}, 1.0, 0.1, 0.2, ""});
     drawn = *addRegionMarker(drawn, {{0.5, 0.5}, 1});
@@ -173,7 +171,7 @@ TEST_CASE("PickIndex: a hundred thousand searches among a hundred thousand nodes
         }
         shapes.push_back(makeShape(ShapeKind::Polygon, ring));
     }
-    const PickIndex index(documentOf(std::move(shapes)));
+    const PickIndex index(sharedDocumentOf(std::move(shapes)));
     Random random(3);
     int found = 0;
     for (int k = 0; k < 100000; ++k) {
@@ -186,7 +184,7 @@ TEST_CASE("PickIndex: a hundred thousand searches among a hundred thousand nodes
 }
 
 TEST_CASE("snap: nodes take precedence over segments, and segments over the grid; with Ctrl nothing snaps") {
-    const PickIndex index(documentOf({square({0, 0}, 4)}));
+    const PickIndex index(sharedDocumentOf({square({0, 0}, 4)}));
     SnapQuery query;
     query.tolerance = 0.2;
     query.gridPitch = 1.0;
@@ -210,7 +208,7 @@ TEST_CASE("snap: nodes take precedence over segments, and segments over the grid
 }
 
 TEST_CASE("snap: shift keeps to multiples of 15 degrees from the anchor, exactly so along the axes") {
-    const PickIndex index(documentOf({}));
+    const PickIndex index(sharedDocumentOf({}));
     SnapQuery query;
     query.anchor = Vec2{1, 1};
     query.angle = true;
@@ -227,7 +225,7 @@ TEST_CASE("snap: shift keeps to multiples of 15 degrees from the anchor, exactly
 }
 
 TEST_CASE("snap: locked coordinates stay fixed, the others still snap") {
-    const PickIndex index(documentOf({square({0, 0}, 4)}));
+    const PickIndex index(sharedDocumentOf({square({0, 0}, 4)}));
     SnapQuery query;
     query.tolerance = 0.5;
     query.at = {4.1, 0.1};

@@ -13,12 +13,6 @@ using namespace forefront::edit_test;
 
 namespace {
 
-Document documentOf(std::vector<Shape> shapes) {
-    Result<Document> document = addShapes({}, std::move(shapes));
-    REQUIRE(document.ok());
-    return *std::move(document);
-}
-
 RepairedDrawing repaired(const Document &document, double tolerance = 0.0) {
     Result<RepairedDrawing> result = repairDrawing(document, tolerance);
     REQUIRE(result.ok());

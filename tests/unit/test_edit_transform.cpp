@@ -16,26 +16,10 @@ using namespace forefront::edit_test;
 
 namespace {
 
-Document documentOf(std::vector<Shape> shapes) {
-    Result<Document> document = addShapes({}, std::move(shapes));
-    REQUIRE(document.ok());
-    return *std::move(document);
-}
-
 Document mapped(const Document &document, const Selection &selection, const PlaneMap &map) {
     Result<Document> result = transformSelection(document, selection, map);
     REQUIRE(result.ok());
     return *std::move(result);
-}
-
-Selection shapes(std::set<std::uint32_t> ids) {
-    Selection selection;
-    selection.shapes = std::move(ids);
-    return selection;
-}
-
-std::string codeOf(const Result<Document> &result) {
-    return result ? "" : result.faults().front().code;
 }
 
 /// A path with a line, an arc and a cubic.
@@ -188,8 +172,8 @@ TEST_CASE("alignSelection, distributeSelection: shapes line up at each side, and
     CHECK(spread[0].min.x == 0.0);
     CHECK(spread[1].min.x == doctest::Approx(4.0));
     CHECK(spread[2].min.x == 9.0);
-    CHECK(codeOf(alignSelection(document, shapes({1}), Alignment::Left)) == "not-possible");
-    CHECK(codeOf(distributeSelection(document, shapes({1, 2}), true)) == "not-possible");
+    CHECK(codeOf(alignSelection(document, selected({1}), Alignment::Left)) == "not-possible");
+    CHECK(codeOf(distributeSelection(document, selected({1, 2}), true)) == "not-possible");
     Selection nodes;
     nodes.nodes = {{1, 0}, {1, 2}, {2, 1}};
     const Result<Document> row = alignSelection(document, nodes, Alignment::Bottom);
@@ -201,20 +185,20 @@ TEST_CASE("alignSelection, distributeSelection: shapes line up at each side, and
 TEST_CASE("linearArray, polarArray: copies stand where they should, and are selected") {
     const Document document = documentOf({makeShape(ShapeKind::Circle, {{4, 0}, {5, 0}})});
     Selection made;
-    const Result<Document> row = linearArray(document, shapes({1}), 4, {3, 1}, &made);
+    const Result<Document> row = linearArray(document, selected({1}), 4, {3, 1}, &made);
     REQUIRE(row.ok());
     REQUIRE(row->shapes.size() == 4);
     CHECK(row->shapes[3]->nodes[0] == Vec2{13, 3});
     CHECK(made.shapes == std::set<std::uint32_t>{2, 3, 4});
-    const Result<Document> ring = polarArray(document, shapes({1}), 4, {0, 0}, 360.0, true);
+    const Result<Document> ring = polarArray(document, selected({1}), 4, {0, 0}, 360.0, true);
     REQUIRE(ring.ok());
     REQUIRE(ring->shapes.size() == 4);
     CHECK(ring->shapes[1]->nodes == std::vector<Vec2>{{0, 4}, {0, 5}});
     CHECK(ring->shapes[2]->nodes == std::vector<Vec2>{{-4, 0}, {-5, 0}});
-    const Result<Document> fan = polarArray(document, shapes({1}), 3, {0, 0}, 180.0, false);
+    const Result<Document> fan = polarArray(document, selected({1}), 3, {0, 0}, 180.0, false);
     REQUIRE(fan.ok());
     CHECK(fan->shapes[2]->nodes == std::vector<Vec2>{{-4, 0}, {-3, 0}});
-    CHECK(codeOf(linearArray(document, shapes({1}), 1, {1, 0})) == "bad-number");
-    CHECK(codeOf(linearArray(document, shapes({1}), 2.5, {1, 0})) == "bad-number");
-    CHECK(codeOf(polarArray(document, shapes({1}), 3, {0, 0}, 0.0, true)) == "bad-number");
+    CHECK(codeOf(linearArray(document, selected({1}), 1, {1, 0})) == "bad-number");
+    CHECK(codeOf(linearArray(document, selected({1}), 2.5, {1, 0})) == "bad-number");
+    CHECK(codeOf(polarArray(document, selected({1}), 3, {0, 0}, 0.0, true)) == "bad-number");
 }
