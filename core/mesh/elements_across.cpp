@@ -1,83 +1,12 @@
 #include "core/mesh/elements_across.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include "core/mesh/boundary_loops.hpp"
+
 #include <cstdint>
 #include <limits>
 
 namespace forefront {
-
 namespace {
-
-/// The loops of boundary edges, and the distance of each node along its loop.
-class BoundaryLoops {
-  public:
-    BoundaryLoops(const Mesh &mesh, const MeshEdges &edges)
-        : mesh_(mesh), next_(mesh.nodes.size(), {kNoNode, kNoNode}), loop_(mesh.nodes.size(), kNoIndex),
-          along_(mesh.nodes.size(), 0.0) {
-        for (const MeshEdge &edge : edges.edges) {
-            if (edge.elements[1] == kNoElement) {
-                link(edge.a, edge.b);
-                link(edge.b, edge.a);
-            }
-        }
-        for (std::uint32_t n = 0; n < mesh.nodes.size(); ++n) {
-            if (next_[n][0] != kNoNode && loop_[n] == kNoIndex) {
-                follow(NodeId{n});
-            }
-        }
-    }
-
-    bool holds(NodeId node) const { return loop_[index(node)] != kNoIndex; }
-
-    /// Returns true if two boundary nodes are far apart along the boundary compared with their straight distance.
-    bool facing(NodeId a, NodeId b) const {
-        const std::uint32_t loop = loop_[index(a)];
-        if (loop != loop_[index(b)]) {
-            return true;
-        }
-        constexpr double kDetour = 4.0;
-        const double apart = std::abs(along_[index(a)] - along_[index(b)]);
-        const double shorter = std::min(apart, lengths_[loop] - apart);
-        return shorter > kDetour * distance(mesh_.nodes[index(a)], mesh_.nodes[index(b)]);
-    }
-
-  private:
-    /// Records one of the two neighbours of a node. Where loops touch, a node has more; the last one recorded counts.
-    void link(NodeId from, NodeId to) {
-        auto &pair = next_[index(from)];
-        (pair[0] == kNoNode ? pair[0] : pair[1]) = to;
-    }
-
-    void follow(NodeId start) {
-        const auto loop = static_cast<std::uint32_t>(lengths_.size());
-        double length = 0.0;
-        NodeId before = kNoNode, at = start;
-        while (true) {
-            loop_[index(at)] = loop;
-            along_[index(at)] = length;
-            const auto &pair = next_[index(at)];
-            const NodeId to = pair[0] != before ? pair[0] : pair[1];
-            if (to == kNoNode) {
-                break;
-            }
-            length += distance(mesh_.nodes[index(at)], mesh_.nodes[index(to)]);
-            if (loop_[index(to)] != kNoIndex) {
-                break; // closed, or touching another loop
-            }
-            before = at;
-            at = to;
-        }
-        lengths_.push_back(length);
-    }
-
-    const Mesh &mesh_;
-    std::vector<std::array<NodeId, 2>> next_;
-    std::vector<std::uint32_t> loop_;
-    std::vector<double> along_;
-    std::vector<double> lengths_; ///< of the loops
-};
 
 /// The nearest boundary node of each node, by number of edges.
 struct Nearest {

@@ -241,14 +241,15 @@ MeasureSummary summarise(std::span<const double> values) {
 
 double MeasureHistogram::edge(std::size_t bin) const {
     const double t = static_cast<double>(bin) / static_cast<double>(bins.size());
-    return logarithmic ? from * std::pow(to / from, t) : from + t * (to - from);
+    return logarithmic ? from * std::pow(to / from, t) : (1.0 - t) * from + t * to;
 }
 
 std::size_t MeasureHistogram::binOf(double value) const {
-    const double t =
-        logarithmic ? value > 0.0 ? std::log(value / from) / std::log(to / from) : 0.0 : (value - from) / (to - from);
+    // Halves, since the difference of two large numbers may overflow.
+    const double t = logarithmic ? value > 0.0 ? std::log(value / from) / std::log(to / from) : 0.0
+                                 : (0.5 * value - 0.5 * from) / (0.5 * to - 0.5 * from);
     const auto count = static_cast<double>(bins.size());
-    return std::min(static_cast<std::size_t>(std::clamp(t, 0.0, 1.0) * count), bins.size() - 1);
+    return t > 0.0 ? std::min(static_cast<std::size_t>(std::min(t, 1.0) * count), bins.size() - 1) : 0;
 }
 
 MeasureHistogram histogramOf(std::span<const double> values, double from, double to, bool logarithmic,

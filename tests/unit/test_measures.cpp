@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 using namespace forefront;
@@ -152,6 +153,23 @@ TEST_CASE("Measures: elements across a gap are counted between parts of the boun
     CHECK(narrowest(twoTriangles(), {1.0, 1.0}).count == 0);
 }
 
+TEST_CASE("Measures: where holes touch in a node, the elements around it are not across a gap") {
+    Mesh mesh = samples::square(12, 12);
+    std::erase_if(mesh.elements, [&](const Element &element) { // two holes of 3 x 3 cells, 2 and 4 cells from the edge
+        const Vec2 at =
+            (4.0 * (mesh.nodes[index(element[0])] + mesh.nodes[index(element[1])] + mesh.nodes[index(element[2])]));
+        const auto within = [&](double low, double high) {
+            return at.x > low && at.x < high && at.y > low && at.y < high;
+        };
+        return within(2.0, 5.0) || within(5.0, 8.0);
+    });
+    mesh.edges.clear();
+    CHECK(summarise(values(Measure::Across, mesh)).minimum == 2.0);
+    const std::vector<double> across = values(Measure::Across, mesh);
+    CHECK(std::count(across.begin(), across.end(), 2.0) > 0);
+    CHECK(std::count_if(across.begin(), across.end(), [](double v) { return v < 2.0; }) == 0);
+}
+
 TEST_CASE("Measures: percentiles are values of that rank") {
     std::vector<double> numbers;
     for (int i = 100; i >= 0; --i) {
@@ -172,6 +190,13 @@ TEST_CASE("Measures: a histogram counts every value once, and values outside in 
     const MeasureHistogram linear = histogramOf(numbers, 0.0, 1.0, false, 4);
     CHECK(linear.bins == std::vector<std::uint64_t>{3, 1, 0, 3});
     CHECK(linear.edge(1) == 0.25);
+    constexpr double kLargest = std::numeric_limits<double>::max();
+    const std::vector<double> huge{-kLargest, 0.0, kLargest};
+    const MeasureHistogram wide = histogramOf(huge, -kLargest, kLargest, false, 3);
+    CHECK(wide.bins == std::vector<std::uint64_t>{1, 1, 1});
+    CHECK(wide.edge(0) == -kLargest);
+    CHECK(wide.edge(3) == kLargest);
+    CHECK(histogramOf(huge, kLargest, kLargest, false, 3).bins.size() == 3); // an empty range
     const MeasureHistogram logarithmic =
         histogramOf(std::vector<double>{-1.0, 0.5, 1.0, 10.0, 99.0}, 1.0, 100.0, true, 2);
     CHECK(logarithmic.bins == std::vector<std::uint64_t>{3, 2});

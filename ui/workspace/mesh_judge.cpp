@@ -37,8 +37,9 @@ void showNodal(Judgement &judgement) {
     judgement.values = *judgement.of.nodal;
     const MeasureSummary summary = summarise(judgement.values);
     judgement.summary = summary;
-    const double least = 1e-9 * std::max(std::abs(summary.minimum), std::abs(summary.maximum));
-    const double to = std::max(summary.maximum, summary.minimum + std::max(least, 1e-300));
+    const double narrowest = 1e-9 * std::max(std::abs(summary.minimum), std::abs(summary.maximum));
+    const double to = std::max(
+        summary.maximum, std::min(summary.minimum + std::max(narrowest, 1e-300), std::numeric_limits<double>::max()));
     judgement.fitted = {summary.minimum, to};
     judgement.histogram = histogramOf(judgement.values, summary.minimum, to, false, kBins);
 }
