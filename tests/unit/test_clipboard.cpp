@@ -84,6 +84,18 @@ TEST_CASE("Clipboard: two columns of a spreadsheet, with any separators, become 
     CHECK(only(readClipboard("-1e-3 2")).kind == ShapeKind::Point);
 }
 
+TEST_CASE("Clipboard: in cells the last point or comma is the decimal sign, and the other one divides thousands") {
+    const std::vector<std::pair<const char *, Vec2>> cases = {
+        {"1.234,5;2,0", {1234.5, 2}}, {"1,234.5\t-2", {1234.5, -2}}, {"1.5,2.5\tnode 7", {1.5, 2.5}},
+        {" 1,5 ; 2 ;3", {1.5, 2}},    {"\"1,5e2\"\t7", {150, 7}},    {"1.2.3,4\t5", {123.4, 5}},
+        {"1.5, 2.5;", {1.5, 2.5}}};
+    for (const auto &[text, place] : cases) {
+        CAPTURE(text);
+        const Result<Document> drawing = readClipboard(text);
+        CHECK(only(drawing).nodes == std::vector<Vec2>{place});
+    }
+}
+
 TEST_CASE("Clipboard: blank lines divide paths; text without numbers is refused") {
     const Result<Document> two = readClipboard("0 0\n1 0\n\n5 5\n6 6\n7 5\n");
     REQUIRE(two.ok());

@@ -30,21 +30,64 @@ std::optional<double> takeNumber(std::string_view &text) {
     return value;
 }
 
-/// Returns the first two numbers of a line; none if it begins with anything else or has fewer.
-std::optional<Vec2> pointIn(std::string line) {
-    const bool decimalComma = line.find_first_of(";\t") != std::string::npos && line.find('.') == std::string::npos;
-    if (decimalComma) {
-        std::replace(line.begin(), line.end(), ',', '.');
+/// Returns the number that a cell of a table holds. The last point or comma is the decimal sign; the other one may
+/// divide thousands before it.
+std::optional<double> numberIn(std::string_view cell) {
+    const std::size_t last = cell.find_last_of(".,");
+    if (last != std::string_view::npos && cell.find(cell[last]) != last) {
+        return std::nullopt; // two decimal signs
     }
-    std::string_view rest = line;
+    std::string digits;
+    for (std::size_t k = 0; k < cell.size(); ++k) {
+        if (k == last) {
+            digits += '.';
+        } else if (cell[k] != '.' && cell[k] != ',') {
+            digits += cell[k];
+        }
+    }
+    std::string_view rest = digits;
+    const std::optional<double> number = digits.empty() || !begins(digits[0]) ? std::nullopt : takeNumber(rest);
+    return rest.empty() ? number : std::nullopt;
+}
+
+/// Returns the first two cells of a line whose cells are divided by tabs or semicolons; none if they are not numbers.
+std::optional<Vec2> pointInCells(std::string_view line) {
+    constexpr std::string_view kBlank = " \r\"'()[]{}";
     double values[2] = {};
-    for (double &value : values) {
-        const std::size_t at = rest.find_first_not_of(" \t\r,;|\"'()[]{}");
-        if (at == std::string_view::npos || !begins(rest[at])) {
+    std::size_t found = 0;
+    while (found < 2 && !line.empty()) {
+        const std::size_t end = std::min(line.find_first_of(";\t"), line.size());
+        std::string_view cell = line.substr(0, end);
+        line.remove_prefix(std::min(end + 1, line.size()));
+        cell.remove_prefix(std::min(cell.find_first_not_of(kBlank), cell.size()));
+        cell.remove_suffix(cell.size() - (cell.find_last_not_of(kBlank) + 1));
+        if (cell.empty()) {
+            continue;
+        }
+        const std::optional<double> number = numberIn(cell);
+        if (!number) {
             return std::nullopt;
         }
-        rest.remove_prefix(at);
-        const std::optional<double> number = takeNumber(rest);
+        values[found++] = *number;
+    }
+    return found == 2 ? std::optional(Vec2{values[0], values[1]}) : std::nullopt;
+}
+
+/// Returns the first two numbers of a line; none if it begins with anything else or has fewer.
+std::optional<Vec2> pointIn(std::string_view line) {
+    if (line.find_first_of(";\t") != std::string_view::npos) {
+        if (const std::optional<Vec2> point = pointInCells(line)) {
+            return point;
+        }
+    }
+    double values[2] = {};
+    for (double &value : values) {
+        const std::size_t at = line.find_first_not_of(" \t\r,;|\"'()[]{}");
+        if (at == std::string_view::npos || !begins(line[at])) {
+            return std::nullopt;
+        }
+        line.remove_prefix(at);
+        const std::optional<double> number = takeNumber(line);
         if (!number) {
             return std::nullopt;
         }
@@ -58,7 +101,7 @@ std::vector<std::vector<Vec2>> runsIn(std::string_view text) {
     std::vector<std::vector<Vec2>> runs(1);
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size());
-        if (const std::optional<Vec2> point = pointIn(std::string(text.substr(0, end)))) {
+        if (const std::optional<Vec2> point = pointIn(text.substr(0, end))) {
             if (runs.back().empty() || runs.back().back() != *point) {
                 runs.back().push_back(*point);
             }
