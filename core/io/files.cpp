@@ -8,7 +8,9 @@
 #include "core/mesh/mesh_domain.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <limits>
 #include <new>
 #include <utility>
 
@@ -210,12 +212,29 @@ Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &op
         [](const Format &format, const SourceText &source) { return format.readMesh(source); });
 }
 
+namespace {
+
+/// Marks infinite values as absent: ranges, colours and contours have no place for them.
+void dropInfinite(NamedFields &fields) {
+    for (auto &[name, values] : fields) {
+        std::replace_if(
+            values.begin(), values.end(), [](double value) { return std::isinf(value); },
+            std::numeric_limits<double>::quiet_NaN());
+    }
+}
+
+} // namespace
+
 Result<MeshFields> readFields(const std::filesystem::path &path, const ImportOptions &options, ImportNotes *notes) {
     return readFile<MeshFields>(
         path, options, notes, [](const Format &format) { return format.readMesh != nullptr; },
         [](const Format &format, const SourceText &source) -> Result<MeshFields> {
             if (format.readFields != nullptr) {
-                return format.readFields(source);
+                Result<MeshFields> fields = format.readFields(source);
+                if (fields) {
+                    dropInfinite(fields->fields);
+                }
+                return fields;
             }
             Result<Mesh> mesh = format.readMesh(source);
             return mesh ? Result<MeshFields>(MeshFields{std::move(*mesh), {}}) : mesh.faults();

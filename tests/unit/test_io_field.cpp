@@ -1,10 +1,16 @@
+#include "core/io/files.hpp"
 #include "core/io/gmsh/gmsh.hpp"
 #include "core/io/vtk/vtk.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tests/unit/io_samples.hpp"
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <string>
+#include <vector>
 
 using namespace forefront;
 using namespace forefront::testing;
@@ -84,4 +90,20 @@ TEST_CASE("readVtuField: point data by name, with as many values as nodes") {
     CHECK(hasCode(fieldIn(readVtuFields, sourceOf(kVtuHead + array + "0.5 -1</DataArray>" + kVtuTail), "heat").faults(),
                   "bad-values"));
     CHECK(hasCode(fieldIn(readVtuFields, sourceOf(kVtuHead + kVtuTail), "heat").faults(), "no-field"));
+}
+
+TEST_CASE("readFields: infinite values are absent") {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path / "f.vtu";
+    std::string head = kVtuHead;
+    head.insert(std::string("<VTKFile ").size(), "byte_order=\"LittleEndian\" ");
+    std::ofstream(file) << head << "<DataArray type=\"Float64\" Name=\"heat\" format=\"binary\">"
+                        << "GAAAAAAAAAAAAOA/AAAAAAAA8H8AAAAAAADw/w==</DataArray>"
+                        << kVtuTail; // 24 bytes: 0.5, ∞ and -∞
+    const Result<MeshFields> read = readFields(file);
+    REQUIRE_MESSAGE(read.ok(), messages(read.faults()));
+    const std::vector<double> &heat = read->fields.at("heat");
+    CHECK(heat[0] == 0.5);
+    CHECK(std::isnan(heat[1]));
+    CHECK(std::isnan(heat[2]));
 }
