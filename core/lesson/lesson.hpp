@@ -58,7 +58,7 @@ struct LessonQuestion {
     std::optional<LessonPosition> show{}; ///< where the run shows the answer
 };
 
-/// A page of a lesson with the scene that it shows. What a page leaves out is as on the page before.
+/// A page of a lesson with the scene that it shows. Members that a page omits keep their values from the page before.
 struct LessonPage {
     std::string title;
     std::vector<std::string> paragraphs; ///< may contain lesson values, see withValues()
@@ -71,7 +71,7 @@ struct LessonPage {
     std::optional<std::vector<std::string>> layers; ///< ids of the visible layers; not set: as they are
     std::string panel;                              ///< id of the tab to show; empty: as it is
     LessonCamera camera;
-    std::vector<std::string> highlights; ///< names of widgets to outline; of this page alone
+    std::vector<std::string> highlights; ///< names of widgets to outline, on this page only
     std::optional<LessonQuestion> question;
 };
 
@@ -82,7 +82,7 @@ struct Lesson {
     std::vector<LessonPage> pages;
 };
 
-/// Returns the document of a page with the method and grid of the page.
+/// Returns the document of a page with the method, grid and improvement level of the page.
 std::shared_ptr<const Document> documentOf(const LessonPage &page);
 
 /// Returns true if the answer of a question is choice `index`.

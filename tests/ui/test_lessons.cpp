@@ -5,7 +5,11 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
+#include <map>
+#include <string>
+#include <vector>
 
 namespace forefront::test {
 
@@ -24,29 +28,23 @@ class Learner : public Driver {
     const OpenLesson &open() { return *context().lessons.open; }
     LessonState state() { return lessonState(context()); }
 
-    void answerChoice(const LessonChoices &choices) {
-        std::vector<std::size_t> right;
-        for (std::size_t k = 0; k < choices.list.size(); ++k) {
-            if (isRight(choices, k, state())) {
-                right.push_back(k);
-            }
-        }
-        REQUIRE(right.size() == 1);
-        for (std::size_t k = 0; k < choices.list.size(); ++k) {
-            if (k != right.front()) {
+    /// Picks every wrong choice, then the right one, counted from 1.
+    void answerChoice(const LessonChoices &choices, std::size_t right) {
+        REQUIRE(right >= 1);
+        REQUIRE(right <= choices.list.size());
+        for (std::size_t k = 1; k <= choices.list.size(); ++k) {
+            if (k != right) {
                 pick(k);
                 CHECK(has("lesson/wrong"));
             }
         }
-        pick(right.front());
+        pick(right);
     }
 
-    void answerNumber(const LessonNumber &question) {
-        const std::optional<double> value = valueOf(question.value, state());
-        REQUIRE(value);
-        enter(std::to_string(std::lround(*value) + 100));
+    void answerNumber(const std::string &number) {
+        enter('1' + number);
         CHECK(has("lesson/wrong"));
-        enter(withValues(std::string("{").append(wordOf(question.value)) + '}', state()));
+        enter(number);
     }
 
     void doTask(const LessonQuestion &question) {
@@ -61,11 +59,12 @@ class Learner : public Driver {
         settle();
     }
 
-    void answer(const LessonQuestion &question) {
+    /// `expected`: the right choice, counted from 1, or the number; nothing for a task.
+    void answer(const LessonQuestion &question, const std::string &expected) {
         if (const auto *choices = std::get_if<LessonChoices>(&question.answer)) {
-            answerChoice(*choices);
-        } else if (const auto *number = std::get_if<LessonNumber>(&question.answer)) {
-            answerNumber(*number);
+            answerChoice(*choices, std::stoul(expected));
+        } else if (std::holds_alternative<LessonNumber>(question.answer)) {
+            answerNumber(expected);
         } else {
             doTask(question);
         }
@@ -75,7 +74,7 @@ class Learner : public Driver {
 
   private:
     void pick(std::size_t choice) {
-        key(key::k0 + 1 + static_cast<int>(choice), kAlt);
+        key(key::k0 + static_cast<int>(choice), kAlt);
         settle();
     }
     void enter(const std::string &text) {
@@ -88,6 +87,17 @@ class Learner : public Driver {
     }
 };
 
+/// The answers page by page: choices counted from 1, numbers, nothing for tasks. Worked out by hand or, where they
+/// depend on the run, read from the statistics and the captions of films that the batch program writes.
+const std::map<std::string, std::vector<std::string>> &rightAnswers() {
+    static const std::map<std::string, std::vector<std::string>> kAnswers = {
+        {"1-front", {"34", "2", "", "1", "", "2"}},      {"2-ten-steps", {"2", "1", "", "", "1"}},
+        {"3-ideal-point", {"2", "2", "0.99", "", "1"}},  {"4-rejections", {"1", "2", "", "3", ""}},
+        {"5-background-grid", {"1", "", "2", "2", "3"}}, {"6-spacing", {"2", "6", "1", "0.93", "2"}},
+        {"7-closing", {"", "1", "2", "2", "8"}},         {"8-classic-and-fast", {"406", "2", "1", "1", "2"}}};
+    return kAnswers;
+}
+
 } // namespace
 
 TEST_CASE("Lessons: every page of the eight lessons shows what it speaks of, and its question can be answered") {
@@ -99,7 +109,7 @@ TEST_CASE("Lessons: every page of the eight lessons shows what it speaks of, and
         learner.settle();
         REQUIRE(learner.context().lessons.open);
         const std::size_t pages = entry.lesson->pages.size();
-        CHECK(pages >= 5);
+        REQUIRE(rightAnswers().at(entry.id).size() == pages);
         for (std::size_t page = 0; page < pages; ++page) {
             CAPTURE(page);
             REQUIRE(learner.open().page == page);
@@ -112,7 +122,7 @@ TEST_CASE("Lessons: every page of the eight lessons shows what it speaks of, and
                 CHECK(withValues(paragraph, learner.state()).find("\xe2\x80\x93") == std::string::npos);
             }
             REQUIRE(now.question);
-            learner.answer(*now.question);
+            learner.answer(*now.question, rightAnswers().at(entry.id).at(page));
             CHECK(learner.context().settings.lessons[entry.id].answered.contains(page));
             page + 1 < pages ? learner.key(key::kPageDown) : static_cast<void>(learner.click("lesson/next"));
             learner.settle();
@@ -145,11 +155,16 @@ TEST_CASE("Lessons: a lesson opens again where it was left, and leaves layers an
         CHECK(learner.context().settings.tab == "log");
         CHECK(learner.has("lessons/" + id + "/progress"));
     }
-    Learner again({.settingsFolder = folder.path});
-    again.click("lessons/" + id);
-    again.settle();
-    CHECK(again.open().page == 1);
-    CHECK(again.run().advance == 1);
+    {
+        Learner again({.settingsFolder = folder.path});
+        again.click("lessons/" + id);
+        again.settle();
+        CHECK(again.open().page == 1);
+        CHECK(again.run().advance == 1);
+    }
+    Learner last({.settingsFolder = folder.path}); // the one before was quit inside the lesson
+    CHECK(last.context().layer("labels")->visible);
+    CHECK(last.context().settings.tab == "log");
 }
 
 TEST_CASE("Lessons: pages set the scene again, whatever the learner did to it") {
@@ -183,7 +198,7 @@ TEST_CASE("Lessons: a lesson of one's own is opened from its file, a broken one 
     const auto own = write("mine.json", head + "{\"title\": \"P\", \"text\": \"Hello\"}]}");
     CHECK(openLessonFile(learner.context(), own).empty());
     learner.settle();
-    CHECK(learner.open().entry.id == "mine");
+    CHECK(learner.open().entry.id == std::filesystem::canonical(own).string());
     CHECK(learner.has("lesson/place"));
     const auto broken = write("broken.json", head + "{\"title\": \"P\", \"text\": \"Hello\", \"layers\": [\"sky\"]}]}");
     const Diagnostics faults = openLessonFile(learner.context(), broken);
@@ -191,7 +206,7 @@ TEST_CASE("Lessons: a lesson of one's own is opened from its file, a broken one 
     CHECK(faults.front().line == 2);
     CHECK(faults.front().column > 50);
     CHECK(faults.front().file == broken.string());
-    CHECK(learner.open().entry.id == "mine");
+    CHECK(learner.open().entry.file == own);
 }
 
 } // namespace forefront::test

@@ -113,6 +113,13 @@ TEST_CASE("Lesson: faults are reported with line, column and what was expected")
         {page(",\n\"panel\": \"stairs\""), "unknown-name", 3, "steps"},
         {page(",\n\"camera\": {\"centre\": [0, 0], \"size\": 0}"), "bad-number", 3, "greater than 0"},
         {page(",\n\"document\": \"none.json\""), "bad-document", 3, "'none.json'"},
+        {page(",\n\"document\": \"\""), "empty-text", 3, "document"},
+        {page(",\n\"document\": \"/etc/a.json\""), "bad-document", 3, "outside the folder"},
+        {page(",\n\"document\": \"drawings/../../a.json\""), "bad-document", 3, "outside the folder"},
+        {page(",\n\"position\": 3"), "no-document", 3, "\"document\""},
+        {page(",\n\"grid\": \"none\""), "no-document", 3, "'grid'"},
+        {question("\"choices\": [{\"text\": \"a\", \"right\": true}, {\"text\": \"b\"}], \"within\": 1"),
+         "bad-question", 3, "\"within\""},
         {page(",\n\"question\": {\"text\": \"{fron}\", \"number\": \"front\"}"), "unknown-value", 3, "'fron'"},
         {page(",\n\"question\": {\"text\": \"{front\", \"number\": \"front\"}"), "unknown-value", 3, "'front'"},
         {question("\"number\": \"fronts\""), "bad-field", 3, "\"front\""},
@@ -141,7 +148,7 @@ TEST_CASE("Lesson: faults are reported with line, column and what was expected")
 }
 
 TEST_CASE("Lesson: several faults of a file are reported together") {
-    const Diagnostics faults = faultsOf(page(",\n\"method\": \"slow\",\n\"grid\": 3,\n\"zoom\": 1"));
+    const Diagnostics faults = faultsOf(page(",\n\"panel\": 3,\n\"camera\": \"far\",\n\"zoom\": 1"));
     REQUIRE(faults.size() == 3);
     CHECK(faults[0].line + faults[1].line + faults[2].line == 3 + 4 + 5);
 }

@@ -19,18 +19,20 @@ void applySettings(Shell &context) {
     }
 }
 
-void collectSettings(Shell &context) {
-    Settings &settings = context.settings;
+Settings settingsToSave(const Shell &context) {
+    Settings settings = context.settings;
+    const std::optional<OpenLesson> &lesson = context.lessons.open;
     settings.layers.clear();
     for (const LayerSlot &slot : context.layers) {
-        const bool visible =
-            context.lessons.open ? context.lessons.open->layersBefore.at(slot.layer->id()) : slot.visible;
+        const bool visible = lesson ? lesson->layersBefore.at(slot.layer->id()) : slot.visible;
         if (visible != slot.layer->visibleAtStart()) {
             settings.layers[slot.layer->id()] = visible;
         }
     }
-    settings.panels = context.view.panels;
+    settings.panels = lesson ? lesson->panelsBefore : context.view.panels;
+    settings.tab = lesson ? lesson->tabBefore : settings.tab;
     settings.snapping = context.snapping;
+    return settings;
 }
 
 } // namespace forefront

@@ -392,10 +392,12 @@ void Editor::Parts::applyCursor() {
 }
 
 void Editor::Parts::rememberSettings() {
-    collectSettings(context);
-    if (!options.settingsFolder.empty() && savedSettings != context.settings) {
-        saveSettings(options.settingsFolder / "settings.json", context.settings);
-        savedSettings = context.settings;
+    if (options.settingsFolder.empty()) {
+        return;
+    }
+    if (Settings settings = settingsToSave(context); savedSettings != settings) {
+        saveSettings(options.settingsFolder / "settings.json", settings);
+        savedSettings = std::move(settings);
     }
 }
 

@@ -142,6 +142,7 @@ void openLesson(Shell &context, const LessonEntry &entry) {
             open.layersBefore[slot.layer->id()] = slot.visible;
         }
         open.tabBefore = c.settings.tab;
+        open.panelsBefore = c.view.panels;
         const std::size_t left = c.settings.lessons[entry.id].page;
         open.page = std::min(left, entry.lesson->pages.size() - 1);
         c.lessons.open = std::move(open);
@@ -155,9 +156,15 @@ Diagnostics openLessonFile(Shell &context, const std::filesystem::path &file) {
     if (!lesson) {
         return lesson.faults();
     }
-    const LessonEntry entry{file.stem().string(), file, std::make_shared<const Lesson>(std::move(*lesson))};
     listLessons(context);
+    std::error_code ignored;
+    const std::filesystem::path path = std::filesystem::weakly_canonical(file, ignored);
     std::vector<LessonEntry> &list = context.lessons.list;
+    const auto own = std::find_if(list.begin(), list.end(), [&](const LessonEntry &known) {
+        return std::filesystem::equivalent(known.file, file, ignored);
+    });
+    const LessonEntry entry{own != list.end() ? own->id : path.string(), file,
+                            std::make_shared<const Lesson>(std::move(*lesson))};
     std::erase_if(list, [&](const LessonEntry &known) { return known.id == entry.id; });
     list.push_back(entry);
     openLesson(context, entry);
@@ -173,6 +180,7 @@ void closeLesson(Shell &context) {
         showLayer(context.layers, layer, visible);
     }
     context.settings.tab = open.tabBefore;
+    context.view.panels = open.panelsBefore;
     context.view.following = false;
     context.animate();
 }

@@ -21,7 +21,7 @@ void listLessons(Shell &context);
 void openLesson(Shell &context, const LessonEntry &entry);
 /// Opens the lesson of a file, and adds it to the list.
 Diagnostics openLessonFile(Shell &context, const std::filesystem::path &file);
-/// Returns to the list of lessons. Layers and tabs are as before the lesson; the drawing stays.
+/// Returns to the list of lessons. Layers, panels and tab are as before the lesson; the drawing stays.
 void closeLesson(Shell &context);
 /// Shows a page of the open lesson: its document, position, layers and camera.
 void goToPage(Shell &context, std::size_t page);

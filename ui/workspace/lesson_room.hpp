@@ -15,7 +15,7 @@ namespace forefront {
 
 /// A lesson in the list of lessons.
 struct LessonEntry {
-    std::string id; ///< name of its file without extension; the key of its progress
+    std::string id; ///< name of its file without extension, or the path of a file of one's own; key of its progress
     std::filesystem::path file;
     std::shared_ptr<const Lesson> lesson;
 };
@@ -35,6 +35,7 @@ struct OpenLesson {
     std::shared_ptr<const Document> document;
     std::map<std::string, bool> layersBefore; ///< visible layers, restored at the end
     std::string tabBefore;
+    bool panelsBefore = true;
 
     const LessonPage &now() const { return entry.lesson->pages[page]; }
 };

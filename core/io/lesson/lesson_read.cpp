@@ -111,16 +111,41 @@ class LessonReader {
         if (const auto camera = item.find("camera")) {
             page.camera = readCamera(*camera);
         }
+        needDocument(item, page);
+    }
+
+    /// Reports members that say something about a document while there is none.
+    void needDocument(const JsonValue &item, const LessonPage &page) {
+        if (!page.documentName.empty() || item.find("document")) {
+            return;
+        }
+        for (const char *member : {"method", "grid", "improve", "position"}) {
+            if (const auto value = item.find(member)) {
+                check_.fault(*value, "no-document", inQuotes(member) + " has no effect without a document",
+                             "add \"document\" to this page or to one before");
+            }
+        }
+    }
+
+    /// Returns false, and reports it, if a name leads out of the folder of the lesson.
+    bool isInFolder(const JsonValue &value, const std::string &name) {
+        const std::filesystem::path path(name);
+        if (path.is_relative() && std::find(path.begin(), path.end(), "..") == path.end()) {
+            return true;
+        }
+        check_.fault(value, "bad-document", "the document " + inQuotes(name) + " is outside the folder of the lesson",
+                     "put it beside the lesson, and give its path from there");
+        return false;
     }
 
     void document(const JsonValue &value, LessonPage &page) {
-        page.documentName = check_.string(value, "\"document\"");
+        page.documentName = shownText(check_, value, "\"document\"", false);
         page.method.reset();
         page.grid.reset();
         page.improve.reset();
         page.position = {};
         page.camera = {};
-        if (!names_.document || page.documentName.empty()) {
+        if (!isInFolder(value, page.documentName) || !names_.document || page.documentName.empty()) {
             return;
         }
         std::shared_ptr<const Document> &known = documents_[page.documentName];

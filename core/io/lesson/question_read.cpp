@@ -7,8 +7,8 @@ namespace forefront {
 
 namespace {
 
-constexpr std::int64_t kMostAdvances = 1'000'000'000;
-constexpr std::int64_t kMostEvents = 1'000'000;
+constexpr std::int64_t kMaxAdvances = 1'000'000'000;
+constexpr std::int64_t kMaxEvents = 1'000'000;
 
 LessonValue valueWord(const JsonValue &value, JsonCheck &check, std::string_view what) {
     return static_cast<LessonValue>(check.choice(value, wordsOf<LessonValue>(), what));
@@ -147,7 +147,7 @@ LessonPosition readPosition(const JsonValue &value, JsonCheck &check) {
     constexpr std::array<std::string_view, 2> kMembers = {"advance", "events"};
     LessonPosition position;
     const auto advance = [&](const JsonValue &number) {
-        return static_cast<std::uint64_t>(check.integer(number, 0, kMostAdvances, "the position"));
+        return static_cast<std::uint64_t>(check.integer(number, 0, kMaxAdvances, "the position"));
     };
     if (value.is(JsonKind::String)) {
         check.choice(value, kWords, "the position");
@@ -158,7 +158,7 @@ LessonPosition readPosition(const JsonValue &value, JsonCheck &check) {
             position.advance = advance(*number);
         }
         if (const auto events = value.find("events")) {
-            position.events = check.integer(*events, 0, kMostEvents, "the number of events");
+            position.events = check.integer(*events, 0, kMaxEvents, "the number of events");
         }
     } else {
         position.advance = advance(value);
@@ -180,6 +180,10 @@ LessonQuestion readQuestion(const JsonValue &object, JsonCheck &check) {
         check.fault(object, "bad-question",
                     "expected one of \"choices\", \"number\" and \"until\" in a question, found " +
                         std::to_string(kinds));
+    }
+    if (const auto within = object.find("within"); within && !number) {
+        check.fault(*within, "bad-question", "\"within\" has no effect in a question without \"number\"",
+                    "move it into the condition, or leave it out");
     }
     if (choices) {
         question.answer = readChoices(*choices, check);
