@@ -90,7 +90,7 @@ Diagnostics checkAgainst(const Mesh &mesh, const CheckArguments &arguments, Inpu
         return domain.faults();
     }
     std::optional<Repaired> repaired;
-    std::map<std::int32_t, double> changes; // of the lengths of boundary parts
+    std::map<std::int32_t, double> changes; // in the lengths of boundary parts
     if (arguments.repair) {
         Result<Repaired> result = repair(*domain, arguments.weldTolerance.value_or(0.0));
         if (!result) {

@@ -26,8 +26,8 @@ double upper(const CurveStretch &stretch) {
 /// otherwise become a separate piece with sharp elements beside it.
 void joinShortPieces(std::vector<double> &fractions, const CurvePath &path, const SpacingField &spacing,
                      std::size_t minimum) {
-    constexpr double kShort = 0.25;  // of the spacing, and of the longer piece
-    constexpr double kVisible = 0.4; // of the tolerance: 1/5000 of the diagonal by default
+    constexpr double kShort = 0.25;  // relative to the spacing and to the longer piece
+    constexpr double kVisible = 0.4; // relative to the tolerance: 1/5000 of the diagonal by default
     for (std::size_t i = 1; i + 1 < fractions.size() && fractions.size() > minimum + 1;) {
         const double from = fractions[i - 1], to = fractions[i + 1];
         const Vec2 at = path.at(fractions[i]);

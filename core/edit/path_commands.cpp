@@ -96,7 +96,7 @@ NodeKind kindOf(const Outline &outline, std::uint32_t node) {
     if (!isCubic(outline, beside.before) || !isCubic(outline, beside.after)) {
         return NodeKind::Corner;
     }
-    constexpr double kAlmost = 1e-6; // of the distances; a hand cannot do better
+    constexpr double kAlmost = 1e-6; // relative to the distances; a hand cannot do better
     const Vec2 back = controlOf(outline.curves[beside.before], true) - outline.nodes[node];
     const Vec2 ahead = controlOf(outline.curves[beside.after], false) - outline.nodes[node];
     const double reach = length(back) * length(ahead);

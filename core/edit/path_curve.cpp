@@ -129,8 +129,8 @@ Curve joining(const Curve &curve, Vec2 from, Vec2 to) {
 }
 
 bool joins(const Curve &curve, Vec2 from, Vec2 to) {
-    constexpr double kWritten = 1e-6; // of the size: numbers written by hand or by other programs
-    constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon(); // of the coordinates
+    constexpr double kWritten = 1e-6; // relative to the size: numbers written by hand or by other programs
+    constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon(); // relative to the coordinates
     const std::array<double, 8> n = curve.numbers();
     const Vec2 first{n[0], n[1]};
     double size = 0.0, magnitude = 0.0;

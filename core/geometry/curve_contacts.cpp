@@ -54,7 +54,7 @@ class SteepCrossing {
     std::optional<CurveContact> run() const { return search(first_, second_, kHalvings); }
 
   private:
-    static constexpr int kHalvings = 100; // of both together: enough down to rounding
+    static constexpr int kHalvings = 100; // both curves together: enough to reach rounding
 
     /// Newton's method may fail on curves of uneven speed, as near cusps; then the longer part is halved.
     std::optional<CurveContact> search(const CurvePart &first, const CurvePart &second, int halvings) const {
