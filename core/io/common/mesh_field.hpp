@@ -21,7 +21,7 @@ struct MeshField {
 /// Scalar nodal values by name, as stored in a file; NaN where it has no value.
 using NamedFields = std::map<std::string, std::vector<double>>;
 
-/// A mesh with all its scalar nodal values.
+/// A mesh with all its scalar nodal values; NaN where a node has none.
 struct MeshFields {
     Mesh mesh;
     NamedFields fields;

@@ -3,16 +3,18 @@
 #include "core/spacing/parts/automatic/gap_finder.hpp"
 #include "core/spacing/parts/curvature/curvature_sites.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace forefront {
 namespace {
 
-constexpr double kAcross = 45.0;         ///< elements along the diagonal of the domain's box
-constexpr double kAcrossGap = 2.0;       ///< elements across a narrow place
-constexpr double kFinestGap = 1e-4;      ///< fraction of the diagonal; narrower places are not resolved further
-constexpr double kGapElements = 3.0e4;   ///< about this many elements may be spent on narrow places ...
-constexpr double kGapElementsEach = 8.0; ///< ... plus this many per domain segment
+constexpr double kAcross = 45.0;          ///< elements along the diagonal of the domain's box
+constexpr double kCurvedGradation = 0.18; ///< of curved domains; a steeper one leaves worse shapes beside bends
+constexpr double kAcrossGap = 2.0;        ///< elements across a narrow place
+constexpr double kFinestGap = 1e-4;       ///< fraction of the diagonal; narrower places are not resolved further
+constexpr double kGapElements = 3.0e4;    ///< about this many elements may be spent on narrow places ...
+constexpr double kGapElementsEach = 8.0;  ///< ... plus this many per domain segment
 
 /// Returns the number of elements in the half of a gap beside its part of a segment, if their size is at least `floor`.
 double elementsFor(const Gap &gap, double floor) {
@@ -65,6 +67,7 @@ AutomaticSpacing automaticSpacing(const Domain &domain, const Box2 &box, double 
         automatic.sites.add(limited(site, minimum, gradation), {SpacingOrigin::Automatic, reason, index});
     };
     const CurveChains chains = curveChains(domain);
+    gradation = chains.list.empty() ? gradation : std::min(gradation, kCurvedGradation);
     std::vector<PlacedSegment> segments = placedSegments(domain);
     applyCurveLengths(domain, chains, segments);
     dropDominated(domain, gradation, segments);
