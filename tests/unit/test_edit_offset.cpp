@@ -119,7 +119,7 @@ TEST_CASE("offsetShapes: parallels of slender ellipses are accurate outside and 
 TEST_CASE("offsetShapes: the band around a cubic with a cusp, or nearly one, is round there") {
     for (const double gap : {0.0, 1e-6, 0.1}) {
         CAPTURE(gap);
-        const Shape path = openCubic({0, 0}, {1 + gap, 1}, {0, 1}, {1, 0}); 
+        const Shape path = openCubic({0, 0}, {1 + gap, 1}, {0, 1}, {1, 0});
         const std::vector<Shape> made = offsetsOf(path, 0.1);
         REQUIRE(made.size() == 1);
         CHECK(worstMiss(made, path, 0.1) < 1e-6);

@@ -141,7 +141,7 @@ TEST_CASE("transformSelection: all handles of a shape are mapped like the shape 
         for (const PlaneMap &map :
              {PlaneMap::rotation(90.0, {1, 2}), PlaneMap::rotation(33.0, {1, 2}), PlaneMap::reflection(20.0, {1, 2}),
               PlaneMap::scaling({2, -0.5}, {1, 2}), PlaneMap::translation({0.1, 0.7})}) {
-            const Shape whole = *mapped(document, shapes({1}), map).shapes[0];
+            const Shape whole = *mapped(document, selected({1}), map).shapes[0];
             CHECK(*mapped(document, nodes, map).shapes[0] == whole);
             CHECK(*mapped(document, segments, map).shapes[0] == whole);
         }
