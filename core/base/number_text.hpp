@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/vec2.hpp"
+
 #include <array>
 #include <charconv>
 #include <string>
@@ -12,6 +14,11 @@ inline std::string numberText(double value, int digits) {
     std::array<char, 40> text{};
     const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits);
     return {text.data(), end.ptr};
+}
+
+/// Returns a place as "(1.5, 2)" with six significant digits, for messages.
+inline std::string placeText(Vec2 place) {
+    return '(' + numberText(place.x, 6) + ", " + numberText(place.y, 6) + ')';
 }
 
 } // namespace forefront

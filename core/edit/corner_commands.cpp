@@ -155,10 +155,6 @@ void replaceCorner(PathLists &path, std::size_t node, const Curve &first, const 
     }
 }
 
-std::string placeText(Vec2 p) {
-    return "(" + numberText(p.x, 6) + ", " + numberText(p.y, 6) + ")";
-}
-
 /// Cuts the given corners of a path. With `all`, smooth nodes and ends are left as they are.
 Status cutCorners(Shape &shape, const std::set<std::uint32_t> &nodes, bool all, const CutCorner &cutCorner) {
     const bool closed = shape.kind == ShapeKind::Polygon;

@@ -31,10 +31,6 @@ bool breaks(const LimitInfo &info, double bound, double value) {
     return info.isMinimum ? value < bound - slack : value > bound + slack;
 }
 
-std::string placeText(Vec2 at) {
-    return '(' + numberText(at.x, 6) + ", " + numberText(at.y, 6) + ')';
-}
-
 LimitVerdict verdictOf(MeshLimit limit, double bound, const Mesh &mesh, const MeshEdges &edges,
                        const std::vector<double> &values, std::size_t places) {
     const LimitInfo &info = limitInfo(limit);

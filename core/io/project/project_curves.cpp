@@ -43,10 +43,6 @@ void writeCurve(const Curve &curve, JsonText &out) {
     }
 }
 
-std::string placeText(Vec2 p) {
-    return "(" + numberText(p.x, 6) + ", " + numberText(p.y, 6) + ")";
-}
-
 /// Reads the curves of one path.
 class CurveReader {
   public:
