@@ -13,8 +13,8 @@
 #include <numbers>
 #include <optional>
 #include <set>
-#include <string>
 #include <utility>
+#include <vector>
 
 namespace forefront {
 namespace {
@@ -116,87 +116,121 @@ std::optional<Cut> chamfer(const Curve &before, const Curve &after, double reach
     return Cut{s, t, Curve()};
 }
 
-/// The lists of a path, complete: one curve and one tag for each segment.
-struct PathLists {
-    std::vector<Vec2> nodes;
-    std::vector<Curve> curves;
-    std::vector<std::int32_t> tags;
-
-    void erase(std::size_t k) {
-        const auto at = static_cast<std::ptrdiff_t>(k);
-        nodes.erase(nodes.begin() + at);
-        curves.erase(curves.begin() + at);
-        tags.erase(tags.begin() + at);
-    }
+/// A node of a path with the segment that starts there.
+struct Element {
+    Vec2 node;
+    Curve curve; ///< as a path stores it: a straight segment is known by its nodes
+    std::int32_t tag = 1;
 };
 
-/// Returns a part of a curve as a path stores it: a straight segment is known by its nodes.
-Curve stored(const Curve &curve, double t0, double t1) {
-    return curve.kind() == CurveKind::Line ? Curve() : curve.part(t0, t1);
-}
-
-/// Replaces a corner by a segment. A side of which nothing is left goes with it.
-void replaceCorner(PathLists &path, std::size_t node, const Curve &first, const Curve &second, const Cut &cut) {
-    const std::size_t before = (node + path.curves.size() - 1) % path.curves.size();
-    const bool noBefore = cut.s <= kRounding, noAfter = cut.t >= 1.0 - kRounding;
-    const auto at = static_cast<std::ptrdiff_t>(node);
-    path.curves[before] = stored(first, 0.0, cut.s);
-    path.curves[node] = before == node ? stored(second, cut.t, cut.s) : stored(second, cut.t, 1.0);
-    path.nodes[node] = second.point(cut.t);
-    path.nodes.insert(path.nodes.begin() + at, noBefore ? first.point(0.0) : first.point(cut.s));
-    path.curves.insert(path.curves.begin() + at, cut.joint);
-    path.tags.insert(path.tags.begin() + at, path.tags[before]);
-    const std::size_t shifted = before >= node ? before + 1 : before;
-    if (noAfter) {
-        path.erase(node + 1);
-    }
-    if (noBefore) {
-        path.erase(noAfter && shifted > node ? shifted - 1 : shifted);
-    }
-}
-
-/// Cuts the given corners of a path. With `all`, smooth nodes and ends are left as they are.
-Status cutCorners(Shape &shape, const std::set<std::uint32_t> &nodes, bool all, const CutCorner &cutCorner) {
-    const bool closed = shape.kind == ShapeKind::Polygon;
-    PathLists path{shape.nodes, shape.curves, shape.segmentTags};
-    path.curves.resize(closed ? shape.nodes.size() : shape.nodes.size() - 1);
-    path.tags.resize(path.curves.size(), shape.tag);
-    for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) {
-        const Outline outline{path.nodes, closed, path.curves, {}};
-        const bool isEnd = !closed && (*node == 0 || *node + 1 == path.nodes.size());
-        if (isEnd && !all) {
-            return error("not-possible", "the end of an open path is no corner", "select nodes between its ends");
+/// Cuts corners of a path from its last node to its first one, in one pass. With `all`, smooth nodes and ends are left
+/// as they are.
+class CornerPass {
+  public:
+    CornerPass(const Shape &shape, bool all) : closed_(shape.kind == ShapeKind::Polygon), all_(all) {
+        for (std::size_t k = 0; k < shape.nodes.size(); ++k) {
+            ahead_.push_back(
+                {shape.nodes[k], k < shape.curves.size() ? shape.curves[k] : Curve(), segmentTag(shape, k)});
         }
-        if (isEnd || *node >= path.nodes.size()) {
-            continue;
-        }
-        const Curve first = outline.curve((*node + path.curves.size() - 1) % path.curves.size());
-        const Curve second = outline.curve(*node);
-        if (std::fabs(turnAt(first, second)) < kSmooth) {
-            if (all) {
-                continue;
+    }
+
+    Status run(const std::set<std::uint32_t> &nodes, const CutCorner &cutCorner) {
+        while (!ahead_.empty()) {
+            const auto node = static_cast<std::uint32_t>(ahead_.size() - 1);
+            const Element element = ahead_.back();
+            ahead_.pop_back();
+            const bool isEnd = !closed_ && (ahead_.empty() || done_.empty());
+            if (!nodes.contains(node) || (isEnd && all_)) {
+                done_.push_back(element);
+            } else if (isEnd) {
+                return error("not-possible", "the end of an open path at " + placeText(element.node) + " is no corner",
+                             "select nodes between its ends");
+            } else if (Status status = cut(element, cutCorner); !status.empty()) {
+                return status;
             }
-            return error("not-possible", "the node at " + placeText(path.nodes[*node]) + " is smooth, not a corner",
-                         "select corners");
         }
-        const std::optional<Cut> cut = cutCorner(first, second);
-        if (!cut) {
-            return error("not-possible", "no room for this at the corner at " + placeText(path.nodes[*node]),
+        return {};
+    }
+
+    /// Writes the result to the path.
+    void finish(Shape &shape) {
+        std::reverse(done_.begin(), done_.end());
+        shape.nodes.clear();
+        shape.curves.clear();
+        shape.segmentTags.clear();
+        for (const Element &element : done_) {
+            shape.nodes.push_back(element.node);
+            shape.curves.push_back(element.curve);
+            shape.segmentTags.push_back(element.tag);
+        }
+        if (!closed_) {
+            shape.curves.pop_back();
+            shape.segmentTags.pop_back();
+        }
+        shape.cuts.clear();
+    }
+
+  private:
+    static Curve curveOf(const Element &element, Vec2 end) {
+        return element.curve.kind() == CurveKind::Line ? Curve::line(element.node, end) : element.curve;
+    }
+    static Curve part(const Curve &curve, double t0, double t1) {
+        return curve.kind() == CurveKind::Line ? Curve() : curve.part(t0, t1);
+    }
+
+    Status cut(Element element, const CutCorner &cutCorner) {
+        const bool alone = ahead_.empty() && done_.empty(); // a loop with one node
+        Element &before = !ahead_.empty() ? ahead_.back() : alone ? element : done_.front();
+        const Vec2 end = !done_.empty() ? done_.back().node : alone ? element.node : ahead_.front().node;
+        const Curve first = curveOf(before, element.node), second = curveOf(element, end);
+        if (std::fabs(turnAt(first, second)) < kSmooth) {
+            done_.push_back(element);
+            return all_ ? Status()
+                        : error("not-possible", "the node at " + placeText(element.node) + " is smooth, not a corner",
+                                "select corners");
+        }
+        const std::optional<Cut> found = cutCorner(first, second);
+        if (!found) {
+            return error("not-possible", "the corner at " + placeText(element.node) + " has no room for this",
                          "enter a smaller number");
         }
-        replaceCorner(path, *node, first, second, *cut);
+        const bool noBefore = found->s <= kRounding, noAfter = found->t >= 1.0 - kRounding;
+        const Element joint{noBefore ? first.point(0.0) : first.point(found->s), found->joint, before.tag};
+        before.curve = part(first, 0.0, found->s);
+        element.curve = part(second, found->t, alone ? found->s : 1.0);
+        element.node = second.point(found->t);
+        replace(element, joint, noBefore, noAfter);
+        return {};
     }
-    shape.nodes = std::move(path.nodes);
-    shape.curves = std::move(path.curves);
-    shape.segmentTags = std::move(path.tags);
-    shape.cuts.clear();
-    return {};
-}
+
+    /// Puts a joint before a node. A side of which nothing is left goes with its first node.
+    void replace(const Element &element, const Element &joint, bool noBefore, bool noAfter) {
+        if (!noAfter) {
+            done_.push_back(element);
+        }
+        if (noBefore && !ahead_.empty()) {
+            ahead_.back() = joint; // the next corner
+            return;
+        }
+        if (noBefore && !done_.empty()) {
+            done_.erase(done_.begin());
+        }
+        done_.push_back(joint);
+    }
+
+    bool closed_, all_;
+    std::vector<Element> ahead_; ///< nodes not yet seen, in order
+    std::vector<Element> done_;  ///< the result so far, from its last node to its first
+};
 
 /// Makes a rectangle a path, if its corners are sharp.
 Status openShape(Shape &shape) {
     if (shape.kind == ShapeKind::Rectangle && shape.radius == 0.0) {
         becomePath(shape);
+    }
+    if (shape.kind == ShapeKind::Rectangle) {
+        return error("not-possible", displayName(shape) + " has rounded corners already",
+                     "set its radius to 0, or convert it to a path");
     }
     if (!isPath(shape)) {
         return error("not-possible", displayName(shape) + " has no corners", "select paths or rectangles");
@@ -204,10 +238,33 @@ Status openShape(Shape &shape) {
     return {};
 }
 
+/// Cuts the given corners of a shape; of an empty set, all of them.
+Status changeShape(Shape &shape, const std::set<std::uint32_t> &chosen, const CutCorner &cutCorner) {
+    if (Status status = openShape(shape); !status.empty()) {
+        return status;
+    }
+    const bool all = chosen.empty();
+    std::set<std::uint32_t> corners = chosen;
+    for (std::uint32_t k = 0; all && k < shape.nodes.size(); ++k) {
+        corners.insert(corners.end(), k);
+    }
+    if (*corners.rbegin() >= shape.nodes.size()) {
+        return error("no-such-node", "node not found");
+    }
+    CornerPass pass(shape, all);
+    if (Status status = pass.run(corners, cutCorner); !status.empty()) {
+        return status;
+    }
+    pass.finish(shape);
+    return {};
+}
+
 Result<Document> changeCorners(const Document &document, const Selection &selection, double size,
                                const CutCorner &cutCorner) {
     if (!(size > 0.0) || !std::isfinite(size)) {
-        return error("bad-number", "invalid size of a corner; expected a number above 0");
+        return error("bad-number",
+                     "invalid size of a corner " + numberText(size, 6) + "; expected a finite number above 0",
+                     "enter a number such as 0.5");
     }
     std::map<std::uint32_t, std::set<std::uint32_t>> nodes;
     for (const NodeRef node : selection.nodes) {
@@ -216,33 +273,20 @@ Result<Document> changeCorners(const Document &document, const Selection &select
     for (const std::uint32_t id : selection.shapes) {
         nodes[id].clear();
     }
-    Document next = document;
-    for (const auto &[id, chosen] : nodes) {
-        const Shape *given = findShape(document, id);
-        if (given == nullptr) {
-            return error("no-such-shape", "shape not found");
+    std::vector<Shape> changed;
+    for (const auto &pointer : document.shapes) {
+        const auto chosen = nodes.find(pointer->id);
+        if (chosen != nodes.end()) {
+            changed.push_back(*pointer);
+            if (Status status = changeShape(changed.back(), chosen->second, cutCorner); !status.empty()) {
+                return status;
+            }
         }
-        Shape shape = *given;
-        if (Status status = openShape(shape); !status.empty()) {
-            return status;
-        }
-        std::set<std::uint32_t> corners = chosen;
-        for (std::uint32_t k = 0; chosen.empty() && k < shape.nodes.size(); ++k) {
-            corners.insert(k);
-        }
-        if (*corners.rbegin() >= shape.nodes.size()) {
-            return error("no-such-node", "node not found");
-        }
-        if (Status status = cutCorners(shape, corners, chosen.empty(), cutCorner); !status.empty()) {
-            return status;
-        }
-        Result<Document> changed = replaceShape(next, std::move(shape));
-        if (!changed) {
-            return changed;
-        }
-        next = *std::move(changed);
     }
-    return next;
+    if (changed.size() < nodes.size()) {
+        return error("no-such-shape", "shape not found");
+    }
+    return replaceShapes(document, std::move(changed));
 }
 
 } // namespace
@@ -259,13 +303,13 @@ Result<Document> chamferCorners(const Document &document, const Selection &selec
 }
 
 bool hasCorners(const Document &document, const Selection &selection) {
-    const auto cuttable = [&](std::uint32_t id) {
-        const Shape *shape = findShape(document, id);
-        return shape != nullptr && (isPath(*shape) || (shape->kind == ShapeKind::Rectangle && shape->radius == 0.0));
-    };
-    return std::any_of(selection.shapes.begin(), selection.shapes.end(), cuttable) ||
-           std::any_of(selection.nodes.begin(), selection.nodes.end(),
-                       [&](NodeRef node) { return cuttable(node.shape); });
+    // One pass over the document: menus ask this in every frame.
+    return std::any_of(document.shapes.begin(), document.shapes.end(), [&](const auto &shape) {
+        const auto node = selection.nodes.lower_bound({shape->id, 0});
+        const bool chosen =
+            selection.shapes.contains(shape->id) || (node != selection.nodes.end() && node->shape == shape->id);
+        return chosen && (isPath(*shape) || (shape->kind == ShapeKind::Rectangle && shape->radius == 0.0));
+    });
 }
 
 } // namespace forefront

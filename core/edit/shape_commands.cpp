@@ -7,6 +7,7 @@
 #include <array>
 #include <functional>
 #include <limits>
+#include <map>
 #include <numeric>
 
 namespace forefront {
@@ -228,6 +229,19 @@ Document removeShapes(const Document &document, const std::set<std::uint32_t> &i
     Document next = document;
     std::erase_if(next.shapes, [&](const auto &shape) { return ids.contains(shape->id); });
     return next;
+}
+
+Result<Document> replaceShapes(const Document &document, std::vector<Shape> shapes) {
+    std::map<std::uint32_t, Shape *> byId;
+    std::set<std::uint32_t> ids;
+    for (Shape &shape : shapes) {
+        byId.emplace(shape.id, &shape);
+        ids.insert(shape.id);
+    }
+    return changeShapes(document, ids, [&](Shape &place) -> Status {
+        place = std::move(*byId.at(place.id));
+        return {};
+    });
 }
 
 Result<Document> replaceShape(const Document &document, Shape shape) {

@@ -5,6 +5,8 @@
 
 #include <set>
 #include <span>
+#include <string>
+#include <vector>
 
 namespace forefront {
 
@@ -18,11 +20,14 @@ Result<Document> addShapes(const Document &document, std::vector<Shape> shapes);
 Document removeShapes(const Document &document, const std::set<std::uint32_t> &ids);
 /// Replaces a shape by an edited one with the same id.
 Result<Document> replaceShape(const Document &document, Shape shape);
+/// Replaces shapes by edited ones with the same ids, in one pass over the document.
+Result<Document> replaceShapes(const Document &document, std::vector<Shape> shapes);
 /// Moves everything selected: whole shapes, single handles, both ends of segments, sources and markers.
 Result<Document> moveSelection(const Document &document, const Selection &selection, Vec2 by);
 /// Deletes everything selected. Neighbours of a deleted node are joined; shapes with too few nodes left are deleted.
 Document deleteSelection(const Document &document, const Selection &selection);
-/// Copies the selected shapes and sources and moves the copies by `by`; `copies`, if not null, becomes their selection.
+/// Copies the selected shapes, sources and markers and moves the copies by `by`; `copies`, if not null, becomes their
+/// selection.
 Result<Document> duplicateSelection(const Document &document, const Selection &selection, Vec2 by, Selection *copies);
 
 /// Moves a handle to a place. A corner of a rectangle takes the two adjacent corners with it, and the centre of a

@@ -103,6 +103,50 @@ TEST_CASE("filletCorners: the ends of an open path stay; selected ends and smoot
     CHECK(codeOf(filletCorners(document, straight, 1.0)) == "not-possible");
 }
 
+TEST_CASE("filletCorners: a rounded rectangle is refused with the way out, a bad number with its value") {
+    Shape rounded = makeShape(ShapeKind::Rectangle, {{0, 0}, {6, 4}});
+    rounded.radius = 1.0;
+    const Result<Document> result = filletCorners(documentOf({rounded}), selected({1}), 0.5);
+    REQUIRE_FALSE(result.ok());
+    CHECK(result.faults().front().message == "rectangle 1 has rounded corners already");
+    CHECK(result.faults().front().advice == "set its radius to 0, or convert it to a path");
+    const Result<Document> bad = chamferCorners(documentOf({square({0, 0}, 1)}), selected({1}), -3);
+    REQUIRE_FALSE(bad.ok());
+    CHECK(bad.faults().front().message == "invalid size of a corner -3; expected a finite number above 0");
+    CHECK_FALSE(bad.faults().front().advice.empty());
+}
+
+TEST_CASE("filletCorners, chamferCorners: corners that use up a side, and several shapes at once") {
+    const Shape path = makeShape(ShapeKind::Polyline, {{0, 0}, {2, 0}, {2, 2}, {4, 2}});
+    const Document document = documentOf({path, square({0, 0}, 2), square({5, 5}, 4)});
+    Selection some;
+    some.shapes = {3};
+    some.nodes = {{1, 2}, {2, 0}};
+    const Result<Document> cut = chamferCorners(document, some, 2.0);
+    REQUIRE(cut.ok());
+    CHECK(cut->shapes[0]->nodes == std::vector<Vec2>{{0, 0}, {2, 0}, {4, 2}});
+    CHECK(cut->shapes[1]->nodes == std::vector<Vec2>{{0, 2}, {2, 0}, {2, 2}});
+    CHECK(areaOf(*cut->shapes[2]) == doctest::Approx(8.0));
+    const Result<Document> ends = chamferCorners(document, selected({1}), 1.0);
+    REQUIRE(ends.ok());
+    CHECK(ends->shapes[0]->nodes == std::vector<Vec2>{{0, 0}, {1, 0}, {2, 1}, {3, 2}, {4, 2}});
+    CHECK(codeOf(chamferCorners(document, selected({1, 9}), 1.0)) == "no-such-shape");
+}
+
+TEST_CASE("hasCorners: paths and sharp rectangles, selected as a whole or by a node") {
+    Shape rounded = makeShape(ShapeKind::Rectangle, {{0, 0}, {6, 4}});
+    rounded.radius = 1.0;
+    const Document document = documentOf({makeShape(ShapeKind::Circle, {{0, 0}, {1, 0}}), square({0, 0}, 1), rounded});
+    CHECK_FALSE(hasCorners(document, {}));
+    CHECK_FALSE(hasCorners(document, selected({1, 3})));
+    CHECK(hasCorners(document, selected({1, 2})));
+    Selection node;
+    node.nodes = {{3, 0}};
+    CHECK_FALSE(hasCorners(document, node));
+    node.nodes.insert({2, 3});
+    CHECK(hasCorners(document, node));
+}
+
 TEST_CASE("chamferCorners: cuts at a distance along both sides, straight or curved") {
     const Result<Document> cut = chamferCorners(documentOf({square({0, 0}, 4)}), selected({1}), 1.0);
     REQUIRE(cut.ok());
