@@ -1,5 +1,6 @@
 #include "core/edit/offset_shapes.hpp"
 
+#include "core/base/number_text.hpp"
 #include "core/edit/combine_shapes.hpp"
 #include "core/edit/path_curve.hpp"
 #include "core/edit/shape_commands.hpp"
@@ -301,7 +302,9 @@ Result<std::vector<Shape>> offsetOf(const Shape &shape, double distance, double 
 Result<Document> offsetShapes(const Document &document, const std::set<std::uint32_t> &ids, double distance,
                               Selection *made) {
     if (!std::isfinite(distance) || distance == 0.0) {
-        return error("bad-number", "invalid distance; expected a number other than 0");
+        return error("bad-number",
+                     "invalid distance " + numberText(distance, 6) + "; expected a finite number other than 0",
+                     "enter a number such as 0.5; below 0 is inside");
     }
     std::vector<Shape> all;
     for (const std::uint32_t id : ids) {

@@ -1,11 +1,14 @@
 #include "core/edit/transform.hpp"
 
+#include "core/base/number_text.hpp"
 #include "core/edit/selected_handles.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -13,6 +16,7 @@ namespace forefront {
 namespace {
 
 constexpr double kMaxCopies = 10000.0;
+constexpr std::size_t kMaxNewNodes = 1000000; ///< in all copies together
 
 /// Maps a rectangle whose image is one. A quarter turn exchanges its sides: the first one runs along x.
 void mapRectangle(Shape &shape, const PlaneMap &map) {
@@ -87,9 +91,41 @@ Diagnostics tooFew(const char *command, const char *count, std::size_t found) {
                  "select more of them, with Shift or a box");
 }
 
+Status checkMap(const PlaneMap &map) {
+    if (!map.finite() || map.determinant() == 0.0) {
+        return error("bad-number",
+                     "invalid transformation: areas would be multiplied by " + numberText(map.determinant(), 6) +
+                         "; expected a finite factor other than 0",
+                     "enter finite numbers, and scale factors other than 0");
+    }
+    return {};
+}
+
+/// Checks that there is something to copy, and that copies do not exhaust the memory while their number is typed.
+Status checkCopies(const Document &document, const Selection &selection, std::size_t copies) {
+    std::size_t nodes = selection.sources.size() + selection.markers.size();
+    for (const auto &shape : document.shapes) {
+        nodes += selection.shapes.contains(shape->id) ? handleCount(*shape) : 0;
+    }
+    if (nodes == 0) {
+        return error("not-possible", "nothing that can be copied is selected",
+                     "select whole shapes, size sources or region markers");
+    }
+    if (nodes > kMaxNewNodes / std::max<std::size_t>(copies, 1)) {
+        return error("not-possible",
+                     "the copies would have " + std::to_string(nodes * copies) + " nodes; expected at most " +
+                         std::to_string(kMaxNewNodes),
+                     "enter a smaller number, or select fewer shapes");
+    }
+    return {};
+}
+
 Status checkCount(double count) {
     if (!(count >= 2.0 && count <= kMaxCopies) || count != std::floor(count)) {
-        return error("bad-number", "invalid number of copies; expected a whole number from 2 to 10000");
+        return error("bad-number",
+                     "invalid number of items " + numberText(count, 10) + "; expected a whole number from 2 to " +
+                         numberText(kMaxCopies, 10),
+                     "enter a whole number; it includes the original");
     }
     return {};
 }
@@ -127,8 +163,8 @@ void mapShape(Shape &shape, const PlaneMap &map) {
 }
 
 Result<Document> transformSelection(const Document &document, const Selection &selection, const PlaneMap &map) {
-    if (!map.finite() || map.determinant() == 0.0) {
-        return error("bad-number", "invalid transformation; expected finite numbers, and factors that are not 0");
+    if (Status status = checkMap(map); !status.empty()) {
+        return status;
     }
     Document next = document;
     const auto handles = handlesToMove(document, selection);
@@ -164,11 +200,14 @@ Result<Document> transformSelection(const Document &document, const Selection &s
 
 Result<Document> copySelection(const Document &document, const Selection &selection, std::span<const PlaneMap> maps,
                                Selection *copies) {
+    if (Status status = checkCopies(document, selection, maps.size()); !status.empty()) {
+        return status;
+    }
     std::vector<Shape> shapes;
     Selection fresh;
     for (const PlaneMap &map : maps) {
-        if (!map.finite() || map.determinant() == 0.0) {
-            return error("bad-number", "invalid transformation; expected finite numbers, and factors that are not 0");
+        if (Status status = checkMap(map); !status.empty()) {
+            return status;
         }
         for (const auto &shape : document.shapes) {
             if (selection.shapes.contains(shape->id)) {
@@ -187,6 +226,13 @@ Result<Document> copySelection(const Document &document, const Selection &select
             if (k < document.spacing.sources.size()) {
                 fresh.sources.insert(static_cast<std::uint32_t>(next->spacing.sources.size()));
                 next->spacing.sources.push_back(mapped(document.spacing.sources[k], map));
+            }
+        }
+        for (const std::uint32_t k : selection.markers) {
+            if (k < document.regionMarkers.size()) {
+                fresh.markers.insert(static_cast<std::uint32_t>(next->regionMarkers.size()));
+                next->regionMarkers.push_back(document.regionMarkers[k]);
+                next->regionMarkers.back().at = map(document.regionMarkers[k].at);
             }
         }
     }
@@ -245,6 +291,10 @@ Result<Document> linearArray(const Document &document, const Selection &selectio
     if (Status status = checkCount(count); !status.empty()) {
         return status;
     }
+    if (!isFinite(step) || step == Vec2{}) {
+        return error("bad-number", "invalid step " + placeText(step) + "; expected finite numbers that are not both 0",
+                     "enter the distance from one copy to the next");
+    }
     std::vector<PlaneMap> maps;
     for (double k = 1.0; k < count; ++k) {
         maps.push_back(PlaneMap::translation(k * step));
@@ -258,7 +308,9 @@ Result<Document> polarArray(const Document &document, const Selection &selection
         return status;
     }
     if (!(std::fabs(degrees) <= 360.0) || degrees == 0.0) {
-        return error("bad-number", "invalid angle; expected degrees from -360 to 360, not 0");
+        return error("bad-number",
+                     "invalid angle " + numberText(degrees, 6) + "; expected degrees from -360 to 360, not 0",
+                     "enter an angle such as 90");
     }
     const double step = degrees / (std::fabs(degrees) == 360.0 ? count : count - 1.0);
     const Vec2 middle = boundsOf(document, selection).centre();

@@ -10,7 +10,7 @@
 namespace forefront {
 
 // Commands that map, align, distribute and repeat what is selected. Errors: bad-number (not finite, or a map that makes
-// areas vanish), no-such-node, not-possible (too few items), bad-shape.
+// areas vanish), no-such-node, not-possible (too few items, or nothing or too much to copy), bad-shape.
 
 /// Maps a shape. It keeps its kind where its image is of that kind: a circle becomes an ellipse if it is stretched, a
 /// rectangle that is turned becomes a polygon.
@@ -19,12 +19,12 @@ void mapShape(Shape &shape, const PlaneMap &map);
 /// Maps everything selected: whole shapes, single handles, both ends of segments, sources with their radii, markers.
 Result<Document> transformSelection(const Document &document, const Selection &selection, const PlaneMap &map);
 
-/// Adds an image of the selected shapes and sources for each map, in order. `copies`, if not null, becomes the
-/// selection of all images.
+/// Adds an image of the selected shapes, sources and region markers for each map, in order. `copies`, if not null,
+/// becomes the selection of all images.
 Result<Document> copySelection(const Document &document, const Selection &selection, std::span<const PlaneMap> maps,
                                Selection *copies = nullptr);
 
-/// The side or middle of the boxes of items that is brought to one line.
+/// The side or middle of the boxes of items that an alignment brings to one line.
 enum class Alignment : std::uint8_t { Left, CentreX, Right, Bottom, CentreY, Top };
 
 /// Aligns the selected shapes, each as a whole, or the selected nodes if no shape is selected, to the box around all of
@@ -35,12 +35,13 @@ Result<Document> distributeSelection(const Document &document, const Selection &
 /// Returns the number of items that alignSelection() moves.
 std::size_t alignableItems(const Selection &selection);
 
-/// The selection and its copies side by side: `count` in all, >= 2, each moved by `step` from the one before. Errors:
-/// see copySelection(); bad-number.
+/// Repeats the selection in a row: `count` items in all, >= 2, each moved by `step` from the one before. Errors: those
+/// of copySelection(); bad-number.
 Result<Document> linearArray(const Document &document, const Selection &selection, double count, Vec2 step,
                              Selection *copies = nullptr);
-/// The selection and its copies around a centre: `count` in all, over an angle in degrees; 360 fills the circle evenly,
-/// a smaller angle has a copy at both ends. `turns` turns the copies along.
+/// Repeats the selection around a centre: `count` items in all, over an angle in degrees. 360 fills the circle evenly;
+/// a smaller angle has an item at both ends. `turns` turns the copies too. Errors: those of copySelection();
+/// bad-number.
 Result<Document> polarArray(const Document &document, const Selection &selection, double count, Vec2 centre,
                             double degrees, bool turns, Selection *copies = nullptr);
 

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 
 using namespace forefront;
@@ -180,6 +181,40 @@ TEST_CASE("alignSelection, distributeSelection: shapes line up at each side, and
     REQUIRE(row.ok());
     CHECK(row->shapes[0]->nodes[2] == Vec2{1, 0});
     CHECK(row->shapes[1]->nodes[1] == Vec2{5, 0});
+}
+
+TEST_CASE("copySelection: markers are copied; nothing or too much to copy is refused with its number") {
+    Document document = documentOf({square({0, 0}, 2)});
+    document.regionMarkers = {{{1, 1}, 2, 0.5}};
+    Selection marker, node, copies;
+    marker.markers = {0};
+    node.nodes = {{1, 0}};
+    const Result<Document> row = linearArray(document, marker, 3, {4, 0}, &copies);
+    REQUIRE(row.ok());
+    REQUIRE(row->regionMarkers.size() == 3);
+    CHECK(row->regionMarkers[2].at == Vec2{9, 1});
+    CHECK(row->regionMarkers[2].tag == 2);
+    CHECK(copies.markers == std::set<std::uint32_t>{1, 2});
+    CHECK(codeOf(linearArray(document, node, 3, {4, 0})) == "not-possible");
+    const Document crowd = documentOf(std::vector<Shape>(2000, square({0, 0}, 2)));
+    const Result<Document> many = linearArray(crowd, selectAll(crowd), 10000, {1, 0});
+    REQUIRE_FALSE(many.ok());
+    CHECK(many.faults().front().message == "the copies would have 79992000 nodes; expected at most 1000000");
+    CHECK(linearArray(crowd, selectAll(crowd), 5, {1, 0})->shapes.size() == 10000);
+}
+
+TEST_CASE("Transformations: messages name the refused value and say what to enter") {
+    const Document document = documentOf({square({0, 0}, 2)});
+    const auto says = [](const Result<Document> &result, std::string_view text) {
+        REQUIRE_FALSE(result.ok());
+        CHECK(result.faults().front().message.find(text) != std::string::npos);
+        CHECK_FALSE(result.faults().front().advice.empty());
+    };
+    says(transformSelection(document, selected({1}), PlaneMap::scaling({0, 1}, {})), "multiplied by 0;");
+    says(copySelection(document, selected({1}), std::vector{PlaneMap::scaling({0, 1}, {})}), "multiplied by 0;");
+    says(linearArray(document, selected({1}), 2.5, {1, 0}), "items 2.5;");
+    says(linearArray(document, selected({1}), 3, {0, 0}), "step (0, 0);");
+    says(polarArray(document, selected({1}), 3, {}, 400, true), "angle 400;");
 }
 
 TEST_CASE("linearArray, polarArray: copies stand where they should, and are selected") {
