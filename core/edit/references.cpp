@@ -7,6 +7,30 @@
 
 namespace forefront {
 
+namespace {
+
+/// Adds the selected nodes and segments of a shape to a box.
+void addParts(Box2 &box, const Shape &shape, const Selection &selection) {
+    const auto node = selection.nodes.lower_bound({shape.id, 0});
+    if (node != selection.nodes.end() && node->shape == shape.id) {
+        const std::vector<Vec2> handles = handlesOf(shape);
+        for (auto k = node; k != selection.nodes.end() && k->shape == shape.id && k->node < handles.size(); ++k) {
+            box.add(handles[k->node]);
+        }
+    }
+    const auto segment = selection.segments.lower_bound({shape.id, 0});
+    if (segment != selection.segments.end() && segment->shape == shape.id) {
+        const Outline outline = outlineOf(shape);
+        for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
+            if (selection.segments.contains({shape.id, outline.part(k)})) {
+                box.add(outline.curve(k).bounds());
+            }
+        }
+    }
+}
+
+} // namespace
+
 const Shape *findShape(const Document &document, std::uint32_t id) {
     const auto found =
         std::find_if(document.shapes.begin(), document.shapes.end(), [id](const auto &s) { return s->id == id; });
@@ -55,24 +79,8 @@ Box2 boundsOf(const Document &document, const Selection &selection) {
     for (const auto &shape : document.shapes) {
         if (selection.shapes.contains(shape->id)) {
             box.add(boundsOf(*shape));
-        }
-    }
-    for (const NodeRef ref : selection.nodes) {
-        if (const Shape *shape = findShape(document, ref.shape)) {
-            const std::vector<Vec2> handles = handlesOf(*shape);
-            if (ref.node < handles.size()) {
-                box.add(handles[ref.node]);
-            }
-        }
-    }
-    for (const SegmentRef ref : selection.segments) {
-        if (const Shape *shape = findShape(document, ref.shape)) {
-            const Outline outline = outlineOf(*shape);
-            for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
-                if (outline.part(k) == ref.segment) {
-                    box.add(outline.curve(k).bounds());
-                }
-            }
+        } else {
+            addParts(box, *shape, selection);
         }
     }
     for (const std::uint32_t k : selection.sources) {

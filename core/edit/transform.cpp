@@ -39,31 +39,68 @@ void mapCircle(Shape &shape, const PlaneMap &map) {
     std::transform(shape.nodes.begin(), shape.nodes.end(), shape.nodes.begin(), map);
 }
 
-/// Something that is aligned and distributed as a whole.
+constexpr std::uint32_t kWhole = 0xffffffffU;
+
+/// A shape or a node that is aligned and distributed.
 struct Item {
-    Selection what;
+    NodeRef what; ///< node kWhole: the whole shape
     Box2 box;
+    Vec2 by; ///< its movement
 };
 
+/// Returns the selected shapes, or the selected nodes if there are none, in the order of their ids.
 std::vector<Item> itemsOf(const Document &document, const Selection &selection) {
     std::vector<Item> items;
-    const auto add = [&](Selection what) {
-        const Box2 box = boundsOf(document, what);
-        items.push_back({std::move(what), box});
-    };
-    for (const std::uint32_t id : selection.shapes) {
-        Selection what;
-        what.shapes.insert(id);
-        add(std::move(what));
-    }
-    if (selection.shapes.empty()) {
-        for (const NodeRef node : selection.nodes) {
-            Selection what;
-            what.nodes.insert(node);
-            add(std::move(what));
+    for (const auto &shape : document.shapes) {
+        if (selection.shapes.contains(shape->id)) {
+            items.push_back({{shape->id, kWhole}, boundsOf(*shape), {}});
+        }
+        const std::vector<Vec2> handles = selection.shapes.empty() ? handlesOf(*shape) : std::vector<Vec2>();
+        for (auto node = selection.nodes.lower_bound({shape->id, 0});
+             node != selection.nodes.end() && node->shape == shape->id && node->node < handles.size(); ++node) {
+            items.push_back({*node, {handles[node->node], handles[node->node]}, {}});
         }
     }
+    std::sort(items.begin(), items.end(), [](const Item &a, const Item &b) { return a.what < b.what; });
     return items;
+}
+
+/// Moves the items of one shape.
+void moveItems(Shape &shape, std::span<const Item> items) {
+    if (items.front().what.node == kWhole) {
+        moveShape(shape, items.front().by);
+        return;
+    }
+    std::vector<Vec2> places = handlesOf(shape);
+    for (const Item &item : items) {
+        places[item.what.node] += item.by;
+        if (!isPath(shape)) {
+            placeHandle(shape, item.what.node, places[item.what.node]);
+        }
+    }
+    if (isPath(shape)) {
+        moveNodes(shape, std::move(places));
+    }
+}
+
+/// Moves items, in one pass over the document.
+Result<Document> moveEach(const Document &document, std::vector<Item> items) {
+    std::sort(items.begin(), items.end(), [](const Item &a, const Item &b) { return a.what < b.what; });
+    const auto before = [](const Item &item, std::uint32_t id) { return item.what.shape < id; };
+    Document next = document;
+    for (auto &pointer : next.shapes) {
+        const auto first = std::lower_bound(items.begin(), items.end(), pointer->id, before);
+        const auto last = std::lower_bound(first, items.end(), pointer->id + 1, before);
+        if (first != last) {
+            Shape shape = *pointer;
+            moveItems(shape, {first, last});
+            if (Diagnostics faults = checkShape(shape); !faults.empty()) {
+                return faults;
+            }
+            pointer = std::make_shared<const Shape>(std::move(shape));
+        }
+    }
+    return next;
 }
 
 /// Returns the movement that aligns a box to another one.
@@ -247,7 +284,7 @@ std::size_t alignableItems(const Selection &selection) {
 }
 
 Result<Document> alignSelection(const Document &document, const Selection &selection, Alignment alignment) {
-    const std::vector<Item> items = itemsOf(document, selection);
+    std::vector<Item> items = itemsOf(document, selection);
     if (items.size() < 2) {
         return tooFew("align", "at least two", items.size());
     }
@@ -255,11 +292,10 @@ Result<Document> alignSelection(const Document &document, const Selection &selec
     for (const Item &item : items) {
         all.add(item.box);
     }
-    Result<Document> next = document;
-    for (const Item &item : items) {
-        next = next ? moveSelection(*next, item.what, aligning(item.box, all, alignment)) : next;
+    for (Item &item : items) {
+        item.by = aligning(item.box, all, alignment);
     }
-    return next;
+    return moveEach(document, std::move(items));
 }
 
 Result<Document> distributeSelection(const Document &document, const Selection &selection, bool alongX) {
@@ -276,14 +312,13 @@ Result<Document> distributeSelection(const Document &document, const Selection &
         room -= size(items[k]);
     }
     const double gap = room / static_cast<double>(items.size() - 1);
-    Result<Document> next = document;
     double place = low(items.front());
-    for (std::size_t k = 0; k + 1 < items.size() && next; ++k) {
+    for (std::size_t k = 0; k + 1 < items.size(); ++k) {
         const double by = place - low(items[k]);
-        next = moveSelection(*next, items[k].what, alongX ? Vec2{by, 0.0} : Vec2{0.0, by});
+        items[k].by = alongX ? Vec2{by, 0.0} : Vec2{0.0, by};
         place += size(items[k]) + gap;
     }
-    return next;
+    return moveEach(document, std::move(items));
 }
 
 Result<Document> linearArray(const Document &document, const Selection &selection, double count, Vec2 step,

@@ -217,6 +217,20 @@ TEST_CASE("Transformations: messages name the refused value and say what to ente
     says(polarArray(document, selected({1}), 3, {}, 400, true), "angle 400;");
 }
 
+TEST_CASE("alignSelection: nodes of many shapes each move to the line, of circles too") {
+    const Document document =
+        documentOf({makeShape(ShapeKind::Circle, {{4, 0}, {5, 1}}), square({7, 1}, 2),
+                    makeShape(ShapeKind::Rectangle, {{2, 5}, {3, 6}}), makeShape(ShapeKind::Point, {{9, 9}})});
+    Selection nodes;
+    nodes.nodes = {{1, 0}, {1, 1}, {2, 0}, {2, 3}, {3, 2}, {4, 0}, {7, 0}};
+    const Result<Document> row = alignSelection(document, nodes, Alignment::Right);
+    REQUIRE(row.ok());
+    CHECK(row->shapes[0]->nodes == std::vector<Vec2>{{9, 0}, {9, 1}});
+    CHECK(row->shapes[1]->nodes == std::vector<Vec2>{{9, 1}, {9, 1}, {9, 3}, {9, 3}});
+    CHECK(row->shapes[2]->nodes == std::vector<Vec2>{{2, 5}, {9, 6}});
+    CHECK(row->shapes[3]->nodes == std::vector<Vec2>{{9, 9}});
+}
+
 TEST_CASE("linearArray, polarArray: copies stand where they should, and are selected") {
     const Document document = documentOf({makeShape(ShapeKind::Circle, {{4, 0}, {5, 0}})});
     Selection made;
