@@ -1,8 +1,10 @@
+#include "core/io/files.hpp"
 #include "tests/ui/edit_driver.hpp"
 #include "ui/tools/measure_tool.hpp"
 
 #include <doctest/doctest.h>
 
+#include <filesystem>
 #include <set>
 #include <string>
 
@@ -97,6 +99,37 @@ TEST_CASE("Dialogs with a preview: Esc and Cancel leave what can be redone") {
         driver.settle();
         CHECK(driver.document().shapes[0]->nodes.size() == 2);
         CHECK(driver.context().document.redoLabel() == "Draw rectangle");
+    }
+}
+
+TEST_CASE("Dialogs with a preview: a dropped file withdraws the preview before it asks about changes") {
+    const TemporaryFolder place;
+    const std::filesystem::path file = place.path / "other.forefront";
+    REQUIRE(writeProject(file, {}).empty());
+    for (const bool saved : {true, false}) {
+        CAPTURE(saved);
+        Draughtsman driver;
+        driver.rectangle({1, 1}, {5, 3});
+        if (saved) {
+            driver.context().document.markSaved({});
+        }
+        driver.key('A', kControl);
+        driver.key('F', kControlShift);
+        driver.settle();
+        REQUIRE(driver.document().shapes[0]->nodes.size() == 8);
+        driver.editor().input().push({.kind = InputKind::Drop, .paths = {file.string()}});
+        driver.settle();
+        CHECK_FALSE(driver.has("dialog/fillet/ok"));
+        if (!saved) {
+            CHECK(driver.document().shapes[0]->nodes.size() == 2);
+            REQUIRE(driver.click("dialog/unsaved/discard"));
+            driver.settle();
+        }
+        CHECK(driver.document().shapes.empty());
+        CHECK(driver.undoLabel().empty());
+        CHECK_FALSE(driver.context().dialogs.any());
+        driver.rectangle({1, 1}, {5, 3}); // the canvas takes input again
+        CHECK(driver.document().shapes.size() == 1);
     }
 }
 

@@ -55,6 +55,7 @@ Diagnostics openChosen(Shell &context, const std::filesystem::path &file) {
     if (!*read) {
         return read->faults();
     }
+    context.dialogs.dismissPreviews(context); // whether there are unsaved changes depends on it
     afterUnsaved(context, [file, read, notes, asked = context.document.dirty()](Shell &c) {
         if (asked && !c.document.dirty()) {
             *read = readDocument(file); // read again: it may just have been saved
@@ -146,6 +147,7 @@ void rememberFile(Shell &context, const std::filesystem::path &file) {
 }
 
 void afterUnsaved(Shell &context, std::function<void(Shell &)> then) {
+    context.dialogs.dismissPreviews(context);
     if (!context.document.dirty()) {
         then(context);
         return;

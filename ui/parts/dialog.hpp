@@ -30,6 +30,8 @@ class DialogHost {
     const Dialog *top() const { return stack_.empty() ? nullptr : stack_.back().get(); }
     bool any() const { return !stack_.empty() || !opening_.empty(); }
     void closeAll();
+    /// Withdraws and closes every preview; call it before another document replaces the current one.
+    void dismissPreviews(Shell &context);
     /// Draws all dialogs; called once per frame by the editor.
     void draw(Shell &context);
 
@@ -38,6 +40,7 @@ class DialogHost {
 
     std::vector<std::unique_ptr<Dialog>> stack_;
     std::vector<std::unique_ptr<Dialog>> opening_;
+    std::vector<const Dialog *> dismissed_; ///< in stack_, to be closed
 };
 
 } // namespace forefront

@@ -12,6 +12,19 @@ namespace forefront {
 void DialogHost::closeAll() {
     stack_.clear();
     opening_.clear();
+    dismissed_.clear();
+}
+
+void DialogHost::dismissPreviews(Shell &context) {
+    for (auto *list : {&stack_, &opening_}) {
+        for (const std::unique_ptr<Dialog> &dialog : *list) {
+            auto *const preview = dynamic_cast<PreviewDialog *>(dialog.get());
+            if (preview != nullptr && std::find(dismissed_.begin(), dismissed_.end(), preview) == dismissed_.end()) {
+                preview->dismiss(context);
+                dismissed_.push_back(preview);
+            }
+        }
+    }
 }
 
 void DialogHost::drawFrom(std::size_t level, Shell &context, std::vector<bool> &keep) {
@@ -51,8 +64,9 @@ void DialogHost::drawFrom(std::size_t level, Shell &context, std::vector<bool> &
         const bool isTop = level + 1 == keep.size();
         const bool escape = isTop && dialog.closesOnEscape() && ImGui::IsKeyPressed(key::kEscape, false) &&
                             !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId);
-        keep[level] = dialog.draw(context) && !escape && !closed;
-        if (preview != nullptr && (escape || closed)) {
+        const bool dismissed = std::find(dismissed_.begin(), dismissed_.end(), &dialog) != dismissed_.end();
+        keep[level] = !dismissed && dialog.draw(context) && !escape && !closed;
+        if (preview != nullptr && !dismissed && (escape || closed)) {
             preview->dismiss(context);
         }
         const ImVec2 at = ImGui::GetWindowPos(), extent = ImGui::GetWindowSize();
@@ -89,6 +103,7 @@ void DialogHost::draw(Shell &context) {
     }
     for (std::size_t i = count; i-- > 0;) {
         if (!keep[i]) {
+            std::erase(dismissed_, stack_[i].get());
             stack_.erase(stack_.begin() + static_cast<std::ptrdiff_t>(i));
             context.animate();
         }

@@ -8,7 +8,8 @@ namespace forefront {
 /// window.
 class PreviewDialog : public Dialog {
   public:
-    /// Takes the preview back; called when Esc or the close button closes the dialog.
+    /// Restores the document as it was before the preview. Called when Esc or the close button closes the dialog, and
+    /// before another document is opened.
     virtual void dismiss(Shell &context) = 0;
 };
 
