@@ -36,7 +36,8 @@ void OperationDialog::show(Shell &context) {
     if (next) {
         context.document.apply(*std::move(next), operation_.title, stroke_);
     } else {
-        fault_ = next.faults().front().message;
+        const Diagnostic &fault = next.faults().front();
+        fault_ = fault.advice.empty() ? fault.message : fault.message + "; " + fault.advice;
     }
     context.animate();
 }

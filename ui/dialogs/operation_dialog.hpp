@@ -13,7 +13,7 @@
 
 namespace forefront {
 
-/// A question of an operation on the selection.
+/// A number, choice or switch that an operation asks for.
 struct OperationField {
     enum class Kind : std::uint8_t { Number, Choice, Flag };
     const char *id = "";
@@ -35,8 +35,8 @@ struct Operation {
         run;
 };
 
-/// Asks for the numbers of an operation and shows its result on the canvas meanwhile. Cancel leaves the document as it
-/// was; OK is one undo step.
+/// Asks for the numbers of an operation and shows its result on the canvas meanwhile. Cancel leaves the document and
+/// its history as they were; OK is one undo step.
 class OperationDialog final : public PreviewDialog {
   public:
     OperationDialog(Operation operation, Shell &context);
@@ -59,7 +59,7 @@ class OperationDialog final : public PreviewDialog {
     Selection selection_;
     Selection made_;
     std::string stroke_;
-    std::string fault_; ///< why there is no result
+    std::string fault_; ///< why there is no result, and how to get one
 };
 
 } // namespace forefront
