@@ -1,3 +1,5 @@
+#include "core/edit/shape_commands.hpp"
+#include "core/edit/spacing_commands.hpp"
 #include "core/io/files.hpp"
 #include "tests/ui/edit_driver.hpp"
 #include "ui/tools/measure_tool.hpp"
@@ -7,6 +9,8 @@
 #include <filesystem>
 #include <set>
 #include <string>
+#include <tuple>
+#include <utility>
 
 using namespace forefront;
 using namespace forefront::test;
@@ -131,6 +135,46 @@ TEST_CASE("Dialogs with a preview: a dropped file withdraws the preview before i
         driver.rectangle({1, 1}, {5, 3}); // the canvas takes input again
         CHECK(driver.document().shapes.size() == 1);
     }
+}
+
+TEST_CASE("Arrays: the proposed step and centre never put copies on the original") {
+    Draughtsman driver;
+    const auto places = [&] {
+        std::set<std::pair<double, double>> distinct;
+        for (const SizeSource &source : driver.document().spacing.sources) {
+            distinct.emplace(source.a.x, source.a.y);
+        }
+        for (const auto &shape : driver.document().shapes) {
+            distinct.emplace(shape->nodes[0].x, shape->nodes[0].y);
+        }
+        return distinct.size();
+    };
+    const auto tryArrays = [&] {
+        for (const auto &[letter, dialog, count] :
+             {std::tuple('L', "lineararray", 3), std::tuple('P', "polararray", 6)}) {
+            CAPTURE(dialog);
+            driver.key(letter, kControlShift);
+            driver.settle();
+            const std::string name = std::string("dialog/") + dialog;
+            CHECK_FALSE(driver.has(name + "/fault"));
+            CHECK(places() == static_cast<std::size_t>(count));
+            driver.click(name + "/cancel");
+            driver.settle();
+        }
+    };
+    SizeSource source;
+    source.a = {4, 4};
+    driver.context().document.apply(*addSource(driver.document(), source), "Add source");
+    driver.context().selection.sources = {0};
+    tryArrays();
+    driver.context().selection.clear();
+    driver.key('Z', kControl);
+    Shape line;
+    line.kind = ShapeKind::Polyline;
+    line.nodes = {{5, 2}, {5, 7}};
+    driver.context().document.apply(*addShape(driver.document(), line), "Draw line");
+    driver.key('A', kControl);
+    tryArrays();
 }
 
 TEST_CASE("Arrays: copies are shown while the number is typed, and become the selection") {

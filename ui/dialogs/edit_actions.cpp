@@ -218,7 +218,10 @@ void addSelectionActions(ActionRegistry &actions) {
                      c.selection = std::move(copies);
                  }
              },
-         .enabled = [](const Shell &c) { return !c.selection.shapes.empty() || !c.selection.sources.empty(); }});
+         .enabled =
+             [](const Shell &c) {
+                 return !c.selection.shapes.empty() || !c.selection.sources.empty() || !c.selection.markers.empty();
+             }});
     actions.add({.id = "edit.selectAll",
                  .menu = "Edit",
                  .title = "Select all",

@@ -28,7 +28,18 @@ bool hasSelection(const Shell &context) {
 }
 
 bool canCopy(const Shell &context) {
-    return !context.selection.shapes.empty() || !context.selection.sources.empty();
+    const Selection &selection = context.selection;
+    return !selection.shapes.empty() || !selection.sources.empty() || !selection.markers.empty();
+}
+
+/// Returns a step at which copies do not lie on the selection.
+Vec2 stepBeside(const Shell &context) {
+    const Vec2 size = boundsOf(*context.document.current(), context.selection).size();
+    if (size.x > 1e-9 * size.y) {
+        return {EditState::twoDigits(1.25 * size.x), 0.0};
+    }
+    return size.y > 0.0 ? Vec2{0.0, EditState::twoDigits(1.25 * size.y)}
+                        : Vec2{2.0 * gridPitch(EditState::reach(context, 1.0)), 0.0};
 }
 
 Operation transformOperation() {
@@ -59,16 +70,14 @@ Operation transformOperation() {
 }
 
 Operation linearArrayOperation(const Shell &context) {
-    const Vec2 size = boundsOf(*context.document.current(), context.selection).size();
+    const Vec2 step = stepBeside(context);
     Operation operation;
     operation.id = "lineararray";
     operation.title = "Linear array";
-    operation.fields = {{.id = "count", .label = "Number", .value = 3.0, .tooltip = "Including the original"},
-                        {.id = "x",
-                         .label = "Step x",
-                         .value = EditState::twoDigits(1.25 * size.x),
-                         .tooltip = "Distance from one copy to the next along x"},
-                        {.id = "y", .label = "Step y", .tooltip = "Distance from one copy to the next along y"}};
+    operation.fields = {
+        {.id = "count", .label = "Number", .value = 3.0, .tooltip = "Including the original"},
+        {.id = "x", .label = "Step x", .value = step.x, .tooltip = "Distance from one copy to the next along x"},
+        {.id = "y", .label = "Step y", .value = step.y, .tooltip = "Distance from one copy to the next along y"}};
     operation.run = [](const Document &document, const Selection &selection, const std::vector<double> &values,
                        Selection *made) {
         return linearArray(document, selection, values[0], {values[1], values[2]}, made);
@@ -77,19 +86,26 @@ Operation linearArrayOperation(const Shell &context) {
 }
 
 Operation polarArrayOperation(const Shell &context) {
-    const Vec2 centre = boundsOf(*context.document.current()).centre();
+    const Document &current = *context.document.current();
+    const Box2 drawing = boundsOf(current), own = boundsOf(current, context.selection);
+    Vec2 centre = drawing.empty() ? own.centre() : drawing.centre();
+    if (distance(centre, own.centre()) <= 1e-9 * own.diagonal()) { // copies would lie on the selection
+        centre = centre - stepBeside(context);
+    }
     Operation operation;
     operation.id = "polararray";
     operation.title = "Polar array";
-    operation.fields = {
-        {.id = "count", .label = "Number", .value = 6.0, .tooltip = "Including the original"},
-        {.id = "x", .label = "Centre x", .value = centre.x, .tooltip = "Proposed: the centre of the drawing"},
-        {.id = "y", .label = "Centre y", .value = centre.y},
-        {.id = "angle",
-         .label = "Angle",
-         .value = 360.0,
-         .tooltip = "From the original to the last copy, in degrees; 360 fills the circle"},
-        {.id = "turn", .label = "Rotate the copies", .value = 1.0, .kind = Kind::Flag}};
+    operation.fields = {{.id = "count", .label = "Number", .value = 6.0, .tooltip = "Including the original"},
+                        {.id = "x",
+                         .label = "Centre x",
+                         .value = centre.x,
+                         .tooltip = "Proposed: the centre of the drawing, or a point beside the selection"},
+                        {.id = "y", .label = "Centre y", .value = centre.y},
+                        {.id = "angle",
+                         .label = "Angle",
+                         .value = 360.0,
+                         .tooltip = "From the original to the last copy, in degrees; 360 fills the circle"},
+                        {.id = "turn", .label = "Rotate the copies", .value = 1.0, .kind = Kind::Flag}};
     operation.run = [](const Document &document, const Selection &selection, const std::vector<double> &values,
                        Selection *made) {
         return polarArray(document, selection, values[0], {values[1], values[2]}, values[3], values[4] != 0.0, made);
