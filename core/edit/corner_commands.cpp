@@ -19,7 +19,7 @@
 namespace forefront {
 namespace {
 
-constexpr double kSmooth = 1e-3; ///< radians by which a path turns at most in a node that is no corner
+constexpr double kSmooth = 1e-3; ///< maximum turn, in radians, of a path in a node that is no corner
 constexpr double kRounding = 1e-9;
 
 /// A corner cut off: the side before it up to a parameter, what joins them, the side after it from a parameter on.

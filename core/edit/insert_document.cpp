@@ -75,7 +75,10 @@ Document insertDrawing(const Document &document, const Document &other, double s
 }
 
 Result<Document> insertCopied(const Document &document, const Document &other, Vec2 step, Selection *added) {
-    const Selection all = selectAll(other);
+    Selection all = selectAll(other);
+    for (const auto &shape : other.shapes) { // none may stay behind
+        all.shapes.insert(shape->id);
+    }
     const Places taken(document);
     Result<Document> moved = other;
     constexpr int kMaxSteps = 1000; // for steps too small to move anything
