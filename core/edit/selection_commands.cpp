@@ -88,6 +88,9 @@ void mapNodes(Shape &path, const std::set<std::uint32_t> &nodes, const PlaneMap 
         if (before.isCurved(node) && nodes.contains((node + 1) % static_cast<std::uint32_t>(path.nodes.size()))) {
             const Curve &curve = before.curves[node];
             path.curves[node] = map.isTranslation() ? moved(curve, map.shift) : curve.mapped(map);
+            if (node < path.cuts.size()) {
+                path.cuts[node].clear(); // also where both ends stay
+            }
         }
     }
 }

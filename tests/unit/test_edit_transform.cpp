@@ -107,6 +107,7 @@ TEST_CASE("transformSelection: single nodes, sources and markers are mapped; a m
 TEST_CASE("transformSelection: a curve with both ends selected is mapped as part of a whole shape would be") {
     Shape dome = makeShape(ShapeKind::Polyline, {{-1, -2}, {1, 0}, {-1, 0}, {-3, 0}});
     dome.curves = {Curve::cubic({-1, -2}, {0, -3}, {2, -1}, {1, 0}), arcThrough({1, 0}, {0, 1}, {-1, 0}), Curve()};
+    dome.cuts = {{0.5, 1.0}, {0.5, 1.0}, {}};
     const Document document = documentOf({dome});
     Selection top, nodes;
     top.segments = {{1, 1}};
@@ -119,6 +120,7 @@ TEST_CASE("transformSelection: a curve with both ends selected is mapped as part
         CHECK(checkShape(mirrored).empty());
         const Shape stretched = *mapped(document, selection, PlaneMap::scaling({1, 3}, {})).shapes[0];
         CHECK(distance(stretched.curves[1].point(0.5), {0, 3}) < 1e-12);
+        CHECK(stretched.cuts == std::vector<std::vector<double>>{{0.5, 1.0}, {}, {}}); // those of another curve
     }
 }
 
