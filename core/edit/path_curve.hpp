@@ -25,7 +25,8 @@ double sectorArea(const Curve &curve, Vec2 from);
 /// with their outer ends and tangents that is nearest by least squares.
 Curve merged(const Curve &first, const Curve &second);
 
-/// Returns the cubic with the ends and tangents of an arc; it misses a quarter turn by 2.7e-4 of the radius.
+/// Returns a cubic with the ends and tangents of an arc. It misses a quarter turn by 2.7e-4 of the radius and a half
+/// turn by 2 %; beyond that it is the nearest by least squares, which is only roughly the same.
 Curve cubicAlong(const Curve &arc);
 
 /// Returns the arc of a circle from one point through another to a third; a line if the three are collinear.

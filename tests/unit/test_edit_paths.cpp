@@ -98,6 +98,49 @@ TEST_CASE(
     CHECK(codeOf(setCurved(document, {{1, 4}}, true)) == "no-such-segment");
 }
 
+TEST_CASE("setCurved: an arc of more than a quarter turn is divided, and the cubics stay near it") {
+    constexpr double kSweep = 1.75 * kPi; // a single cubic for it would reach far away
+    const Curve arc = Curve::arc({0, 0}, {2, 0}, {0, 2}, 0.0, kSweep);
+    Shape path = makeShape(ShapeKind::Polygon, {arc.point(0.0), arc.point(1.0), {0, 0}});
+    path.curves = {arc, Curve(), Curve()};
+    path.segmentTags = {5, 6, 7};
+    const Document document = documentOf({path});
+    const Result<Document> cubics = setCurved(document, {{1, 0}, {1, 2}}, true);
+    REQUIRE(cubics.ok());
+    const Shape &shape = *cubics->shapes[0];
+    REQUIRE(shape.nodes.size() == 6);
+    CHECK(shape.segmentTags == std::vector<std::int32_t>{5, 5, 5, 5, 6, 7});
+    for (std::size_t k = 0; k < 4; ++k) {
+        REQUIRE(shape.curves[k].kind() == CurveKind::Cubic);
+        for (double t = 0.0; t <= 1.0; t += 0.125) {
+            CHECK(distance(shape.curves[k].point(t), {0, 0}) == doctest::Approx(2.0).epsilon(3e-4));
+        }
+    }
+    CHECK(shape.curves[4].kind() == CurveKind::Line);
+    CHECK(shape.curves[5].kind() == CurveKind::Cubic);
+    CHECK(areaOf(shape) == doctest::Approx(areaOf(path)).epsilon(1e-3));
+}
+
+TEST_CASE("setNodeKind: a smooth node beside a long arc has control points near the arc") {
+    const Curve arc = Curve::arc({0, 0}, {2, 0}, {0, 2}, 0.0, 1.9 * kPi);
+    Shape path = makeShape(ShapeKind::Polygon, {arc.point(0.0), arc.point(1.0), {1, -0.2}});
+    path.curves = {arc, Curve(), Curve()};
+    const Result<Document> smooth = setNodeKind(documentOf({path}), {{1, 0}}, NodeKind::Smooth);
+    REQUIRE(smooth.ok());
+    const Box2 box = smooth->shapes[0]->curves[0].bounds();
+    CHECK(box.diagonal() < 20.0);
+}
+
+TEST_CASE("convertToPaths: converts what can be converted, and refuses if nothing can") {
+    const Document document = documentOf({makeShape(ShapeKind::Circle, {{1, 1}, {3, 1}}), square({5, 5}, 1),
+                                          makeShape(ShapeKind::Rectangle, {{0, 0}, {1, 2}})});
+    const Result<Document> paths = convertToPaths(document, {1, 2, 3});
+    REQUIRE(paths.ok());
+    CHECK(isPath(*paths->shapes[0]));
+    CHECK(isPath(*paths->shapes[2]));
+    CHECK(codeOf(convertToPaths(document, {2})) == "not-possible");
+}
+
 TEST_CASE("splitPath and joinEnds: joining the parts restores the path") {
     Shape tagged = square({0, 0}, 6);
     tagged.segmentTags = {1, 2, 3, 4};
