@@ -53,7 +53,7 @@ Document withPaths(Document document, const std::vector<Meeting> &meetings) {
 Document joinToSegments(const Document &document, std::uint32_t id) {
     const Shape *shape = findShape(document, id);
     const double reach = 1e-9 * boundsOf(document).diagonal();
-    if (shape == nullptr || shape->kind == ShapeKind::Circle || shape->kind == ShapeKind::Ellipse || !(reach > 0.0)) {
+    if (shape == nullptr || isRound(*shape) || !(reach > 0.0)) {
         return document;
     }
     Document joined = withPaths(document, meetingsOf(document, *shape, reach));

@@ -27,8 +27,7 @@ std::map<std::uint32_t, std::set<std::uint32_t>> handlesOfSelection(const Docume
                 continue;
             }
             const auto count = static_cast<std::uint32_t>(handleCount(*shape));
-            const bool whole = shape->kind == ShapeKind::Circle || shape->kind == ShapeKind::Ellipse;
-            for (std::uint32_t k = 0; k < (whole ? count : 2); ++k) {
+            for (std::uint32_t k = 0; k < (isRound(*shape) ? count : 2); ++k) {
                 handles[segment.shape].insert((segment.segment + k) % count);
             }
         }
@@ -55,7 +54,7 @@ void joinCurves(Shape &shape, std::uint32_t node) {
 /// Removes nodes and joins their neighbours along a curve as near as possible to the old ones; the segment that starts
 /// at a removed node goes with it.
 void removeNodes(Shape &shape, const std::set<std::uint32_t> &handles) {
-    if (shape.kind == ShapeKind::Circle || shape.kind == ShapeKind::Ellipse) {
+    if (isRound(shape)) {
         shape.nodes.clear();
         return;
     }
@@ -100,8 +99,7 @@ std::vector<Shape> withoutSegments(const Shape &shape, const std::set<SegmentRef
     std::vector<Shape> pieces;
     const Outline outline = outlineOf(shape);
     const auto removed = [&](std::size_t k) { return gone.contains({shape.id, outline.part(k)}); };
-    const bool round = shape.kind == ShapeKind::Circle || shape.kind == ShapeKind::Ellipse;
-    const std::size_t count = round ? 0 : outline.segmentCount();
+    const std::size_t count = isRound(shape) ? 0 : outline.segmentCount();
     // In a closed outline, start after a removed segment, so that no piece is cut at its first node.
     std::size_t start = 0;
     while (outline.closed && start < count && !removed(start)) {
@@ -154,7 +152,7 @@ Status mapHandles(Shape &shape, const std::set<std::uint32_t> &handles, const Pl
         return {};
     }
     // A selected centre moves the whole circle, including its point.
-    if ((shape.kind == ShapeKind::Circle || shape.kind == ShapeKind::Ellipse) && handles.contains(0)) {
+    if (isRound(shape) && handles.contains(0)) {
         moveShape(shape, map.isTranslation() ? map.shift : map(places[0]) - places[0]);
         return {};
     }

@@ -267,7 +267,7 @@ void placeHandle(Shape &shape, std::uint32_t handle, Vec2 to) {
         // Corners 0 and 2 are the nodes; corner 1 shares y with 0 and x with 2, corner 3 the reverse.
         nodes[handle == 1 || handle == 2 ? 1 : 0].x = to.x;
         nodes[handle == 2 || handle == 3 ? 1 : 0].y = to.y;
-    } else if ((shape.kind == ShapeKind::Circle || shape.kind == ShapeKind::Ellipse) && handle == 0) {
+    } else if (isRound(shape) && handle == 0) {
         moveShape(shape, to - nodes[0]);
         nodes[0] = to;
     } else if (shape.kind == ShapeKind::Ellipse) {
@@ -301,8 +301,7 @@ Result<Document> setRadius(const Document &document, std::uint32_t circle, doubl
 Result<Document> setSegmentLength(const Document &document, SegmentRef segment, double target) {
     return changeShape(document, segment.shape, [&](Shape &shape) -> Status {
         const std::vector<Vec2> handles = handlesOf(shape);
-        const bool round = shape.kind == ShapeKind::Circle || shape.kind == ShapeKind::Ellipse;
-        if (round || segment.segment >= taggedSegments(shape)) {
+        if (isRound(shape) || segment.segment >= taggedSegments(shape)) {
             return noSuch("segment");
         }
         if (isPath(shape) && outlineOf(shape).isCurved(segment.segment)) {
@@ -321,7 +320,7 @@ Result<Document> setSegmentLength(const Document &document, SegmentRef segment, 
 
 Result<Document> insertNode(const Document &document, SegmentRef segment, Vec2 at) {
     return changeShape(document, segment.shape, [&](Shape &shape) -> Status {
-        if (shape.kind == ShapeKind::Circle || shape.kind == ShapeKind::Ellipse) {
+        if (isRound(shape)) {
             return error("not-possible", "a " + std::string(wordOf(shape.kind)) + " has no corners",
                          "convert it to a path first");
         }
@@ -352,6 +351,22 @@ Result<Document> convertToPath(const Document &document, std::uint32_t id) {
         becomePath(shape);
         return {};
     });
+}
+
+Result<Document> convertToPaths(const Document &document, const std::set<std::uint32_t> &ids) {
+    Result<Document> next = document;
+    Diagnostics faults;
+    bool any = false;
+    for (const std::uint32_t id : ids) {
+        Result<Document> changed = convertToPath(*next, id);
+        if (changed) {
+            next = std::move(changed);
+            any = true;
+        } else {
+            faults = changed.faults();
+        }
+    }
+    return any || faults.empty() ? next : faults;
 }
 
 Result<Document> toggleClosed(const Document &document, std::uint32_t id) {
@@ -399,7 +414,7 @@ Result<Document> setSegmentTag(const Document &document, const std::set<SegmentR
             }
             shape.segmentTags[ref->segment] = tag;
         }
-        if (shape.kind == ShapeKind::Circle || shape.kind == ShapeKind::Ellipse) {
+        if (isRound(shape)) {
             shape.tag = tag;
         }
         return {};

@@ -12,10 +12,6 @@ namespace {
 /// Tolerance of the chords of paths for contains(), relative to their size.
 constexpr double kFineChords = 1e-4;
 
-bool isLoop(const Shape &shape) {
-    return shape.kind == ShapeKind::Circle || shape.kind == ShapeKind::Ellipse;
-}
-
 } // namespace
 
 std::size_t taggedSegments(const Shape &shape) {
@@ -37,7 +33,7 @@ std::size_t taggedSegments(const Shape &shape) {
 }
 
 std::int32_t segmentTag(const Shape &shape, std::size_t part) {
-    return part < shape.segmentTags.size() && !isLoop(shape) ? shape.segmentTags[part] : shape.tag;
+    return part < shape.segmentTags.size() && !isRound(shape) ? shape.segmentTags[part] : shape.tag;
 }
 
 std::vector<Vec2> handlesOf(const Shape &shape) {
@@ -56,8 +52,12 @@ bool isPath(const Shape &shape) {
     return shape.kind == ShapeKind::Polygon || shape.kind == ShapeKind::Polyline;
 }
 
+bool isRound(const Shape &shape) {
+    return shape.kind == ShapeKind::Circle || shape.kind == ShapeKind::Ellipse;
+}
+
 bool isClosed(const Shape &shape) {
-    return shape.kind == ShapeKind::Polygon || shape.kind == ShapeKind::Rectangle || isLoop(shape);
+    return shape.kind == ShapeKind::Polygon || shape.kind == ShapeKind::Rectangle || isRound(shape);
 }
 
 double circleRadius(const Shape &shape) {
@@ -160,11 +160,11 @@ void scaleShape(Shape &shape, double factor) {
 }
 
 void becomePath(Shape &shape) {
-    if (shape.kind != ShapeKind::Rectangle && !isLoop(shape)) {
+    if (shape.kind != ShapeKind::Rectangle && !isRound(shape)) {
         return;
     }
     Outline outline = outlineOf(shape);
-    if (isLoop(shape) && outline.isCurved(0)) {
+    if (isRound(shape) && outline.isCurved(0)) {
         const Curve loop = outline.curves[0];
         constexpr std::size_t kParts = 4;
         outline.nodes.resize(1);

@@ -77,6 +77,8 @@ std::size_t handleCount(const Shape &shape);
 
 /// Returns true for polygons and polylines, whose nodes and segments can be edited one by one.
 bool isPath(const Shape &shape);
+/// Returns true for circles and ellipses, whose outline is one curve.
+bool isRound(const Shape &shape);
 bool isClosed(const Shape &shape);
 double circleRadius(const Shape &shape);
 Box2 boundsOf(const Shape &shape);

@@ -180,3 +180,39 @@ TEST_CASE("Paths: keys change nodes and segments, split and join") {
     driver.key('L', shift);
     CHECK(driver.document().shapes[0]->curves[2].kind() == CurveKind::Line);
 }
+
+TEST_CASE("Paths: joining two paths leaves only what exists selected") {
+    Draughtsman driver;
+    driver.key('L');
+    for (const Vec2 start : {Vec2{1, 1}, Vec2{6, 1}}) {
+        driver.clickPlace(start);
+        driver.clickPlace(start + Vec2{2, 3});
+        driver.key(key::kEnter);
+    }
+    REQUIRE(driver.document().shapes.size() == 2);
+    driver.key('V');
+    driver.context().selection.clear();
+    driver.context().selection.nodes = {{1, 1}, {2, 0}};
+    driver.key('J', {Modifiers::kShift});
+    REQUIRE(driver.document().shapes.size() == 1);
+    for (const NodeRef node : driver.context().selection.nodes) {
+        CHECK(node.shape == driver.document().shapes[0]->id);
+    }
+    driver.key('A', {Modifiers::kControl});
+    driver.key(key::kDelete);
+    CHECK(driver.document().shapes.empty());
+}
+
+TEST_CASE("Paths: converting several shapes to paths is one undo step") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {3, 3});
+    driver.rectangle({5, 5}, {8, 8});
+    driver.key('A', {Modifiers::kControl});
+    driver.click("menu/Edit");
+    driver.click("menu/edit.toPath");
+    CHECK(isPath(*driver.document().shapes[0]));
+    CHECK(isPath(*driver.document().shapes[1]));
+    driver.key('Z', {Modifiers::kControl});
+    CHECK(driver.document().shapes[0]->kind == ShapeKind::Rectangle);
+    CHECK(driver.document().shapes[1]->kind == ShapeKind::Rectangle);
+}

@@ -168,8 +168,11 @@ void addPathActions(ActionRegistry &actions) {
                      .menu = "Edit",
                      .title = title,
                      .shortcuts = {{key, Modifiers{Modifiers::kShift}}},
-                     .run = [title, command](
-                                Shell &c) { EditState::apply(c, command(*c.document.current(), c.selection), title); },
+                     .run =
+                         [title, command](Shell &c) {
+                             EditState::apply(c, command(*c.document.current(), c.selection), title);
+                             c.selection.prune(*c.document.current());
+                         },
                      .enabled = enabled,
                      .separatorBefore = first});
     };
@@ -235,9 +238,9 @@ void addSelectionActions(ActionRegistry &actions) {
                  .title = "Convert to path",
                  .run =
                      [](Shell &c) {
-                         for (const std::uint32_t id : c.selection.shapes) {
-                             EditState::apply(c, convertToPath(*c.document.current(), id), "Convert to path");
-                         }
+                         EditState::apply(c, convertToPaths(*c.document.current(), c.selection.shapes),
+                                          "Convert to path");
+                         c.selection.prune(*c.document.current());
                      },
                  .enabled = [](const Shell &c) { return !c.selection.shapes.empty(); },
                  .separatorBefore = true});
