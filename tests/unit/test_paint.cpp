@@ -243,3 +243,53 @@ TEST_CASE("SpacingField: refuses invalid paint") {
     REQUIRE(!refused.ok());
     CHECK(refused.faults().front().at->x == doctest::Approx(3.3));
 }
+
+TEST_CASE("Brush modes: finer and coarser scale the spacing that is there by octaves, smooth evens it out") {
+    const PaintedSpacing base = forefront::paint(canvas(10), {{5, 5}, 4.0, 0.1, 1.0, 0.0});
+    const auto value = [&](const PaintedSpacing &paint, Vec2 at) {
+        const Vec2 node = (1.0 / paint.pitch) * (at - paint.origin);
+        return static_cast<double>(paintedNode(paint, static_cast<std::int32_t>(std::lround(node.x)),
+                                               static_cast<std::int32_t>(std::lround(node.y))));
+    };
+    Dab dab{{5, 5}, 1.0, 0.1, 0.5, 0.0};
+    dab.mode = DabMode::Finer;
+    PaintedSpacing finer = base;
+    for (int k = 0; k < 8; ++k) {
+        finer = forefront::paint(finer, dab);
+    }
+    CHECK(value(finer, {5, 5}) == doctest::Approx(0.05).epsilon(1e-5));
+    CHECK(value(finer, {5.75, 5}) > 0.05);
+    CHECK(value(finer, {5.75, 5}) < 0.1);
+    CHECK(value(finer, {6.5, 5}) == doctest::Approx(0.1));
+    dab.mode = DabMode::Coarser;
+    dab.strength = 0.5;
+    CHECK(value(forefront::paint(base, dab), {5, 5}) == doctest::Approx(0.1 * std::exp2(0.0625)).epsilon(1e-5));
+    dab.ambient = 0.4;
+    CHECK(forefront::paint(canvas(10), dab).tiles.empty()); // nothing is painted there
+    dab.mode = DabMode::Finer;
+    CHECK(value(forefront::paint(canvas(10), dab), {5, 5}) == doctest::Approx(0.4 * std::exp2(-0.0625)).epsilon(1e-5));
+    dab.ambient = 0.0;
+    CHECK(forefront::paint(canvas(10), dab).tiles.empty());
+    dab.mode = DabMode::Erase;
+    CHECK(value(forefront::paint(base, dab), {5, 5}) == 0.0);
+    CHECK(value(forefront::paint(base, dab), {6.5, 5}) == doctest::Approx(0.1));
+
+    PaintedSpacing step = forefront::paint(base, {{5, 5}, 0.5, 0.02, 1.0, 0.0});
+    const double before = value(step, {5, 5.52}) / value(step, {5, 5.48});
+    Dab smooth{{5, 5.5}, 0.5, 0.1, 1.0, 0.0};
+    smooth.mode = DabMode::Smooth;
+    for (int k = 0; k < 10; ++k) {
+        step = forefront::paint(step, smooth);
+    }
+    CHECK(before > 4.0);
+    CHECK(value(step, {5, 5.52}) / value(step, {5, 5.48}) < 0.5 * before);
+}
+
+TEST_CASE("Brush strength: a weak dab goes part of the way to its target") {
+    const PaintedSpacing base = forefront::paint(canvas(10), {{5, 5}, 4.0, 0.1, 1.0, 0.0});
+    Dab dab{{5, 5}, 1.0, 0.025, 1.0, 0.0};
+    dab.strength = 0.5;
+    const PaintedSpacing weak = forefront::paint(base, dab);
+    const auto node = static_cast<std::int32_t>(std::lround(5.0 / weak.pitch));
+    CHECK(static_cast<double>(paintedNode(weak, node, node)) == doctest::Approx(0.05).epsilon(1e-5));
+}

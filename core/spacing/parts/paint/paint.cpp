@@ -1,5 +1,6 @@
 #include "core/spacing/parts/paint/paint.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -55,8 +56,8 @@ std::optional<LatticeDisc> latticeDisc(const PaintedSpacing &paint, Vec2 centre,
     return disc;
 }
 
-/// Calls change(value, distance to the centre in pitches) for the nodes of the disc; true from it: changed. Tiles are
-/// copied before their first change, and dropped once nothing is painted in them.
+/// Calls change(value, distance to the centre in pitches, column, row) for the nodes of the disc; true from it:
+/// changed. Tiles are copied before their first change, and dropped once nothing is painted in them.
 template <class Change>
 void changeDisc(PaintedSpacing &paint, const LatticeDisc &disc, bool mayCreate, Change change) {
     for (std::int32_t tj = tileOf(disc.rows.first); tj <= tileOf(disc.rows.last); ++tj) {
@@ -76,7 +77,7 @@ void changeDisc(PaintedSpacing &paint, const LatticeDisc &disc, bool mayCreate, 
                 for (std::int32_t i = std::max(disc.columns.first, ti * kSpan); i <= lastI; ++i) {
                     const double d = std::sqrt((i - disc.x) * (i - disc.x) + (j - disc.y) * (j - disc.y));
                     if (d <= disc.radius) {
-                        changed = change(tile[placeIn(i, j)], d) || changed;
+                        changed = change(tile[placeIn(i, j)], d, i, j) || changed;
                     }
                 }
             }
@@ -94,6 +95,54 @@ void changeDisc(PaintedSpacing &paint, const LatticeDisc &disc, bool mayCreate, 
             }
         }
     }
+}
+
+/// Returns the geometric mean of the painted nodes around one, itself included.
+double meanAround(const PaintedSpacing &paint, std::int32_t i, std::int32_t j) {
+    double sum = 0.0, count = 0.0;
+    for (std::int32_t dj = -1; dj <= 1; ++dj) {
+        for (std::int32_t di = -1; di <= 1; ++di) {
+            const float value = paintedNode(paint, i + di, j + dj);
+            sum += value > 0.0F ? std::log(static_cast<double>(value)) : 0.0;
+            count += value > 0.0F ? 1.0 : 0.0;
+        }
+    }
+    return std::exp(sum / count);
+}
+
+/// Returns 1 in the core of a dab, falling smoothly to 0 at its radius.
+double weightAt(double d, double core, double radius) {
+    const double s = d > core ? (d - core) / (radius - core) : 0.0;
+    return 1.0 - s * s * (3.0 - 2.0 * s);
+}
+
+/// Changes the spacing that is there, or the ambient one, by a factor or towards a mean.
+PaintedSpacing adjusted(const PaintedSpacing &before, const Dab &dab) {
+    constexpr double kDabsPerOctave = 8.0;
+    PaintedSpacing after = before;
+    const auto disc = latticeDisc(before, dab.centre, dab.radius);
+    if (!disc || !(dab.strength > 0.0)) {
+        return after;
+    }
+    const double strength = std::min(dab.strength, 1.0), core = std::clamp(dab.hardness, 0.0, 1.0) * disc->radius;
+    const bool smooths = dab.mode == DabMode::Smooth;
+    const bool extends = dab.mode == DabMode::Finer; // more than what is painted
+    const double ambient = extends && dab.ambient > 0.0 && std::isfinite(dab.ambient) ? dab.ambient : 0.0;
+    const double octaves = (dab.mode == DabMode::Finer ? -strength : strength) / kDabsPerOctave;
+    changeDisc(after, *disc, ambient > 0.0, [&](float &value, double d, std::int32_t i, std::int32_t j) {
+        const double old = value > 0.0F ? static_cast<double>(value) : ambient;
+        if (!(old > 0.0)) {
+            return false;
+        }
+        const double weight = weightAt(d, core, disc->radius);
+        const double wanted = smooths ? old * std::pow(meanAround(before, i, j) / old, strength * weight)
+                                      : old * std::exp2(octaves * weight);
+        const auto next = static_cast<float>(wanted);
+        const bool changed = value != next && next > 0.0F && std::isfinite(next);
+        value = changed ? next : value;
+        return changed;
+    });
+    return after;
 }
 
 } // namespace
@@ -116,6 +165,12 @@ PaintedSpacing emptyPaint(const Box2 &domain) {
 }
 
 PaintedSpacing paint(const PaintedSpacing &before, const Dab &dab) {
+    if (dab.mode == DabMode::Erase) {
+        return erase(before, dab.centre, dab.radius);
+    }
+    if (dab.mode != DabMode::Set) {
+        return adjusted(before, dab);
+    }
     PaintedSpacing after = before;
     const auto disc = latticeDisc(before, dab.centre, dab.radius);
     const auto target = static_cast<float>(dab.spacing);
@@ -126,7 +181,8 @@ PaintedSpacing paint(const PaintedSpacing &before, const Dab &dab) {
     const double core = std::max(hardness * disc->radius, std::min(disc->radius, 0.70711));
     const double rim = disc->radius - core;
     const auto ambient = dab.ambient > 0.0 && std::isfinite(dab.ambient) ? static_cast<float>(dab.ambient) : 0.0F;
-    changeDisc(after, *disc, true, [&](float &value, double d) {
+    const double strength = std::clamp(dab.strength, 0.0, 1.0);
+    changeDisc(after, *disc, true, [&](float &value, double d, std::int32_t, std::int32_t) {
         float blended = target;
         if (d > core) {
             const double s = (d - core) / rim;
@@ -138,6 +194,9 @@ PaintedSpacing paint(const PaintedSpacing &before, const Dab &dab) {
                 return false;
             }
         }
+        if (strength < 1.0 && value > 0.0F) {
+            blended = static_cast<float>(value * std::pow(static_cast<double>(blended) / value, strength));
+        }
         const bool changed = value != blended;
         value = blended;
         return changed;
@@ -148,7 +207,7 @@ PaintedSpacing paint(const PaintedSpacing &before, const Dab &dab) {
 PaintedSpacing erase(const PaintedSpacing &before, Vec2 centre, double radius) {
     PaintedSpacing after = before;
     if (const auto disc = latticeDisc(before, centre, radius)) {
-        changeDisc(after, *disc, false, [](float &value, double) {
+        changeDisc(after, *disc, false, [](float &value, double, std::int32_t, std::int32_t) {
             const bool changed = value != 0.0F;
             value = 0.0F;
             return changed;

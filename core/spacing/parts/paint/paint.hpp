@@ -1,9 +1,29 @@
 #pragma once
 
+#include "core/base/enum_words.hpp"
 #include "core/base/vec2.hpp"
 #include "core/spacing/spec/spacing_spec.hpp"
 
+#include <array>
+#include <cstdint>
+#include <string_view>
+
 namespace forefront {
+
+/// What a dab does to the spacing.
+enum class DabMode : std::uint8_t {
+    Set,     ///< towards a target
+    Finer,   ///< smaller than it is
+    Coarser, ///< larger than it is; unpainted nodes stay unpainted
+    Smooth,  ///< towards the mean of the neighbouring nodes; unpainted ones stay unpainted
+    Erase    ///< removes the paint
+};
+
+template <>
+struct EnumWords<DabMode> {
+    static constexpr auto kLast = DabMode::Erase;
+    static constexpr std::array<std::string_view, 5> kList = {"set", "finer", "coarser", "smooth", "erase"};
+};
 
 /// One dab of the brush.
 struct Dab {
@@ -15,6 +35,10 @@ struct Dab {
     /// Spacing that the paint fades into where nothing is painted yet, such as ρ at the centre before the stroke. With
     /// 0 the paint ends in the middle of the fading rim, and gradation blends it outwards.
     double ambient = 0.0;
+    DabMode mode = DabMode::Set;
+    /// Part of the way, 0..1, that a dab goes: to the target or the mean, or to half or double the spacing in
+    /// eight dabs, about as many as meet at a place of one stroke.
+    double strength = 1.0;
 };
 
 /// Maximum diameter of a dab in pitches, which limits its tiles to 4 MB; wider dabs are reduced to it.
