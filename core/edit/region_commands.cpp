@@ -63,6 +63,18 @@ Result<Document> setRegionTag(const Document &document, std::size_t index, std::
     return next;
 }
 
+Result<Document> setRegionArea(const Document &document, std::size_t index, double maxArea) {
+    if (index >= document.regionMarkers.size()) {
+        return noSuchMarker();
+    }
+    if (!(maxArea >= 0.0) || !std::isfinite(maxArea)) {
+        return error("bad-number", "invalid maximum area; expected a number of at least 0, where 0 means no limit");
+    }
+    Document next = document;
+    next.regionMarkers[index].maxArea = maxArea;
+    return next;
+}
+
 Result<Document> removeRegionMarker(const Document &document, std::size_t index) {
     if (index >= document.regionMarkers.size()) {
         return noSuchMarker();

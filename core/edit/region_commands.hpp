@@ -13,6 +13,8 @@ namespace forefront {
 Result<Document> addRegionMarker(const Document &document, RegionMarker marker);
 Result<Document> moveRegionMarker(const Document &document, std::size_t index, Vec2 to);
 Result<Document> setRegionTag(const Document &document, std::size_t index, std::int32_t tag);
+/// Sets the maximum area of elements in a region; 0: no limit.
+Result<Document> setRegionArea(const Document &document, std::size_t index, double maxArea);
 Result<Document> removeRegionMarker(const Document &document, std::size_t index);
 
 /// Names a boundary tag; an empty name restores the default.

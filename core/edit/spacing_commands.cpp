@@ -102,6 +102,21 @@ Result<Document> removeSource(const Document &document, std::size_t index) {
     return next;
 }
 
+Result<Document> setPartSize(const Document &document, std::int32_t tag, std::optional<PartSize> size) {
+    Document next = document;
+    if (size) {
+        next.spacing.partSizes[tag] = *size;
+    } else {
+        next.spacing.partSizes.erase(tag);
+    }
+    Diagnostics faults;
+    checkPartSizes(next.spacing.partSizes, faults);
+    if (!faults.empty()) {
+        return faults;
+    }
+    return next;
+}
+
 Document setPaint(const Document &document, PaintedSpacing paint) {
     Document next = document;
     next.spacing.paint = std::move(paint);
@@ -111,6 +126,7 @@ Document setPaint(const Document &document, PaintedSpacing paint) {
 Document setSpacing(const Document &document, SpacingSpec spacing) {
     Document next = document;
     next.spacing = std::move(spacing);
+    next.spacing.names = document.spacing.names; // the parameters are those of the document
     return next;
 }
 

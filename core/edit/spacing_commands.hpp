@@ -3,6 +3,7 @@
 #include "core/base/result.hpp"
 #include "core/edit/document.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -25,6 +26,9 @@ Document setFromBoundary(const Document &document, bool fromBoundary);
 Result<Document> addSource(const Document &document, SizeSource source);
 Result<Document> replaceSource(const Document &document, std::size_t index, SizeSource source);
 Result<Document> removeSource(const Document &document, std::size_t index);
+
+/// Sets size and growth of the boundary part with a tag; nullopt removes them.
+Result<Document> setPartSize(const Document &document, std::int32_t tag, std::optional<PartSize> size);
 
 Document setPaint(const Document &document, PaintedSpacing paint);
 /// Replaces the whole spacing, for example by that of a file.

@@ -2,6 +2,7 @@
 
 #include "core/spacing/parts/automatic/boundary_spacing.hpp"
 #include "core/spacing/parts/curvature/curvature_sites.hpp"
+#include "core/spacing/parts/part_sizes/part_size_sites.hpp"
 #include "core/spacing/parts/sources/source_sites.hpp"
 #include "core/spacing/spec/spec_check.hpp"
 
@@ -75,6 +76,14 @@ Diagnostics addSources(const PartInput &input, FieldParts &parts) {
     return {};
 }
 
+Diagnostics addPartSizes(const PartInput &input, FieldParts &parts) {
+    addPartSizeSites(input.domain, input.spec.partSizes, input.minimum, input.givenGradation(), parts.few);
+    for (const auto &[tag, size] : input.spec.partSizes) {
+        parts.words.parts[static_cast<std::uint32_t>(tag)] = boundaryName(input.domain.boundaryNames, tag);
+    }
+    return {};
+}
+
 Diagnostics addBoundary(const PartInput &input, FieldParts &parts) {
     addBoundarySites(input.domain, input.minimum, input.gradation, parts.few);
     return {};
@@ -104,7 +113,10 @@ constexpr auto kKinds = std::to_array<SpacingPartKind>({
      [](const SpacingSpec &spec, const Domain &, Diagnostics &faults) { checkSize(spec.size, "spacing", faults); },
      [](const SpacingSpec &a, const SpacingSpec &b) { return a.size == b.size; }, addSize},
     {"expression", true, [](const SpacingSpec &spec, const Domain &) { return spec.expression.has_value(); },
-     neverFaulty, [](const SpacingSpec &a, const SpacingSpec &b) { return a.expression == b.expression; },
+     neverFaulty,
+     [](const SpacingSpec &a, const SpacingSpec &b) {
+         return a.expression == b.expression && (!a.expression || a.names == b.names);
+     },
      addExpression},
     {"paint", false, [](const SpacingSpec &spec, const Domain &) { return !spec.paint.tiles.empty(); }, neverFaulty,
      samePaint, addPaint},
@@ -114,6 +126,9 @@ constexpr auto kKinds = std::to_array<SpacingPartKind>({
     {"sources", true, [](const SpacingSpec &spec, const Domain &) { return !spec.sources.empty(); },
      [](const SpacingSpec &spec, const Domain &, Diagnostics &faults) { checkSources(spec.sources, faults); },
      [](const SpacingSpec &a, const SpacingSpec &b) { return a.sources == b.sources; }, addSources},
+    {"partSizes", false, [](const SpacingSpec &spec, const Domain &) { return !spec.partSizes.empty(); },
+     [](const SpacingSpec &spec, const Domain &, Diagnostics &faults) { checkPartSizes(spec.partSizes, faults); },
+     [](const SpacingSpec &a, const SpacingSpec &b) { return a.partSizes == b.partSizes; }, addPartSizes},
     {"fromBoundary", true, [](const SpacingSpec &spec, const Domain &) { return spec.fromBoundary; }, neverFaulty,
      [](const SpacingSpec &a, const SpacingSpec &b) { return a.fromBoundary == b.fromBoundary; }, addBoundary},
     {"segmentsPerTurn", false,

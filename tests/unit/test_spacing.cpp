@@ -309,3 +309,25 @@ TEST_CASE("SpacingField: a cancelled build reports it") {
     REQUIRE(!field.ok());
     CHECK(field.faults().front().code == "cancelled");
 }
+
+TEST_CASE(
+    "Sizes of boundary parts: the spacing is the size at segments and points with the tag, and grows from there") {
+    Domain domain = rectangle(8, 4, 1, 1);
+    domain.segments[1].tag = 5;
+    domain.boundaryNames[5] = "outlet";
+    domain.nodes.push_back({2, 2});
+    domain.points.push_back({4, 7});
+    SpacingSpec spec;
+    spec.size = 1.0;
+    spec.partSizes = {{5, {0.125, 0.25}}, {7, {0.25, 0.5}}};
+    const auto field = built(spec, domain);
+    CHECK(field->at({8, 2}) == doctest::Approx(0.125));
+    CHECK(field->at({7, 2}) == doctest::Approx(0.375));
+    CHECK(field->at({0, 0}) == doctest::Approx(1.0));
+    CHECK(field->at({2, 2}) == doctest::Approx(0.25));
+    CHECK(field->sample({8, 2}).describe == "size of 'outlet'");
+    spec.partSizes[5].size = 0.0;
+    const auto refused = SpacingField::build(spec, domain);
+    REQUIRE_FALSE(refused.ok());
+    CHECK(refused.faults().front().code == "bad-source");
+}

@@ -72,6 +72,51 @@ std::vector<SizeSource> readSources(const JsonValue &list, JsonCheck &check) {
     return sources;
 }
 
+void writePartSizes(const std::map<std::int32_t, PartSize> &sizes, JsonText &out) {
+    out << "[\n      ";
+    out.list(sizes, ",\n      ", [&](const auto &entry) {
+        out << "{\"tag\": " << entry.first << ", \"size\": ";
+        out.number(entry.second.size);
+        out << ", \"growth\": ";
+        out.number(entry.second.growth);
+        out << '}';
+    });
+    out << "\n    ]";
+}
+
+void readPartSize(const JsonValue &item, JsonCheck &check, std::map<std::int32_t, PartSize> &sizes) {
+    if (!check.expect(item, JsonKind::Object, "a size of a boundary part")) {
+        return;
+    }
+    PartSize part;
+    std::int32_t tag = 1;
+    if (const auto value = check.member(item, "tag", "the size of a boundary part")) {
+        tag = check.tag(*value);
+    }
+    if (const auto value = check.member(item, "size", "the size of a boundary part")) {
+        part.size = check.positive(*value, "the size of a boundary part");
+    }
+    if (const auto value = item.find("growth")) {
+        part.growth = check.notNegative(*value, "the growth of a boundary part");
+    }
+    if (!sizes.emplace(tag, part).second) {
+        check.fault(item, "bad-tag", "the tag " + std::to_string(tag) + " has a size already");
+    }
+}
+
+std::map<std::int32_t, PartSize> readPartSizes(const JsonValue &list, JsonCheck &check) {
+    std::map<std::int32_t, PartSize> sizes;
+    if (check.expect(list, JsonKind::Array, "\"partSizes\"")) {
+        for (const JsonValue item : list) {
+            if (check.full()) {
+                break;
+            }
+            readPartSize(item, check, sizes);
+        }
+    }
+    return sizes;
+}
+
 void writePaint(const PaintedSpacing &paint, JsonText &out) {
     out << "{\n      \"origin\": ";
     out.point(paint.origin);
@@ -237,6 +282,11 @@ constexpr std::array kMembers = {
                   [](const SpacingSpec &spec, JsonText &out) { writeSources(spec.sources, out); },
                   [](const JsonValue &value, JsonCheck &check, std::string_view, SpacingSpec &spec) {
                       spec.sources = readSources(value, check);
+                  }},
+    SpacingMember{"partSizes", [](const SpacingSpec &spec) { return !spec.partSizes.empty(); },
+                  [](const SpacingSpec &spec, JsonText &out) { writePartSizes(spec.partSizes, out); },
+                  [](const JsonValue &value, JsonCheck &check, std::string_view, SpacingSpec &spec) {
+                      spec.partSizes = readPartSizes(value, check);
                   }},
     SpacingMember{"paint", [](const SpacingSpec &spec) { return !spec.paint.tiles.empty(); },
                   [](const SpacingSpec &spec, JsonText &out) { writePaint(spec.paint, out); },

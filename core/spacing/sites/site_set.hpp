@@ -16,6 +16,7 @@ enum class SiteReason : std::uint8_t {
     BackgroundEdge, ///< reach of a background mesh
     ExpressionEdge, ///< reach of an expression steeper than the gradation
     RegionEdge,     ///< reach of a region with a maximum area; index: of the region marker
+    PartSize,       ///< size of a boundary part; index: its tag
     SegmentLength,  ///< index: of the domain segment
     Bend,           ///< curvature; index: of the domain segment
     Channel,        ///< narrow gap across from the domain segment

@@ -28,6 +28,8 @@ std::string describe(const SiteLabel &label, const SiteWords &words) {
         const std::string &name = words.sources[label.index];
         return name.empty() ? "source " + number : "source '" + name + "'";
     }
+    case SiteReason::PartSize:
+        return "size of '" + words.parts.at(label.index) + "'";
     case SiteReason::SegmentLength:
         return "length of boundary segment " + number;
     case SiteReason::Bend:

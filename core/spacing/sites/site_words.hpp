@@ -3,6 +3,8 @@
 #include "core/spacing/sites/site_set.hpp"
 #include "core/spacing/spec/spacing_sample.hpp"
 
+#include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -10,9 +12,10 @@ namespace forefront {
 
 /// Names that descriptions of sites refer to.
 struct SiteWords {
-    double gradation = 0.0;           ///< in force
-    std::vector<std::string> sources; ///< by index into SpacingSpec::sources; may be empty strings
-    std::vector<std::string> regions; ///< by index into Domain::regionMarkers
+    double gradation = 0.0;                     ///< in force
+    std::vector<std::string> sources;           ///< by index into SpacingSpec::sources; may be empty strings
+    std::vector<std::string> regions;           ///< by index into Domain::regionMarkers
+    std::map<std::uint32_t, std::string> parts; ///< of boundary parts with a size, by tag
 };
 
 /// Returns the spacing at p as set by one site.

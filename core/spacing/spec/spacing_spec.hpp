@@ -39,6 +39,14 @@ struct SizeSource {
     friend bool operator==(const SizeSource &, const SizeSource &) = default;
 };
 
+/// The spacing on a part of the boundary: size at its segments, growing by `growth` per unit of distance from them.
+struct PartSize {
+    double size = 1.0;   ///< > 0
+    double growth = 0.2; ///< >= 0
+
+    friend bool operator==(const PartSize &, const PartSize &) = default;
+};
+
 /// Painted spacing: square tiles of `kTileNodes`² values at the nodes of a square grid. The lower left node of tile (i,
 /// j) is at origin + pitch·kTileSpan·(i, j); a value of 0 means unpainted. Between nodes the spacing is bilinear where
 /// all four nodes are painted, else the minimum painted value of the four.
@@ -66,13 +74,17 @@ struct BackgroundMesh {
 /// The given parts, and the maximum areas of the domain's region markers, are combined by minimum, clamped to [minimum,
 /// maximum], then limited so that |∇ρ| <= gradation. Where nothing covers the whole domain (no size, expression, source
 /// or boundary lengths), automatic spacing applies: from boundary lengths, bends, narrow places and domain size,
-/// graded. It is combined by minimum with paint and region areas, and fills in outside a background mesh.
+/// graded. It is combined by minimum with paint, sizes of parts and region areas, and fills in outside a background
+/// mesh.
 struct SpacingSpec {
-    std::optional<double> size;            ///< constant spacing, > 0
-    std::optional<std::string> expression; ///< formula in x and y, for example "max(0.1, 0.2*sqrt(x*x+y*y))"
+    std::optional<double> size;                       ///< constant spacing, > 0
+    std::optional<std::string> expression;            ///< formula in x and y, for example "max(0.1, 0.2*sqrt(x*x+y*y))"
+    std::map<std::string, double, std::less<>> names; ///< that the expression may use, such as those of parameters
     std::vector<SizeSource> sources;
     PaintedSpacing paint;
     std::shared_ptr<const BackgroundMesh> background;
+    /// Sizes of the boundary parts and constraints by tag; points with the tag have it too.
+    std::map<std::int32_t, PartSize> partSizes;
     bool fromBoundary = false; ///< the given lengths of boundary segments act as sources
     /// Edges per full turn of curved boundaries, >= 0; 0: curvature is ignored. Absent: 40 where the spacing is
     /// automatic, 0 elsewhere.

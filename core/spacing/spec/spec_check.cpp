@@ -73,6 +73,20 @@ void checkSources(std::span<const SizeSource> sources, Diagnostics &faults) {
     }
 }
 
+void checkPartSizes(const std::map<std::int32_t, PartSize> &sizes, Diagnostics &faults) {
+    for (const auto &[tag, part] : sizes) {
+        const bool size = isSize(part.size);
+        if (!size || !isNotNegative(part.growth)) {
+            const std::string what = size ? "growth " + text(part.growth) : "size " + text(part.size);
+            faults.push_back(error("bad-source",
+                                   "the boundary part with tag " + std::to_string(tag) + " has the " + what +
+                                       "; expected a number " + (size ? "of at least 0" : "above 0"),
+                                   "enter a length in domain units, or leave the field empty")
+                                 .front());
+        }
+    }
+}
+
 void checkRegionAreas(std::span<const RegionMarker> markers, Diagnostics &faults) {
     for (std::uint32_t i = 0; i < markers.size(); ++i) {
         if (!isNotNegative(markers[i].maxArea)) {

@@ -4,6 +4,8 @@
 #include "core/domain/domain.hpp"
 #include "core/spacing/spec/spacing_spec.hpp"
 
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,6 +20,9 @@ void checkSize(const std::optional<double> &value, const std::string &name, Diag
 /// Checks a size source. Faults: bad-source, with the index in `ids` and the place if it is finite.
 void checkSource(const SizeSource &source, std::uint32_t index, Diagnostics &faults);
 void checkSources(std::span<const SizeSource> sources, Diagnostics &faults);
+
+/// Checks the sizes of boundary parts. Fault: bad-source.
+void checkPartSizes(const std::map<std::int32_t, PartSize> &sizes, Diagnostics &faults);
 
 /// Checks the maximum areas of region markers. Faults: bad-region-area, with the marker as part.
 void checkRegionAreas(std::span<const RegionMarker> markers, Diagnostics &faults);

@@ -7,7 +7,7 @@
 
 namespace forefront {
 
-/// Compiles an expression in x and y.
+/// Compiles an expression in x and y, and in other names with values.
 ///
 /// Operators by increasing precedence: ?: (choice), ||, &&, < <= > >= == !=, + -, * /, sign, ^ (power,
 /// right-associative). Functions: sqrt abs sign rint exp ln log (natural) log2 log10, sin cos tan asin acos atan
@@ -15,6 +15,10 @@ namespace forefront {
 /// hypot(a, b), dist(x0, y0): the distance from (x, y) to the point (x0, y0). Constants: pi, e (also _pi, _e).
 ///
 /// Errors: expression-syntax, with `column` (1-based) in the text.
-Result<ExpressionProgram> compileExpression(const std::string &text);
+Result<ExpressionProgram> compileExpression(const std::string &text, const NamedValues &names = {});
+
+/// Returns the value of an expression of names instead of x and y, such as 2*r + 0.5. Errors: expression-syntax, with
+/// `column`; expression-value if it is not finite.
+Result<double> evaluateExpression(const std::string &text, const NamedValues &names);
 
 } // namespace forefront

@@ -1,5 +1,6 @@
 #include "core/spacing/parts/expression/expression_parser.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -62,6 +63,10 @@ bool isNameStart(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
 
+bool isCoordinate(std::string_view name) {
+    return name == "x" || name == "y";
+}
+
 /// Quotes a character, or names the byte if it is not printable.
 std::string quoted(char c) {
     return c >= ' ' && c <= '~' ? "'" + std::string(1, c) + "'"
@@ -71,7 +76,7 @@ std::string quoted(char c) {
 /// A recursive-descent parser with one function per level of precedence, lowest first. Stops at the first fault.
 class Parser {
   public:
-    explicit Parser(std::string_view text) : text_(text) {}
+    Parser(std::string_view text, FormulaNames names) : text_(text), names_(names) {}
 
     std::variant<std::vector<ExpressionInstruction>, ExpressionFault> run() {
         parseChoice();
@@ -257,13 +262,25 @@ class Parser {
                 return;
             }
         }
-        if (name == "x" || name == "y") {
+        if (names_.coordinates && isCoordinate(name)) {
             emit(name == "x" ? ExpressionOp::PushX : ExpressionOp::PushY);
-        } else if (!emitConstant(name)) {
-            fail("unknown name '" + std::string(name) + "'; expected x, y, pi, e or a function");
+        } else if (!emitConstant(name) && !emitValue(name)) {
+            fail("unknown name '" + std::string(name) + "'; expected " + (names_.coordinates ? "x, y, " : "") +
+                 (names_.values != nullptr ? "a parameter, " : "") + "pi, e or a function");
             return;
         }
         at_ = end;
+    }
+    bool emitValue(std::string_view name) {
+        if (names_.values == nullptr) {
+            return false;
+        }
+        const auto known = names_.values->find(name);
+        if (known == names_.values->end()) {
+            return false;
+        }
+        emit(ExpressionOp::Push, known->second);
+        return true;
     }
     bool emitConstant(std::string_view name) {
         for (const NamedConstant &constant : kConstants) {
@@ -301,6 +318,7 @@ class Parser {
     }
 
     std::string_view text_;
+    FormulaNames names_;
     std::size_t at_ = 0;
     int nesting_ = 0;
     std::vector<ExpressionInstruction> code_;
@@ -309,8 +327,34 @@ class Parser {
 
 } // namespace
 
-std::variant<std::vector<ExpressionInstruction>, ExpressionFault> parseExpression(std::string_view text) {
-    return Parser(text).run();
+std::variant<std::vector<ExpressionInstruction>, ExpressionFault> parseExpression(std::string_view text,
+                                                                                  FormulaNames names) {
+    return Parser(text, names).run();
+}
+
+bool isReservedName(std::string_view name) {
+    const auto called = [name](const auto &known) { return known.name == name; };
+    return isCoordinate(name) || std::any_of(kConstants.begin(), kConstants.end(), called) ||
+           std::any_of(kFunctions.begin(), kFunctions.end(), called);
+}
+
+std::vector<std::string_view> namesIn(std::string_view text) {
+    std::vector<std::string_view> names;
+    for (std::size_t at = 0; at < text.size();) {
+        std::size_t end = at + 1;
+        if (isNameStart(text[at])) {
+            while (end < text.size() && (isNameStart(text[end]) || isDigit(text[end]))) {
+                ++end;
+            }
+            names.push_back(text.substr(at, end - at));
+        } else if (isDigit(text[at]) || text[at] == '.') { // letters after a digit belong to a number such as 2.e3
+            while (end < text.size() && (isNameStart(text[end]) || isDigit(text[end]) || text[end] == '.')) {
+                ++end;
+            }
+        }
+        at = end;
+    }
+    return names;
 }
 
 } // namespace forefront

@@ -244,8 +244,8 @@ std::size_t stackNeeded(const std::vector<ExpressionInstruction> &code) {
 
 } // namespace
 
-std::variant<ExpressionProgram, ExpressionFault> ExpressionProgram::compile(std::string_view text) {
-    auto parsed = parseExpression(text);
+std::variant<ExpressionProgram, ExpressionFault> ExpressionProgram::compile(std::string_view text, FormulaNames names) {
+    auto parsed = parseExpression(text, names);
     if (auto *fault = std::get_if<ExpressionFault>(&parsed)) {
         return std::move(*fault);
     }

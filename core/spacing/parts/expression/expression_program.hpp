@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -89,6 +91,15 @@ struct ExpressionFault {
     std::string message;
 };
 
+/// Names with values, such as the parameters of a document.
+using NamedValues = std::map<std::string, double, std::less<>>;
+
+/// The names that a formula may use besides functions and constants.
+struct FormulaNames {
+    bool coordinates = true;             ///< x and y
+    const NamedValues *values = nullptr; ///< null: none
+};
+
 /// A formula in x and y as a short stack program. Immutable, so threads may share it, and evaluated without an indirect
 /// call per operation.
 class ExpressionProgram {
@@ -97,7 +108,7 @@ class ExpressionProgram {
 
     /// Compiles a formula in the grammar of muParser (operators, precedence, functions, ?:) without assignment and
     /// strings.
-    static std::variant<ExpressionProgram, ExpressionFault> compile(std::string_view text);
+    static std::variant<ExpressionProgram, ExpressionFault> compile(std::string_view text, FormulaNames names = {});
 
     /// Returns the value at p; NaN or infinite where the formula is.
     double evaluate(Vec2 p) const;

@@ -41,7 +41,7 @@ const char *faultOf(double value, const SpacingSpec &spec) {
 } // namespace
 
 Result<ExpressionSpacing> ExpressionSpacing::build(const SpacingSpec &spec, const Domain &domain, const Box2 &box) {
-    auto program = compileExpression(*spec.expression);
+    auto program = compileExpression(*spec.expression, spec.names);
     if (!program) {
         return program.faults();
     }

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/domain/domain.hpp"
+#include "core/spacing/sites/site_set.hpp"
+#include "core/spacing/spec/spacing_spec.hpp"
+
+#include <cstdint>
+#include <map>
+
+namespace forefront {
+
+/// Adds one site for each segment and constraint point whose tag has a size, raised to `minimum` and growing by at most
+/// `gradation` (infinity: no limit). A curve is covered by its chords.
+void addPartSizeSites(const Domain &domain, const std::map<std::int32_t, PartSize> &sizes, double minimum,
+                      double gradation, SiteSet &sites);
+
+} // namespace forefront
