@@ -5,6 +5,7 @@
 #include "core/mesher/options.hpp"
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -19,6 +20,7 @@ struct MeshArguments {
     std::vector<std::filesystem::path> outputs;
     std::vector<std::string> formats; ///< ids for the outputs in order; the rest by extension
     InnerEdges innerEdges = InnerEdges::Keep;
+    std::map<std::string, std::string> parameters; ///< expressions by name, from --set
     std::optional<double> size;
     std::optional<std::string> expression;
     std::optional<std::filesystem::path> spacingFile;

@@ -42,7 +42,9 @@ Result<MeshingJob> readJob(const MeshArguments &arguments, const Input &input) {
 /// Replaces the spacing of a project by that of the command line.
 Diagnostics applySpacing(const MeshArguments &arguments, SpacingSpec &spacing) {
     if (arguments.size || arguments.expression) {
+        const auto names = std::move(spacing.names); // of the project's parameters
         spacing = {};
+        spacing.names = names;
         spacing.size = arguments.size;
         spacing.expression = arguments.expression;
     } else if (arguments.spacingFile) {
@@ -135,6 +137,11 @@ int runMesh(const MeshArguments &arguments) {
         bar.clear();
         return wrongUsage("forefront mesh", wrong);
     }
+    if (!arguments.parameters.empty() && !input->isProject()) {
+        bar.clear();
+        return wrongUsage("forefront mesh", "--set: only projects have parameters");
+    }
+    input->options.parameters = arguments.parameters;
     input->options.weldTolerance = arguments.weldTolerance;
     input->options.overlap = arguments.overlap;
     input->options.strict = arguments.strict;

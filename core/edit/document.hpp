@@ -64,8 +64,18 @@ struct Shape {
     /// known not to cross anything. Empty: computed from the tolerance.
     std::vector<std::vector<double>> cuts;
     double radius = 0.0; ///< of a rectangle's corners; at most half its shorter side counts
+    bool hidden = false; ///< neither drawn nor picked, but part of the domain
+    bool locked = false; ///< drawn, but neither picked nor moved
 
     friend bool operator==(const Shape &, const Shape &) = default;
+};
+
+/// A named number of a document, such as r = 0.4 or gap = 2*r.
+struct Parameter {
+    std::string name;       ///< a letter, then letters, digits and _
+    std::string expression; ///< of numbers, functions and other parameters
+
+    friend bool operator==(const Parameter &, const Parameter &) = default;
 };
 
 /// Everything that a user edits and saves: the drawing, spacing and options. Shapes are shared, so copies are cheap
@@ -83,6 +93,9 @@ struct Document {
     double circleTolerance = 0.002;
     double curveTolerance = 0.0; ///< see Domain::curveTolerance
     std::uint32_t nextId = 1;
+    std::vector<Parameter> parameters;
+    /// Expressions of parameters that numbers of the document follow, by the address of the number: see NumberAddress.
+    std::map<std::string, std::string> formulas;
 };
 
 /// Returns the domain of a document. Curved segments become chords that follow their curves; coinciding nodes of

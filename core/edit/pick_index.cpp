@@ -21,6 +21,10 @@ Vec2 nearestOnCircle(Vec2 centre, Vec2 on, Vec2 p) {
     return reach > 0.0 ? centre + (distance(centre, on) / reach) * arm : on;
 }
 
+bool canPick(const Shape &shape) {
+    return !shape.hidden && !shape.locked;
+}
+
 } // namespace
 
 PickIndex::PickIndex(std::shared_ptr<const Document> document) : document_(std::move(document)) {
@@ -28,6 +32,9 @@ PickIndex::PickIndex(std::shared_ptr<const Document> document) : document_(std::
     for (std::uint32_t k = 0; k < document_->shapes.size(); ++k) {
         const Shape &shape = *document_->shapes[k];
         shapeBoxes.push_back(boundsOf(shape));
+        if (shape.hidden) {
+            continue;
+        }
         const std::vector<Vec2> handles = handlesOf(shape);
         for (std::uint32_t part = 0; part < handles.size(); ++part) {
             handles_.push_back({k, part, handles[part], handles[part]});
@@ -118,7 +125,8 @@ std::uint32_t PickIndex::shape(Vec2 p, double tolerance) const {
     double limit = tolerance;
     lineTree_.query(boxAround(p, tolerance), [&](std::uint32_t item) {
         const double d = lineDistance(lines_[item], p);
-        if (d < limit || (d == limit && (best == kNoIndex || item > best))) {
+        const bool nearer = d < limit || (d == limit && (best == kNoIndex || item > best));
+        if (nearer && canPick(*document_->shapes[lines_[item].shape])) {
             best = item;
             limit = d;
         }
@@ -130,7 +138,7 @@ std::uint32_t PickIndex::shape(Vec2 p, double tolerance) const {
     double area = std::numeric_limits<double>::infinity();
     shapeTree_.query(boxAround(p, 0.0), [&](std::uint32_t k) {
         const Shape &shape = *document_->shapes[k];
-        if (contains(shape, p) && areaOf(shape) < area) {
+        if (canPick(shape) && contains(shape, p) && areaOf(shape) < area) {
             area = areaOf(shape);
             smallest = shape.id;
         }
@@ -183,7 +191,10 @@ Selection PickIndex::inBox(const Box2 &box, bool handles) const {
     Selection selection;
     if (handles) {
         handleTree_.query(box, [&](std::uint32_t item) {
-            selection.nodes.insert({document_->shapes[handles_[item].shape]->id, handles_[item].part});
+            const Shape &shape = *document_->shapes[handles_[item].shape];
+            if (canPick(shape)) {
+                selection.nodes.insert({shape.id, handles_[item].part});
+            }
         });
         return selection;
     }
@@ -191,7 +202,7 @@ Selection PickIndex::inBox(const Box2 &box, bool handles) const {
         return !inner.empty() && box.contains(inner.min) && box.contains(inner.max);
     };
     shapeTree_.query(box, [&](std::uint32_t k) {
-        if (holds(boundsOf(*document_->shapes[k]))) {
+        if (canPick(*document_->shapes[k]) && holds(boundsOf(*document_->shapes[k]))) {
             selection.shapes.insert(document_->shapes[k]->id);
         }
     });

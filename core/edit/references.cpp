@@ -60,10 +60,18 @@ void Selection::prune(const Document &document) {
     std::erase_if(markers, [&](std::uint32_t k) { return k >= document.regionMarkers.size(); });
 }
 
+void Selection::drop(const std::set<std::uint32_t> &gone) {
+    std::erase_if(shapes, [&](std::uint32_t id) { return gone.contains(id); });
+    std::erase_if(nodes, [&](NodeRef node) { return gone.contains(node.shape); });
+    std::erase_if(segments, [&](SegmentRef segment) { return gone.contains(segment.shape); });
+}
+
 Selection selectAll(const Document &document) {
     Selection all;
     for (const auto &shape : document.shapes) {
-        all.shapes.insert(shape->id);
+        if (!shape->hidden && !shape->locked) {
+            all.shapes.insert(shape->id);
+        }
     }
     for (std::uint32_t k = 0; k < document.spacing.sources.size(); ++k) {
         all.sources.insert(k);

@@ -27,17 +27,19 @@ struct SegmentRef {
 /// The selected items. Shapes are referred to by id, so a selection survives edits; prune() drops items that no longer
 /// exist.
 struct Selection {
-    std::set<std::uint32_t> shapes;
-    std::set<NodeRef> nodes;
-    std::set<SegmentRef> segments;
-    std::set<std::uint32_t> sources; ///< index into SpacingSpec::sources
-    std::set<std::uint32_t> markers; ///< index into Document::regionMarkers
+    std::set<std::uint32_t> shapes{};
+    std::set<NodeRef> nodes{};
+    std::set<SegmentRef> segments{};
+    std::set<std::uint32_t> sources{}; ///< index into SpacingSpec::sources
+    std::set<std::uint32_t> markers{}; ///< index into Document::regionMarkers
 
     bool empty() const {
         return shapes.empty() && nodes.empty() && segments.empty() && sources.empty() && markers.empty();
     }
     void clear() { *this = {}; }
     void prune(const Document &document);
+    /// Removes shapes with their nodes and segments.
+    void drop(const std::set<std::uint32_t> &gone);
     /// Returns the number of selected items.
     std::size_t size() const {
         return shapes.size() + nodes.size() + segments.size() + sources.size() + markers.size();
@@ -48,7 +50,7 @@ struct Selection {
 
 /// Returns the shape with an id, or null.
 const Shape *findShape(const Document &document, std::uint32_t id);
-/// Selects every shape, source and region marker.
+/// Selects every shape that is neither hidden nor locked, every source and every region marker.
 Selection selectAll(const Document &document);
 /// Returns the box of the selected items; empty if there are none.
 Box2 boundsOf(const Document &document, const Selection &selection);

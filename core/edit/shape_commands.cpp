@@ -428,6 +428,20 @@ Result<Document> setShapeName(const Document &document, std::uint32_t id, std::s
     });
 }
 
+Result<Document> setHidden(const Document &document, const std::set<std::uint32_t> &ids, bool hidden) {
+    return changeShapes(document, ids, [&](Shape &shape) -> Status {
+        shape.hidden = hidden;
+        return {};
+    });
+}
+
+Result<Document> setLocked(const Document &document, const std::set<std::uint32_t> &ids, bool locked) {
+    return changeShapes(document, ids, [&](Shape &shape) -> Status {
+        shape.locked = locked;
+        return {};
+    });
+}
+
 Result<Document> setShapeUse(const Document &document, const std::set<std::uint32_t> &ids, ShapeUse use) {
     return changeShapes(document, ids, [&](Shape &shape) -> Status {
         shape.use = use;

@@ -49,6 +49,10 @@ Result<Document> toggleClosed(const Document &document, std::uint32_t shape);
 Result<Document> setShapeTag(const Document &document, const std::set<std::uint32_t> &ids, std::int32_t tag);
 Result<Document> setSegmentTag(const Document &document, const std::set<SegmentRef> &segments, std::int32_t tag);
 Result<Document> setShapeName(const Document &document, std::uint32_t id, std::string name);
+/// Hides shapes, or shows them again.
+Result<Document> setHidden(const Document &document, const std::set<std::uint32_t> &ids, bool hidden);
+/// Locks shapes, or unlocks them.
+Result<Document> setLocked(const Document &document, const std::set<std::uint32_t> &ids, bool locked);
 Result<Document> setShapeUse(const Document &document, const std::set<std::uint32_t> &ids, ShapeUse use);
 
 /// Moves a handle of a shape outside a document; the handle must exist.

@@ -1,6 +1,7 @@
 #include "core/edit/transform.hpp"
 
 #include "core/base/number_text.hpp"
+#include "core/edit/formulas.hpp"
 #include "core/edit/selected_handles.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
@@ -14,6 +15,11 @@
 
 namespace forefront {
 namespace {
+
+/// Returns the beginning of the addresses of the numbers of a shape or source.
+std::string addressPrefix(const char *kind, std::uint32_t id) {
+    return std::string(kind) + '/' + std::to_string(id) + '/';
+}
 
 constexpr double kMaxCopies = 10000.0;
 constexpr std::size_t kMaxNewNodes = 1000000; ///< in all copies together
@@ -241,6 +247,7 @@ Result<Document> copySelection(const Document &document, const Selection &select
         return status;
     }
     std::vector<Shape> shapes;
+    std::vector<std::pair<std::string, std::string>> copied; // prefixes of addresses
     Selection fresh;
     for (const PlaneMap &map : maps) {
         if (Status status = checkMap(map); !status.empty()) {
@@ -248,7 +255,9 @@ Result<Document> copySelection(const Document &document, const Selection &select
         }
         for (const auto &shape : document.shapes) {
             if (selection.shapes.contains(shape->id)) {
-                fresh.shapes.insert(document.nextId + static_cast<std::uint32_t>(shapes.size()));
+                const std::uint32_t id = document.nextId + static_cast<std::uint32_t>(shapes.size());
+                fresh.shapes.insert(id);
+                copied.emplace_back(addressPrefix("shape", shape->id), addressPrefix("shape", id));
                 shapes.push_back(*shape);
                 mapShape(shapes.back(), map);
             }
@@ -261,7 +270,9 @@ Result<Document> copySelection(const Document &document, const Selection &select
     for (const PlaneMap &map : maps) {
         for (const std::uint32_t k : selection.sources) {
             if (k < document.spacing.sources.size()) {
-                fresh.sources.insert(static_cast<std::uint32_t>(next->spacing.sources.size()));
+                const auto index = static_cast<std::uint32_t>(next->spacing.sources.size());
+                fresh.sources.insert(index);
+                copied.emplace_back(addressPrefix("source", k), addressPrefix("source", index));
                 next->spacing.sources.push_back(mapped(document.spacing.sources[k], map));
             }
         }
@@ -273,6 +284,10 @@ Result<Document> copySelection(const Document &document, const Selection &select
             }
         }
     }
+    for (const auto &[from, to] : copied) {
+        copyFormulas(*next, from, to);
+    }
+    pruneFormulas(*next); // places differ
     if (copies != nullptr) {
         *copies = std::move(fresh);
     }

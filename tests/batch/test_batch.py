@@ -229,6 +229,20 @@ class Meshing(Case):
         (self.path / "pipe.json").write_text(PROJECT)
         self.assertEqual(json.loads(process.communicate(timeout=60)[0])["hash"], expected)
 
+    def test_parameters_of_a_project_can_be_set(self):
+        self.write("disc.json", """{"format": "forefront", "version": 2, "spacing": {"size": 0.2},
+            "shapes": [{"id": 1, "kind": "circle", "nodes": [[0, 0], [2, 0]]}],
+            "parameters": [["d", "2*r"], ["r", "1"]], "formulas": {"shape/1/radius": "d"}}""")
+        for setting, radius in ([], 2.0), (["--set", "r=1.5"], 3.0), (["--set", "r=3", "--set", "d=r-1"], 2.0):
+            self.call("mesh", "disc.json", "-o", "disc.vtu", "--stats", "disc-stats.json", *setting)
+            area = json.loads(self.read("disc-stats.json"))["area"]
+            self.assertAlmostEqual(area, math.pi * radius * radius, delta=0.02 * area)
+        line = self.call("mesh", "disc.json", "-o", "disc.vtu", "--set", "q=1", code=1).stderr
+        self.assertIn("unknown parameter 'q'; expected d, r", line)
+        self.assertIn("depends on itself", self.call("mesh", "disc.json", "-o", "disc.vtu", "--set", "r=d", code=1).stderr)
+        self.call("mesh", "disc.json", "-o", "disc.vtu", "--set", "r", code=2)
+        self.call("mesh", "plate.poly", "-o", "plate.vtu", "--set", "r=1", code=2)
+
     def test_progress_bar_shows_on_a_terminal(self):
         try:
             leader, follower = pty.openpty()

@@ -1,5 +1,6 @@
 #include "tests/unit/io_samples.hpp"
 
+#include "core/edit/formulas.hpp"
 #include "core/edit/path_curve.hpp"
 #include "core/io/common/names.hpp"
 #include "tests/unit/mesh_samples.hpp"
@@ -50,10 +51,12 @@ Document fullDocument() {
     sail.curves = {Curve::cubic({2, 1}, {1.0 / 3.0 + 2.0, 0.9}, {2.4, 1}, {2.5, 1.1}),
                    joining(Curve::arc({0, 0}, {1, 0}, {0, 1}, 0.1, 1.0 / 3.0), {2.5, 1.1}, {2.1, 1.2}),
                    {}};
+    sail.hidden = true;
     sail.cuts = {{0.25, 2.0 / 3.0}, {}, {}};
     Shape pier = shape(4, ShapeKind::Polyline, ShapeUse::Constraint, {{1, 1}, {1.5, 1}, {2, 1.25}}, "pier");
     Shape box = shape(2, ShapeKind::Rectangle, ShapeUse::Boundary, {{3, 1}, {3.5, 2}}, "");
     box.radius = 0.1;
+    box.locked = true;
     for (const Shape &item :
          {outline, box, shape(3, ShapeKind::Circle, ShapeUse::Boundary, {{1, 2}, {1.2, 2}}, "island"), pier,
           shape(9, ShapeKind::Point, ShapeUse::Constraint, {{2.5, 0.5}}, "gauge"), sail,
@@ -72,6 +75,10 @@ Document fullDocument() {
     document.spacing.paint = paintedPatch();
     document.spacing.background = std::make_shared<const BackgroundMesh>(
         BackgroundMesh{{{0, 0}, {1, 0}, {0, 1}, {1, 1}}, {{0, 1, 2}, {2, 1, 3}}, {0.1, 0.2, 0.3, 0.4}});
+    document.spacing.partSizes = {{7, {0.05, 0.3}}, {9, {0.2, 0.0}}};
+    document.parameters = {{"half", "h/2"}, {"h", "0.1"}};
+    document.spacing.names = parameterValues(document.parameters);
+    document.formulas = {{"shape/2/radius", "h"}, {"source/0/size", "half"}, {"spacing/size", "h"}};
     document.spacing.fromBoundary = true;
     document.spacing.minimum = 1e-3;
     document.spacing.maximum = 12.5;

@@ -253,3 +253,31 @@ TEST_CASE("gridPitch: 1, 2 or 5 times a power of ten, at least as wide as reques
     CHECK(gridPitch(0.0) == 0.0);
     CHECK(gridPitch(std::nan("")) == 0.0);
 }
+
+TEST_CASE("PickIndex: hidden shapes are never found, locked ones only to snap to") {
+    Document drawn = *documentOf({square({0, 0}, 4), square({5, 0}, 4), square({10, 0}, 4)});
+    drawn = *setHidden(drawn, {1}, true);
+    drawn = *setLocked(drawn, {2}, true);
+    const PickIndex index(std::make_shared<const Document>(drawn));
+    CHECK_FALSE(index.node({0, 0}, 0.1).has_value());
+    CHECK_FALSE(index.segment({2, 0}, 0.1).has_value());
+    CHECK(index.shape({2, 2}, 0.1) == kNoIndex);
+    CHECK(index.node({5, 0}, 0.1).has_value());
+    CHECK(index.segment({7, 0}, 0.1).has_value());
+    CHECK(index.shape({7, 2}, 0.1) == kNoIndex);
+    CHECK(index.shape({7, 0}, 0.1) == kNoIndex);
+    CHECK(index.shape({12, 2}, 0.1) == 3);
+    CHECK(index.inBox({{-1, -1}, {20, 20}}, false).shapes == std::set<std::uint32_t>{3});
+    CHECK(index.inBox({{-1, -1}, {20, 20}}, true).nodes.size() == 4);
+    CHECK(selectAll(drawn).shapes == std::set<std::uint32_t>{3});
+    CHECK(toDomain(drawn).segments.size() == 12); // the mesh knows all of them
+
+    Selection selection;
+    selection.shapes = {1, 3};
+    selection.nodes = {{1, 0}, {3, 1}};
+    selection.segments = {{1, 2}, {3, 3}};
+    selection.drop({1});
+    CHECK(selection.shapes == std::set<std::uint32_t>{3});
+    CHECK(selection.nodes == std::set<NodeRef>{{3, 1}});
+    CHECK(selection.segments == std::set<SegmentRef>{{3, 3}});
+}

@@ -3,6 +3,7 @@
 #include "core/io/json/json_check.hpp"
 #include "core/io/project/project.hpp"
 #include "core/io/project/project_curves.hpp"
+#include "core/io/project/project_parameters.hpp"
 #include "core/io/project/project_spacing.hpp"
 #include "core/io/project/project_words.hpp"
 
@@ -52,12 +53,14 @@ class ProjectReader {
             document_.curveTolerance = check_.notNegative(*tolerance, "\"curveTolerance\"");
         }
         nextId(root);
+        readParameters(root, source_.options.parameters, document_, check_);
         if (!check_.faults().empty()) {
             return check_.faults();
         }
-        noteUnknown(root, std::array<std::string_view, 12>{"format", "version", "shapes", "regionMarkers",
-                                                           "boundaryNames", "regionNames", "spacing", "options",
-                                                           "limits", "nextId", "circleTolerance", "curveTolerance"});
+        noteUnknown(root,
+                    std::array<std::string_view, 14>{"format", "version", "shapes", "regionMarkers", "boundaryNames",
+                                                     "regionNames", "spacing", "options", "limits", "nextId",
+                                                     "circleTolerance", "curveTolerance", "parameters", "formulas"});
         if (source_.origin != nullptr) {
             recordOrigins();
         }
@@ -172,6 +175,12 @@ class ProjectReader {
             shape.radius = check_.notNegative(*radius, "the radius of a shape's corners");
         }
         readCurves(item, shape, check_);
+        if (const auto hidden = item.find("hidden")) {
+            shape.hidden = check_.flag(*hidden, "\"hidden\"");
+        }
+        if (const auto locked = item.find("locked")) {
+            shape.locked = check_.flag(*locked, "\"locked\"");
+        }
         if (const auto tags = item.find("segmentTags");
             tags && check_.expect(*tags, JsonKind::Array, "\"segmentTags\"")) {
             for (const JsonValue tag : *tags) {
@@ -179,8 +188,8 @@ class ProjectReader {
             }
             segmentTagCount(shape, *tags);
         }
-        noteUnknown(item, std::array<std::string_view, 10>{"id", "kind", "use", "tag", "name", "nodes", "radius",
-                                                           "curves", "cuts", "segmentTags"});
+        noteUnknown(item, std::array<std::string_view, 12>{"id", "kind", "use", "tag", "name", "nodes", "radius",
+                                                           "curves", "cuts", "segmentTags", "hidden", "locked"});
         return shape;
     }
 

@@ -32,6 +32,7 @@ class ProjectWriter {
             out_ << ",\n  \"curveTolerance\": ";
             out_.number(document.curveTolerance);
         }
+        parameters(document);
         out_ << ",\n  \"nextId\": " << document.nextId << "\n}\n";
     }
 
@@ -54,7 +55,7 @@ class ProjectWriter {
                 out_.number(shape->radius);
             }
             writeCurves(*shape, out_);
-            out_ << '}';
+            out_ << (shape->hidden ? ", \"hidden\": true" : "") << (shape->locked ? ", \"locked\": true" : "") << '}';
         });
         out_ << "\n  ]";
     }
@@ -87,6 +88,24 @@ class ProjectWriter {
              << ", \"gridRows\": " << options.gridRows
              << ", \"keepBoundary\": " << (options.keepBoundary ? "true" : "false") << ", \"improve\": \""
              << wordOf(options.improve) << "\", \"threads\": " << options.threads << '}';
+    }
+
+    /// Writes the parameters in order, and the formulas by address.
+    void parameters(const Document &document) {
+        if (!document.parameters.empty()) {
+            out_ << ",\n  \"parameters\": {";
+            out_.list(document.parameters, ", ", [&](const Parameter &parameter) {
+                out_ << jsonString(parameter.name) << ": " << jsonString(parameter.expression);
+            });
+            out_ << '}';
+        }
+        if (!document.formulas.empty()) {
+            out_ << ",\n  \"formulas\": {";
+            out_.list(document.formulas, ", ", [&](const auto &formula) {
+                out_ << jsonString(formula.first) << ": " << jsonString(formula.second);
+            });
+            out_ << '}';
+        }
     }
 
     void limits(const MeshLimits &limits) {

@@ -1,0 +1,214 @@
+#include "core/edit/formulas.hpp"
+
+#include "core/edit/number_address.hpp"
+#include "core/spacing/parts/expression/expression.hpp"
+#include "core/spacing/parts/expression/expression_parser.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+namespace forefront {
+namespace {
+
+std::string parameterList(const std::vector<Parameter> &parameters) {
+    std::string names;
+    for (const Parameter &parameter : parameters) {
+        names += (names.empty() ? "" : ", ") + parameter.name;
+    }
+    return names;
+}
+
+/// Returns true if the number at an address has a value, up to rounding.
+bool hasValue(const Document &document, const NumberAddress &address, double value) {
+    const std::optional<double> now = readNumber(document, address);
+    constexpr double kRelative = 1e-9, kRounding = 1e-14; // differences of coordinates are as rounded as these
+    return now && std::fabs(*now - value) <= kRelative * std::max(std::fabs(*now), std::fabs(value)) +
+                                                 kRounding * magnitudeAt(document, address);
+}
+
+bool isPlainNumber(std::string_view text) {
+    double value = 0.0;
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return fault == std::errc() && end == text.data() + text.size();
+}
+
+/// Returns a formula with a name replaced by another.
+std::string renamed(const std::string &text, std::string_view from, std::string_view to) {
+    std::string result;
+    std::size_t copied = 0;
+    for (const std::string_view name : namesIn(text)) {
+        if (name == from) {
+            const auto at = static_cast<std::size_t>(name.data() - text.data());
+            result += text.substr(copied, at - copied) + std::string(to);
+            copied = at + name.size();
+        }
+    }
+    return result + text.substr(copied);
+}
+
+/// Sets the number at an address to the value of its formula. Returns nothing if it has that value already.
+Result<std::optional<Document>> applyFormula(const Document &document, const std::string &address,
+                                             const std::string &text) {
+    const std::optional<NumberAddress> place = parseAddress(address);
+    if (!place || !readNumber(document, *place)) {
+        return error("bad-formula", "no number has the address '" + address + "'", "remove the formula '" + text + "'");
+    }
+    const Result<double> value = evaluateFormula(document, text);
+    if (!value) {
+        Diagnostics faults = value.faults();
+        faults.front().message = "formula '" + text + "': " + faults.front().message;
+        return faults;
+    }
+    if (hasValue(document, *place, *value)) {
+        return std::optional<Document>();
+    }
+    Result<Document> changed = writeNumber(document, *place, *value);
+    if (!changed) {
+        return changed.faults();
+    }
+    return std::optional(*std::move(changed));
+}
+
+/// Applies every formula once. Returns true if a number was changed.
+Result<bool> applyOnce(Document &document, std::string &failed) {
+    bool any = false;
+    const std::map<std::string, std::string> formulas = document.formulas;
+    for (const auto &[address, text] : formulas) {
+        failed = address;
+        Result<std::optional<Document>> next = applyFormula(document, address, text);
+        if (!next) {
+            return next.faults();
+        }
+        if (*next) {
+            document = **std::move(next);
+            any = true;
+        }
+    }
+    return any;
+}
+
+} // namespace
+
+Result<double> evaluateFormula(const Document &document, const std::string &text) {
+    return evaluateExpression(text, document.spacing.names);
+}
+
+Result<Document> applyFormulas(const Document &document, std::string *failed) {
+    Document next = document;
+    std::string address;
+    // The place of a corner depends on the size of its rectangle and the other way round, so one round may not do.
+    constexpr int kRounds = 4;
+    for (int round = 0; round < kRounds; ++round) {
+        const Result<bool> any = applyOnce(next, address);
+        if (any && !*any) {
+            return next;
+        }
+        if (failed != nullptr) {
+            *failed = address;
+        }
+        if (!any) {
+            return any.faults();
+        }
+    }
+    return error("bad-formula", "formulas of the same shape contradict each other", "remove one of them");
+}
+
+Result<Document> setParameters(const Document &document, std::vector<Parameter> parameters) {
+    const std::vector<ParameterState> states = parameterStates(parameters);
+    for (std::size_t k = 0; k < states.size(); ++k) {
+        if (!states[k].value) {
+            return error("bad-parameter", "parameter '" + parameters[k].name + "': " + states[k].fault,
+                         "change its name or its expression");
+        }
+    }
+    Document next = document;
+    next.parameters = std::move(parameters);
+    next.spacing.names = parameterValues(next.parameters);
+    return applyFormulas(next);
+}
+
+Result<Document> overrideParameters(const Document &document, const std::map<std::string, std::string> &expressions) {
+    std::vector<Parameter> parameters = document.parameters;
+    for (const auto &[name, expression] : expressions) {
+        const auto known = std::find_if(parameters.begin(), parameters.end(),
+                                        [&](const Parameter &parameter) { return parameter.name == name; });
+        if (known == parameters.end()) {
+            return parameters.empty()
+                       ? error("unknown-parameter", "unknown parameter '" + name + "'; the project has no parameters")
+                       : error("unknown-parameter",
+                               "unknown parameter '" + name + "'; expected " + parameterList(parameters));
+        }
+        known->expression = expression;
+    }
+    return setParameters(document, std::move(parameters));
+}
+
+Result<Document> renameParameter(const Document &document, std::size_t index, const std::string &name) {
+    if (index >= document.parameters.size()) {
+        return error("bad-parameter", "parameter not found");
+    }
+    const std::string old = document.parameters[index].name;
+    Document next = document;
+    next.parameters[index].name = name;
+    const ParameterState state = parameterStates(next.parameters)[index];
+    if (state.faultyName) {
+        return error("bad-parameter", state.fault);
+    }
+    for (Parameter &parameter : next.parameters) {
+        parameter.expression = renamed(parameter.expression, old, name);
+    }
+    for (auto &[address, text] : next.formulas) {
+        text = renamed(text, old, name);
+    }
+    if (next.spacing.expression) {
+        next.spacing.expression = renamed(*next.spacing.expression, old, name);
+    }
+    return setParameters(next, next.parameters);
+}
+
+Document setFormula(Document document, const std::string &address, const std::string &text) {
+    if (text.empty() || isPlainNumber(text)) {
+        document.formulas.erase(address);
+    } else {
+        document.formulas[address] = text;
+    }
+    return document;
+}
+
+void pruneFormulas(Document &document) {
+    std::erase_if(document.formulas, [&](const auto &formula) {
+        const std::optional<NumberAddress> place = parseAddress(formula.first);
+        const Result<double> value = evaluateFormula(document, formula.second);
+        return !place || !value || !hasValue(document, *place, *value);
+    });
+}
+
+void carryFormulas(const Document &before, Document &next) {
+    if (next.formulas.empty()) {
+        return;
+    }
+    std::map<std::string, std::string> carried;
+    for (const auto &[address, text] : next.formulas) {
+        const auto old = before.formulas.find(address);
+        const bool unchanged = old != before.formulas.end() && old->second == text;
+        const std::optional<std::string> now = unchanged ? movedAddress(before, next, address) : address;
+        if (now) {
+            carried.emplace(*now, text);
+        }
+    }
+    next.formulas = std::move(carried);
+    pruneFormulas(next);
+}
+
+void copyFormulas(Document &document, std::string_view fromPrefix, std::string_view toPrefix) {
+    std::map<std::string, std::string> copies;
+    for (auto formula = document.formulas.lower_bound(std::string(fromPrefix));
+         formula != document.formulas.end() && formula->first.starts_with(fromPrefix); ++formula) {
+        copies.emplace(std::string(toPrefix) + formula->first.substr(fromPrefix.size()), formula->second);
+    }
+    document.formulas.merge(copies);
+}
+
+} // namespace forefront

@@ -1,0 +1,310 @@
+#include "core/edit/number_address.hpp"
+
+#include "core/edit/references.hpp"
+#include "core/edit/region_commands.hpp"
+#include "core/edit/shape_commands.hpp"
+#include "core/edit/shape_geometry.hpp"
+#include "core/edit/spacing_commands.hpp"
+#include "core/spacing/spec/spec_check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace forefront {
+namespace {
+
+using Owner = NumberAddress::Owner;
+
+constexpr std::array<std::pair<std::string_view, Owner>, 4> kOwners{
+    {{"shape", Owner::Shape}, {"source", Owner::Source}, {"region", Owner::Region}, {"part", Owner::Part}}};
+
+/// Returns true if the address has a number of a handle at its end.
+bool hasHandle(const NumberAddress &address) {
+    return address.owner == Owner::Shape && (address.quantity == "x" || address.quantity == "y");
+}
+
+std::optional<double> copied(const double *place) {
+    return place != nullptr ? std::optional(*place) : std::nullopt;
+}
+
+std::vector<std::string_view> pieces(std::string_view text) {
+    std::vector<std::string_view> list;
+    while (true) {
+        const std::size_t end = text.find('/');
+        list.push_back(text.substr(0, end));
+        if (end == std::string_view::npos) {
+            return list;
+        }
+        text.remove_prefix(end + 1);
+    }
+}
+
+std::optional<std::uint32_t> parseIndex(std::string_view text) {
+    std::uint32_t value = 0;
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return fault == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
+}
+
+std::optional<double> shapeNumber(const Shape &shape, const NumberAddress &address) {
+    const std::string &what = address.quantity;
+    const std::vector<Vec2> handles = handlesOf(shape);
+    if (what == "x" || what == "y") {
+        if (address.handle >= handles.size()) {
+            return std::nullopt;
+        }
+        return what == "x" ? handles[address.handle].x : handles[address.handle].y;
+    }
+    if (what == "radius" && (shape.kind == ShapeKind::Circle || shape.kind == ShapeKind::Rectangle)) {
+        return shape.kind == ShapeKind::Rectangle ? shape.radius : circleRadius(shape);
+    }
+    if (shape.kind == ShapeKind::Ellipse && (what == "rx" || what == "ry")) {
+        return distance(handles[0], handles[what == "rx" ? 1 : 2]);
+    }
+    if (shape.kind == ShapeKind::Rectangle) {
+        const Box2 box = boundsOf(shape);
+        const std::array<std::pair<std::string_view, double>, 4> numbers{
+            {{"left", box.min.x}, {"bottom", box.min.y}, {"width", box.size().x}, {"height", box.size().y}}};
+        for (const auto &[name, value] : numbers) {
+            if (what == name) {
+                return value;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+/// Returns a rectangle with one of its four numbers changed.
+Shape changedBox(Shape shape, const std::string &what, double value) {
+    const Box2 box = boundsOf(shape);
+    Vec2 low = box.min, size = box.size();
+    (what == "left" ? low.x : what == "bottom" ? low.y : what == "width" ? size.x : size.y) = value;
+    shape.nodes = {low, low + size};
+    shape.cuts.clear();
+    return shape;
+}
+
+Result<Document> writeShape(const Document &document, const Shape &shape, const NumberAddress &address, double value) {
+    const std::string &what = address.quantity;
+    const std::vector<Vec2> handles = handlesOf(shape);
+    if (what == "x" || what == "y") {
+        const Vec2 at = handles[address.handle];
+        return setHandle(document, {shape.id, address.handle}, what == "x" ? Vec2{value, at.y} : Vec2{at.x, value});
+    }
+    if (what == "radius" && shape.kind == ShapeKind::Circle) {
+        return setRadius(document, shape.id, value);
+    }
+    const bool extent = what == "width" || what == "height" || what == "rx" || what == "ry";
+    if (extent && !(value > 0.0)) {
+        return error("bad-number", "invalid " + what + " of " + displayName(shape) + "; expected a number above 0");
+    }
+    Shape next = shape;
+    if (what == "radius") {
+        next.radius = value;
+        next.cuts.clear();
+    } else if (what == "rx" || what == "ry") {
+        Vec2 &end = next.nodes[what == "rx" ? 1 : 2];
+        end = next.nodes[0] + (value / distance(next.nodes[0], end)) * (end - next.nodes[0]);
+        next.cuts.clear();
+    } else {
+        next = changedBox(std::move(next), what, value);
+    }
+    return replaceShape(document, std::move(next));
+}
+
+/// Returns the place of a number of a source, or null.
+template <class Source>
+auto sourceNumber(Source &source, const std::string &what) -> decltype(&source.size) {
+    const std::array<std::pair<std::string_view, decltype(&source.size)>, 7> numbers{{{"x", &source.a.x},
+                                                                        {"y", &source.a.y},
+                                                                        {"x2", &source.b.x},
+                                                                        {"y2", &source.b.y},
+                                                                        {"radius", &source.radius},
+                                                                        {"size", &source.size},
+                                                                        {"growth", &source.growth}}};
+    for (const auto &[name, place] : numbers) {
+        if (what == name) {
+            return place;
+        }
+    }
+    return nullptr;
+}
+
+template <class Marker>
+auto markerNumber(Marker &marker, const std::string &what) -> decltype(&marker.maxArea) {
+    return what == "x" ? &marker.at.x : what == "y" ? &marker.at.y : what == "area" ? &marker.maxArea : nullptr;
+}
+
+template <class Part>
+auto partNumber(Part &part, const std::string &what) -> decltype(&part.size) {
+    return what == "size" ? &part.size : what == "growth" ? &part.growth : nullptr;
+}
+
+std::optional<double> SpacingSpec::*spacingNumber(const std::string &what) {
+    using Place = std::optional<double> SpacingSpec::*;
+    constexpr std::array<std::pair<std::string_view, Place>, 5> kNumbers{
+        {{"size", &SpacingSpec::size},
+         {"minimum", &SpacingSpec::minimum},
+         {"maximum", &SpacingSpec::maximum},
+         {"gradation", &SpacingSpec::gradation},
+         {"segmentsPerTurn", &SpacingSpec::segmentsPerTurn}}};
+    for (const auto &[name, place] : kNumbers) {
+        if (what == name) {
+            return place;
+        }
+    }
+    return nullptr;
+}
+
+Result<Document> writeSpacing(const Document &document, const std::string &what, double value) {
+    Document next = document;
+    next.spacing.*spacingNumber(what) = value;
+    Diagnostics faults;
+    checkSize(next.spacing.size, "spacing", faults);
+    checkSegmentsPerTurn(next.spacing.segmentsPerTurn, faults);
+    checkLimits(next.spacing, faults);
+    return faults.empty() ? Result<Document>(std::move(next)) : faults;
+}
+
+/// Returns the index that an item of a list has in another list; its own if the lists are equally long, since then it
+/// was only changed.
+template <class T>
+std::optional<std::uint32_t> movedIndex(const std::vector<T> &before, const std::vector<T> &next, std::uint32_t index) {
+    if (before.size() == next.size()) {
+        return index;
+    }
+    const auto found = index < before.size() ? std::find(next.begin(), next.end(), before[index]) : next.end();
+    return found != next.end() ? std::optional(static_cast<std::uint32_t>(found - next.begin())) : std::nullopt;
+}
+
+std::optional<std::uint32_t> movedHandle(const Document &before, const Document &next, const NumberAddress &address) {
+    const Shape *const old = findShape(before, address.id), *const now = findShape(next, address.id);
+    return old != nullptr && now != nullptr ? movedIndex(handlesOf(*old), handlesOf(*now), address.handle)
+                                            : std::nullopt;
+}
+
+} // namespace
+
+std::optional<NumberAddress> parseAddress(std::string_view text) {
+    const std::vector<std::string_view> parts = pieces(text);
+    NumberAddress address;
+    if (parts.size() == 2 && parts[0] == "spacing") {
+        address.quantity = parts[1];
+        return address;
+    }
+    const auto owner = std::find_if(kOwners.begin(), kOwners.end(), [&](const auto &o) { return o.first == parts[0]; });
+    if (owner == kOwners.end() || parts.size() < 3) {
+        return std::nullopt;
+    }
+    address.owner = owner->second;
+    address.quantity = parts[2];
+    const std::optional<std::uint32_t> id = parseIndex(parts[1]);
+    const std::optional<std::uint32_t> handle = parts.size() == 4 ? parseIndex(parts[3]) : std::nullopt;
+    if (!id || parts.size() != (hasHandle(address) ? 4U : 3U) || (hasHandle(address) && !handle)) {
+        return std::nullopt;
+    }
+    address.id = *id;
+    address.handle = handle.value_or(0);
+    return address;
+}
+
+std::optional<double> readNumber(const Document &document, const NumberAddress &address) {
+    switch (address.owner) {
+    case Owner::Shape: {
+        const Shape *const shape = findShape(document, address.id);
+        return shape != nullptr ? shapeNumber(*shape, address) : std::nullopt;
+    }
+    case Owner::Source:
+        return address.id < document.spacing.sources.size()
+                   ? copied(sourceNumber(document.spacing.sources[address.id], address.quantity))
+                   : std::nullopt;
+    case Owner::Region:
+        return address.id < document.regionMarkers.size()
+                   ? copied(markerNumber(document.regionMarkers[address.id], address.quantity))
+                   : std::nullopt;
+    case Owner::Part: {
+        const auto part = document.spacing.partSizes.find(static_cast<std::int32_t>(address.id));
+        return part != document.spacing.partSizes.end() ? copied(partNumber(part->second, address.quantity))
+                                                        : std::nullopt;
+    }
+    case Owner::Spacing:
+        break;
+    }
+    const auto place = spacingNumber(address.quantity);
+    return place != nullptr ? document.spacing.*place : std::nullopt;
+}
+
+Result<Document> writeNumber(const Document &document, const NumberAddress &address, double value) {
+    switch (address.owner) {
+    case Owner::Shape:
+        return writeShape(document, *findShape(document, address.id), address, value);
+    case Owner::Source: {
+        SizeSource source = document.spacing.sources[address.id];
+        *sourceNumber(source, address.quantity) = value;
+        return replaceSource(document, address.id, source);
+    }
+    case Owner::Region: {
+        if (address.quantity == "area") {
+            return setRegionArea(document, address.id, value);
+        }
+        Vec2 at = document.regionMarkers[address.id].at;
+        (address.quantity == "x" ? at.x : at.y) = value;
+        return moveRegionMarker(document, address.id, at);
+    }
+    case Owner::Part: {
+        const auto tag = static_cast<std::int32_t>(address.id);
+        PartSize part = document.spacing.partSizes.at(tag);
+        *partNumber(part, address.quantity) = value;
+        return setPartSize(document, tag, part);
+    }
+    case Owner::Spacing:
+        break;
+    }
+    return writeSpacing(document, address.quantity, value);
+}
+
+std::optional<double> numberAt(const Document &document, std::string_view address) {
+    const std::optional<NumberAddress> place = parseAddress(address);
+    return place ? readNumber(document, *place) : std::nullopt;
+}
+
+double magnitudeAt(const Document &document, const NumberAddress &address) {
+    const Shape *const shape = address.owner == Owner::Shape ? findShape(document, address.id) : nullptr;
+    double largest = 0.0;
+    for (const Vec2 node : shape != nullptr ? shape->nodes : std::vector<Vec2>()) {
+        largest = std::max({largest, std::fabs(node.x), std::fabs(node.y)});
+    }
+    return largest;
+}
+
+std::optional<std::string> movedAddress(const Document &before, const Document &next, const std::string &address) {
+    std::optional<NumberAddress> place = parseAddress(address);
+    if (!place) {
+        return std::nullopt;
+    }
+    const bool node = place->owner == Owner::Shape && hasHandle(*place);
+    const std::optional<std::uint32_t> index =
+        place->owner == Owner::Source   ? movedIndex(before.spacing.sources, next.spacing.sources, place->id)
+        : place->owner == Owner::Region ? movedIndex(before.regionMarkers, next.regionMarkers, place->id)
+        : node                          ? movedHandle(before, next, *place)
+                                        : std::optional(place->id);
+    if (!index || place->owner == Owner::Spacing) {
+        return index ? std::optional(address) : std::nullopt;
+    }
+    (node ? place->handle : place->id) = *index;
+    return toString(*place);
+}
+
+std::string toString(const NumberAddress &address) {
+    const auto owner =
+        std::find_if(kOwners.begin(), kOwners.end(), [&](const auto &o) { return o.second == address.owner; });
+    return owner == kOwners.end() ? "spacing/" + address.quantity
+                                  : std::string(owner->first) + '/' + std::to_string(address.id) + '/' +
+                                        address.quantity +
+                                        (hasHandle(address) ? '/' + std::to_string(address.handle) : "");
+}
+
+} // namespace forefront

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/edit/document.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace forefront {
+
+/// The address of a number of a document.
+///
+/// "shape/ID/x/K" and "shape/ID/y/K" for handle K (see handlesOf()), "shape/ID/radius" for a circle or rounded corners,
+/// "shape/ID/rx" and "ry" for an ellipse, "shape/ID/left", "bottom", "width", "height" for a rectangle; "source/K/x",
+/// "y", "x2", "y2", "radius", "size", "growth" for a size source; "region/K/x", "y", "area" for a region marker;
+/// "part/TAG/size", "growth" for a boundary part; "spacing/size", "minimum", "maximum", "gradation", "segmentsPerTurn". ID is that of the shape; indices count from 0.
+struct NumberAddress {
+    enum class Owner : std::uint8_t { Shape, Source, Region, Part, Spacing };
+    Owner owner = Owner::Spacing;
+    std::uint32_t id = 0;     ///< of the shape; index of the source or marker; tag of the part
+    std::string quantity;     ///< "x", "radius", "size", ...
+    std::uint32_t handle = 0; ///< of "x" and "y" of a shape
+};
+
+std::optional<NumberAddress> parseAddress(std::string_view address);
+std::string toString(const NumberAddress &address);
+
+/// Returns the number; none if its owner does not exist or has no such number.
+std::optional<double> readNumber(const Document &document, const NumberAddress &address);
+/// Returns the number at an address; none if there is no such number.
+std::optional<double> numberAt(const Document &document, std::string_view address);
+/// Sets a number that readNumber() finds. Errors: those of the command that sets it.
+Result<Document> writeNumber(const Document &document, const NumberAddress &address, double value);
+
+/// Returns the maximum coordinate of the shape that a number belongs to, which limits its accuracy; 0 for others.
+double magnitudeAt(const Document &document, const NumberAddress &address);
+
+/// Returns the address that a number of a document has in another document that came from it by a command, which may
+/// have inserted or removed nodes, sources or markers; none if the number is gone.
+std::optional<std::string> movedAddress(const Document &before, const Document &next, const std::string &address);
+
+} // namespace forefront

@@ -1,0 +1,122 @@
+#include "core/edit/formulas.hpp"
+#include "core/spacing/parts/expression/expression.hpp"
+#include "core/spacing/parts/expression/expression_parser.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace forefront {
+namespace {
+
+/// Returns true if the text is a single name as formulas know them: a letter or _, then letters, digits and _.
+bool isName(const std::string &text) {
+    const std::vector<std::string_view> names = namesIn(text);
+    return names.size() == 1 && names.front().size() == text.size();
+}
+
+/// Evaluates parameters in the order in which they depend on each other.
+class Evaluation {
+  public:
+    explicit Evaluation(const std::vector<Parameter> &parameters)
+        : parameters_(parameters), states_(parameters.size()), marks_(parameters.size(), Mark::New) {}
+
+    std::vector<ParameterState> run() {
+        for (std::size_t k = 0; k < parameters_.size(); ++k) {
+            states_[k].fault = nameFault(k);
+            states_[k].faultyName = !states_[k].fault.empty();
+            marks_[k] = states_[k].faultyName ? Mark::Done : Mark::New;
+        }
+        for (std::size_t k = 0; k < parameters_.size(); ++k) {
+            visit(k);
+        }
+        return std::move(states_);
+    }
+
+    NamedValues takeValues() { return std::move(values_); }
+
+  private:
+    enum class Mark : std::uint8_t { New, Open, Done };
+
+    /// Returns what is wrong with a name; a sound one becomes known.
+    std::string nameFault(std::size_t index) {
+        const std::string &name = parameters_[index].name;
+        if (index >= kMaxParameters) { // visit() calls itself along dependencies
+            return "more than " + std::to_string(kMaxParameters) + " parameters";
+        }
+        if (!isName(name)) {
+            return "invalid name '" + name + "'; expected a letter, then letters, digits and _";
+        }
+        if (isReservedName(name)) {
+            return "the name '" + name + "' is a coordinate, a function or a constant; choose another one";
+        }
+        return indices_.emplace(name, index).second ? "" : "another parameter has the name '" + name + "'";
+    }
+
+    void visit(std::size_t index) {
+        if (marks_[index] != Mark::New) {
+            return;
+        }
+        marks_[index] = Mark::Open;
+        path_.push_back(index);
+        for (const std::string_view name : namesIn(parameters_[index].expression)) {
+            const auto known = indices_.find(name);
+            if (known != indices_.end()) {
+                marks_[known->second] == Mark::Open ? reportCycle(known->second) : visit(known->second);
+            }
+        }
+        path_.pop_back();
+        marks_[index] = Mark::Done;
+        if (states_[index].fault.empty()) {
+            evaluate(index);
+        }
+    }
+
+    /// Gives all parameters of a cycle the same fault.
+    void reportCycle(std::size_t first) {
+        std::string chain;
+        const auto begin = std::find(path_.begin(), path_.end(), first);
+        for (auto at = begin; at != path_.end(); ++at) {
+            chain += parameters_[*at].name + " \xe2\x86\x92 ";
+        }
+        for (auto at = begin; at != path_.end(); ++at) {
+            states_[*at].fault = "depends on itself: " + chain + parameters_[first].name;
+        }
+    }
+
+    void evaluate(std::size_t index) {
+        for (const std::string_view name : namesIn(parameters_[index].expression)) {
+            if (indices_.contains(name) && !values_.contains(name)) {
+                states_[index].fault = "uses '" + std::string(name) + "', which has no value";
+                return;
+            }
+        }
+        const Result<double> value = evaluateExpression(parameters_[index].expression, values_);
+        if (value) {
+            states_[index].value = *value;
+            values_.emplace(parameters_[index].name, *value);
+        } else {
+            states_[index].fault = value.faults().front().message;
+        }
+    }
+
+    const std::vector<Parameter> &parameters_;
+    std::vector<ParameterState> states_;
+    std::vector<Mark> marks_;
+    std::map<std::string_view, std::size_t> indices_; ///< of the parameters with sound names
+    std::vector<std::size_t> path_;                   ///< of dependencies, from the first parameter visited
+    NamedValues values_;                              ///< known so far
+};
+
+} // namespace
+
+std::vector<ParameterState> parameterStates(const std::vector<Parameter> &parameters) {
+    return Evaluation(parameters).run();
+}
+
+NamedValues parameterValues(const std::vector<Parameter> &parameters) {
+    Evaluation evaluation(parameters);
+    evaluation.run();
+    return evaluation.takeValues();
+}
+
+} // namespace forefront

@@ -1,0 +1,313 @@
+#include "core/edit/formulas.hpp"
+#include "core/edit/number_address.hpp"
+#include "core/edit/region_commands.hpp"
+#include "core/edit/shape_commands.hpp"
+#include "core/edit/shape_geometry.hpp"
+#include "core/edit/spacing_commands.hpp"
+#include "core/edit/transform.hpp"
+#include "core/io/project/project.hpp"
+#include "core/spacing/part_list.hpp"
+#include "core/spacing/spacing_field.hpp"
+#include "tests/unit/edit_support.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+using namespace forefront;
+using namespace forefront::edit_test;
+
+namespace {
+
+/// A plate of width 4r with a circle of radius r in it, and a source of that size.
+Document plate() {
+    Result<Document> drawn = setParameters({}, {{"gap", "2*r"}, {"r", "0.5"}});
+    REQUIRE(drawn.ok());
+    drawn = addShapes(*drawn, {makeShape(ShapeKind::Rectangle, {{0, 0}, {2, 3}}),
+                                                  makeShape(ShapeKind::Circle, {{1, 1}, {1.5, 1}})});
+    REQUIRE(drawn.ok());
+    SizeSource source;
+    source.a = {1, 1};
+    source.radius = 1.0;
+    source.size = 0.25;
+    drawn = addSource(*drawn, source);
+    REQUIRE(drawn.ok());
+    drawn->formulas = {
+        {"shape/1/width", "2*gap"}, {"shape/2/radius", "r"}, {"source/0/size", "r/2"}, {"source/0/radius", "gap"}};
+    pruneFormulas(*drawn);
+    REQUIRE(drawn->formulas.size() == 4);
+    return *std::move(drawn);
+}
+
+template <class T>
+std::string codeOf(const Result<T> &result) {
+    return result ? "" : result.faults().front().code;
+}
+
+std::string faultOf(const std::vector<Parameter> &parameters, std::size_t index) {
+    return parameterStates(parameters)[index].fault;
+}
+
+} // namespace
+
+TEST_CASE("parameterStates: values in any order; bad names, wrong expressions and cycles have faults") {
+    const std::vector<ParameterState> states = parameterStates({{"gap", "2*r"}, {"r", "0.4"}, {"f2e3", "2e3 + gap"}});
+    CHECK(*states[0].value == doctest::Approx(0.8));
+    CHECK(*states[2].value == doctest::Approx(2000.8));
+    CHECK(faultOf({{"a", "b"}, {"b", "c"}, {"c", "a"}}, 1).find("depends on itself: a \xe2\x86\x92 b") !=
+          std::string::npos);
+    CHECK_FALSE(faultOf({{"a", "a + 1"}}, 0).empty());
+    CHECK(faultOf({{"a", "b"}, {"b", "1"}, {"c", "d"}, {"d", "d"}}, 0).empty());
+    CHECK(faultOf({{"a", "b"}}, 0).find("unknown name 'b'; expected a parameter") != std::string::npos);
+    CHECK(faultOf({{"a", "x"}}, 0).find("unknown name 'x'") != std::string::npos);
+    CHECK(faultOf({{"a", "1/0"}}, 0).find("not a finite number") != std::string::npos);
+    CHECK_FALSE(faultOf({{"2a", "1"}}, 0).empty());
+    CHECK_FALSE(faultOf({{"sin", "1"}}, 0).empty());
+    CHECK_FALSE(faultOf({{"e", "1"}}, 0).empty());
+    CHECK_FALSE(faultOf({{"a", "1"}, {"a", "2"}}, 1).empty());
+}
+
+TEST_CASE("overrideParameters: every number with a formula follows, and the document without them stays") {
+    const Document before = plate();
+    const Result<Document> after = overrideParameters(before, {{"r", "0.75"}});
+    REQUIRE(after.ok());
+    CHECK(boundsOf(*after->shapes[0]) == Box2{{0, 0}, {3, 3}});
+    CHECK(circleRadius(*after->shapes[1]) == doctest::Approx(0.75));
+    CHECK(after->spacing.sources[0].size == doctest::Approx(0.375));
+    CHECK(after->spacing.sources[0].radius == doctest::Approx(1.5));
+    CHECK(after->formulas == before.formulas);
+    CHECK(codeOf(overrideParameters(before, {{"q", "1"}})) == "unknown-parameter");
+    CHECK(codeOf(overrideParameters(before, {{"r", "gap"}})) == "bad-parameter");
+    CHECK(codeOf(overrideParameters(before, {{"r", "-1"}})) == "bad-number");                        // of a radius
+    CHECK(codeOf(setParameters(before, std::vector<Parameter>{{"r", "1"}})) == "expression-syntax"); // gap is in use
+}
+
+TEST_CASE("pruneFormulas: a number changed by hand, or gone, loses its formula; the others keep theirs") {
+    const Document before = plate();
+    Result<Document> moved = setRadius(before, 2, 0.6);
+    REQUIRE(moved.ok());
+    pruneFormulas(*moved);
+    CHECK_FALSE(moved->formulas.contains("shape/2/radius"));
+    CHECK(moved->formulas.size() == 3);
+    Document removed = removeShapes(before, {1});
+    pruneFormulas(removed);
+    CHECK_FALSE(removed.formulas.contains("shape/1/width"));
+    CHECK(removed.formulas.size() == 3);
+}
+
+TEST_CASE("numberAt: addresses of every kind of number, and none for what does not exist") {
+    Document document = plate();
+    document.spacing.minimum = 0.125;
+    document = *addRegionMarker(document, {{0.5, 0.25}, 1, 0.75});
+    CHECK(*numberAt(document, "shape/2/x/1") == 1.5);
+    CHECK(*numberAt(document, "shape/1/left") == 0.0);
+    CHECK(*numberAt(document, "shape/1/height") == 3.0);
+    CHECK(*numberAt(document, "source/0/y") == 1.0);
+    CHECK(*numberAt(document, "region/0/area") == 0.75);
+    CHECK(*numberAt(document, "spacing/minimum") == 0.125);
+    for (const char *address :
+         {"shape/9/x/0", "shape/2/x/7", "shape/2/x", "shape/2/width", "source/1/x", "region/1/x", "region/0/size", "part/4/size",
+          "spacing/maximum", "spacing/foo", "", "shape", "shape/2/radius/1", "foo/1/x", "shape/-1/x/0", "shape/2/x/1/"}) {
+        CAPTURE(address);
+        CHECK_FALSE(numberAt(document, address).has_value());
+    }
+}
+
+TEST_CASE("writeNumber: every kind of number can be written and is read back") {
+    Document document = plate();
+    document = *addShape(document, makeShape(ShapeKind::Ellipse, {{5, 5}, {7, 5}, {5, 6}}));
+    document = *addShape(document, makeShape(ShapeKind::Polygon, {{8, 0}, {9, 0}, {9, 1}}));
+    document = *addRegionMarker(document, {{0.5, 0.25}, 1, 0.0});
+    document.spacing.size = document.spacing.gradation = document.spacing.segmentsPerTurn = 1.0;
+    document.spacing.partSizes[3] = {0.5, 0.1};
+    for (const char *text : {"shape/1/left", "shape/1/bottom", "shape/1/width", "shape/1/height", "shape/1/radius",
+                             "shape/2/radius", "shape/2/x/0", "shape/3/rx", "shape/3/ry", "shape/4/y/2", "source/0/x",
+                             "source/0/y", "source/0/radius", "source/0/size", "source/0/growth", "region/0/x",
+                             "region/0/y", "region/0/area", "part/3/size", "part/3/growth", "spacing/size", "spacing/gradation",
+                             "spacing/segmentsPerTurn"}) {
+        CAPTURE(text);
+        const std::optional<NumberAddress> address = parseAddress(text);
+        REQUIRE(address.has_value());
+        CHECK(toString(*address) == text);
+        const Result<Document> written = writeNumber(document, *address, 0.625);
+        REQUIRE(written.ok());
+        CHECK(*numberAt(*written, text) == doctest::Approx(0.625).epsilon(1e-12));
+    }
+    CHECK(codeOf(writeNumber(document, *parseAddress("shape/3/rx"), 0.0)) == "bad-number");
+    CHECK(codeOf(writeNumber(document, *parseAddress("spacing/size"), -1.0)) == "bad-size");
+}
+
+TEST_CASE("applyFormulas: a corner and the width of one rectangle agree; contradictions are refused") {
+    Document document = plate();
+    document.formulas = {{"shape/1/x/0", "r"}, {"shape/1/width", "gap"}};
+    const Result<Document> moved = applyFormulas(document);
+    REQUIRE(moved.ok());
+    CHECK(boundsOf(*moved->shapes[0]) == Box2{{0.5, 0}, {1.5, 3}});
+    document.formulas = {{"shape/1/x/0", "r"}, {"shape/1/left", "gap"}};
+    std::string failed;
+    CHECK(codeOf(applyFormulas(document, &failed)) == "bad-formula");
+    CHECK(failed.starts_with("shape/1/"));
+}
+
+TEST_CASE("carryFormulas: formulas move with nodes, sources and markers whose indices change") {
+    Document before = *addShape(plate(), makeShape(ShapeKind::Polygon, {{0, 5}, {1, 5}, {1, 6}, {0, 6}}));
+    SizeSource second;
+    second.size = 0.125;
+    before = *addSource(before, second);
+    before.formulas["shape/3/x/2"] = "gap";
+    before.formulas["source/1/size"] = "r/4";
+    pruneFormulas(before);
+    REQUIRE(before.formulas.size() == 6);
+
+    Document inserted = *insertNode(before, {3, 0}, {0.5, 5});
+    carryFormulas(before, inserted);
+    CHECK_FALSE(inserted.formulas.contains("shape/3/x/2"));
+    CHECK(inserted.formulas.at("shape/3/x/3") == "gap");
+    Selection corner;
+    corner.nodes = {{3, 0}};
+    Document deleted = deleteSelection(before, corner);
+    carryFormulas(before, deleted);
+    CHECK(deleted.formulas.at("shape/3/x/1") == "gap");
+    Document fewer = *removeSource(before, 0);
+    carryFormulas(before, fewer);
+    CHECK(fewer.formulas.at("source/0/size") == "r/4");
+    CHECK_FALSE(fewer.formulas.contains("source/0/radius"));
+    CHECK_FALSE(fewer.formulas.contains("source/1/size"));
+}
+
+TEST_CASE("copySelection: copies follow the same formulas where their numbers are the same") {
+    Document document = plate();
+    document.formulas["shape/2/x/0"] = "gap";
+    pruneFormulas(document);
+    REQUIRE(document.formulas.contains("shape/2/x/0"));
+    Selection hole;
+    hole.shapes = {2};
+    hole.sources = {0};
+    const Result<Document> copied = linearArray(document, hole, 3, {2, 0});
+    REQUIRE(copied.ok());
+    CHECK(copied->formulas.at("shape/3/radius") == "r");
+    CHECK(copied->formulas.at("shape/4/radius") == "r");
+    CHECK(copied->formulas.at("source/2/size") == "r/2");
+    CHECK_FALSE(copied->formulas.contains("shape/3/x/0"));
+    const Result<Document> larger = overrideParameters(*copied, {{"r", "0.75"}});
+    REQUIRE(larger.ok());
+    CHECK(circleRadius(*larger->shapes[3]) == doctest::Approx(0.75));
+}
+
+TEST_CASE("renameParameter: expressions, formulas and the spacing expression follow") {
+    Document document = *setParameters(plate(), {{"gap", "2*r"}, {"r", "0.5"}, {"r2", "r + 1.e2*r"}});
+    document = setExpression(document, "r*(1 + x) + r2");
+    const Result<Document> renamed = renameParameter(document, 1, "radius");
+    REQUIRE(renamed.ok());
+    CHECK(renamed->parameters ==
+          std::vector<Parameter>{{"gap", "2*radius"}, {"radius", "0.5"}, {"r2", "radius + 1.e2*radius"}});
+    CHECK(renamed->formulas.at("shape/2/radius") == "radius");
+    CHECK(*renamed->spacing.expression == "radius*(1 + x) + r2");
+    for (const char *name : {"gap", "x", "sin", "", "2r", "r s"}) {
+        CAPTURE(name);
+        CHECK(codeOf(renameParameter(document, 1, name)) == "bad-parameter");
+    }
+}
+
+TEST_CASE("Parameters: the spacing expression uses their values") {
+    Document document = *setParameters({}, {{"h", "0.25"}});
+    document = *addShape(document, makeShape(ShapeKind::Rectangle, {{0, 0}, {1, 1}}));
+    document = setExpression(document, "h*(1 + x)");
+    const auto field = SpacingField::build(document.spacing, toDomain(document));
+    REQUIRE(field.ok());
+    CHECK((*field)->at({1, 0.5}) == doctest::Approx(0.5));
+    const Document changed = *setParameters(document, {{"h", "0.125"}});
+    CHECK_FALSE(sameContent(document.spacing, changed.spacing));
+    CHECK((*SpacingField::build(changed.spacing, toDomain(changed)))->at({1, 0.5}) == doctest::Approx(0.25));
+    const Document without = *setParameters(document, {});
+    CHECK(codeOf(SpacingField::build(without.spacing, toDomain(without))) == "expression-syntax");
+}
+
+TEST_CASE("Project: parameters and formulas survive a round trip; formulas win over numbers") {
+    const Document document = plate();
+    const std::string text = projectText(document);
+    const Result<Document> read = parseProject(text, "test");
+    REQUIRE(read.ok());
+    CHECK(read->parameters == document.parameters);
+    CHECK(read->formulas == document.formulas);
+    CHECK(read->spacing.names == document.spacing.names);
+    CHECK(projectText(*read) == text);
+    const Result<Document> edited = parseProject(
+        R"({"format": "forefront", "version": 2, "shapes": [{"id": 1, "kind": "circle", "nodes": [[0, 0], [1, 0]]}],
+            "parameters": {"d": "2*r", "r": 1.5}, "formulas": {"shape/1/radius": "d"}})",
+        "test");
+    REQUIRE(edited.ok());
+    CHECK(edited->parameters == std::vector<Parameter>{{"d", "2*r"}, {"r", "1.5"}});
+    CHECK(circleRadius(*edited->shapes[0]) == 3.0);
+}
+
+TEST_CASE("Project: hidden and locked shapes and sizes of boundary parts survive a round trip") {
+    Document document = plate();
+    document = *setHidden(document, {1}, true);
+    document = *setLocked(document, {2}, true);
+    document = *setPartSize(document, 1, PartSize{0.125, 0.3});
+    const Result<Document> read = parseProject(projectText(document), "test");
+    REQUIRE(read.ok());
+    CHECK(read->shapes[0]->hidden);
+    CHECK_FALSE(read->shapes[0]->locked);
+    CHECK(read->shapes[1]->locked);
+    CHECK(read->spacing.partSizes == document.spacing.partSizes);
+    const auto faultOfSizes = [](const std::string &list) {
+        return codeOf(parseProject(
+            R"({"format": "forefront", "version": 2, "shapes": [], "spacing": {"partSizes": )" + list + "}}", "test"));
+    };
+    CHECK(faultOfSizes(R"([{"tag": 1, "size": 0.5}])").empty());
+    CHECK(faultOfSizes(R"([{"tag": 1, "size": 0}])") == "bad-number");
+    CHECK(faultOfSizes(R"([{"tag": 1, "size": 1, "growth": -1}])") == "bad-number");
+    CHECK(faultOfSizes(R"([{"tag": 1, "size": 1}, {"tag": 1, "size": 2}])") == "bad-tag");
+    CHECK(faultOfSizes(R"([{"size": 1}])") == "missing-field");
+    CHECK(faultOfSizes("[1]") == "bad-field");
+}
+
+TEST_CASE("Project: faults of parameters and formulas name line and column") {
+    const auto faultOfText = [](const std::string &members) {
+        const Result<Document> read = parseProject("{\"format\": \"forefront\", \"version\": 2,\n\"shapes\": [{\"id\": "
+                                                   "1, \"kind\": \"circle\", \"nodes\": [[0, 0], [1, 0]]}],\n" +
+                                                       members + "}",
+                                                   "test");
+        REQUIRE_FALSE(read.ok());
+        const Diagnostic &fault = read.faults().front();
+        return fault.code + ' ' + std::to_string(fault.line) + ':' + std::to_string(fault.column) + ' ' + fault.message;
+    };
+    CHECK(faultOfText(R"("parameters": {"a": "b",
+        "b": "a"})")
+              .starts_with("bad-parameter 3:21 parameter 'a': depends on itself: a "));
+    CHECK(faultOfText(R"("parameters": {"a": "c + 1"})") ==
+          "bad-parameter 3:21 parameter 'a': expression, column 1: unknown name 'c'; expected a parameter, pi, e or a "
+          "function");
+    CHECK(faultOfText(R"("parameters": {"sin": 1})").starts_with("bad-parameter 3:16 parameter 'sin': the name"));
+    CHECK(faultOfText(R"("parameters": [])").starts_with("bad-field 3:15"));
+    CHECK(faultOfText(R"("formulas": {"shape/9/radius": "1"})").starts_with("bad-formula 3:14 no number has the address"));
+    CHECK(faultOfText(R"("formulas": {"shape/1/radius": "q"})").starts_with("bad-formula 3:32 expression, column 1"));
+    CHECK(faultOfText(R"("formulas": {"shape/1/radius": "-1"})").starts_with("bad-number 3:32 formula for"));
+}
+
+TEST_CASE("Project: other expressions for parameters apply while reading") {
+    const std::string text = projectText(plate());
+    SourceText source{text, "test", {}, {}};
+    source.options.parameters = {{"r", "1"}};
+    const Result<Document> read = readProjectText(source);
+    REQUIRE(read.ok());
+    CHECK(circleRadius(*read->shapes[1]) == 1.0);
+    CHECK(read->parameters[1].expression == "1");
+    source.options.parameters = {{"q", "1"}};
+    CHECK(codeOf(readProjectText(source)) == "unknown-parameter");
+    source.options.parameters = {{"r", "gap"}};
+    CHECK(codeOf(readProjectText(source)) == "bad-parameter");
+}
+
+TEST_CASE("parameterStates: long chains, and more parameters than allowed") {
+    std::vector<Parameter> chain{{"p0", "1"}};
+    for (std::size_t k = 1; k <= kMaxParameters; ++k) {
+        chain.insert(chain.begin(), {"p" + std::to_string(k), "p" + std::to_string(k - 1) + " + 1"});
+    }
+    const std::vector<ParameterState> states = parameterStates(chain);
+    CHECK(states.back().fault == "more than 1000 parameters");
+    chain.erase(chain.begin());
+    CHECK(*parameterStates(chain).front().value == static_cast<double>(kMaxParameters));
+}
