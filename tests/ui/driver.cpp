@@ -88,15 +88,15 @@ void Driver::moveTo(Pixel pixel) {
     drain();
 }
 
-void Driver::press(Pixel pixel) {
+void Driver::press(Pixel pixel, MouseButton button) {
     push({.kind = InputKind::MouseMove, .x = pixel.x, .y = pixel.y});
-    push({.kind = InputKind::MouseButton, .code = 0, .pressed = true});
+    push({.kind = InputKind::MouseButton, .code = static_cast<int>(button), .pressed = true});
     drain();
 }
 
-void Driver::release(Pixel pixel) {
+void Driver::release(Pixel pixel, MouseButton button) {
     push({.kind = InputKind::MouseMove, .x = pixel.x, .y = pixel.y});
-    push({.kind = InputKind::MouseButton, .code = 0, .pressed = false});
+    push({.kind = InputKind::MouseButton, .code = static_cast<int>(button), .pressed = false});
     drain();
 }
 

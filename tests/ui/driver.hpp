@@ -35,8 +35,8 @@ class Driver {
     bool hover(std::string_view widget);
     void moveTo(Pixel pixel);
     void clickAt(Pixel pixel);
-    void press(Pixel pixel);
-    void release(Pixel pixel);
+    void press(Pixel pixel, MouseButton button = MouseButton::Left);
+    void release(Pixel pixel, MouseButton button = MouseButton::Left);
     void drag(Pixel from, Pixel to, int steps = 8);
     void key(int code, Modifiers modifiers = {});
     void type(std::string_view text);

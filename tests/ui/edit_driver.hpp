@@ -45,6 +45,14 @@ class Draughtsman : public Driver {
         }
         key(key::kEnter);
     }
+    /// Types a text into a field and commits it with Enter.
+    void fill(std::string_view field, std::string_view text) {
+        click(field);
+        key('A', {Modifiers::kControl});
+        type(text);
+        key(key::kEnter);
+        settle();
+    }
     /// Collapses the panels above `panel`, so that it is visible.
     void unfold(std::string_view panel) {
         for (const char *id : {"layers", "inspector"}) {

@@ -152,13 +152,11 @@ void ImportDialog::drawUnit(Shell &context) {
 /// Asks for the weld tolerance and the overlap rule, and shows what they change.
 void ImportDialog::drawJoining(Shell &context) {
     label(context, "Weld tolerance");
-    std::string typed = options_.weldTolerance ? ui::number(*options_.weldTolerance, 6) : std::string();
-    if (ui::entry(context, "dialog/importoptions/weld", typed, arranges_ ? "auto" : "0", 100.0F, true)) {
-        const std::optional<double> entered = typed.empty() ? std::nullopt : ui::typedNumber(context, typed);
-        if (typed.empty() || (entered && *entered >= 0.0)) {
-            options_.weldTolerance = entered;
-            read();
-        }
+    std::optional<double> tolerance = options_.weldTolerance;
+    if (ui::inputOptional(context, "dialog/importoptions/weld", tolerance, arranges_ ? "auto" : "0", 100.0F) &&
+        tolerance.value_or(0.0) >= 0.0) {
+        options_.weldTolerance = tolerance;
+        read();
     }
     ui::tooltip(context, arranges_
                              ? "Join nodes and lines closer than this, in units of the file. Auto: 1e-6 of the "

@@ -3,6 +3,7 @@
 #include "core/edit/combine_shapes.hpp"
 #include "core/edit/corner_commands.hpp"
 #include "core/edit/offset_shapes.hpp"
+#include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
 #include "core/edit/transform.hpp"
 #include "ui/dialogs/operation_dialog.hpp"
@@ -299,6 +300,64 @@ void addShapeOperations(ActionRegistry &actions) {
     }
 }
 
+/// Returns the ids of all shapes for which `wanted` holds.
+template <class Wanted>
+std::set<std::uint32_t> shapesWith(const Shell &context, Wanted wanted) {
+    std::set<std::uint32_t> ids;
+    for (const auto &shape : context.document.current()->shapes) {
+        if (wanted(*shape)) {
+            ids.insert(shape->id);
+        }
+    }
+    return ids;
+}
+
+std::set<std::uint32_t> hiddenShapes(const Shell &context) {
+    return shapesWith(context, [](const Shape &shape) { return shape.hidden; });
+}
+
+std::set<std::uint32_t> lockedShapes(const Shell &context) {
+    return shapesWith(context, [](const Shape &shape) { return shape.locked; });
+}
+
+std::set<std::uint32_t> otherShapes(const Shell &context) {
+    return shapesWith(
+        context, [&](const Shape &shape) { return !shape.hidden && !context.selection.shapes.contains(shape.id); });
+}
+
+/// Adds an action that hides, shows, locks or unlocks shapes.
+void addVisibility(ActionRegistry &actions, const char *id, const char *title, Shortcut shortcut,
+                   std::set<std::uint32_t> (*shapes)(const Shell &),
+                   Result<Document> (*change)(const Document &, const std::set<std::uint32_t> &, bool), bool on,
+                   bool separator = false) {
+    actions.add({.id = id,
+                 .menu = "Shape",
+                 .title = title,
+                 .shortcuts = {shortcut},
+                 .run =
+                     [=](Shell &c) {
+                         const std::set<std::uint32_t> ids = shapes(c);
+                         if (EditState::apply(c, change(*c.document.current(), ids, on), title) && on) {
+                             c.selection.drop(ids);
+                         }
+                     },
+                 .enabled = [=](const Shell &c) { return !shapes(c).empty(); },
+                 .separatorBefore = separator});
+}
+
+void addVisibilities(ActionRegistry &actions) {
+    const auto selected = [](const Shell &c) { return c.selection.shapes; };
+    addVisibility(actions, "shape.hide", "Hide", {'H', kControl}, selected, setHidden, true, true);
+    addVisibility(
+        actions, "shape.isolate", "Isolate", {'I', Modifiers{Modifiers::kAlt}},
+        [](const Shell &c) { return c.selection.shapes.empty() ? std::set<std::uint32_t>() : otherShapes(c); },
+        setHidden, true);
+    addVisibility(actions, "shape.showAll", "Show all shapes", {'H', kControlShift}, hiddenShapes, setHidden, false);
+    addVisibility(actions, "shape.lock", "Lock", {'L', kControl}, selected, setLocked, true);
+    addVisibility(actions, "shape.unlockAll", "Unlock all", {'L', Modifiers{Modifiers::kAlt}}, lockedShapes, setLocked,
+                  false);
+}
+
 } // namespace
 
 void addShapeActions(ActionRegistry &actions) {
@@ -306,6 +365,7 @@ void addShapeActions(ActionRegistry &actions) {
     addArrangements(actions);
     addCorners(actions);
     addShapeOperations(actions);
+    addVisibilities(actions);
 }
 
 } // namespace forefront

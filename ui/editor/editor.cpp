@@ -368,6 +368,7 @@ void Editor::Parts::buildInterface() {
     shell::drawStatusBar(context, layout.status);
     shell::drawToolOptions(context, layout.canvas);
     shell::drawCanvasNotes(context, layout.canvas);
+    shell::drawContextMenu(context);
     context.dialogs.draw(context);
 }
 

@@ -1,8 +1,10 @@
+#include "core/edit/document.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/gl/gl_kit.hpp"
 #include "ui/gl/line_batch.hpp"
 #include "ui/layers/layers.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -58,7 +60,10 @@ class BoundaryLayer final : public Layer {
         boundary_.clear();
         constraints_.clear();
         points_.clear();
-        const Domain &domain = frame.domain;
+        const bool hides = std::any_of(frame.document.shapes.begin(), frame.document.shapes.end(),
+                                       [](const auto &shape) { return shape->hidden; });
+        const Domain visible = hides ? visiblePart(frame.document) : Domain();
+        const Domain &domain = hides ? visible : frame.domain;
         for (const DomainSegment &segment : domain.segments) {
             const bool outer = segment.role == SegmentRole::Boundary;
             const Colour colour = outer ? frame.theme.boundary : frame.theme.constraint;
@@ -71,6 +76,12 @@ class BoundaryLayer final : public Layer {
         for (const ConstraintPoint &point : domain.points) {
             points_.add(domain.nodes[point.node], domain.nodes[point.node], frame.theme.constraint);
         }
+    }
+
+    /// Returns the domain of the shapes that are not hidden.
+    static Domain visiblePart(Document document) {
+        std::erase_if(document.shapes, [](const auto &shape) { return shape->hidden; });
+        return toDomain(document);
     }
 
     /// Returns the points of a polyline along a segment, its second end included.

@@ -16,9 +16,9 @@ void label(Workspace &context, const char *text) {
     ImGui::SameLine(context.px(kLabel));
 }
 
-bool number(Workspace &context, const std::string &name, const char *text, double &value) {
+bool number(Workspace &context, const std::string &name, const char *text, double &value, const std::string &address) {
     label(context, text);
-    return ui::inputNumber(context, name, value);
+    return ui::inputNumber(context, name, value, -1.0F, address);
 }
 
 float halfWidth(const Workspace &context) {
@@ -26,31 +26,16 @@ float halfWidth(const Workspace &context) {
 }
 
 bool optionalField(Workspace &context, const std::string &name, std::optional<double> &value, const char *hint,
-                   float width) {
-    std::string typed = value ? ui::number(*value, 6) : std::string();
-    if (!ui::entry(context, name, typed, hint, width, true)) {
-        return false;
-    }
-    if (typed.find_first_not_of(' ') == std::string::npos) {
-        const bool had = value.has_value();
-        value.reset();
-        return had;
-    }
-    const std::optional<double> entered = ui::typedNumber(context, typed);
-    if (!entered) {
-        return false;
-    }
-    const bool changed = value != entered;
-    value = entered;
-    return changed;
+                   float width, const std::string &address) {
+    return ui::inputOptional(context, name, value, hint, width, address);
 }
 
-bool pair(Workspace &context, const std::string &name, const char *text, Vec2 &value) {
+bool pair(Workspace &context, const std::string &name, const char *text, Vec2 &value, const PairAddress &address) {
     label(context, text);
     const float half = halfWidth(context);
-    const bool x = ui::inputNumber(context, name + "/x", value.x, half);
+    const bool x = ui::inputNumber(context, name + "/x", value.x, half, address.x);
     ImGui::SameLine(0, context.px(6));
-    const bool y = ui::inputNumber(context, name + "/y", value.y, half);
+    const bool y = ui::inputNumber(context, name + "/y", value.y, half, address.y);
     return x || y;
 }
 

@@ -18,15 +18,20 @@ namespace forefront::form {
 inline constexpr double kLabel = 84.0;
 
 void label(Workspace &context, const char *text);
-/// Draws a number; returns true when a new one was entered.
-bool number(Workspace &context, const std::string &name, const char *text, double &value);
+/// Draws a number; returns true when a new one was entered. For `address` see ui::inputNumber().
+bool number(Workspace &context, const std::string &name, const char *text, double &value,
+            const std::string &address = {});
 /// Draws an optional number; an empty field shows the hint. Width in design pixels; negative: the rest of the row.
 bool optionalField(Workspace &context, const std::string &name, std::optional<double> &value, const char *hint,
-                   float width = -1.0F);
+                   float width = -1.0F, const std::string &address = {});
 /// Returns half of the width left in the row, in design pixels.
 float halfWidth(const Workspace &context);
+/// The addresses of two numbers.
+struct PairAddress {
+    std::string x, y;
+};
 /// Draws two numbers side by side, "NAME/x" and "NAME/y".
-bool pair(Workspace &context, const std::string &name, const char *text, Vec2 &value);
+bool pair(Workspace &context, const std::string &name, const char *text, Vec2 &value, const PairAddress &address = {});
 bool text(Workspace &context, const std::string &name, const char *text, std::string &value, const char *hint);
 /// Draws fields for a tag >= 1 and its name. Returns true when the tag changed; a new name is stored in `rename`.
 bool tag(Workspace &context, const std::string &name, const char *text, std::int32_t &value,

@@ -11,6 +11,7 @@
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/edit_state.hpp"
+#include "ui/workspace/number_field.hpp"
 
 #include <imgui.h>
 
@@ -69,6 +70,28 @@ void boundaryTagRow(Shell &context, std::int32_t tag, const BoundaryPart &part) 
     }
 }
 
+/// Draws size and growth of the boundary part with a tag; they apply wherever the tag is used.
+void partSizeRow(Shell &context, std::int32_t tag) {
+    const Document &document = *context.document.current();
+    const auto found = document.spacing.partSizes.find(tag);
+    const bool given = found != document.spacing.partSizes.end();
+    std::optional<double> size = given ? std::optional(found->second.size) : std::nullopt;
+    double growth = given ? found->second.growth : PartSize{}.growth;
+    const std::string address = "part/" + std::to_string(tag) + '/';
+    form::label(context, "Size, growth");
+    bool changed =
+        form::optionalField(context, "inspector/partsize", size, "auto", form::halfWidth(context), address + "size");
+    ui::rowTooltip(context, "Element size along this boundary part, and by how much it grows per unit of distance. "
+                            "Leave empty for no size of its own.");
+    ImGui::SameLine(0, context.px(6));
+    changed = ui::inputNumber(context, "inspector/partgrowth", growth, -1.0F, address + "growth") || changed;
+    if (changed && (size || given)) {
+        EditState::apply(context,
+                         setPartSize(document, tag, size ? std::optional(PartSize{*size, growth}) : std::nullopt),
+                         "Change size of boundary part");
+    }
+}
+
 void useRow(Shell &context, const std::set<std::uint32_t> &ids, ShapeUse use) {
     form::label(context, "Role");
     if (ui::segmented(context, "inspector/use", use)) {
@@ -114,6 +137,20 @@ void InspectorPanel::drawHere(Shell &context) const {
     ImGui::SetCursorPosY(top + room);
 }
 
+/// Returns the address of a number of a shape.
+std::string addressOf(const Shape &shape, const char *quantity) {
+    return "shape/" + std::to_string(shape.id) + '/' + quantity;
+}
+
+form::PairAddress handleAddress(const Shape &shape, std::uint32_t handle) {
+    const std::string number = '/' + std::to_string(handle);
+    return {addressOf(shape, "x") + number, addressOf(shape, "y") + number};
+}
+
+form::PairAddress pairAddress(const Shape &shape, const char *first, const char *second) {
+    return {addressOf(shape, first), addressOf(shape, second)};
+}
+
 void InspectorPanel::drawGeometry(Shell &context, const Shape &shape) const {
     const Document &document = *context.document.current();
     const auto put = [&](Shape next, const char *label) {
@@ -123,33 +160,33 @@ void InspectorPanel::drawGeometry(Shell &context, const Shape &shape) const {
     if (shape.kind == ShapeKind::Rectangle) {
         const Box2 box = boundsOf(shape);
         Vec2 corner = box.min, size = box.size();
-        if (form::pair(context, "inspector/corner", "Corner", corner)) {
+        if (form::pair(context, "inspector/corner", "Corner", corner, pairAddress(shape, "left", "bottom"))) {
             next.nodes = {corner, corner + size};
             put(std::move(next), "Move rectangle");
         }
-        if (form::pair(context, "inspector/size", "Size", size)) {
+        if (form::pair(context, "inspector/size", "Size", size, pairAddress(shape, "width", "height"))) {
             next.nodes = {corner, corner + size};
             put(std::move(next), "Resize rectangle");
         }
         double radius = shape.radius;
-        if (form::number(context, "inspector/cornerradius", "Corner radius", radius)) {
+        if (form::number(context, "inspector/cornerradius", "Corner radius", radius, addressOf(shape, "radius"))) {
             next.radius = radius;
             put(std::move(next), "Round corners");
         }
     } else if (shape.kind == ShapeKind::Circle) {
         Vec2 centre = shape.nodes[0];
         double radius = circleRadius(shape);
-        if (form::pair(context, "inspector/centre", "Centre", centre)) {
+        if (form::pair(context, "inspector/centre", "Centre", centre, handleAddress(shape, 0))) {
             EditState::apply(context, setHandle(document, {shape.id, 0}, centre), "Move circle");
         }
-        if (form::number(context, "inspector/radius", "Radius", radius)) {
+        if (form::number(context, "inspector/radius", "Radius", radius, addressOf(shape, "radius"))) {
             EditState::apply(context, setRadius(document, shape.id, radius), "Resize circle");
         }
     } else if (shape.kind == ShapeKind::Ellipse) {
         drawEllipse(context, shape);
     } else if (shape.kind == ShapeKind::Point) {
         Vec2 at = shape.nodes[0];
-        if (form::pair(context, "inspector/at", "Position", at)) {
+        if (form::pair(context, "inspector/at", "Position", at, handleAddress(shape, 0))) {
             EditState::apply(context, setHandle(document, {shape.id, 0}, at), "Move point");
         }
         return;
@@ -166,11 +203,12 @@ void InspectorPanel::drawEllipse(Shell &context, const Shape &shape) const {
     const Document &document = *context.document.current();
     Vec2 centre = shape.nodes[0];
     const Vec2 u = shape.nodes[1] - centre, v = shape.nodes[2] - centre;
-    if (form::pair(context, "inspector/centre", "Centre", centre)) {
+    if (form::pair(context, "inspector/centre", "Centre", centre, handleAddress(shape, 0))) {
         EditState::apply(context, setHandle(document, {shape.id, 0}, centre), "Move ellipse");
     }
     Vec2 radii{length(u), length(v)};
-    if (form::pair(context, "inspector/radii", "Radii", radii) && radii.x > 0.0 && radii.y > 0.0) {
+    if (form::pair(context, "inspector/radii", "Radii", radii, pairAddress(shape, "rx", "ry")) && radii.x > 0.0 &&
+        radii.y > 0.0) {
         Shape next = shape;
         next.nodes[1] = centre + (radii.x / length(u)) * u;
         next.nodes[2] = centre + (radii.y / length(v)) * v;
@@ -214,6 +252,7 @@ void InspectorPanel::drawShape(Shell &context, const Shape &shape) const {
     useRow(context, {shape.id}, shape.use);
     if (shape.segmentTags.empty()) {
         boundaryTagRow(context, shape.tag, {.shapes = {shape.id}, .segments = {}});
+        partSizeRow(context, shape.tag);
     } else {
         form::label(context, "Tag");
         ui::muted(context, "several");
@@ -233,7 +272,7 @@ void InspectorPanel::drawNode(Shell &context, NodeRef ref) const {
     const std::vector<Vec2> handles = handlesOf(*shape);
     Vec2 at = handles[ref.node];
     heading(context, "Node " + std::to_string(ref.node + 1) + " of " + displayName(*shape));
-    if (form::pair(context, "inspector/at", "Position", at)) {
+    if (form::pair(context, "inspector/at", "Position", at, handleAddress(*shape, ref.node))) {
         EditState::apply(context, setHandle(document, ref, at), "Move node");
     }
     if (isPath(*shape)) {
@@ -257,8 +296,8 @@ void InspectorPanel::drawSegment(Shell &context, SegmentRef ref) const {
     const Shape *shape = findShape(document, ref.shape);
     heading(context, "Segment " + std::to_string(ref.segment + 1) + " of " + displayName(*shape));
     boundaryTagRow(context, segmentTag(*shape, ref.segment), {.shapes = {}, .segments = {ref}});
-    const bool round = shape->kind == ShapeKind::Circle || shape->kind == ShapeKind::Ellipse;
-    if (round || ref.segment >= taggedSegments(*shape)) {
+    partSizeRow(context, segmentTag(*shape, ref.segment));
+    if (isRound(*shape) || ref.segment >= taggedSegments(*shape)) {
         return;
     }
     const bool curved = isPath(*shape) && outlineOf(*shape).isCurved(ref.segment);
@@ -288,18 +327,19 @@ void InspectorPanel::drawSource(Shell &context, std::uint32_t index) const {
     const Document &document = *context.document.current();
     SizeSource source = document.spacing.sources[index];
     heading(context, displayName(source, index));
+    const auto address = [&](const char *quantity) { return "source/" + std::to_string(index) + '/' + quantity; };
     bool changed = form::text(context, "inspector/name", "Name", source.name, "pier head");
     if (source.shape == SourceShape::Line) {
-        changed = form::pair(context, "inspector/a", "From", source.a) || changed;
-        changed = form::pair(context, "inspector/b", "To", source.b) || changed;
+        changed = form::pair(context, "inspector/a", "From", source.a, {address("x"), address("y")}) || changed;
+        changed = form::pair(context, "inspector/b", "To", source.b, {address("x2"), address("y2")}) || changed;
     } else {
-        changed =
-            form::pair(context, "inspector/a", source.shape == SourceShape::Circle ? "Centre" : "Position", source.a) ||
-            changed;
+        changed = form::pair(context, "inspector/a", source.shape == SourceShape::Circle ? "Centre" : "Position",
+                             source.a, {address("x"), address("y")}) ||
+                  changed;
     }
-    changed = form::number(context, "inspector/radius", "Radius", source.radius) || changed;
-    changed = form::number(context, "inspector/size", "Size \xcf\x81", source.size) || changed;
-    changed = form::number(context, "inspector/growth", "Growth", source.growth) || changed;
+    changed = form::number(context, "inspector/radius", "Radius", source.radius, address("radius")) || changed;
+    changed = form::number(context, "inspector/size", "Size \xcf\x81", source.size, address("size")) || changed;
+    changed = form::number(context, "inspector/growth", "Growth", source.growth, address("growth")) || changed;
     if (changed) {
         EditState::apply(context, replaceSource(document, index, source), "Change source");
     }
@@ -312,8 +352,9 @@ void InspectorPanel::drawMarker(Shell &context, std::uint32_t index) const {
     const Document &document = *context.document.current();
     const RegionMarker marker = document.regionMarkers[index];
     heading(context, "Region marker");
+    const auto address = [&](const char *quantity) { return "region/" + std::to_string(index) + '/' + quantity; };
     Vec2 at = marker.at;
-    if (form::pair(context, "inspector/at", "Position", at)) {
+    if (form::pair(context, "inspector/at", "Position", at, {address("x"), address("y")})) {
         EditState::apply(context, moveRegionMarker(document, index, at), "Move region marker");
         return;
     }
@@ -324,6 +365,12 @@ void InspectorPanel::drawMarker(Shell &context, std::uint32_t index) const {
     } else if (rename) {
         EditState::apply(context, nameRegionOf(document, index, *rename), "Name region");
     }
+    std::optional<double> area = marker.maxArea > 0.0 ? std::optional(marker.maxArea) : std::nullopt;
+    form::label(context, "Max. area");
+    if (form::optionalField(context, "inspector/maxarea", area, "no limit", -1.0F, address("area"))) {
+        EditState::apply(context, setRegionArea(document, index, area.value_or(0.0)), "Limit area of region");
+    }
+    ui::rowTooltip(context, "Maximum area of an element in this region");
     if (ui::button(context, "inspector/delete", "Delete")) {
         context.actions.run("edit.delete", context);
     }

@@ -109,17 +109,17 @@ void SpacingPanel::drawLimits(Shell &context) {
     std::optional<double> minimum = document->spacing.minimum, maximum = document->spacing.maximum;
     form::label(context, "Limits");
     const float half = form::halfWidth(context);
-    const bool low = form::optionalField(context, "spacing/minimum", minimum, "min", half);
+    const bool low = form::optionalField(context, "spacing/minimum", minimum, "min", half, "spacing/minimum");
     ui::rowTooltip(context, "Minimum node spacing");
     ImGui::SameLine(0, context.px(6));
-    const bool high = form::optionalField(context, "spacing/maximum", maximum, "max", half);
+    const bool high = form::optionalField(context, "spacing/maximum", maximum, "max", half, "spacing/maximum");
     ui::tooltip(context, "Maximum node spacing");
     if (low || high) {
         EditState::apply(context, setLimits(*document, minimum, maximum), "Limit spacing");
     }
     std::optional<double> gradation = document->spacing.gradation;
     form::label(context, "Gradation");
-    if (form::optionalField(context, "spacing/gradation", gradation, "auto")) {
+    if (form::optionalField(context, "spacing/gradation", gradation, "auto", -1.0F, "spacing/gradation")) {
         EditState::apply(context, setGradation(*context.document.current(), gradation), "Change gradation");
     }
     ui::rowTooltip(context, "Maximum change of \xcf\x81 per unit of length: 0.1 is gentle, 0.3 is steep");
@@ -141,7 +141,8 @@ void SpacingPanel::draw(Shell &context) {
     const SpacingSpec &spacing = document->spacing;
     std::optional<double> size = spacing.size;
     form::label(context, "Size");
-    if (form::optionalField(context, "spacing/size", size, automatic(spacing) ? "auto" : "none")) {
+    if (form::optionalField(context, "spacing/size", size, automatic(spacing) ? "auto" : "none", -1.0F,
+                            "spacing/size")) {
         EditState::apply(context, setSize(*document, size), "Change size");
     }
     ui::rowTooltip(context, "Element size wherever nothing asks for smaller elements. Leave empty for automatic.");

@@ -34,6 +34,7 @@ struct Shell : Workspace {
     std::vector<LayerSlot> layers;
     std::vector<std::unique_ptr<Panel>> panels;
     LessonRoom lessons;
+    bool contextMenu = false;    ///< a tool asks for the menu of the selection at the pointer
     bool quit = false;           ///< end the program after this frame
     bool closeRequested = false; ///< the user closed the window; "file.quit" decides
 

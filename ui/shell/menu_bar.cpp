@@ -14,13 +14,14 @@ namespace {
 
 constexpr std::array<const char *, 7> kMenus{"File", "Edit", "Shape", "View", "Mesh", "Learn", "Help"};
 
-/// Draws a menu item that runs an action.
-void actionItem(Shell &context, const Action &action) {
+} // namespace
+
+void actionItem(Shell &context, const Action &action, std::string_view prefix) {
     const bool enabled = !action.enabled || action.enabled(context);
     const bool checked = action.checked && action.checked(context);
     const std::string title = action.dynamic ? action.dynamic(context) : action.title;
     const std::string shortcut = action.shortcuts.empty() ? std::string() : toString(action.shortcuts.front());
-    const std::string name = "menu/" + action.id;
+    const std::string name = std::string(prefix) + action.id;
     ImGui::PushID(name.c_str());
     ImGui::PushStyleColor(ImGuiCol_TextDisabled, context.theme.muted); // the colour of the shortcut, not of the item
     const bool chosen = ImGui::MenuItem(title.c_str(), shortcut.c_str(), checked, enabled);
@@ -32,10 +33,9 @@ void actionItem(Shell &context, const Action &action) {
     }
 }
 
-/// Draws a submenu with the entries of an action.
-void submenu(Shell &context, const Action &action) {
+void submenu(Shell &context, const Action &action, std::string_view prefix) {
     const std::vector<MenuEntry> entries = action.entries(context);
-    const std::string name = "menu/" + action.id;
+    const std::string name = std::string(prefix) + action.id;
     const bool open = ImGui::BeginMenu(action.title.c_str(), !entries.empty());
     ui::mark(context, name, !entries.empty());
     if (!open) {
@@ -56,6 +56,8 @@ void submenu(Shell &context, const Action &action) {
         chosen->run(context);
     }
 }
+
+namespace {
 
 void drawMenu(Shell &context, const char *menu) {
     bool first = true;

@@ -38,6 +38,12 @@ CanvasBands bandsOf(const Shell &context, const PixelRect &canvas);
 PixelRect freeRoom(const Shell &context, const PixelRect &canvas);
 
 void drawMenuBar(Shell &context, const PixelRect &rect);
+/// Draws the menu of the selection at the pointer, if a tool asked for it.
+void drawContextMenu(Shell &context);
+/// Draws an entry of a menu that runs an action. Its widget is PREFIX and the id of the action.
+void actionItem(Shell &context, const Action &action, std::string_view prefix = "menu/");
+/// Draws an entry of a menu that opens the submenu of an action.
+void submenu(Shell &context, const Action &action, std::string_view prefix = "menu/");
 void drawToolStrip(Shell &context, const PixelRect &rect);
 void drawToolOptions(Shell &context, const PixelRect &canvas);
 void drawColumn(Shell &context, const PixelRect &rect);

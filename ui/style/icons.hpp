@@ -59,6 +59,7 @@ inline constexpr const char *kTag = "\xef\x80\xab";        // tag
 inline constexpr const char *kFlag = "\xef\x80\xa4";       // flag
 inline constexpr const char *kHome = "\xef\x80\x95";       // home
 inline constexpr const char *kRefresh = "\xef\x80\xa1";    // refresh
+inline constexpr const char *kUnlock = "\xef\x82\x9c";     // unlock
 inline constexpr const char *kLock = "\xef\x80\xa3";       // lock
 inline constexpr const char *kList = "\xef\x80\xba";       // list
 inline constexpr const char *kColumns = "\xef\x83\x9b";    // columns

@@ -6,6 +6,7 @@
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/tools/tool_options.hpp"
+#include "ui/widgets/enum_choice.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -52,7 +53,7 @@ void BrushTool::deactivate(Shell &) {
 
 void BrushTool::scale(double factor, bool spacing, Shell &context) {
     settle(context);
-    double &value = spacing && !erases_ ? state_->brushSpacing : state_->brushRadius;
+    double &value = spacing && sets() ? state_->brushSpacing : state_->brushRadius;
     value = std::clamp(EditState::twoDigits(value * factor), 1e-9, 1e12);
 }
 
@@ -71,8 +72,11 @@ bool BrushTool::handle(const CanvasEvent &event, Shell &context) {
             settle(context);
             stroke_ = state_->newStroke();
             last_.reset();
+            before_ = context.preview->spacing;
             ambient_ = spacingAt(context, event.place);
             stroke(event.place, context);
+        } else if (event.button == MouseButton::Right) {
+            context.contextMenu = true;
         }
         return true;
     case Kind::Drag:
@@ -110,7 +114,7 @@ bool BrushTool::key(const CanvasEvent &event, Shell &context) {
 void BrushTool::stroke(Vec2 to, Shell &context) {
     const std::shared_ptr<const Document> document = context.document.current();
     PaintedSpacing painted = document->spacing.paint;
-    if (painted.tiles.empty() && !erases_) {
+    if (painted.tiles.empty() && !erases()) {
         Box2 box = boundsOf(*document);
         if (box.empty()) {
             box = context.view.camera.visible();
@@ -126,16 +130,39 @@ void BrushTool::stroke(Vec2 to, Shell &context) {
     }
     for (int k = 1; k <= dabs; ++k) {
         const Vec2 at = lerp(from, to, static_cast<double>(k) / dabs);
-        painted = erases_ ? erase(painted, at, radius)
-                          : paint(painted, {.centre = at,
-                                            .radius = radius,
-                                            .spacing = state_->brushSpacing,
-                                            .hardness = 0.7,
-                                            .ambient = ambient_ > state_->brushSpacing ? ambient_ : 0.0});
+        painted = paint(painted, dabAt(at));
     }
     last_ = to;
-    context.document.apply(setPaint(*document, std::move(painted)), erases_ ? "Erase spacing" : "Paint spacing",
-                           stroke_);
+    context.document.apply(setPaint(*document, std::move(painted)), label(), stroke_);
+}
+
+Dab BrushTool::dabAt(Vec2 place) const {
+    Dab dab{.centre = place, .radius = state_->brushRadius, .spacing = state_->brushSpacing};
+    dab.mode = erases() ? DabMode::Erase : state_->brushMode;
+    dab.hardness = 1.0 - state_->brushFalloff;
+    dab.strength = state_->brushStrength;
+    if (dab.mode == DabMode::Set) {
+        dab.ambient = ambient_ > dab.spacing ? ambient_ : 0.0;
+    } else if (before_) {
+        dab.ambient = before_->at(place);
+    }
+    return dab;
+}
+
+const char *BrushTool::label() const {
+    if (erases()) {
+        return "Erase spacing";
+    }
+    switch (state_->brushMode) {
+    case DabMode::Finer:
+        return "Make spacing finer";
+    case DabMode::Coarser:
+        return "Make spacing coarser";
+    case DabMode::Smooth:
+        return "Smooth spacing";
+    default:
+        return "Paint spacing";
+    }
 }
 
 void BrushTool::drawOverlay(CanvasPainter &painter, Shell &context) {
@@ -146,11 +173,14 @@ void BrushTool::drawOverlay(CanvasPainter &painter, Shell &context) {
     const Theme &theme = context.theme;
     painter.circle(*pointer_, state_->brushRadius, fade(theme.canvas, 0.7), 3.5);
     painter.circle(*pointer_, state_->brushRadius, theme.brush, 1.75);
-    if (!erases_) {
-        painter.dashedCircle(*pointer_, 0.7 * state_->brushRadius, fade(theme.brush, 0.6), 1.0);
+    if (!erases()) {
+        painter.dashedCircle(*pointer_, (1.0 - state_->brushFalloff) * state_->brushRadius, fade(theme.brush, 0.6),
+                             1.0);
     }
     std::string text = "r=" + ui::number(state_->brushRadius, 3);
-    if (!erases_) {
+    if (!erases_ && !sets()) {
+        text += "  " + std::string(wordOf(state_->brushMode));
+    } else if (sets()) {
         text += "  \xcf\x81=" + ui::number(state_->brushSpacing, 3);
     }
     // Beside the ring, but no farther away than its width on the screen.
@@ -159,11 +189,34 @@ void BrushTool::drawOverlay(CanvasPainter &painter, Shell &context) {
     painter.label(*pointer_, {beside, beside}, text, theme.text, fade(theme.popup, 0.9), context.fonts.small);
 }
 
+/// Draws the choice of what a stroke does, its strength and its falloff.
+void BrushTool::drawModes(Shell &context, ui::Flow &flow) {
+    flow.item("mode");
+    ui::segmented(context, "options/brush/mode", state_->brushMode, 290.0F);
+    ui::tooltip(context, "Set: paint a spacing. Finer, coarser: change the present spacing. Smooth: even out painted "
+                         "spacing. Erase: remove paint.");
+    if (erases()) {
+        return;
+    }
+    double strength = state_->brushStrength, falloff = state_->brushFalloff;
+    if (drawSizeOption(context, flow, "options/brush/strength", "Strength", strength,
+                       "How far one stroke goes, from 0 to 1")) {
+        state_->brushStrength = std::min(strength, 1.0);
+    }
+    if (drawLengthOption(context, flow, "options/brush/falloff", "Falloff", falloff,
+                         "Part of the radius in which the stroke fades, from 0 to 1")) {
+        state_->brushFalloff = std::min(falloff, 1.0);
+    }
+}
+
 void BrushTool::drawOptions(Shell &context, ui::Flow &flow) {
     settle(context);
     drawSizeOption(context, flow, "options/brush/radius", "Radius", state_->brushRadius,
                    "Brush radius. Also [ and ], or Ctrl + wheel.");
     if (!erases_) {
+        drawModes(context, flow);
+    }
+    if (sets()) {
         drawSizeOption(context, flow, "options/brush/spacing", "Spacing \xcf\x81", state_->brushSpacing,
                        "Element size to paint. Also Shift + [ and ], or Shift + wheel.");
     }
@@ -175,8 +228,8 @@ void BrushTool::drawOptions(Shell &context, ui::Flow &flow) {
 }
 
 std::string BrushTool::statusText(const Shell &) const {
-    return erases_ ? "Drag to erase painted spacing. [ ]: radius"
-                   : "Drag to paint. [ ] or Ctrl+wheel: radius; with Shift: spacing";
+    return erases() ? "Drag to erase painted spacing. [ ]: radius"
+                    : "Drag to paint. [ ] or Ctrl+wheel: radius; with Shift: spacing";
 }
 
 } // namespace forefront

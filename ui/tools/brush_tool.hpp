@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/spacing/spacing_field.hpp"
 #include "ui/parts/tool.hpp"
 #include "ui/workspace/edit_state.hpp"
 
@@ -30,6 +31,12 @@ class BrushTool final : public Tool {
     bool key(const CanvasEvent &event, Shell &context);
     /// Paints from the previous place to `to`.
     void stroke(Vec2 to, Shell &context);
+    bool erases() const { return erases_ || state_->brushMode == DabMode::Erase; }
+    bool sets() const { return !erases_ && state_->brushMode == DabMode::Set; }
+    /// Returns the dab of the chosen mode at a place.
+    Dab dabAt(Vec2 place) const;
+    const char *label() const;
+    void drawModes(Shell &context, ui::Flow &flow);
     void scale(double factor, bool spacing, Shell &context);
     /// Derives radius and spacing that the user has not set from the view and the current spacing.
     void settle(Shell &context);
@@ -37,7 +44,8 @@ class BrushTool final : public Tool {
     std::shared_ptr<EditState> state_;
     bool erases_;
     std::optional<Vec2> pointer_, last_;
-    std::string stroke_; ///< key of the stroke in progress; empty: none
+    std::string stroke_;                         ///< key of the stroke in progress; empty: none
+    std::shared_ptr<const SpacingField> before_; ///< spacing when the stroke began; null: none
     double ambient_ = 0.0;
 };
 

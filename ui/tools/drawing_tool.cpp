@@ -57,6 +57,10 @@ bool DrawingTool::handle(const CanvasEvent &event, Shell &context) {
 
 bool DrawingTool::press(const CanvasEvent &event, Shell &context) {
     follow(event, context);
+    if (event.button == MouseButton::Right && !inProgress()) {
+        context.contextMenu = true;
+        return true;
+    }
     if (event.button == MouseButton::Right ||
         (event.button == MouseButton::Left && event.clicks == 2 && inProgress())) {
         finish(context);

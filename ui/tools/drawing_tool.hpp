@@ -57,6 +57,7 @@ class DrawingTool : public Tool {
     NumericEntry entry_;
     Snapped pointer_;   ///< where a click would place a node now
     bool over_ = false; ///< the pointer is over the canvas
+    Vec2 place_;        ///< under the pointer, without snapping
     Modifiers modifiers_;
 
   private:
@@ -65,7 +66,6 @@ class DrawingTool : public Tool {
     void follow(const CanvasEvent &event, Shell &context);
 
     Pixel pressPixel_{};
-    Vec2 place_;
 };
 
 } // namespace forefront

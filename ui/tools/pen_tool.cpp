@@ -1,8 +1,11 @@
 #include "ui/tools/pen_tool.hpp"
 
+#include "core/edit/drawn_paths.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/tools/tool_options.hpp"
+#include "ui/widgets/enum_choice.hpp"
+#include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <algorithm>
@@ -33,7 +36,41 @@ std::optional<Vec2> PenTool::ownSnap(Vec2 at, const Shell &context) const {
     return near ? std::optional(path_.front().at) : std::nullopt;
 }
 
+std::vector<Curve> PenTool::splineOf(bool closed) const {
+    std::vector<Vec2> points;
+    for (const Node &node : path_) {
+        points.push_back(node.at);
+    }
+    return splineThrough(points, closed);
+}
+
+double PenTool::freehandTolerance(const Shell &context) const {
+    return state_->freehandTolerance > 0.0 ? state_->freehandTolerance : EditState::reach(context, 2.0);
+}
+
+void PenTool::placeFreehand(Vec2 at, Shell &context) {
+    if (hand_.size() < 2) {
+        path_ = {{at, {}}};
+        hand_ = {at};
+        return;
+    }
+    hand_.push_back(at);
+    path_.clear();
+    for (const Vec2 node : simplified(hand_, freehandTolerance(context))) {
+        path_.push_back({node, {}});
+    }
+    if (kind_ == ShapeKind::Polygon && path_.size() > 1 && path_.back().at == path_.front().at) {
+        path_.pop_back();
+    }
+    finish(context);
+    cancel();
+}
+
 void PenTool::place(Vec2 at, Shell &context) {
+    if (state_->penMode == PenMode::Freehand) {
+        placeFreehand(at, context);
+        return;
+    }
     if (closes(at)) {
         commit(context, true);
         return;
@@ -45,6 +82,15 @@ void PenTool::place(Vec2 at, Shell &context) {
 }
 
 void PenTool::pull(Vec2 to) {
+    if (state_->penMode == PenMode::Freehand) {
+        if (hand_.empty() || hand_.back() != place_) {
+            hand_.push_back(place_);
+        }
+        return;
+    }
+    if (state_->penMode == PenMode::Spline) {
+        return; // its points alone give the curve
+    }
     path_.back().arm = to - path_.back().at;
 }
 
@@ -62,7 +108,10 @@ void PenTool::commit(Shell &context, bool closed) {
     Shape shape;
     shape.kind = closed ? ShapeKind::Polygon : ShapeKind::Polyline;
     shape.use = kind_ == ShapeKind::Polygon ? ShapeUse::Boundary : ShapeUse::Constraint;
-    const std::size_t segments = path_.size() - (closed ? 0 : 1);
+    if (state_->penMode == PenMode::Spline && path_.size() > 2) {
+        shape.curves = splineOf(closed);
+    }
+    const std::size_t segments = shape.curves.empty() ? path_.size() - (closed ? 0 : 1) : 0;
     for (std::size_t k = 0; k < path_.size(); ++k) {
         shape.nodes.push_back(path_[k].at);
         if (k < segments) {
@@ -76,6 +125,7 @@ void PenTool::commit(Shell &context, bool closed) {
 }
 
 void PenTool::cancel() {
+    hand_.clear();
     path_.clear();
     undone_.clear();
 }
@@ -104,7 +154,12 @@ bool PenTool::redo(Shell &) {
 
 void PenTool::drawPath(CanvasPainter &painter, const Shell &context) const {
     const Theme &theme = context.theme;
-    for (std::size_t k = 1; k < path_.size(); ++k) {
+    painter.polyline(hand_, false, theme.selection, 2.0);
+    const bool smooth = state_->penMode == PenMode::Spline && path_.size() > 2;
+    for (const Curve &curve : smooth ? splineOf(false) : std::vector<Curve>()) {
+        painter.curve(curve, theme.selection, 2.0);
+    }
+    for (std::size_t k = 1; k < path_.size() && !smooth; ++k) {
         painter.curve(segment(path_[k - 1], path_[k]), theme.selection, 2.0);
     }
     for (const Node &node : path_) {
@@ -145,6 +200,16 @@ void PenTool::drawSketch(CanvasPainter &painter, Shell &context) {
 }
 
 void PenTool::drawOptions(Shell &context, ui::Flow &flow) {
+    flow.item("pen");
+    if (ui::segmented(context, "options/pen", state_->penMode, std::min(220.0F, flow.room() / context.scale))) {
+        cancel();
+    }
+    ui::tooltip(context, "Corners: click for corners, drag for curves. Spline: a smooth curve through the points that "
+                         "you click. Freehand: drag, and the path is simplified.");
+    if (state_->penMode == PenMode::Freehand) {
+        drawLengthOption(context, flow, "options/tolerance", "Tolerance", state_->freehandTolerance,
+                         "Maximum distance of the path from your hand; 0: two pixels");
+    }
     if (kind_ == ShapeKind::Polygon) {
         drawTagOption(context, flow, state_->boundaryTag, "Tag of the next boundary");
     } else {
@@ -154,6 +219,13 @@ void PenTool::drawOptions(Shell &context, ui::Flow &flow) {
 }
 
 std::string PenTool::statusText(const Shell &) const {
+    if (state_->penMode == PenMode::Freehand) {
+        return kind_ == ShapeKind::Polygon ? "Drag to draw an outline freehand; letting go closes it"
+                                           : "Drag to draw a line freehand";
+    }
+    if (path_.empty() && state_->penMode == PenMode::Spline) {
+        return "Click the points of a smooth curve, or type x, Tab, y. Enter: finish";
+    }
     if (path_.empty()) {
         return kind_ == ShapeKind::Polygon
                    ? "Click for corners, drag for curves, or type x, Tab, y. A polygon inside another becomes a hole"

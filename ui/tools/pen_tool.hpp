@@ -6,7 +6,8 @@
 namespace forefront {
 
 /// Draws a polygon (boundary) or a polyline (constraint) node by node, like Inkscape's pen: a click places a corner, a
-/// drag a smooth node and its two control points.
+/// drag a smooth node and its two control points. As a spline, clicks place the points of a smooth curve; freehand, a
+/// drag draws a path that is simplified when the button is let go.
 class PenTool final : public DrawingTool {
   public:
     PenTool(std::shared_ptr<EditState> state, ShapeKind kind) : DrawingTool(std::move(state)), kind_(kind) {}
@@ -30,6 +31,7 @@ class PenTool final : public DrawingTool {
     bool removeLast() override;
     std::optional<Vec2> ownSnap(Vec2 at, const Shell &context) const override;
     void pull(Vec2 to) override;
+    bool dragPlaces() const override { return state_->penMode == PenMode::Freehand; }
 
   private:
     /// A node of the unfinished path. It is smooth if it has an arm: the vector to the control point after it; the
@@ -45,10 +47,16 @@ class PenTool final : public DrawingTool {
     bool canClose() const { return path_.size() >= (anyCurved() ? 2U : 3U); }
     bool closes(Vec2 at) const { return canClose() && at == path_.front().at; }
     void commit(Shell &context, bool closed);
+    /// Takes a press or a release while drawing freehand.
+    void placeFreehand(Vec2 at, Shell &context);
+    double freehandTolerance(const Shell &context) const;
+    /// Returns the curves between the points placed so far.
+    std::vector<Curve> splineOf(bool closed) const;
     void drawPath(CanvasPainter &painter, const Shell &context) const;
 
     ShapeKind kind_;
     std::vector<Node> path_;
+    std::vector<Vec2> hand_;   ///< places of the pointer while drawing freehand
     std::vector<Node> undone_; ///< nodes removed by undo, newest last
 };
 

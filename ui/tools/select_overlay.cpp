@@ -127,7 +127,30 @@ void SelectTool::drawOptions(Shell &context, ui::Flow &flow) {
     if (ui::button(context, "options/delete", "Delete", ui::ButtonKind::Plain, count > 0)) {
         context.actions.run("edit.delete", context);
     }
+    flow.item("picks");
+    if (ui::button(context, "options/picks", "Pick\xe2\x80\xa6")) {
+        ImGui::OpenPopup("##picks");
+    }
+    ui::tooltip(context, "Choose which kinds of items can be selected");
+    drawFilter(context);
     state_->drawSnapOptions(context, flow);
+}
+
+/// Draws the popup that chooses which kinds of items can be selected.
+void SelectTool::drawFilter(Shell &context) {
+    if (!ImGui::BeginPopup("##picks")) {
+        return;
+    }
+    ui::markWindow(context, "picks");
+    SelectionFilter &picks = state_->picks;
+    bool changed = ui::checkbox(context, "picks/shapes", "Shapes and segments", picks.shapes);
+    changed = ui::checkbox(context, "picks/nodes", "Nodes", picks.nodes) || changed;
+    changed = ui::checkbox(context, "picks/sources", "Sources", picks.sources) || changed;
+    changed = ui::checkbox(context, "picks/markers", "Region markers", picks.markers) || changed;
+    if (changed) {
+        picks.apply(context.selection);
+    }
+    ImGui::EndPopup();
 }
 
 std::string SelectTool::statusText(const Shell &context) const {

@@ -44,6 +44,9 @@ std::optional<Control> SelectTool::controlAt(Vec2 place, Shell &context) const {
 
 SelectTool::Hit SelectTool::hitAt(Vec2 place, Shell &context) const {
     const PickIndex &index = *state_->index(context);
+    const SelectionFilter &picks = state_->picks;
+    const auto isFree = [&picks](const Shape &shape) { return !shape.locked && picks.shapes; };
+    const auto hasNodes = [&](const Shape &shape) { return isFree(shape) && picks.nodes; };
     Hit hit;
     hit.at = place;
     if (const auto control = controlAt(place, context)) {
@@ -51,27 +54,27 @@ SelectTool::Hit SelectTool::hitAt(Vec2 place, Shell &context) const {
         hit.control = control->ref;
         hit.shape = control->ref.shape;
         hit.at = control->at;
-    } else if (const auto node = index.node(place, EditState::reach(context, 8.0))) {
+    } else if (const auto node = index.node(place, EditState::reach(context, 8.0), hasNodes)) {
         hit.kind = Hit::Kind::Node;
         hit.node = node->ref;
         hit.shape = node->ref.shape;
         hit.at = node->at;
-    } else if (const auto source = index.source(place, EditState::reach(context, 8.0))) {
+    } else if (const auto source = index.source(place, EditState::reach(context, 8.0)); source && picks.sources) {
         hit.kind = Hit::Kind::Source;
         hit.source = *source;
         const SizeSource &what = index.document().spacing.sources[source->source];
         using Part = PickIndex::SourceHit::Part;
         hit.at = source->part == Part::A ? what.a : source->part == Part::B ? what.b : place;
-    } else if (const auto marker = index.marker(place, EditState::reach(context, 9.0))) {
+    } else if (const auto marker = index.marker(place, EditState::reach(context, 9.0)); marker && picks.markers) {
         hit.kind = Hit::Kind::Marker;
         hit.marker = *marker;
         hit.at = index.document().regionMarkers[*marker].at;
-    } else if (const auto segment = index.segment(place, EditState::reach(context, 6.0))) {
+    } else if (const auto segment = index.segment(place, EditState::reach(context, 6.0), isFree)) {
         hit.kind = Hit::Kind::Segment;
         hit.segment = segment;
         hit.shape = segment->ref.shape;
         hit.at = segment->at;
-    } else if (const std::uint32_t shape = index.shape(place, 0.0); shape != kNoIndex) {
+    } else if (const std::uint32_t shape = index.shape(place, 0.0); shape != kNoIndex && picks.shapes) {
         hit.kind = Hit::Kind::Inside;
         hit.shape = shape;
     }
@@ -157,6 +160,8 @@ bool SelectTool::handle(const CanvasEvent &event, Shell &context) {
     case Kind::Press:
         if (event.button == MouseButton::Left) {
             press(event, context);
+        } else if (event.button == MouseButton::Right) {
+            openMenu(event, context);
         }
         return true;
     case Kind::Drag:
@@ -196,6 +201,17 @@ void SelectTool::press(const CanvasEvent &event, Shell &context) {
         select(grabbed_, adds_, context.selection);
     }
     mode_ = Mode::Grabbed;
+}
+
+/// Selects what is under the pointer, unless it is selected, and asks for the menu of the selection.
+void SelectTool::openMenu(const CanvasEvent &event, Shell &context) {
+    start_ = context.document.current();
+    const Hit hit = hitAt(event.place, context);
+    if (!isSelected(hit, context.selection)) {
+        select(hit, false, context.selection);
+    }
+    start_.reset();
+    context.contextMenu = true;
 }
 
 void SelectTool::insertAt(const Hit &hit, Shell &context) {
@@ -297,12 +313,14 @@ void SelectTool::release(const CanvasEvent &event, Shell &context) {
         const Box2 box = boxOf(pressPlace_, event.place);
         // A box without a whole shape inside selects the nodes inside it.
         Selection inside = state_->index(context)->inBox(box, false);
+        state_->picks.apply(inside);
         if (inside.empty()) {
             inside = state_->index(context)->inBox(box, true);
         }
         if (!adds_) {
             context.selection.clear();
         }
+        state_->picks.apply(inside);
         context.selection.shapes.merge(inside.shapes);
         context.selection.nodes.merge(inside.nodes);
         context.selection.sources.merge(inside.sources);

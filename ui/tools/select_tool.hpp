@@ -46,6 +46,7 @@ class SelectTool final : public Tool {
     bool isSelected(const Hit &hit, const Selection &selection) const;
     void select(const Hit &hit, bool adds, Selection &selection) const;
     void press(const CanvasEvent &event, Shell &context);
+    void openMenu(const CanvasEvent &event, Shell &context);
     void drag(const CanvasEvent &event, Shell &context);
     void release(const CanvasEvent &event, Shell &context);
     bool key(const CanvasEvent &event, Shell &context);
@@ -54,6 +55,7 @@ class SelectTool final : public Tool {
     Result<Document> moved(Vec2 to) const;
     std::string moveLabel() const;
     void drawHandles(CanvasPainter &painter, Shell &context) const;
+    void drawFilter(Shell &context);
     void drawControls(CanvasPainter &painter, Shell &context) const;
     void drawSourceHandles(CanvasPainter &painter, Shell &context) const;
 

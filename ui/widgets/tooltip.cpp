@@ -35,17 +35,26 @@ PixelRect placeTooltip(const PixelRect &widget, const PixelRect &window, Pixel s
 
 namespace {
 
-/// Shows a tooltip beside `widget`, a rectangle within the current window.
-void show(WidgetContext &context, std::string_view text, const PixelRect &widget) {
+constexpr double kWrap = 320.0, kPadX = 9.0, kPadY = 6.0; ///< design pixels
+
+/// Returns the place of a note with a text beside `widget`, a rectangle within the current window.
+PixelRect placeOf(WidgetContext &context, std::string_view text, const PixelRect &widget) {
     const ImGuiContext &imgui = *ImGui::GetCurrentContext();
-    const float wrap = context.px(320);
-    const ImVec2 pad(context.px(9), context.px(6));
+    const float wrap = context.px(kWrap);
     const std::string lines = wrapped(text, wrap);
     const ImVec2 words = ImGui::CalcTextSize(lines.c_str(), nullptr, false, wrap + 1.0F);
+    const ImVec2 pad(context.px(kPadX), context.px(kPadY));
     const ImGuiWindow &window = *imgui.CurrentWindow->RootWindow;
-    const PixelRect place = placeTooltip(widget, {window.Pos.x, window.Pos.y, window.Size.x, window.Size.y},
-                                         {std::ceil(words.x) + 2.0 * pad.x, std::ceil(words.y) + 2.0 * pad.y},
-                                         context.platform.framebufferSize(), imgui.IO.MousePos.x, context.px(6));
+    return placeTooltip(widget, {window.Pos.x, window.Pos.y, window.Size.x, window.Size.y},
+                        {std::ceil(words.x) + 2.0 * pad.x, std::ceil(words.y) + 2.0 * pad.y},
+                        context.platform.framebufferSize(), imgui.IO.MousePos.x, context.px(6));
+}
+
+/// Shows a tooltip beside `widget`, a rectangle within the current window.
+void show(WidgetContext &context, std::string_view text, const PixelRect &widget) {
+    const float wrap = context.px(kWrap);
+    const ImVec2 pad(context.px(kPadX), context.px(kPadY));
+    const PixelRect place = placeOf(context, text, widget);
     ImGui::SetNextWindowPos({static_cast<float>(place.x), static_cast<float>(place.y)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, pad);
     ImGui::BeginTooltip();
@@ -75,6 +84,19 @@ void tooltip(WidgetContext &context, std::string_view text) {
         context.animate(); // it appears now: Dear ImGui measures it in a frame that does not show it
     }
     show(context, text, rectOf(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()));
+}
+
+void faultNote(WidgetContext &context, std::string_view text) {
+    const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+    const PixelRect place = placeOf(context, text, rectOf(min, max));
+    const ImVec2 from{static_cast<float>(place.x), static_cast<float>(place.y)};
+    const ImVec2 to{static_cast<float>(place.x + place.width), static_cast<float>(place.y + place.height)};
+    ImDrawList &list = *ImGui::GetForegroundDrawList();
+    list.AddRect(min, max, context.theme.bad, context.px(4), 0, context.px(1.5));
+    list.AddRectFilled(from, to, context.theme.panel, context.px(4));
+    list.AddRect(from, to, context.theme.bad, context.px(4));
+    const std::string lines = wrapped(text, context.px(kWrap));
+    list.AddText({from.x + context.px(kPadX), from.y + context.px(kPadY)}, context.theme.bad, lines.c_str());
 }
 
 void tooltipOver(WidgetContext &context, const PixelRect &rect, std::string_view text) {

@@ -1,5 +1,6 @@
 #include "ui/workspace/edit_state.hpp"
 
+#include "core/edit/formulas.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -10,6 +11,22 @@
 #include <cmath>
 
 namespace forefront {
+
+void SelectionFilter::apply(Selection &selection) const {
+    if (!shapes) {
+        selection.shapes.clear();
+        selection.segments.clear();
+    }
+    if (!shapes || !nodes) {
+        selection.nodes.clear();
+    }
+    if (!sources) {
+        selection.sources.clear();
+    }
+    if (!markers) {
+        selection.markers.clear();
+    }
+}
 
 const std::shared_ptr<const PickIndex> &EditState::index(const Workspace &context) {
     const std::uint64_t revision = context.document.revision();
@@ -28,6 +45,10 @@ bool EditState::apply(Workspace &context, Result<Document> next, const std::stri
     if (!next) {
         context.log.add(next.faults());
         return false;
+    }
+    const EnteredFormula &entered = context.entered;
+    if (entered.frame == ImGui::GetFrameCount()) {
+        next = setFormula(*std::move(next), entered.address, entered.text);
     }
     context.document.apply(*std::move(next), label, merge);
     return true;

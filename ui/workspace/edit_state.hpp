@@ -1,12 +1,16 @@
 #pragma once
 
+#include "core/base/enum_words.hpp"
 #include "core/base/result.hpp"
 #include "core/edit/pick_index.hpp"
 #include "core/edit/snap.hpp"
+#include "core/spacing/parts/paint/paint.hpp"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace forefront {
 
@@ -17,12 +21,37 @@ namespace ui {
 class Flow;
 }
 
+/// How the tools for polygons and polylines take a path.
+enum class PenMode : std::uint8_t { Corners, Spline, Freehand };
+
+template <>
+struct EnumWords<PenMode> {
+    static constexpr auto kLast = PenMode::Freehand;
+    static constexpr std::array<std::string_view, 3> kList = {"corners", "spline", "freehand"};
+};
+
+/// The kinds of items that the select tool picks.
+struct SelectionFilter {
+    bool shapes = true; ///< also their segments
+    bool nodes = true;  ///< of shapes that can be picked
+    bool sources = true, markers = true;
+
+    /// Removes from a selection what is not picked.
+    void apply(Selection &selection) const;
+};
+
 /// State shared by the editing tools: the picking index and the options in their strips.
 struct EditState {
     std::int32_t boundaryTag = 1;   ///< for the next boundary drawn
     std::int32_t constraintTag = 2; ///< for the next constraint drawn
     double brushRadius = 0.0;       ///< domain units; 0: derived from the view on first use
-    double brushSpacing = 0.0;      ///< painted ρ; 0: derived from the current ρ on first use
+    PenMode penMode = PenMode::Corners;
+    double freehandTolerance = 0.0; ///< distance from the hand, domain units; 0: two pixels
+    SelectionFilter picks;
+    DabMode brushMode = DabMode::Set;
+    double brushStrength = 1.0; ///< see Dab, in (0, 1]
+    double brushFalloff = 0.3;  ///< part of the radius in which a dab fades, in [0, 1]
+    double brushSpacing = 0.0;  ///< painted ρ; 0: derived from the current ρ on first use
     SourceShape sourceShape = SourceShape::Point;
     double sourceSize = 0.0; ///< 0: derived from ρ under the pointer
     double sourceGrowth = 0.2;

@@ -1,27 +1,112 @@
 #include "ui/workspace/number_field.hpp"
 
+#include "core/edit/formulas.hpp"
 #include "ui/widgets/number_text.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/workspace.hpp"
 
-namespace forefront::ui {
+#include <imgui.h>
 
-std::optional<double> typedNumber(Workspace &context, const std::string &typed) {
-    const std::optional<double> number = parseNumber(typed);
-    if (!number) {
-        context.log.add(error("bad-number", "expected a number, got '" + typed + "'", "enter a number such as 0.25"));
+namespace forefront::ui {
+namespace {
+
+/// Returns the value of a typed number or expression; reports an invalid one at the field and in the log.
+std::optional<double> typedNumber(Workspace &context, std::string_view name, const std::string &typed) {
+    if (const std::optional<double> number = parseNumber(typed)) {
+        return number;
     }
-    return number;
+    const Result<double> value = evaluateFormula(*context.document.current(), typed);
+    if (value) {
+        return *value;
+    }
+    const std::string reason = value.faults().front().message;
+    context.log.add(error("bad-number", "expected a number, got '" + typed + "': " + reason,
+                          "enter a number such as 0.25, or an expression of parameters such as 2*r"));
+    context.fieldFault = {std::string(name), reason, context.document.revision(), ImGui::GetFrameCount()};
+    context.animate();
+    return std::nullopt;
 }
 
-bool inputNumber(Workspace &context, std::string_view name, double &value, float width) {
-    std::string typed = number(value, 6);
-    if (!entry(context, name, typed, {}, width, true)) {
+/// Returns the formula of a number of the document; empty if it has none.
+std::string formulaAt(const Workspace &context, const std::string &address) {
+    const auto &formulas = context.document.current()->formulas;
+    const auto found = formulas.find(address);
+    return found == formulas.end() ? std::string() : found->second;
+}
+
+/// Keeps a formula typed into the field of a number that has its value already, or announces it for the command that
+/// changes the number.
+void keepFormula(Workspace &context, const std::string &address, const std::string &typed, bool changesNumber) {
+    if (address.empty()) {
+        return;
+    }
+    const std::string text(trimmed(typed));
+    if (changesNumber) {
+        context.entered = {address, text, ImGui::GetFrameCount()};
+    } else {
+        context.document.apply(setFormula(*context.document.current(), address, text), "Change formula");
+    }
+}
+
+/// Shows the fault of the field that was just drawn, until the document changes, another text is typed or the mouse is
+/// pressed.
+void drawFault(Workspace &context, std::string_view name) {
+    FieldFault &fault = context.fieldFault;
+    if (fault.field != name) {
+        return;
+    }
+    const std::optional<FieldFocus::Entry> &typing = context.widgets.fields.entry;
+    const bool answered = ImGui::GetFrameCount() > fault.frame + 1 &&
+                          (ImGui::IsMouseClicked(ImGuiMouseButton_Left) || (typing && typing->text != typing->initial));
+    if (answered || fault.revision != context.document.revision()) {
+        fault = {};
+        return;
+    }
+    faultNote(context, fault.text);
+    mark(context, std::string(name) + "/fault");
+}
+
+/// Draws the field. Returns the text when a new one was committed.
+std::optional<std::string> drawEntry(Workspace &context, std::string_view name, const std::string &plain,
+                                     const char *hint, float width, const std::string &address) {
+    const std::string formula = formulaAt(context, address);
+    std::string typed = formula.empty() ? plain : formula;
+    const bool committed = entry(context, name, typed, hint, width, true);
+    if (!formula.empty()) {
+        tooltip(context, formula + " = " + plain);
+    }
+    drawFault(context, name);
+    return committed ? std::optional(typed) : std::nullopt;
+}
+
+} // namespace
+
+bool inputNumber(Workspace &context, std::string_view name, double &value, float width, const std::string &address) {
+    const std::optional<std::string> typed = drawEntry(context, name, number(value, 6), "", width, address);
+    const std::optional<double> entered = typed ? typedNumber(context, name, *typed) : std::nullopt;
+    if (!entered) {
         return false;
     }
-    const std::optional<double> entered = typedNumber(context, typed);
-    const bool changed = entered && *entered != value;
-    value = entered.value_or(value);
+    const bool changed = *entered != value;
+    keepFormula(context, address, *typed, changed);
+    value = *entered;
+    return changed;
+}
+
+bool inputOptional(Workspace &context, std::string_view name, std::optional<double> &value, const char *hint,
+                   float width, const std::string &address) {
+    const std::optional<std::string> typed =
+        drawEntry(context, name, value ? number(*value, 6) : std::string(), hint, width, address);
+    if (!typed) {
+        return false;
+    }
+    std::optional<double> entered;
+    if (!trimmed(*typed).empty() && !(entered = typedNumber(context, name, *typed))) {
+        return false;
+    }
+    const bool changed = value != entered;
+    keepFormula(context, address, *typed, changed);
+    value = entered;
     return changed;
 }
 

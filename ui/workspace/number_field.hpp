@@ -10,10 +10,15 @@ struct Workspace;
 
 namespace ui {
 
-/// Draws an entry() for a number. Logs an error for anything but a finite number and keeps the old value.
-bool inputNumber(Workspace &context, std::string_view name, double &value, float width = -1.0F);
-/// Parses a typed number; reports an invalid one in the log and returns nothing.
-std::optional<double> typedNumber(Workspace &context, const std::string &typed);
+/// Draws an entry() for a number or an expression of the parameters. Anything that has no finite value is reported at
+/// the field and in the log, and the old value is kept. A field with an address (see core/edit/number_address.hpp)
+/// shows the formula that its number follows; a formula typed there is kept with the next command that
+/// EditState::apply() makes in this frame.
+bool inputNumber(Workspace &context, std::string_view name, double &value, float width = -1.0F,
+                 const std::string &address = {});
+/// The same for a number that may be absent, when the field is empty and shows the hint.
+bool inputOptional(Workspace &context, std::string_view name, std::optional<double> &value, const char *hint,
+                   float width = -1.0F, const std::string &address = {});
 
 } // namespace ui
 } // namespace forefront

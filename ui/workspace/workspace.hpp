@@ -11,9 +11,26 @@
 #include "ui/workspace/snapping.hpp"
 #include "ui/workspace/view.hpp"
 
+#include <cstdint>
 #include <memory>
+#include <string>
 
 namespace forefront {
+
+/// A formula typed into a field, until the command that sets its number.
+struct EnteredFormula {
+    std::string address; ///< see core/edit/number_address.hpp
+    std::string text;
+    int frame = -1; ///< in which it was entered
+};
+
+/// Why the text last typed into a field has no value.
+struct FieldFault {
+    std::string field; ///< name of the widget; empty: none
+    std::string text;
+    std::uint64_t revision = 0; ///< of the document
+    int frame = 0;              ///< in which it was typed
+};
 
 /// The open document with its view and selection, and everything computed from it.
 struct Workspace : WidgetContext {
@@ -28,6 +45,8 @@ struct Workspace : WidgetContext {
     View view;
     Selection selection;
     Snapping snapping;
+    EnteredFormula entered;
+    FieldFault fieldFault;
 
     explicit Workspace(Platform &owner)
         : WidgetContext(owner), run(document, log, [&owner] { owner.wake(); }), examiner([&owner] { owner.wake(); }),

@@ -1,0 +1,227 @@
+#include "tests/ui/edit_driver.hpp"
+
+#include <doctest/doctest.h>
+
+#include <set>
+#include <string>
+
+using namespace forefront;
+using namespace forefront::test;
+
+namespace {
+
+constexpr Modifiers kControl{Modifiers::kControl};
+constexpr Modifiers kControlShift{Modifiers::kControl | Modifiers::kShift};
+constexpr Modifiers kAlt{Modifiers::kAlt};
+
+} // namespace
+
+TEST_CASE("Hide, isolate, lock: hidden shapes stay in the domain but are neither seen nor picked") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.rectangle({3, 3}, {5, 5});
+    driver.key('V');
+    driver.key('H', kControl);
+    CHECK(driver.document().shapes[1]->hidden);
+    CHECK(driver.context().selection.empty());
+    CHECK(toDomain(driver.document()).segments.size() == 8);
+    driver.clickPlace({3, 4});
+    CHECK(driver.context().selection.shapes == std::set<std::uint32_t>{1}); // inside the outer one
+    driver.key('H', kControlShift);
+    CHECK_FALSE(driver.document().shapes[1]->hidden);
+    driver.clickPlace({3, 4});
+    CHECK(driver.context().selection.shapes == std::set<std::uint32_t>{2});
+    driver.key('I', kAlt);
+    CHECK(driver.document().shapes[0]->hidden);
+    CHECK_FALSE(driver.document().shapes[1]->hidden);
+    driver.key('Z', kControl);
+    CHECK_FALSE(driver.document().shapes[0]->hidden);
+    driver.key('L', kControl);
+    CHECK(driver.document().shapes[1]->locked);
+    driver.key('A', kControl);
+    CHECK(driver.context().selection.shapes == std::set<std::uint32_t>{1});
+    driver.dragPlaces({3, 4}, {4, 6});
+    CHECK(boundsOf(*driver.document().shapes[1]) == Box2{{3, 3}, {5, 5}});
+    driver.key('L', kAlt);
+    CHECK_FALSE(driver.document().shapes[1]->locked);
+}
+
+TEST_CASE("Shapes panel: lists shapes by boundary part; selects, hides and locks them") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.rectangle({3, 3}, {5, 5});
+    driver.click("panel/shapes");
+    driver.settle();
+    driver.click("shapes/1");
+    CHECK(driver.context().selection.shapes == std::set<std::uint32_t>{1});
+    driver.click("shapes/1/eye");
+    CHECK(driver.document().shapes[0]->hidden);
+    driver.settle();
+    driver.click("shapes/1/eye");
+    CHECK_FALSE(driver.document().shapes[0]->hidden);
+    driver.settle();
+    driver.click("shapes/2/lock");
+    CHECK(driver.document().shapes[1]->locked);
+    CHECK(driver.undoLabel() == "Lock shape");
+}
+
+TEST_CASE("Context menu: a right click selects what is under it and offers what can be done with it") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {5, 5});
+    driver.key('V');
+    driver.key(key::kEscape);
+    const Pixel side = driver.pixel({3, 1});
+    driver.moveTo(side);
+    driver.press(side, MouseButton::Right);
+    driver.release(side, MouseButton::Right);
+    driver.settle();
+    CHECK(driver.context().selection.shapes == std::set<std::uint32_t>{1});
+    REQUIRE(driver.has("contextmenu"));
+    CHECK_FALSE(driver.has("contextmenu/edit.union"));
+    driver.click("contextmenu/shape.mirrorX");
+    driver.settle();
+    CHECK_FALSE(driver.has("contextmenu"));
+    CHECK(driver.undoLabel() == "Mirror left-right");
+}
+
+TEST_CASE("Context menu: opens beside an empty selection and while a drawing tool waits; Esc closes it") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {5, 5});
+    const Pixel empty = driver.pixel({8, 8});
+    driver.moveTo(empty);
+    driver.press(empty, MouseButton::Right);
+    driver.release(empty, MouseButton::Right);
+    driver.settle();
+    REQUIRE(driver.has("contextmenu"));
+    CHECK(driver.has("contextmenu/edit.selectAll"));
+    driver.key(key::kEscape);
+    driver.settle();
+    CHECK_FALSE(driver.has("contextmenu"));
+    driver.key('P');
+    driver.clickPlace({6, 6});
+    driver.clickPlace({9, 6});
+    driver.clickPlace({9, 9});
+    driver.press(driver.pixel({7, 8}), MouseButton::Right); // finishes the polygon
+    driver.release(driver.pixel({7, 8}), MouseButton::Right);
+    driver.settle();
+    CHECK_FALSE(driver.has("contextmenu"));
+    CHECK(driver.document().shapes.size() == 2);
+}
+
+TEST_CASE("Select: only the kinds that are chosen are picked") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {5, 5});
+    driver.key('V');
+    driver.clickPlace({5, 5});
+    REQUIRE(driver.context().selection.nodes.size() == 1);
+    driver.click("options/picks");
+    driver.settle();
+    driver.click("picks/nodes");
+    CHECK(driver.context().selection.empty());
+    driver.key(key::kEscape);
+    driver.settle();
+    driver.clickPlace({5, 5});
+    CHECK(driver.context().selection.nodes.empty());
+    CHECK(driver.context().selection.shapes.size() == 1);
+    driver.click("options/picks");
+    driver.settle();
+    driver.click("picks/shapes");
+    driver.key(key::kEscape);
+    driver.settle();
+    driver.clickPlace({5, 3});
+    driver.dragPlaces({0, 0}, {9, 9});
+    CHECK(driver.context().selection.empty());
+}
+
+TEST_CASE("Brush: finer and coarser change the spacing that is there; a stroke is one undo step") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.settle();
+    driver.key('B');
+    driver.click("options/brush/mode/Finer");
+    CHECK_FALSE(driver.has("options/brush/spacing"));
+    const double before = driver.context().preview->spacing->at({5, 5});
+    driver.dragPlaces({4, 5}, {6, 5});
+    driver.settle();
+    CHECK(driver.undoLabel() == "Make spacing finer");
+    CHECK(driver.context().preview->spacing->at({5, 5}) < before);
+    driver.key('Z', kControl);
+    CHECK(driver.document().spacing.paint.tiles.empty());
+}
+
+TEST_CASE("Brush: smooth and erase are modes of the brush; strength and falloff are options") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.settle();
+    driver.key('B');
+    driver.fill("options/brush/falloff", "0");
+    driver.dragPlaces({4, 5}, {6, 5});
+    driver.fill("options/brush/spacing", "0.02");
+    driver.dragPlaces({4, 5.5}, {6, 5.5}); // a step for the next stroke to smooth
+    driver.click("options/brush/mode/Smooth");
+    driver.fill("options/brush/strength", "0.5");
+    driver.dragPlaces({4, 5}, {6, 5});
+    CHECK(driver.undoLabel() == "Smooth spacing");
+    driver.click("options/brush/mode/Erase");
+    CHECK_FALSE(driver.has("options/brush/strength"));
+    for (double y = 3.5; y <= 6.5; y += 0.25) {
+        driver.dragPlaces({1.5, y}, {8.5, y});
+    }
+    driver.settle();
+    CHECK(driver.undoLabel() == "Erase spacing");
+    CHECK(driver.context().preview->spacing->sample({5, 5}).origin != SpacingOrigin::Paint);
+}
+
+TEST_CASE("Polygon: as a spline through clicked points, or freehand and simplified") {
+    Draughtsman driver;
+    driver.key('P');
+    driver.click("options/pen/Spline");
+    for (const Vec2 point : {Vec2{2, 2}, Vec2{8, 2}, Vec2{8, 7}, Vec2{2, 7}}) {
+        driver.clickPlace(point);
+    }
+    driver.key(key::kEnter);
+    REQUIRE(driver.document().shapes.size() == 1);
+    const Shape &smooth = *driver.document().shapes[0];
+    CHECK(smooth.nodes.size() == 4);
+    REQUIRE(smooth.curves.size() == 4);
+    CHECK(smooth.curves[3].kind() == CurveKind::Cubic);
+    CHECK(areaOf(smooth) > 30.0);
+    driver.key('Z', kControl);
+    driver.key('P');
+    driver.click("options/pen/Freehand");
+    driver.moveToPlace({2, 2});
+    driver.press(driver.pixel({2, 2}));
+    for (const Vec2 corner : {Vec2{8, 2}, Vec2{8, 7}, Vec2{2, 7}}) {
+        for (int k = 1; k <= 10; ++k) {
+            const Vec2 from = corner == Vec2{8, 2} ? Vec2{2, 2} : corner == Vec2{8, 7} ? Vec2{8, 2} : Vec2{8, 7};
+            driver.moveToPlace(lerp(from, corner, 0.1 * k));
+        }
+    }
+    driver.release(driver.pixel({2, 7}));
+    driver.settle();
+    REQUIRE(driver.document().shapes.size() == 1);
+    CHECK(driver.document().shapes[0]->kind == ShapeKind::Polygon);
+    CHECK(driver.document().shapes[0]->nodes.size() == 4);
+    CHECK(areaOf(*driver.document().shapes[0]) == doctest::Approx(30.0).epsilon(0.02));
+}
+
+TEST_CASE("Inspector: size and growth of a boundary part become part of the spacing, and are removed again") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('V');
+    driver.fill("inspector/partsize", "0.1");
+    REQUIRE(driver.document().spacing.partSizes.contains(1));
+    CHECK(driver.document().spacing.partSizes.at(1) == PartSize{0.1, 0.2});
+    CHECK(driver.undoLabel() == "Change size of boundary part");
+    driver.settle();
+    CHECK(driver.context().preview->spacing->at({5, 1}) == doctest::Approx(0.1));
+    CHECK(driver.context().preview->spacing->sample({5, 1}).describe.find("size of '") != std::string::npos);
+    driver.fill("inspector/partgrowth", "0.5");
+    CHECK(driver.document().spacing.partSizes.at(1).growth == 0.5);
+    driver.click("inspector/partsize");
+    driver.key('A', kControl);
+    driver.key(key::kDelete);
+    driver.key(key::kEnter);
+    driver.settle();
+    CHECK(driver.document().spacing.partSizes.empty());
+}

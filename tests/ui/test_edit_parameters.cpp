@@ -1,0 +1,115 @@
+#include "tests/ui/edit_driver.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+using namespace forefront;
+using namespace forefront::test;
+
+namespace {
+
+constexpr Modifiers kControl{Modifiers::kControl};
+
+/// Adds a parameter in the table, which stays open.
+void addParameter(Draughtsman &driver, const std::string &name, const std::string &expression) {
+    driver.click("panel/parameters");
+    driver.settle();
+    const std::string row = "parameters/" + std::to_string(driver.document().parameters.size());
+    driver.click("parameters/add");
+    driver.settle();
+    driver.fill(row + "/name", name);
+    driver.fill(row + "/expression", expression);
+}
+
+} // namespace
+
+TEST_CASE("Parameters: fields take expressions, and a change redraws what follows them in one undo step") {
+    Draughtsman driver;
+    addParameter(driver, "r", "1.5");
+    addParameter(driver, "gap", "r/3");
+    REQUIRE(driver.document().parameters == std::vector<Parameter>{{"r", "1.5"}, {"gap", "r/3"}});
+    driver.key('C');
+    driver.dragPlaces({5, 5}, {6, 5});
+    driver.key('V');
+    driver.fill("inspector/radius", "2*r");
+    CHECK(circleRadius(*driver.document().shapes[0]) == 3.0);
+    CHECK(driver.document().formulas.at("shape/1/radius") == "2*r");
+    driver.unfold("spacing");
+    driver.fill("spacing/size", "gap");
+    CHECK(*driver.document().spacing.size == doctest::Approx(0.5));
+    driver.fill("spacing/expression", "gap + 0*x");
+    driver.fill("parameters/0/expression", "1");
+    CHECK(circleRadius(*driver.document().shapes[0]) == 2.0);
+    CHECK(*driver.document().spacing.size == doctest::Approx(1.0 / 3.0));
+    CHECK(driver.document().spacing.names.at("gap") == doctest::Approx(1.0 / 3.0));
+    CHECK(driver.undoLabel() == "Change parameter");
+    driver.key('Z', kControl);
+    CHECK(circleRadius(*driver.document().shapes[0]) == 3.0);
+    CHECK(driver.document().parameters[0].expression == "1.5");
+    driver.dragPlaces({8, 5}, {7, 5}); // by hand: the radius no longer follows
+    CHECK(circleRadius(*driver.document().shapes[0]) == 2.0);
+    CHECK_FALSE(driver.document().formulas.contains("shape/1/radius"));
+    CHECK(driver.document().formulas.contains("spacing/size"));
+}
+
+TEST_CASE("Parameters: a typed formula is shown in the field, and typing a number removes it") {
+    Draughtsman driver;
+    addParameter(driver, "w", "4");
+    driver.rectangle({1, 1}, {5, 5}); // as wide as w already
+    driver.key('V');
+    driver.fill("inspector/size/x", "w");
+    CHECK(driver.undoLabel() == "Change formula");
+    CHECK(driver.document().formulas.at("shape/1/width") == "w");
+    driver.fill("inspector/size/x", "4");
+    CHECK(driver.document().formulas.empty());
+    driver.fill("inspector/corner/x", "w/4 + 1");
+    CHECK(driver.document().formulas.at("shape/1/left") == "w/4 + 1");
+    CHECK(boundsOf(driver.document()).min == Vec2{2, 1});
+}
+
+TEST_CASE("Parameters: faults are shown at the row and at the field, and the drawing stays as it is") {
+    Draughtsman driver;
+    addParameter(driver, "r", "1");
+    driver.fill("parameters/0/expression", "2*r");
+    CHECK(driver.has("parameters/0/fault"));
+    CHECK(driver.document().parameters[0].expression == "1");
+    driver.fill("parameters/0/expression", "2*");
+    CHECK(driver.has("parameters/0/fault"));
+    driver.fill("parameters/0/expression", "2");
+    CHECK_FALSE(driver.has("parameters/0/fault"));
+    CHECK(driver.document().parameters[0].expression == "2");
+    driver.fill("parameters/0/name", "sin");
+    CHECK(driver.has("parameters/0/fault"));
+    CHECK(driver.document().parameters[0].name == "r");
+
+    driver.rectangle({1, 1}, {5, 5});
+    driver.key('V');
+    driver.fill("inspector/size/x", "q");
+    CHECK(driver.has("inspector/size/x/fault"));
+    CHECK(driver.logHas("bad-number"));
+    CHECK(driver.document().formulas.empty());
+    driver.fill("inspector/size/x", "r");
+    CHECK_FALSE(driver.has("inspector/size/x/fault"));
+    driver.click("parameters/0/remove"); // the width follows it
+    driver.settle();
+    CHECK(driver.has("parameters/0/fault"));
+    CHECK(driver.document().parameters.size() == 1);
+    driver.fill("inspector/size/x", "3");
+    driver.click("parameters/0/remove");
+    driver.settle();
+    CHECK(driver.document().parameters.empty());
+}
+
+TEST_CASE("Parameters: renaming one keeps what follows it") {
+    Draughtsman driver;
+    addParameter(driver, "r", "1.5");
+    driver.key('C');
+    driver.dragPlaces({5, 5}, {6, 5});
+    driver.key('V');
+    driver.fill("inspector/radius", "r");
+    driver.fill("parameters/0/name", "radius");
+    CHECK(driver.document().formulas.at("shape/1/radius") == "radius");
+    driver.fill("parameters/0/expression", "2");
+    CHECK(circleRadius(*driver.document().shapes[0]) == 2.0);
+}

@@ -1,0 +1,155 @@
+#include "core/edit/formulas.hpp"
+#include "ui/panels/edit_panels.hpp"
+#include "ui/parts/shell.hpp"
+#include "ui/style/icons.hpp"
+#include "ui/widgets/text_wrap.hpp"
+#include "ui/widgets/widgets.hpp"
+#include "ui/workspace/edit_state.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace forefront {
+namespace {
+
+constexpr float kName = 72.0F, kValue = 64.0F, kRemove = 24.0F, kGap = 6.0F; ///< of a row, in design pixels
+
+std::string freeName(const std::vector<Parameter> &parameters) {
+    const auto taken = [&](const std::string &name) {
+        return std::any_of(parameters.begin(), parameters.end(), [&](const Parameter &p) { return p.name == name; });
+    };
+    std::string name = "p1";
+    for (std::size_t k = 2; taken(name); ++k) {
+        name = "p" + std::to_string(k);
+    }
+    return name;
+}
+
+/// The table of the parameters. An expression that is wrong stays in its row, with the fault below it, until it is
+/// corrected or the document changes.
+class ParametersPanel final : public Panel {
+  public:
+    const char *id() const override { return "parameters"; }
+    const char *title() const override { return "Parameters"; }
+    PanelPlace place() const override { return PanelPlace::Tabbed; }
+
+    void draw(Shell &context) override {
+        if (revision_ != context.document.revision()) {
+            read(context);
+        }
+        if (rows_.empty()) {
+            ui::small(context, "Name a number here, such as r = 0.4, and enter r or 2*r in any field for a number.",
+                      true);
+        }
+        for (std::size_t k = 0; k < rows_.size(); ++k) {
+            drawRow(context, k);
+            if (revision_ != context.document.revision()) {
+                return; // the rows are those of the document before
+            }
+        }
+        if (ui::button(context, "parameters/add", "Add parameter")) {
+            std::vector<Parameter> more = context.document.current()->parameters;
+            more.push_back({freeName(more), "1"});
+            EditState::apply(context, setParameters(*context.document.current(), std::move(more)), "Add parameter");
+        }
+    }
+
+  private:
+    struct Row {
+        Parameter shown; ///< the expression may be one that the document does not have because it is wrong
+        std::optional<double> value;
+        std::string fault;
+    };
+
+    void read(const Shell &context) {
+        const Document &document = *context.document.current();
+        revision_ = context.document.revision();
+        rows_.clear();
+        for (const Parameter &parameter : document.parameters) {
+            const auto value = document.spacing.names.find(parameter.name);
+            rows_.push_back({parameter,
+                             value != document.spacing.names.end() ? std::optional(value->second) : std::nullopt,
+                             {}});
+        }
+    }
+
+    void drawRow(Shell &context, std::size_t index) {
+        Row &row = rows_[index];
+        const std::string name = "parameters/" + std::to_string(index);
+        const float rest = ImGui::GetContentRegionAvail().x / context.scale - kName - kValue - kRemove - 3.0F * kGap;
+        if (std::string typed = row.shown.name; ui::entry(context, name + "/name", typed, "name", kName)) {
+            rename(context, index, typed);
+        }
+        ImGui::SameLine(0, context.px(kGap));
+        if (std::string typed = row.shown.expression;
+            ui::entry(context, name + "/expression", typed, "0.5 or 2*r", std::max(rest, 40.0F))) {
+            change(context, index, typed);
+        }
+        ImGui::SameLine(0, context.px(kGap));
+        drawValue(context, row);
+        ImGui::SameLine(ImGui::GetContentRegionMax().x - context.px(kRemove));
+        if (ui::iconButton(context, name + "/remove", icon::kTrash, "Remove parameter", false, true, kRemove)) {
+            remove(context, index);
+        }
+        if (!row.fault.empty()) {
+            ImGui::PushStyleColor(ImGuiCol_Text, context.theme.bad);
+            ui::wrappedText(row.fault);
+            ImGui::PopStyleColor();
+            ui::mark(context, name + "/fault");
+        }
+    }
+
+    static void drawValue(Shell &context, const Row &row) {
+        ImGui::AlignTextToFramePadding();
+        ui::muted(context, row.value && row.fault.empty() ? "= " + ui::number(*row.value, 5) : std::string(" "));
+    }
+
+    void rename(Shell &context, std::size_t index, const std::string &name) {
+        finish(context, index, renameParameter(*context.document.current(), index, name), "Rename parameter");
+    }
+
+    void change(Shell &context, std::size_t index, const std::string &expression) {
+        rows_[index].shown.expression = expression;
+        std::vector<Parameter> parameters = context.document.current()->parameters;
+        parameters[index].expression = expression;
+        const std::string fault = parameterStates(parameters)[index].fault;
+        if (!fault.empty()) {
+            rows_[index].fault = fault;
+            context.animate();
+            return;
+        }
+        finish(context, index, setParameters(*context.document.current(), std::move(parameters)), "Change parameter");
+    }
+
+    void remove(Shell &context, std::size_t index) {
+        std::vector<Parameter> parameters = context.document.current()->parameters;
+        parameters.erase(parameters.begin() + static_cast<std::ptrdiff_t>(index));
+        finish(context, index, setParameters(*context.document.current(), std::move(parameters)), "Remove parameter");
+    }
+
+    /// Applies a change, or shows below the row why it is not possible.
+    void finish(Shell &context, std::size_t index, Result<Document> next, const char *label) {
+        if (next) {
+            rows_[index].fault.clear();
+            EditState::apply(context, std::move(next), label);
+        } else {
+            rows_[index].fault = next.faults().front().message;
+        }
+        context.animate();
+    }
+
+    std::vector<Row> rows_;
+    std::uint64_t revision_ = 0; ///< of the document that they were read from
+};
+
+} // namespace
+
+std::unique_ptr<Panel> makeParametersPanel() {
+    return std::make_unique<ParametersPanel>();
+}
+
+} // namespace forefront
