@@ -255,7 +255,7 @@ TEST_CASE("gridPitch: 1, 2 or 5 times a power of ten, at least as wide as reques
 }
 
 TEST_CASE("PickIndex: hidden shapes are never found, locked ones only to snap to") {
-    Document drawn = *documentOf({square({0, 0}, 4), square({5, 0}, 4), square({10, 0}, 4)});
+    Document drawn = documentOf({square({0, 0}, 4), square({5, 0}, 4), square({10, 0}, 4)});
     drawn = *setHidden(drawn, {1}, true);
     drawn = *setLocked(drawn, {2}, true);
     const PickIndex index(std::make_shared<const Document>(drawn));
