@@ -1,6 +1,7 @@
 #include "core/film/film_scene.hpp"
 
 #include "core/base/number_text.hpp"
+#include "core/film/stroke_font.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,6 +13,9 @@ namespace forefront {
 namespace {
 
 constexpr double kMargin = 12.0, kBand = 30.0; ///< pixels around the drawing, and of the band below it
+constexpr double kTextUnit = 1.6;              ///< pixels per unit of the stroke font
+constexpr double kLineHeight = 18.0;           ///< pixels between the base lines of a caption
+constexpr double kWidestCaption = 1000.0;      ///< pixels; the longest captions are about as wide
 
 /// Adds the shapes of a moment to a scene.
 class SceneBuilder {
@@ -107,6 +111,35 @@ std::string pair(Vec2 p) {
     return pixels(p.x) + ' ' + pixels(p.y);
 }
 
+/// Splits a text at spaces into lines that fit a width in pixels.
+std::vector<std::string> wrapped(const std::string &text, double width) {
+    std::vector<std::string> lines(1);
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find(' ', at), text.size());
+        const std::string word = text.substr(at, end - at);
+        std::string &line = lines.back();
+        if (line.empty()) {
+            line = word;
+        } else if (kTextUnit * strokeTextWidth(line + ' ' + word) <= width) {
+            line += ' ' + word;
+        } else {
+            lines.push_back(word);
+        }
+        at = end + 1;
+    }
+    return lines;
+}
+
+/// Returns the number of caption lines that a sheet has room for.
+int captionLines(int width) {
+    return static_cast<int>(std::ceil(kWidestCaption / (width - 2.0 * kMargin)));
+}
+
+/// Returns the base line of a line of the caption, in pixels.
+double baseLine(const FilmScene &scene, std::size_t line) {
+    return scene.height - 14.0 - kLineHeight * static_cast<double>(scene.captionRoom - 1 - static_cast<int>(line));
+}
+
 /// Appends the lines as one path for each stretch of equal ink and width.
 void appendLines(const std::vector<FilmLine> &lines, std::string &svg) {
     for (std::size_t k = 0; k < lines.size();) {
@@ -146,7 +179,8 @@ std::array<std::uint8_t, 3> rgbOf(Ink ink) {
 int FilmSheet::height() const {
     const Vec2 size = box.size();
     const double scale = (width - 2.0 * kMargin) / (size.x > 0.0 ? size.x : 1.0);
-    return static_cast<int>(std::ceil(scale * size.y + 2.0 * kMargin + kBand));
+    const double text = kLineHeight * (captionLines(width) - 1);
+    return static_cast<int>(std::ceil(scale * size.y + 2.0 * kMargin + kBand + text));
 }
 
 FilmScene sceneOf(const SessionSnapshot &moment, const FilmSheet &sheet, const FilmLayers &layers, std::uint64_t last) {
@@ -172,13 +206,28 @@ FilmScene sceneOf(const SessionSnapshot &moment, const FilmSheet &sheet, const F
         builder.addCandidates();
     }
     if (layers.has(FilmLayer::Caption)) {
-        scene.caption = "Advance " + std::to_string(moment.advance) + ", " + std::to_string(moment.frontSegments) +
-                        " segments on the front";
+        std::string text = "Advance " + std::to_string(moment.advance) + ", " + std::to_string(moment.frontSegments) +
+                           " segments on the front";
         if (explained) {
-            scene.caption += ". " + caption(*moment.explanation, moment.explanation->events.size());
+            text += ". " + caption(*moment.explanation, moment.explanation->events.size());
         }
+        scene.caption = wrapped(text, sheet.width - 2.0 * kMargin);
+        scene.captionRoom = captionLines(sheet.width);
+        scene.caption.resize(std::min(scene.caption.size(), static_cast<std::size_t>(scene.captionRoom)));
     }
     return scene;
+}
+
+std::vector<FilmLine> captionStrokes(const FilmScene &scene) {
+    std::vector<FilmLine> lines;
+    for (std::size_t line = 0; line < scene.caption.size(); ++line) {
+        const Vec2 start{kMargin, baseLine(scene, line)};
+        const auto at = [&](Vec2 p) { return start + kTextUnit * Vec2{p.x, -p.y}; };
+        for (const auto &[a, b] : strokeText(scene.caption[line])) {
+            lines.push_back({at(a), at(b), Ink::Text, 1.3});
+        }
+    }
+    return lines;
 }
 
 std::string svgOf(const FilmScene &scene) {
@@ -195,10 +244,10 @@ std::string svgOf(const FilmScene &scene) {
         svg += "\"/>\n";
     }
     appendLines(scene.lines, svg);
-    if (!scene.caption.empty()) {
-        svg += "<text x=\"12\" y=\"" + pixels(scene.height - 14.0) +
+    for (std::size_t line = 0; line < scene.caption.size(); ++line) {
+        svg += "<text x=\"12\" y=\"" + pixels(baseLine(scene, line)) +
                "\" font-family=\"sans-serif\" font-size=\"13\" fill=\"" + colourText(Ink::Text) + "\">" +
-               escaped(scene.caption) + "</text>\n";
+               escaped(scene.caption[line]) + "</text>\n";
     }
     svg += "<rect y=\"" + pixels(scene.height - 4.0) + "\" width=\"" + pixels(scene.progress * scene.width) +
            "\" height=\"4\" fill=\"" + colourText(Ink::Front) + "\"/>\n</svg>\n";

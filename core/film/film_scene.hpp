@@ -49,8 +49,9 @@ struct FilmScene {
     int width = 0, height = 0;
     std::vector<std::array<Vec2, 3>> elements;
     std::vector<FilmLine> lines;
-    std::string caption;   ///< empty: none
-    double progress = 0.0; ///< of the run, in [0, 1], shown as a bar at the bottom
+    std::vector<std::string> caption; ///< its lines; empty: none
+    int captionRoom = 1;              ///< number of lines that there is room for
+    double progress = 0.0;            ///< of the run, in [0, 1], shown as a bar at the bottom
 };
 
 /// The sheet that all scenes of a film share.
@@ -64,6 +65,9 @@ struct FilmSheet {
 
 /// Returns the scene of a moment of a run. `last` is the number of advances of the whole run, for the progress.
 FilmScene sceneOf(const SessionSnapshot &moment, const FilmSheet &sheet, const FilmLayers &layers, std::uint64_t last);
+
+/// Returns the caption of a scene as lines, for pictures without fonts.
+std::vector<FilmLine> captionStrokes(const FilmScene &scene);
 
 /// Returns a scene as an SVG drawing.
 std::string svgOf(const FilmScene &scene);

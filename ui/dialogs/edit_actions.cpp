@@ -107,6 +107,11 @@ void addFileActions(ActionRegistry &actions) {
                  .shortcuts = {{'E', kControl}},
                  .run = exportMesh,
                  .enabled = hasShapes});
+    actions.add({.id = "file.exportFilm",
+                 .menu = "File",
+                 .title = "Export film\xe2\x80\xa6",
+                 .run = exportFilm,
+                 .enabled = hasShapes});
     actions.add({.id = "file.quit",
                  .menu = "File",
                  .title = "Quit",

@@ -28,6 +28,8 @@ void importDrawing(Shell &context);
 void importSpacing(Shell &context);
 /// Exports the mesh in a format that the user chooses.
 void exportMesh(Shell &context);
+/// Writes the run of the document as a film: an animation, numbered frames or one moment.
+void exportFilm(Shell &context);
 /// Returns the folder that a file dialog starts in: that of the document or of the last file.
 std::filesystem::path startFolder(const Shell &context);
 /// Makes a document read from `file` the open one, without asking. Only projects are saved back to their file.

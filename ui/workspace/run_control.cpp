@@ -173,20 +173,20 @@ void RunControl::showFile(MeshFields read) {
     opened_ = std::move(opened);
 }
 
+MeshingJob RunControl::job() const {
+    const std::shared_ptr<const Document> document = document_.current();
+    return {toDomain(*document), document->spacing, document->options};
+}
+
 void RunControl::start(StartMode mode, Extent extent) {
     opened_.reset();
     fields_.reset();
     cancelling_ = false;
-    const std::shared_ptr<const Document> document = document_.current();
-    auto job = std::make_shared<MeshingJob>();
-    job->domain = toDomain(*document);
-    job->spacing = document->spacing;
-    job->options = document->options;
-    session_.start(std::move(job), mode,
+    session_.start(std::make_shared<const MeshingJob>(job()), mode,
                    extent == Extent::Preview ? liveBudget : std::numeric_limits<double>::infinity());
     started_ = true;
     followed_ = meshRevision();
-    const Start start{meshRevision(), document->options.method, mode == StartMode::RunQuiet, extent};
+    const Start start{meshRevision(), document_.current()->options.method, mode == StartMode::RunQuiet, extent};
     starts_[++lastStart_] = start;
     if (!start.live) {
         shown_ = start; // a live run keeps showing the previous mesh until it is finished

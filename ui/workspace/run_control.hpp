@@ -53,6 +53,8 @@ class RunControl {
     bool showsFile() const { return opened_ != nullptr; }
     void want(SnapshotLayers layers);
 
+    /// Returns the meshing job of the document as it is now.
+    MeshingJob job() const;
     /// Meshes the document at full speed.
     void mesh();
     /// Plays from the current position, or pauses. Starts a new run if there is none or it is out of date.

@@ -1,4 +1,4 @@
-#include "app/batch/film_gif.hpp"
+#include "core/film/film_picture.hpp"
 
 #include <algorithm>
 #include <array>
@@ -119,7 +119,7 @@ std::vector<std::uint8_t> filmPalette() {
     return palette;
 }
 
-std::vector<std::uint8_t> paintScene(const FilmScene &scene) {
+FilmPicture paintScene(const FilmScene &scene) {
     SamplePicture picture(scene.width, scene.height);
     for (const auto &[a, b, c] : scene.elements) {
         picture.triangle(a, b, c, Ink::Face);
@@ -127,17 +127,20 @@ std::vector<std::uint8_t> paintScene(const FilmScene &scene) {
     for (const FilmLine &line : scene.lines) {
         picture.line(line);
     }
+    for (const FilmLine &line : captionStrokes(scene)) {
+        picture.line(line);
+    }
     const double right = scene.progress * scene.width, top = scene.height - 4.0, bottom = scene.height;
     picture.triangle({0.0, top}, {right, top}, {right, bottom}, Ink::Front);
     picture.triangle({0.0, top}, {right, bottom}, {0.0, bottom}, Ink::Front);
-    std::vector<std::uint8_t> pixels;
-    pixels.reserve(static_cast<std::size_t>(scene.width) * static_cast<std::size_t>(scene.height));
+    FilmPicture result{scene.width, scene.height, {}};
+    result.pixels.reserve(static_cast<std::size_t>(scene.width) * static_cast<std::size_t>(scene.height));
     for (int y = 0; y < scene.height; ++y) {
         for (int x = 0; x < scene.width; ++x) {
-            pixels.push_back(nearest(picture.pixel(x, y)));
+            result.pixels.push_back(nearest(picture.pixel(x, y)));
         }
     }
-    return pixels;
+    return result;
 }
 
 } // namespace forefront

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/base/progress.hpp"
+#include "core/base/result.hpp"
+#include "core/film/film_scene.hpp"
+#include "core/mesher/options.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace forefront {
+
+/// The part of a run that a film shows, and how.
+struct FilmPlan {
+    std::filesystem::path output;       ///< .gif: an animation; NAME-%d.png or .svg: numbered frames; else one moment
+    std::uint64_t from = 0;             ///< first moment: the number of advances done
+    std::optional<std::uint64_t> steps; ///< number of advances shown; not set: to the end of the run
+    int frames = 120;                   ///< maximum number of frames; long runs skip advances
+    int width = 800;                    ///< pixels
+    double speed = 10.0;                ///< frames per second of a GIF
+    FilmLayers layers;
+
+    static constexpr int kMaxFrames = 5000, kMinWidth = 100, kMaxWidth = 4000;
+    static constexpr double kSlowest = 0.1, kFastest = 50.0;
+
+    /// Returns true if the output is a file for each frame.
+    bool numbered() const { return output.filename().string().find("%d") != std::string::npos; }
+};
+
+/// Returns what is wrong with the name of the output, or an empty text.
+std::string outputFault(const FilmPlan &plan);
+
+/// Runs a job and writes its film. Returns the number of frames written. Reports the frames as progress. Faults: those
+/// of the job, cannot-write, cancelled.
+Result<int> writeFilm(MeshingJob job, const FilmPlan &plan, const Progress &progress = {});
+
+} // namespace forefront

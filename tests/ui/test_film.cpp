@@ -1,0 +1,116 @@
+#include "core/edit/document.hpp"
+#include "tests/ui/meshed_square.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace forefront::test {
+
+namespace {
+
+std::string textOf(const std::filesystem::path &file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Exports films of a meshed square through the dialog.
+class Filmmaker : public MeshedSquare {
+  public:
+    void openDialog() {
+        script("click menu/File\nclick menu/file.exportFilm\nsettle");
+        REQUIRE(has("dialog/film/name"));
+    }
+    void enter(const std::string &field, const std::string &value) {
+        click("dialog/film/" + field);
+        key('A', {Modifiers::kControl});
+        type(value);
+        key(key::kTab);
+        settle();
+    }
+    void confirm(const std::filesystem::path &file) {
+        click("dialog/film/name");
+        key('A', {Modifiers::kControl});
+        type(file.string());
+        click("dialog/film/ok");
+        settle();
+        until([this] { return !context().dialogs.any(); });
+        settle();
+    }
+};
+
+std::size_t filesIn(const std::filesystem::path &folder) {
+    const std::filesystem::directory_iterator first(folder);
+    return static_cast<std::size_t>(std::distance(begin(first), end(first)));
+}
+
+} // namespace
+
+TEST_CASE("Film: the dialog writes an animation, numbered pictures and the drawing of a moment") {
+    Filmmaker driver;
+    const TemporaryFolder folder;
+    driver.openDialog();
+    driver.enter("to", "20");
+    driver.enter("frames", "5");
+    driver.enter("width", "200");
+    driver.confirm(folder / "run.gif");
+    const std::string gif = textOf(folder / "run.gif");
+    CHECK(gif.starts_with("GIF89a"));
+    CHECK(gif.back() == ';');
+    CHECK(static_cast<unsigned char>(gif[6]) == 200);
+
+    driver.openDialog();
+    driver.enter("frames", "3");
+    driver.enter("width", "200");
+    driver.confirm(folder / "frame.png");
+    CHECK(filesIn(folder.path) == 4);
+    for (const char *name : {"frame-1.png", "frame-2.png", "frame-3.png"}) {
+        CHECK(textOf(folder / name).starts_with("\x89PNG"));
+    }
+
+    driver.openDialog();
+    driver.enter("from", "7");
+    driver.click("dialog/film/layer/caption");
+    driver.confirm(folder / "moment.svg");
+    const std::string svg = textOf(folder / "moment.svg");
+    CHECK(svg.starts_with("<svg"));
+    CHECK(svg.find("<text") == std::string::npos);
+    CHECK(svg.find('Z') != std::string::npos); // elements
+    driver.openDialog();
+    driver.enter("from", "7");
+    driver.confirm(folder / "caption.svg");
+    CHECK(textOf(folder / "caption.svg").find(">Advance 7, ") != std::string::npos);
+}
+
+TEST_CASE("Film: numbers out of range are moved into it") {
+    Filmmaker driver;
+    driver.openDialog();
+    driver.enter("frames", "0");
+    driver.enter("width", "5");
+    const TemporaryFolder folder;
+    driver.confirm(folder / "run.gif");
+    CHECK(static_cast<unsigned char>(textOf(folder / "run.gif")[6]) == 100);
+}
+
+TEST_CASE("Film: a cancelled film leaves no file") {
+    Filmmaker driver;
+    const TemporaryFolder folder;
+    driver.openDialog();
+    driver.enter("frames", "5000");
+    driver.enter("width", "3000");
+    driver.click("dialog/film/name");
+    driver.key('A', {Modifiers::kControl});
+    driver.type((folder / "run.gif").string());
+    driver.click("dialog/film/ok");
+    driver.until([&] { return driver.has("dialog/writing/cancel"); });
+    driver.click("dialog/writing/cancel");
+    driver.until([&] { return !driver.context().dialogs.any(); });
+    CHECK(driver.logHas("cancelled"));
+    CHECK(filesIn(folder.path) == 0);
+}
+
+} // namespace forefront::test

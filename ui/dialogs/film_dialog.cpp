@@ -1,0 +1,182 @@
+#include "core/io/film/film_files.hpp"
+#include "ui/dialogs/export_dialog.hpp"
+#include "ui/dialogs/file_commands.hpp"
+#include "ui/dialogs/file_dialog.hpp"
+#include "ui/parts/shell.hpp"
+#include "ui/widgets/number_text.hpp"
+#include "ui/widgets/widgets.hpp"
+#include "ui/workspace/number_field.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace forefront {
+
+namespace {
+
+constexpr const char *kName = "dialog/film/";
+
+/// The settings that the dialog edits.
+struct FilmSettings {
+    FilmPlan plan;
+    std::optional<double> to; ///< last advance; not set: the end of the run
+};
+
+constexpr double kFields = 72.0, kSecond = 290.0; ///< columns, design pixels
+
+/// Draws the label at the start of a row.
+void rowLabel(Workspace &context, const char *text) {
+    ImGui::AlignTextToFramePadding();
+    ui::muted(context, text);
+    ImGui::SameLine(context.px(kFields));
+}
+
+/// Draws the label of the second field of a row.
+void secondLabel(Workspace &context, const char *text) {
+    ImGui::SameLine(context.px(kSecond));
+    ui::muted(context, text);
+    ImGui::SameLine();
+}
+
+/// Draws a number that stays within a range. Width in design pixels.
+void numberField(Workspace &context, const char *name, double &value, double minimum, double maximum) {
+    ui::inputNumber(context, std::string(kName) + name, value, 70.0F);
+    value = std::clamp(value, minimum, maximum);
+}
+
+void wholeField(Workspace &context, const char *name, int &value, int minimum, int maximum) {
+    double number = value;
+    numberField(context, name, number, minimum, maximum);
+    value = static_cast<int>(std::lround(number));
+}
+
+/// Draws the last advance; empty: the end of the run.
+void drawEnd(Workspace &context, FilmSettings &settings) {
+    std::string typed = settings.to ? ui::number(*settings.to, 10) : std::string();
+    if (!ui::entry(context, std::string(kName) + "to", typed, "end", 70.0F, true)) {
+        return;
+    }
+    settings.to = typed.find_first_not_of(' ') == std::string::npos ? std::nullopt : ui::typedNumber(context, typed);
+}
+
+void drawRange(Workspace &context, FilmSettings &settings) {
+    double from = static_cast<double>(settings.plan.from);
+    rowLabel(context, "From");
+    numberField(context, "from", from, 0.0, 1e9);
+    ui::tooltip(context, "Number of advances done at the first frame");
+    settings.plan.from = static_cast<std::uint64_t>(std::llround(from));
+    ImGui::SameLine();
+    ui::muted(context, "to");
+    ImGui::SameLine();
+    drawEnd(context, settings);
+    ui::tooltip(context, "Last advance shown; empty: the end of the run");
+    secondLabel(context, "at most");
+    wholeField(context, "frames", settings.plan.frames, 1, FilmPlan::kMaxFrames);
+    ImGui::SameLine();
+    ui::muted(context, "frames; long runs skip advances");
+}
+
+void drawLook(Workspace &context, FilmPlan &plan) {
+    rowLabel(context, "Width");
+    wholeField(context, "width", plan.width, FilmPlan::kMinWidth, FilmPlan::kMaxWidth);
+    ImGui::SameLine();
+    ui::muted(context, "pixels");
+    secondLabel(context, "Speed");
+    numberField(context, "speed", plan.speed, FilmPlan::kSlowest, FilmPlan::kFastest);
+    ImGui::SameLine();
+    ui::muted(context, "frames per second (GIF)");
+}
+
+void drawLayers(Workspace &context, FilmLayers &layers) {
+    constexpr std::array<const char *, wordsOf<FilmLayer>().size()> kLabels{"Mesh",       "Boundary", "Front",
+                                                                            "Candidates", "Grid",     "Caption"};
+    rowLabel(context, "Show");
+    for (std::size_t k = 0; k < kLabels.size(); ++k) {
+        if (k > 0) {
+            ImGui::SameLine(0, context.px(14));
+        }
+        const std::string name = std::string(kName) + "layer/" + std::string(wordsOf<FilmLayer>()[k]);
+        ui::checkbox(context, name, kLabels[k], layers.shown[k]);
+    }
+}
+
+/// Returns the plan for a file: frames are numbered, and the range is in order.
+FilmPlan planFor(const FilmSettings &settings, const std::filesystem::path &file, const FileFilter &filter) {
+    FilmPlan plan = settings.plan;
+    plan.output = file;
+    const bool moment = filter.id == "svg";
+    if (!moment && filter.id != "gif" && !plan.numbered()) {
+        plan.output.replace_filename(file.stem().string() + "-%d" + file.extension().string());
+    }
+    const auto from = static_cast<double>(plan.from);
+    if (moment) {
+        plan.steps = 0; // the moment at the start of the range
+    } else if (settings.to) {
+        plan.steps = static_cast<std::uint64_t>(std::llround(std::clamp(*settings.to - from, 0.0, 1e9)));
+    }
+    return plan;
+}
+
+Diagnostics film(Shell &context, const FilmPlan &plan) {
+    if (const std::string fault = outputFault(plan); !fault.empty()) {
+        return error("bad-output", fault);
+    }
+    const auto frames = std::make_shared<int>(0);
+    MeshingJob job = context.run.job();
+    const auto write = [plan, frames, job = std::move(job)](std::atomic<double> &fraction, std::stop_token stop) {
+        Progress progress;
+        progress.report = [&fraction](std::string_view, double done) { fraction.store(done); };
+        progress.stop = std::move(stop);
+        const Result<int> written = writeFilm(job, plan, progress);
+        *frames = written ? *written : 0;
+        return written ? Diagnostics() : written.faults();
+    };
+    const auto done = [plan, frames](Shell &c) {
+        c.log.announce("Exported film to " + plan.output.string() + ": " + ui::count(static_cast<unsigned>(*frames)) +
+                       (*frames == 1 ? " frame" : " frames"));
+    };
+    context.dialogs.open(std::make_unique<WriteDialog>(plan.output.string(), write, done));
+    return {};
+}
+
+std::vector<FileFilter> filmFilters() {
+    return {{"Animated GIF (.gif)", {".gif"}, "gif", "Repeats for ever; shows in browsers and slides."},
+            {"PNG frames (.png)", {".png"}, "png", "A picture for each frame: NAME-1.png, NAME-2.png and so on."},
+            {"SVG of one moment (.svg)", {".svg"}, "svg", "A drawing of the first advance given, with sharp lines."}};
+}
+
+} // namespace
+
+void exportFilm(Shell &context) {
+    FileRequest request;
+    request.id = "film";
+    request.title = "Export film";
+    request.action = "Export";
+    request.saves = true;
+    request.filters = filmFilters();
+    const std::filesystem::path &document = context.document.path();
+    request.folder = document.parent_path();
+    request.name = (document.empty() ? context.document.title() : document.stem().string()) + ".gif";
+    const auto settings = std::make_shared<FilmSettings>();
+    settings->plan.layers.shown[static_cast<std::size_t>(FilmLayer::Grid)] =
+        context.layer("grid") != nullptr && context.layer("grid")->visible;
+    request.chosen = [settings](Shell &c, const std::filesystem::path &file, const FileFilter &filter) {
+        return film(c, planFor(*settings, file, filter));
+    };
+    request.extraLines = 3;
+    request.extra = [settings](Shell &c) {
+        drawRange(c, *settings);
+        drawLook(c, settings->plan);
+        drawLayers(c, settings->plan.layers);
+        return true;
+    };
+    context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));
+}
+
+} // namespace forefront
