@@ -137,7 +137,7 @@ void MeshBatch::rebuildByPlace(const MeshView &view) {
 
 /// Writes the values of the elements from one on, in the order of the buffers.
 void MeshBatch::writeValues(const MeshView &view, const MeshValues *values, std::size_t fromElement) {
-    const std::size_t total = corners_.size() / 3;
+    const std::size_t total = slots();
     values_.resize(3 * total + kSkip);
     const auto shown = [&](std::size_t number) {
         const double value = number < values->values.size() ? values->values[number] : std::nan("");
@@ -162,7 +162,7 @@ void MeshBatch::writeValues(const MeshView &view, const MeshValues *values, std:
 }
 
 void MeshBatch::upload(std::size_t fromElement, std::size_t fromValue) {
-    const std::size_t total = corners_.size() / 3;
+    const std::size_t total = slots();
     const auto bytes = [](std::size_t entries, std::size_t each) { return static_cast<GLsizeiptr>(entries * each); };
     if (total > capacity_) {
         capacity_ = std::max(total, std::min(2 * capacity_, total + 262144));
@@ -190,6 +190,7 @@ void MeshBatch::upload(std::size_t fromElement, std::size_t fromValue) {
 void MeshBatch::update(const std::shared_ptr<const MeshView> &view, bool atRest, const MeshValues *values) {
     if (!view) {
         truncate(0);
+        order_.clear();
         shown_ = nullptr;
         return;
     }
@@ -214,6 +215,10 @@ void MeshBatch::update(const std::shared_ptr<const MeshView> &view, bool atRest,
     writeValues(*view, values, keptValues);
     upload(kept, keptValues);
     byPlace_ = sameMesh ? byPlace_ : sort;
+    if (byPlace_) { // the buffers of OpenGL hold a copy, and a sorted mesh is never continued
+        corners_ = {};
+        values_ = {};
+    }
     shown_ = view;
     valuesVersion_ = version;
     part_ = values != nullptr ? values->part : MeshPart::Elements;

@@ -75,14 +75,16 @@ class MeshBatch {
     void appendInOrder(const MeshView &view, std::size_t from);
     void rebuildByPlace(const MeshView &view);
     void writeElement(const MeshView &view, std::size_t element, Chunk &chunk);
+    /// Returns the number of elements in the buffers.
+    std::size_t slots() const { return order_.empty() ? corners_.size() / 3 : order_.size(); }
     std::size_t elementAt(std::size_t slot) const { return order_.empty() ? slot : order_[slot]; }
     void writeValues(const MeshView &view, const MeshValues *values, std::size_t fromElement);
     void upload(std::size_t fromElement, std::size_t fromValue);
 
     std::shared_ptr<const MeshView> shown_;
     std::vector<Chunk> chunks_;
-    std::vector<glm::vec2> corners_;   ///< three per element, relative to the origin of the chunk
-    std::vector<float> values_;        ///< three per element, from entry kSkip on
+    std::vector<glm::vec2> corners_;   ///< three per element, relative to the origin of the chunk; empty if sorted
+    std::vector<float> values_;        ///< three per element, from entry kSkip on; empty if sorted
     std::vector<std::uint32_t> order_; ///< elements in the order of the buffers; empty: their own
     std::uint64_t valuesVersion_ = 0;
     MeshPart part_ = MeshPart::Elements;

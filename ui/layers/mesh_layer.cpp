@@ -34,6 +34,10 @@ const std::shared_ptr<const MeshView> &meshShown(const LayerFrame &frame) {
     return earlier ? frame.judgement.of.mesh : frame.snapshot.mesh;
 }
 
+std::size_t countOf(const std::shared_ptr<const MeshView> &mesh) {
+    return mesh ? mesh->mesh.elements.size() : 0;
+}
+
 std::uint64_t versionOf(const LayerFrame &frame) {
     const std::shared_ptr<const MeshView> &mesh = meshShown(frame);
     Hash64 hash;
@@ -115,6 +119,7 @@ class MeshLayer final : public Layer {
     void request(SnapshotLayers &layers) const override { layers.mesh = true; }
 
     std::uint64_t stillVersion(const LayerFrame &frame) const override { return versionOf(frame); }
+    std::size_t stillElements(const LayerFrame &frame) const override { return countOf(meshShown(frame)); }
     void drawStill(const LayerFrame &frame) override { painter_.draw(frame, true); }
 
   private:
@@ -130,6 +135,7 @@ class QualityLayer final : public Layer {
     void request(SnapshotLayers &layers) const override { layers.mesh = true; }
 
     std::uint64_t stillVersion(const LayerFrame &frame) const override { return versionOf(frame); }
+    std::size_t stillElements(const LayerFrame &frame) const override { return countOf(meshShown(frame)); }
 
     void drawStill(const LayerFrame &frame) override {
         if (!frame.visible("mesh")) {

@@ -5,6 +5,7 @@
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/canvas/legend.hpp"
 #include "ui/gl/gl_kit.hpp"
+#include "ui/gl/still_picture.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/judging.hpp"
@@ -20,51 +21,16 @@ namespace forefront {
 
 namespace {
 
-/// A texture to render into, kept between frames.
-class Target {
-  public:
-    Target() {
-        glGenFramebuffers(1, &framebuffer_);
-        glGenTextures(1, &texture_);
-    }
-    ~Target() {
-        glDeleteFramebuffers(1, &framebuffer_);
-        glDeleteTextures(1, &texture_);
-    }
-    Target(const Target &) = delete;
-    Target &operator=(const Target &) = delete;
-
-    unsigned framebuffer() const { return framebuffer_; }
-
-    void resize(PixelSize size) {
-        if (size == size_) {
-            return;
-        }
-        size_ = size;
-        glBindTexture(GL_TEXTURE_2D, texture_);
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size.width, size.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
-    }
-
-  private:
-    unsigned framebuffer_ = 0, texture_ = 0;
-    PixelSize size_;
-};
-
 void clearTo(const Colour &colour) {
     const glm::vec4 channels = colour.channels();
     glClearColor(channels.r, channels.g, channels.b, 1.0F);
     glClear(GL_COLOR_BUFFER_BIT);
 }
 
-std::uint64_t stillStamp(const LayerFrame &frame, const std::vector<LayerSlot> &layers) {
+/// Returns a number that changes whenever the still parts change, other than by a move of the camera.
+std::uint64_t contentStamp(const LayerFrame &frame, const std::vector<LayerSlot> &layers) {
     Hash64 hash;
-    const Camera &camera = frame.camera;
-    for (const double number :
-         {camera.centre.x, camera.centre.y, camera.zoom, camera.viewport.width, camera.viewport.height, frame.scale}) {
+    for (const double number : {frame.camera.viewport.width, frame.camera.viewport.height, frame.scale}) {
         hash.add(number);
     }
     hash.add(static_cast<std::uint64_t>(frame.theme.kind));
@@ -74,14 +40,20 @@ std::uint64_t stillStamp(const LayerFrame &frame, const std::vector<LayerSlot> &
     return hash.value();
 }
 
+/// Returns true if the still parts take too long to be drawn while the camera moves.
+bool isHeavy(const LayerFrame &frame, const std::vector<LayerSlot> &layers) {
+    constexpr std::size_t kHeavy = 30'000; // elements
+    return std::any_of(layers.begin(), layers.end(), [&](const LayerSlot &slot) {
+        return slot.visible && slot.layer->stillElements(frame) > kHeavy;
+    });
+}
+
 } // namespace
 
 struct Canvas::Parts {
     GlKit gl;
-    Target still;
-    std::uint64_t stillStamp = 0;
+    StillPicture still;
     std::uint64_t stillDraws = 0;
-    bool drawn = false;
     Domain domain; ///< domain of the document with `domainRevision`
     std::uint64_t domainRevision = 0;
 
@@ -92,6 +64,7 @@ struct Canvas::Parts {
 
     void requestRaster(Shell &context);
     void takeRaster(const Shell &context);
+    LayerFrame frameOf(const Shell &context, const Camera &camera);
     void drawStill(Shell &context, const LayerFrame &frame);
     void drawLive(Shell &context, const LayerFrame &frame);
     static void drawLegends(Shell &context, CanvasPainter &painter, const LayerFrame &frame);
@@ -150,23 +123,49 @@ void Canvas::Parts::takeRaster(const Shell &context) {
     }
 }
 
+/// Returns what layers draw, as seen by a camera that outlives the result.
+LayerFrame Canvas::Parts::frameOf(const Shell &context, const Camera &camera) {
+    return {.camera = camera,
+            .theme = context.theme,
+            .fonts = context.fonts,
+            .scale = static_cast<double>(context.scale),
+            .snapshot = context.run.now(),
+            .breakpoints = context.run.breakpoints(),
+            .document = *context.document.current(),
+            .domain = domain,
+            .revision = context.document.revision(),
+            .preview = *context.preview,
+            .raster = raster,
+            .selection = context.selection,
+            .pointer = context.view.pointer,
+            .candidate = chosenCandidate(context.view, context.run.now()),
+            .judgement = *context.judgement,
+            .isolatedBin = context.view.isolatedBin,
+            .measureRange = measureRange(context),
+            .outOfDate = context.run.outOfDate(),
+            .layers = context.layers,
+            .gl = gl};
+}
+
+/// Draws the still parts again if they or the camera have changed. While the camera moves over a large mesh, the
+/// picture moves with it instead and is drawn again when the camera rests.
 void Canvas::Parts::drawStill(Shell &context, const LayerFrame &frame) {
-    const PixelRect &rect = frame.camera.viewport;
-    const PixelSize size{static_cast<int>(rect.width), static_cast<int>(rect.height)};
-    const std::uint64_t stamp = forefront::stillStamp(frame, context.layers);
-    if (drawn && stamp == stillStamp) {
+    const std::uint64_t content = contentStamp(frame, context.layers);
+    if (still.sharp(content, frame.camera)) {
         return;
     }
-    stillStamp = stamp;
-    drawn = true;
+    const bool heavy = isHeavy(frame, context.layers);
+    if (still.moves(content, frame.camera, context.platform.now(), heavy)) {
+        context.animate();
+        return;
+    }
     ++stillDraws;
-    still.resize(size);
-    glBindFramebuffer(GL_FRAMEBUFFER, still.framebuffer());
-    glViewport(0, 0, size.width, size.height);
+    const Camera wide = still.begin(content, frame.camera, heavy);
+    const LayerFrame around = frameOf(context, wide);
     clearTo(frame.theme.canvas);
     for (LayerSlot &slot : context.layers) {
         if (slot.visible) {
-            slot.layer->drawStill(frame);
+            slot.layer->drawStill(around);
         }
     }
 }
@@ -176,12 +175,13 @@ void Canvas::Parts::drawLive(Shell &context, const LayerFrame &frame) {
     const int x = static_cast<int>(rect.x), width = static_cast<int>(rect.width),
               height = static_cast<int>(rect.height);
     const int y = context.platform.framebufferSize().height - static_cast<int>(rect.y) - height;
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, still.framebuffer());
-    glBlitFramebuffer(0, 0, width, height, x, y, x + width, y + height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, context.platform.targetFramebuffer());
-    glViewport(x, y, width, height);
     glEnable(GL_SCISSOR_TEST);
     glScissor(x, y, width, height);
+    clearTo(frame.theme.canvas); // where a moved picture does not reach
+    still.show(frame.camera, {x, y});
+    glBindFramebuffer(GL_FRAMEBUFFER, context.platform.targetFramebuffer());
+    glViewport(x, y, width, height);
     for (LayerSlot &slot : context.layers) {
         if (slot.visible) {
             slot.layer->drawLive(frame);
@@ -262,26 +262,7 @@ void Canvas::draw(Shell &context) {
     }
     parts_->requestRaster(context);
     parts_->takeRaster(context);
-    const LayerFrame frame{.camera = context.view.camera,
-                           .theme = context.theme,
-                           .fonts = context.fonts,
-                           .scale = static_cast<double>(context.scale),
-                           .snapshot = context.run.now(),
-                           .breakpoints = context.run.breakpoints(),
-                           .document = *context.document.current(),
-                           .domain = parts_->domain,
-                           .revision = context.document.revision(),
-                           .preview = *context.preview,
-                           .raster = parts_->raster,
-                           .selection = context.selection,
-                           .pointer = context.view.pointer,
-                           .candidate = chosenCandidate(context.view, context.run.now()),
-                           .judgement = *context.judgement,
-                           .isolatedBin = context.view.isolatedBin,
-                           .measureRange = measureRange(context),
-                           .outOfDate = context.run.outOfDate(),
-                           .layers = context.layers,
-                           .gl = parts_->gl};
+    const LayerFrame frame = parts_->frameOf(context, context.view.camera);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_SCISSOR_TEST);
