@@ -1,12 +1,10 @@
 #include "core/base/vec2.hpp"
-#include "tests/ui/edit_driver.hpp"
+#include "tests/ui/meshed_square.hpp"
 #include "ui/canvas/legend.hpp"
 #include "ui/style/colour_map.hpp"
 #include "ui/style/measure_colours.hpp"
 
 #include <doctest/doctest.h>
-#include <glm/common.hpp>
-#include <glm/vec3.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,32 +13,10 @@ namespace forefront::test {
 
 namespace {
 
-/// Returns the largest difference between two colours in any channel, 0 to 255.
-int difference(Colour a, Colour b) {
-    const glm::ivec3 d = glm::abs(glm::ivec3(a) - glm::ivec3(b));
-    return std::max({d.r, d.g, d.b});
-}
-
-Colour colourAt(const Driver::Picture &picture, Pixel pixel) {
-    const auto at = 4 * (static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(picture.size.width) +
-                         static_cast<std::size_t>(pixel.x));
-    return rgb(static_cast<std::uint32_t>(picture.rgba[at] << 16 | picture.rgba[at + 1] << 8 | picture.rgba[at + 2]));
-}
-
-/// A meshed rectangle of about 170 large elements, with only mesh and colours on the canvas.
-struct MeshedSquare : Draughtsman {
-    MeshedSquare() {
-        rectangle({1, 1}, {9, 8});
-        Document sized = document();
-        sized.spacing.size = 0.9;
-        context().document.apply(std::move(sized), "Size");
-        key('V');
-        key(key::kEscape);
-        key(key::kF5);
-        settle();
-        for (const char *layer : {"front", "candidates", "tests", "labels", "grid"}) {
-            showLayer(context().layers, layer, false);
-        }
+/// A meshed square with only mesh and colours on the canvas.
+struct ColouredSquare : MeshedSquare {
+    ColouredSquare() {
+        hideLayers({"front", "candidates", "tests", "labels", "grid"});
         moveTo({5, 5});
         context().animate();
         settle();
@@ -52,18 +28,13 @@ struct MeshedSquare : Draughtsman {
         settle();
         return picture();
     }
-    Pixel middleOf(std::size_t element) {
-        const Mesh &mesh = run().mesh->mesh;
-        const Element &e = mesh.elements[element];
-        return pixel((1.0 / 3.0) * (mesh.nodes[index(e[0])] + mesh.nodes[index(e[1])] + mesh.nodes[index(e[2])]));
-    }
     /// Returns the number of unhatched elements whose middle does not have the colour of their α.
     std::size_t wronglyColoured(const ColourRange &range) {
         const Picture shown = redrawn();
         std::size_t wrong = 0;
         for (std::size_t i = 0; i < run().mesh->alpha.size(); ++i) {
             const double alpha = static_cast<double>(run().mesh->alpha[i]);
-            wrong += alpha > 0.5 && difference(colourAt(shown, middleOf(i)), cividis(range.position(alpha))) > 4;
+            wrong += alpha > 0.5 && difference(colourAt(shown, pixel(middleOf(i))), cividis(range.position(alpha))) > 4;
         }
         return wrong;
     }
@@ -72,7 +43,7 @@ struct MeshedSquare : Draughtsman {
 } // namespace
 
 TEST_CASE("Colours: quality and spacing exclude each other") {
-    MeshedSquare driver;
+    ColouredSquare driver;
     REQUIRE(driver.visible("size"));
     driver.click("layer/quality");
     CHECK(driver.visible("quality"));
@@ -88,7 +59,7 @@ TEST_CASE("Colours: quality and spacing exclude each other") {
 }
 
 TEST_CASE("Colours: every element has the colour of its quality in the legend, in both themes") {
-    MeshedSquare driver;
+    ColouredSquare driver;
     showLayer(driver.context().layers, "quality", true);
     const ColourRange fitted = driver.context().judgement->fitted;
     REQUIRE(fitted.from > 0.6); // a good mesh
@@ -141,7 +112,7 @@ TEST_CASE("Colours: good values are bright and bad ones dark, and the middle of 
 }
 
 TEST_CASE("Colours: the user can set the quality range in the histogram, and fit it again") {
-    MeshedSquare driver;
+    ColouredSquare driver;
     driver.click("layer/quality");
     driver.click("panel/histogram");
     driver.settle();

@@ -9,6 +9,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
@@ -426,6 +427,23 @@ TEST_CASE("Recovery: after kill -9 the next start offers the unsaved drawing and
     // That session ended normally, so nothing is offered.
     Driver driver(setup);
     CHECK_FALSE(driver.has("dialog/recovery/recover"));
+}
+
+TEST_CASE("Files: dialogs that open files offer every format that can be read") {
+    const auto filters = openFilters("All meshes", {}, [](const FileFormat &format) { return format.readsMesh; });
+    REQUIRE(filters.size() > 3);
+    CHECK(filters.front().name == "All meshes");
+    CHECK(filters.back().extensions.empty());
+    for (const FileFormat &format : fileFormats()) {
+        CAPTURE(format.id);
+        const std::string name = std::string("x") + format.extension;
+        if (format.readsMesh) {
+            CHECK(passes(filters.front(), name));
+            CHECK(std::count_if(filters.begin() + 1, filters.end() - 1,
+                                [&](const FileFilter &filter) { return passes(filter, name); }) == 1);
+        }
+    }
+    CHECK_FALSE(passes(filters.front(), "notes.txt"));
 }
 
 } // namespace forefront::test

@@ -1,8 +1,9 @@
 #include "core/io/files.hpp"
 #include "core/mesh/limits.hpp"
 #include "core/mesh/quality.hpp"
-#include "tests/ui/edit_driver.hpp"
+#include "tests/ui/meshed_square.hpp"
 #include "ui/dialogs/open_mesh.hpp"
+#include "ui/dialogs/thumbnails.hpp"
 #include "ui/style/measure_colours.hpp"
 #include "ui/workspace/judging.hpp"
 
@@ -10,7 +11,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <new>
 #include <set>
+#include <thread>
 
 namespace forefront::test {
 
@@ -18,26 +22,9 @@ namespace {
 
 constexpr double kTiny = 1e-12;
 
-/// A rectangle with a mesh of about 170 elements.
-struct JudgedSquare : Draughtsman {
-    JudgedSquare() {
-        rectangle({1, 1}, {9, 8});
-        Document sized = document();
-        sized.spacing.size = 0.9;
-        context().document.apply(std::move(sized), "Size");
-        key('V');
-        key(key::kEscape);
-        key(key::kF5);
-        settle();
-    }
+/// A meshed square and the evaluation of its mesh.
+struct JudgedSquare : MeshedSquare {
     const Judgement &judgement() { return *context().judgement; }
-    const Mesh &mesh() { return run().mesh->mesh; }
-    Vec2 nodeAt(std::size_t element, std::size_t corner) {
-        return mesh().nodes[index(mesh().elements[element][corner])];
-    }
-    Vec2 middleOf(std::size_t element) {
-        return (1.0 / 3.0) * (nodeAt(element, 0) + nodeAt(element, 1) + nodeAt(element, 2));
-    }
     /// Returns an edge with two elements whose ends are inside.
     std::uint32_t innerEdge() {
         std::set<NodeId> outer;
@@ -53,16 +40,6 @@ struct JudgedSquare : Draughtsman {
         return static_cast<std::uint32_t>(found - edges.begin());
     }
 };
-
-Colour colourAt(const Driver::Picture &picture, Pixel pixel) {
-    const auto at = 4 * (static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(picture.size.width) +
-                         static_cast<std::size_t>(pixel.x));
-    return rgb(static_cast<std::uint32_t>(picture.rgba[at] << 16 | picture.rgba[at + 1] << 8 | picture.rgba[at + 2]));
-}
-
-int difference(Colour a, Colour b) {
-    return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
-}
 
 } // namespace
 
@@ -141,11 +118,59 @@ TEST_CASE("Judge: meshing the outline replaces the mesh of the file") {
     CHECK(driver.run().known > 0);
 }
 
+TEST_CASE("Judge: keys that step through a run leave an opened mesh as it is and say so") {
+    JudgedSquare maker;
+    TemporaryFolder folder;
+    REQUIRE_FALSE(hasErrors(writeMesh(folder / "plate.msh", maker.mesh())));
+    Draughtsman driver;
+    REQUIRE(openMesh(driver.context(), folder / "plate.msh").empty());
+    driver.settle();
+    for (const int key : {key::kPeriod, key::kComma, key::kSpace, key::kHome, key::kEnd}) {
+        CAPTURE(key);
+        driver.key(key);
+        driver.settle();
+        CHECK(driver.context().run.showsFile());
+    }
+    const auto &log = driver.context().log.entries();
+    REQUIRE_FALSE(log.empty());
+    CHECK(log.back().diagnostic.message.find("no run to step through") != std::string::npos);
+}
+
+TEST_CASE("Judge: without enough memory a mesh is answered with a fault") {
+    MeshJudge judge({}, [](const JudgeRequest &, const Judgement &) -> std::shared_ptr<const Judgement> {
+        throw std::bad_alloc();
+    });
+    JudgeRequest request;
+    request.mesh = std::make_shared<const MeshView>();
+    judge.submit(request);
+    while (judge.busy()) {
+        std::this_thread::yield();
+    }
+    const auto answer = judge.latest();
+    REQUIRE(answer->faults.size() == 1);
+    CHECK(answer->faults.front().code == "out-of-memory");
+    CHECK(answer->of == request);
+}
+
+TEST_CASE("Thumbnails: without enough memory a project has no picture") {
+    const Thumbnails thumbnails(
+        {"a", "b"}, [] {},
+        [](const std::filesystem::path &project, const std::stop_token &) {
+            if (project == "a") {
+                throw std::bad_alloc();
+            }
+            return std::make_shared<const Thumbnail>(Thumbnail{.nodes = {{1.0, 2.0}}});
+        });
+    while (!thumbnails.done()) {
+        std::this_thread::yield();
+    }
+    CHECK(thumbnails.at(0)->nodes.empty());
+    CHECK(thumbnails.at(1)->nodes.size() == 1);
+}
+
 TEST_CASE("Judge: elements, edges and nodes have the colours of their values") {
     JudgedSquare driver;
-    for (const char *layer : {"front", "candidates", "tests", "labels", "grid", "boundary"}) {
-        showLayer(driver.context().layers, layer, false);
-    }
+    driver.hideLayers({"front", "candidates", "tests", "labels", "grid", "boundary"});
     showLayer(driver.context().layers, "quality", true);
     for (const Measure measure : valuesOf<Measure>()) {
         CAPTURE(wordOf(measure));
@@ -352,6 +377,29 @@ TEST_CASE("Probe: hovering and clicking read values from elements, edges and nod
     CHECK_FALSE(driver.context().probe.chosen);
     driver.key('V');
     CHECK_FALSE(driver.context().probe.active);
+}
+
+TEST_CASE("Probe: every node lists its elements and says whether it is on the boundary") {
+    JudgedSquare driver;
+    driver.key('I');
+    driver.settle();
+    REQUIRE(driver.judgement().tree);
+    const Mesh &mesh = driver.mesh();
+    for (std::uint32_t node = 0; node < mesh.nodes.size(); ++node) {
+        std::string elements;
+        for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+            if (std::ranges::find(mesh.elements[e], NodeId{node}) != mesh.elements[e].end()) {
+                elements += (elements.empty() ? "" : "  ") + std::to_string(e);
+            }
+        }
+        const Vec2 p = mesh.nodes[node];
+        const Box2 box = mesh.bounds();
+        const bool outer = p.x == box.min.x || p.x == box.max.x || p.y == box.min.y || p.y == box.max.y;
+        const auto rows = describePart(driver.context(), {MeshPart::Nodes, node});
+        REQUIRE(rows.size() >= 5);
+        CHECK(rows[3].second == elements);
+        CHECK(rows[4].second == (outer ? "on the boundary" : "inside"));
+    }
 }
 
 TEST_CASE("Probe: next and previous step through the worst parts, zoomed") {

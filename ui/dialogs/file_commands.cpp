@@ -22,20 +22,8 @@ FileFilter projects() {
     return {"Projects (.forefront)", {".forefront", ".json"}, "project"};
 }
 
-/// Returns the filters for files that hold a drawing: all of them, then each format.
 std::vector<FileFilter> drawings() {
-    FileFilter all{"All drawings", projects().extensions, "all"};
-    std::vector<FileFilter> filters{projects()};
-    for (const FileFormat &format : fileFormats()) {
-        if (format.readsDomain && passes(projects(), std::string("x") + format.extension) == false) {
-            all.extensions.push_back(format.extension);
-            filters.push_back(
-                {std::string(format.name) + " (" + format.extension + ")", {format.extension}, format.id});
-        }
-    }
-    filters.insert(filters.begin(), all);
-    filters.push_back({"All files", {}, "any"});
-    return filters;
+    return openFilters("All drawings", {projects()}, [](const FileFormat &format) { return format.readsDomain; });
 }
 
 Status save(Shell &context, const std::filesystem::path &file) {

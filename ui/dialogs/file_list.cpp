@@ -1,5 +1,7 @@
 #include "ui/dialogs/file_list.hpp"
 
+#include "core/io/files.hpp"
+
 #include <algorithm>
 #include <cctype>
 #include <chrono>
@@ -32,6 +34,28 @@ bool endsWithOneOf(std::string_view name, const std::vector<std::string> &extens
 
 bool passes(const FileFilter &filter, std::string_view name) {
     return filter.extensions.empty() || endsWithOneOf(name, filter.extensions);
+}
+
+std::vector<FileFilter> openFilters(std::string all, const std::vector<FileFilter> &given,
+                                    const std::function<bool(const FileFormat &)> &reads) {
+    std::vector<FileFilter> filters{{std::move(all), {}, "all"}};
+    filters.insert(filters.end(), given.begin(), given.end());
+    const auto known = [&](const std::string &extension) {
+        return std::any_of(filters.begin() + 1, filters.end(),
+                           [&](const FileFilter &filter) { return passes(filter, "x" + extension); });
+    };
+    for (const FileFormat &format : fileFormats()) {
+        if (reads(format) && !known(format.extension)) {
+            filters.push_back(
+                {std::string(format.name) + " (" + format.extension + ")", {format.extension}, format.id});
+        }
+    }
+    for (std::size_t k = 1; k < filters.size(); ++k) {
+        const std::vector<std::string> &each = filters[k].extensions;
+        filters.front().extensions.insert(filters.front().extensions.end(), each.begin(), each.end());
+    }
+    filters.push_back({"All files", {}, "any"});
+    return filters;
 }
 
 Diagnostics checkExtension(std::string_view name, const std::vector<FileFilter> &filters) {

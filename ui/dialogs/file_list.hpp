@@ -4,11 +4,14 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace forefront {
+
+struct FileFormat;
 
 /// A kind of file that a file dialog offers.
 struct FileFilter {
@@ -28,6 +31,11 @@ struct FileEntry {
 /// Lists folders first, then files, each sorted by name without regard to case. Leaves out dot files and files that do
 /// not pass the filter. Error: "folder" with the reason.
 Result<std::vector<FileEntry>> listFolder(const std::filesystem::path &folder, const FileFilter &filter);
+
+/// Returns the filters of a dialog that opens files: all files that the dialog is for, the filters given, those of all
+/// formats that `reads` accepts, and any file. `all`: name of the first filter, such as "All drawings".
+std::vector<FileFilter> openFilters(std::string all, const std::vector<FileFilter> &given,
+                                    const std::function<bool(const FileFormat &)> &reads);
 
 /// Returns true if a file name passes the filter.
 bool passes(const FileFilter &filter, std::string_view name);

@@ -17,21 +17,6 @@ namespace forefront {
 
 namespace {
 
-std::vector<FileFilter> meshes() {
-    FileFilter all{"All meshes", {}, "all"};
-    std::vector<FileFilter> filters;
-    for (const FileFormat &format : fileFormats()) {
-        if (format.readsMesh && passes(all, std::string("x") + format.extension) == false) {
-            all.extensions.emplace_back(format.extension);
-            filters.push_back(
-                {std::string(format.name) + " (" + format.extension + ")", {format.extension}, format.id});
-        }
-    }
-    filters.insert(filters.begin(), all);
-    filters.push_back({"All files", {}, "any"});
-    return filters;
-}
-
 /// Returns why a mesh cannot be drawn.
 Diagnostics drawingFaults(const Mesh &mesh) {
     const auto known = [&](NodeId node) { return index(node) < mesh.nodes.size(); };
@@ -102,7 +87,7 @@ void openMesh(Shell &context) {
     request.id = "openmesh";
     request.title = "Open mesh";
     request.action = "Open";
-    request.filters = meshes();
+    request.filters = openFilters("All meshes", {}, [](const FileFormat &format) { return format.readsMesh; });
     request.folder = startFolder(context);
     request.chosen = [](Shell &c, const std::filesystem::path &file, const FileFilter &) { return openMesh(c, file); };
     context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <utility>
 
 namespace forefront {
@@ -71,7 +72,10 @@ std::shared_ptr<const Thumbnail> makeThumbnail(const std::filesystem::path &proj
 } // namespace
 
 Thumbnails::Thumbnails(std::vector<std::filesystem::path> projects, std::function<void()> wake)
-    : projects_(std::move(projects)), wake_(std::move(wake)), made_(projects_.size()),
+    : Thumbnails(std::move(projects), std::move(wake), makeThumbnail) {}
+
+Thumbnails::Thumbnails(std::vector<std::filesystem::path> projects, std::function<void()> wake, Make make)
+    : projects_(std::move(projects)), wake_(std::move(wake)), make_(std::move(make)), made_(projects_.size()),
       thread_([this](const std::stop_token &stop) { work(stop); }) {}
 
 Thumbnails::~Thumbnails() = default;
@@ -88,7 +92,12 @@ bool Thumbnails::done() const {
 
 void Thumbnails::work(const std::stop_token &stop) {
     for (std::size_t i = 0; i < projects_.size() && !stop.stop_requested(); ++i) {
-        std::shared_ptr<const Thumbnail> thumbnail = makeThumbnail(projects_[i], stop);
+        std::shared_ptr<const Thumbnail> thumbnail;
+        try {
+            thumbnail = make_(projects_[i], stop);
+        } catch (const std::bad_alloc &) {
+            thumbnail = std::make_shared<const Thumbnail>(); // no picture, as for a project with faults
+        }
         {
             const std::lock_guard lock(mutex_);
             made_[i] = std::move(thumbnail);

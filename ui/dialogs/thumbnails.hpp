@@ -30,6 +30,10 @@ class Thumbnails {
   public:
     /// `wake` is called from that thread after each thumbnail.
     Thumbnails(std::vector<std::filesystem::path> projects, std::function<void()> wake);
+    /// Makes each thumbnail of a project with `make`; for tests.
+    using Make =
+        std::function<std::shared_ptr<const Thumbnail>(const std::filesystem::path &, const std::stop_token &)>;
+    Thumbnails(std::vector<std::filesystem::path> projects, std::function<void()> wake, Make make);
     ~Thumbnails();
     Thumbnails(const Thumbnails &) = delete;
     Thumbnails &operator=(const Thumbnails &) = delete;
@@ -44,6 +48,7 @@ class Thumbnails {
 
     const std::vector<std::filesystem::path> projects_;
     std::function<void()> wake_;
+    Make make_;
     mutable std::mutex mutex_;
     std::vector<std::shared_ptr<const Thumbnail>> made_;
     std::jthread thread_; ///< last: it uses all of the above

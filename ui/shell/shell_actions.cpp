@@ -121,13 +121,22 @@ void addRunActions(ActionRegistry &actions) {
                  .checked = [](const Shell &c) { return c.settings.live; }});
 }
 
+/// Moves through the run, unless a mesh of a file is shown, which has none.
+void travel(Shell &context, const std::function<void(RunControl &)> &move) {
+    if (context.run.showsFile()) {
+        context.log.announce("An opened mesh has no run to step through; press 2 to mesh its outline");
+        return;
+    }
+    context.view.isolatedBin.reset();
+    move(context.run);
+}
+
 bool hasStops(const Shell &context) {
     return canMesh(context) && context.run.breakpoints().any();
 }
 
 void runToStop(Shell &context, bool forward) {
-    context.view.isolatedBin.reset();
-    context.run.seekStop(forward);
+    travel(context, [forward](RunControl &run) { run.seekStop(forward); });
 }
 
 void addTimelineActions(ActionRegistry &actions) {
@@ -135,11 +144,7 @@ void addTimelineActions(ActionRegistry &actions) {
                  .menu = "Mesh",
                  .title = "Play or pause",
                  .shortcuts = {{key::kSpace, kNone}},
-                 .run =
-                     [](Shell &c) {
-                         c.view.isolatedBin.reset();
-                         c.run.togglePlay();
-                     },
+                 .run = [](Shell &c) { travel(c, [](RunControl &run) { run.togglePlay(); }); },
                  .enabled = canMesh,
                  .separatorBefore = true});
     const struct {
@@ -151,17 +156,14 @@ void addTimelineActions(ActionRegistry &actions) {
                  {"run.forward100", "100 steps forward", {key::kPeriod, kShift}, 100},
                  {"run.back100", "100 steps back", {key::kComma, kShift}, -100}};
     for (const auto &step : steps) {
-        actions.add({.id = step.id,
-                     .menu = "Mesh",
-                     .title = step.title,
-                     .shortcuts = {step.shortcut},
-                     .run =
-                         [n = step.steps](Shell &c) {
-                             c.view.isolatedBin.reset();
-                             c.run.step(c.run.granularity, n);
-                         },
-                     .enabled = canMesh,
-                     .repeats = true});
+        actions.add(
+            {.id = step.id,
+             .menu = "Mesh",
+             .title = step.title,
+             .shortcuts = {step.shortcut},
+             .run = [n = step.steps](Shell &c) { travel(c, [n](RunControl &run) { run.step(run.granularity, n); }); },
+             .enabled = canMesh,
+             .repeats = true});
     }
     actions.add({.id = "run.nextStop",
                  .menu = "Mesh",
@@ -179,13 +181,13 @@ void addTimelineActions(ActionRegistry &actions) {
                  .menu = "Mesh",
                  .title = "Go to start",
                  .shortcuts = {{key::kHome, kNone}},
-                 .run = [](Shell &c) { c.run.seek(0); },
+                 .run = [](Shell &c) { travel(c, [](RunControl &run) { run.seek(0); }); },
                  .enabled = canMesh});
     actions.add({.id = "run.end",
                  .menu = "Mesh",
                  .title = "Go to end",
                  .shortcuts = {{key::kEnd, kNone}},
-                 .run = [](Shell &c) { c.run.seekEnd(); },
+                 .run = [](Shell &c) { travel(c, [](RunControl &run) { run.seekEnd(); }); },
                  .enabled = canMesh});
 }
 

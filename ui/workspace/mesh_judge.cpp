@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <utility>
 
 namespace forefront {
@@ -96,8 +97,26 @@ Vec2 placeOf(const Judgement &judgement, MeshPart part, std::uint32_t index) {
     return placeOf(judgement.of.mesh->mesh, judgement.edges ? *judgement.edges : kNoEdges, part, index);
 }
 
-MeshJudge::MeshJudge(std::function<void()> wake)
-    : wake_(std::move(wake)), judgement_(std::make_shared<Judgement>()),
+namespace {
+
+/// Returns an answer, or one that says that there is not enough memory for it.
+template <class Answer>
+std::shared_ptr<const Judgement> judgementWithin(const JudgeRequest &request, Answer answer) {
+    try {
+        return answer();
+    } catch (const std::bad_alloc &) {
+        auto judgement = std::make_shared<Judgement>();
+        judgement->of = request;
+        judgement->faults = error("out-of-memory", "not enough memory to evaluate the mesh",
+                                  "close other programs, or open a smaller mesh");
+        return judgement;
+    }
+}
+
+} // namespace
+
+MeshJudge::MeshJudge(std::function<void()> wake, Answer answer)
+    : wake_(std::move(wake)), answer_(std::move(answer)), judgement_(std::make_shared<Judgement>()),
       thread_([this](const std::stop_token &stop) { work(stop); }) {}
 
 MeshJudge::~MeshJudge() {
@@ -133,7 +152,8 @@ void MeshJudge::work(const std::stop_token &stop) {
         const JudgeRequest request = wanted_;
         std::shared_ptr<const Judgement> earlier = judgement_;
         lock.unlock();
-        std::shared_ptr<const Judgement> judgement = judgementOf(request, *earlier);
+        std::shared_ptr<const Judgement> judgement =
+            judgementWithin(request, [&] { return answer_(request, *earlier); });
         earlier.reset();
         lock.lock();
         judgement_.swap(judgement);

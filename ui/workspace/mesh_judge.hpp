@@ -52,11 +52,15 @@ struct Judgement {
     static constexpr std::size_t kRanked = 200;
 };
 
+/// Answers a request; reuses what has not changed from an earlier answer.
+std::shared_ptr<const Judgement> judgementOf(const JudgeRequest &request, const Judgement &earlier);
+
 /// Evaluates the mesh shown on a separate thread, so that the window never waits for it.
 class MeshJudge {
   public:
-    /// `wake` is called from that thread when a judgement is ready.
-    explicit MeshJudge(std::function<void()> wake);
+    using Answer = std::function<std::shared_ptr<const Judgement>(const JudgeRequest &, const Judgement &earlier)>;
+    /// `wake` is called from that thread when a judgement is ready. `answer` computes it; tests pass their own.
+    explicit MeshJudge(std::function<void()> wake, Answer answer = judgementOf);
     ~MeshJudge();
     MeshJudge(const MeshJudge &) = delete;
     MeshJudge &operator=(const MeshJudge &) = delete;
@@ -72,15 +76,13 @@ class MeshJudge {
     void work(const std::stop_token &stop);
 
     std::function<void()> wake_;
+    Answer answer_;
     mutable std::mutex mutex_;
     std::condition_variable_any changed_;
     JudgeRequest wanted_;
     std::shared_ptr<const Judgement> judgement_;
     std::jthread thread_; ///< last, so that it ends before what it uses
 };
-
-/// Answers a request; reuses what has not changed from an earlier answer.
-std::shared_ptr<const Judgement> judgementOf(const JudgeRequest &request, const Judgement &earlier);
 
 /// Returns the position of a part of the evaluated mesh. For edges, the judgement must include them.
 Vec2 placeOf(const Judgement &judgement, MeshPart part, std::uint32_t index);

@@ -73,20 +73,21 @@ class PartReader {
 
     Rows node(std::uint32_t number) const {
         const NodeId id{number};
+        const std::vector<std::uint32_t> around = elementsAround(id);
         std::string elements;
-        std::size_t valence = 0;
-        for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
-            if (std::ranges::find(mesh_.elements[e], id) != mesh_.elements[e].end()) {
-                elements += (valence++ == 0 ? "" : "  ") + std::to_string(e);
-            }
+        for (const std::uint32_t element : around) {
+            elements += (elements.empty() ? "" : "  ") + std::to_string(element);
         }
-        bool boundary = false;
-        for (const MeshEdge &edge : judgement_.edges->edges) {
-            boundary = boundary || (edge.elements[1] == kNoElement && (edge.a == id || edge.b == id));
-        }
+        const bool boundary = std::any_of(around.begin(), around.end(), [&](std::uint32_t element) {
+            const auto &edges = judgement_.edges->ofElement[element];
+            return std::any_of(edges.begin(), edges.end(), [&](std::uint32_t side) {
+                const MeshEdge &edge = judgement_.edges->edges[side];
+                return edge.elements[1] == kNoElement && (edge.a == id || edge.b == id);
+            });
+        });
         Rows rows{{"Node", std::to_string(number)},
                   {"Position", placeText(at(id))},
-                  {"Valence", std::to_string(valence)},
+                  {"Valence", std::to_string(around.size())},
                   {"Elements", elements},
                   {"Location", boundary ? "on the boundary" : "inside"}};
         if (judgement_.of.nodal) {
@@ -96,6 +97,17 @@ class PartReader {
     }
 
   private:
+    /// Returns the elements with a corner at a node, in their order.
+    std::vector<std::uint32_t> elementsAround(NodeId node) const {
+        std::vector<std::uint32_t> found;
+        judgement_.tree->query(boxAround(at(node), 0.0), [&](std::uint32_t element) {
+            if (std::ranges::find(mesh_.elements[element], node) != mesh_.elements[element].end()) {
+                found.push_back(element);
+            }
+        });
+        std::sort(found.begin(), found.end());
+        return found;
+    }
     Vec2 at(NodeId node) const { return mesh_.nodes[index(node)]; }
     static std::string nodeText(NodeId node) { return std::to_string(index(node)); }
     static std::string placeText(Vec2 place) { return ui::format("%.6g, %.6g", place.x, place.y); }
@@ -136,7 +148,7 @@ class PartReader {
 
 Rows describePart(const Workspace &context, const MeshPick &pick) {
     const Judgement &judgement = *context.judgement;
-    if (!judgement.of.mesh || !judgement.edges) {
+    if (!judgement.of.mesh || !judgement.edges || !judgement.tree) {
         return {};
     }
     const PartReader reader(judgement);
