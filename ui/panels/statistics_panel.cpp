@@ -4,12 +4,31 @@
 
 #include <imgui.h>
 
+#include <string>
+#include <string_view>
+#include <utility>
+
 namespace forefront {
 
 namespace {
 
 std::string timeText(double seconds) {
     return seconds < 1.0 ? ui::format("%.3g ms", 1e3 * seconds) : ui::format("%.3g s", seconds);
+}
+
+/// Returns the term of the glossary that explains a figure, or null.
+const char *termOf(std::string_view label) {
+    constexpr std::pair<std::string_view, const char *> kTerms[] = {
+        {"Nn", "counters"},        {"Ne", "counters"},           {"Nb", "counters"},         {"Nc", "counters"},
+        {"Ns", "counters"},        {"\xce\xb1", "shape-factor"}, {"\xce\xb4", "conformity"}, {"\xce\x93", "front"},
+        {"cells", "grid"},         {"candidates", "candidates"}, {"deferred", "deferral"},   {"forced", "closing"},
+        {"improve", "improvement"}};
+    for (const auto &[start, term] : kTerms) {
+        if (label.starts_with(start)) {
+            return term;
+        }
+    }
+    return nullptr;
 }
 
 class StatisticsPanel final : public Panel {
@@ -38,8 +57,9 @@ class StatisticsPanel final : public Panel {
     }
 
   private:
-    /// Draws a label and its value in two columns of the table; the tooltip covers both.
-    static void cell(WidgetContext &context, const char *label, const std::string &value, const char *meaning) {
+    /// Draws a label and its value in two columns of the table; the tooltip covers both, and a click opens the
+    /// glossary.
+    static void cell(Shell &context, const char *label, const std::string &value, const char *meaning) {
         ImGui::TableNextColumn();
         const ImVec2 from = ImGui::GetCursorScreenPos();
         ui::muted(context, label);
@@ -49,9 +69,15 @@ class StatisticsPanel final : public Panel {
         const PixelRect rect{from.x, from.y, right - static_cast<double>(from.x), ImGui::GetTextLineHeight()};
         ui::markRect(context, std::string("statistics/") + label, rect);
         ui::tooltipOver(context, rect, meaning);
+        const char *const term = termOf(label);
+        const ImVec2 to{static_cast<float>(right), from.y + ImGui::GetTextLineHeight()};
+        if (term != nullptr && ImGui::IsMouseHoveringRect(from, to, false) && ImGui::IsWindowHovered() &&
+            ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+            context.actions.run(std::string("glossary.") + term, context);
+        }
     }
 
-    static void rows(WidgetContext &context, const SessionSnapshot &run) {
+    static void rows(Shell &context, const SessionSnapshot &run) {
         const MeshQuality &q = run.quality;
         const WorkCounters &w = run.work;
         cell(context, "Nn", ui::count(q.nodes), "Nodes");

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 namespace forefront {
 
@@ -101,6 +102,10 @@ std::string worked(const AdvanceExplanation &e, Step step) {
     }
 }
 
+/// The term of the glossary that explains each step.
+constexpr std::array<const char *, kStepCount> kTerms{"domain", "base",  "spacing",   "ideal-point", "candidates",
+                                                      "score",  "score", "rejection", "front",       "closing"};
+
 std::string tip(const Moment &moment, Step step) {
     std::string text = stepTitle(step);
     if (moment && step <= moment.step) {
@@ -156,6 +161,9 @@ class StepsPanel final : public Panel {
             }
             if (ImGui::IsItemHovered()) {
                 ui::tooltip(context, tip(moment, static_cast<Step>(step)));
+            }
+            if (ImGui::IsItemClicked()) {
+                context.actions.run(std::string("glossary.") + kTerms[static_cast<std::size_t>(step - 1)], context);
             }
         }
         ImGui::PopStyleVar();

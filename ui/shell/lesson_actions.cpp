@@ -1,9 +1,12 @@
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/dialogs/file_dialog.hpp"
+#include "ui/dialogs/glossary_dialog.hpp"
 #include "ui/lessons/lesson_player.hpp"
 #include "ui/shell/shell.hpp"
 
 #include <memory>
+#include <string>
+#include <string_view>
 
 namespace forefront::shell {
 
@@ -27,6 +30,25 @@ void chooseLessonFile(Shell &context) {
         return openLessonFile(c, file);
     };
     context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));
+}
+
+/// Opens the glossary at a term; empty: at the first.
+void openGlossary(Shell &context, std::string_view term) {
+    context.dialogs.open(std::make_unique<GlossaryDialog>(term));
+}
+
+void addGlossaryActions(ActionRegistry &actions) {
+    actions.add({.id = "help.glossary",
+                 .menu = "Help",
+                 .title = "Glossary\xe2\x80\xa6",
+                 .shortcuts = {{key::kF1 + 2, kNone}},
+                 .run = [](Shell &c) { openGlossary(c, {}); }});
+    for (const GlossaryTerm &term : glossary()) {
+        actions.add({.id = "glossary." + std::string(term.id),
+                     .menu = "",
+                     .title = "Glossary: " + std::string(term.name),
+                     .run = [id = term.id](Shell &c) { openGlossary(c, id); }});
+    }
 }
 
 void addPageActions(ActionRegistry &actions) {
@@ -86,6 +108,7 @@ void addLessonActions(ActionRegistry &actions) {
                          c.animate();
                      },
                  .checked = [](const Shell &c) { return c.lessons.visible; }});
+    addGlossaryActions(actions);
     actions.add({.id = "learn.lessons", .menu = "Learn", .title = "Lessons", .run = [](Shell &c) {
                      c.lessons.visible = true;
                      c.animate();

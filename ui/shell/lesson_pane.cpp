@@ -1,3 +1,4 @@
+#include "core/lesson/glossary.hpp"
 #include "ui/lessons/lesson_player.hpp"
 #include "ui/shell/shell.hpp"
 #include "ui/widgets/text_wrap.hpp"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace forefront::shell {
 
@@ -132,6 +134,25 @@ void drawQuestion(Shell &context, OpenLesson &open) {
     }
 }
 
+/// Draws links to the terms that a page speaks of.
+void drawTerms(Shell &context, const LessonPage &page) {
+    std::string text = page.title;
+    for (const std::string &paragraph : page.paragraphs) {
+        text += ' ' + paragraph;
+    }
+    const std::vector<const GlossaryTerm *> terms = termsIn(text);
+    if (terms.empty()) {
+        return;
+    }
+    ImGui::Dummy({0, context.px(2)});
+    ui::heading(context, "Glossary");
+    for (const GlossaryTerm *term : terms) {
+        if (ui::link(context, "lesson/term/" + std::string(term->id), term->name)) {
+            context.actions.run("glossary." + std::string(term->id), context);
+        }
+    }
+}
+
 void drawPage(Shell &context, OpenLesson &open) {
     const LessonPage &page = open.now();
     ImGui::PushFont(context.fonts.title);
@@ -145,6 +166,7 @@ void drawPage(Shell &context, OpenLesson &open) {
     if (page.question) {
         drawQuestion(context, open);
     }
+    drawTerms(context, page);
 }
 
 void drawFooter(Shell &context, const OpenLesson &open) {
