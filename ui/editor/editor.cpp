@@ -203,7 +203,8 @@ bool Editor::running() const {
 bool Editor::settled() const {
     const Shell &c = parts_->context;
     return parts_->input.empty() && !parts_->input.replaying() && c.redraw <= 0 && !c.examiner.busy() &&
-           !c.judge.busy() && !c.run.busy() && !c.run.hasNews() && !c.run.hasToFollow();
+           !c.judge.busy() && !c.sides.busy() && !c.sides.hasNews() && !c.run.busy() && !c.run.hasNews() &&
+           !c.run.hasToFollow();
 }
 
 double Editor::sleepSeconds() const {
@@ -224,8 +225,9 @@ bool Editor::needsFrame() const {
     const bool previewed =
         (c.examiner.latest() != c.preview || c.examiner.raster() != parts_->raster) && parts_->previewDue();
     return sleepSeconds() <= 0.0 || c.platform.now() >= c.nextFrameAt || (c.run.hasNews() && parts_->newsDue()) ||
-           c.run.canFollow() || previewed || c.judge.latest() != c.judgement || (parts_->drewBusy && !c.run.busy()) ||
-           !(c.platform.framebufferSize() == parts_->size) || (parts_->reportedBusy && settled());
+           c.run.canFollow() || previewed || c.sides.hasNews() || c.judge.latest() != c.judgement ||
+           (parts_->drewBusy && !c.run.busy()) || !(c.platform.framebufferSize() == parts_->size) ||
+           (parts_->reportedBusy && settled());
 }
 
 bool Editor::open(const std::filesystem::path &file) {
@@ -281,6 +283,9 @@ void Editor::Parts::takeResults(bool cancels) {
     context.examiner.submit(context.document.current(), context.document.revision());
     if (recovery) {
         recovery->follow(context);
+    }
+    if (context.sides.follow(context.run, *context.document.current(), [&p = context.platform] { p.wake(); })) {
+        context.animate();
     }
     context.judge.submit(judgeRequest(context));
     const auto knownJudgement = std::exchange(context.judgement, context.judge.latest());
@@ -363,6 +368,7 @@ void Editor::Parts::buildInterface() {
     shell::drawMenuBar(context, layout.menu);
     shell::drawToolStrip(context, layout.tools);
     shell::drawLessons(context, layout.lessons);
+    shell::drawSides(context, layout.sides, layout.figures);
     shell::drawColumn(context, layout.column);
     shell::drawTimeline(context, layout.timeline);
     shell::drawStatusBar(context, layout.status);

@@ -7,6 +7,7 @@
 #include "ui/parts/settings.hpp"
 #include "ui/parts/tool.hpp"
 #include "ui/workspace/lesson_room.hpp"
+#include "ui/workspace/side_by_side.hpp"
 #include "ui/workspace/workspace.hpp"
 
 #include <cstddef>
@@ -35,6 +36,7 @@ struct Shell : Workspace {
     std::vector<std::unique_ptr<Panel>> panels;
     LessonRoom lessons;
     bool contextMenu = false;    ///< a tool asks for the menu of the selection at the pointer
+    SideBySide sides;            ///< runs with other grids or the other method
     bool quit = false;           ///< end the program after this frame
     bool closeRequested = false; ///< the user closed the window; "file.quit" decides
 

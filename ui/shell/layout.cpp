@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kMenuHeight = 34, kTimelineHeight = 78, kStatusHeight = 27;
 constexpr double kLessonWidth = 330;
-constexpr double kMinColumn = 250; ///< fields of a narrower column are unreadable
+constexpr double kFiguresHeight = 66, kFiguresRow = 20; ///< of the table below runs side by side, and of a run in it
+constexpr double kMinColumn = 250;                      ///< fields of a narrower column are unreadable
 
 } // namespace
 
@@ -39,7 +40,15 @@ Layout layOut(const Shell &context) {
         context.lessons.visible ? std::min(px(kLessonWidth), std::max(0.0, 0.5 * (width - tools - column))) : 0.0;
     layout.lessons = {tools, top, lessons, middle};
     layout.column = {width - column, top, column, middle};
-    layout.canvas = {tools + lessons, top, std::max(1.0, width - tools - lessons - column), std::max(1.0, middle)};
+    const double room = std::max(1.0, width - tools - lessons - column);
+    const auto views = static_cast<double>(context.sides.visible ? context.sides.size() : 0);
+    const double canvas = std::max(1.0, std::floor(room / (views + 1.0)));
+    const double figures =
+        views > 0.0 ? std::min(px(kFiguresHeight + kFiguresRow * (views + 1.0)), std::floor(0.4 * middle)) : 0.0;
+    const double canvasHeight = std::max(1.0, middle - figures);
+    layout.canvas = {tools + lessons, top, canvas, canvasHeight};
+    layout.sides = {tools + lessons + canvas, top, room - canvas, canvasHeight};
+    layout.figures = {tools + lessons, top + canvasHeight, room, figures};
     return layout;
 }
 

@@ -116,6 +116,17 @@ void addLessonActions(ActionRegistry &actions) {
     actions.add(
         {.id = "learn.openLesson", .menu = "Learn", .title = "Open lesson\xe2\x80\xa6", .run = chooseLessonFile});
     addPageActions(actions);
+    actions.add({.id = "learn.sides",
+                 .menu = "Learn",
+                 .title = "Compare grids or methods side by side",
+                 .run =
+                     [](Shell &c) {
+                         c.sides.visible = !c.sides.visible;
+                         c.animate();
+                     },
+                 .enabled = [](const Shell &c) { return c.sides.visible || (c.run.hasRun() && !c.run.showsFile()); },
+                 .checked = [](const Shell &c) { return c.sides.visible; },
+                 .separatorBefore = true});
 }
 
 } // namespace forefront::shell

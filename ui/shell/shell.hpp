@@ -11,7 +11,7 @@ void addLessonActions(ActionRegistry &actions);
 
 /// The rectangles of the main window in this frame, in pixels.
 struct Layout {
-    PixelRect menu, tools, lessons, canvas, column, timeline, status;
+    PixelRect menu, tools, lessons, canvas, sides, figures, column, timeline, status;
 };
 Layout layOut(const Shell &context);
 
@@ -49,6 +49,8 @@ void drawToolOptions(Shell &context, const PixelRect &canvas);
 void drawColumn(Shell &context, const PixelRect &rect);
 /// Draws the lessons, or the page of the open one, and outlines the widgets that it points to.
 void drawLessons(Shell &context, const PixelRect &rect);
+/// Draws the runs beside the one on the canvas, and below all of them a table of their work.
+void drawSides(Shell &context, const PixelRect &views, const PixelRect &table);
 void drawTimeline(Shell &context, const PixelRect &rect);
 void drawStatusBar(Shell &context, const PixelRect &rect);
 /// Draws the hint strip, the out-of-date badge, the progress and the newest message over the canvas.

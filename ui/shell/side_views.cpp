@@ -1,0 +1,227 @@
+#include "ui/canvas/canvas_painter.hpp"
+#include "ui/shell/shell.hpp"
+#include "ui/widgets/widgets.hpp"
+#include "ui/workspace/moment.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace forefront::shell {
+
+namespace {
+
+/// Maximum number of elements drawn in a view beside the canvas; of larger meshes only the front is shown.
+constexpr std::size_t kMaxElements = 12'000;
+constexpr double kTitleHeight = 26.0; ///< design pixels
+constexpr double kZoomStep = 1.18;
+
+/// A figure of the table, a column.
+struct FigureColumn {
+    const char *id, *name, *meaning;
+    double (*value)(const RunFigures &);
+};
+constexpr std::array<FigureColumn, 7> kFigures{
+    {{"advances", "Advances", "Advances of the front so far",
+      [](const RunFigures &f) { return static_cast<double>(f.advances); }},
+     {"elements", "Ne", "Elements made so far", [](const RunFigures &f) { return static_cast<double>(f.elements); }},
+     {"front", "Nb", "Mean number of segments on the front", [](const RunFigures &f) { return f.front; }},
+     {"neighbours", "Nc", "Mean number of nearby segments that the background grid returns per element",
+      [](const RunFigures &f) { return f.neighbours; }},
+     {"tests", "Ns", "Mean number of segments tested for intersection per element",
+      [](const RunFigures &f) { return f.tests; }},
+     {"cells", "Cells", "Mean number of cells of the background grid visited per element",
+      [](const RunFigures &f) { return f.cells; }},
+     {"time", "Time, ms", "CPU time spent advancing the front", [](const RunFigures &f) { return 1e3 * f.seconds; }}}};
+
+/// Draws a run as the camera of its view sees it.
+class RunPicture {
+  public:
+    RunPicture(CanvasPainter &painter, const Theme &theme, const SessionSnapshot &run)
+        : painter_(painter), theme_(theme), run_(run), visible_(painter.camera().visible()) {}
+
+    void draw(bool cells) {
+        if (run_.mesh && run_.mesh->mesh.elements.size() <= kMaxElements) {
+            drawElements(run_.mesh->mesh);
+        }
+        if (cells && run_.cells) {
+            for (const GridCellView &cell : *run_.cells) {
+                if (cell.entries > 0 && cell.box.overlaps(visible_)) {
+                    painter_.rectangle(cell.box, fade(theme_.cell, 0.6));
+                }
+            }
+        }
+        if (run_.mesh) {
+            for (const TaggedEdge &edge : run_.mesh->mesh.edges) {
+                line(at(edge.a), at(edge.b), theme_.boundary, 1.5);
+            }
+        }
+        if (run_.front) {
+            for (const FrontSegmentView &segment : *run_.front) {
+                line(segment.a, segment.b, theme_.front, 2.0);
+            }
+        }
+        drawAdvance();
+    }
+
+  private:
+    Vec2 at(NodeId node) const { return run_.mesh->mesh.nodes[index(node)]; }
+    void line(Vec2 a, Vec2 b, Colour colour, double width) {
+        if (boxOf(a, b).overlaps(visible_)) {
+            painter_.line(a, b, colour, width);
+        }
+    }
+    void drawElements(const Mesh &mesh) {
+        for (const Element &element : mesh.elements) {
+            const Vec2 a = at(element[0]), b = at(element[1]), c = at(element[2]);
+            Box2 box = boxOf(a, b);
+            box.add(c);
+            if (box.overlaps(visible_)) {
+                painter_.triangle(a, b, c, theme_.element);
+                painter_.line(a, b, theme_.mesh, 1.0);
+                painter_.line(b, c, theme_.mesh, 1.0);
+                painter_.line(c, a, theme_.mesh, 1.0);
+            }
+        }
+    }
+    /// Draws the base of the advance, its candidates and the cells that its searches visited.
+    void drawAdvance() {
+        const Moment moment = momentOf(run_);
+        if (!moment) {
+            return;
+        }
+        for (std::size_t k = 0; k < moment.cells; ++k) {
+            painter_.rectangle(moment.advance->cells[k], theme_.visited, 1.5);
+        }
+        for (std::size_t k = 0; k < moment.candidates; ++k) {
+            painter_.dot(moment.advance->candidates[k].position, 3.0, theme_.candidate);
+        }
+        painter_.line(moment.advance->a, moment.advance->b, theme_.base, 3.0);
+    }
+
+    CanvasPainter &painter_;
+    const Theme &theme_;
+    const SessionSnapshot &run_;
+    Box2 visible_;
+};
+
+/// Pans and zooms the shared camera by the pointer over a view. The camera of the canvas moves alike, around its own
+/// middle.
+void moveCamera(Shell &context, const PixelRect &rect) {
+    if (!ImGui::IsWindowHovered()) {
+        return;
+    }
+    const ImGuiIO &io = ImGui::GetIO();
+    const PixelRect &canvas = context.view.camera.viewport;
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Left) || ImGui::IsMouseDown(ImGuiMouseButton_Middle)) {
+        if (io.MouseDelta.x != 0.0F || io.MouseDelta.y != 0.0F) {
+            context.view.pan({static_cast<double>(io.MouseDelta.x), static_cast<double>(io.MouseDelta.y)});
+        }
+    }
+    if (io.MouseWheel != 0.0F) {
+        const Pixel offset = Pixel(io.MousePos.x, io.MousePos.y) - rect.centre();
+        context.view.zoomAt(canvas.centre() + offset, std::pow(kZoomStep, static_cast<double>(io.MouseWheel)));
+    }
+}
+
+void drawView(Shell &context, std::size_t number, const PixelRect &rect) {
+    const std::string id = "sides/" + std::to_string(number);
+    beginRegion(("##" + id).c_str(), rect, context.theme.canvas, 0, 0);
+    ui::markWindow(context, id);
+    moveCamera(context, rect);
+    Camera camera = context.view.camera;
+    camera.viewport = rect;
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    CanvasPainter painter(list, camera, static_cast<double>(context.scale));
+    const SessionSnapshot &run = context.sides.now(number);
+    const LayerSlot *const grid = context.layer("grid");
+    RunPicture(painter, context.theme, run).draw(grid != nullptr && grid->visible);
+    const ImVec2 corner{static_cast<float>(rect.x), static_cast<float>(rect.y)};
+    const float right = corner.x + static_cast<float>(rect.width);
+    list.AddRectFilled(corner, {right, corner.y + context.px(kTitleHeight)}, fade(context.theme.panel, 0.92));
+    list.AddText({corner.x + context.px(10), corner.y + context.px(5)}, context.theme.text,
+                 context.sides.variant(number).name().c_str());
+    list.AddLine(corner, {corner.x, corner.y + static_cast<float>(rect.height)}, context.theme.line);
+    ImGui::End();
+}
+
+/// Returns the text of a figure, with its ratio to the same figure of the run on the canvas.
+std::string figureText(double value, double shown, bool ratio) {
+    std::string text = ui::number(value, 3);
+    if (ratio && shown > 0.0 && value > 0.0) {
+        text += ui::format("   \xc3\x97%s", ui::number(value / shown, 3).c_str());
+    }
+    return text;
+}
+
+/// Draws a row for each run and a column for each figure.
+void drawTable(Shell &context) {
+    std::vector<RunFigures> figures{figuresOf(context.run.now())};
+    for (std::size_t k = 0; k < context.sides.size(); ++k) {
+        figures.push_back(figuresOf(context.sides.now(k)));
+    }
+    if (!ImGui::BeginTable("figures", static_cast<int>(kFigures.size()) + 1, ImGuiTableFlags_SizingStretchProp)) {
+        return;
+    }
+    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 1.7F);
+    ImGui::TableNextColumn();
+    for (const FigureColumn &figure : kFigures) {
+        ImGui::TableNextColumn();
+        ui::muted(context, figure.name);
+        ui::tooltip(context, figure.meaning);
+    }
+    for (std::size_t k = 0; k < figures.size(); ++k) {
+        ImGui::TableNextColumn();
+        ui::muted(context, k == 0 ? std::string("on the canvas") : context.sides.variant(k - 1).name());
+        for (const FigureColumn &figure : kFigures) {
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(figureText(figure.value(figures[k]), figure.value(figures[0]), k > 0).c_str());
+            ui::mark(context, std::string("sides/") + figure.id + '/' + std::to_string(k));
+        }
+    }
+    ImGui::EndTable();
+}
+
+void drawFigures(Shell &context, const PixelRect &rect) {
+    beginRegion("##sidesTable", rect, context.theme.panel, context.px(10), context.px(6));
+    ImGui::PushFont(context.fonts.small);
+    const ImVec2 start = ImGui::GetCursorPos();
+    ImGui::SetCursorPosX(ImGui::GetWindowWidth() - context.px(34));
+    const bool closed =
+        ui::iconButton(context, "sides/close", icon::kCross, "Close the comparison", false, true, 24.0F);
+    ImGui::SetCursorPos(start);
+    int choice = static_cast<int>(context.sides.comparison);
+    const char *const names[] = {"Background grids", "Methods"};
+    const char *const tips[] = {"The same method with the other background grids",
+                                "The other method with the same background grid"};
+    if (ui::segmented(context, "sides/comparison", names, choice, 240.0F, tips)) {
+        context.sides.comparison = static_cast<Comparison>(choice);
+        context.animate();
+    }
+    drawTable(context);
+    ImGui::PopFont();
+    ImGui::End();
+    if (closed) {
+        context.sides.visible = false;
+        context.animate();
+    }
+}
+
+} // namespace
+
+void drawSides(Shell &context, const PixelRect &views, const PixelRect &table) {
+    if (!context.sides.visible || context.sides.size() == 0) {
+        return;
+    }
+    const double width = std::floor(views.width / static_cast<double>(context.sides.size()));
+    for (std::size_t k = 0; k < context.sides.size(); ++k) {
+        drawView(context, k, {views.x + static_cast<double>(k) * width, views.y, width, views.height});
+    }
+    drawFigures(context, table);
+}
+
+} // namespace forefront::shell

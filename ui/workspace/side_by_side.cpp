@@ -1,0 +1,44 @@
+#include "ui/workspace/side_by_side.hpp"
+
+#include "core/edit/document.hpp"
+#include "ui/workspace/run_control.hpp"
+
+namespace forefront {
+
+bool SideBySide::hasNews() const {
+    for (std::size_t k = 0; k < shown_.size(); ++k) {
+        if (lockstep_->latest(k) != shown_[k]) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool SideBySide::follow(const RunControl &run, const Document &document, const std::function<void()> &wake) {
+    const SessionSnapshot &main = run.now();
+    if (!visible || !run.hasRun() || run.showsFile() || !main.mesh) {
+        const bool had = lockstep_.has_value();
+        lockstep_.reset();
+        shown_.clear();
+        return had;
+    }
+    const bool moved = main.shownRun != run_ || comparison != started_;
+    if (!lockstep_ || (moved && !run.outOfDate())) {
+        run_ = main.shownRun;
+        started_ = comparison;
+        const std::vector<RunVariant> variants = variantsBeside({run.method(), document.options.grid}, comparison);
+        lockstep_.reset();
+        lockstep_.emplace(run.job(), variants, wake);
+        shown_.assign(variants.size(), nullptr);
+    }
+    lockstep_->follow(main.advance, main.complete && main.advance == main.known);
+    bool news = false;
+    for (std::size_t k = 0; k < shown_.size(); ++k) {
+        const auto latest = lockstep_->latest(k);
+        news = news || latest != shown_[k];
+        shown_[k] = latest;
+    }
+    return news;
+}
+
+} // namespace forefront
