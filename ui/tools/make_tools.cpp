@@ -2,6 +2,7 @@
 
 #include "ui/tools/box_tool.hpp"
 #include "ui/tools/brush_tool.hpp"
+#include "ui/tools/guess_tool.hpp"
 #include "ui/tools/measure_tool.hpp"
 #include "ui/tools/pen_tool.hpp"
 #include "ui/tools/point_tool.hpp"
@@ -34,6 +35,7 @@ std::vector<std::unique_ptr<Tool>> makeTools() {
     tools.push_back(std::make_unique<MeasureTool>(state));
     tools.push_back(std::make_unique<TraceTool>());
     tools.push_back(std::make_unique<ProbeTool>());
+    tools.push_back(std::make_unique<GuessTool>());
     return tools;
 }
 

@@ -1,0 +1,67 @@
+#include "tests/ui/meshed_square.hpp"
+#include "ui/workspace/moment.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+namespace forefront::test {
+
+namespace {
+
+/// A meshed square at its first base, with the tool for guesses.
+class Guessing : public MeshedSquare {
+  public:
+    Guessing() {
+        key(key::kHome);
+        settle();
+        key('Q');
+        settle();
+    }
+    const AdvanceExplanation &advance() { return *run().explanation; }
+    Vec2 chosen() {
+        const auto &list = advance().candidates;
+        const auto found =
+            std::find_if(list.begin(), list.end(), [](const auto &c) { return c.verdict == Verdict::Accepted; });
+        REQUIRE(found != list.end());
+        return found->position;
+    }
+    bool waits() { return !momentOf(run()).idealKnown; }
+};
+
+} // namespace
+
+TEST_CASE("Guess: a click on the chosen node earns ten points and shows the whole advance") {
+    Guessing driver;
+    for (int k = 1; k <= 3; ++k) {
+        CAPTURE(k);
+        REQUIRE(driver.waits()); // only the base is shown
+        driver.clickPlace(driver.chosen());
+        driver.settle();
+        CHECK(momentOf(driver.run()).updated);
+        CHECK(driver.run().advance == static_cast<std::uint64_t>(k));
+        const auto &log = driver.context().log.entries();
+        REQUIRE_FALSE(log.empty());
+        CHECK(log.back().diagnostic.message.starts_with("Right: "));
+        driver.click("options/guess/next");
+        driver.settle();
+    }
+    CHECK(driver.waits());
+    CHECK(driver.has("options/guess/score"));
+}
+
+TEST_CASE("Guess: a wrong click is explained, and the next click goes on to the next base") {
+    Guessing driver;
+    const AdvanceExplanation &advance = driver.advance();
+    const Vec2 along = advance.b - advance.a, left{-along.y, along.x};
+    driver.clickPlace(midpoint(advance.a, advance.b) + 3.0 * left);
+    driver.settle();
+    CHECK(driver.context().log.entries().back().diagnostic.message.starts_with("There is no candidate"));
+    CHECK_FALSE(driver.waits());
+    driver.clickPlace({5, 5});
+    driver.settle();
+    CHECK(driver.waits());
+    CHECK(driver.run().explanation->advance == 2);
+}
+
+} // namespace forefront::test
