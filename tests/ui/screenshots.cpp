@@ -51,6 +51,8 @@ std::vector<Scene> scenes() {
             {"history", panel("history")},
             {"gallery", action("file.samples")},
             {"export", action("file.export")},
+            {"film", action("file.exportFilm")},
+            {"glossary", action("glossary.candidates")},
             {"open", action("file.open")},
             {"preferences", action("edit.preferences")},
             {"preferences-live", preferences("Live meshing")},
@@ -59,7 +61,16 @@ std::vector<Scene> scenes() {
             {"preferences-keys", preferences("Keys")},
             {"shortcuts", action("help.shortcuts")},
             {"palette", action("view.palette")},
-            {"about", action("help.about")}};
+            {"about", action("help.about")},
+            {"sides",
+             [](Driver &driver) {
+                 driver.context().run.seek(60);
+                 driver.context().actions.run("learn.sides", driver.context());
+             }},
+            {"guess", [](Driver &driver) {
+                 driver.context().actions.run("learn.sides", driver.context());
+                 driver.key('Q');
+             }}};
 }
 
 } // namespace
