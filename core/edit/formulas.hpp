@@ -24,7 +24,7 @@ inline constexpr std::size_t kMaxParameters = 1000;
 /// The value of a parameter, or why it has none.
 struct ParameterState {
     std::optional<double> value;
-    std::string fault;      ///< empty if there is a value
+    std::string fault;       ///< empty if there is a value
     bool faultyName = false; ///< the fault is that of the name, not of the expression
 };
 

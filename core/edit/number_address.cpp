@@ -119,12 +119,12 @@ Result<Document> writeShape(const Document &document, const Shape &shape, const 
 template <class Source>
 auto sourceNumber(Source &source, const std::string &what) -> decltype(&source.size) {
     const std::array<std::pair<std::string_view, decltype(&source.size)>, 7> numbers{{{"x", &source.a.x},
-                                                                        {"y", &source.a.y},
-                                                                        {"x2", &source.b.x},
-                                                                        {"y2", &source.b.y},
-                                                                        {"radius", &source.radius},
-                                                                        {"size", &source.size},
-                                                                        {"growth", &source.growth}}};
+                                                                                      {"y", &source.a.y},
+                                                                                      {"x2", &source.b.x},
+                                                                                      {"y2", &source.b.y},
+                                                                                      {"radius", &source.radius},
+                                                                                      {"size", &source.size},
+                                                                                      {"growth", &source.growth}}};
     for (const auto &[name, place] : numbers) {
         if (what == name) {
             return place;
@@ -301,10 +301,10 @@ std::optional<std::string> movedAddress(const Document &before, const Document &
 std::string toString(const NumberAddress &address) {
     const auto owner =
         std::find_if(kOwners.begin(), kOwners.end(), [&](const auto &o) { return o.second == address.owner; });
-    return owner == kOwners.end() ? "spacing/" + address.quantity
-                                  : std::string(owner->first) + '/' + std::to_string(address.id) + '/' +
-                                        address.quantity +
-                                        (hasHandle(address) ? '/' + std::to_string(address.handle) : "");
+    return owner == kOwners.end()
+               ? "spacing/" + address.quantity
+               : std::string(owner->first) + '/' + std::to_string(address.id) + '/' + address.quantity +
+                     (hasHandle(address) ? '/' + std::to_string(address.handle) : "");
 }
 
 } // namespace forefront

@@ -232,7 +232,7 @@ class Meshing(Case):
     def test_parameters_of_a_project_can_be_set(self):
         self.write("disc.json", """{"format": "forefront", "version": 2, "spacing": {"size": 0.2},
             "shapes": [{"id": 1, "kind": "circle", "nodes": [[0, 0], [2, 0]]}],
-            "parameters": [["d", "2*r"], ["r", "1"]], "formulas": {"shape/1/radius": "d"}}""")
+            "parameters": {"d": "2*r", "r": "1"}, "formulas": {"shape/1/radius": "d"}}""")
         for setting, radius in ([], 2.0), (["--set", "r=1.5"], 3.0), (["--set", "r=3", "--set", "d=r-1"], 2.0):
             self.call("mesh", "disc.json", "-o", "disc.vtu", "--stats", "disc-stats.json", *setting)
             area = json.loads(self.read("disc-stats.json"))["area"]

@@ -23,8 +23,8 @@ namespace {
 Document plate() {
     Result<Document> drawn = setParameters({}, {{"gap", "2*r"}, {"r", "0.5"}});
     REQUIRE(drawn.ok());
-    drawn = addShapes(*drawn, {makeShape(ShapeKind::Rectangle, {{0, 0}, {2, 3}}),
-                                                  makeShape(ShapeKind::Circle, {{1, 1}, {1.5, 1}})});
+    drawn = addShapes(
+        *drawn, {makeShape(ShapeKind::Rectangle, {{0, 0}, {2, 3}}), makeShape(ShapeKind::Circle, {{1, 1}, {1.5, 1}})});
     REQUIRE(drawn.ok());
     SizeSource source;
     source.a = {1, 1};
@@ -105,9 +105,9 @@ TEST_CASE("numberAt: addresses of every kind of number, and none for what does n
     CHECK(*numberAt(document, "source/0/y") == 1.0);
     CHECK(*numberAt(document, "region/0/area") == 0.75);
     CHECK(*numberAt(document, "spacing/minimum") == 0.125);
-    for (const char *address :
-         {"shape/9/x/0", "shape/2/x/7", "shape/2/x", "shape/2/width", "source/1/x", "region/1/x", "region/0/size", "part/4/size",
-          "spacing/maximum", "spacing/foo", "", "shape", "shape/2/radius/1", "foo/1/x", "shape/-1/x/0", "shape/2/x/1/"}) {
+    for (const char *address : {"shape/9/x/0", "shape/2/x/7", "shape/2/x", "shape/2/width", "source/1/x", "region/1/x",
+                                "region/0/size", "part/4/size", "spacing/maximum", "spacing/foo", "", "shape",
+                                "shape/2/radius/1", "foo/1/x", "shape/-1/x/0", "shape/2/x/1/"}) {
         CAPTURE(address);
         CHECK_FALSE(numberAt(document, address).has_value());
     }
@@ -120,10 +120,28 @@ TEST_CASE("writeNumber: every kind of number can be written and is read back") {
     document = *addRegionMarker(document, {{0.5, 0.25}, 1, 0.0});
     document.spacing.size = document.spacing.gradation = document.spacing.segmentsPerTurn = 1.0;
     document.spacing.partSizes[3] = {0.5, 0.1};
-    for (const char *text : {"shape/1/left", "shape/1/bottom", "shape/1/width", "shape/1/height", "shape/1/radius",
-                             "shape/2/radius", "shape/2/x/0", "shape/3/rx", "shape/3/ry", "shape/4/y/2", "source/0/x",
-                             "source/0/y", "source/0/radius", "source/0/size", "source/0/growth", "region/0/x",
-                             "region/0/y", "region/0/area", "part/3/size", "part/3/growth", "spacing/size", "spacing/gradation",
+    for (const char *text : {"shape/1/left",
+                             "shape/1/bottom",
+                             "shape/1/width",
+                             "shape/1/height",
+                             "shape/1/radius",
+                             "shape/2/radius",
+                             "shape/2/x/0",
+                             "shape/3/rx",
+                             "shape/3/ry",
+                             "shape/4/y/2",
+                             "source/0/x",
+                             "source/0/y",
+                             "source/0/radius",
+                             "source/0/size",
+                             "source/0/growth",
+                             "region/0/x",
+                             "region/0/y",
+                             "region/0/area",
+                             "part/3/size",
+                             "part/3/growth",
+                             "spacing/size",
+                             "spacing/gradation",
                              "spacing/segmentsPerTurn"}) {
         CAPTURE(text);
         const std::optional<NumberAddress> address = parseAddress(text);
@@ -282,7 +300,8 @@ TEST_CASE("Project: faults of parameters and formulas name line and column") {
           "function");
     CHECK(faultOfText(R"("parameters": {"sin": 1})").starts_with("bad-parameter 3:16 parameter 'sin': the name"));
     CHECK(faultOfText(R"("parameters": [])").starts_with("bad-field 3:15"));
-    CHECK(faultOfText(R"("formulas": {"shape/9/radius": "1"})").starts_with("bad-formula 3:14 no number has the address"));
+    CHECK(faultOfText(R"("formulas": {"shape/9/radius": "1"})")
+              .starts_with("bad-formula 3:14 no number has the address"));
     CHECK(faultOfText(R"("formulas": {"shape/1/radius": "q"})").starts_with("bad-formula 3:32 expression, column 1"));
     CHECK(faultOfText(R"("formulas": {"shape/1/radius": "-1"})").starts_with("bad-number 3:32 formula for"));
 }

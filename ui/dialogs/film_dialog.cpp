@@ -58,11 +58,10 @@ void wholeField(Workspace &context, const char *name, int &value, int minimum, i
 
 /// Draws the last advance; empty: the end of the run.
 void drawEnd(Workspace &context, FilmSettings &settings) {
-    std::string typed = settings.to ? ui::number(*settings.to, 10) : std::string();
-    if (!ui::entry(context, std::string(kName) + "to", typed, "end", 70.0F, true)) {
-        return;
+    ui::inputOptional(context, std::string(kName) + "to", settings.to, "end", 70.0F);
+    if (settings.to) {
+        settings.to = std::clamp(*settings.to, 0.0, 1e9);
     }
-    settings.to = typed.find_first_not_of(' ') == std::string::npos ? std::nullopt : ui::typedNumber(context, typed);
 }
 
 void drawRange(Workspace &context, FilmSettings &settings) {

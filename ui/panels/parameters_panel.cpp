@@ -71,9 +71,8 @@ class ParametersPanel final : public Panel {
         rows_.clear();
         for (const Parameter &parameter : document.parameters) {
             const auto value = document.spacing.names.find(parameter.name);
-            rows_.push_back({parameter,
-                             value != document.spacing.names.end() ? std::optional(value->second) : std::nullopt,
-                             {}});
+            rows_.push_back(
+                {parameter, value != document.spacing.names.end() ? std::optional(value->second) : std::nullopt, {}});
         }
     }
 
