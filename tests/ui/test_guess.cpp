@@ -43,7 +43,7 @@ TEST_CASE("Guess: a click on the chosen node earns ten points and shows the whol
         const auto &log = driver.context().log.entries();
         REQUIRE_FALSE(log.empty());
         CHECK(log.back().diagnostic.message.starts_with("Right: "));
-        driver.click("options/guess/next");
+        CHECK(driver.click("options/guess/next"));
         driver.settle();
     }
     CHECK(driver.waits());

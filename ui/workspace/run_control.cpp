@@ -152,7 +152,10 @@ void RunControl::logLive(bool faulty) {
 }
 
 void RunControl::want(SnapshotLayers layers) {
-    session_.want(layers);
+    if (wanted_ != layers) { // a command for each frame would keep the worker busy
+        wanted_ = layers;
+        session_.want(layers);
+    }
 }
 
 void RunControl::showFile(MeshFields read) {
