@@ -192,10 +192,13 @@ void BrushTool::drawOverlay(CanvasPainter &painter, Shell &context) {
 /// Draws the choice of what a stroke does, its strength and its falloff.
 void BrushTool::drawModes(Shell &context, ui::Flow &flow) {
     flow.item("mode");
-    ui::segmented(context, "options/brush/mode", state_->brushMode, 290.0F);
+    int mode = static_cast<int>(state_->brushMode);
+    ui::combo(context, "options/brush/mode", ui::enumLabels<DabMode>(), mode, 92.0F);
+    state_->brushMode = static_cast<DabMode>(mode);
     ui::tooltip(context, "Set: paint a spacing. Finer, coarser: change the present spacing. Smooth: even out painted "
                          "spacing. Erase: remove paint.");
-    if (erases()) {
+    constexpr float kNarrow = 330.0F; // more options would cover other plates
+    if (erases() || flow.room() < context.px(kNarrow)) {
         return;
     }
     double strength = state_->brushStrength, falloff = state_->brushFalloff;
