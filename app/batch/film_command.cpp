@@ -1,6 +1,7 @@
 #include "app/batch/commands.hpp"
 #include "app/batch/exit_code.hpp"
 #include "app/batch/inputs.hpp"
+#include "app/batch/interrupt.hpp"
 #include "app/batch/options.hpp"
 #include "core/edit/document.hpp"
 #include "core/io/files.hpp"
@@ -27,7 +28,7 @@ Examples:
   forefront film plate.json -o moment.svg --from 120 --steps 1 --layers mesh,boundary,front,candidates,caption
         advance 121 with its candidates and a caption
 
-Exit codes: 0 done, 1 input refused (faults on stderr, one per line), 2 usage error.)help";
+Exit codes: 0 done, 1 input refused (faults on stderr, one per line), 2 usage error, 3 cancelled.)help";
 
 struct FilmArguments {
     std::filesystem::path input;
@@ -47,12 +48,16 @@ Result<MeshingJob> readJob(const FilmArguments &arguments) {
     if (!input) {
         return input.faults();
     }
-    Result<Document> document = readDocument(input->path, input->options);
+    ImportNotes notes;
+    Result<Document> document = readDocument(input->path, input->options, &notes);
     if (!document) {
         return document.faults();
     }
+    printNotes(notes, false);
     if (arguments.size || arguments.expression) {
+        const auto names = std::move(document->spacing.names); // of the project's parameters
         document->spacing = {};
+        document->spacing.names = names;
         document->spacing.size = arguments.size;
         document->spacing.expression = arguments.expression;
     }
@@ -80,6 +85,24 @@ FilmPlan planOf(const FilmArguments &arguments) {
     }
     plan.layers = layersOf(arguments);
     return plan;
+}
+
+/// Returns what is wrong with options that this kind of output does not use, or an empty text.
+std::string unusedOption(const CLI::App &app, const FilmPlan &plan) {
+    const bool gif = plan.output.extension() == ".gif";
+    if (app.count("--speed") > 0 && !gif) {
+        return "--speed: only a GIF has a speed";
+    }
+    if (gif || plan.numbered()) {
+        return {};
+    }
+    if (app.count("--frames") > 0) {
+        return "--frames: one picture has one frame; write a GIF, or number the pictures with %d";
+    }
+    if (app.count("--from") > 0 && app.count("--steps") == 0) {
+        return "--from: one picture shows the last moment; give its --steps, too, such as --steps 1";
+    }
+    return {};
 }
 
 } // namespace
@@ -120,15 +143,20 @@ int filmCommand(int argc, const char *const *argv) {
     if (const std::string fault = outputFault(plan); !fault.empty()) {
         return wrongUsage(app.get_name(), "--output: " + fault);
     }
+    if (const std::string fault = unusedOption(app, plan); !fault.empty()) {
+        return wrongUsage(app.get_name(), fault);
+    }
+    InterruptWatch interrupt;
     Result<MeshingJob> job = readJob(arguments);
     if (!job) {
-        printFaults(job.faults());
-        return kRefused;
+        return refuse(job.faults(), interrupt);
     }
-    const Result<int> written = writeFilm(std::move(*job), plan);
+    interrupt.deferToStop();
+    Progress progress;
+    progress.stop = interrupt.token();
+    const Result<int> written = writeFilm(std::move(*job), plan, progress);
     if (!written) {
-        printFaults(written.faults());
-        return kRefused;
+        return refuse(written.faults(), interrupt);
     }
     std::printf("wrote %s: %d %s\n", plan.output.c_str(), *written, *written == 1 ? "frame" : "frames");
     return kDone;

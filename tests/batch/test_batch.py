@@ -791,6 +791,13 @@ class Films(Case):
         self.assertEqual(triangles[-1], self.stats("plate.poly", "-o", "p.msh", "--method", "classic", "--size", "1")["elements"])
         self.assertIn("Advance 0, ", drawings[0])
 
+    def test_tall_domains_get_room_beside_them(self):
+        self.write("tall.poly", poly([[(0.0, 0.0), (1.0, 0.0), (1.0, 1000.0), (0.0, 1000.0)]]))
+        self.call("film", "tall.poly", "-o", "tall.gif", "--size", "20", "--steps", "1", "--width", "200")
+        sizes, _ = self.frames("tall.gif")
+        self.assertEqual({width for width, height in sizes}, {200})
+        self.assertLess(max(height for width, height in sizes), 450)
+
     def test_a_moment_shows_the_layers_asked_for(self):
         words = ("film", "plate.poly", "-o", "m.svg", "--method", "classic", "--size", "1", "--from", "3", "--steps", "1")
         self.call(*words, "--layers", "mesh,caption")
@@ -802,8 +809,11 @@ class Films(Case):
 
     def test_wrong_usage_is_refused(self):
         for words, part in ((("-o", "run.mp4"), "expected .gif, .png or .svg"), (("-o", "f-%d.gif"), "leave out %d"),
-                            (("-o", "m.svg", "--layers", "sky"), "sky"), (("-o", "m.svg", "--frames", "0"), "--frames")):
+                            (("-o", "m.svg", "--layers", "sky"), "sky"), (("-o", "m.svg", "--frames", "0"), "--frames"),
+                            (("-o", "m.svg", "--frames", "3"), "one frame"), (("-o", "m.svg", "--from", "3"), "--steps"),
+                            (("-o", "m-%d.png", "--speed", "3"), "only a GIF")):
             self.assertIn(part, self.call("film", "plate.poly", *words, code=2).stderr)
+        self.assertIn("bad-range", self.call("film", "plate.poly", "-o", "m.gif", "--size", "1", "--from", "99999", code=1).stderr)
         self.assertIn("cannot-write", self.call("film", "plate.poly", "-o", "gone/m.svg", "--size", "1", code=1).stderr)
         self.write("bow.poly", poly([BOW]))
         self.assertIn("cross", self.call("film", "bow.poly", "-o", "m.svg", code=1).stderr)

@@ -32,12 +32,15 @@ class Filmmaker : public MeshedSquare {
         key(key::kTab);
         settle();
     }
-    void confirm(const std::filesystem::path &file) {
+    void choose(const std::filesystem::path &file) {
         click("dialog/film/name");
         key('A', {Modifiers::kControl});
         type(file.string());
         click("dialog/film/ok");
         settle();
+    }
+    void confirm(const std::filesystem::path &file) {
+        choose(file);
         until([this] { return !context().dialogs.any(); });
         settle();
     }
@@ -71,6 +74,14 @@ TEST_CASE("Film: the dialog writes an animation, numbered pictures and the drawi
     for (const char *name : {"frame-1.png", "frame-2.png", "frame-3.png"}) {
         CHECK(textOf(folder / name).starts_with("\x89PNG"));
     }
+
+    driver.openDialog(); // frames of an earlier film are not overwritten
+    driver.enter("frames", "2");
+    driver.choose(folder / "frame.png");
+    CHECK(driver.has("dialog/film/name"));
+    driver.key(key::kEscape);
+    driver.settle();
+    CHECK_FALSE(driver.context().dialogs.any());
 
     driver.openDialog();
     driver.enter("from", "7");

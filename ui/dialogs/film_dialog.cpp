@@ -126,6 +126,12 @@ Diagnostics film(Shell &context, const FilmPlan &plan) {
     if (const std::string fault = outputFault(plan); !fault.empty()) {
         return error("bad-output", fault);
     }
+    for (int frame = 1; plan.numbered() && frame <= plan.frames; ++frame) {
+        if (const std::filesystem::path file = frameName(plan.output, frame); std::filesystem::exists(file)) {
+            return error("exists", file.filename().string() + " already exists",
+                         "choose another name, or remove the frames of the earlier film");
+        }
+    }
     const auto frames = std::make_shared<int>(0);
     MeshingJob job = context.run.job();
     const auto write = [plan, frames, job = std::move(job)](std::atomic<double> &fraction, std::stop_token stop) {

@@ -122,6 +122,9 @@ void addLessonActions(ActionRegistry &actions) {
                  .run =
                      [](Shell &c) {
                          c.sides.visible = !c.sides.visible;
+                         if (c.sides.visible && c.run.outOfDate()) {
+                             c.log.announce("The drawing has changed since this mesh; mesh it again to compare");
+                         }
                          c.animate();
                      },
                  .enabled = [](const Shell &c) { return c.sides.visible || (c.run.hasRun() && !c.run.showsFile()); },

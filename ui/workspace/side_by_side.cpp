@@ -23,6 +23,9 @@ bool SideBySide::follow(const RunControl &run, const Document &document, const s
         return had;
     }
     const bool moved = main.shownRun != run_ || comparison != started_;
+    if (!lockstep_ && run.outOfDate()) {
+        return false; // the document is no longer that of the run shown
+    }
     if (!lockstep_ || (moved && !run.outOfDate())) {
         run_ = main.shownRun;
         started_ = comparison;

@@ -11,6 +11,8 @@
 #include <condition_variable>
 #include <memory>
 #include <mutex>
+#include <new>
+#include <string>
 #include <utility>
 
 namespace forefront {
@@ -43,11 +45,15 @@ class PatientSession {
     MeshingSession session_{[this] { changed_.notify_all(); }};
 };
 
-/// Returns the name of a frame, counted from 1.
-std::filesystem::path frameName(const std::filesystem::path &pattern, int frame) {
-    std::string name = pattern.filename().string();
-    name.replace(name.find("%d"), 2, std::to_string(frame));
-    return pattern.parent_path() / name;
+/// Returns a box with room at both sides of a tall one, so that no film is much higher than wide.
+Box2 shownBox(Box2 box) {
+    constexpr double kTallest = 1.5; // height over width
+    const double missing = box.size().y / kTallest - box.size().x;
+    if (missing > 0.0) {
+        box.min.x -= 0.5 * missing;
+        box.max.x += 0.5 * missing;
+    }
+    return box;
 }
 
 /// Writes the moments of a run.
@@ -66,11 +72,15 @@ class Filming {
         if (progress_.cancelled() || !start->mesh) {
             return cancelled();
         }
-        sheet_.box = start->mesh->mesh.bounds();
+        sheet_.box = shownBox(start->mesh->mesh.bounds());
         sheet_.width = plan_.width;
         patient_.session().finish();
         const std::uint64_t end = patient_.rest()->known;
-        from_ = std::min(plan_.from, end);
+        if (plan_.from > end) {
+            return error("bad-range", "the film begins after advance " + std::to_string(plan_.from) +
+                                          ", but the run has only " + std::to_string(end) + " advances");
+        }
+        from_ = plan_.from;
         last_ = std::min(end, plan_.steps ? from_ + std::min(*plan_.steps, end) : end);
         return plan_.output.extension() == ".gif" ? writeGif() : plan_.numbered() ? writeSequence() : writeMoment();
     }
@@ -145,6 +155,12 @@ class Filming {
 
 } // namespace
 
+std::filesystem::path frameName(const std::filesystem::path &pattern, int frame) {
+    std::string name = pattern.filename().string();
+    name.replace(name.find("%d"), 2, std::to_string(frame));
+    return pattern.parent_path() / name;
+}
+
 std::string outputFault(const FilmPlan &plan) {
     const std::string extension = plan.output.extension().string();
     if (extension != ".gif" && extension != ".png" && extension != ".svg") {
@@ -157,11 +173,15 @@ std::string outputFault(const FilmPlan &plan) {
 }
 
 Result<int> writeFilm(MeshingJob job, const FilmPlan &plan, const Progress &progress) {
-    Filming filming(plan, progress);
-    if (Status status = filming.film(std::move(job)); !status.empty()) {
-        return status;
+    try {
+        Filming filming(plan, progress);
+        if (Status status = filming.film(std::move(job)); !status.empty()) {
+            return status;
+        }
+        return filming.written();
+    } catch (const std::bad_alloc &) {
+        return error("out-of-memory", "not enough memory for this film", "choose a smaller width");
     }
-    return filming.written();
 }
 
 } // namespace forefront

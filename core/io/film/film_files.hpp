@@ -29,11 +29,14 @@ struct FilmPlan {
     bool numbered() const { return output.filename().string().find("%d") != std::string::npos; }
 };
 
+/// Returns the name of a frame, counted from 1; `pattern` contains %d.
+std::filesystem::path frameName(const std::filesystem::path &pattern, int frame);
+
 /// Returns what is wrong with the name of the output, or an empty text.
 std::string outputFault(const FilmPlan &plan);
 
 /// Runs a job and writes its film. Returns the number of frames written. Reports the frames as progress. Faults: those
-/// of the job, cannot-write, cancelled.
+/// of the job, bad-range (the run ends before the film begins), cannot-write, cancelled, out-of-memory.
 Result<int> writeFilm(MeshingJob job, const FilmPlan &plan, const Progress &progress = {});
 
 } // namespace forefront
