@@ -8,6 +8,7 @@
 namespace forefront {
 
 /// Writes an animated GIF that repeats for ever. A frame stores only the rectangle that differs from the one before it.
+/// Own code, as is the PNG writer: with giflib and libpng, every program that links the library would need them, too.
 class GifWriter {
   public:
     /// Writes the header for pictures of this size. `delay`: of each frame, in hundredths of a second.
