@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace forefront {
@@ -48,11 +49,17 @@ std::string renamed(const std::string &text, std::string_view from, std::string_
     return result + text.substr(copied);
 }
 
-/// Sets the number at an address to the value of its formula. Returns nothing if it has that value already.
-Result<std::optional<Document>> applyFormula(const Document &document, const std::string &address,
-                                             const std::string &text) {
-    const std::optional<NumberAddress> place = parseAddress(address);
-    if (!place || !readNumber(document, *place)) {
+/// A formula with the number that follows it.
+struct Follower {
+    std::string address;
+    NumberAddress number;
+    double value = 0.0;   ///< of the formula
+    bool changed = false; ///< the number had another value
+};
+
+Result<Follower> followerOf(const Document &document, const std::string &address, const std::string &text) {
+    const std::optional<NumberAddress> number = parseAddress(address);
+    if (!number || !readNumber(document, *number)) {
         return error("bad-formula", "no number has the address '" + address + "'", "remove the formula '" + text + "'");
     }
     const Result<double> value = evaluateFormula(document, text);
@@ -61,32 +68,72 @@ Result<std::optional<Document>> applyFormula(const Document &document, const std
         faults.front().message = "formula '" + text + "': " + faults.front().message;
         return faults;
     }
-    if (hasValue(document, *place, *value)) {
-        return std::optional<Document>();
-    }
-    Result<Document> changed = writeNumber(document, *place, *value);
-    if (!changed) {
-        return changed.faults();
-    }
-    return std::optional(*std::move(changed));
+    return Follower{address, *number, *value};
 }
 
-/// Applies every formula once. Returns true if a number was changed.
-Result<bool> applyOnce(Document &document, std::string &failed) {
-    bool any = false;
-    const std::map<std::string, std::string> formulas = document.formulas;
-    for (const auto &[address, text] : formulas) {
+Result<std::vector<Follower>> followersOf(const Document &document, std::string &failed) {
+    std::vector<Follower> followers;
+    for (const auto &[address, text] : document.formulas) {
         failed = address;
-        Result<std::optional<Document>> next = applyFormula(document, address, text);
-        if (!next) {
-            return next.faults();
+        Result<Follower> follower = followerOf(document, address, text);
+        if (!follower) {
+            return follower.faults();
         }
-        if (*next) {
-            document = **std::move(next);
-            any = true;
+        followers.push_back(*std::move(follower));
+    }
+    return followers;
+}
+
+/// Sets the numbers that do not have the values of their formulas. Returns true if there was one.
+Result<bool> placeOnce(Document &document, std::vector<Follower> &followers, std::string &failed) {
+    bool any = false;
+    for (Follower &follower : followers) {
+        if (!hasValue(document, follower.number, follower.value)) {
+            failed = follower.address;
+            if (Status status = placeNumber(document, follower.number, follower.value); !status.empty()) {
+                return status;
+            }
+            follower.changed = any = true;
         }
     }
     return any;
+}
+
+/// Checks everything that has a changed number, once for all of its numbers.
+Result<Document> checkedOwners(Document document, const std::vector<Follower> &followers, std::string &failed) {
+    std::set<std::pair<NumberAddress::Owner, std::uint32_t>> checked;
+    for (const Follower &follower : followers) {
+        if (follower.changed && checked.emplace(follower.number.owner, follower.number.id).second) {
+            failed = follower.address;
+            Result<Document> next = checkedOwner(document, follower.number);
+            if (!next) {
+                return next;
+            }
+            document = *std::move(next);
+        }
+    }
+    return document;
+}
+
+/// Lets every number follow its formula. All are set before any is checked: numbers that fit each other may not fit
+/// the old ones, such as two opposite corners of a rectangle.
+Result<Document> follow(Document document, std::string &failed) {
+    Result<std::vector<Follower>> followers = followersOf(document, failed);
+    if (!followers) {
+        return followers.faults();
+    }
+    // The place of a corner depends on the size of its rectangle and the other way round, so one round may not do.
+    constexpr int kRounds = 4;
+    for (int round = 0; round < kRounds; ++round) {
+        const Result<bool> any = placeOnce(document, *followers, failed);
+        if (!any) {
+            return any.faults();
+        }
+        if (!*any) {
+            return checkedOwners(std::move(document), *followers, failed);
+        }
+    }
+    return error("bad-formula", "formulas of the same shape contradict each other", "remove one of them");
 }
 
 } // namespace
@@ -96,23 +143,12 @@ Result<double> evaluateFormula(const Document &document, const std::string &text
 }
 
 Result<Document> applyFormulas(const Document &document, std::string *failed) {
-    Document next = document;
     std::string address;
-    // The place of a corner depends on the size of its rectangle and the other way round, so one round may not do.
-    constexpr int kRounds = 4;
-    for (int round = 0; round < kRounds; ++round) {
-        const Result<bool> any = applyOnce(next, address);
-        if (any && !*any) {
-            return next;
-        }
-        if (failed != nullptr) {
-            *failed = address;
-        }
-        if (!any) {
-            return any.faults();
-        }
+    Result<Document> next = follow(document, address);
+    if (!next && failed != nullptr) {
+        *failed = address;
     }
-    return error("bad-formula", "formulas of the same shape contradict each other", "remove one of them");
+    return next;
 }
 
 Result<Document> setParameters(const Document &document, std::vector<Parameter> parameters) {

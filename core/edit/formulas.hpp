@@ -4,6 +4,7 @@
 #include "core/edit/document.hpp"
 #include "core/spacing/parts/expression/expression_program.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -20,6 +21,8 @@ namespace forefront {
 
 /// A document has at most this many parameters.
 inline constexpr std::size_t kMaxParameters = 1000;
+/// The name of a parameter has at most this many characters.
+inline constexpr std::size_t kMaxParameterName = 100;
 
 /// The value of a parameter, or why it has none.
 struct ParameterState {
@@ -28,8 +31,8 @@ struct ParameterState {
     bool faultyName = false; ///< the fault is that of the name, not of the expression
 };
 
-/// Returns the state of each parameter, in order. Faults: a name that is empty, reserved or given twice, an expression
-/// that is wrong, a cycle, too many parameters.
+/// Returns the state of each parameter, in order. Faults: a name that is empty, reserved, too long or given twice, an
+/// expression that is wrong, a cycle, too many parameters.
 std::vector<ParameterState> parameterStates(const std::vector<Parameter> &parameters);
 
 /// Returns the values of the parameters that have one.

@@ -11,6 +11,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -87,32 +88,31 @@ Shape changedBox(Shape shape, const std::string &what, double value) {
     return shape;
 }
 
-Result<Document> writeShape(const Document &document, const Shape &shape, const NumberAddress &address, double value) {
+/// Sets a number of a shape, which may become degenerate.
+Status placeInShape(Shape &shape, const NumberAddress &address, double value) {
     const std::string &what = address.quantity;
-    const std::vector<Vec2> handles = handlesOf(shape);
     if (what == "x" || what == "y") {
-        const Vec2 at = handles[address.handle];
-        return setHandle(document, {shape.id, address.handle}, what == "x" ? Vec2{value, at.y} : Vec2{at.x, value});
+        const Vec2 at = handlesOf(shape)[address.handle];
+        placeHandle(shape, address.handle, what == "x" ? Vec2{value, at.y} : Vec2{at.x, value});
+        return {};
     }
-    if (what == "radius" && shape.kind == ShapeKind::Circle) {
-        return setRadius(document, shape.id, value);
-    }
-    const bool extent = what == "width" || what == "height" || what == "rx" || what == "ry";
+    const bool circle = shape.kind == ShapeKind::Circle;
+    const bool extent = circle || what == "width" || what == "height" || what == "rx" || what == "ry";
     if (extent && !(value > 0.0)) {
         return error("bad-number", "invalid " + what + " of " + displayName(shape) + "; expected a number above 0");
     }
-    Shape next = shape;
-    if (what == "radius") {
-        next.radius = value;
-        next.cuts.clear();
-    } else if (what == "rx" || what == "ry") {
-        Vec2 &end = next.nodes[what == "rx" ? 1 : 2];
-        end = next.nodes[0] + (value / distance(next.nodes[0], end)) * (end - next.nodes[0]);
-        next.cuts.clear();
+    if (what == "rx" || what == "ry" || circle) {
+        Vec2 &end = shape.nodes[what == "ry" ? 2 : 1];
+        const Vec2 arm = end - shape.nodes[0];
+        const Vec2 along = what == "ry" ? Vec2{0.0, 1.0} : Vec2{1.0, 0.0}; // if another formula has made it a point
+        end = shape.nodes[0] + (length(arm) > 0.0 ? (value / length(arm)) * arm : value * along);
+    } else if (what == "radius") {
+        shape.radius = value;
     } else {
-        next = changedBox(std::move(next), what, value);
+        shape = changedBox(std::move(shape), what, value);
     }
-    return replaceShape(document, std::move(next));
+    shape.cuts.clear();
+    return {};
 }
 
 /// Returns the place of a number of a source, or null.
@@ -157,16 +157,6 @@ std::optional<double> SpacingSpec::*spacingNumber(const std::string &what) {
         }
     }
     return nullptr;
-}
-
-Result<Document> writeSpacing(const Document &document, const std::string &what, double value) {
-    Document next = document;
-    next.spacing.*spacingNumber(what) = value;
-    Diagnostics faults;
-    checkSize(next.spacing.size, "spacing", faults);
-    checkSegmentsPerTurn(next.spacing.segmentsPerTurn, faults);
-    checkLimits(next.spacing, faults);
-    return faults.empty() ? Result<Document>(std::move(next)) : faults;
 }
 
 /// Returns the index that an item of a list has in another list; its own if the lists are equally long, since then it
@@ -237,33 +227,51 @@ std::optional<double> readNumber(const Document &document, const NumberAddress &
     return place != nullptr ? document.spacing.*place : std::nullopt;
 }
 
-Result<Document> writeNumber(const Document &document, const NumberAddress &address, double value) {
+Status placeNumber(Document &document, const NumberAddress &address, double value) {
+    switch (address.owner) {
+    case Owner::Shape: {
+        const auto place = std::find_if(document.shapes.begin(), document.shapes.end(),
+                                        [&](const auto &shape) { return shape->id == address.id; });
+        Shape shape = **place;
+        Status status = placeInShape(shape, address, value);
+        *place = std::make_shared<const Shape>(std::move(shape));
+        return status;
+    }
+    case Owner::Source:
+        *sourceNumber(document.spacing.sources[address.id], address.quantity) = value;
+        break;
+    case Owner::Region:
+        *markerNumber(document.regionMarkers[address.id], address.quantity) = value;
+        break;
+    case Owner::Part:
+        *partNumber(document.spacing.partSizes.at(static_cast<std::int32_t>(address.id)), address.quantity) = value;
+        break;
+    case Owner::Spacing:
+        document.spacing.*spacingNumber(address.quantity) = value;
+    }
+    return {};
+}
+
+Result<Document> checkedOwner(const Document &document, const NumberAddress &address) {
     switch (address.owner) {
     case Owner::Shape:
-        return writeShape(document, *findShape(document, address.id), address, value);
-    case Owner::Source: {
-        SizeSource source = document.spacing.sources[address.id];
-        *sourceNumber(source, address.quantity) = value;
-        return replaceSource(document, address.id, source);
-    }
-    case Owner::Region: {
-        if (address.quantity == "area") {
-            return setRegionArea(document, address.id, value);
-        }
-        Vec2 at = document.regionMarkers[address.id].at;
-        (address.quantity == "x" ? at.x : at.y) = value;
-        return moveRegionMarker(document, address.id, at);
-    }
+        return replaceShape(document, *findShape(document, address.id));
+    case Owner::Source:
+        return replaceSource(document, address.id, document.spacing.sources[address.id]);
+    case Owner::Region:
+        return setRegionArea(document, address.id, document.regionMarkers[address.id].maxArea);
     case Owner::Part: {
         const auto tag = static_cast<std::int32_t>(address.id);
-        PartSize part = document.spacing.partSizes.at(tag);
-        *partNumber(part, address.quantity) = value;
-        return setPartSize(document, tag, part);
+        return setPartSize(document, tag, document.spacing.partSizes.at(tag));
     }
     case Owner::Spacing:
         break;
     }
-    return writeSpacing(document, address.quantity, value);
+    Diagnostics faults;
+    checkSize(document.spacing.size, "spacing", faults);
+    checkSegmentsPerTurn(document.spacing.segmentsPerTurn, faults);
+    checkLimits(document.spacing, faults);
+    return faults.empty() ? Result<Document>(document) : faults;
 }
 
 std::optional<double> numberAt(const Document &document, std::string_view address) {

@@ -32,8 +32,12 @@ std::string toString(const NumberAddress &address);
 std::optional<double> readNumber(const Document &document, const NumberAddress &address);
 /// Returns the number at an address; none if there is no such number.
 std::optional<double> numberAt(const Document &document, std::string_view address);
-/// Sets a number that readNumber() finds. Errors: those of the command that sets it.
-Result<Document> writeNumber(const Document &document, const NumberAddress &address, double value);
+/// Sets a number that readNumber() finds to a finite value, but does not check whether it fits the other numbers: see
+/// checkedOwner(). Error: bad-number for a length that is not above 0.
+Status placeNumber(Document &document, const NumberAddress &address, double value);
+/// Returns a document after placeNumber() if what the number belongs to is valid: its shape, its source, its marker,
+/// the sizes of the boundary parts, or the limits of the spacing. Errors: those of the commands that change it.
+Result<Document> checkedOwner(const Document &document, const NumberAddress &address);
 
 /// Returns the maximum coordinate of the shape that a number belongs to, which limits its accuracy; 0 for others.
 double magnitudeAt(const Document &document, const NumberAddress &address);

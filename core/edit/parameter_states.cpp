@@ -3,6 +3,7 @@
 #include "core/spacing/parts/expression/expression_parser.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
 namespace forefront {
@@ -12,6 +13,12 @@ namespace {
 bool isName(const std::string &text) {
     const std::vector<std::string_view> names = namesIn(text);
     return names.size() == 1 && names.front().size() == text.size();
+}
+
+/// Returns the names that decide when an expression can be evaluated; none if it is too long to be evaluated.
+std::vector<std::string_view> dependencies(const Parameter &parameter) {
+    return parameter.expression.size() <= kMaxExpressionLength ? namesIn(parameter.expression)
+                                                               : std::vector<std::string_view>();
 }
 
 /// Evaluates parameters in the order in which they depend on each other.
@@ -43,6 +50,10 @@ class Evaluation {
         if (index >= kMaxParameters) { // visit() calls itself along dependencies
             return "more than " + std::to_string(kMaxParameters) + " parameters";
         }
+        if (name.size() > kMaxParameterName) {
+            return "the name has " + std::to_string(name.size()) + " characters; expected at most " +
+                   std::to_string(kMaxParameterName);
+        }
         if (!isName(name)) {
             return "invalid name '" + name + "'; expected a letter, then letters, digits and _";
         }
@@ -58,7 +69,7 @@ class Evaluation {
         }
         marks_[index] = Mark::Open;
         path_.push_back(index);
-        for (const std::string_view name : namesIn(parameters_[index].expression)) {
+        for (const std::string_view name : dependencies(parameters_[index])) {
             const auto known = indices_.find(name);
             if (known != indices_.end()) {
                 marks_[known->second] == Mark::Open ? reportCycle(known->second) : visit(known->second);
@@ -71,20 +82,35 @@ class Evaluation {
         }
     }
 
-    /// Gives all parameters of a cycle the same fault.
+    /// Gives the parameters of a cycle the same fault. Each call gives a first fault to at least one of them, so
+    /// parameters that all name each other cannot make the calls many.
     void reportCycle(std::size_t first) {
-        std::string chain;
-        const auto begin = std::find(path_.begin(), path_.end(), first);
-        for (auto at = begin; at != path_.end(); ++at) {
-            chain += parameters_[*at].name + " \xe2\x86\x92 ";
+        if (!states_[first].fault.empty() && !states_[path_.back()].fault.empty()) {
+            return;
         }
+        const auto begin = std::find(path_.begin(), path_.end(), first);
+        const std::string fault = "depends on itself: " + chainFrom(begin) + parameters_[first].name;
         for (auto at = begin; at != path_.end(); ++at) {
-            states_[*at].fault = "depends on itself: " + chain + parameters_[first].name;
+            if (states_[*at].fault.empty()) {
+                states_[*at].fault = fault;
+            }
         }
     }
 
+    /// Returns the names from a place of the path to its end, each with an arrow; the first ones if there are many.
+    std::string chainFrom(std::vector<std::size_t>::const_iterator begin) const {
+        constexpr std::ptrdiff_t kShown = 5;
+        const bool all = path_.end() - begin <= kShown;
+        const auto end = all ? path_.end() : begin + kShown;
+        std::string chain;
+        for (auto at = begin; at != end; ++at) {
+            chain += parameters_[*at].name + " \xe2\x86\x92 ";
+        }
+        return all ? chain : chain + "\xe2\x80\xa6 \xe2\x86\x92 ";
+    }
+
     void evaluate(std::size_t index) {
-        for (const std::string_view name : namesIn(parameters_[index].expression)) {
+        for (const std::string_view name : dependencies(parameters_[index])) {
             if (indices_.contains(name) && !values_.contains(name)) {
                 states_[index].fault = "uses '" + std::string(name) + "', which has no value";
                 return;

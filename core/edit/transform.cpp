@@ -278,7 +278,9 @@ Result<Document> copySelection(const Document &document, const Selection &select
         }
         for (const std::uint32_t k : selection.markers) {
             if (k < document.regionMarkers.size()) {
-                fresh.markers.insert(static_cast<std::uint32_t>(next->regionMarkers.size()));
+                const auto index = static_cast<std::uint32_t>(next->regionMarkers.size());
+                fresh.markers.insert(index);
+                copied.emplace_back(addressPrefix("region", k), addressPrefix("region", index));
                 next->regionMarkers.push_back(document.regionMarkers[k]);
                 next->regionMarkers.back().at = map(document.regionMarkers[k].at);
             }

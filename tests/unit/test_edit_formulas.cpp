@@ -113,7 +113,7 @@ TEST_CASE("numberAt: addresses of every kind of number, and none for what does n
     }
 }
 
-TEST_CASE("writeNumber: every kind of number can be written and is read back") {
+TEST_CASE("placeNumber: every kind of number can be set and is read back") {
     Document document = plate();
     document = *addShape(document, makeShape(ShapeKind::Ellipse, {{5, 5}, {7, 5}, {5, 6}}));
     document = *addShape(document, makeShape(ShapeKind::Polygon, {{8, 0}, {9, 0}, {9, 1}}));
@@ -147,12 +147,42 @@ TEST_CASE("writeNumber: every kind of number can be written and is read back") {
         const std::optional<NumberAddress> address = parseAddress(text);
         REQUIRE(address.has_value());
         CHECK(toString(*address) == text);
-        const Result<Document> written = writeNumber(document, *address, 0.625);
-        REQUIRE(written.ok());
-        CHECK(*numberAt(*written, text) == doctest::Approx(0.625).epsilon(1e-12));
+        Document changed = document;
+        CHECK(placeNumber(changed, *address, 0.625).empty());
+        CHECK(checkedOwner(changed, *address).ok());
+        CHECK(*numberAt(changed, text) == doctest::Approx(0.625).epsilon(1e-12));
     }
-    CHECK(codeOf(writeNumber(document, *parseAddress("shape/3/rx"), 0.0)) == "bad-number");
-    CHECK(codeOf(writeNumber(document, *parseAddress("spacing/size"), -1.0)) == "bad-size");
+    const NumberAddress axis = *parseAddress("shape/3/rx"), size = *parseAddress("spacing/size");
+    Document changed = document;
+    CHECK(placeNumber(changed, axis, 0.0).front().code == "bad-number");
+    changed = document;
+    CHECK(placeNumber(changed, size, -1.0).empty());
+    CHECK(codeOf(checkedOwner(changed, size)) == "bad-size");
+}
+
+TEST_CASE("setParameters: numbers that fit each other change together, though not one after the other") {
+    Document document = *setParameters({}, {{"r", "10"}});
+    document.spacing.minimum = 10.0;
+    document.spacing.maximum = 20.0;
+    document.formulas = {{"spacing/maximum", "2*r"}, {"spacing/minimum", "r"}};
+    for (const char *r : {"1", "100"}) {
+        const Result<Document> changed = overrideParameters(document, {{"r", r}});
+        REQUIRE(changed.ok());
+        CHECK(*changed->spacing.maximum == 2.0 * *changed->spacing.minimum);
+        CHECK(changed->formulas == document.formulas);
+    }
+    Document box = *setParameters({}, {{"a", "1"}, {"b", "2*a"}});
+    box = *addShape(box, makeShape(ShapeKind::Rectangle, {{1, 0}, {2, 3}}));
+    box.formulas = {{"shape/1/x/0", "a"}, {"shape/1/x/2", "b"}};
+    const Result<Document> moved = overrideParameters(box, {{"a", "2"}});
+    REQUIRE(moved.ok());
+    CHECK(boundsOf(*moved->shapes[0]) == Box2{{2, 0}, {4, 3}});
+    const Result<Document> exchanged = overrideParameters(box, {{"a", "2"}, {"b", "1"}});
+    REQUIRE(exchanged.ok());
+    CHECK(exchanged->shapes[0]->nodes == std::vector<Vec2>{{2, 0}, {1, 3}});
+    CHECK(codeOf(overrideParameters(box, {{"b", "a"}})) == "bad-shape");
+    document.formulas["spacing/maximum"] = "r/2";
+    CHECK(codeOf(overrideParameters(document, {{"r", "1"}})) == "bad-size");
 }
 
 TEST_CASE("applyFormulas: a corner and the width of one rectangle agree; contradictions are refused") {
@@ -201,8 +231,12 @@ TEST_CASE("copySelection: copies follow the same formulas where their numbers ar
     Selection hole;
     hole.shapes = {2};
     hole.sources = {0};
+    document = *addRegionMarker(document, {{1, 1}, 1, 0.5});
+    document.formulas["region/0/area"] = "r";
+    hole.markers = {0};
     const Result<Document> copied = linearArray(document, hole, 3, {2, 0});
     REQUIRE(copied.ok());
+    CHECK(copied->formulas.at("region/2/area") == "r");
     CHECK(copied->formulas.at("shape/3/radius") == "r");
     CHECK(copied->formulas.at("shape/4/radius") == "r");
     CHECK(copied->formulas.at("source/2/size") == "r/2");
@@ -329,4 +363,38 @@ TEST_CASE("parameterStates: long chains, and more parameters than allowed") {
     CHECK(states.back().fault == "more than 1000 parameters");
     chain.erase(chain.begin());
     CHECK(*parameterStates(chain).front().value == static_cast<double>(kMaxParameters));
+}
+
+TEST_CASE("parameterStates: parameters that all name each other are a cycle, reported briefly and in time") {
+    std::string all = "p0";
+    for (int k = 1; all.size() + 6 < 4000; ++k) {
+        all += "+p" + std::to_string(k);
+    }
+    std::vector<Parameter> tangle;
+    for (std::size_t k = 0; k < kMaxParameters; ++k) {
+        tangle.push_back({"p" + std::to_string(k), all});
+    }
+    for (const ParameterState &state : parameterStates(tangle)) {
+        CHECK_FALSE(state.value.has_value());
+        REQUIRE_FALSE(state.fault.empty());
+        REQUIRE(state.fault.size() < 200);
+    }
+    CHECK(faultOf(tangle, 700).starts_with("depends on itself: p0 \xe2\x86\x92 p1 "));
+    CHECK(faultOf(tangle, 700).ends_with("\xe2\x86\x92 \xe2\x80\xa6 \xe2\x86\x92 p0"));
+}
+
+TEST_CASE("parameterStates: names and expressions that are too long have faults") {
+    CHECK(faultOf({{std::string(kMaxParameterName, 'a'), "1"}}, 0).empty());
+    CHECK(faultOf({{std::string(kMaxParameterName + 1, 'a'), "1"}}, 0) ==
+          "the name has 101 characters; expected at most 100");
+    CHECK(faultOf({{"a", "1" + std::string(5000, ' ')}}, 0).find("5001 characters; expected at most 4000") !=
+          std::string::npos);
+    CHECK(faultOf({{"a", "b" + std::string(5000, ' ')}, {"b", "a"}}, 0).find("characters") != std::string::npos);
+}
+
+TEST_CASE("evaluateFormula: dist needs a place, which parameters and formulas do not have") {
+    const Result<double> value = evaluateFormula({}, "1 + dist(3, 4)");
+    REQUIRE_FALSE(value.ok());
+    CHECK(value.faults().front().message == "expression, column 5: dist needs x and y; use hypot(a, b)");
+    CHECK(*evaluateFormula({}, "hypot(3, 4)") == 5.0);
 }

@@ -6,8 +6,6 @@
 namespace forefront {
 namespace {
 
-constexpr std::size_t kMaxLength = 4000; ///< characters; keeps parsing fast for any pasted text
-
 Diagnostics syntaxError(const std::string &message, std::size_t column, FormulaNames names) {
     const char *const advice =
         names.coordinates ? "write a formula in x and y such as max(0.1, 0.2*dist(3, 2)), with + - * / ^, min, max, "
@@ -20,9 +18,10 @@ Diagnostics syntaxError(const std::string &message, std::size_t column, FormulaN
 }
 
 Result<ExpressionProgram> compile(const std::string &text, FormulaNames names) {
-    if (text.size() > kMaxLength) {
-        return syntaxError(std::to_string(text.size()) + " characters; expected at most " + std::to_string(kMaxLength),
-                           kMaxLength + 1, names);
+    if (text.size() > kMaxExpressionLength) {
+        return syntaxError(std::to_string(text.size()) + " characters; expected at most " +
+                               std::to_string(kMaxExpressionLength),
+                           kMaxExpressionLength + 1, names);
     }
     auto compiled = ExpressionProgram::compile(text, names);
     if (const auto *const fault = std::get_if<ExpressionFault>(&compiled)) {

@@ -3,9 +3,13 @@
 #include "core/base/result.hpp"
 #include "core/spacing/parts/expression/expression_program.hpp"
 
+#include <cstddef>
 #include <string>
 
 namespace forefront {
+
+/// An expression has at most this many characters, which keeps parsing fast for any pasted text.
+inline constexpr std::size_t kMaxExpressionLength = 4000;
 
 /// Compiles an expression in x and y, and in other names with values.
 ///

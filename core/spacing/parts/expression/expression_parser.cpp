@@ -257,6 +257,10 @@ class Parser {
         const std::string_view name = text_.substr(begin, end - begin);
         for (const NamedFunction &function : kFunctions) {
             if (function.name == name) {
+                if (function.op == ExpressionOp::Distance && !names_.coordinates) {
+                    fail("dist needs x and y; use hypot(a, b)");
+                    return;
+                }
                 at_ = end;
                 parseArguments(function);
                 return;
