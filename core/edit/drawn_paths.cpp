@@ -17,6 +17,9 @@ Vec2 velocity(Vec2 before, Vec2 at, Vec2 after, double g, double h) {
 } // namespace
 
 std::vector<Curve> splineThrough(std::span<const Vec2> points, bool closed) {
+    if (points.empty()) {
+        return {};
+    }
     const std::size_t n = points.size(), count = closed ? n : n - 1;
     if (n < 3) {
         return {count, Curve()};

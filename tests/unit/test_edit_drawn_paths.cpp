@@ -22,6 +22,7 @@ TEST_CASE("splineThrough: passes through the points with one tangent on both sid
             }
         }
     }
+    CHECK(splineThrough({}, false).empty());
     CHECK(splineThrough(std::vector<Vec2>{{0, 0}, {1, 1}}, false) == std::vector<Curve>{Curve()});
     for (const Curve &straight : splineThrough(std::vector<Vec2>{{0, 0}, {1, 0}, {5, 0}}, false)) {
         CHECK(straight.deviation() < 1e-12);

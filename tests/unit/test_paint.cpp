@@ -293,3 +293,16 @@ TEST_CASE("Brush strength: a weak dab goes part of the way to its target") {
     const auto node = static_cast<std::int32_t>(std::lround(5.0 / weak.pitch));
     CHECK(static_cast<double>(paintedNode(weak, node, node)) == doctest::Approx(0.05).epsilon(1e-5));
 }
+
+TEST_CASE("Brush strength: on unpainted ground the way begins at the ambient spacing; strength 0 changes nothing") {
+    Dab dab{{5, 5}, 1.0, 0.1, 1.0, 0.4};
+    dab.strength = 0.5;
+    const PaintedSpacing weak = forefront::paint(canvas(10), dab);
+    const auto node = static_cast<std::int32_t>(std::lround(5.0 / weak.pitch));
+    CHECK(static_cast<double>(paintedNode(weak, node, node)) == doctest::Approx(0.2).epsilon(1e-5));
+    dab.strength = 0.0;
+    CHECK(forefront::paint(canvas(10), dab).tiles.empty());
+    CHECK(forefront::paint(weak, dab).tiles == weak.tiles);
+    dab.ambient = 0.0;
+    CHECK(forefront::paint(canvas(10), dab).tiles.empty());
+}

@@ -174,28 +174,28 @@ PaintedSpacing paint(const PaintedSpacing &before, const Dab &dab) {
     PaintedSpacing after = before;
     const auto disc = latticeDisc(before, dab.centre, dab.radius);
     const auto target = static_cast<float>(dab.spacing);
-    if (!disc || !(target > 0.0F) || !std::isfinite(target)) {
+    if (!disc || !(target > 0.0F) || !std::isfinite(target) || !(dab.strength > 0.0)) {
         return after;
     }
     const double hardness = dab.hardness >= 0.0 ? std::min(dab.hardness, 1.0) : 0.0;
     const double core = std::max(hardness * disc->radius, std::min(disc->radius, 0.70711));
     const double rim = disc->radius - core;
     const auto ambient = dab.ambient > 0.0 && std::isfinite(dab.ambient) ? static_cast<float>(dab.ambient) : 0.0F;
-    const double strength = std::clamp(dab.strength, 0.0, 1.0);
+    const double strength = std::min(dab.strength, 1.0);
     changeDisc(after, *disc, true, [&](float &value, double d, std::int32_t, std::int32_t) {
+        const float old = value > 0.0F ? value : ambient;
         float blended = target;
         if (d > core) {
             const double s = (d - core) / rim;
             const double fading = s * s * (3.0 - 2.0 * s); // 0 at the core, 1 at the radius
-            const float old = value > 0.0F ? value : ambient;
             if (old > 0.0F) {
                 blended = static_cast<float>(target * std::pow(static_cast<double>(old) / target, fading));
             } else if (s > 0.5) {
                 return false;
             }
         }
-        if (strength < 1.0 && value > 0.0F) {
-            blended = static_cast<float>(value * std::pow(static_cast<double>(blended) / value, strength));
+        if (strength < 1.0 && old > 0.0F) {
+            blended = static_cast<float>(old * std::pow(static_cast<double>(blended) / old, strength));
         }
         const bool changed = value != blended;
         value = blended;

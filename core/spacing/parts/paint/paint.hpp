@@ -37,7 +37,8 @@ struct Dab {
     double ambient = 0.0;
     DabMode mode = DabMode::Set;
     /// Part of the way, 0..1, that a dab goes: to the target or the mean, or to half or double the spacing in
-    /// eight dabs, about as many as meet at a place of one stroke.
+    /// eight dabs, about as many as meet at a place of one stroke. The way begins at the paint, or at `ambient` where
+    /// nothing is painted; without either, Set paints its target. 0 changes nothing.
     double strength = 1.0;
 };
 
