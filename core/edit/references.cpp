@@ -41,7 +41,9 @@ void Selection::prune(const Document &document) {
     std::unordered_map<std::uint32_t, const Shape *> byId;
     byId.reserve(document.shapes.size());
     for (const auto &shape : document.shapes) {
-        byId.emplace(shape->id, shape.get());
+        if (!shape->hidden && !shape->locked) {
+            byId.emplace(shape->id, shape.get());
+        }
     }
     const auto find = [&](std::uint32_t id) {
         const auto found = byId.find(id);

@@ -24,8 +24,8 @@ struct SegmentRef {
     friend auto operator<=>(const SegmentRef &, const SegmentRef &) = default;
 };
 
-/// The selected items. Shapes are referred to by id, so a selection survives edits; prune() drops items that no longer
-/// exist.
+/// The selected items. Shapes are referred to by id, so a selection survives edits; prune() drops items that can no
+/// longer be selected.
 struct Selection {
     std::set<std::uint32_t> shapes{};
     std::set<NodeRef> nodes{};
@@ -37,6 +37,7 @@ struct Selection {
         return shapes.empty() && nodes.empty() && segments.empty() && sources.empty() && markers.empty();
     }
     void clear() { *this = {}; }
+    /// Removes items that do not exist, and hidden and locked shapes with their nodes and segments.
     void prune(const Document &document);
     /// Removes shapes with their nodes and segments.
     void drop(const std::set<std::uint32_t> &gone);

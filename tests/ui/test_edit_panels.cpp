@@ -1,6 +1,9 @@
+#include "core/edit/region_commands.hpp"
+#include "core/edit/shape_commands.hpp"
 #include "tests/ui/edit_driver.hpp"
 
 #include <doctest/doctest.h>
+#include <imgui.h>
 
 #include <set>
 #include <string>
@@ -51,6 +54,27 @@ TEST_CASE("Hide, isolate, lock: hidden shapes stay in the domain but are neither
     CHECK(boundsOf(*driver.document().shapes[1]) == Box2{{3, 3}, {5, 5}});
     driver.key('L', kAlt);
     CHECK_FALSE(driver.document().shapes[1]->locked);
+}
+
+TEST_CASE("Lock: undoing an unlock deselects the shape; the Names panel selects neither hidden nor locked shapes") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.rectangle({3, 3}, {5, 5});
+    driver.key('V');
+    driver.key('L', kControl);
+    driver.key('L', kAlt);
+    driver.clickPlace({3, 4});
+    REQUIRE(driver.context().selection.shapes == std::set<std::uint32_t>{2});
+    driver.key('Z', kControl);
+    driver.settle();
+    CHECK(driver.document().shapes[1]->locked);
+    CHECK(driver.context().selection.empty());
+    driver.key(key::kDelete);
+    CHECK(driver.document().shapes.size() == 2);
+    driver.click("panel/names");
+    driver.settle();
+    driver.click("names/boundary/1/select");
+    CHECK(driver.context().selection.shapes == std::set<std::uint32_t>{1});
 }
 
 TEST_CASE("Shapes panel: lists shapes by boundary part; selects, hides and locks them") {
@@ -178,6 +202,41 @@ TEST_CASE("Brush: smooth and erase are modes of the brush; strength and falloff 
     CHECK(driver.context().preview->spacing->sample({5, 5}).origin != SpacingOrigin::Paint);
 }
 
+TEST_CASE("Brush: coarser changes nothing where nothing is painted, says so and leaves no undo step") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.settle();
+    const std::string before = driver.undoLabel();
+    driver.key('B');
+    chooseMode(driver, "Coarser");
+    driver.dragPlaces({4, 5}, {6, 5});
+    driver.settle();
+    CHECK(driver.undoLabel() == before);
+    const MessageLog::Entry &last = driver.context().log.entries().back();
+    CHECK(last.announced);
+    CHECK(last.diagnostic.message == "Nothing changed: coarser and smooth change only painted spacing");
+}
+
+TEST_CASE("Shapes panel: draws 500 shapes, says how many are missing, and lists the regions all the same") {
+    Draughtsman driver;
+    Document many;
+    for (int k = 0; k < 503; ++k) {
+        Shape square;
+        square.kind = ShapeKind::Rectangle;
+        square.nodes = {{2.0 * k, 0}, {2.0 * k + 1.0, 1}};
+        many = *addShape(many, square);
+    }
+    many = *addRegionMarker(many, {{0.5, 0.5}, 1, 0.0});
+    driver.context().document.apply(std::move(many), "Draw squares");
+    driver.click("panel/shapes");
+    driver.settle();
+    CHECK(driver.has("shapes/500"));
+    CHECK_FALSE(driver.has("shapes/501"));
+    CHECK(driver.has("shapes/missing"));
+    CHECK(driver.has("shapes/region/0"));
+    CHECK_FALSE(driver.has("shapes/region/missing"));
+}
+
 TEST_CASE("Polygon: as a spline through clicked points, or freehand and simplified") {
     Draughtsman driver;
     driver.key('P');
@@ -211,10 +270,43 @@ TEST_CASE("Polygon: as a spline through clicked points, or freehand and simplifi
     CHECK(areaOf(*driver.document().shapes[0]) == doctest::Approx(30.0).epsilon(0.02));
 }
 
+TEST_CASE("Polygon: a loop drawn freehand closes where it began; undo on the way gives it up") {
+    Draughtsman driver;
+    driver.key('P');
+    driver.click("options/pen/Freehand");
+    const std::vector<Vec2> corners{{2, 2}, {8, 2}, {8, 7}, {2, 7}, {2, 2}};
+    const auto draw = [&](std::size_t sides) {
+        driver.moveToPlace(corners[0]);
+        driver.press(driver.pixel(corners[0]));
+        for (std::size_t side = 0; side < sides; ++side) {
+            for (int k = 1; k <= 10; ++k) {
+                driver.moveToPlace(lerp(corners[side], corners[side + 1], 0.1 * k));
+            }
+        }
+    };
+    draw(4);
+    driver.release(driver.pixel(corners[0]));
+    driver.settle();
+    REQUIRE(driver.document().shapes.size() == 1);
+    CHECK(driver.document().shapes[0]->nodes.size() == 4);
+    CHECK(areaOf(*driver.document().shapes[0]) == doctest::Approx(30.0).epsilon(0.02));
+    driver.key('Z', kControl);
+    driver.key('P');
+    draw(2);
+    driver.key('Z', kControl);
+    driver.release(driver.pixel(corners[2]));
+    driver.settle();
+    CHECK(driver.document().shapes.empty());
+    driver.clickPlace({5, 5});
+    CHECK(driver.document().shapes.empty());
+}
+
 TEST_CASE("Inspector: size and growth of a boundary part become part of the spacing, and are removed again") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.key('V');
+    driver.click("inspector/partgrowth");
+    CHECK_FALSE(ImGui::GetIO().WantTextInput); // there is no size that could grow
     driver.fill("inspector/partsize", "0.1");
     REQUIRE(driver.document().spacing.partSizes.contains(1));
     CHECK(driver.document().spacing.partSizes.at(1) == PartSize{0.1, 0.2});

@@ -202,6 +202,19 @@ TEST_CASE("Selection: prune drops references to missing items") {
     CHECK(selection.size() == 3);
 }
 
+TEST_CASE("Selection: prune drops hidden and locked shapes with their nodes and segments") {
+    Document document = documentOf({square({0, 0}, 1), square({2, 0}, 1), square({4, 0}, 1)});
+    document = *setLocked(*setHidden(document, {1}, true), {2}, true);
+    Selection selection;
+    selection.shapes = {1, 2, 3};
+    selection.nodes = {{1, 0}, {2, 0}, {3, 0}};
+    selection.segments = {{1, 0}, {2, 0}, {3, 0}};
+    selection.prune(document);
+    CHECK(selection.shapes == std::set<std::uint32_t>{3});
+    CHECK(selection.nodes == std::set<NodeRef>{{3, 0}});
+    CHECK(selection.segments == std::set<SegmentRef>{{3, 0}});
+}
+
 TEST_CASE("Spacing commands: check their values; blank text means none") {
     const Document document;
     CHECK(setSize(document, 0.5)->spacing.size == 0.5);

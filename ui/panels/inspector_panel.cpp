@@ -84,7 +84,9 @@ void partSizeRow(Shell &context, std::int32_t tag) {
     ui::rowTooltip(context, "Element size along this boundary part, and by how much it grows per unit of distance. "
                             "Leave empty for no size of its own.");
     ImGui::SameLine(0, context.px(6));
+    ImGui::BeginDisabled(!size); // growth from a size that does not exist means nothing
     changed = ui::inputNumber(context, "inspector/partgrowth", growth, -1.0F, address + "growth") || changed;
+    ImGui::EndDisabled();
     if (changed && (size || given)) {
         EditState::apply(context,
                          setPartSize(document, tag, size ? std::optional(PartSize{*size, growth}) : std::nullopt),

@@ -32,7 +32,8 @@ class NamesPanel final : public Panel {
             });
             ImGui::SameLine(0, context.px(6));
             if (ui::iconButton(context, "names/boundary/" + std::to_string(tag) + "/select", icon::kSelect,
-                               "Select everything with this tag", false, true, 24.0F)) {
+                               "Select everything with this tag that is neither hidden nor locked", false, true,
+                               24.0F)) {
                 selectTag(context, *document, tag);
             }
         }
@@ -66,6 +67,9 @@ class NamesPanel final : public Panel {
     static void selectTag(Shell &context, const Document &document, std::int32_t tag) {
         context.selection.clear();
         for (const auto &shape : document.shapes) {
+            if (shape->hidden || shape->locked) {
+                continue;
+            }
             if (shape->segmentTags.empty()) {
                 if (shape->tag == tag) {
                     context.selection.shapes.insert(shape->id);

@@ -33,23 +33,37 @@ class ShapesPanel final : public Panel {
         if (document->shapes.empty()) {
             ui::small(context, "No shapes yet.", true);
         }
-        std::size_t left = kMaxRows;
-        for (const auto &[part, shapes] : parts_) {
-            ui::heading(context, (part.second == ShapeUse::Boundary ? "Boundary " : "Constraint ") +
-                                     boundaryName(document->boundaryNames, part.first));
-            for (const std::size_t k : shapes) {
-                if (left-- == 0) {
-                    ui::small(context, "and more", true);
-                    return;
-                }
-                drawShape(context, *document->shapes[k]);
-            }
-        }
+        drawShapes(context, *document);
         drawRegions(context, *document);
     }
 
   private:
     static constexpr std::size_t kMaxRows = 500;
+
+    /// Says how many rows of a list are not drawn.
+    static void drawMissing(Shell &context, const char *name, std::size_t count) {
+        if (count > kMaxRows) {
+            ui::small(context, "and " + std::to_string(count - kMaxRows) + " more", true);
+            ui::mark(context, name);
+        }
+    }
+
+    void drawShapes(Shell &context, const Document &document) const {
+        std::size_t left = kMaxRows;
+        for (const auto &[part, shapes] : parts_) {
+            if (left == 0) {
+                break;
+            }
+            ui::heading(context, (part.second == ShapeUse::Boundary ? "Boundary " : "Constraint ") +
+                                     boundaryName(document.boundaryNames, part.first));
+            const std::size_t rows = std::min(left, shapes.size());
+            for (std::size_t k = 0; k < rows; ++k) {
+                drawShape(context, *document.shapes[shapes[k]]);
+            }
+            left -= rows;
+        }
+        drawMissing(context, "shapes/missing", document.shapes.size());
+    }
 
     void group(const Document &document) {
         parts_.clear();
@@ -110,6 +124,7 @@ class ShapesPanel final : public Panel {
                 context.tools.choose("select", context);
             }
         }
+        drawMissing(context, "shapes/region/missing", document.regionMarkers.size());
     }
 
     std::map<std::pair<std::int32_t, ShapeUse>, std::vector<std::size_t>> parts_; ///< places in Document::shapes

@@ -74,6 +74,7 @@ bool BrushTool::handle(const CanvasEvent &event, Shell &context) {
             last_.reset();
             before_ = context.preview->spacing;
             ambient_ = spacingAt(context, event.place);
+            changed_ = false;
             stroke(event.place, context);
         } else if (event.button == MouseButton::Right) {
             context.contextMenu = true;
@@ -85,6 +86,10 @@ bool BrushTool::handle(const CanvasEvent &event, Shell &context) {
         }
         return true;
     case Kind::Release:
+        if (!stroke_.empty() && !changed_ && !erases() &&
+            (state_->brushMode == DabMode::Coarser || state_->brushMode == DabMode::Smooth)) {
+            context.log.announce("Nothing changed: coarser and smooth change only painted spacing");
+        }
         stroke_.clear();
         return true;
     case Kind::Wheel:
@@ -133,6 +138,10 @@ void BrushTool::stroke(Vec2 to, Shell &context) {
         painted = paint(painted, dabAt(at));
     }
     last_ = to;
+    if (painted.tiles == document->spacing.paint.tiles) {
+        return;
+    }
+    changed_ = true;
     context.document.apply(setPaint(*document, std::move(painted)), label(), stroke_);
 }
 
@@ -195,8 +204,9 @@ void BrushTool::drawModes(Shell &context, ui::Flow &flow) {
     int mode = static_cast<int>(state_->brushMode);
     ui::combo(context, "options/brush/mode", ui::enumLabels<DabMode>(), mode, 92.0F);
     state_->brushMode = static_cast<DabMode>(mode);
-    ui::tooltip(context, "Set: paint a spacing. Finer, coarser: change the present spacing. Smooth: even out painted "
-                         "spacing. Erase: remove paint.");
+    ui::tooltip(context,
+                "Set: paint a spacing. Finer: reduce the present spacing. Coarser, smooth: enlarge or even out "
+                "painted spacing only. Erase: remove paint.");
     constexpr float kNarrow = 330.0F; // more options would cover other plates
     if (erases() || flow.room() < context.px(kNarrow)) {
         return;

@@ -47,6 +47,7 @@ class BrushTool final : public Tool {
     std::string stroke_;                         ///< key of the stroke in progress; empty: none
     std::shared_ptr<const SpacingField> before_; ///< spacing when the stroke began; null: none
     double ambient_ = 0.0;
+    bool changed_ = false; ///< the stroke has changed the paint
 };
 
 } // namespace forefront

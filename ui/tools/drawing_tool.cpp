@@ -41,9 +41,9 @@ bool DrawingTool::handle(const CanvasEvent &event, Shell &context) {
         return press(event, context);
     case Kind::Release:
         follow(event, context);
-        if (event.button == MouseButton::Left && dragPlaces() && inProgress() &&
-            glm::distance(event.pixel, pressPixel_) > static_cast<double>(context.px(5))) {
-            place(pointer_.at, context);
+        if (event.button == MouseButton::Left && inProgress()) {
+            const bool away = glm::distance(event.pixel, pressPixel_) > static_cast<double>(context.px(5));
+            release(pointer_.at, away, context);
         }
         return true;
     case Kind::Key:
@@ -53,6 +53,12 @@ bool DrawingTool::handle(const CanvasEvent &event, Shell &context) {
         break;
     }
     return false;
+}
+
+void DrawingTool::release(Vec2 at, bool away, Shell &context) {
+    if (away && dragPlaces()) {
+        place(at, context);
+    }
 }
 
 bool DrawingTool::press(const CanvasEvent &event, Shell &context) {

@@ -35,6 +35,8 @@ class DrawingTool : public Tool {
     virtual bool removeLast() { return false; }
     /// Returns true if releasing a drag places a second node.
     virtual bool dragPlaces() const { return false; }
+    /// Handles the end of a press while a shape is unfinished; `away`: the pointer is not where the press was.
+    virtual void release(Vec2 at, bool away, Shell &context);
     /// Follows the pointer while it is dragged away from where a press placed a node; see PenTool.
     virtual void pull(Vec2) {}
     /// Returns a snap target of the tool, such as the first node of a path, that takes precedence over all others.

@@ -48,27 +48,36 @@ double PenTool::freehandTolerance(const Shell &context) const {
     return state_->freehandTolerance > 0.0 ? state_->freehandTolerance : EditState::reach(context, 2.0);
 }
 
-void PenTool::placeFreehand(Vec2 at, Shell &context) {
-    if (hand_.size() < 2) {
-        path_ = {{at, {}}};
-        hand_ = {at};
-        return;
-    }
+void PenTool::finishFreehand(Vec2 at, Shell &context) {
     hand_.push_back(at);
     path_.clear();
     for (const Vec2 node : simplified(hand_, freehandTolerance(context))) {
         path_.push_back({node, {}});
     }
-    if (kind_ == ShapeKind::Polygon && path_.size() > 1 && path_.back().at == path_.front().at) {
+    const bool loop = distance(path_.back().at, path_.front().at) <= EditState::reach(context, 10.0);
+    if (kind_ == ShapeKind::Polygon && loop && path_.size() > 3) {
         path_.pop_back();
     }
     finish(context);
     cancel();
 }
 
+void PenTool::release(Vec2 at, bool away, Shell &context) {
+    if (state_->penMode != PenMode::Freehand) {
+        return;
+    }
+    if (away || hand_.size() >= 3) { // a loop ends where the press was
+        finishFreehand(at, context);
+    } else {
+        cancel();
+    }
+}
+
 void PenTool::place(Vec2 at, Shell &context) {
     if (state_->penMode == PenMode::Freehand) {
-        placeFreehand(at, context);
+        cancel();
+        path_ = {{at, {}}};
+        hand_ = {at};
         return;
     }
     if (closes(at)) {
@@ -133,6 +142,10 @@ void PenTool::cancel() {
 bool PenTool::removeLast() {
     if (path_.empty()) {
         return false;
+    }
+    if (!hand_.empty()) {
+        cancel(); // a path drawn by hand has no nodes to remove yet
+        return true;
     }
     undone_.push_back(path_.back());
     path_.pop_back();

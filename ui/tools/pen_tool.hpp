@@ -31,7 +31,7 @@ class PenTool final : public DrawingTool {
     bool removeLast() override;
     std::optional<Vec2> ownSnap(Vec2 at, const Shell &context) const override;
     void pull(Vec2 to) override;
-    bool dragPlaces() const override { return state_->penMode == PenMode::Freehand; }
+    void release(Vec2 at, bool away, Shell &context) override;
 
   private:
     /// A node of the unfinished path. It is smooth if it has an arm: the vector to the control point after it; the
@@ -47,8 +47,8 @@ class PenTool final : public DrawingTool {
     bool canClose() const { return path_.size() >= (anyCurved() ? 2U : 3U); }
     bool closes(Vec2 at) const { return canClose() && at == path_.front().at; }
     void commit(Shell &context, bool closed);
-    /// Takes a press or a release while drawing freehand.
-    void placeFreehand(Vec2 at, Shell &context);
+    /// Draws the path of the hand, which ends at a place.
+    void finishFreehand(Vec2 at, Shell &context);
     double freehandTolerance(const Shell &context) const;
     /// Returns the curves between the points placed so far.
     std::vector<Curve> splineOf(bool closed) const;
