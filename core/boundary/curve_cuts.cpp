@@ -26,15 +26,17 @@ double upper(const CurveStretch &stretch) {
 /// otherwise become a separate piece with sharp elements beside it.
 void joinShortPieces(std::vector<double> &fractions, const CurvePath &path, const SpacingField &spacing,
                      std::size_t minimum) {
-    constexpr double kShort = 0.25;  // relative to the spacing and to the longer piece
+    constexpr double kShort = 0.25;  // relative to the spacing
+    constexpr double kUneven = 0.5;  // relative to the longer piece
     constexpr double kVisible = 0.4; // relative to the tolerance: 1/5000 of the diagonal by default
     for (std::size_t i = 1; i + 1 < fractions.size() && fractions.size() > minimum + 1;) {
         const double from = fractions[i - 1], to = fractions[i + 1];
         const Vec2 at = path.at(fractions[i]);
         const auto [shorter, longer] = std::minmax({distance(path.at(from), at), distance(at, path.at(to))});
-        if (shorter < kShort * std::min(spacing.at(at), longer) &&
+        if (shorter < kUneven * longer && shorter < kShort * spacing.at(at) &&
             (path.allows(from, to) || path.deviation(from, to) < kVisible * path.tolerance)) {
             fractions.erase(fractions.begin() + static_cast<std::ptrdiff_t>(i));
+            i -= i > 1 ? 1 : 0; // the piece before now has a longer one beside it
         } else {
             ++i;
         }

@@ -127,10 +127,13 @@ class Bands {
     std::map<std::pair<NodeId, NodeId>, std::size_t> withSide_; // each direction of a side has one element
 };
 
-/// Finds elements that cut off a flat corner between two tagged edges; these are not forced by a gap.
-class FlatCorners {
+/// Tells sharp elements that a gap forces from those that it does not.
+class Gaps {
   public:
-    explicit FlatCorners(const Mesh &mesh) : mesh_(mesh) {
+    explicit Gaps(const Mesh &mesh) : mesh_(mesh), onTagged_(mesh.nodes.size(), 0) {
+        for (const TaggedEdge &edge : mesh.edges) {
+            onTagged_[index(edge.a)] = onTagged_[index(edge.b)] = 1;
+        }
         sides_.reserve(mesh.edges.size());
         for (const TaggedEdge &edge : mesh.edges) {
             sides_.push_back(std::minmax(edge.a, edge.b));
@@ -138,7 +141,15 @@ class FlatCorners {
         std::sort(sides_.begin(), sides_.end());
     }
 
-    bool has(const Element &e) const {
+    /// Returns true if a gap forces this element, which is sharp: it reaches across a gap with all its nodes, or with
+    /// its shortest side, as between two tips.
+    bool force(const Element &e) const {
+        return isTagged(e[0]) && isTagged(e[1]) && isTagged(e[2]) ? !cutsFlatCorner(e) : hasShortestSideAcross(e);
+    }
+
+  private:
+    /// Returns true if the element cuts off a flat corner between two tagged edges.
+    bool cutsFlatCorner(const Element &e) const {
         for (unsigned k = 0; k < 3; ++k) {
             const NodeId at = e[k], b = e[(k + 1) % 3], c = e[(k + 2) % 3];
             const Vec2 p = mesh_.nodes[index(at)];
@@ -150,12 +161,25 @@ class FlatCorners {
         return false;
     }
 
-  private:
+    bool hasShortestSideAcross(const Element &e) const {
+        const auto side = [&](unsigned k) {
+            return distance(mesh_.nodes[index(e[k])], mesh_.nodes[index(e[(k + 1) % 3])]);
+        };
+        unsigned shortest = 0;
+        for (unsigned k = 1; k < 3; ++k) {
+            shortest = side(k) < side(shortest) ? k : shortest;
+        }
+        const NodeId a = e[shortest], b = e[(shortest + 1) % 3];
+        return isTagged(a) && isTagged(b) && !isTagged(a, b);
+    }
+
+    bool isTagged(NodeId a) const { return onTagged_[index(a)] != 0; }
     bool isTagged(NodeId a, NodeId b) const {
         return std::binary_search(sides_.begin(), sides_.end(), std::pair<NodeId, NodeId>(std::minmax(a, b)));
     }
 
     const Mesh &mesh_;
+    std::vector<std::uint8_t> onTagged_; ///< per node
     std::vector<std::pair<NodeId, NodeId>> sides_;
 };
 
@@ -183,13 +207,9 @@ SharpCorners sharpCorners(const Mesh &mesh, double limit) {
     for (const Wedge &w : wedges) {
         sharp[index(w.node)] = 1;
     }
-    std::vector<std::uint8_t> tagged(mesh.nodes.size(), 0);
-    for (const TaggedEdge &edge : mesh.edges) {
-        tagged[index(edge.a)] = tagged[index(edge.b)] = 1;
-    }
     SharpCorners result;
     result.minAngleElsewhere = mesh.elements.empty() ? 0.0 : 60.0;
-    const FlatCorners flat(mesh);
+    const Gaps gaps(mesh);
     std::vector<Element> tips, bands, others;
     for (const Element &e : mesh.elements) {
         bool inCorner = false;
@@ -211,10 +231,8 @@ SharpCorners sharpCorners(const Mesh &mesh, double limit) {
             continue;
         }
         const double angle = minAngle(mesh, e);
-        if (angle < limit && (tagged[index(e[0])] & tagged[index(e[1])] & tagged[index(e[2])]) != 0 && !flat.has(e)) {
-            bands.push_back(e);
-        } else if (angle < limit) {
-            others.push_back(e);
+        if (angle < limit) {
+            (gaps.force(e) ? bands : others).push_back(e);
         } else {
             result.minAngleElsewhere = std::min(result.minAngleElsewhere, angle);
         }

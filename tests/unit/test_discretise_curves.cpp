@@ -171,6 +171,31 @@ TEST_CASE("discretise: an invisibly small hook at the end of a curve gets no sep
     }
 }
 
+TEST_CASE("discretise: bends too small to be seen leave no row of ever shorter edges") {
+    struct Sample {
+        Curve curve;
+        double size, tolerance;
+    };
+    // Both bend most at their start: one by a right angle, the other less and less over several edges.
+    for (const Sample &sample :
+         {Sample{Curve::cubic({0, 0}, {0, 0.13}, {12.5, 1.8}, {12.5, 1.8}), 0.14, 0.0157},
+          Sample{Curve::cubic({0, 0}, {-0.025, 0.028}, {1.207, 4.396}, {1.257, 4.449}), 0.36, 0.017}}) {
+        CAPTURE(sample.size);
+        const Vec2 end = sample.curve.point(1.0);
+        Domain domain = curvedDomain({{sample.curve, Curve::line(end, {end.x, -2}), Curve::line({end.x, -2}, {0, -2}),
+                                       Curve::line({0, -2}, {0, 0})}},
+                                     sample.tolerance);
+        domain.curveTolerance = sample.tolerance;
+        REQUIRE(validate(domain).empty());
+        const auto discrete = discretise(domain, constantSpacing(sample.size), false);
+        REQUIRE(discrete.ok());
+        checkOnCurves(domain, *discrete);
+        for (const DiscreteSegment &piece : discrete->segments) {
+            CHECK(distance(discrete->nodes[piece.a], discrete->nodes[piece.b]) > 0.25 * sample.size);
+        }
+    }
+}
+
 TEST_CASE("discretise: a dot far smaller than the spacing keeps its shape") {
     Domain domain = circleDomain();
     const Domain dot = curvedDomain({{Curve::circle({0.2, 0.1}, {0.201, 0.1})}}, 1e-3);

@@ -78,6 +78,23 @@ TEST_CASE("sharpCorners: reports a slot without room for good elements, but not 
     CHECK(both.minAngleElsewhere < 1.0);
 }
 
+TEST_CASE("sharpCorners: reports the gap between two tips, but not a short edge between long ones") {
+    // Tips of two needles outside the mesh, 0.02 apart; the nodes above and below them are free.
+    Mesh mesh;
+    mesh.nodes = {{-0.01, 0}, {0.01, 0}, {0, 0.2}, {0, -0.2}, {-1, 0.01}, {-1, -0.01}, {1, 0.01}, {1, -0.01}};
+    mesh.elements = {{node(0), node(1), node(2)}, {node(1), node(0), node(3)}, {node(0), node(2), node(4)},
+                     {node(0), node(5), node(3)}, {node(1), node(6), node(2)}, {node(1), node(3), node(7)}};
+    mesh.edges = {{node(0), node(4), 1}, {node(0), node(5), 1}, {node(1), node(6), 1}, {node(1), node(7), 1}};
+    const SharpCorners gap = sharpCorners(mesh, 20.0);
+    REQUIRE(gap.narrow.size() == 1);
+    CHECK(gap.narrow[0].width == doctest::Approx(0.02).epsilon(0.01));
+    CHECK(gap.narrow[0].elements == 2);
+    CHECK(gap.minAngleElsewhere == 60.0); // the others lie beside them
+    mesh.edges.push_back({node(0), node(1), 1});
+    CHECK(sharpCorners(mesh, 20.0).narrow.empty());
+    CHECK(sharpCorners(mesh, 20.0).minAngleElsewhere < 6.0);
+}
+
 TEST_CASE("sharpCorners: a wedge outside the mesh does not count, but one between inner lines does") {
     Mesh mesh = needle();
     mesh.elements.erase(mesh.elements.begin()); // what is left lies beyond the tip
