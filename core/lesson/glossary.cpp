@@ -14,8 +14,10 @@ const std::vector<GlossaryTerm> kTerms = {
     {"domain",
      "Domain \xce\xa9 and its boundary",
      {"domain", "boundary segment"},
-     "The region to be meshed. Its boundary is divided into segments; each has the domain to its left, so that outer "
-     "loops run counter-clockwise and holes clockwise. The mesher never changes the boundary.",
+     "The region to be meshed. Before meshing, its boundary is divided into segments as long as \xcf\x81 there; with "
+     "\"Keep segments\", the drawn segments are used as they are. Each has the domain to its left, so that outer loops "
+     "run "
+     "counter-clockwise and holes clockwise. The front starts from these segments, and they become edges of the mesh.",
      {"front", "spacing"},
      figures::domain},
     {"spacing",

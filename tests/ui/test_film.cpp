@@ -97,6 +97,17 @@ TEST_CASE("Film: the dialog writes an animation, numbered pictures and the drawi
     CHECK(textOf(folder / "caption.svg").find(">Advance 7, ") != std::string::npos);
 }
 
+TEST_CASE("Film: a name with %d writes a drawing for each frame, also with the filter for one moment") {
+    Filmmaker driver;
+    const TemporaryFolder folder;
+    driver.openDialog();
+    driver.enter("to", "20");
+    driver.enter("frames", "3");
+    driver.confirm(folder / "run-%d.svg");
+    CHECK(filesIn(folder.path) == 3);
+    CHECK(textOf(folder / "run-1.svg") != textOf(folder / "run-3.svg"));
+}
+
 TEST_CASE("Film: numbers out of range are moved into it") {
     Filmmaker driver;
     driver.openDialog();

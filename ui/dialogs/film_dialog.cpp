@@ -105,12 +105,12 @@ void drawLayers(Workspace &context, FilmLayers &layers) {
     }
 }
 
-/// Returns the plan for a file: frames are numbered, and the range is in order.
+/// Returns the plan for a file: frames are numbered unless it is a GIF or one moment, and the range is in order.
 FilmPlan planFor(const FilmSettings &settings, const std::filesystem::path &file, const FileFilter &filter) {
     FilmPlan plan = settings.plan;
     plan.output = file;
-    const bool moment = filter.id == "svg";
-    if (!moment && filter.id != "gif" && !plan.numbered()) {
+    const bool moment = filter.id == "svg" && !plan.numbered();
+    if (filter.id == "png" && !plan.numbered()) {
         plan.output.replace_filename(file.stem().string() + "-%d" + file.extension().string());
     }
     const auto from = static_cast<double>(plan.from);
@@ -153,7 +153,10 @@ Diagnostics film(Shell &context, const FilmPlan &plan) {
 std::vector<FileFilter> filmFilters() {
     return {{"Animated GIF (.gif)", {".gif"}, "gif", "Repeats for ever; shows in browsers and slides."},
             {"PNG frames (.png)", {".png"}, "png", "A picture for each frame: NAME-1.png, NAME-2.png and so on."},
-            {"SVG of one moment (.svg)", {".svg"}, "svg", "A drawing of the first advance given, with sharp lines."}};
+            {"SVG of one moment (.svg)",
+             {".svg"},
+             "svg",
+             "A drawing of the first advance given, with sharp lines; NAME-%d.svg: one for each frame."}};
 }
 
 } // namespace
