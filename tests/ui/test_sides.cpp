@@ -1,4 +1,6 @@
+#include "core/io/files.hpp"
 #include "tests/ui/meshed_square.hpp"
+#include "ui/dialogs/open_mesh.hpp"
 
 #include <doctest/doctest.h>
 
@@ -85,6 +87,90 @@ TEST_CASE("Side by side: a new mesh is compared anew, and closing gives the canv
     driver.settle();
     CHECK(driver.sides().size() == 0);
     CHECK(driver.canvas().width > 2.5 * narrow);
+}
+
+TEST_CASE("Side by side: another mesh of the domain stands beside ours, with the figures of both") {
+    MeshedSquare driver;
+    const Mesh ours = driver.mesh();
+    const TemporaryFolder folder;
+    Mesh other;
+    other.nodes = {{1, 1}, {9, 1}, {9, 8}, {1, 8}, {5, 4}};
+    for (std::uint32_t k = 0; k < 4; ++k) {
+        other.elements.push_back({NodeId{k}, NodeId{(k + 1) % 4}, NodeId{4}});
+    }
+    REQUIRE_FALSE(hasErrors(writeMesh(folder / "other.vtu", other)));
+    driver.script("click menu/File\nclick menu/file.compareMesh\nsettle");
+    driver.click("dialog/comparemesh/name");
+    driver.key('A', {Modifiers::kControl});
+    driver.type((folder / "other.vtu").string());
+    driver.click("dialog/comparemesh/ok");
+    driver.settle();
+    const SideBySide &sides = driver.context().sides;
+    REQUIRE(sides.mesh() != nullptr);
+    CHECK(driver.has("sides/0"));
+    for (const char *figure : {"nodes", "elements", "alphaMean", "alphaMin", "minAngle", "maxAngle", "delta", "time"}) {
+        CHECK(driver.has(std::string("sides/") + figure + "/0"));
+        CHECK(driver.has(std::string("sides/") + figure + "/1"));
+    }
+    const auto figures = figuresOf(*sides.mesh()->judgement());
+    REQUIRE(figures);
+    const MeshQuality expected = measure(other, driver.run().spacing.get());
+    CHECK(figures->quality.elements == 4);
+    CHECK(figures->quality.alphaMin == expected.alphaMin);
+    CHECK(figures->quality.maxAngle == expected.maxAngle);
+    CHECK(figures->quality.deltaMean == expected.deltaMean);
+    CHECK(expected.deltaMean > 0.0);
+    CHECK_FALSE(figures->seconds);
+    REQUIRE(driver.context().judgement->quality);
+    CHECK(driver.context().judgement->quality->alphaMean == driver.run().quality.alphaMean);
+    CHECK(driver.mesh().elements == ours.elements); // the canvas keeps its mesh
+
+    // A coarser mesh of our own is evaluated again with its own spacing.
+    Document coarser = driver.document();
+    coarser.spacing.size = 1.6;
+    driver.context().document.apply(std::move(coarser), "Size");
+    driver.key(key::kF5);
+    driver.settle();
+    CHECK(figuresOf(*sides.mesh()->judgement())->quality.deltaMean ==
+          measure(other, driver.run().spacing.get()).deltaMean);
+
+    driver.click("sides/close");
+    driver.settle();
+    CHECK(sides.mesh() == nullptr);
+    CHECK(sides.size() == 0);
+}
+
+TEST_CASE("Side by side: the compared mesh has the colours of the canvas and moves with its camera") {
+    MeshedSquare driver;
+    const TemporaryFolder folder;
+    REQUIRE_FALSE(hasErrors(writeMesh(folder / "same.msh", driver.mesh())));
+    REQUIRE(compareMesh(driver.context(), folder / "same.msh").empty());
+    showLayer(driver.context().layers, "quality", true);
+    driver.hideLayers({"mesh", "lattice"});
+    driver.settle();
+    const WidgetRegistry::Widget *const view = driver.context().widgets.find("sides/0");
+    REQUIRE(view != nullptr);
+    const auto offset = view->rect.centre() - driver.canvas().centre();
+    const auto coloursMatch = [&] {
+        const auto picture = driver.picture();
+        std::size_t same = 0, seen = 0;
+        for (std::size_t e = 0; e < driver.mesh().elements.size(); ++e) {
+            const Pixel p = driver.pixel(driver.middleOf(e));
+            if (driver.canvas().centre().x - 90 < p.x && p.x < driver.canvas().centre().x + 90 &&
+                driver.canvas().centre().y - 90 < p.y && p.y < driver.canvas().centre().y + 90) {
+                ++seen;
+                same += difference(colourAt(picture, p), colourAt(picture, p + offset)) <= 3 ? 1U : 0U;
+            }
+        }
+        CHECK(seen >= 10);
+        CHECK(same >= seen - seen / 10);
+    };
+    coloursMatch();
+    driver.scroll(view->rect.centre(), 2.0);
+    driver.settle();
+    coloursMatch();
+    CHECK(compareMesh(driver.context(), folder / "missing.msh").size() == 1);
+    CHECK(driver.context().sides.mesh()->name() == "same.msh");
 }
 
 } // namespace forefront::test

@@ -66,6 +66,11 @@ void addFileActions(ActionRegistry &actions) {
     actions.add({.id = "file.openMesh", .menu = "File", .title = "Open mesh\xe2\x80\xa6", .run = [](Shell &c) {
                      openMesh(c);
                  }});
+    actions.add({.id = "file.compareMesh",
+                 .menu = "File",
+                 .title = "Compare with mesh\xe2\x80\xa6",
+                 .run = [](Shell &c) { compareMesh(c); },
+                 .enabled = [](const Shell &c) { return c.run.now().mesh != nullptr; }});
     actions.add({.id = "file.recent",
                  .menu = "File",
                  .title = "Open recent",

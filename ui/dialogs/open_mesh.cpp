@@ -60,19 +60,41 @@ void show(Shell &context, MeshFields read, const std::filesystem::path &file) {
     context.animate();
 }
 
+/// Reads a mesh that can be drawn.
+Result<MeshFields> readDrawable(const std::filesystem::path &file, ImportNotes &notes) {
+    Result<MeshFields> read = readFields(file, {}, &notes);
+    if (!read) {
+        return read;
+    }
+    Diagnostics faults = drawingFaults(read->mesh);
+    for (Diagnostic &fault : faults) {
+        fault.file = file.string();
+    }
+    return faults.empty() ? std::move(read) : Result<MeshFields>(std::move(faults));
+}
+
+/// Asks for the file of a mesh; `chosen` returns the faults of one that cannot be used.
+void askForMesh(Shell &context, std::string id, std::string title, std::string action,
+                Diagnostics (*chosen)(Shell &, const std::filesystem::path &)) {
+    FileRequest request;
+    request.id = std::move(id);
+    request.title = std::move(title);
+    request.action = std::move(action);
+    request.filters = openFilters("All meshes", {}, [](const FileFormat &format) { return format.readsMesh; });
+    request.folder = startFolder(context);
+    request.chosen = [chosen](Shell &c, const std::filesystem::path &file, const FileFilter &) {
+        return chosen(c, file);
+    };
+    context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));
+}
+
 } // namespace
 
 Diagnostics openMesh(Shell &context, const std::filesystem::path &file) {
     const auto notes = std::make_shared<ImportNotes>();
-    Result<MeshFields> mesh = readFields(file, {}, notes.get());
+    Result<MeshFields> mesh = readDrawable(file, *notes);
     if (!mesh) {
         return mesh.faults();
-    }
-    if (Diagnostics faults = drawingFaults(mesh->mesh); !faults.empty()) {
-        for (Diagnostic &fault : faults) {
-            fault.file = file.string();
-        }
-        return faults;
     }
     const auto read = std::make_shared<MeshFields>(std::move(*mesh));
     afterUnsaved(context, [file, read, notes](Shell &c) {
@@ -83,14 +105,28 @@ Diagnostics openMesh(Shell &context, const std::filesystem::path &file) {
 }
 
 void openMesh(Shell &context) {
-    FileRequest request;
-    request.id = "openmesh";
-    request.title = "Open mesh";
-    request.action = "Open";
-    request.filters = openFilters("All meshes", {}, [](const FileFormat &format) { return format.readsMesh; });
-    request.folder = startFolder(context);
-    request.chosen = [](Shell &c, const std::filesystem::path &file, const FileFilter &) { return openMesh(c, file); };
-    context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));
+    askForMesh(context, "openmesh", "Open mesh", "Open", openMesh);
+}
+
+Diagnostics compareMesh(Shell &context, const std::filesystem::path &file) {
+    ImportNotes notes;
+    Result<MeshFields> read = readDrawable(file, notes);
+    if (!read) {
+        return read.faults();
+    }
+    context.sides.compareWith(file.filename().string(), std::move(read->mesh), [&p = context.platform] { p.wake(); });
+    context.log.add(notes.diagnostics());
+    const Box2 ours = context.run.now().mesh ? context.run.now().mesh->mesh.bounds() : Box2();
+    const Box2 others = context.sides.mesh()->mesh().bounds();
+    if (!ours.empty() && !ours.overlaps(others)) {
+        context.log.announce(file.filename().string() + " lies outside the mesh on the canvas; zoom out to see both");
+    }
+    context.animate();
+    return {};
+}
+
+void compareMesh(Shell &context) {
+    askForMesh(context, "comparemesh", "Compare with mesh", "Compare", compareMesh);
 }
 
 } // namespace forefront

@@ -287,7 +287,12 @@ void Editor::Parts::takeResults(bool cancels) {
     if (context.sides.follow(context.run, *context.document.current(), [&p = context.platform] { p.wake(); })) {
         context.animate();
     }
-    context.judge.submit(judgeRequest(context));
+    JudgeRequest request = judgeRequest(context);
+    request.quality = context.sides.mesh() != nullptr;
+    if (context.sides.judge(request)) {
+        context.animate();
+    }
+    context.judge.submit(request);
     const auto knownJudgement = std::exchange(context.judgement, context.judge.latest());
     context.probe.follow(context.judgement->of.mesh ? context.judgement->of.mesh->version : 0);
     const auto known = context.preview;

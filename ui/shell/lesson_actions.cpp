@@ -121,14 +121,16 @@ void addLessonActions(ActionRegistry &actions) {
                  .title = "Compare grids or methods side by side",
                  .run =
                      [](Shell &c) {
-                         c.sides.visible = !c.sides.visible;
+                         const bool shown = c.sides.visible && c.sides.mesh() == nullptr;
+                         c.sides.close();
+                         c.sides.visible = !shown;
                          if (c.sides.visible && c.run.outOfDate()) {
                              c.log.announce("The drawing has changed since this mesh; mesh it again to compare");
                          }
                          c.animate();
                      },
                  .enabled = [](const Shell &c) { return c.sides.visible || (c.run.hasRun() && !c.run.showsFile()); },
-                 .checked = [](const Shell &c) { return c.sides.visible; },
+                 .checked = [](const Shell &c) { return c.sides.visible && c.sides.mesh() == nullptr; },
                  .separatorBefore = true});
 }
 

@@ -1,4 +1,7 @@
 #include "ui/canvas/canvas_painter.hpp"
+#include "ui/dialogs/open_mesh.hpp"
+#include "ui/shell/figure_table.hpp"
+#include "ui/shell/mesh_beside.hpp"
 #include "ui/shell/shell.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/moment.hpp"
@@ -9,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace forefront::shell {
@@ -20,23 +24,21 @@ constexpr std::size_t kMaxElements = 12'000;
 constexpr double kTitleHeight = 26.0; ///< design pixels
 constexpr double kZoomStep = 1.18;
 
-/// A figure of the table, a column.
-struct FigureColumn {
-    const char *id, *name, *meaning;
-    double (*value)(const RunFigures &);
-};
-constexpr std::array<FigureColumn, 7> kFigures{
-    {{"advances", "Advances", "Advances of the front so far",
-      [](const RunFigures &f) { return static_cast<double>(f.advances); }},
-     {"elements", "Ne", "Elements made so far", [](const RunFigures &f) { return static_cast<double>(f.elements); }},
-     {"front", "Nb", "Mean number of segments on the front", [](const RunFigures &f) { return f.front; }},
-     {"neighbours", "Nc", "Mean number of nearby segments that the background grid returns per element",
-      [](const RunFigures &f) { return f.neighbours; }},
-     {"tests", "Ns", "Mean number of segments tested for intersection per element",
-      [](const RunFigures &f) { return f.tests; }},
-     {"cells", "Cells", "Mean number of cells of the background grid visited per element",
-      [](const RunFigures &f) { return f.cells; }},
-     {"time", "Time, ms", "CPU time spent advancing the front", [](const RunFigures &f) { return 1e3 * f.seconds; }}}};
+constexpr std::array<FigureColumn, 7> kRunColumns{
+    {{"advances", "Advances", "Advances of the front so far"},
+     {"elements", "Ne", "Elements made so far"},
+     {"front", "Nb", "Mean number of segments on the front"},
+     {"neighbours", "Nc", "Mean number of nearby segments that the background grid returns per element"},
+     {"tests", "Ns", "Mean number of segments tested for intersection per element"},
+     {"cells", "Cells", "Mean number of cells of the background grid visited per element"},
+     {"time", "Time, ms", "CPU time spent advancing the front"}}};
+
+FigureRow rowOf(std::string name, const SessionSnapshot &run) {
+    const RunFigures f = figuresOf(run);
+    return {std::move(name),
+            {static_cast<double>(f.advances), static_cast<double>(f.elements), f.front, f.neighbours, f.tests, f.cells,
+             1e3 * f.seconds}};
+}
 
 /// Draws a run as the camera of its view sees it.
 class RunPicture {
@@ -137,53 +139,47 @@ void drawView(Shell &context, std::size_t number, const PixelRect &rect) {
     camera.viewport = rect;
     ImDrawList &list = *ImGui::GetWindowDrawList();
     CanvasPainter painter(list, camera, static_cast<double>(context.scale));
-    const SessionSnapshot &run = context.sides.now(number);
-    const LayerSlot *const grid = context.layer("grid");
-    RunPicture(painter, context.theme, run).draw(grid != nullptr && grid->visible);
+    if (context.sides.mesh() != nullptr) {
+        drawMeshBeside(context, painter);
+    } else {
+        const LayerSlot *const grid = context.layer("grid");
+        RunPicture(painter, context.theme, context.sides.now(number)).draw(grid != nullptr && grid->visible);
+    }
+    const std::string title =
+        context.sides.mesh() != nullptr ? context.sides.mesh()->name() : context.sides.variant(number).name();
     const ImVec2 corner{static_cast<float>(rect.x), static_cast<float>(rect.y)};
     const float right = corner.x + static_cast<float>(rect.width);
     list.AddRectFilled(corner, {right, corner.y + context.px(kTitleHeight)}, fade(context.theme.panel, 0.92));
-    list.AddText({corner.x + context.px(10), corner.y + context.px(5)}, context.theme.text,
-                 context.sides.variant(number).name().c_str());
+    list.AddText({corner.x + context.px(10), corner.y + context.px(5)}, context.theme.text, title.c_str());
     list.AddLine(corner, {corner.x, corner.y + static_cast<float>(rect.height)}, context.theme.line);
     ImGui::End();
 }
 
-/// Returns the text of a figure, with its ratio to the same figure of the run on the canvas.
-std::string figureText(double value, double shown, bool ratio) {
-    std::string text = ui::number(value, 3);
-    if (ratio && shown > 0.0 && value > 0.0) {
-        text += ui::format("   \xc3\x97%s", ui::number(value / shown, 3).c_str());
+/// Draws the choice of what is compared with the run shown.
+void drawChoice(Shell &context) {
+    if (context.sides.mesh() != nullptr) {
+        if (ui::button(context, "sides/other", "Other mesh\xe2\x80\xa6")) {
+            compareMesh(context);
+        }
+        return;
     }
-    return text;
+    int choice = static_cast<int>(context.sides.comparison);
+    const char *const names[] = {"Background grids", "Methods"};
+    const char *const tips[] = {"The same method with the other background grids",
+                                "The other method with the same background grid"};
+    if (ui::segmented(context, "sides/comparison", names, choice, 240.0F, tips)) {
+        context.sides.comparison = static_cast<Comparison>(choice);
+        context.animate();
+    }
 }
 
 /// Draws a row for each run and a column for each figure.
-void drawTable(Shell &context) {
-    std::vector<RunFigures> figures{figuresOf(context.run.now())};
+void drawRunTable(Shell &context) {
+    std::vector<FigureRow> rows{rowOf("on the canvas", context.run.now())};
     for (std::size_t k = 0; k < context.sides.size(); ++k) {
-        figures.push_back(figuresOf(context.sides.now(k)));
+        rows.push_back(rowOf(context.sides.variant(k).name(), context.sides.now(k)));
     }
-    if (!ImGui::BeginTable("figures", static_cast<int>(kFigures.size()) + 1, ImGuiTableFlags_SizingStretchProp)) {
-        return;
-    }
-    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 1.7F);
-    ImGui::TableNextColumn();
-    for (const FigureColumn &figure : kFigures) {
-        ImGui::TableNextColumn();
-        ui::muted(context, figure.name);
-        ui::tooltip(context, figure.meaning);
-    }
-    for (std::size_t k = 0; k < figures.size(); ++k) {
-        ImGui::TableNextColumn();
-        ui::muted(context, k == 0 ? std::string("on the canvas") : context.sides.variant(k - 1).name());
-        for (const FigureColumn &figure : kFigures) {
-            ImGui::TableNextColumn();
-            ImGui::TextUnformatted(figureText(figure.value(figures[k]), figure.value(figures[0]), k > 0).c_str());
-            ui::mark(context, std::string("sides/") + figure.id + '/' + std::to_string(k));
-        }
-    }
-    ImGui::EndTable();
+    drawFigureTable(context, kRunColumns, rows);
 }
 
 void drawFigures(Shell &context, const PixelRect &rect) {
@@ -194,19 +190,12 @@ void drawFigures(Shell &context, const PixelRect &rect) {
     const bool closed =
         ui::iconButton(context, "sides/close", icon::kCross, "Close the comparison", false, true, 24.0F);
     ImGui::SetCursorPos(start);
-    int choice = static_cast<int>(context.sides.comparison);
-    const char *const names[] = {"Background grids", "Methods"};
-    const char *const tips[] = {"The same method with the other background grids",
-                                "The other method with the same background grid"};
-    if (ui::segmented(context, "sides/comparison", names, choice, 240.0F, tips)) {
-        context.sides.comparison = static_cast<Comparison>(choice);
-        context.animate();
-    }
-    drawTable(context);
+    drawChoice(context);
+    context.sides.mesh() != nullptr ? drawMeshTable(context) : drawRunTable(context);
     ImGui::PopFont();
     ImGui::End();
     if (closed) {
-        context.sides.visible = false;
+        context.sides.close();
         context.animate();
     }
 }

@@ -83,6 +83,9 @@ std::shared_ptr<const Judgement> judgementOf(const JudgeRequest &request, const 
     if (request.verify) {
         judgement->faults = same && earlier.of.verify ? earlier.faults : verify(mesh);
     }
+    if (request.quality) {
+        judgement->quality = sameSpacing && earlier.quality ? earlier.quality : measure(mesh, request.spacing.get());
+    }
     if (request.limits.any()) {
         judgement->verdicts = sameSpacing && earlier.of.limits == request.limits
                                   ? earlier.verdicts

@@ -4,6 +4,7 @@
 #include "core/geometry/box_tree.hpp"
 #include "core/mesh/limits.hpp"
 #include "core/mesh/measures.hpp"
+#include "core/mesh/quality.hpp"
 #include "core/session/snapshot.hpp"
 #include "ui/style/colour_map.hpp"
 
@@ -27,8 +28,9 @@ struct JudgeRequest {
     std::string field;                                ///< name of `nodal`; empty: none
     std::shared_ptr<const std::vector<double>> nodal; ///< nodal values to show instead; null: none
     MeshLimits limits;
-    bool verify = false; ///< also find the faults of the mesh
-    bool parts = false;  ///< also prepare to find the parts at a place
+    bool verify = false;  ///< also find the faults of the mesh
+    bool parts = false;   ///< also prepare to find the parts at a place
+    bool quality = false; ///< also compute the figures of its quality
 
     friend bool operator==(const JudgeRequest &, const JudgeRequest &) = default;
 };
@@ -47,7 +49,8 @@ struct Judgement {
     ColourRange fitted;               ///< range of the colours that shows the differences within the mesh
     std::vector<std::uint32_t> worst; ///< at most kRanked parts, the worst first
     std::vector<LimitVerdict> verdicts;
-    Diagnostics faults; ///< of the mesh, if `verify`
+    Diagnostics faults;                 ///< of the mesh, if `verify`
+    std::optional<MeshQuality> quality; ///< if asked for
 
     static constexpr std::size_t kRanked = 200;
 };

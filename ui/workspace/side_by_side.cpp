@@ -3,9 +3,14 @@
 #include "core/edit/document.hpp"
 #include "ui/workspace/run_control.hpp"
 
+#include <utility>
+
 namespace forefront {
 
 bool SideBySide::hasNews() const {
+    if (mesh_ && mesh_->hasNews()) {
+        return true;
+    }
     for (std::size_t k = 0; k < shown_.size(); ++k) {
         if (lockstep_->latest(k) != shown_[k]) {
             return true;
@@ -14,9 +19,19 @@ bool SideBySide::hasNews() const {
     return false;
 }
 
+void SideBySide::compareWith(std::string name, Mesh mesh, std::function<void()> wake) {
+    mesh_ = std::make_unique<ComparedMesh>(std::move(name), std::move(mesh), std::move(wake));
+    visible = true;
+}
+
+void SideBySide::close() {
+    visible = false;
+    mesh_.reset();
+}
+
 bool SideBySide::follow(const RunControl &run, const Document &document, const std::function<void()> &wake) {
     const SessionSnapshot &main = run.now();
-    if (!visible || !run.hasRun() || run.showsFile() || !main.mesh) {
+    if (!visible || mesh_ || !run.hasRun() || run.showsFile() || !main.mesh) {
         const bool had = lockstep_.has_value();
         lockstep_.reset();
         shown_.clear();

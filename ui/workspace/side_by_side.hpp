@@ -1,12 +1,14 @@
 #pragma once
 
 #include "core/session/lockstep.hpp"
+#include "ui/workspace/compared_mesh.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace forefront {
@@ -14,7 +16,8 @@ namespace forefront {
 struct Document;
 class RunControl;
 
-/// Runs with other grids or the other method, shown beside the run of the document at the same advance.
+/// What is shown beside the mesh on the canvas: runs with other grids or the other method at the same advance as the
+/// run of the document, or the mesh of a file.
 class SideBySide {
   public:
     /// Maximum number of runs beside that of the document.
@@ -26,11 +29,19 @@ class SideBySide {
     /// Starts the runs of a new mesh, moves them to the position of the run shown and fetches their snapshots. Called
     /// once per frame; `wake` as for MeshingSession. Returns true if there is a new snapshot.
     bool follow(const RunControl &run, const Document &document, const std::function<void()> &wake);
-    /// Returns true while a run is on its way to the position of the run shown.
-    bool busy() const { return lockstep_ && lockstep_->busy(); }
+    /// Shows the mesh of a file instead of runs. `wake`: as for MeshJudge.
+    void compareWith(std::string name, Mesh mesh, std::function<void()> wake);
+    /// Evaluates the mesh of the file by the measure and the spacing of the canvas. Called once per frame; returns true
+    /// if there is a new evaluation.
+    bool judge(const JudgeRequest &canvas) { return mesh_ && mesh_->follow(canvas); }
+    /// Returns the mesh of the file; null if runs are compared.
+    const ComparedMesh *mesh() const { return mesh_.get(); }
+    void close();
+    /// Returns true while a run is on its way to the position of the run shown, or the mesh is being evaluated.
+    bool busy() const { return (lockstep_ && lockstep_->busy()) || (mesh_ && mesh_->busy()); }
     bool hasNews() const;
-    /// Returns the number of runs beside the one shown.
-    std::size_t size() const { return shown_.size(); }
+    /// Returns the number of views beside the canvas.
+    std::size_t size() const { return mesh_ ? 1 : shown_.size(); }
     const RunVariant &variant(std::size_t run) const { return lockstep_->variant(run); }
     const SessionSnapshot &now(std::size_t run) const { return *shown_[run]; }
 
@@ -39,6 +50,7 @@ class SideBySide {
     std::vector<std::shared_ptr<const SessionSnapshot>> shown_;
     std::uint64_t run_ = 0; ///< number of the run that it was started beside
     Comparison started_ = Comparison::Grids;
+    std::unique_ptr<ComparedMesh> mesh_; ///< null: runs are compared
 };
 
 } // namespace forefront

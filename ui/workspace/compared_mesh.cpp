@@ -1,0 +1,52 @@
+#include "ui/workspace/compared_mesh.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace forefront {
+
+namespace {
+
+std::shared_ptr<const MeshView> viewOf(Mesh mesh) {
+    auto view = std::make_shared<MeshView>();
+    view->alpha = shapeFactors(mesh);
+    view->mesh = std::move(mesh);
+    return view;
+}
+
+} // namespace
+
+ComparedMesh::ComparedMesh(std::string name, Mesh mesh, std::function<void()> wake)
+    : name_(std::move(name)), view_(viewOf(std::move(mesh))), judge_(std::move(wake)), judgement_(judge_.latest()) {}
+
+bool ComparedMesh::follow(JudgeRequest request) {
+    request.mesh = view_;
+    request.field.clear(); // nodal values belong to the other mesh
+    request.nodal = nullptr;
+    request.limits = {};
+    request.verify = false;
+    request.parts = true;
+    request.quality = true;
+    judge_.submit(request);
+    std::shared_ptr<const Judgement> newest = judge_.latest();
+    if (newest == judgement_) {
+        return false;
+    }
+    if (newest->edges && newest->edges != judgement_->edges) {
+        outline_.clear();
+        std::copy_if(newest->edges->edges.begin(), newest->edges->edges.end(), std::back_inserter(outline_),
+                     [](const MeshEdge &edge) { return edge.elements[1] == kNoElement; });
+    }
+    judgement_ = std::move(newest);
+    return true;
+}
+
+std::optional<MeshFigures> figuresOf(const Judgement &judgement) {
+    if (!judgement.quality) {
+        return std::nullopt;
+    }
+    return MeshFigures{*judgement.quality, judgement.of.spacing != nullptr, std::nullopt};
+}
+
+} // namespace forefront

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "ui/workspace/mesh_judge.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace forefront {
+
+/// The mesh of a file, to be compared with the mesh on the canvas. It is evaluated on a separate thread.
+class ComparedMesh {
+  public:
+    /// `name`: of the file. `wake`: as for MeshJudge.
+    ComparedMesh(std::string name, Mesh mesh, std::function<void()> wake);
+
+    const std::string &name() const { return name_; }
+    const Mesh &mesh() const { return view_->mesh; }
+    /// Returns the evaluation of this frame; never null.
+    const std::shared_ptr<const Judgement> &judgement() const { return judgement_; }
+    /// Returns the edges with one element, as pairs of nodes; empty until the mesh has been evaluated.
+    const std::vector<MeshEdge> &outline() const { return outline_; }
+
+    /// Evaluates the mesh by the measure and the spacing of a request, that of the canvas, and fetches the newest
+    /// evaluation. Called once per frame. Returns true if there is a new one.
+    bool follow(JudgeRequest request);
+    bool busy() const { return judge_.busy(); }
+    bool hasNews() const { return judge_.latest() != judgement_; }
+
+  private:
+    std::string name_;
+    std::shared_ptr<const MeshView> view_;
+    MeshJudge judge_;
+    std::shared_ptr<const Judgement> judgement_;
+    std::vector<MeshEdge> outline_;
+};
+
+/// The figures of a mesh that a comparison shows.
+struct MeshFigures {
+    MeshQuality quality;
+    bool spacing = false;          ///< δ is known
+    std::optional<double> seconds; ///< CPU time that the mesh took, if known
+};
+
+/// Returns the figures of a judgement that was asked for its quality; not set until it has them.
+std::optional<MeshFigures> figuresOf(const Judgement &judgement);
+
+} // namespace forefront
