@@ -77,8 +77,14 @@ FigureRow rowOf(std::string name, const std::optional<MeshFigures> &figures) {
     FigureRow row{std::move(name), std::vector<std::optional<double>>(kMeshColumns.size())};
     if (figures) {
         const MeshQuality &q = figures->quality;
-        row.figures = {static_cast<double>(q.nodes), static_cast<double>(q.elements), q.alphaMean, q.alphaMin,
-                       q.minAngle, q.maxAngle, std::nullopt, std::nullopt};
+        row.figures = {static_cast<double>(q.nodes),
+                       static_cast<double>(q.elements),
+                       q.alphaMean,
+                       q.alphaMin,
+                       q.minAngle,
+                       q.maxAngle,
+                       std::nullopt,
+                       std::nullopt};
         if (figures->spacing) {
             row.figures[6] = q.deltaMean;
         }
