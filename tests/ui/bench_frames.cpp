@@ -37,6 +37,7 @@ TEST_CASE("Bench: CPU time of frames with meshes of three sizes" * doctest::skip
     std::printf("elements,resting_ms,pointer_ms,pan_ms,pan_90_ms,zoom_ms,zoom_90_ms,rest_after_ms,mesh_new_ms\n");
     for (const double elements : {1e3, 1e5, 1e6}) {
         Draughtsman driver;
+        driver.platform().show(true);
         driver.rectangle({0, 0}, {8, 8});
         Document sized = driver.document();
         sized.spacing.size = std::sqrt(64.0 / (0.433 * elements));

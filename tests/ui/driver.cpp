@@ -16,6 +16,7 @@ Driver::Driver(EditorSetup setup, PixelSize size, double contentScale) {
     if (!platform_) {
         throw std::runtime_error("no headless OpenGL: " + fault);
     }
+    platform_->show(false);
     editor_ = std::make_unique<Editor>(*platform_, std::move(setup));
     context().settings.live = false;
     frames(4);
@@ -193,6 +194,9 @@ bool Driver::script(std::string_view commands) {
 }
 
 Driver::Picture Driver::picture() {
+    platform_->show(true);
+    editor_->frame();
+    platform_->show(false);
     platform_->makeCurrent();
     return {platform_->framebufferSize(), platform_->pixels()};
 }

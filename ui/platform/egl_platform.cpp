@@ -53,6 +53,19 @@ bool openContext(EGLDisplay &display, EGLContext &context, std::string &fault) {
     return true;
 }
 
+void makeFramebuffer(PixelSize size, unsigned &framebuffer, unsigned &colour, unsigned &depthStencil) {
+    glGenRenderbuffers(1, &colour);
+    glBindRenderbuffer(GL_RENDERBUFFER, colour);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, size.width, size.height);
+    glGenRenderbuffers(1, &depthStencil);
+    glBindRenderbuffer(GL_RENDERBUFFER, depthStencil);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, size.width, size.height);
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, depthStencil);
+}
+
 } // namespace
 
 std::unique_ptr<EglPlatform> EglPlatform::create(PixelSize size, double contentScale, std::string &fault) {
@@ -69,12 +82,12 @@ std::unique_ptr<EglPlatform> EglPlatform::create(PixelSize size, double contentS
 
 EglPlatform::EglPlatform(std::unique_ptr<Context> context, PixelSize size, double contentScale)
     : context_(std::move(context)), size_(size), scale_(contentScale) {
-    makeFramebuffer();
+    makeFramebuffers();
 }
 
 EglPlatform::~EglPlatform() {
     makeCurrent();
-    dropFramebuffer();
+    dropFramebuffers();
 }
 
 void EglPlatform::makeCurrent() {
@@ -87,27 +100,20 @@ void EglPlatform::resize(PixelSize size, double contentScale) {
     makeCurrent();
     size_ = size;
     scale_ = contentScale;
-    dropFramebuffer();
-    makeFramebuffer();
+    dropFramebuffers();
+    makeFramebuffers();
 }
 
-void EglPlatform::makeFramebuffer() {
-    glGenRenderbuffers(1, &colour_);
-    glBindRenderbuffer(GL_RENDERBUFFER, colour_);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, size_.width, size_.height);
-    glGenRenderbuffers(1, &depthStencil_);
-    glBindRenderbuffer(GL_RENDERBUFFER, depthStencil_);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, size_.width, size_.height);
-    glGenFramebuffers(1, &framebuffer_);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, depthStencil_);
+void EglPlatform::makeFramebuffers() {
+    makeFramebuffer(size_, framebuffer_, colour_, depthStencil_);
+    makeFramebuffer({1, 1}, onePixel_, pixelColour_, pixelDepthStencil_);
 }
 
-void EglPlatform::dropFramebuffer() {
-    glDeleteFramebuffers(1, &framebuffer_);
-    glDeleteRenderbuffers(1, &colour_);
-    glDeleteRenderbuffers(1, &depthStencil_);
+void EglPlatform::dropFramebuffers() {
+    const unsigned framebuffers[] = {framebuffer_, onePixel_};
+    const unsigned buffers[] = {colour_, depthStencil_, pixelColour_, pixelDepthStencil_};
+    glDeleteFramebuffers(2, framebuffers);
+    glDeleteRenderbuffers(4, buffers);
 }
 
 std::vector<std::uint8_t> EglPlatform::pixels() const {

@@ -19,7 +19,7 @@ class EglPlatform final : public Platform {
     double now() const override { return static_cast<double>(frames_) / 60.0; }
     void poll(InputQueue &queue, double waitSeconds) override;
     void wake() override {}
-    unsigned targetFramebuffer() const override { return framebuffer_; }
+    unsigned targetFramebuffer() const override { return shown_ ? framebuffer_ : onePixel_; }
     void present() override { ++frames_; }
     void setTitle(const std::string &title) override { title_ = title; }
     void setIcon(PixelSize, const std::vector<std::uint8_t> &) override {}
@@ -28,22 +28,27 @@ class EglPlatform final : public Platform {
     void setClipboard(const std::string &text) override { clipboard_ = text; }
 
     void resize(PixelSize size, double contentScale);
+    /// Draws the next frames into a framebuffer of one pixel if they are not shown: rasterising in software takes most
+    /// of the time of a frame.
+    void show(bool shown) { shown_ = shown; }
     const std::string &title() const { return title_; }
     CursorShape cursor() const { return cursor_; }
-    /// Returns the last frame as RGBA, row by row from the top.
+    /// Returns the last frame that was shown as RGBA, row by row from the top.
     std::vector<std::uint8_t> pixels() const;
 
   private:
     struct Context;
     EglPlatform(std::unique_ptr<Context> context, PixelSize size, double contentScale);
-    void makeFramebuffer();
-    void dropFramebuffer();
+    void makeFramebuffers();
+    void dropFramebuffers();
 
     std::unique_ptr<Context> context_;
     PixelSize size_;
     double scale_ = 1.0;
     std::uint64_t frames_ = 0;
+    bool shown_ = true;
     unsigned framebuffer_ = 0, colour_ = 0, depthStencil_ = 0;
+    unsigned onePixel_ = 0, pixelColour_ = 0, pixelDepthStencil_ = 0;
     std::string title_, clipboard_;
     CursorShape cursor_ = CursorShape::Arrow;
 };
