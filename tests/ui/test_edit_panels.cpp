@@ -13,10 +13,6 @@ using namespace forefront::test;
 
 namespace {
 
-constexpr Modifiers kControl{Modifiers::kControl};
-constexpr Modifiers kControlShift{Modifiers::kControl | Modifiers::kShift};
-constexpr Modifiers kAlt{Modifiers::kAlt};
-
 void chooseMode(Draughtsman &driver, const std::string &mode) {
     driver.click("options/brush/mode");
     driver.settle();

@@ -9,8 +9,6 @@ using namespace forefront::test;
 
 namespace {
 
-constexpr Modifiers kControl{Modifiers::kControl};
-
 /// Adds a parameter in the table, which stays open.
 void addParameter(Draughtsman &driver, const std::string &name, const std::string &expression) {
     driver.click("panel/parameters");

@@ -17,10 +17,6 @@ using namespace forefront::test;
 
 namespace {
 
-constexpr Modifiers kShift{Modifiers::kShift};
-constexpr Modifiers kControl{Modifiers::kControl};
-constexpr Modifiers kControlShift{Modifiers::kControl | Modifiers::kShift};
-
 /// Types a number into a field and goes on with Tab.
 void fill(Draughtsman &driver, const char *field, const char *number) {
     driver.click(field);

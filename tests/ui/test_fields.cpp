@@ -6,10 +6,6 @@ namespace forefront::test {
 
 namespace {
 
-constexpr Modifiers kControl{Modifiers::kControl};
-constexpr Modifiers kShift{Modifiers::kShift};
-constexpr Modifiers kControlShift{Modifiers::kControl | Modifiers::kShift};
-
 /// A rectangle, with the spacing panel visible and the focus in its first field.
 struct SpacingForm : Draughtsman {
     SpacingForm() {

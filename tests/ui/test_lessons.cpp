@@ -15,8 +15,6 @@ namespace forefront::test {
 
 namespace {
 
-constexpr Modifiers kAlt{Modifiers::kAlt};
-
 /// Answers the questions of lessons as a learner does, with the keyboard.
 class Learner : public Driver {
   public:

@@ -11,8 +11,6 @@
 namespace forefront {
 namespace {
 
-constexpr Modifiers kControl{Modifiers::kControl};
-
 bool canCopy(const Shell &context) {
     const Selection &selection = context.selection;
     return !selection.shapes.empty() || !selection.sources.empty() || !selection.markers.empty();

@@ -18,10 +18,6 @@
 namespace forefront {
 namespace {
 
-constexpr Modifiers kNone{};
-constexpr Modifiers kControl{Modifiers::kControl};
-constexpr Modifiers kControlShift{Modifiers::kControl | Modifiers::kShift};
-
 bool hasSelection(const Shell &context) {
     return !context.selection.empty();
 }
@@ -210,7 +206,7 @@ void addSelectionActions(ActionRegistry &actions) {
     actions.add({.id = "edit.delete",
                  .menu = "Edit",
                  .title = "Delete",
-                 .shortcuts = {{key::kDelete, kNone}},
+                 .shortcuts = {{key::kDelete, kNoModifiers}},
                  .run =
                      [](Shell &c) {
                          c.document.apply(deleteSelection(*c.document.current(), c.selection), "Delete");

@@ -30,13 +30,6 @@ struct FilmSettings {
 
 constexpr double kFields = 72.0, kSecond = 290.0; ///< columns, design pixels
 
-/// Draws the label at the start of a row.
-void rowLabel(Workspace &context, const char *text) {
-    ImGui::AlignTextToFramePadding();
-    ui::muted(context, text);
-    ImGui::SameLine(context.px(kFields));
-}
-
 /// Draws the label of the second field of a row.
 void secondLabel(Workspace &context, const char *text) {
     ImGui::SameLine(context.px(kSecond));
@@ -66,7 +59,7 @@ void drawEnd(Workspace &context, FilmSettings &settings) {
 
 void drawRange(Workspace &context, FilmSettings &settings) {
     double from = static_cast<double>(settings.plan.from);
-    rowLabel(context, "From");
+    ui::rowLabel(context, "From", kFields);
     numberField(context, "from", from, 0.0, 1e9);
     ui::tooltip(context, "Number of advances done at the first frame");
     settings.plan.from = static_cast<std::uint64_t>(std::llround(from));
@@ -82,7 +75,7 @@ void drawRange(Workspace &context, FilmSettings &settings) {
 }
 
 void drawLook(Workspace &context, FilmPlan &plan) {
-    rowLabel(context, "Width");
+    ui::rowLabel(context, "Width", kFields);
     wholeField(context, "width", plan.width, FilmPlan::kMinWidth, FilmPlan::kMaxWidth);
     ImGui::SameLine();
     ui::muted(context, "pixels");
@@ -95,7 +88,7 @@ void drawLook(Workspace &context, FilmPlan &plan) {
 void drawLayers(Workspace &context, FilmLayers &layers) {
     constexpr std::array<const char *, wordsOf<FilmLayer>().size()> kLabels{"Mesh",       "Boundary", "Front",
                                                                             "Candidates", "Grid",     "Caption"};
-    rowLabel(context, "Show");
+    ui::rowLabel(context, "Show", kFields);
     for (std::size_t k = 0; k < kLabels.size(); ++k) {
         if (k > 0) {
             ImGui::SameLine(0, context.px(14));

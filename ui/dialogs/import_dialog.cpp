@@ -69,12 +69,6 @@ Result<Reading> readRepaired(const std::filesystem::path &file, const ImportOpti
     return Reading{fromDomain(repaired->domain), joined(notes.diagnostics(), repaired->changes)};
 }
 
-void label(Shell &context, const char *text) {
-    ImGui::AlignTextToFramePadding();
-    ui::muted(context, text);
-    ImGui::SameLine(context.px(kLabels));
-}
-
 } // namespace
 
 Result<std::unique_ptr<ImportDialog>> ImportDialog::open(const std::filesystem::path &file) {
@@ -151,7 +145,7 @@ void ImportDialog::drawUnit(Shell &context) {
 
 /// Asks for the weld tolerance and the overlap rule, and shows what they change.
 void ImportDialog::drawJoining(Shell &context) {
-    label(context, "Weld tolerance");
+    ui::rowLabel(context, "Weld tolerance", kLabels);
     std::optional<double> tolerance = options_.weldTolerance;
     if (ui::inputOptional(context, "dialog/importoptions/weld", tolerance, arranges_ ? "auto" : "0", 100.0F) &&
         tolerance.value_or(0.0) >= 0.0) {
@@ -166,7 +160,7 @@ void ImportDialog::drawJoining(Shell &context) {
     ImGui::SameLine();
     ui::muted(context, "units of the file");
     if (arranges_) {
-        label(context, "Where areas overlap");
+        ui::rowLabel(context, "Where areas overlap", kLabels);
         static constexpr std::array<const char *, 2> kRules{"later wins", "smaller wins"};
         int rule = options_.overlap == OverlapRule::Smaller ? 1 : 0;
         if (ui::segmented(context, "dialog/importoptions/overlap", kRules, rule, 220.0F)) {

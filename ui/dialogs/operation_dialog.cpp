@@ -9,7 +9,7 @@
 namespace forefront {
 namespace {
 
-constexpr double kLabels = 110.0; ///< width of the labels, in design pixels
+constexpr double kLabelWidth = 110.0; ///< width of the labels, in design pixels
 
 } // namespace
 
@@ -60,9 +60,7 @@ bool OperationDialog::drawField(Shell &context, std::size_t index) {
     const OperationField &field = operation_.fields[index];
     const std::string name = widget(index);
     double &value = values_[index];
-    ImGui::AlignTextToFramePadding();
-    ui::muted(context, field.kind == OperationField::Kind::Flag ? "" : field.label);
-    ImGui::SameLine(context.px(kLabels));
+    ui::rowLabel(context, field.kind == OperationField::Kind::Flag ? "" : field.label, kLabelWidth);
     bool changed = false;
     switch (field.kind) {
     case OperationField::Kind::Number:

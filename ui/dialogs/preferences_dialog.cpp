@@ -14,12 +14,6 @@ namespace {
 
 constexpr float kLabel = 190.0F;
 
-void label(const WidgetContext &context, const char *text) {
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(text);
-    ImGui::SameLine(context.px(kLabel));
-}
-
 void note(WidgetContext &context, const char *text) {
     ImGui::SetCursorPosX(context.px(kLabel));
     ui::small(context, text, true);
@@ -28,10 +22,10 @@ void note(WidgetContext &context, const char *text) {
 
 void drawMeshing(Shell &context) {
     Settings &settings = context.settings;
-    label(context, "Live meshing");
+    ui::rowLabel(context, "Live meshing", kLabel);
     ui::checkbox(context, "dialog/preferences/live", "Mesh after every change", settings.live);
     note(context, "Remesh while you move nodes or sources, or paint.");
-    label(context, "Live budget");
+    ui::rowLabel(context, "Live budget", kLabel);
     double budget = settings.liveBudget;
     if (ui::slider(context, "dialog/preferences/budget", budget, kMinLiveBudget, kMaxLiveBudget, "%.0f triangles",
                    true)) {
@@ -43,12 +37,12 @@ void drawMeshing(Shell &context) {
 }
 
 void drawSnapping(Shell &context) {
-    label(context, "Snap to");
+    ui::rowLabel(context, "Snap to", kLabel);
     ui::checkbox(context, "dialog/preferences/snap/drawing", "Nodes and segments", context.snapping.toDrawing);
     ImGui::SetCursorPosX(context.px(kLabel));
     ui::checkbox(context, "dialog/preferences/snap/grid", "Grid", context.snapping.toGrid);
     ImGui::Dummy({0, context.px(6)});
-    label(context, "Distance");
+    ui::rowLabel(context, "Distance", kLabel);
     ui::slider(context, "dialog/preferences/snap/reach", context.snapping.reach, kMinSnapReach, kMaxSnapReach,
                "%.0f pixels");
     note(context, "Hold Ctrl to turn snapping off, Shift for steps of 15\xc2\xb0.");
@@ -56,10 +50,10 @@ void drawSnapping(Shell &context) {
 
 void drawNewDrawings(Shell &context) {
     Settings &settings = context.settings;
-    label(context, "Method");
+    ui::rowLabel(context, "Method", kLabel);
     ui::segmented(context, "dialog/preferences/new/method", settings.newMethod);
     ImGui::Dummy({0, context.px(2)});
-    label(context, "Improve");
+    ui::rowLabel(context, "Improve", kLabel);
     ui::segmented(context, "dialog/preferences/new/improve", settings.newImprove);
     note(context, "Used by File \xe2\x80\xba New. The open drawing keeps its own options; see the Meshing panel.");
 }
@@ -68,7 +62,7 @@ void drawNewDrawings(Shell &context) {
 
 void PreferencesDialog::drawAppearance(Shell &context) {
     Settings &settings = context.settings;
-    label(context, "Theme");
+    ui::rowLabel(context, "Theme", kLabel);
     static constexpr const char *kThemes[] = {"Dark", "Light"};
     int theme = settings.theme == ThemeKind::Light ? 1 : 0;
     if (ui::segmented(context, "dialog/preferences/theme", std::span(kThemes), theme, 200.0F)) {
@@ -76,7 +70,7 @@ void PreferencesDialog::drawAppearance(Shell &context) {
         context.animate();
     }
     ImGui::Dummy({0, context.px(6)});
-    label(context, "Interface scale");
+    ui::rowLabel(context, "Interface scale", kLabel);
     if (percent_ <= 0.0) {
         percent_ = 100.0 * settings.scale;
     }
@@ -85,7 +79,7 @@ void PreferencesDialog::drawAppearance(Shell &context) {
         settings.scale = percent_ / 100.0;
     }
     note(context, "Multiplies the scale of the screen. Takes effect when you release the slider.");
-    label(context, "Hints");
+    ui::rowLabel(context, "Hints", kLabel);
     ui::checkbox(context, "dialog/preferences/hints", "Show hints on the canvas", settings.hints);
 }
 

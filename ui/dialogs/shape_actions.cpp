@@ -18,10 +18,6 @@
 namespace forefront {
 namespace {
 
-constexpr Modifiers kShift{Modifiers::kShift};
-constexpr Modifiers kControl{Modifiers::kControl};
-constexpr Modifiers kControlShift{Modifiers::kControl | Modifiers::kShift};
-
 using Kind = OperationField::Kind;
 
 bool hasSelection(const Shell &context) {

@@ -30,6 +30,10 @@ struct Modifiers {
     friend bool operator==(Modifiers, Modifiers) = default;
 };
 
+inline constexpr Modifiers kNoModifiers{};
+inline constexpr Modifiers kShift{Modifiers::kShift}, kControl{Modifiers::kControl}, kAlt{Modifiers::kAlt};
+inline constexpr Modifiers kControlShift{Modifiers::kControl | Modifiers::kShift};
+
 enum class MouseButton : std::uint8_t { Left = 0, Right = 1, Middle = 2 };
 
 } // namespace forefront

@@ -11,9 +11,7 @@
 namespace forefront::form {
 
 void label(Workspace &context, const char *text) {
-    ImGui::AlignTextToFramePadding();
-    ui::muted(context, text);
-    ImGui::SameLine(context.px(kLabel));
+    ui::rowLabel(context, text, kLabel);
 }
 
 bool number(Workspace &context, const std::string &name, const char *text, double &value, const std::string &address) {

@@ -12,9 +12,6 @@ namespace forefront::shell {
 
 namespace {
 
-constexpr Modifiers kNone{};
-constexpr Modifiers kAlt{Modifiers::kAlt};
-
 bool isOpen(const Shell &context) {
     return context.lessons.visible && context.lessons.open.has_value();
 }
@@ -41,7 +38,7 @@ void addGlossaryActions(ActionRegistry &actions) {
     actions.add({.id = "help.glossary",
                  .menu = "Help",
                  .title = "Glossary\xe2\x80\xa6",
-                 .shortcuts = {{key::kF1 + 2, kNone}},
+                 .shortcuts = {{key::kF1 + 2, kNoModifiers}},
                  .run = [](Shell &c) { openGlossary(c, {}); }});
     for (const GlossaryTerm &term : glossary()) {
         actions.add({.id = "glossary." + std::string(term.id),
@@ -55,7 +52,7 @@ void addPageActions(ActionRegistry &actions) {
     actions.add({.id = "lesson.next",
                  .menu = "Learn",
                  .title = "Next page",
-                 .shortcuts = {{key::kPageDown, kNone}},
+                 .shortcuts = {{key::kPageDown, kNoModifiers}},
                  .run = [](Shell &c) { goToPage(c, c.lessons.open->page + 1); },
                  .enabled =
                      [](const Shell &c) {
@@ -64,7 +61,7 @@ void addPageActions(ActionRegistry &actions) {
     actions.add({.id = "lesson.previous",
                  .menu = "Learn",
                  .title = "Previous page",
-                 .shortcuts = {{key::kPageUp, kNone}},
+                 .shortcuts = {{key::kPageUp, kNoModifiers}},
                  .run = [](Shell &c) { goToPage(c, c.lessons.open->page - 1); },
                  .enabled = [](const Shell &c) { return isOpen(c) && c.lessons.open->page > 0; }});
     actions.add(
@@ -101,7 +98,7 @@ void addLessonActions(ActionRegistry &actions) {
     actions.add({.id = "help.lessons",
                  .menu = "Help",
                  .title = "Lessons",
-                 .shortcuts = {{key::kF1 + 1, kNone}},
+                 .shortcuts = {{key::kF1 + 1, kNoModifiers}},
                  .run =
                      [](Shell &c) {
                          c.lessons.visible = !c.lessons.visible;

@@ -12,10 +12,6 @@ namespace forefront {
 
 namespace {
 
-constexpr Modifiers kNone{};
-constexpr Modifiers kShift{Modifiers::kShift};
-constexpr Modifiers kControl{Modifiers::kControl};
-
 Box2 drawingBounds(const Workspace &context) {
     Box2 box = boundsOf(*context.document.current());
     if (context.run.showsFile()) {
@@ -30,26 +26,27 @@ void chooseTheme(Shell &context, ThemeKind kind) {
 }
 
 void addCameraActions(ActionRegistry &actions) {
-    actions.add(
-        {.id = "view.fit", .menu = "View", .title = "Show all", .shortcuts = {{'F', kNone}}, .run = [](Shell &c) {
-             c.view.fit(drawingBounds(c));
-         }});
+    actions.add({.id = "view.fit",
+                 .menu = "View",
+                 .title = "Show all",
+                 .shortcuts = {{'F', kNoModifiers}},
+                 .run = [](Shell &c) { c.view.fit(drawingBounds(c)); }});
     actions.add({.id = "view.zoomIn",
                  .menu = "View",
                  .title = "Zoom in",
-                 .shortcuts = {{key::kEqual, kNone}, {key::kEqual, kControl}},
+                 .shortcuts = {{key::kEqual, kNoModifiers}, {key::kEqual, kControl}},
                  .run = [](Shell &c) { c.view.zoomAt(c.view.camera.viewport.centre(), 1.4); },
                  .repeats = true});
     actions.add({.id = "view.zoomOut",
                  .menu = "View",
                  .title = "Zoom out",
-                 .shortcuts = {{key::kMinus, kNone}, {key::kMinus, kControl}},
+                 .shortcuts = {{key::kMinus, kNoModifiers}, {key::kMinus, kControl}},
                  .run = [](Shell &c) { c.view.zoomAt(c.view.camera.viewport.centre(), 1.0 / 1.4); },
                  .repeats = true});
     actions.add({.id = "view.follow",
                  .menu = "View",
                  .title = "Follow the front",
-                 .shortcuts = {{'T', kNone}},
+                 .shortcuts = {{'T', kNoModifiers}},
                  .run =
                      [](Shell &c) {
                          c.view.following = !c.view.following;
@@ -62,7 +59,7 @@ void addInterfaceActions(ActionRegistry &actions) {
     actions.add({.id = "view.panels",
                  .menu = "View",
                  .title = "Panels",
-                 .shortcuts = {{key::kTab, kNone}},
+                 .shortcuts = {{key::kTab, kNoModifiers}},
                  .run =
                      [](Shell &c) {
                          c.view.panels = !c.view.panels;
@@ -101,7 +98,7 @@ void addRunActions(ActionRegistry &actions) {
     actions.add({.id = "run.mesh",
                  .menu = "Mesh",
                  .title = "Mesh",
-                 .shortcuts = {{key::k2, kNone}, {key::kF5, kNone}},
+                 .shortcuts = {{key::k2, kNoModifiers}, {key::kF5, kNoModifiers}},
                  .run =
                      [](Shell &c) {
                          c.view.isolatedBin.reset();
@@ -111,7 +108,7 @@ void addRunActions(ActionRegistry &actions) {
     actions.add({.id = "run.cancel",
                  .menu = "Mesh",
                  .title = "Cancel",
-                 .shortcuts = {{key::kEscape, kNone}},
+                 .shortcuts = {{key::kEscape, kNoModifiers}},
                  .run = [](Shell &c) { c.run.cancel(); },
                  .enabled = [](const Shell &c) { return c.run.busy(); }});
     actions.add({.id = "run.live",
@@ -143,7 +140,7 @@ void addTimelineActions(ActionRegistry &actions) {
     actions.add({.id = "run.play",
                  .menu = "Mesh",
                  .title = "Play or pause",
-                 .shortcuts = {{key::kSpace, kNone}},
+                 .shortcuts = {{key::kSpace, kNoModifiers}},
                  .run = [](Shell &c) { travel(c, [](RunControl &run) { run.togglePlay(); }); },
                  .enabled = canMesh,
                  .separatorBefore = true});
@@ -151,8 +148,8 @@ void addTimelineActions(ActionRegistry &actions) {
         const char *id, *title;
         Shortcut shortcut;
         std::int64_t steps;
-    } steps[] = {{"run.forward", "Step forward", {key::kPeriod, kNone}, 1},
-                 {"run.back", "Step back", {key::kComma, kNone}, -1},
+    } steps[] = {{"run.forward", "Step forward", {key::kPeriod, kNoModifiers}, 1},
+                 {"run.back", "Step back", {key::kComma, kNoModifiers}, -1},
                  {"run.forward100", "100 steps forward", {key::kPeriod, kShift}, 100},
                  {"run.back100", "100 steps back", {key::kComma, kShift}, -100}};
     for (const auto &step : steps) {
@@ -168,7 +165,7 @@ void addTimelineActions(ActionRegistry &actions) {
     actions.add({.id = "run.nextStop",
                  .menu = "Mesh",
                  .title = "Run to the next breakpoint",
-                 .shortcuts = {{'N', kNone}},
+                 .shortcuts = {{'N', kNoModifiers}},
                  .run = [](Shell &c) { runToStop(c, true); },
                  .enabled = hasStops});
     actions.add({.id = "run.previousStop",
@@ -180,13 +177,13 @@ void addTimelineActions(ActionRegistry &actions) {
     actions.add({.id = "run.start",
                  .menu = "Mesh",
                  .title = "Go to start",
-                 .shortcuts = {{key::kHome, kNone}},
+                 .shortcuts = {{key::kHome, kNoModifiers}},
                  .run = [](Shell &c) { travel(c, [](RunControl &run) { run.seek(0); }); },
                  .enabled = canMesh});
     actions.add({.id = "run.end",
                  .menu = "Mesh",
                  .title = "Go to end",
-                 .shortcuts = {{key::kEnd, kNone}},
+                 .shortcuts = {{key::kEnd, kNoModifiers}},
                  .run = [](Shell &c) { travel(c, [](RunControl &run) { run.seekEnd(); }); },
                  .enabled = canMesh});
 }
@@ -230,7 +227,7 @@ void addHelpActions(ActionRegistry &actions) {
     actions.add({.id = "help.shortcuts",
                  .menu = "Help",
                  .title = "Shortcuts",
-                 .shortcuts = {{key::kF1, kNone}, {key::kSlash, kShift}},
+                 .shortcuts = {{key::kF1, kNoModifiers}, {key::kSlash, kShift}},
                  .run = [](Shell &c) { c.dialogs.open(makeShortcutSheet()); }});
     actions.add({.id = "help.about",
                  .menu = "Help",
@@ -254,7 +251,7 @@ void addToolActions(ActionRegistry &actions) {
         actions.add({.id = std::string("tool.") + tool->id(),
                      .menu = "",
                      .title = std::string("Tool: ") + tool->name(),
-                     .shortcuts = {{tool->key(), kNone}},
+                     .shortcuts = {{tool->key(), kNoModifiers}},
                      .run = [id = std::string(tool->id())](Shell &c) { c.tools.choose(id, c); }});
     }
 }

@@ -323,6 +323,12 @@ void muted(WidgetContext &context, std::string_view text) {
     ImGui::PopStyleColor();
 }
 
+void rowLabel(WidgetContext &context, const char *text, double width) {
+    ImGui::AlignTextToFramePadding();
+    muted(context, text);
+    ImGui::SameLine(context.px(width));
+}
+
 void small(WidgetContext &context, std::string_view text, bool wrap) {
     ImGui::PushFont(context.fonts.small);
     ImGui::PushStyleColor(ImGuiCol_Text, context.theme.muted);
