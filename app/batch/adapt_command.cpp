@@ -22,7 +22,7 @@ namespace forefront {
 
 namespace {
 
-constexpr const char *kExamples = R"help(
+constexpr const char *kAdaptExamples = R"help(
 The error is that of the gradient, relative to the norm of the gradient, as estimated by the method of Zienkiewicz and
 Zhu: 0.05 means 5 %. A field from a file is known only on its own mesh, so a single new mesh is made: run the solver on
 it, then adapt again. An expression is evaluated on each new mesh until the estimate meets the requested error.
@@ -235,7 +235,7 @@ int adaptCommand(int argc, const char *const *argv) {
     AdaptArguments arguments;
     CLI::App app("Remeshes until a field is represented with a requested accuracy, with as few elements as possible.",
                  "forefront adapt");
-    app.footer(kExamples);
+    app.footer(kAdaptExamples);
     addAdaptOptions(app, arguments);
     if (const auto code = parseOptions(app, argc, argv)) {
         return *code;

@@ -24,7 +24,7 @@ namespace forefront {
 
 namespace {
 
-constexpr const char *kExamples = R"help(
+constexpr const char *kCheckExamples = R"help(
 Examples:
   forefront check plate.msh
         is the mesh conforming, oriented and free of overlaps?
@@ -179,7 +179,7 @@ int check(CheckArguments &arguments) {
 int checkCommand(int argc, const char *const *argv) {
     CheckArguments arguments;
     CLI::App app("Checks a mesh, alone or against its domain.", "forefront check");
-    app.footer(kExamples);
+    app.footer(kCheckExamples);
     app.add_option("MESH", arguments.mesh,
                    "mesh file: .msh, .vtu, .vtk, .mesh, .inp, .su2, .node, .ele, .obj, .vol; -: standard input")
         ->required();

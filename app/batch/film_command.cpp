@@ -19,7 +19,7 @@ namespace forefront {
 
 namespace {
 
-constexpr const char *kExamples = R"help(
+constexpr const char *kFilmExamples = R"help(
 Examples:
   forefront film plate.json -o run.gif --method classic --steps 200
         the first 200 advances as an animated GIF
@@ -110,7 +110,7 @@ std::string unusedOption(const CLI::App &app, const FilmPlan &plan) {
 int filmCommand(int argc, const char *const *argv) {
     FilmArguments arguments;
     CLI::App app("Films a meshing run: an animated GIF, numbered PNG or SVG frames, or one moment.", "forefront film");
-    app.footer(kExamples);
+    app.footer(kFilmExamples);
     app.add_option("IN", arguments.input, "project, drawing or domain; -: standard input")->required();
     addInputFormatOption(app, "IN", arguments.inputFormat);
     app.add_option(

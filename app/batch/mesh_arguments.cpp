@@ -12,7 +12,7 @@ namespace forefront {
 
 namespace {
 
-constexpr const char *kExamples = R"help(
+constexpr const char *kMeshExamples = R"help(
 Examples:
   forefront mesh lake.geojson -o lake.msh
         automatic spacing; Gmsh MSH 2.2
@@ -103,7 +103,7 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     MeshArguments arguments;
     std::string grid;
     CLI::App app("Meshes a planar domain with triangles by the advancing front technique.", "forefront mesh");
-    app.footer(kExamples);
+    app.footer(kMeshExamples);
     app.add_option("IN", arguments.input,
                    "project (.json, .forefront) or domain (.poly, .geojson, .svg, .msh, ...); -: standard input")
         ->required();

@@ -18,7 +18,7 @@ namespace forefront {
 
 namespace {
 
-constexpr const char *kExamples = R"(
+constexpr const char *kTablesExamples = R"(
 Examples:
   forefront tables
         every row with every grid, published figures beside ours; takes minutes, most of them without a grid
@@ -102,7 +102,7 @@ int tablesCommand(int argc, const char *const *argv) {
     std::vector<std::string> grids{"none", "30x20", "60x40", "hierarchical"};
     CLI::App app("Runs the published cases of S. H. Lo's advancing front tables by the classic method.",
                  "forefront tables");
-    app.footer(kExamples);
+    app.footer(kTablesExamples);
     app.add_option("--rows", rows,
                    "rows to run, separated by commas: 1A to 1E, 2A to 2E, 3*, 4* (*: our own cases); default all")
         ->delimiter(',')

@@ -20,7 +20,7 @@ namespace forefront {
 namespace {
 
 constexpr double kSmooth = 1e-3; ///< maximum turn, in radians, of a path in a node that is no corner
-constexpr double kRounding = 1e-9;
+constexpr double kCornerRounding = 1e-9;
 
 /// A corner cut off: the side before it up to a parameter, what joins them, the side after it from a parameter on.
 struct Cut {
@@ -46,7 +46,7 @@ struct Parallel {
 };
 
 bool inRange(double t) {
-    return t >= -kRounding && t <= 1.0 + kRounding;
+    return t >= -kCornerRounding && t <= 1.0 + kCornerRounding;
 }
 
 /// Finds the parameters at which the parallels of two curves meet, near the corner, by Newton's method.
@@ -71,7 +71,7 @@ std::optional<std::pair<double, double>> meeting(const Parallel &a, const Parall
         }
     }
     const double size = std::max(a.curve.length(), b.curve.length());
-    const bool meets = distance(a.point(s), b.point(t)) <= kRounding * size && inRange(s) && inRange(t);
+    const bool meets = distance(a.point(s), b.point(t)) <= kCornerRounding * size && inRange(s) && inRange(t);
     return meets ? std::optional(std::pair(std::clamp(s, 0.0, 1.0), std::clamp(t, 0.0, 1.0))) : std::nullopt;
 }
 
@@ -108,7 +108,7 @@ double parameterAt(const Curve &curve, double reach) {
 }
 
 std::optional<Cut> chamfer(const Curve &before, const Curve &after, double reach) {
-    if (before.length() < (1.0 - kRounding) * reach || after.length() < (1.0 - kRounding) * reach) {
+    if (before.length() < (1.0 - kCornerRounding) * reach || after.length() < (1.0 - kCornerRounding) * reach) {
         return std::nullopt;
     }
     const double s = 1.0 - std::min(1.0, parameterAt(before.part(1.0, 0.0), reach));
@@ -194,7 +194,7 @@ class CornerPass {
             return error("not-possible", "the corner at " + placeText(element.node) + " has no room for this",
                          "enter a smaller number");
         }
-        const bool noBefore = found->s <= kRounding, noAfter = found->t >= 1.0 - kRounding;
+        const bool noBefore = found->s <= kCornerRounding, noAfter = found->t >= 1.0 - kCornerRounding;
         const Element joint{noBefore ? first.point(0.0) : first.point(found->s), found->joint, before.tag};
         before.curve = part(first, 0.0, found->s);
         element.curve = part(second, found->t, alone ? found->s : 1.0);

@@ -6,17 +6,17 @@ namespace forefront {
 
 namespace {
 
-constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+constexpr double kNoMaximum = std::numeric_limits<double>::infinity();
 constexpr double kTiny = std::numeric_limits<double>::min();
 
-constexpr std::array<LimitInfo, wordsOf<MeshLimit>().size()> kInfos = {{
+constexpr std::array<LimitInfo, wordsOf<MeshLimit>().size()> kLimitInfos = {{
     {"minimum angle", "minAngle", Measure::MinAngle, true, 0.0, 60.0, "Smallest angle allowed, in degrees"},
     {"maximum angle", "maxAngle", Measure::MaxAngle, false, 60.0, 180.0, "Largest angle allowed, in degrees"},
     {"minimum \xce\xb1", "minAlpha", Measure::ShapeFactor, true, 0.0, 1.0, "Smallest shape factor \xce\xb1 allowed"},
     {"maximum growth", "maxGrowth", Measure::AreaRatio, false, 1.0, 1e6,
      "Largest ratio allowed between the areas of elements that share an edge"},
-    {"minimum edge length", "minLength", Measure::Length, true, kTiny, kUnbounded, "Shortest edge allowed"},
-    {"maximum edge length", "maxLength", Measure::Length, false, kTiny, kUnbounded, "Longest edge allowed"},
+    {"minimum edge length", "minLength", Measure::Length, true, kTiny, kNoMaximum, "Shortest edge allowed"},
+    {"maximum edge length", "maxLength", Measure::Length, false, kTiny, kNoMaximum, "Longest edge allowed"},
     {"minimum \xce\xb4", "minDelta", Measure::Conformity, true, 0.0, 1.0,
      "Smallest spacing conformity \xce\xb4 = min(L/\xcf\x81, \xcf\x81/L) allowed; needs a spacing"},
     {"minimum across gaps", "minAcross", Measure::Across, true, 1.0, 1000.0,
@@ -67,7 +67,7 @@ LimitVerdict verdictOf(MeshLimit limit, double bound, const Mesh &mesh, const Me
 } // namespace
 
 const LimitInfo &limitInfo(MeshLimit limit) {
-    return kInfos[static_cast<std::size_t>(limit)];
+    return kLimitInfos[static_cast<std::size_t>(limit)];
 }
 
 bool MeshLimits::any() const {
@@ -84,7 +84,7 @@ std::string limitFault(MeshLimit limit, double value) {
         return {};
     }
     const std::string range =
-        info.minimum > 0.0 && info.maximum == kUnbounded
+        info.minimum > 0.0 && info.maximum == kNoMaximum
             ? "a positive number"
             : "a number from " + numberText(info.minimum, 6) + " to " + numberText(info.maximum, 6);
     return "expected " + range + ", got " + numberText(value, 6);

@@ -14,7 +14,7 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
-constexpr std::array<MeasureInfo, wordsOf<Measure>().size()> kInfos = {{
+constexpr std::array<MeasureInfo, wordsOf<Measure>().size()> kMeasureInfos = {{
     {"Shape factor", "\xce\xb1", "", MeshPart::Elements, BadEnd::Low, false, -1.0, 1.0,
      "Shape factor \xce\xb1 = 4\xe2\x88\x9a"
      "3\xc2\xb7"
@@ -141,7 +141,7 @@ std::vector<double> perElementIndex(std::size_t count, auto &&value) {
 } // namespace
 
 const MeasureInfo &infoOf(Measure measure) {
-    return kInfos[static_cast<std::size_t>(measure)];
+    return kMeasureInfos[static_cast<std::size_t>(measure)];
 }
 
 MeshEdges edgesOf(const Mesh &mesh) {

@@ -127,7 +127,7 @@ def by_add_subdirectory(folder):
     (made / "CMakeLists.txt").write_text(PROJECT.format(find=f'add_subdirectory("{REPOSITORY}" forefront)'))
     for kind, shared in (("static", "OFF"), ("shared", "ON")):
         run(CMAKE, "-G", "Ninja", "-B", "build", "-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_CXX_FLAGS_DEBUG=-O0",
-            "-DFOREFRONT_PCH=ON", "-DFOREFRONT_WERROR=ON", f"-DBUILD_SHARED_LIBS={shared}", folder=made)
+            "-DFOREFRONT_PCH=ON", "-DCMAKE_UNITY_BUILD=ON", "-DFOREFRONT_WERROR=ON", f"-DBUILD_SHARED_LIBS={shared}", folder=made)
         targets = run("ninja", "-C", "build", "-t", "targets", "all", folder=made)
         for part in ("forefront_ui", "forefront_unit_tests", "forefront_tables", "app/forefront"):
             check(part not in targets, f"{part} is built in another project without being asked for")

@@ -9,7 +9,7 @@ namespace forefront {
 
 namespace {
 
-constexpr std::int64_t kAny = std::numeric_limits<std::int64_t>::max();
+constexpr std::int64_t kAnyInteger = std::numeric_limits<std::int64_t>::max();
 constexpr std::int64_t kGreatestTag = std::numeric_limits<std::int32_t>::max();
 
 } // namespace
@@ -36,7 +36,7 @@ bool MshFile::readEntity4(int dimension) {
     std::int64_t entity = 0, number = 0;
     double coordinate = 0.0;
     std::size_t physicals = 0, bounds = 0;
-    if (!scanner_.integer(entity, -kAny, kAny, {"the tag of an entity"})) {
+    if (!scanner_.integer(entity, -kAnyInteger, kAnyInteger, {"the tag of an entity"})) {
         return false;
     }
     const int coordinates = dimension == 0 ? 3 : 6;
@@ -61,7 +61,7 @@ bool MshFile::readEntity4(int dimension) {
             return false;
         }
         for (std::size_t k = 0; k < bounds; ++k) {
-            if (!scanner_.integer(number, -kAny, kAny, {"a bounding entity"})) {
+            if (!scanner_.integer(number, -kAnyInteger, kAnyInteger, {"a bounding entity"})) {
                 return false;
             }
         }
@@ -75,8 +75,8 @@ bool MshFile::readNodes4() {
     std::int64_t number = 0;
     if (!scanner_.count(blocks, 6, {"the number of node blocks"}) ||
         !scanner_.count(count, 8, {"the number of nodes"}) ||
-        !scanner_.integer(number, 0, kAny, {"the minimum node number"}) ||
-        !scanner_.integer(number, 0, kAny, {"the maximum node number"})) {
+        !scanner_.integer(number, 0, kAnyInteger, {"the minimum node number"}) ||
+        !scanner_.integer(number, 0, kAnyInteger, {"the maximum node number"})) {
         return false;
     }
     std::vector<NumberedNode> nodes;
@@ -85,14 +85,14 @@ bool MshFile::readNodes4() {
         std::int64_t dimension = 0, entity = 0, parametric = 0;
         std::size_t size = 0;
         if (!scanner_.integer(dimension, 0, 3, {"the dimension of node block", block + 1}) ||
-            !scanner_.integer(entity, -kAny, kAny, {"the entity of node block", block + 1}) ||
+            !scanner_.integer(entity, -kAnyInteger, kAnyInteger, {"the entity of node block", block + 1}) ||
             !scanner_.integer(parametric, 0, 1, {"the parametric flag of node block", block + 1}) ||
             !scanner_.count(size, 2, {"the number of nodes of node block", block + 1})) {
             return false;
         }
         const std::size_t first = nodes.size();
         for (std::size_t k = 0; k < size; ++k) {
-            if (!scanner_.integer(number, 1, kAny, {"the number of node", first + k + 1})) {
+            if (!scanner_.integer(number, 1, kAnyInteger, {"the number of node", first + k + 1})) {
                 return false;
             }
             nodes.push_back({number, {}});
@@ -131,8 +131,8 @@ bool MshFile::readElements4() {
     std::int64_t number = 0;
     if (!scanner_.count(blocks, 8, {"the number of element blocks"}) ||
         !scanner_.count(count, 4, {"the number of elements"}) ||
-        !scanner_.integer(number, 0, kAny, {"the minimum element number"}) ||
-        !scanner_.integer(number, 0, kAny, {"the maximum element number"})) {
+        !scanner_.integer(number, 0, kAnyInteger, {"the minimum element number"}) ||
+        !scanner_.integer(number, 0, kAnyInteger, {"the maximum element number"})) {
         return false;
     }
     for (std::size_t block = 0; block < blocks; ++block) {
@@ -179,7 +179,7 @@ bool MshFile::readElementBlock4(std::size_t &left) {
     std::int64_t dimension = 0, entity = 0, type = 0, number = 0;
     std::size_t size = 0;
     if (!scanner_.integer(dimension, 0, 3, {"the dimension of an element block"}) ||
-        !scanner_.integer(entity, -kAny, kAny, {"the entity of an element block"})) {
+        !scanner_.integer(entity, -kAnyInteger, kAnyInteger, {"the entity of an element block"})) {
         return false;
     }
     const std::size_t typeOffset = scanner_.offset() + 1;
@@ -193,7 +193,7 @@ bool MshFile::readElementBlock4(std::size_t &left) {
     left -= size;
     const std::int32_t tag = tagOf(static_cast<int>(dimension), entity);
     for (std::size_t k = 0; k < size; ++k) {
-        if (!scanner_.integer(number, 0, kAny, {"the number of an element"}) ||
+        if (!scanner_.integer(number, 0, kAnyInteger, {"the number of an element"}) ||
             !readConnection(type, tag, typeOffset, {"element", static_cast<std::uint64_t>(number)})) {
             return false;
         }

@@ -8,7 +8,7 @@ namespace forefront {
 namespace {
 
 using Key = std::pair<std::int32_t, std::int32_t>;
-constexpr std::int32_t kSpan = PaintedSpacing::kTileSpan;
+constexpr std::int32_t kTileSpan = PaintedSpacing::kTileSpan;
 constexpr std::int32_t kFarthestTile = 100'000'000; ///< keeps node numbers within 32 bits
 constexpr double kMaxDirectory = 4'000'000.0;       ///< tiles
 
@@ -33,8 +33,8 @@ std::optional<Diagnostics> faultOf(const PaintedSpacing &paint) {
         }
         for (std::size_t n = 0; tile && n < tile->size(); ++n) {
             if (!((*tile)[n] >= 0.0F) || !std::isfinite((*tile)[n])) {
-                const Vec2 node{static_cast<double>(key.first) * kSpan + static_cast<double>(n % kSpan),
-                                static_cast<double>(key.second) * kSpan + static_cast<double>(n / kSpan)};
+                const Vec2 node{static_cast<double>(key.first) * kTileSpan + static_cast<double>(n % kTileSpan),
+                                static_cast<double>(key.second) * kTileSpan + static_cast<double>(n / kTileSpan)};
                 return badPaint("invalid painted spacing; expected finite numbers above 0",
                                 paint.origin + paint.pitch * node);
             }
@@ -63,14 +63,15 @@ class Surroundings {
     bool painted() const { return painted_; }
 
   private:
-    static constexpr std::int32_t kWidth = kSpan + 2;
+    static constexpr std::int32_t kWidth = kTileSpan + 2;
 
     void copy(const PaintedSpacing::Tile &tile, std::int32_t di, std::int32_t dj, float minimum) {
-        const auto first = [](std::int32_t d) { return d < 0 ? -1 : d * kSpan; };
-        const auto last = [](std::int32_t d) { return d < 0 ? -1 : (d == 0 ? kSpan - 1 : kSpan); };
+        const auto first = [](std::int32_t d) { return d < 0 ? -1 : d * kTileSpan; };
+        const auto last = [](std::int32_t d) { return d < 0 ? -1 : (d == 0 ? kTileSpan - 1 : kTileSpan); };
         for (std::int32_t j = first(dj); j <= last(dj); ++j) {
             for (std::int32_t i = first(di); i <= last(di); ++i) {
-                const float value = tile[static_cast<std::size_t>((i - di * kSpan) + (j - dj * kSpan) * kSpan)];
+                const float value =
+                    tile[static_cast<std::size_t>((i - di * kTileSpan) + (j - dj * kTileSpan) * kTileSpan)];
                 values_[static_cast<std::size_t>((i + 1) + (j + 1) * kWidth)] =
                     value > 0.0F ? std::max(value, minimum) : 0.0F;
                 painted_ = painted_ || value > 0.0F;
@@ -102,10 +103,10 @@ class SiteFinder {
         : nodes_(nodes), corner_(corner), pitch_(pitch), gradation_(gradation), sites_(sites) {}
 
     void run() {
-        for (std::int32_t j = 0; j < kSpan; ++j) {
+        for (std::int32_t j = 0; j < kTileSpan; ++j) {
             addEdges({0, j}, {1, 0}, {0, -1}); // lower edges of the cells of row j
             addEdges({j, 0}, {0, 1}, {-1, 0}); // left edges of the cells of column j
-            for (std::int32_t i = 0; i < kSpan; ++i) {
+            for (std::int32_t i = 0; i < kTileSpan; ++i) {
                 addNode(i, j);
             }
         }
@@ -156,8 +157,8 @@ class SiteFinder {
     void addEdges(Step cell, Step along, Step across) {
         float run = 0.0F;
         Step begin = cell;
-        for (std::int32_t n = 0; n <= kSpan; ++n, cell.i += along.i, cell.j += along.j) {
-            const float value = n < kSpan ? edgeValue(cell, {cell.i + across.i, cell.j + across.j}, along) : 0.0F;
+        for (std::int32_t n = 0; n <= kTileSpan; ++n, cell.i += along.i, cell.j += along.j) {
+            const float value = n < kTileSpan ? edgeValue(cell, {cell.i + across.i, cell.j + across.j}, along) : 0.0F;
             if (value == run) {
                 continue;
             }
@@ -198,7 +199,8 @@ class SiteFinder {
 };
 
 Vec2 tileCorner(const PaintedSpacing &paint, Key key) {
-    return paint.origin + paint.pitch * kSpan * Vec2{static_cast<double>(key.first), static_cast<double>(key.second)};
+    return paint.origin +
+           paint.pitch * kTileSpan * Vec2{static_cast<double>(key.first), static_cast<double>(key.second)};
 }
 
 } // namespace
@@ -208,7 +210,7 @@ Result<PaintedPart> PaintedPart::build(const PaintedSpacing &paint, const Box2 &
         return *std::move(fault);
     }
     PaintedPart part;
-    const double tile = paint.pitch * kSpan;
+    const double tile = paint.pitch * kTileSpan;
     const Vec2 first{std::floor((box.min.x - paint.origin.x) / tile), std::floor((box.min.y - paint.origin.y) / tile)};
     const Vec2 last{std::floor((box.max.x - paint.origin.x) / tile), std::floor((box.max.y - paint.origin.y) / tile)};
     const Vec2 count{last.x - first.x + 1.0, last.y - first.y + 1.0};
@@ -218,8 +220,8 @@ Result<PaintedPart> PaintedPart::build(const PaintedSpacing &paint, const Box2 &
     part.columns_ = static_cast<std::uint32_t>(count.x);
     part.origin_ = paint.origin + tile * first;
     part.perPitch_ = 1.0 / paint.pitch;
-    part.spanX_ = count.x * kSpan;
-    part.spanY_ = count.y * kSpan;
+    part.spanX_ = count.x * kTileSpan;
+    part.spanY_ = count.y * kTileSpan;
     part.directory_.assign(static_cast<std::size_t>(count.x * count.y), kNoBlock);
     for (const Key &key : tilesTouched(paint)) {
         const double column = key.first - first.x;
@@ -231,7 +233,7 @@ Result<PaintedPart> PaintedPart::build(const PaintedSpacing &paint, const Box2 &
         if (!nodes.painted()) {
             continue;
         }
-        constexpr auto kEdge = static_cast<std::int32_t>(kSpan);
+        constexpr auto kEdge = static_cast<std::int32_t>(kTileSpan);
         Block block{};
         for (std::int32_t j = 0; j <= kEdge; ++j) {
             for (std::int32_t i = 0; i <= kEdge; ++i) {
