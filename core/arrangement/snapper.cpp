@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 #include <tuple>
 
 namespace forefront {
@@ -16,6 +18,7 @@ namespace forefront {
 namespace {
 
 constexpr std::size_t kMaxBoxesPerEdge = 64;
+constexpr std::size_t kManySplit = 8; ///< a layer is built anew if more than 1/8 of its boxes are of split edges
 
 } // namespace
 
@@ -95,11 +98,11 @@ std::uint32_t Snapper::halfEdge(std::uint32_t from, std::uint32_t to) {
     return 2 * entry->second + (forth ? 0U : 1U);
 }
 
-/// Puts the edges from this one on into a tree. An edge that slants is covered by several boxes.
-void Snapper::index(std::uint32_t firstEdge) {
+/// Puts edges into a tree. An edge that slants is covered by several boxes.
+Snapper::Layer Snapper::layerOf(std::span<const std::uint32_t> edges) const {
     std::vector<Box2> boxes;
     Layer layer;
-    for (std::uint32_t e = firstEdge; e < edges_.size(); ++e) {
+    for (const std::uint32_t e : edges) {
         const Vec2 a = turned(places_[edges_[e].a]), b = turned(places_[edges_[e].b]);
         const double slant = std::min(std::fabs(b.x - a.x), std::fabs(b.y - a.y));
         const double wanted = boxLength_ > 0.0 ? std::ceil(slant / boxLength_) : 1.0;
@@ -113,7 +116,26 @@ void Snapper::index(std::uint32_t firstEdge) {
         }
     }
     layer.tree = BoxTree(boxes);
-    layers_.push_back(std::move(layer));
+    return layer;
+}
+
+/// Adds a layer of the edges from this one on, and builds layers anew in which many edges have been split since: each
+/// would be found by all its parts.
+void Snapper::index(std::uint32_t firstEdge) {
+    std::vector<std::uint32_t> edges;
+    for (Layer &layer : layers_) {
+        const auto split = [&](std::uint32_t e) { return edges_[e].child != edges_[e].end; };
+        const auto count = static_cast<std::size_t>(std::count_if(layer.edge.begin(), layer.edge.end(), split));
+        if (kManySplit * count > layer.edge.size()) {
+            edges.clear();
+            std::copy_if(layer.edge.begin(), layer.edge.end(), std::back_inserter(edges),
+                         [&](std::uint32_t e) { return !split(e) && (edges.empty() || edges.back() != e); });
+            layer = layerOf(edges);
+        }
+    }
+    edges.resize(edges_.size() - firstEdge);
+    std::iota(edges.begin(), edges.end(), firstEdge);
+    layers_.push_back(layerOf(edges));
 }
 
 /// Visits the edges whose boxes come near an edge.

@@ -29,11 +29,17 @@ class Snapper {
         std::uint32_t first = 0, second = 0;
     };
 
+    struct Layer {
+        BoxTree tree;
+        std::vector<std::uint32_t> edge; ///< per box; boxes of one edge follow one another
+    };
+
     void collectPlaces(std::span<const std::uint8_t> preferred);
     void makeEdges();
     void chooseAxis();
     Vec2 turned(Vec2 p) const { return {dot(axis_, p), cross(axis_, p)}; }
     std::uint32_t halfEdge(std::uint32_t from, std::uint32_t to);
+    Layer layerOf(std::span<const std::uint32_t> edges) const;
     void index(std::uint32_t firstEdge);
     template <class Visit>
     void visitNear(std::uint32_t edge, const Visit &visit) const;
@@ -60,13 +66,9 @@ class Snapper {
     std::vector<std::uint32_t> children_;                     ///< half-edges
     std::vector<std::uint32_t> lineEdge_;                     ///< per line: its half-edge, or kNoIndex
     std::unordered_map<std::uint64_t, std::uint32_t> byEnds_; ///< only looked up
-    struct Layer {
-        BoxTree tree;
-        std::vector<std::uint32_t> edge; ///< per box
-    };
-    std::vector<Layer> layers_; ///< edges of each round; split ones are skipped
-    Vec2 axis_{1.0, 0.0};       ///< boxes lie along it
-    double boxLength_ = 0.0;    ///< longer slanting edges have several boxes
+    std::vector<Layer> layers_;                               ///< edges of each round; split ones are skipped
+    Vec2 axis_{1.0, 0.0};                                     ///< boxes lie along it
+    double boxLength_ = 0.0;                                  ///< longer slanting edges have several boxes
     std::vector<Cut> cuts_;
     std::vector<Crossing> crossings_;
 };

@@ -1,5 +1,7 @@
 #include "core/spacing/parts/automatic/gap_finder.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -15,7 +17,8 @@ constexpr double kNeedle = 0.9396926207859084; ///< cosine of 20 degrees
 /// fine the elements, some remain poor, and finer elements only add to their number: a needle of angle θ and elements
 /// of one size has about 2/θ.
 constexpr double kNegligibleGap = 1.0 / 32.0;
-constexpr double kLongGap = 12.0; ///< in widths; a shorter gap, between two tips, costs few elements
+constexpr double kRounding = 4e-15; ///< of the coordinates, in distances between segments
+constexpr double kLongGap = 12.0;   ///< in widths; a shorter gap, between two tips, costs few elements
 
 struct Pair {
     Vec2 p;
@@ -29,6 +32,7 @@ Vec2 nearestOn(Vec2 a, Vec2 b, Vec2 p) {
 
 /// Returns the closest points of two segments that do not cross; at least one of them is an end.
 Pair closest(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+    const SizeSite first = SizeSite::segment(a, b, 1.0, 0.0), second = SizeSite::segment(c, d, 1.0, 0.0);
     Pair best;
     const auto consider = [&](Vec2 p, Vec2 q) {
         const double square = distanceSquared(p, q);
@@ -36,10 +40,10 @@ Pair closest(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
             best = {p, q, square};
         }
     };
-    consider(nearestOn(a, b, c), c);
-    consider(nearestOn(a, b, d), d);
-    consider(a, nearestOn(c, d, a));
-    consider(b, nearestOn(c, d, b));
+    consider(first.nearest(c), c);
+    consider(first.nearest(d), d);
+    consider(a, second.nearest(a));
+    consider(b, second.nearest(b));
     return best;
 }
 
@@ -59,6 +63,8 @@ SegmentIndex::SegmentIndex(std::vector<PlacedSegment> placed) : segments(std::mo
 GapFinder::GapFinder(const Domain &domain, const SegmentIndex &index, double longest, double shortest,
                      const Progress &progress)
     : domain_(domain), index_(index), longest_(longest), shortest_(shortest), box_(spacingBox(domain)),
+      rounding_(kRounding *
+                std::max({std::fabs(box_.min.x), std::fabs(box_.min.y), std::fabs(box_.max.x), std::fabs(box_.max.y)})),
       progress_(progress) {}
 
 bool GapFinder::isPoint(const PlacedSegment &segment) const {
@@ -102,7 +108,9 @@ GapFinder::Facing GapFinder::facing(std::uint32_t position, Vec2 a, Vec2 b, doub
     const Vec2 normal = (1.0 / own.length()) * leftNormal(own.b - own.a);
     Facing best;
     double square = reach * reach;
-    index_.tree.query(boxOf(a, b).grown(reach), [&](std::uint32_t other) {
+    const Box2 part = boxOf(a, b);
+    Box2 around = part.grown(reach); // shrinks as nearer ones are found
+    const auto visit = [&](std::uint32_t other) {
         if (other == position) {
             return;
         }
@@ -125,6 +133,7 @@ GapFinder::Facing GapFinder::facing(std::uint32_t position, Vec2 a, Vec2 b, doub
         }
         square = pair.square;
         best.width = std::sqrt(square);
+        around = part.grown(best.width + rounding_);
         best.corner = best.needle = false;
         if (!isPoint(wall)) {
             const DomainSegment &far = domain_.segments[wall.index];
@@ -134,7 +143,12 @@ GapFinder::Facing GapFinder::facing(std::uint32_t position, Vec2 a, Vec2 b, doub
             const Vec2 back = far.a == (atA ? ends.a : ends.b) ? wall.b - wall.a : wall.a - wall.b;
             best.needle = best.corner && dot(along, back) > kNeedle * length(along) * length(back);
         }
-    });
+    };
+    index_.tree.search([&](const Box2 &box) { return box.overlaps(around); },
+                       [&](std::uint32_t other) {
+                           visit(other);
+                           return true;
+                       });
     return best;
 }
 
@@ -151,18 +165,20 @@ void GapFinder::divide(std::uint32_t position, double from, double to, double re
     const double floor = nearest.tip || nearest.corner ? std::max(shortest_, kCornerFloor * reach) : shortest_;
     const bool wide = nearest.width == kNothing;
     if (length(b - a) > 2.0 * floor && (nearest.tip || !wide)) {
-        const double atA = facing(position, a, a, 2.0 * reach, sides).width;
-        const double atB = facing(position, b, b, 2.0 * reach, sides).width;
-        const double narrowest = std::min(nearest.width, std::min(atA, atB));
-        // A side between two rounded corners is narrow at both ends alone.
         const auto varies = [&] {
-            if (std::max(atA, atB) > 2.0 * narrowest) {
-                return true;
+            // Widths beyond twice the narrowest are all the same here.
+            const double limit = std::min(2.0 * reach, 2.0 * nearest.width + rounding_);
+            const auto widthAt = [&](Vec2 p) { return facing(position, p, p, limit, sides).width; };
+            const double atA = widthAt(a), atB = widthAt(b);
+            const double narrowest = std::min(nearest.width, std::min(atA, atB));
+            if (!(length(b - a) > narrowest)) {
+                return false;
             }
-            return own.besideCurve &&
-                   facing(position, midpoint(a, b), midpoint(a, b), 2.0 * reach, sides).width > 2.0 * narrowest;
+            // A side between two rounded corners is narrow at both ends alone.
+            return std::max(atA, atB) > 2.0 * narrowest ||
+                   (own.besideCurve && widthAt(midpoint(a, b)) > 2.0 * narrowest);
         };
-        if (nearest.tip || (length(b - a) > narrowest && varies())) {
+        if (nearest.tip || varies()) {
             const double middle = 0.5 * (from + to);
             divide(position, from, middle, reach, sides, gaps);
             divide(position, middle, to, reach, sides, gaps);

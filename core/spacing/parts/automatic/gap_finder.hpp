@@ -72,6 +72,7 @@ class GapFinder {
     double longest_;
     double shortest_;
     Box2 box_;
+    double rounding_; ///< bound on the error of distances
     const Progress &progress_;
 };
 
