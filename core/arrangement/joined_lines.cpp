@@ -17,9 +17,6 @@ namespace {
 constexpr double kReach = 4.0;
 /// Minimum tolerance of curves in terms of that of straight lines: places on them are computed in more steps.
 constexpr double kResolutions = 8.0;
-constexpr int kMaxRounds = 48;
-/// Bound on the number of parts, far above what crossings of real drawings need.
-constexpr std::size_t kPartsPerLine = 16, kSpareParts = 100'000;
 
 Chord straightChord(Vec2 p, Vec2 q) {
     const bool forward = !comesBefore(q, p);
@@ -30,8 +27,8 @@ Chord straightChord(Vec2 p, Vec2 q) {
 } // namespace
 
 LineDivision::LineDivision(std::span<const SnapLine> lines, std::span<const CurveStretch> stretches,
-                           std::span<const Curve> curves, double tolerance)
-    : lines_(lines), stretches_(stretches), curves_(curves), tolerance_(tolerance) {
+                           std::span<const Curve> curves, double tolerance, const DivisionLimits &limits)
+    : lines_(lines), stretches_(stretches), curves_(curves), tolerance_(tolerance), limits_(limits) {
     if (std::none_of(stretches.begin(), stretches.end(), [](const CurveStretch &s) { return s.follows(); })) {
         return;
     }
@@ -71,8 +68,7 @@ Chord LineDivision::chordOf(std::uint32_t line) const {
 }
 
 bool LineDivision::divide(const std::stop_token &stop) {
-    const std::size_t limit = kPartsPerLine * lines_.size() + kSpareParts;
-    for (int round = 0; round < kMaxRounds && followsCurves_ && chords_.size() < limit; ++round) {
+    for (int round = 0; followsCurves_; ++round) {
         ChordCuts found = findChordCuts(chords_, tolerance_, stop);
         if (!found.finished) {
             return false;
@@ -80,9 +76,24 @@ bool LineDivision::divide(const std::stop_token &stop) {
         if (found.cuts.empty()) {
             break;
         }
+        if (round >= limits_.rounds || atLimit()) {
+            leave(found.cuts);
+            break;
+        }
         apply(std::move(found));
     }
     return true;
+}
+
+bool LineDivision::atLimit() const {
+    return chords_.size() >= limits_.partsPerLine * lines_.size() + limits_.spareParts;
+}
+
+/// Notes cuts of chords as not made.
+void LineDivision::leave(std::span<const ChordCut> cuts) {
+    for (const ChordCut &cut : cuts) {
+        left_.push_back({source_[cut.chord], cut.t, cut.at});
+    }
 }
 
 /// Divides chords; afterwards only the new parts are fresh.
@@ -232,15 +243,22 @@ bool LineDivision::divideAfter(const SnappedLines &snapped, const std::stop_toke
     if (!found.finished || found.cuts.empty()) {
         return false;
     }
+    if (repeats_ >= limits_.repeats || atLimit()) {
+        leave(found.cuts);
+        return false;
+    }
+    ++repeats_;
+    left_.clear(); // divided again
     const std::size_t before = chords_.size();
     apply(std::move(found));
     return chords_.size() > before;
 }
 
 JoinedLines joinLines(std::span<const SnapLine> lines, std::span<const CurveStretch> stretches,
-                      std::span<const Curve> curves, double tolerance, const std::stop_token &stop) {
+                      std::span<const Curve> curves, double tolerance, const std::stop_token &stop,
+                      const DivisionLimits &limits) {
     JoinedLines joined;
-    LineDivision division(lines, stretches, curves, tolerance);
+    LineDivision division(lines, stretches, curves, tolerance, limits);
     if (!division.followsCurves()) {
         joined.lines.assign(lines.begin(), lines.end());
         joined.stretches.assign(stretches.begin(), stretches.end());
@@ -249,19 +267,19 @@ JoinedLines joinLines(std::span<const SnapLine> lines, std::span<const CurveStre
         joined.snapped = snapLines(lines, tolerance, stop);
         return joined;
     }
-    constexpr int kMaxRepeats = 8;
-    for (int repeat = 0;; ++repeat) {
+    for (;;) {
         const bool finished = division.divide(stop);
         joined.lines = division.parts();
         joined.snapped = snapLines(joined.lines, division.tolerance(), stop);
         joined.snapped.finished = joined.snapped.finished && finished;
-        if (!joined.snapped.finished || repeat == kMaxRepeats || !division.divideAfter(joined.snapped, stop)) {
+        if (!joined.snapped.finished || !division.divideAfter(joined.snapped, stop)) {
             break;
         }
     }
     joined.stretches = division.partStretches();
     joined.source = division.sources();
     joined.meetings = division.meetings();
+    joined.left = division.left();
     return joined;
 }
 

@@ -10,22 +10,30 @@
 
 namespace forefront {
 
+/// Limits of the work of dividing chords, far above what real drawings need. What they leave is reported.
+struct DivisionLimits {
+    int rounds = 48;                  ///< each may halve a chord
+    std::size_t partsPerLine = 16;    ///< on average, beside the spare parts
+    std::size_t spareParts = 100'000; ///< of all lines together
+    int repeats = 8;                  ///< of dividing after joining
+};
+
 /// Lines, some of them chords of curves, with the chords divided so that they meet where their curves do.
 class LineDivision {
   public:
     /// `stretches`: per line, the part of a curve that it is a chord of. A line whose ends are off its curve by more
     /// than a few tolerances, or which follows a straight line, counts as straight.
     LineDivision(std::span<const SnapLine> lines, std::span<const CurveStretch> stretches,
-                 std::span<const Curve> curves, double tolerance);
+                 std::span<const Curve> curves, double tolerance, const DivisionLimits &limits = {});
 
     bool followsCurves() const { return followsCurves_; }
     /// Returns the given tolerance, or the minimum that rounding of points on curves allows.
     double tolerance() const { return tolerance_; }
 
-    /// Divides chords until they fit their curves. Returns false if asked to stop.
+    /// Divides chords until they fit their curves, or a limit is reached. Returns false if asked to stop.
     bool divide(const std::stop_token &stop);
     /// Divides chords that do not fit now that joining has moved nodes by up to the joining distance. Returns false if
-    /// there are none.
+    /// there are none, or the number of repeats has been reached.
     bool divideAfter(const SnappedLines &snapped, const std::stop_token &stop);
 
     /// Returns the parts in the order of the lines, each in the direction of its line.
@@ -36,8 +44,12 @@ class LineDivision {
     const std::vector<std::uint32_t> &sources() const { return source_; }
     /// Returns where curves meet; `chord` is the index of a line.
     const std::vector<ChordMeeting> &meetings() const { return meetings_; }
+    /// Returns where chords that do not fit were left because of a limit; `chord` is the index of a line.
+    const std::vector<ChordCut> &left() const { return left_; }
 
   private:
+    bool atLimit() const;
+    void leave(std::span<const ChordCut> cuts);
     Chord chordOf(std::uint32_t line) const;
     void apply(ChordCuts found);
     void addParts(std::uint32_t chord, std::span<const ChordCut> cuts);
@@ -50,6 +62,8 @@ class LineDivision {
     std::span<const CurveStretch> stretches_;
     std::span<const Curve> curves_;
     double tolerance_;
+    DivisionLimits limits_;
+    int repeats_ = 0;
     bool followsCurves_ = false;
     std::vector<Chord> chords_;          ///< the parts of the lines
     std::vector<std::uint32_t> source_;  ///< per chord
@@ -58,6 +72,7 @@ class LineDivision {
     std::vector<std::uint32_t> nextSource_;
     std::vector<std::uint8_t> nextBackward_;
     std::vector<ChordMeeting> meetings_;
+    std::vector<ChordCut> left_;
 };
 
 /// Lines divided where their curves meet, and joined.
@@ -66,12 +81,15 @@ struct JoinedLines {
     std::vector<CurveStretch> stretches; ///< per line
     std::vector<std::uint32_t> source;   ///< per line: the given line that it is part of; ascending
     std::vector<ChordMeeting> meetings;  ///< `chord` is the index of a given line
+    std::vector<ChordCut> left;          ///< cuts that were not made because of a limit; likewise
     SnappedLines snapped;
 };
 
 /// Joins lines as snapLines() does, and chords of curves where the curves meet: nodes at crossings are on both curves
-/// to rounding, and no crossing beyond which curves are farther apart than the tolerance is missed.
+/// to rounding, and no crossing beyond which curves are farther apart than the tolerance is missed, except beside the
+/// cuts that a limit leaves.
 JoinedLines joinLines(std::span<const SnapLine> lines, std::span<const CurveStretch> stretches,
-                      std::span<const Curve> curves, double tolerance, const std::stop_token &stop = {});
+                      std::span<const Curve> curves, double tolerance, const std::stop_token &stop = {},
+                      const DivisionLimits &limits = {});
 
 } // namespace forefront

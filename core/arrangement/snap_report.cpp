@@ -84,6 +84,14 @@ void noteMeetings(const JoinedLines &joined, ChangeList &changes) {
     }
 }
 
+/// Notes lines with chords that a limit left undivided.
+void noteUndivided(const JoinedLines &joined, ChangeList &changes) {
+    for (const ChordCut &cut : joined.left) {
+        const auto line = std::lower_bound(joined.source.begin(), joined.source.end(), cut.chord);
+        changes.add(ChangeKind::UndividedCurves, cut.at, 0.0, static_cast<std::uint32_t>(line - joined.source.begin()));
+    }
+}
+
 } // namespace
 
 std::uint32_t lastNode(const SnappedLines &snapped, std::uint32_t line) {
@@ -98,6 +106,7 @@ void noteJoining(const JoinedLines &joined, ChangeList &changes) {
     const SnappedLines &snapped = joined.snapped;
     noteMovedEnds(joined, changes);
     noteMeetings(joined, changes);
+    noteUndivided(joined, changes);
     std::vector<std::uint8_t> seen(snapped.nodes.size(), 0);
     for (std::uint32_t i = 0; i < joined.lines.size(); ++i) {
         const SnapLine &line = joined.lines[i];

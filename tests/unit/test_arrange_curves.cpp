@@ -1,4 +1,6 @@
 #include "core/arrangement/arrangement.hpp"
+#include "core/arrangement/joined_lines.hpp"
+#include "core/arrangement/snap_report.hpp"
 #include "core/domain/validate.hpp"
 #include "tests/support/curve_drawing.hpp"
 #include "tests/support/curved_area.hpp"
@@ -10,6 +12,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 using namespace forefront;
 using namespace forefront::testing;
@@ -219,4 +222,40 @@ TEST_CASE("arrange: a curve that runs along part of another one becomes one with
     const Arrangement both = arranged(waves.input, 1e-7);
     CHECK(count(both, ChangeKind::CrossingSegments) == 0);
     CHECK(both.domain.segments.size() < 200);
+}
+
+TEST_CASE("joinLines: chords left undivided because of a limit are reported, each with its place") {
+    // Two circles of four chords each, the second a third of a radius to the right of the first.
+    const std::vector<Curve> curves{circle({0, 0}, 1.0), circle({0.3, 0}, 1.0)};
+    std::vector<SnapLine> lines;
+    std::vector<CurveStretch> stretches;
+    for (std::uint32_t c = 0; c < 2; ++c) {
+        for (int k = 0; k < 4; ++k) {
+            const CurveStretch stretch{c, 0.25 * k, 0.25 * (k + 1)};
+            lines.push_back({curves[c].point(stretch.t0), curves[c].point(k == 3 ? 0.0 : stretch.t1)});
+            stretches.push_back(stretch);
+        }
+    }
+    const double tolerance = 1e-6;
+    CHECK(joinLines(lines, stretches, curves, tolerance).left.empty());
+    for (const bool byParts : {false, true}) {
+        CAPTURE(byParts);
+        DivisionLimits limits;
+        if (byParts) {
+            limits.partsPerLine = limits.spareParts = 0;
+        } else {
+            limits.rounds = limits.repeats = 0;
+        }
+        const JoinedLines joined = joinLines(lines, stretches, curves, tolerance, {}, limits);
+        REQUIRE_FALSE(joined.left.empty());
+        ChangeList changes;
+        noteJoining(joined, changes);
+        const ArrangementChange *change = changes.find(ChangeKind::UndividedCurves);
+        REQUIRE(change != nullptr);
+        CHECK(change->count == joined.left.size());
+        CHECK(std::fabs(distance(change->places.front(), {0, 0}) - 1.0) < 0.31);
+        CHECK(altersInput(change->kind));
+        const Diagnostics notes = notesOf({*change});
+        CHECK(notes.front().code == "undivided-curves");
+    }
 }
