@@ -87,20 +87,20 @@ FilmPlan planOf(const FilmArguments &arguments) {
     return plan;
 }
 
-/// Returns what is wrong with options that this kind of output does not use, or an empty text.
+/// Returns the error for an option that does not apply to this kind of output; empty if there is none.
 std::string unusedOption(const CLI::App &app, const FilmPlan &plan) {
     const bool gif = plan.output.extension() == ".gif";
     if (app.count("--speed") > 0 && !gif) {
-        return "--speed: only a GIF has a speed";
+        return "--speed: applies only to a GIF";
     }
     if (gif || plan.numbered()) {
         return {};
     }
     if (app.count("--frames") > 0) {
-        return "--frames: one picture has one frame; write a GIF, or number the pictures with %d";
+        return "--frames: a single picture has only one frame; write a GIF, or number the pictures with %d";
     }
     if (app.count("--from") > 0 && app.count("--steps") == 0) {
-        return "--from: one picture shows the last moment; give its --steps, too, such as --steps 1";
+        return "--from: a single picture shows the end of the range; also give --steps, such as --steps 1";
     }
     return {};
 }
@@ -109,13 +109,13 @@ std::string unusedOption(const CLI::App &app, const FilmPlan &plan) {
 
 int filmCommand(int argc, const char *const *argv) {
     FilmArguments arguments;
-    CLI::App app("Films a meshing run: an animated GIF, numbered PNG or SVG frames, or one moment.", "forefront film");
+    CLI::App app("Writes a film of a meshing run: an animated GIF, numbered PNG or SVG frames, or one moment.",
+                 "forefront film");
     app.footer(kFilmExamples);
     app.add_option("IN", arguments.input, "project, drawing or domain; -: standard input")->required();
     addInputFormatOption(app, "IN", arguments.inputFormat);
-    app.add_option(
-           "-o,--output", arguments.plan.output,
-           "FILE.gif: animation; NAME-%d.png or .svg: a picture for each frame; FILE.png or .svg: the last moment")
+    app.add_option("-o,--output", arguments.plan.output,
+                   "FILE.gif: animation; NAME-%d.png or .svg: one picture per frame; FILE.png or .svg: the last moment")
         ->type_name("FILE")
         ->required();
     addWordOption<Method>(app, "--method", arguments.method, "method; otherwise that of the project, or fast");

@@ -86,7 +86,7 @@ void addParameterOption(CLI::App &app, MeshArguments &arguments) {
                    arguments.parameters[setting.substr(0, cut)] = setting.substr(cut + 1);
                }
            },
-           "give a parameter of a project another value, such as r=0.5 or gap=2*r; can be repeated")
+           "set a parameter of the project, such as r=0.5 or gap=2*r; can be repeated")
         ->type_name("NAME=EXPR");
 }
 

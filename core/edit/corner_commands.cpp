@@ -19,7 +19,7 @@
 namespace forefront {
 namespace {
 
-constexpr double kSmooth = 1e-3; ///< maximum turn, in radians, of a path in a node that is no corner
+constexpr double kSmooth = 1e-3; ///< maximum turn, in radians, of a path at a node that is not a corner
 constexpr double kCornerRounding = 1e-9;
 
 /// A corner cut off: the side before it up to a parameter, what joins them, the side after it from a parameter on.
@@ -123,8 +123,7 @@ struct Element {
     std::int32_t tag = 1;
 };
 
-/// Cuts corners of a path from its last node to its first one, in one pass. With `all`, smooth nodes and ends are left
-/// as they are.
+/// Cuts corners of a path in one pass, from its last node to its first. With `all`, smooth nodes and ends are skipped.
 class CornerPass {
   public:
     CornerPass(const Shape &shape, bool all) : closed_(shape.kind == ShapeKind::Polygon), all_(all) {
@@ -143,7 +142,8 @@ class CornerPass {
             if (!nodes.contains(node) || (isEnd && all_)) {
                 done_.push_back(element);
             } else if (isEnd) {
-                return error("not-possible", "the end of an open path at " + placeText(element.node) + " is no corner",
+                return error("not-possible",
+                             "the end of an open path at " + placeText(element.node) + "  is not a corner",
                              "select nodes between its ends");
             } else if (Status status = cut(element, cutCorner); !status.empty()) {
                 return status;
@@ -191,7 +191,8 @@ class CornerPass {
         }
         const std::optional<Cut> found = cutCorner(first, second);
         if (!found) {
-            return error("not-possible", "the corner at " + placeText(element.node) + " has no room for this",
+            return error("not-possible",
+                         "the corner at " + placeText(element.node) + "  has no room for a cut of this size",
                          "enter a smaller number");
         }
         const bool noBefore = found->s <= kCornerRounding, noAfter = found->t >= 1.0 - kCornerRounding;
@@ -203,7 +204,7 @@ class CornerPass {
         return {};
     }
 
-    /// Puts a joint before a node. A side of which nothing is left goes with its first node.
+    /// Puts a joint before a node. A side that is used up is removed with its first node.
     void replace(const Element &element, const Element &joint, bool noBefore, bool noAfter) {
         if (!noAfter) {
             done_.push_back(element);
@@ -229,7 +230,7 @@ Status openShape(Shape &shape) {
         becomePath(shape);
     }
     if (shape.kind == ShapeKind::Rectangle) {
-        return error("not-possible", displayName(shape) + " has rounded corners already",
+        return error("not-possible", displayName(shape) + "  already has rounded corners",
                      "set its radius to 0, or convert it to a path");
     }
     if (!isPath(shape)) {
@@ -238,7 +239,7 @@ Status openShape(Shape &shape) {
     return {};
 }
 
-/// Cuts the given corners of a shape; of an empty set, all of them.
+/// Cuts the given corners of a shape; an empty set means all of them.
 Status changeShape(Shape &shape, const std::set<std::uint32_t> &chosen, const CutCorner &cutCorner) {
     if (Status status = openShape(shape); !status.empty()) {
         return status;
@@ -262,8 +263,7 @@ Status changeShape(Shape &shape, const std::set<std::uint32_t> &chosen, const Cu
 Result<Document> changeCorners(const Document &document, const Selection &selection, double size,
                                const CutCorner &cutCorner) {
     if (!(size > 0.0) || !std::isfinite(size)) {
-        return error("bad-number",
-                     "invalid size of a corner " + numberText(size, 6) + "; expected a finite number above 0",
+        return error("bad-number", "invalid corner size  " + numberText(size, 6) + "; expected a finite number above 0",
                      "enter a number such as 0.5");
     }
     std::map<std::uint32_t, std::set<std::uint32_t>> nodes;

@@ -18,7 +18,7 @@
 namespace forefront {
 namespace {
 
-constexpr double kStraight = 1e-9; ///< maximum turn, in radians, of a path in a node that needs no wedge
+constexpr double kStraight = 1e-9; ///< maximum turn, in radians, of a path at a node that needs no wedge
 
 bool isCircular(const Curve &curve) {
     if (curve.kind() != CurveKind::Arc) {
@@ -57,7 +57,7 @@ class Bands {
         std::int32_t tag = 1;
     };
 
-    /// Divides a segment into pieces. Pieces of no length are left out: a wedge fills the gap if the path turns there.
+    /// Divides a segment into pieces. Pieces of zero length are skipped: a wedge fills the gap if the path turns there.
     void divide(const Curve &curve, std::int32_t tag) {
         if (curve.kind() == CurveKind::Line || isCircular(curve)) {
             const auto count = std::max(1.0, std::ceil(curve.turning() / (0.75 * std::numbers::pi)));
@@ -66,14 +66,14 @@ class Bands {
             }
             return;
         }
-        constexpr int kParts = 4; // so that a loop is not taken for its two ends
+        constexpr int kParts = 4; // at least; a closed loop has coinciding ends
         for (double k = 0.0; k < kParts; ++k) {
             bisect(curve, k / kParts, (k + 1.0) / kParts, tag);
         }
     }
 
     void bisect(const Curve &curve, double t0, double t1, std::int32_t tag) {
-        constexpr double kCusp = 1e-12; // of the parameter: what still turns there is a cusp
+        constexpr double kCusp = 1e-12; // minimum step of the parameter; a piece that still turns within it is a cusp
         const Curve piece = curve.part(t0, t1);
         const double corner = t0 + (t1 - t0) * cornerOf(piece);
         const bool cut = corner - t0 > kCusp && t1 - corner > kCusp;
@@ -86,8 +86,8 @@ class Bands {
         bisect(curve, middle, t1, tag);
     }
 
-    /// Returns the parameter at which the parallel begins or ceases to follow the centres of curvature, and makes a
-    /// corner; 0 if there is none.
+    /// Returns the parameter of a corner of the parallel, where it begins or ceases to follow the centres of curvature;
+    /// 0 if there is none.
     double cornerOf(const Curve &piece) const {
         const bool first = endsAtCentre(piece, 0.0);
         if (first == endsAtCentre(piece, 1.0)) {
@@ -108,25 +108,26 @@ class Bands {
         }
     }
 
-    /// Returns the curvature at a parameter of a piece; at a cusp, that beside it.
+    /// Returns the curvature at a parameter of a piece; at a cusp, the curvature just beside it.
     double curvature(const Curve &piece, double t) const {
         const bool stands = length(piece.derivative(t)) <= 1e-12 * size_;
         return curvatureOf(piece, stands ? std::lerp(t, 0.5, 1e-3) : t);
     }
 
-    /// Returns true where the parallel ends at the centre of curvature: beyond it, other places are nearer.
+    /// Returns true where the offset reaches past the centre of curvature; the parallel stops there, since beyond it
+    /// other points of the curve are nearer.
     bool endsAtCentre(const Curve &piece, double t) const { return curvature(piece, t) * offset_ > 1.0; }
 
-    /// Returns true if the strip of a piece covers what it should, within the accuracy.
+    /// Returns true if the strip of a piece is accurate enough.
     bool isFine(const Curve &piece) {
         constexpr double kMaxTurn = 0.5, kMaxTurnAtCentres = 0.125; // radians
         constexpr double kAccuracy = 1e-7;                          // relative
-        constexpr int kMaxQuestions = 50000; // limits the work where rounding exceeds the accuracy
+        constexpr int kMaxQuestions = 50000; // limits the work where rounding errors exceed the accuracy
         constexpr std::array kSamples = {0.25, 0.5, 0.75};
         const auto atCentres =
             std::count_if(kSamples.begin(), kSamples.end(), [&](double t) { return endsAtCentre(piece, t); });
         const double turn = piece.turning();
-        if (atCentres > 0) { // a little more is covered than should be, but not beyond other strips
+        if (atCentres > 0) { // covers slightly too much, but other strips cover that too
             return atCentres == std::ssize(kSamples) && !(turn > kMaxTurnAtCentres);
         }
         const Curve back = parallel(piece);
@@ -175,7 +176,7 @@ class Bands {
                                      : add({a, b, c}, {along, Curve(), Curve()}, piece.tag);
     }
 
-    /// Fills the gap between the strips of two pieces where the path turns away from the side.
+    /// Fills the gap between the strips of two pieces where the path turns away from the offset side.
     void addWedge(const Piece &before, const Piece &after) {
         const Vec2 a = before.curve.tangent(1.0), b = after.curve.tangent(0.0);
         double turn = std::atan2(cross(a, b), dot(a, b));
@@ -215,8 +216,8 @@ Shape disc(Vec2 centre, double radius, std::int32_t tag) {
     return shape;
 }
 
-/// Returns how many times a closed outline turns counter-clockwise, 1 or -1 for every outline that does not cross
-/// itself; 0 if it turns back on itself in a node.
+/// Returns how many times a closed outline turns counter-clockwise: 1 or -1 if it does not cross itself, 0 if it turns
+/// back on itself at a node.
 int rotationOf(const Outline &outline) {
     constexpr int kParts = 32;
     std::vector<Vec2> directions;
@@ -242,8 +243,8 @@ int rotationOf(const Outline &outline) {
 }
 
 /// Returns the shapes whose union, or whose difference from the first, is the offset of a shape. They cover one side of
-/// the outline, or both where it is not known which one is outside: what is too much lies within the shape, or beyond
-/// it.
+/// the outline, or both if it is unknown which one is outside; the excess lies within the shape when they are added,
+/// and beyond it when they are subtracted.
 std::vector<Shape> parts(const Shape &shape, double distance) {
     const double reach = std::fabs(distance);
     const int rotation = isClosed(shape) ? rotationOf(outlineOf(shape)) : 0;
@@ -304,7 +305,7 @@ Result<Document> offsetShapes(const Document &document, const std::set<std::uint
     if (!std::isfinite(distance) || distance == 0.0) {
         return error("bad-number",
                      "invalid distance " + numberText(distance, 6) + "; expected a finite number other than 0",
-                     "enter a number such as 0.5; below 0 is inside");
+                     "enter a number such as 0.5; a negative one offsets inwards");
     }
     std::vector<Shape> all;
     for (const std::uint32_t id : ids) {

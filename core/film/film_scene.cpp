@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kMargin = 12.0, kBand = 30.0; ///< pixels around the drawing, and of the band below it
 constexpr double kTextUnit = 1.6;              ///< pixels per unit of the stroke font
-constexpr double kLineHeight = 18.0;           ///< pixels between the base lines of a caption
-constexpr double kWidestCaption = 1000.0;      ///< pixels; the longest captions are about as wide
+constexpr double kLineHeight = 18.0;           ///< pixels between the baselines of a caption
+constexpr double kWidestCaption = 1000.0;      ///< pixels; about as wide as the longest captions
 
 /// Adds the shapes of a moment to a scene.
 class SceneBuilder {
@@ -130,12 +130,12 @@ std::vector<std::string> wrapped(const std::string &text, double width) {
     return lines;
 }
 
-/// Returns the number of caption lines that a sheet has room for.
+/// Returns the number of caption lines that fit on a sheet.
 int captionLines(int width) {
     return static_cast<int>(std::ceil(kWidestCaption / (width - 2.0 * kMargin)));
 }
 
-/// Returns the base line of a line of the caption, in pixels.
+/// Returns the y of the baseline of a line of the caption, in pixels.
 double baseLine(const FilmScene &scene, std::size_t line) {
     return scene.height - 14.0 - kLineHeight * static_cast<double>(scene.captionRoom - 1 - static_cast<int>(line));
 }

@@ -50,8 +50,8 @@ struct FilmScene {
     std::vector<std::array<Vec2, 3>> elements;
     std::vector<FilmLine> lines;
     std::vector<std::string> caption; ///< its lines; empty: none
-    int captionRoom = 1;              ///< number of lines that there is room for
-    double progress = 0.0;            ///< of the run, in [0, 1], shown as a bar at the bottom
+    int captionRoom = 1;              ///< number of lines that fit
+    double progress = 0.0;            ///< fraction of the run, in [0, 1], shown as a bar at the bottom
 };
 
 /// The sheet that all scenes of a film share.
@@ -66,7 +66,7 @@ struct FilmSheet {
 /// Returns the scene of a moment of a run. `last` is the number of advances of the whole run, for the progress.
 FilmScene sceneOf(const SessionSnapshot &moment, const FilmSheet &sheet, const FilmLayers &layers, std::uint64_t last);
 
-/// Returns the caption of a scene as lines, for pictures without fonts.
+/// Returns the caption of a scene as strokes, for pictures without fonts.
 std::vector<FilmLine> captionStrokes(const FilmScene &scene);
 
 /// Returns a scene as an SVG drawing.

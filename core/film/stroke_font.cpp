@@ -8,8 +8,8 @@ namespace forefront {
 
 namespace {
 
-/// A character as polylines between points of a lattice: two digits each, column and row, with row 2 on the base line,
-/// 6 at the height of small letters and 8 at that of capitals. Spaces lift the pen; a lone point is a dot.
+/// A character as polylines between points of a lattice: two digits each, column and row, with row 2 on the baseline, 6
+/// at x-height and 8 at cap height. Spaces lift the pen; a lone point is a dot.
 struct Glyph {
     std::string_view character, strokes;
 };
@@ -123,7 +123,7 @@ constexpr Glyph kGlyphs[] = {
 };
 constexpr std::string_view kUnknown = "0208484202"; // a box
 
-constexpr double kGap = 1.6, kSpace = 3.0; // units between characters, and of a space
+constexpr double kGap = 1.6, kSpace = 3.0; // units: gap between characters, width of a space
 
 std::string_view strokesOf(std::string_view character) {
     const auto *const found = std::find_if(std::begin(kGlyphs), std::end(kGlyphs),
@@ -131,7 +131,7 @@ std::string_view strokesOf(std::string_view character) {
     return found == std::end(kGlyphs) ? kUnknown : found->strokes;
 }
 
-/// Calls use(strokes) for each character of a text, empty for a space.
+/// Calls use(strokes) for each character of a text; a space has no strokes.
 template <class Use>
 void forCharacters(std::string_view text, Use use) {
     for (std::size_t at = 0; at < text.size();) {

@@ -14,9 +14,9 @@ inline constexpr double kCapHeight = 6.0;
 /// Returns the width of a text in the stroke font, in its units.
 double strokeTextWidth(std::string_view text);
 
-/// Returns the strokes of a text in a plain font of straight lines, in units with y up: the base line starts at the
-/// origin, capitals are kCapHeight high. Knows ASCII and the symbols of captions (α, δ, ρ, ...); draws a box for any
-/// other character.
+/// Returns the strokes of a text in a plain font of straight lines, in units with y up: the baseline starts at the
+/// origin, and capitals are kCapHeight high. The font has ASCII and the symbols of captions (α, δ, ρ, ...); any other
+/// character becomes a box.
 std::vector<std::array<Vec2, 2>> strokeText(std::string_view text);
 
 } // namespace forefront

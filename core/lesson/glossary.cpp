@@ -45,7 +45,7 @@ const std::vector<GlossaryTerm> kTerms = {
      "Ideal point C",
      {"ideal point"},
      "The apex over AB that would give the best element: on the left bisector, about \xcf\x81 away from A and B. It "
-     "becomes a new node if nothing on the front is too near to it.",
+     "becomes a new node if nothing on the front is too near.",
      {"base", "candidates", "spacing"},
      figures::idealPoint},
     {"candidates",
@@ -59,16 +59,15 @@ const std::vector<GlossaryTerm> kTerms = {
     {"candidate-segments",
      "Candidate segments AC and CB",
      {"candidate segment"},
-     "The two sides that a new element would have besides AB. They must not cross the front; that is what the tests "
-     "are "
-     "for.",
+     "The two sides that a new element would have besides AB. They must not cross the front; the intersection tests "
+     "check this.",
      {"candidates", "neighbours", "rejection"},
      figures::candidateSegments},
     {"score",
      "Score of a candidate",
      {"score"},
      "The product \xce\xb1(ABC) \xc2\xb7 \xce\xb4(AC) \xc2\xb7 \xce\xb4(CB): 1 for an equilateral triangle whose sides "
-     "have exactly the length wanted, less "
+     "have exactly the wanted length, less "
      "for any other.",
      {"shape-factor", "conformity"},
      figures::score},
@@ -77,14 +76,15 @@ const std::vector<GlossaryTerm> kTerms = {
      {"shape factor", "\xce\xb1"},
      "4\xe2\x88\x9a"
      "3 times the area of a triangle, divided by the sum of the squares of its sides. 1 for an equilateral "
-     "triangle, 0 for one without area, negative for one that is turned over.",
+     "triangle, 0 for a degenerate one,  negative for an inverted one.",
      {"score", "improvement"},
      figures::shapeFactor},
     {"conformity",
      "Spacing conformity \xce\xb4",
      {"conformity", "\xce\xb4"},
-     "How well the length L of a segment agrees with the spacing \xcf\x81 at its middle: the smaller of L/\xcf\x81 and "
-     "\xcf\x81/L, so 1 at best. Of a mesh, the mean over its edges.",
+     "How well the length L of a segment agrees with the spacing \xcf\x81 at its midpoint: the smaller of L/\xcf\x81 "
+     "and "
+     "\xcf\x81/L, so 1 at best. For a mesh: the mean over its edges.",
      {"score", "spacing"},
      figures::conformity},
     {"grid",
@@ -126,7 +126,7 @@ const std::vector<GlossaryTerm> kTerms = {
     {"closing",
      "Closing",
      {"closing", "close the front", "last element"},
-     "The last stage: what remains of the front is filled with triangles between existing nodes. In the plane this is "
+     "The last stage: what remains unmeshed is filled with triangles between existing nodes. In the plane this is "
      "always possible.",
      {"front", "deferral"},
      figures::closing},
@@ -137,9 +137,9 @@ const std::vector<GlossaryTerm> kTerms = {
      {"spacing"},
      figures::gradation},
     {"methods",
-     "Classic and fast method",
+     "Classic and fast methods",
      {"classic", "fast method"},
-     "The classic method follows Lo's ten steps: the shortest base first, one element an advance. The fast method "
+     "The classic method follows Lo's ten steps: the shortest base first, one element per advance. The fast method "
      "walks "
      "along the front, and a new node makes up to three elements at once.",
      {"base", "front"},
@@ -147,7 +147,7 @@ const std::vector<GlossaryTerm> kTerms = {
     {"improvement",
      "Improvement",
      {"improve", "smoothing", "swap"},
-     "After the front is closed, edges are swapped and nodes moved where this makes the worst angles better.",
+     "After the front is closed, edges are swapped and nodes moved where this improves the worst angles.",
      {"shape-factor"},
      figures::improvement},
 };
@@ -156,7 +156,7 @@ bool isWordPart(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0;
 }
 
-/// Returns true if a text contains a phrase that begins at the start of a word; a phrase of two letters must be a word.
+/// Returns true if a text contains a phrase at the start of a word. A phrase of two letters must match a whole word.
 bool speaksOf(const std::string &text, std::string_view phrase) {
     for (std::size_t at = text.find(phrase); at != std::string::npos; at = text.find(phrase, at + 1)) {
         const std::size_t end = at + phrase.size();

@@ -9,9 +9,9 @@ namespace forefront {
 
 namespace {
 
-/// A guess within this distance of a candidate, in units of |AB|, means that candidate.
+/// A guess counts as a candidate within this distance of it, in units of |AB|.
 constexpr double kReach = 0.25;
-/// Points lost per |AB| between the guess and the chosen node.
+/// Points deducted per |AB| between the guess and the chosen node.
 constexpr double kLoss = 10.0;
 
 std::string figure(double value) {
@@ -39,7 +39,7 @@ std::optional<std::size_t> candidateNear(const AdvanceExplanation &advance, Vec2
 
 std::string praise(const CandidateTrace &chosen) {
     if (chosen.node == kNoNode) {
-        return "Right: the ideal point C becomes a new node; nothing on the front is too near to it.";
+        return "Right: the ideal point C becomes a new node; nothing on the front is too near.";
     }
     return "Right: of the candidates that pass the tests, node " + std::to_string(index(chosen.node)) +
            " has the highest score, " + figure(chosen.score) + '.';
@@ -50,10 +50,10 @@ std::string whyNot(const CandidateTrace &guessed, const CandidateTrace &chosen) 
     const std::string name = nameOf(guessed), winner = nameOf(chosen);
     switch (guessed.verdict) {
     case Verdict::NotTried:
-        return name + " has the score " + figure(guessed.score) + "; " + winner + " has " + figure(chosen.score) +
-               ", is tried first and passes.";
+        return name + " scores " + figure(guessed.score) + "; " + winner + " scores " + figure(chosen.score) +
+               ", so it is tried first, and passes.";
     case Verdict::Withdrawn:
-        return name + " is withdrawn: a node or segment of the front is too near to it, so " + winner + " is used.";
+        return name + " is withdrawn: a node or segment of the front is too near, so   " + winner + " is used.";
     case Verdict::NotLeft:
         return "With " + name + " the triangle would have no area; " + winner + " is used.";
     case Verdict::OutsideAngle:
@@ -68,13 +68,13 @@ std::string whyNot(const CandidateTrace &guessed, const CandidateTrace &chosen) 
     return {};
 }
 
-/// Explains why a guess is at no candidate.
+/// Explains why there is no candidate at a guess.
 std::string noCandidate(const AdvanceExplanation &advance, Vec2 guess, const CandidateTrace &chosen) {
     if (cross(advance.b - advance.a, guess - advance.a) <= 0.0) {
         return "That is on the meshed side: the unmeshed part lies to the left of AB. The method takes " +
                nameOf(chosen) + '.';
     }
-    return "There is no candidate: candidates are the ideal point and the nodes of the front near to it. The method "
+    return "There is no candidate here: the candidates are the ideal point and the front nodes near it. The method "
            "takes " +
            nameOf(chosen) + '.';
 }
@@ -93,8 +93,8 @@ GuessReview reviewGuess(const AdvanceExplanation &advance, Vec2 guess) {
     const auto accepted = std::find_if(advance.candidates.begin(), advance.candidates.end(),
                                        [](const CandidateTrace &c) { return c.verdict == Verdict::Accepted; });
     if (accepted == advance.candidates.end()) {
-        review.words = "No candidate passes the tests here: the base is put back and tried again later. No points are "
-                       "given or lost.";
+        review.words = "No candidate passes the tests here: the base is put back and tried again later. This guess "
+                       "does not count.";
         return review;
     }
     const double base = distance(advance.a, advance.b);

@@ -21,13 +21,13 @@ struct RunVariant {
     friend bool operator==(const RunVariant &, const RunVariant &) = default;
 };
 
-/// What is compared with the run shown.
+/// What the run on the canvas is compared with.
 enum class Comparison : std::uint8_t { Grids, Methods };
 
 /// Returns the variants to show beside a run: the other background grids, or the other method.
 std::vector<RunVariant> variantsBeside(const RunVariant &shown, Comparison comparison);
 
-/// The figures of a run at its position, per element where the field's tables give them so.
+/// The figures of a run at its position; counts of the grid's work are per element, as in the published tables.
 struct RunFigures {
     std::uint64_t advances = 0, elements = 0;
     double front = 0.0;      ///< Nb: mean number of segments of the front per advance
@@ -38,8 +38,8 @@ struct RunFigures {
 };
 RunFigures figuresOf(const SessionSnapshot &snapshot);
 
-/// Runs of one job with different methods or grids that all stand at the same advance. Call all members from one
-/// thread; none of them waits.
+/// Runs of one job with different methods or grids, kept at the same advance. Call all members from one thread; none of
+/// them blocks.
 class Lockstep {
   public:
     /// Starts the runs, before the first advance. `wake` as for MeshingSession.
@@ -49,15 +49,15 @@ class Lockstep {
     const RunVariant &variant(std::size_t run) const { return runs_[run].variant; }
     std::shared_ptr<const SessionSnapshot> latest(std::size_t run) const { return runs_[run].session->latest(); }
     bool busy() const;
-    /// Moves every run to an advance, or to its own end with `end`. A run that is still moving follows later: call it
-    /// again with the newest position, such as once per frame.
+    /// Moves every run to an advance, or to its own end with `end`. A run that is still moving catches up on a later
+    /// call, so call it regularly with the latest position, such as once per frame.
     void follow(std::uint64_t advance, bool end);
 
   private:
     struct Run {
         RunVariant variant;
         std::unique_ptr<MeshingSession> session;
-        std::uint64_t advance = 0; ///< asked for last
+        std::uint64_t advance = 0; ///< last requested
         bool end = false;
     };
     std::vector<Run> runs_;

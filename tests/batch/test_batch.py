@@ -811,7 +811,7 @@ class Films(Case):
         for words, part in ((("-o", "run.mp4"), "expected .gif, .png or .svg"), (("-o", "f-%d.gif"), "leave out %d"),
                             (("-o", "m.svg", "--layers", "sky"), "sky"), (("-o", "m.svg", "--frames", "0"), "--frames"),
                             (("-o", "m.svg", "--frames", "3"), "one frame"), (("-o", "m.svg", "--from", "3"), "--steps"),
-                            (("-o", "m-%d.png", "--speed", "3"), "only a GIF")):
+                            (("-o", "m-%d.png", "--speed", "3"), "only to a GIF")):
             self.assertIn(part, self.call("film", "plate.poly", *words, code=2).stderr)
         self.assertIn("bad-range", self.call("film", "plate.poly", "-o", "m.gif", "--size", "1", "--from", "99999", code=1).stderr)
         self.assertIn("cannot-write", self.call("film", "plate.poly", "-o", "gone/m.svg", "--size", "1", code=1).stderr)

@@ -108,11 +108,11 @@ TEST_CASE("filletCorners: a rounded rectangle is refused with the way out, a bad
     rounded.radius = 1.0;
     const Result<Document> result = filletCorners(documentOf({rounded}), selected({1}), 0.5);
     REQUIRE_FALSE(result.ok());
-    CHECK(result.faults().front().message == "rectangle 1 has rounded corners already");
+    CHECK(result.faults().front().message == "rectangle 1 already has rounded corners");
     CHECK(result.faults().front().advice == "set its radius to 0, or convert it to a path");
     const Result<Document> bad = chamferCorners(documentOf({square({0, 0}, 1)}), selected({1}), -3);
     REQUIRE_FALSE(bad.ok());
-    CHECK(bad.faults().front().message == "invalid size of a corner -3; expected a finite number above 0");
+    CHECK(bad.faults().front().message == "invalid corner size -3; expected a finite number above 0");
     CHECK_FALSE(bad.faults().front().advice.empty());
 }
 

@@ -32,7 +32,7 @@ const std::vector<CandidateTrace> kTwo = {candidateAt({1, 2}, kNoNode, 0.9, Verd
 
 } // namespace
 
-TEST_CASE("Guess: the chosen candidate earns all points, also if it is hit only nearly") {
+TEST_CASE("Guess: the chosen candidate earns full points, even if the click is slightly off") {
     for (const Vec2 guess : {Vec2{1, 2}, Vec2{1.3, 2.2}}) {
         const GuessReview review = reviewGuess(advanceOver(kTwo), guess);
         CHECK(review.comparable);
@@ -43,11 +43,11 @@ TEST_CASE("Guess: the chosen candidate earns all points, also if it is hit only 
     CHECK(reviewGuess(advanceOver(kTwo), {1, 1}).distance == doctest::Approx(0.5));
 }
 
-TEST_CASE("Guess: another candidate is told why it lost") {
+TEST_CASE("Guess: explains why another candidate lost") {
     const GuessReview lower = reviewGuess(advanceOver(kTwo), {3, 2});
     CHECK_FALSE(lower.same);
     CHECK(lower.points == 0);
-    CHECK(lower.words == "Node 7 has the score 0.4; the ideal point C has 0.9, is tried first and passes.");
+    CHECK(lower.words == "Node 7 scores 0.4; the ideal point C scores 0.9, so it is tried first, and passes.");
     const struct {
         Verdict verdict;
         const char *part;
@@ -75,7 +75,7 @@ TEST_CASE("Guess: a place without a candidate loses a point for each tenth of th
     CHECK(wrong.points == 0);
 }
 
-TEST_CASE("Guess: an advance that makes no element gives no points") {
+TEST_CASE("Guess: an advance that makes no element earns no points") {
     const GuessReview review =
         reviewGuess(advanceOver({candidateAt({1, 2}, kNoNode, 0.9, Verdict::CrossesFront)}), {1, 2});
     CHECK_FALSE(review.comparable);

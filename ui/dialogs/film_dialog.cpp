@@ -37,7 +37,7 @@ void secondLabel(Workspace &context, const char *text) {
     ImGui::SameLine();
 }
 
-/// Draws a number that stays within a range. Width in design pixels.
+/// Draws a number field whose value is kept within a range.
 void numberField(Workspace &context, const char *name, double &value, double minimum, double maximum) {
     ui::inputNumber(context, std::string(kName) + name, value, 70.0F);
     value = std::clamp(value, minimum, maximum);
@@ -49,7 +49,7 @@ void wholeField(Workspace &context, const char *name, int &value, int minimum, i
     value = static_cast<int>(std::lround(number));
 }
 
-/// Draws the last advance; empty: the end of the run.
+/// Draws the field for the last advance; empty: the end of the run.
 void drawEnd(Workspace &context, FilmSettings &settings) {
     ui::inputOptional(context, std::string(kName) + "to", settings.to, "end", 70.0F);
     if (settings.to) {
@@ -98,7 +98,8 @@ void drawLayers(Workspace &context, FilmLayers &layers) {
     }
 }
 
-/// Returns the plan for a file: frames are numbered unless it is a GIF or one moment, and the range is in order.
+/// Returns the plan for an output file. A GIF or a single moment is one file; other frames are numbered. A reversed
+/// range becomes empty.
 FilmPlan planFor(const FilmSettings &settings, const std::filesystem::path &file, const FileFilter &filter) {
     FilmPlan plan = settings.plan;
     plan.output = file;
@@ -122,7 +123,7 @@ Diagnostics film(Shell &context, const FilmPlan &plan) {
     for (int frame = 1; plan.numbered() && frame <= plan.frames; ++frame) {
         if (const std::filesystem::path file = frameName(plan.output, frame); std::filesystem::exists(file)) {
             return error("exists", file.filename().string() + " already exists",
-                         "choose another name, or remove the frames of the earlier film");
+                         "choose another name, or delete the frames of the earlier film");
         }
     }
     const auto frames = std::make_shared<int>(0);
@@ -144,12 +145,12 @@ Diagnostics film(Shell &context, const FilmPlan &plan) {
 }
 
 std::vector<FileFilter> filmFilters() {
-    return {{"Animated GIF (.gif)", {".gif"}, "gif", "Repeats for ever; shows in browsers and slides."},
-            {"PNG frames (.png)", {".png"}, "png", "A picture for each frame: NAME-1.png, NAME-2.png and so on."},
+    return {{"Animated GIF (.gif)", {".gif"}, "gif", "Loops; plays in browsers and slides."},
+            {"PNG frames (.png)", {".png"}, "png", "One picture per frame: NAME-1.png, NAME-2.png and so on."},
             {"SVG of one moment (.svg)",
              {".svg"},
              "svg",
-             "A drawing of the first advance given, with sharp lines; NAME-%d.svg: one for each frame."}};
+             "A vector drawing of the first advance; name it NAME-%d.svg for one per frame."}};
 }
 
 } // namespace

@@ -29,7 +29,7 @@ bool canCopy(const Shell &context) {
     return !selection.shapes.empty() || !selection.sources.empty() || !selection.markers.empty();
 }
 
-/// Returns a step at which copies do not lie on the selection.
+/// Returns a step at which copies do not overlap the selection.
 Vec2 stepBeside(const Shell &context) {
     const Vec2 size = boundsOf(*context.document.current(), context.selection).size();
     if (size.x > 1e-9 * size.y) {
@@ -86,7 +86,7 @@ Operation polarArrayOperation(const Shell &context) {
     const Document &current = *context.document.current();
     const Box2 drawing = boundsOf(current), own = boundsOf(current, context.selection);
     Vec2 centre = drawing.empty() ? own.centre() : drawing.centre();
-    if (distance(centre, own.centre()) <= 1e-9 * own.diagonal()) { // copies would lie on the selection
+    if (distance(centre, own.centre()) <= 1e-9 * own.diagonal()) { // copies would coincide with the selection
         centre = centre - stepBeside(context);
     }
     Operation operation;
@@ -96,7 +96,7 @@ Operation polarArrayOperation(const Shell &context) {
                         {.id = "x",
                          .label = "Centre x",
                          .value = centre.x,
-                         .tooltip = "Proposed: the centre of the drawing, or a point beside the selection"},
+                         .tooltip = "Default: the centre of the drawing, or a point beside the selection"},
                         {.id = "y", .label = "Centre y", .value = centre.y},
                         {.id = "angle",
                          .label = "Angle",

@@ -215,7 +215,7 @@ void MeshBatch::update(const std::shared_ptr<const MeshView> &view, bool atRest,
     writeValues(*view, values, keptValues);
     upload(kept, keptValues);
     byPlace_ = sameMesh ? byPlace_ : sort;
-    if (byPlace_) { // the buffers of OpenGL hold a copy, and a sorted mesh is never continued
+    if (byPlace_) { // the OpenGL buffers hold a copy, and nothing is appended to a sorted mesh
         corners_ = {};
         values_ = {};
     }

@@ -8,9 +8,9 @@ namespace forefront {
 
 namespace {
 
-/// Seconds for which the camera rests before a heavy picture is drawn again.
+/// Seconds that the camera must rest before a heavy picture is drawn again.
 constexpr double kRest = 0.12;
-/// A picture scaled more than this is not worth showing.
+/// A picture scaled by more than this looks too coarse to show.
 constexpr double kMaxScaling = 8.0;
 
 } // namespace

@@ -7,7 +7,7 @@
 
 namespace forefront {
 
-/// A texture that holds the still parts of the canvas between frames. While the camera moves, it can be shown moved and
+/// A texture that caches the still parts of the canvas between frames. While the camera moves, it can be shifted and
 /// scaled instead of being drawn again.
 class StillPicture {
   public:
@@ -16,15 +16,15 @@ class StillPicture {
     StillPicture(const StillPicture &) = delete;
     StillPicture &operator=(const StillPicture &) = delete;
 
-    /// Returns true if the picture shows this content as this camera sees it.
+    /// Returns true if the picture shows this content exactly as seen by this camera.
     bool sharp(std::uint64_t content, const Camera &camera) const;
-    /// Returns true if the picture is to be moved rather than drawn again: it shows this content, which is `heavy`, and
-    /// the camera has moved less than a moment ago. `now`: seconds.
+    /// Returns true if the picture should be moved rather than drawn again: it shows this content, the content is
+    /// `heavy`, and the camera has only just moved. `now`: seconds.
     bool moves(std::uint64_t content, const Camera &camera, double now, bool heavy);
-    /// Makes the texture the target of OpenGL, to be drawn with the camera returned. A heavy picture reaches beyond the
+    /// Makes the texture the render target and returns the camera to draw with. A heavy picture extends beyond the
     /// view, so that it can be moved.
     Camera begin(std::uint64_t content, const Camera &camera, bool heavy);
-    /// Copies the picture to the framebuffer in use, as this camera sees it. `corner`: lower left corner of the canvas
+    /// Copies the picture to the current framebuffer, as seen by this camera. `corner`: lower left corner of the canvas
     /// in that framebuffer.
     void show(const Camera &camera, Pixel corner) const;
 

@@ -70,7 +70,7 @@ void boundaryTagRow(Shell &context, std::int32_t tag, const BoundaryPart &part) 
     }
 }
 
-/// Draws size and growth of the boundary part with a tag; they apply wherever the tag is used.
+/// Draws the size and growth of the boundary part with a tag; they apply wherever the tag is used.
 void partSizeRow(Shell &context, std::int32_t tag) {
     const Document &document = *context.document.current();
     const auto found = document.spacing.partSizes.find(tag);
@@ -84,7 +84,7 @@ void partSizeRow(Shell &context, std::int32_t tag) {
     ui::rowTooltip(context, "Element size along this boundary part, and by how much it grows per unit of distance. "
                             "Leave empty for no size of its own.");
     ImGui::SameLine(0, context.px(6));
-    ImGui::BeginDisabled(!size); // growth from a size that does not exist means nothing
+    ImGui::BeginDisabled(!size); // growth has no meaning without a size
     changed = ui::inputNumber(context, "inspector/partgrowth", growth, -1.0F, address + "growth") || changed;
     ImGui::EndDisabled();
     if (changed && (size || given)) {

@@ -32,8 +32,7 @@ class NamesPanel final : public Panel {
             });
             ImGui::SameLine(0, context.px(6));
             if (ui::iconButton(context, "names/boundary/" + std::to_string(tag) + "/select", icon::kSelect,
-                               "Select everything with this tag that is neither hidden nor locked", false, true,
-                               24.0F)) {
+                               "Select all visible and unlocked items with this tag", false, true, 24.0F)) {
                 selectTag(context, *document, tag);
             }
         }

@@ -29,8 +29,8 @@ std::string freeName(const std::vector<Parameter> &parameters) {
     return name;
 }
 
-/// The table of the parameters. An expression that is wrong stays in its row, with the fault below it, until it is
-/// corrected or the document changes.
+/// The table of the parameters. An invalid expression stays in its row, with the fault below it, until it is corrected
+/// or the document changes.
 class ParametersPanel final : public Panel {
   public:
     const char *id() const override { return "parameters"; }
@@ -42,13 +42,12 @@ class ParametersPanel final : public Panel {
             read(context);
         }
         if (rows_.empty()) {
-            ui::small(context, "Name a number here, such as r = 0.4, and enter r or 2*r in any field for a number.",
-                      true);
+            ui::small(context, "Name a number here, such as r = 0.4, and enter r or 2*r in any number field.", true);
         }
         for (std::size_t k = 0; k < rows_.size(); ++k) {
             drawRow(context, k);
             if (revision_ != context.document.revision()) {
-                return; // the rows are those of the document before
+                return; // the rows show the previous document
             }
         }
         if (ui::button(context, "parameters/add", "Add parameter")) {
@@ -60,7 +59,7 @@ class ParametersPanel final : public Panel {
 
   private:
     struct Row {
-        Parameter shown; ///< the expression may be one that the document does not have because it is wrong
+        Parameter shown; ///< the row may show an invalid expression that the document does not have
         std::optional<double> value;
         std::string fault;
     };
@@ -130,7 +129,7 @@ class ParametersPanel final : public Panel {
         finish(context, index, setParameters(*context.document.current(), std::move(parameters)), "Remove parameter");
     }
 
-    /// Applies a change, or shows below the row why it is not possible.
+    /// Applies a change, or shows below the row why it is impossible.
     void finish(Shell &context, std::size_t index, Result<Document> next, const char *label) {
         if (next) {
             rows_[index].fault.clear();

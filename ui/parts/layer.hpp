@@ -69,7 +69,8 @@ class Layer {
     /// or this number changes.
     virtual std::uint64_t stillVersion(const LayerFrame &) const { return 0; }
     virtual void drawStill(const LayerFrame &) {}
-    /// Returns the number of elements that drawStill() draws. Many of them are not drawn while the camera moves.
+    /// Returns the number of elements that drawStill() draws. If there are many, a picture of them stands in while the
+    /// camera moves.
     virtual std::size_t stillElements(const LayerFrame &) const { return 0; }
     /// Draws with OpenGL in every frame, over all still parts.
     virtual void drawLive(const LayerFrame &) {}

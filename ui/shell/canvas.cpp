@@ -27,7 +27,7 @@ void clearTo(const Colour &colour) {
     glClear(GL_COLOR_BUFFER_BIT);
 }
 
-/// Returns a number that changes whenever the still parts change, other than by a move of the camera.
+/// Returns a number that changes whenever the still parts change for any reason but a camera move.
 std::uint64_t contentStamp(const LayerFrame &frame, const std::vector<LayerSlot> &layers) {
     Hash64 hash;
     for (const double number : {frame.camera.viewport.width, frame.camera.viewport.height, frame.scale}) {
@@ -40,7 +40,7 @@ std::uint64_t contentStamp(const LayerFrame &frame, const std::vector<LayerSlot>
     return hash.value();
 }
 
-/// Returns true if the still parts take too long to be drawn while the camera moves.
+/// Returns true if the still parts take too long to draw while the camera moves.
 bool isHeavy(const LayerFrame &frame, const std::vector<LayerSlot> &layers) {
     constexpr std::size_t kHeavy = 30'000; // elements
     return std::any_of(layers.begin(), layers.end(), [&](const LayerSlot &slot) {
@@ -178,7 +178,7 @@ void Canvas::Parts::drawLive(Shell &context, const LayerFrame &frame) {
     glBindFramebuffer(GL_FRAMEBUFFER, context.platform.targetFramebuffer());
     glEnable(GL_SCISSOR_TEST);
     glScissor(x, y, width, height);
-    clearTo(frame.theme.canvas); // where a moved picture does not reach
+    clearTo(frame.theme.canvas); // for what the moved picture does not cover
     still.show(frame.camera, {x, y});
     glBindFramebuffer(GL_FRAMEBUFFER, context.platform.targetFramebuffer());
     glViewport(x, y, width, height);

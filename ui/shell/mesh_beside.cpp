@@ -53,7 +53,7 @@ InView elementsIn(const ComparedMesh &compared, const Box2 &box) {
     return view;
 }
 
-/// Returns the colour of an element: that of its value if the layer "quality" is shown, as on the canvas.
+/// Returns the colour of an element; as on the canvas, the layer "quality" colours it by its value.
 Colour colourOf(const Shell &context, const Judgement &judgement, std::size_t element, bool coloured) {
     const Measure measure = judgement.of.measure;
     if (!coloured || element >= judgement.values.size()) {
@@ -71,7 +71,7 @@ constexpr std::array<FigureColumn, 8> kMeshColumns{
      {"minAngle", "Minimum angle", "Smallest angle of all triangles, in degrees"},
      {"maxAngle", "Maximum angle", "Largest angle of all triangles, in degrees"},
      {"delta", "Mean \xce\xb4", "Mean conformity of the edges to the node spacing of the canvas"},
-     {"time", "Time, ms", "CPU time that the mesh took, if known"}}};
+     {"time", "Time, ms", "CPU time taken by the meshing, if known"}}};
 
 FigureRow rowOf(std::string name, const std::optional<MeshFigures> &figures) {
     FigureRow row{std::move(name), std::vector<std::optional<double>>(kMeshColumns.size())};

@@ -19,7 +19,8 @@ namespace forefront::shell {
 
 namespace {
 
-/// Maximum number of elements drawn in a view beside the canvas; of larger meshes only the front is shown.
+/// Maximum number of elements drawn in a view beside the canvas; for larger meshes only the boundary and the front are
+/// shown.
 constexpr std::size_t kMaxElements = 12'000;
 constexpr double kTitleHeight = 26.0; ///< design pixels
 constexpr double kZoomStep = 1.18;
@@ -28,7 +29,7 @@ constexpr std::array<FigureColumn, 7> kRunColumns{
     {{"advances", "Advances", "Advances of the front so far"},
      {"elements", "Ne", "Elements made so far"},
      {"front", "Nb", "Mean number of segments on the front"},
-     {"neighbours", "Nc", "Mean number of nearby segments that the background grid returns per element"},
+     {"neighbours", "Nc", "Mean number of neighbouring segments that the background grid returns per element"},
      {"tests", "Ns", "Mean number of segments tested for intersection per element"},
      {"cells", "Cells", "Mean number of cells of the background grid visited per element"},
      {"time", "Time, ms", "CPU time spent advancing the front"}}};
@@ -40,7 +41,7 @@ FigureRow rowOf(std::string name, const SessionSnapshot &run) {
              1e3 * f.seconds}};
 }
 
-/// Draws a run as the camera of its view sees it.
+/// Draws a run with the camera of its view.
 class RunPicture {
   public:
     RunPicture(CanvasPainter &painter, const Theme &theme, const SessionSnapshot &run)
@@ -111,8 +112,8 @@ class RunPicture {
     Box2 visible_;
 };
 
-/// Pans and zooms the shared camera by the pointer over a view. The camera of the canvas moves alike, around its own
-/// middle.
+/// Pans and zooms the shared camera when the pointer drags or scrolls over a view. The canvas moves in the same way,
+/// about its own centre.
 void moveCamera(Shell &context, const PixelRect &rect) {
     if (!ImGui::IsWindowHovered()) {
         return;
@@ -155,7 +156,7 @@ void drawView(Shell &context, std::size_t number, const PixelRect &rect) {
     ImGui::End();
 }
 
-/// Draws the choice of what is compared with the run shown.
+/// Draws the choice of what to compare with the run on the canvas.
 void drawChoice(Shell &context) {
     if (context.sides.mesh() != nullptr) {
         if (ui::button(context, "sides/other", "Other mesh\xe2\x80\xa6")) {

@@ -198,26 +198,26 @@ void BrushTool::drawOverlay(CanvasPainter &painter, Shell &context) {
     painter.label(*pointer_, {beside, beside}, text, theme.text, fade(theme.popup, 0.9), context.fonts.small);
 }
 
-/// Draws the choice of what a stroke does, its strength and its falloff.
+/// Draws the options for mode, strength and falloff.
 void BrushTool::drawModes(Shell &context, ui::Flow &flow) {
     flow.item("mode");
     int mode = static_cast<int>(state_->brushMode);
     ui::combo(context, "options/brush/mode", ui::enumLabels<DabMode>(), mode, 92.0F);
     state_->brushMode = static_cast<DabMode>(mode);
     ui::tooltip(context,
-                "Set: paint a spacing. Finer: reduce the present spacing. Coarser, smooth: enlarge or even out "
+                "Set: paint a spacing. Finer: reduce the current spacing. Coarser, smooth: enlarge or even out "
                 "painted spacing only. Erase: remove paint.");
-    constexpr float kNarrow = 330.0F; // more options would cover other plates
+    constexpr float kNarrow = 330.0F; // more options would cover other panels of the canvas
     if (erases() || flow.room() < context.px(kNarrow)) {
         return;
     }
     double strength = state_->brushStrength, falloff = state_->brushFalloff;
     if (drawSizeOption(context, flow, "options/brush/strength", "Strength", strength,
-                       "How far one stroke goes, from 0 to 1")) {
+                       "Effect of one stroke, from 0 to 1")) {
         state_->brushStrength = std::min(strength, 1.0);
     }
     if (drawLengthOption(context, flow, "options/brush/falloff", "Falloff", falloff,
-                         "Part of the radius in which the stroke fades, from 0 to 1")) {
+                         "Fraction of the radius over which the stroke fades, from 0 to 1")) {
         state_->brushFalloff = std::min(falloff, 1.0);
     }
 }

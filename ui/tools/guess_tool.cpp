@@ -24,7 +24,7 @@ bool GuessTool::reviewed(const Shell &context) const {
     return moment && context.run.now().shownRun == run_ && moment.advance->advance == advance_;
 }
 
-/// Shows the base of the next advance, and nothing that follows from it.
+/// Shows the base of the next advance, but not its candidates or result.
 void GuessTool::nextBase(Shell &context) {
     if (!context.run.hasRun() || context.run.showsFile()) {
         return;
@@ -115,8 +115,8 @@ std::string GuessTool::statusText(const Shell &context) const {
     if (!context.run.hasRun() || context.run.showsFile()) {
         return "Mesh the drawing first; then guess where the next node goes";
     }
-    return asks(context) ? "Click where the apex of the next element over AB should be"
-                         : "Click, or press Next base, to go on";
+    return asks(context) ? "Click where the apex of the next element on AB should be"
+                         : "Click, or press Next base, to continue";
 }
 
 } // namespace forefront

@@ -8,8 +8,8 @@
 
 namespace forefront {
 
-/// Lets a learner guess the apex of the next element: each click is a guess, reviewed in words and points; the next
-/// click goes on to the next base.
+/// Lets a learner guess the apex of the next element: each click is a guess, which is scored and explained; the
+/// following click moves to the next base.
 class GuessTool final : public Tool {
   public:
     const char *id() const override { return "guess"; }

@@ -98,7 +98,7 @@ void PenTool::pull(Vec2 to) {
         return;
     }
     if (state_->penMode == PenMode::Spline) {
-        return; // its points alone give the curve
+        return; // the curve follows from its points alone
     }
     path_.back().arm = to - path_.back().at;
 }
@@ -144,7 +144,7 @@ bool PenTool::removeLast() {
         return false;
     }
     if (!hand_.empty()) {
-        cancel(); // a path drawn by hand has no nodes to remove yet
+        cancel(); // a freehand path has no nodes to remove yet
         return true;
     }
     undone_.push_back(path_.back());
@@ -221,7 +221,7 @@ void PenTool::drawOptions(Shell &context, ui::Flow &flow) {
                          "you click. Freehand: drag, and the path is simplified.");
     if (state_->penMode == PenMode::Freehand) {
         drawLengthOption(context, flow, "options/tolerance", "Tolerance", state_->freehandTolerance,
-                         "Maximum distance of the path from your hand; 0: two pixels");
+                         "Maximum distance between the path and your stroke; 0: two pixels");
     }
     if (kind_ == ShapeKind::Polygon) {
         drawTagOption(context, flow, state_->boundaryTag, "Tag of the next boundary");
@@ -233,7 +233,7 @@ void PenTool::drawOptions(Shell &context, ui::Flow &flow) {
 
 std::string PenTool::statusText(const Shell &) const {
     if (state_->penMode == PenMode::Freehand) {
-        return kind_ == ShapeKind::Polygon ? "Drag to draw an outline freehand; letting go closes it"
+        return kind_ == ShapeKind::Polygon ? "Drag to draw an outline freehand; release to close it"
                                            : "Drag to draw a line freehand";
     }
     if (path_.empty() && state_->penMode == PenMode::Spline) {

@@ -11,7 +11,7 @@
 
 namespace forefront {
 
-/// The mesh of a file, to be compared with the mesh on the canvas. It is evaluated on a separate thread.
+/// The mesh of a file, shown for comparison with the mesh on the canvas. It is evaluated on a separate thread.
 class ComparedMesh {
   public:
     /// `name`: of the file. `wake`: as for MeshJudge.
@@ -24,8 +24,8 @@ class ComparedMesh {
     /// Returns the edges with one element, as pairs of nodes; empty until the mesh has been evaluated.
     const std::vector<MeshEdge> &outline() const { return outline_; }
 
-    /// Evaluates the mesh by the measure and the spacing of a request, that of the canvas, and fetches the newest
-    /// evaluation. Called once per frame. Returns true if there is a new one.
+    /// Evaluates the mesh with the measure and the spacing of the canvas, and fetches the latest evaluation. Call it
+    /// once per frame. Returns true if the evaluation is new.
     bool follow(JudgeRequest request);
     bool busy() const { return judge_.busy(); }
     bool hasNews() const { return judge_.latest() != judgement_; }
@@ -42,10 +42,10 @@ class ComparedMesh {
 struct MeshFigures {
     MeshQuality quality;
     bool spacing = false;          ///< δ is known
-    std::optional<double> seconds; ///< CPU time that the mesh took, if known
+    std::optional<double> seconds; ///< CPU time taken by the meshing, if known
 };
 
-/// Returns the figures of a judgement that was asked for its quality; not set until it has them.
+/// Returns the figures of a judgement that was requested with `quality`; none until they are computed.
 std::optional<MeshFigures> figuresOf(const Judgement &judgement);
 
 } // namespace forefront

@@ -102,7 +102,7 @@ Vec2 placeOf(const Judgement &judgement, MeshPart part, std::uint32_t index) {
 
 namespace {
 
-/// Returns an answer, or one that says that there is not enough memory for it.
+/// Returns the evaluation, or one with an out-of-memory fault.
 template <class Answer>
 std::shared_ptr<const Judgement> judgementWithin(const JudgeRequest &request, Answer answer) {
     try {

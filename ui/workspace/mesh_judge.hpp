@@ -28,9 +28,9 @@ struct JudgeRequest {
     std::string field;                                ///< name of `nodal`; empty: none
     std::shared_ptr<const std::vector<double>> nodal; ///< nodal values to show instead; null: none
     MeshLimits limits;
-    bool verify = false;  ///< also find the faults of the mesh
-    bool parts = false;   ///< also prepare to find the parts at a place
-    bool quality = false; ///< also compute the figures of its quality
+    bool verify = false;  ///< also check the mesh for faults
+    bool parts = false;   ///< also build the tree that finds the parts at a position
+    bool quality = false; ///< also compute the quality figures
 
     friend bool operator==(const JudgeRequest &, const JudgeRequest &) = default;
 };
@@ -50,12 +50,12 @@ struct Judgement {
     std::vector<std::uint32_t> worst; ///< at most kRanked parts, the worst first
     std::vector<LimitVerdict> verdicts;
     Diagnostics faults;                 ///< of the mesh, if `verify`
-    std::optional<MeshQuality> quality; ///< if asked for
+    std::optional<MeshQuality> quality; ///< if `quality`
 
     static constexpr std::size_t kRanked = 200;
 };
 
-/// Answers a request; reuses what has not changed from an earlier answer.
+/// Evaluates a request, reusing unchanged results of an earlier evaluation.
 std::shared_ptr<const Judgement> judgementOf(const JudgeRequest &request, const Judgement &earlier);
 
 /// Evaluates the mesh shown on a separate thread, so that the window never waits for it.

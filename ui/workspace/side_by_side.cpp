@@ -39,7 +39,7 @@ bool SideBySide::follow(const RunControl &run, const Document &document, const s
     }
     const bool moved = main.shownRun != run_ || comparison != started_;
     if (!lockstep_ && run.outOfDate()) {
-        return false; // the document is no longer that of the run shown
+        return false; // the run on the canvas is of an older document
     }
     if (!lockstep_ || (moved && !run.outOfDate())) {
         run_ = main.shownRun;

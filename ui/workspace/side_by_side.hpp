@@ -16,8 +16,8 @@ namespace forefront {
 struct Document;
 class RunControl;
 
-/// What is shown beside the mesh on the canvas: runs with other grids or the other method at the same advance as the
-/// run of the document, or the mesh of a file.
+/// The views beside the canvas: runs with other grids or the other method at the same advance as the run of the
+/// document, or the mesh of a file.
 class SideBySide {
   public:
     /// Maximum number of runs beside that of the document.
@@ -26,18 +26,18 @@ class SideBySide {
     bool visible = false;
     Comparison comparison = Comparison::Grids;
 
-    /// Starts the runs of a new mesh, moves them to the position of the run shown and fetches their snapshots. Called
-    /// once per frame; `wake` as for MeshingSession. Returns true if there is a new snapshot.
+    /// Starts the runs of a new mesh, moves them to the position of the run on the canvas and fetches their snapshots.
+    /// Call it once per frame; `wake` as for MeshingSession. Returns true if there is a new snapshot.
     bool follow(const RunControl &run, const Document &document, const std::function<void()> &wake);
     /// Shows the mesh of a file instead of runs. `wake`: as for MeshJudge.
     void compareWith(std::string name, Mesh mesh, std::function<void()> wake);
-    /// Evaluates the mesh of the file by the measure and the spacing of the canvas. Called once per frame; returns true
-    /// if there is a new evaluation.
+    /// Evaluates the mesh of the file with the measure and the spacing of the canvas. Call it once per frame. Returns
+    /// true if there is a new evaluation.
     bool judge(const JudgeRequest &canvas) { return mesh_ && mesh_->follow(canvas); }
     /// Returns the mesh of the file; null if runs are compared.
     const ComparedMesh *mesh() const { return mesh_.get(); }
     void close();
-    /// Returns true while a run is on its way to the position of the run shown, or the mesh is being evaluated.
+    /// Returns true while a run is still moving to the position of the canvas, or the mesh is being evaluated.
     bool busy() const { return (lockstep_ && lockstep_->busy()) || (mesh_ && mesh_->busy()); }
     bool hasNews() const;
     /// Returns the number of views beside the canvas.
@@ -48,7 +48,7 @@ class SideBySide {
   private:
     std::optional<Lockstep> lockstep_; ///< not set: nothing to compare
     std::vector<std::shared_ptr<const SessionSnapshot>> shown_;
-    std::uint64_t run_ = 0; ///< number of the run that it was started beside
+    std::uint64_t run_ = 0; ///< number of the run that the lockstep was started for
     Comparison started_ = Comparison::Grids;
     std::unique_ptr<ComparedMesh> mesh_; ///< null: runs are compared
 };

@@ -19,14 +19,14 @@ namespace forefront {
 
 namespace {
 
-/// A session whose moves are waited for.
+/// A session that the caller can wait for.
 class PatientSession {
   public:
     explicit PatientSession(std::stop_token stop) : stop_(std::move(stop)) {}
 
     MeshingSession &session() { return session_; }
 
-    /// Waits until the session rests and returns its snapshot; a requested stop cancels its work.
+    /// Waits until the session is idle and returns its snapshot; a stop request cancels the work.
     std::shared_ptr<const SessionSnapshot> rest() {
         std::unique_lock lock(mutex_);
         while (session_.busy()) {
@@ -45,7 +45,7 @@ class PatientSession {
     MeshingSession session_{[this] { changed_.notify_all(); }};
 };
 
-/// Returns a box with room at both sides of a tall one, so that no film is much higher than wide.
+/// Widens a tall box on both sides, so that no film is much taller than wide.
 Box2 shownBox(Box2 box) {
     constexpr double kTallest = 1.5; // height over width
     const double missing = box.size().y / kTallest - box.size().x;
@@ -56,7 +56,7 @@ Box2 shownBox(Box2 box) {
     return box;
 }
 
-/// Writes the moments of a run.
+/// Writes the frames of a run.
 class Filming {
   public:
     Filming(const FilmPlan &plan, const Progress &progress)

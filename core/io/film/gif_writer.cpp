@@ -16,7 +16,7 @@ void appendShort(std::string &bytes, int value) {
     bytes += static_cast<char>(value >> 8 & 0xFF);
 }
 
-/// Compresses indices of 8 bits with the variable-length codes of GIF (Lempel-Ziv-Welch).
+/// Compresses 8-bit indices with GIF's variable-length codes (Lempel-Ziv-Welch).
 class LzwEncoder {
   public:
     std::string encode(const std::vector<std::uint8_t> &pixels) {
@@ -44,7 +44,8 @@ class LzwEncoder {
     static constexpr std::uint32_t kClear = 256, kEnd = 257, kFirst = 258, kCodes = 4096;
     static constexpr std::uint32_t kSlots = 16384, kCodeMask = kCodes - 1;
 
-    /// Returns the slot of a string, given as key (prefix, next index): its code below 12 bits of key, or 0 if unknown.
+    /// Returns the table slot of a string, whose key is its prefix's code and last index. A slot holds the key above 12
+    /// bits of code, or 0 if the string is unknown.
     std::uint32_t &find(std::uint32_t key) {
         std::uint32_t place = key * 2654435761U >> 18;
         while (table_[place] != 0 && table_[place] >> 12 != key) {
@@ -86,7 +87,7 @@ struct Part {
     int left = 0, top = 0, width = 0, height = 0;
 };
 
-/// Returns the smallest rectangle that holds all pixels that changed; one pixel if none did.
+/// Returns the smallest rectangle that holds all changed pixels; one pixel if there are none.
 Part changedPart(const FilmPicture &last, const FilmPicture &now) {
     if (last.pixels.empty()) {
         return {0, 0, now.width, now.height};
@@ -105,7 +106,7 @@ Part changedPart(const FilmPicture &last, const FilmPicture &now) {
     return right < 0 ? Part{0, 0, 1, 1} : Part{left, top, right - left + 1, bottom - top + 1};
 }
 
-/// Returns the pixels of a part, with those that did not change as kUnchangedPixel.
+/// Returns the pixels of a rectangle; unchanged ones become kUnchangedPixel.
 std::vector<std::uint8_t> pixelsOf(const Part &part, const FilmPicture &last, const FilmPicture &now) {
     std::vector<std::uint8_t> pixels;
     for (int y = part.top; y < part.top + part.height; ++y) {
@@ -128,7 +129,7 @@ GifWriter::GifWriter(ByteSink &sink, int width, int height, int delay) : sink_(s
     for (const std::uint8_t part : filmPalette()) {
         head += static_cast<char>(part);
     }
-    head += std::string_view("!\xff\x0bNETSCAPE2.0\x03\x01\0\0\0", 19); // repeats for ever
+    head += std::string_view("!\xff\x0bNETSCAPE2.0\x03\x01\0\0\0", 19); // loops forever
     written_ = sink_.write(head);
 }
 
@@ -141,7 +142,7 @@ bool GifWriter::add(const FilmPicture &picture) {
     for (const int value : {part.left, part.top, part.width, part.height}) {
         appendShort(bytes, value);
     }
-    bytes += std::string_view("\0\x08", 2); // the common palette; indices of 8 bits
+    bytes += std::string_view("\0\x08", 2); // uses the common palette; 8-bit indices
     const std::string data = LzwEncoder().encode(pixelsOf(part, last_, picture));
     for (std::size_t at = 0; at < data.size(); at += 255) {
         const std::string_view block = std::string_view(data).substr(at, 255);

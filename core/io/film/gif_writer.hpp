@@ -7,14 +7,14 @@
 
 namespace forefront {
 
-/// Writes an animated GIF that repeats for ever. A frame stores only the rectangle that differs from the one before it.
-/// Own code, as is the PNG writer: with giflib and libpng, every program that links the library would need them, too.
+/// Writes an animated GIF that loops forever. A frame stores only the rectangle that differs from the previous frame.
+/// It does without giflib, and the PNG writer without libpng, so that programs that link the library need neither.
 class GifWriter {
   public:
-    /// Writes the header for pictures of this size. `delay`: of each frame, in hundredths of a second.
+    /// Writes the header for pictures of this size. `delay`: duration of a frame, in hundredths of a second.
     GifWriter(ByteSink &sink, int width, int height, int delay);
 
-    /// Appends a frame of the size given. Returns false if the bytes cannot be written.
+    /// Appends a frame of the given size. Returns false if the bytes cannot be written.
     bool add(const FilmPicture &picture);
     /// Completes the file.
     bool finish();

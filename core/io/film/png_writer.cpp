@@ -34,8 +34,8 @@ unsigned classOf(const Range (&ranges)[N], std::size_t value) {
     return static_cast<unsigned>(next - std::begin(ranges)) - 1;
 }
 
-/// Compresses bytes as one block of deflate with the fixed codes. Matches are looked for only one byte and one row
-/// back, which is where drawings repeat.
+/// Compresses bytes as one deflate block with fixed codes. It looks for matches only one byte and one row back, where
+/// drawings repeat.
 class Deflater {
   public:
     Deflater(std::string_view bytes, std::size_t row) : bytes_(bytes), row_(row) {}
@@ -77,7 +77,7 @@ class Deflater {
             buffer_ >>= 8;
         }
     }
-    /// Writes a code, whose bits come in the opposite order.
+    /// Writes a code, most significant bit first.
     void code(unsigned value, unsigned count) {
         for (unsigned bit = count; bit-- > 0;) {
             put(value >> bit & 1U, 1);
@@ -158,7 +158,7 @@ std::string pngOf(const FilmPicture &picture) {
     std::string head, palette, rows;
     appendNumber(head, static_cast<std::uint32_t>(picture.width));
     appendNumber(head, static_cast<std::uint32_t>(picture.height));
-    head += std::string_view("\x08\x03\0\0\0", 5); // indices of 8 bits into a palette
+    head += std::string_view("\x08\x03\0\0\0", 5); // 8-bit indices into a palette
     for (const std::uint8_t part : filmPalette()) {
         palette += static_cast<char>(part);
     }

@@ -114,7 +114,7 @@ class LessonReader {
         needDocument(item, page);
     }
 
-    /// Reports members that say something about a document while there is none.
+    /// Reports members that need a document when there is none.
     void needDocument(const JsonValue &item, const LessonPage &page) {
         if (!page.documentName.empty() || item.find("document")) {
             return;
@@ -127,14 +127,14 @@ class LessonReader {
         }
     }
 
-    /// Returns false, and reports it, if a name leads out of the folder of the lesson.
+    /// Returns false and reports an error if a path leaves the lesson's folder.
     bool isInFolder(const JsonValue &value, const std::string &name) {
         const std::filesystem::path path(name);
         if (path.is_relative() && std::find(path.begin(), path.end(), "..") == path.end()) {
             return true;
         }
-        check_.fault(value, "bad-document", "the document " + inQuotes(name) + " is outside the folder of the lesson",
-                     "put it beside the lesson, and give its path from there");
+        check_.fault(value, "bad-document", "the document " + inQuotes(name) + "  is outside the lesson's folder",
+                     "move it into that folder, and give its path relative to the lesson");
         return false;
     }
 
