@@ -239,7 +239,7 @@ double Assembler::areaChange() const {
         changed += 0.5 * std::fabs(change[c].value());
     }
     for (std::uint32_t face = 1; face < faces_.count; ++face) {
-        covered += inside(face) ? cover_.area[face] : 0.0; // counts contours that cross themselves
+        covered += inside(face) ? cover_.area[face] : 0.0; // counts self-crossing contours
     }
     return changed > 0.0 ? changed / std::max(whole, covered) : 0.0;
 }

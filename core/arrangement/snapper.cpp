@@ -69,7 +69,7 @@ void Snapper::makeEdges() {
 /// Aligns the boxes with edges that mostly run in one slanted direction: boxes of close parallel edges overlap less.
 void Snapper::chooseAxis() {
     constexpr double kMostly = 0.8, kSlant = 0.2;
-    Vec2 sum; // adds directions with their angles doubled, so that opposite ones are the same
+    Vec2 sum; // sums directions with doubled angles, so that opposite ones agree
     double total = 0.0;
     for (const Edge &edge : edges_) {
         const Vec2 along = places_[edge.b] - places_[edge.a];

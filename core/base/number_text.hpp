@@ -16,7 +16,7 @@ inline std::string numberText(double value, int digits) {
     return {text.data(), end.ptr};
 }
 
-/// Returns a place as "(1.5, 2)" with six significant digits, for messages.
+/// Returns a position as "(1.5, 2)" with six significant digits, for messages.
 inline std::string placeText(Vec2 place) {
     return '(' + numberText(place.x, 6) + ", " + numberText(place.y, 6) + ')';
 }

@@ -36,7 +36,7 @@ void joinShortPieces(std::vector<double> &fractions, const CurvePath &path, cons
         if (shorter < kUneven * longer && shorter < kShort * spacing.at(at) &&
             (path.allows(from, to) || path.deviation(from, to) < kVisible * path.tolerance)) {
             fractions.erase(fractions.begin() + static_cast<std::ptrdiff_t>(i));
-            i -= i > 1 ? 1 : 0; // the piece before now has a longer one beside it
+            i -= i > 1 ? 1 : 0; // the previous piece now has a longer neighbour
         } else {
             ++i;
         }

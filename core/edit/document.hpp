@@ -72,7 +72,7 @@ struct Shape {
 
 /// A named number of a document, such as r = 0.4 or gap = 2*r.
 struct Parameter {
-    std::string name;       ///< a letter, then letters, digits and _
+    std::string name;       ///< a letter or _, then letters, digits and _
     std::string expression; ///< of numbers, functions and other parameters
 
     friend bool operator==(const Parameter &, const Parameter &) = default;
@@ -94,7 +94,7 @@ struct Document {
     double curveTolerance = 0.0; ///< see Domain::curveTolerance
     std::uint32_t nextId = 1;
     std::vector<Parameter> parameters;
-    /// Expressions of parameters that numbers of the document follow, by the address of the number: see NumberAddress.
+    /// Formulas of numbers of the document, by the address of the number: see NumberAddress.
     std::map<std::string, std::string> formulas;
 };
 

@@ -9,7 +9,7 @@
 namespace forefront {
 namespace {
 
-/// Returns the velocity at the middle one of three points of a parabola through them; g and h are the times between.
+/// Returns the velocity at the middle of three points on the parabola through them; g and h are the time steps.
 Vec2 velocity(Vec2 before, Vec2 at, Vec2 after, double g, double h) {
     return (1.0 / (g + h)) * ((h / g) * (at - before) + (g / h) * (after - at));
 }
@@ -30,7 +30,7 @@ std::vector<Curve> splineThrough(std::span<const Vec2> points, bool closed) {
     for (std::size_t k = closed ? 0 : 1; k < (closed ? n : n - 1); ++k) {
         speeds[k] = velocity(at(k + n - 1), at(k), at(k + 1), time(k + n - 1), time(k));
     }
-    if (!closed) { // the parabolas go on to the ends
+    if (!closed) { // the end tangents are those of the outer parabolas
         speeds[0] = (2.0 / time(0)) * (at(1) - at(0)) - speeds[1];
         speeds[n - 1] = (2.0 / time(n - 2)) * (at(n - 1) - at(n - 2)) - speeds[n - 2];
     }

@@ -21,10 +21,10 @@ std::string parameterList(const std::vector<Parameter> &parameters) {
     return names;
 }
 
-/// Returns true if the number at an address has a value, up to rounding.
+/// Returns true if the number at an address equals a value up to rounding.
 bool hasValue(const Document &document, const NumberAddress &address, double value) {
     const std::optional<double> now = readNumber(document, address);
-    constexpr double kRelative = 1e-9, kRounding = 1e-14; // differences of coordinates are as rounded as these
+    constexpr double kRelative = 1e-9, kRounding = 1e-14; // a difference of coordinates is no more exact than they are
     return now && std::fabs(*now - value) <= kRelative * std::max(std::fabs(*now), std::fabs(value)) +
                                                  kRounding * magnitudeAt(document, address);
 }
@@ -35,7 +35,7 @@ bool isPlainNumber(std::string_view text) {
     return fault == std::errc() && end == text.data() + text.size();
 }
 
-/// Returns a formula with a name replaced by another.
+/// Returns a formula with one name replaced by another.
 std::string renamed(const std::string &text, std::string_view from, std::string_view to) {
     std::string result;
     std::size_t copied = 0;
@@ -54,7 +54,7 @@ struct Follower {
     std::string address;
     NumberAddress number;
     double value = 0.0;   ///< of the formula
-    bool changed = false; ///< the number had another value
+    bool changed = false; ///< the number had a different value
 };
 
 Result<Follower> followerOf(const Document &document, const std::string &address, const std::string &text) {
@@ -84,7 +84,7 @@ Result<std::vector<Follower>> followersOf(const Document &document, std::string 
     return followers;
 }
 
-/// Sets the numbers that do not have the values of their formulas. Returns true if there was one.
+/// Sets the numbers that differ from their formulas. Returns true if there were any.
 Result<bool> placeOnce(Document &document, std::vector<Follower> &followers, std::string &failed) {
     bool any = false;
     for (Follower &follower : followers) {
@@ -99,7 +99,7 @@ Result<bool> placeOnce(Document &document, std::vector<Follower> &followers, std
     return any;
 }
 
-/// Checks everything that has a changed number, once for all of its numbers.
+/// Checks each item that has a changed number, once for all of its numbers.
 Result<Document> checkedOwners(Document document, const std::vector<Follower> &followers, std::string &failed) {
     std::set<std::pair<NumberAddress::Owner, std::uint32_t>> checked;
     for (const Follower &follower : followers) {
@@ -115,14 +115,14 @@ Result<Document> checkedOwners(Document document, const std::vector<Follower> &f
     return document;
 }
 
-/// Lets every number follow its formula. All are set before any is checked: numbers that fit each other may not fit
-/// the old ones, such as two opposite corners of a rectangle.
+/// Sets every number to its formula's value. All are set before any is checked, since new values that are valid
+/// together may be invalid beside an old one, such as two opposite corners of a rectangle.
 Result<Document> follow(Document document, std::string &failed) {
     Result<std::vector<Follower>> followers = followersOf(document, failed);
     if (!followers) {
         return followers.faults();
     }
-    // The place of a corner depends on the size of its rectangle and the other way round, so one round may not do.
+    // A rectangle's corner and its size depend on each other, so one round may not be enough.
     constexpr int kRounds = 4;
     for (int round = 0; round < kRounds; ++round) {
         const Result<bool> any = placeOnce(document, *followers, failed);

@@ -14,60 +14,60 @@
 
 namespace forefront {
 
-// Parameters, and numbers of a document that follow them.
+// Parameters, and the numbers of a document that depend on them.
 //
 // Document::formulas holds expressions by the address of their number; see number_address.hpp. A formula holds as long
-// as its number has its value: a number that is changed by hand loses its formula.
+// as the number equals its value: a number that is edited directly loses its formula.
 
-/// A document has at most this many parameters.
+/// Maximum number of parameters in a document.
 inline constexpr std::size_t kMaxParameters = 1000;
-/// The name of a parameter has at most this many characters.
+/// Maximum length of a parameter's name, in characters.
 inline constexpr std::size_t kMaxParameterName = 100;
 
 /// The value of a parameter, or why it has none.
 struct ParameterState {
     std::optional<double> value;
     std::string fault;       ///< empty if there is a value
-    bool faultyName = false; ///< the fault is that of the name, not of the expression
+    bool faultyName = false; ///< the fault lies in the name, not in the expression
 };
 
-/// Returns the state of each parameter, in order. Faults: a name that is empty, reserved, too long or given twice, an
-/// expression that is wrong, a cycle, too many parameters.
+/// Returns the state of each parameter, in order. Faults: an empty, reserved, overlong or duplicate name, an invalid
+/// expression, a cycle, too many parameters.
 std::vector<ParameterState> parameterStates(const std::vector<Parameter> &parameters);
 
-/// Returns the values of the parameters that have one.
+/// Returns the values of the parameters without faults.
 NamedValues parameterValues(const std::vector<Parameter> &parameters);
 
-/// Returns the value of an expression of the parameters of a document. Errors: expression-syntax, expression-value.
+/// Returns the value of an expression that may use the parameters of a document. Errors: expression-syntax,
+/// expression-value.
 Result<double> evaluateFormula(const Document &document, const std::string &text);
 
 /// Sets every number that has a formula to the formula's value. Errors: those of evaluateFormula() and of the commands
-/// that set the numbers, bad-formula if there is no such number or formulas contradict each other; `failed`, if not
-/// null, becomes the address.
+/// that set the numbers; bad-formula if there is no such number or formulas contradict each other. On an error
+/// `failed`, if not null, is set to the address.
 Result<Document> applyFormulas(const Document &document, std::string *failed = nullptr);
 
-/// Replaces the parameters and moves every number with a formula to its new value. Errors: bad-parameter (a fault of
+/// Replaces the parameters and updates every number with a formula. Errors: bad-parameter (a fault of
 /// parameterStates()), and those of applyFormulas().
 Result<Document> setParameters(const Document &document, std::vector<Parameter> parameters);
 
-/// Gives parameters other expressions, by name. Errors: unknown-parameter, and those of setParameters().
+/// Replaces the expressions of some parameters, by name. Errors: unknown-parameter, and those of setParameters().
 Result<Document> overrideParameters(const Document &document, const std::map<std::string, std::string> &expressions);
 
-/// Renames a parameter, also in the expressions and formulas that use it. Errors: bad-parameter.
+/// Renames a parameter, including in the expressions and formulas that use it. Errors: bad-parameter.
 Result<Document> renameParameter(const Document &document, std::size_t index, const std::string &name);
 
-/// Lets a number follow a formula, or stand alone if the text is empty or a plain number; the number itself stays as it
-/// is.
+/// Sets the formula of a number; an empty text or a plain number removes it. The number itself is unchanged.
 Document setFormula(Document document, const std::string &address, const std::string &text);
 
-/// Removes the formulas whose numbers are gone or have another value.
+/// Removes the formulas whose numbers no longer exist or have a different value.
 void pruneFormulas(Document &document);
 
-/// Prepares the formulas of a document that came from another by a command: those of nodes, sources and markers whose
-/// indices have changed move with them, and those that no longer hold are removed.
+/// Updates the formulas of a document after a command changed it: formulas follow nodes, sources and markers whose
+/// indices have changed, and those that no longer hold are removed.
 void carryFormulas(const Document &before, Document &next);
 
-/// Gives a copy of a shape, source or marker the formulas of the original, such as from "shape/3/" to "shape/7/".
+/// Copies the formulas of a shape, source or marker to its copy, such as from "shape/3/" to "shape/7/".
 void copyFormulas(Document &document, std::string_view fromPrefix, std::string_view toPrefix);
 
 } // namespace forefront

@@ -26,7 +26,7 @@ class History {
     /// content as the current one is not recorded. Returns true if something changed.
     bool commit(std::string label, Document document, std::string_view stroke = {});
     void endStroke();
-    /// Removes the stroke in progress, as when Esc is pressed during a drag, and restores what could be redone before
+    /// Cancels the stroke in progress, as when Esc is pressed during a drag, and restores the redo steps from before
     /// it.
     void abandonStroke();
 
@@ -61,7 +61,7 @@ class History {
     std::uint64_t nextRevision_ = 1;
     std::uint64_t saved_ = 0;
     std::string stroke_;           ///< stroke of the current entry; empty: closed
-    std::vector<Entry> discarded_; ///< what could be redone before the stroke
+    std::vector<Entry> discarded_; ///< redo steps from before the stroke
 };
 
 } // namespace forefront

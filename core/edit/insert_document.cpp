@@ -11,7 +11,7 @@
 namespace forefront {
 namespace {
 
-/// The places of all shapes, sources and markers of a document.
+/// The positions of all shapes, sources and markers of a document.
 class Places {
   public:
     explicit Places(const Document &document) {
@@ -76,12 +76,12 @@ Document insertDrawing(const Document &document, const Document &other, double s
 
 Result<Document> insertCopied(const Document &document, const Document &other, Vec2 step, Selection *added) {
     Selection all = selectAll(other);
-    for (const auto &shape : other.shapes) { // none may stay behind
+    for (const auto &shape : other.shapes) { // hidden and locked ones must move, too
         all.shapes.insert(shape->id);
     }
     const Places taken(document);
     Result<Document> moved = other;
-    constexpr int kMaxSteps = 1000; // for steps too small to move anything
+    constexpr int kMaxSteps = 1000; // guards against steps too small to move anything
     for (int k = 1; k <= kMaxSteps && taken.meet(Places(*moved)); ++k) {
         moved = moveSelection(other, all, static_cast<double>(k) * step);
         if (!moved) {

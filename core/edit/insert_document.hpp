@@ -10,9 +10,9 @@ namespace forefront {
 /// name a tag, the name in `document` wins. `added`, if not null, becomes the selection of everything added.
 Document insertDrawing(const Document &document, const Document &other, double scale, Selection *added);
 
-/// Like insertDrawing() without scaling, and with the size sources. If a shape, source or marker would lie exactly on
-/// one of the document, everything added is moved by the smallest multiple of `step` that avoids this. Errors: those of
-/// moveSelection().
+/// Like insertDrawing() without scaling, and with the size sources. If an added shape, source or marker would coincide
+/// with an existing one, everything added is moved by the smallest multiple of `step` that avoids this. Errors: those
+/// of moveSelection().
 Result<Document> insertCopied(const Document &document, const Document &other, Vec2 step, Selection *added);
 
 } // namespace forefront

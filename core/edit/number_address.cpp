@@ -23,7 +23,7 @@ using Owner = NumberAddress::Owner;
 constexpr std::array<std::pair<std::string_view, Owner>, 4> kOwners{
     {{"shape", Owner::Shape}, {"source", Owner::Source}, {"region", Owner::Region}, {"part", Owner::Part}}};
 
-/// Returns true if the address has a number of a handle at its end.
+/// Returns true if the address ends in the index of a handle.
 bool hasHandle(const NumberAddress &address) {
     return address.owner == Owner::Shape && (address.quantity == "x" || address.quantity == "y");
 }
@@ -104,7 +104,8 @@ Status placeInShape(Shape &shape, const NumberAddress &address, double value) {
     if (what == "rx" || what == "ry" || circle) {
         Vec2 &end = shape.nodes[what == "ry" ? 2 : 1];
         const Vec2 arm = end - shape.nodes[0];
-        const Vec2 along = what == "ry" ? Vec2{0.0, 1.0} : Vec2{1.0, 0.0}; // if another formula has made it a point
+        const Vec2 along =
+            what == "ry" ? Vec2{0.0, 1.0} : Vec2{1.0, 0.0}; // in case another formula has made it a point
         end = shape.nodes[0] + (length(arm) > 0.0 ? (value / length(arm)) * arm : value * along);
     } else if (what == "radius") {
         shape.radius = value;
@@ -115,7 +116,7 @@ Status placeInShape(Shape &shape, const NumberAddress &address, double value) {
     return {};
 }
 
-/// Returns the place of a number of a source, or null.
+/// Returns a pointer to a number of a source, or null.
 template <class Source>
 auto sourceNumber(Source &source, const std::string &what) -> decltype(&source.size) {
     const std::array<std::pair<std::string_view, decltype(&source.size)>, 7> numbers{{{"x", &source.a.x},
@@ -159,8 +160,8 @@ std::optional<double> SpacingSpec::*spacingNumber(const std::string &what) {
     return nullptr;
 }
 
-/// Returns the index that an item of a list has in another list; its own if the lists are equally long, since then it
-/// was only changed.
+/// Returns the index of an item in the other list. In lists of equal length it is the same, since items were only
+/// edited.
 template <class T>
 std::optional<std::uint32_t> movedIndex(const std::vector<T> &before, const std::vector<T> &next, std::uint32_t index) {
     if (before.size() == next.size()) {

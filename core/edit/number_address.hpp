@@ -28,22 +28,23 @@ struct NumberAddress {
 std::optional<NumberAddress> parseAddress(std::string_view address);
 std::string toString(const NumberAddress &address);
 
-/// Returns the number; none if its owner does not exist or has no such number.
+/// Returns the number, or none if its owner does not exist or has no such number.
 std::optional<double> readNumber(const Document &document, const NumberAddress &address);
-/// Returns the number at an address; none if there is no such number.
+/// Returns the number at an address, or none if there is no such number.
 std::optional<double> numberAt(const Document &document, std::string_view address);
-/// Sets a number that readNumber() finds to a finite value, but does not check whether it fits the other numbers: see
-/// checkedOwner(). Error: bad-number for a length that is not above 0.
+/// Sets an existing number to a finite value. It does not check whether the result is valid: see checkedOwner(). Error:
+/// bad-number for a length that is not above 0.
 Status placeNumber(Document &document, const NumberAddress &address, double value);
-/// Returns a document after placeNumber() if what the number belongs to is valid: its shape, its source, its marker,
-/// the sizes of the boundary parts, or the limits of the spacing. Errors: those of the commands that change it.
+/// Checks the owner of a number after placeNumber(): its shape, source, marker, the sizes of the boundary parts, or the
+/// limits of the spacing. Returns the document if the owner is valid. Errors: those of the commands that change it.
 Result<Document> checkedOwner(const Document &document, const NumberAddress &address);
 
-/// Returns the maximum coordinate of the shape that a number belongs to, which limits its accuracy; 0 for others.
+/// Returns the largest absolute coordinate of the shape that a number belongs to, which limits the number's accuracy; 0
+/// for other owners.
 double magnitudeAt(const Document &document, const NumberAddress &address);
 
-/// Returns the address that a number of a document has in another document that came from it by a command, which may
-/// have inserted or removed nodes, sources or markers; none if the number is gone.
+/// Returns the address of a number after a command, which may have inserted or removed nodes, sources or markers; none
+/// if the number no longer exists.
 std::optional<std::string> movedAddress(const Document &before, const Document &next, const std::string &address);
 
 } // namespace forefront

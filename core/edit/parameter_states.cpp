@@ -9,13 +9,13 @@
 namespace forefront {
 namespace {
 
-/// Returns true if the text is a single name as formulas know them: a letter or _, then letters, digits and _.
+/// Returns true if the text is a valid name in formulas: a letter or _, then letters, digits and _.
 bool isName(const std::string &text) {
     const std::vector<std::string_view> names = namesIn(text);
     return names.size() == 1 && names.front().size() == text.size();
 }
 
-/// Returns the names that decide when an expression can be evaluated; none if it is too long to be evaluated.
+/// Returns the names that an expression depends on; none if it is too long to evaluate.
 std::vector<std::string_view> dependencies(const Parameter &parameter) {
     return parameter.expression.size() <= kMaxExpressionLength ? namesIn(parameter.expression)
                                                                : std::vector<std::string_view>();
@@ -44,7 +44,7 @@ class Evaluation {
   private:
     enum class Mark : std::uint8_t { New, Open, Done };
 
-    /// Returns what is wrong with a name; a sound one becomes known.
+    /// Returns the fault of a name; records a valid one.
     std::string nameFault(std::size_t index) {
         const std::string &name = parameters_[index].name;
         if (index >= kMaxParameters) { // visit() calls itself along dependencies
@@ -82,8 +82,8 @@ class Evaluation {
         }
     }
 
-    /// Gives the parameters of a cycle the same fault. Each call gives a first fault to at least one of them, so
-    /// parameters that all name each other cannot make the calls many.
+    /// Gives the parameters of a cycle the same fault. Each call marks at least one parameter that had no fault, so the
+    /// number of calls is limited even if all parameters name each other.
     void reportCycle(std::size_t first) {
         if (!states_[first].fault.empty() && !states_[path_.back()].fault.empty()) {
             return;
@@ -97,7 +97,7 @@ class Evaluation {
         }
     }
 
-    /// Returns the names from a place of the path to its end, each with an arrow; the first ones if there are many.
+    /// Returns the names of the path from a position on, each with an arrow; only the first ones if there are many.
     std::string chainFrom(std::vector<std::size_t>::const_iterator begin) const {
         constexpr std::ptrdiff_t kShown = 5;
         const bool all = path_.end() - begin <= kShown;
@@ -128,7 +128,7 @@ class Evaluation {
     const std::vector<Parameter> &parameters_;
     std::vector<ParameterState> states_;
     std::vector<Mark> marks_;
-    std::map<std::string_view, std::size_t> indices_; ///< of the parameters with sound names
+    std::map<std::string_view, std::size_t> indices_; ///< of the parameters with valid names
     std::vector<std::size_t> path_;                   ///< of dependencies, from the first parameter visited
     NamedValues values_;                              ///< known so far
 };

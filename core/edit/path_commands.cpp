@@ -57,7 +57,7 @@ Curve withControl(const Curve &cubic, bool atEnd, Vec2 to) {
     return Curve::cubic(cubic.point(0.0), atEnd ? other : to, atEnd ? to : other, cubic.point(1.0));
 }
 
-/// Returns a cubic along a segment: itself, one close to an arc, or one that is straight.
+/// Returns a segment as a cubic: unchanged, close to an arc, or straight.
 Curve asCubic(const Outline &outline, std::uint32_t segment) {
     const Curve curve = outline.curve(segment);
     const Vec2 from = outline.from(segment), to = outline.to(segment);
@@ -72,7 +72,7 @@ Curve asCubic(const Outline &outline, std::uint32_t segment) {
     return Curve::cubic(from, lerp(from, to, 1.0 / 3.0), lerp(from, to, 2.0 / 3.0), to);
 }
 
-/// Returns the number of cubics along a segment: one for each quarter turn of an arc, which one misses by 2.7e-4 of the
+/// Returns the number of cubics for a segment: one for each quarter turn of an arc, where its error is 2.7e-4 of the
 /// radius.
 std::uint32_t cubicsFor(const Outline &outline, std::uint32_t segment) {
     const Curve curve = outline.curve(segment);
@@ -82,7 +82,7 @@ std::uint32_t cubicsFor(const Outline &outline, std::uint32_t segment) {
                : 1;
 }
 
-/// Divides a segment into pieces of the same stretch of its curve's parameter.
+/// Divides a segment into pieces of equal length in its curve's parameter.
 Result<Document> divided(const Document &document, SegmentRef segment, std::uint32_t pieces) {
     const Curve curve = outlineOf(*findShape(document, segment.shape)).curve(segment.segment);
     Result<Document> next = document;
@@ -117,7 +117,7 @@ NodeKind kindOf(const Outline &outline, std::uint32_t node) {
     if (!isCubic(outline, beside.before) || !isCubic(outline, beside.after)) {
         return NodeKind::Corner;
     }
-    constexpr double kAlmost = 1e-6; // relative to the distances; a hand cannot do better
+    constexpr double kAlmost = 1e-6; // relative to the distances; the accuracy of drawing by hand
     const Vec2 back = controlOf(outline.curves[beside.before], true) - outline.nodes[node];
     const Vec2 ahead = controlOf(outline.curves[beside.after], false) - outline.nodes[node];
     const double reach = length(back) * length(ahead);
@@ -249,7 +249,7 @@ Result<Document> setNodeKind(const Document &document, const std::set<NodeRef> &
 
 Result<Document> setCurved(const Document &document, const std::set<SegmentRef> &segments, bool curved) {
     Document next = document;
-    // From the last segment to the first, so that the nodes that divide an arc do not shift others.
+    // From the last segment to the first, so that nodes inserted into an arc do not shift the others.
     for (auto at = segments.rbegin(); at != segments.rend(); ++at) {
         const SegmentRef segment = *at;
         const Shape *given = findShape(next, segment.shape);

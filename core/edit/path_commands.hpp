@@ -59,8 +59,8 @@ Result<Document> moveControl(const Document &document, const ControlRef &control
 /// tangent is parallel to the line between the neighbours of the node.
 Result<Document> setNodeKind(const Document &document, const std::set<NodeRef> &nodes, NodeKind kind);
 
-/// Makes segments of paths straight, or turns them into cubics: a straight segment becomes a cubic along it, an arc one
-/// for each quarter turn, with nodes between them, and cubics are left unchanged.
+/// Makes segments of paths straight, or turns them into cubics: a straight segment becomes one cubic, an arc one for
+/// each quarter turn, with nodes between them; cubics are unchanged.
 Result<Document> setCurved(const Document &document, const std::set<SegmentRef> &segments, bool curved);
 
 /// Opens a closed path at a node, or divides an open one into two paths; the second part gets a new id.

@@ -129,7 +129,7 @@ Curve joining(const Curve &curve, Vec2 from, Vec2 to) {
 }
 
 bool joins(const Curve &curve, Vec2 from, Vec2 to) {
-    constexpr double kWritten = 1e-6; // relative to the size: numbers written by hand or by other programs
+    constexpr double kWritten = 1e-6; // relative to the size; numbers typed by hand or from other programs are rounded
     constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon(); // relative to the coordinates
     const std::array<double, 8> n = curve.numbers();
     const Vec2 first{n[0], n[1]};

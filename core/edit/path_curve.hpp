@@ -14,7 +14,7 @@ Curve joining(const Curve &curve, Vec2 from, Vec2 to);
 /// Returns true if the curve begins and ends at the two points, up to 1e-6 of its coordinates.
 bool joins(const Curve &curve, Vec2 from, Vec2 to);
 
-/// Returns the curvature at a parameter, positive to the left; 0 where the curve stands still.
+/// Returns the curvature at a parameter, positive to the left; 0 where the derivative vanishes.
 double curvatureOf(const Curve &curve, double t);
 
 /// Returns the signed area between the curve and the lines from a point to its ends, positive where the curve runs
@@ -25,8 +25,8 @@ double sectorArea(const Curve &curve, Vec2 from);
 /// with their outer ends and tangents that is nearest by least squares.
 Curve merged(const Curve &first, const Curve &second);
 
-/// Returns a cubic with the ends and tangents of an arc. It misses a quarter turn by 2.7e-4 of the radius and a half
-/// turn by 2 %; beyond that it is the nearest by least squares, which is only roughly the same.
+/// Returns a cubic with the ends and tangents of an arc. Its error is 2.7e-4 of the radius for a quarter turn and 2 %
+/// for a half turn; for more than that it is a least-squares fit, which is only a rough approximation.
 Curve cubicAlong(const Curve &arc);
 
 /// Returns the arc of a circle from one point through another to a third; a line if the three are collinear.

@@ -27,8 +27,8 @@ struct SegmentHit {
     std::optional<Curve> curve; ///< of a curved segment; not of a circle
 };
 
-/// Finds the parts of a document near a point, in O(log n). Hidden shapes are never found; locked ones only by node()
-/// and segment(), for snapping. Built once per document, which it keeps alive.
+/// Finds the parts of a document near a point, in O(log n). Hidden shapes are never found; locked ones are found only
+/// by node() and segment(), for snapping. Built once per document, which it keeps alive.
 class PickIndex {
   public:
     explicit PickIndex(std::shared_ptr<const Document> document);

@@ -51,7 +51,7 @@ struct Selection {
 
 /// Returns the shape with an id, or null.
 const Shape *findShape(const Document &document, std::uint32_t id);
-/// Selects every shape that is neither hidden nor locked, every source and every region marker.
+/// Selects all visible and unlocked shapes, all sources and all region markers.
 Selection selectAll(const Document &document);
 /// Returns the box of the selected items; empty if there are none.
 Box2 boundsOf(const Document &document, const Selection &selection);

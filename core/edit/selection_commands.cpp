@@ -75,7 +75,7 @@ void removeNodes(Shape &shape, const std::set<std::uint32_t> &handles) {
     }
 }
 
-/// Maps some nodes of a path. Curves with both ends among them are mapped exactly, the others follow their ends.
+/// Maps some nodes of a path. Curves with both ends among them are mapped exactly; the others follow their ends.
 void mapNodes(Shape &path, const std::set<std::uint32_t> &nodes, const PlaneMap &map) {
     const Outline before = outlineOf(path);
     std::vector<Vec2> places = path.nodes;
@@ -88,7 +88,7 @@ void mapNodes(Shape &path, const std::set<std::uint32_t> &nodes, const PlaneMap 
             const Curve &curve = before.curves[node];
             path.curves[node] = map.isTranslation() ? moved(curve, map.shift) : curve.mapped(map);
             if (node < path.cuts.size()) {
-                path.cuts[node].clear(); // also where both ends stay
+                path.cuts[node].clear(); // even if neither end moves
             }
         }
     }

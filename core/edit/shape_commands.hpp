@@ -40,8 +40,8 @@ Result<Document> setSegmentLength(const Document &document, SegmentRef segment, 
 Result<Document> insertNode(const Document &document, SegmentRef segment, Vec2 at);
 /// Converts a rectangle, circle or ellipse to a closed path with the same outline: see becomePath().
 Result<Document> convertToPath(const Document &document, std::uint32_t shape);
-/// The same for several shapes, of which those that are no rectangle, circle or ellipse are left unchanged. Error:
-/// not-possible if that applies to all.
+/// The same for several shapes; those other than rectangles, circles and ellipses are unchanged. Error: not-possible if
+/// there are no others.
 Result<Document> convertToPaths(const Document &document, const std::set<std::uint32_t> &shapes);
 /// Opens a polygon at its first node, or closes a polyline of at least three nodes.
 Result<Document> toggleClosed(const Document &document, std::uint32_t shape);

@@ -27,7 +27,7 @@ Result<Document> addSource(const Document &document, SizeSource source);
 Result<Document> replaceSource(const Document &document, std::size_t index, SizeSource source);
 Result<Document> removeSource(const Document &document, std::size_t index);
 
-/// Sets size and growth of the boundary part with a tag; nullopt removes them.
+/// Sets the size and growth of the boundary part with a tag; nullopt removes them.
 Result<Document> setPartSize(const Document &document, std::int32_t tag, std::optional<PartSize> size);
 
 Document setPaint(const Document &document, PaintedSpacing paint);

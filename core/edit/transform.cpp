@@ -16,7 +16,7 @@
 namespace forefront {
 namespace {
 
-/// Returns the beginning of the addresses of the numbers of a shape or source.
+/// Returns the address prefix of the numbers of a shape or source.
 std::string addressPrefix(const char *kind, std::uint32_t id) {
     return std::string(kind) + '/' + std::to_string(id) + '/';
 }
@@ -47,7 +47,7 @@ void mapCircle(Shape &shape, const PlaneMap &map) {
 
 constexpr std::uint32_t kWhole = 0xffffffffU;
 
-/// A shape or a node that is aligned and distributed.
+/// A shape or a node to align or distribute.
 struct Item {
     NodeRef what; ///< node kWhole: the whole shape
     Box2 box;
@@ -144,7 +144,7 @@ Status checkMap(const PlaneMap &map) {
     return {};
 }
 
-/// Checks that there is something to copy, and that copies do not exhaust the memory while their number is typed.
+/// Checks that there is something to copy, and that a number being typed does not exhaust memory with copies.
 Status checkCopies(const Document &document, const Selection &selection, std::size_t copies) {
     std::size_t nodes = selection.sources.size() + selection.markers.size();
     for (const auto &shape : document.shapes) {
@@ -289,7 +289,7 @@ Result<Document> copySelection(const Document &document, const Selection &select
     for (const auto &[from, to] : copied) {
         copyFormulas(*next, from, to);
     }
-    pruneFormulas(*next); // places differ
+    pruneFormulas(*next); // the positions differ
     if (copies != nullptr) {
         *copies = std::move(fresh);
     }

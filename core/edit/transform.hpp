@@ -19,12 +19,12 @@ void mapShape(Shape &shape, const PlaneMap &map);
 /// Maps everything selected: whole shapes, single handles, both ends of segments, sources with their radii, markers.
 Result<Document> transformSelection(const Document &document, const Selection &selection, const PlaneMap &map);
 
-/// Adds an image of the selected shapes, sources and region markers for each map, in order. `copies`, if not null,
-/// becomes the selection of all images.
+/// Adds a copy of the selected shapes, sources and region markers under each map, in order. `copies`, if not null,
+/// becomes the selection of all copies.
 Result<Document> copySelection(const Document &document, const Selection &selection, std::span<const PlaneMap> maps,
                                Selection *copies = nullptr);
 
-/// The side or middle of the boxes of items that an alignment brings to one line.
+/// The side or middle of the items' boxes that an alignment lines up.
 enum class Alignment : std::uint8_t { Left, CentreX, Right, Bottom, CentreY, Top };
 
 /// Aligns the selected shapes, each as a whole, or the selected nodes if no shape is selected, to the box around all of
@@ -40,7 +40,7 @@ std::size_t alignableItems(const Selection &selection);
 Result<Document> linearArray(const Document &document, const Selection &selection, double count, Vec2 step,
                              Selection *copies = nullptr);
 /// Repeats the selection around a centre: `count` items in all, over an angle in degrees. 360 fills the circle evenly;
-/// a smaller angle has an item at both ends. `turns` turns the copies too. Errors: those of copySelection();
+/// a smaller angle has an item at both ends. `turns` rotates the copies, too. Errors: those of copySelection();
 /// bad-number.
 Result<Document> polarArray(const Document &document, const Selection &selection, double count, Vec2 centre,
                             double degrees, bool turns, Selection *copies = nullptr);

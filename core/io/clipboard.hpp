@@ -15,7 +15,7 @@ std::string clipboardText(const Document &document, const Selection &selection);
 
 /// Returns what a text from the clipboard draws: an SVG drawing, a project, or lines of coordinates. Each line of
 /// coordinates is a point: its first two numbers, with any separators between them. Where tabs or semicolons separate,
-/// numbers may have decimal commas, and points or commas between thousands. Blank lines and lines of text begin another
+/// numbers may have decimal commas, and points or commas between thousands. A blank line or a line of text starts a new
 /// path. A path of at least four points is closed if its ends are about as near to each other as its nodes. Errors:
 /// those of the readers; no-drawing.
 Result<Document> readClipboard(std::string_view text);

@@ -214,7 +214,7 @@ Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &op
 
 namespace {
 
-/// Marks infinite values as absent: ranges, colours and contours have no place for them.
+/// Marks infinite values as absent: ranges, colours and contours cannot show them.
 void dropInfinite(NamedFields &fields) {
     for (auto &[name, values] : fields) {
         std::replace_if(

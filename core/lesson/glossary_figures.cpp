@@ -74,7 +74,7 @@ void lattice(Figure &figure, Vec2 corner, double cell, int columns, int rows) {
 
 const std::vector<Vec2> kOutline = {{0, 0}, {2, -0.3}, {4, 0}, {4.3, 2}, {3, 3}, {1, 3}, {-0.3, 1.6}};
 
-/// Adds the front that most figures share: a shallow valley over the base.
+/// Adds the front that most figures share: a shallow valley with the base at its bottom.
 void valley(Figure &figure) {
     add(figure, Ink::Front, {{-2.1, 1.3}, {-1.2, 0.55}, {-0.5, 0.0}});
     add(figure, Ink::Front, {{0.5, 0.0}, {1.35, 0.45}, {2.2, 1.2}});

@@ -2,7 +2,7 @@
 
 #include "core/lesson/glossary.hpp"
 
-/// The figures of the glossary, one for each term or for several that are best seen together.
+/// The figures of the glossary; related terms may share one.
 namespace forefront::figures {
 
 Figure domain();

@@ -10,7 +10,7 @@
 namespace forefront {
 namespace {
 
-constexpr double kBeyond = 4.0; // above every angle in radians
+constexpr double kBeyond = 4.0; // larger than any angle in radians
 
 } // namespace
 
@@ -38,8 +38,8 @@ std::vector<BoundaryLoops::Side> BoundaryLoops::sidesOf(const MeshEdges &edges) 
     return sides;
 }
 
-/// Finds the side that follows each side. Where the boundary touches itself, that is the first one clockwise: both then
-/// bound the same elements around the node.
+/// Finds the successor of each side. Where the boundary touches itself, it is the first side clockwise: the two bound
+/// the same elements around the node.
 void BoundaryLoops::join(std::vector<Side> &sides) const {
     struct Leaving {
         NodeId node;
@@ -66,7 +66,7 @@ void BoundaryLoops::join(std::vector<Side> &sides) const {
     }
 }
 
-/// Follows open chains from their starts, which only inconsistent meshes have, then closed loops.
+/// Follows open chains (found only in inconsistent meshes) from their starts, then closed loops.
 void BoundaryLoops::followAll(const std::vector<Side> &sides) {
     std::vector<char> hasPrevious(sides.size(), 0), visited(sides.size(), 0);
     for (const Side &side : sides) {

@@ -9,7 +9,7 @@
 namespace forefront {
 
 /// The boundary of a mesh as loops that keep their elements on the left, and the distance of each node along its loop.
-/// A node where parts of the boundary touch lies on several loops, or several times on one.
+/// A node where parts of the boundary touch lies on several loops, or occurs several times on one.
 class BoundaryLoops {
   public:
     BoundaryLoops(const Mesh &mesh, const MeshEdges &edges);
@@ -17,12 +17,12 @@ class BoundaryLoops {
     /// Returns true if a node lies on the boundary.
     bool holds(NodeId node) const { return first_[index(node)] != first_[index(node) + 1]; }
 
-    /// Returns true if two boundary nodes face each other: they lie on different loops, or far apart along the boundary
-    /// compared with their straight distance.
+    /// Returns true if two boundary nodes face each other: they lie on different loops, or much farther apart along the
+    /// boundary than in a straight line.
     bool facing(NodeId a, NodeId b) const;
 
   private:
-    /// An edge of the boundary from one node to another, its element on the left.
+    /// A boundary edge directed so that its element is on the left.
     struct Side {
         NodeId from, to;
         std::uint32_t next = kNoIndex; ///< the side that follows; kNoIndex at the end of an open chain

@@ -245,7 +245,7 @@ double MeasureHistogram::edge(std::size_t bin) const {
 }
 
 std::size_t MeasureHistogram::binOf(double value) const {
-    // Halves, since the difference of two large numbers may overflow.
+    // Works with halves, since the difference of two large numbers may overflow.
     const double t = logarithmic ? value > 0.0 ? std::log(value / from) / std::log(to / from) : 0.0
                                  : (0.5 * value - 0.5 * from) / (0.5 * to - 0.5 * from);
     const auto count = static_cast<double>(bins.size());

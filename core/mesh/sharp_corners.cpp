@@ -127,7 +127,7 @@ class Bands {
     std::map<std::pair<NodeId, NodeId>, std::size_t> withSide_; // each direction of a side has one element
 };
 
-/// Tells sharp elements that a gap forces from those that it does not.
+/// Distinguishes sharp elements that a gap forces from the others.
 class Gaps {
   public:
     explicit Gaps(const Mesh &mesh) : mesh_(mesh), onTagged_(mesh.nodes.size(), 0) {
@@ -141,8 +141,8 @@ class Gaps {
         std::sort(sides_.begin(), sides_.end());
     }
 
-    /// Returns true if a gap forces this element, which is sharp: it reaches across a gap with all its nodes, or with
-    /// its shortest side, as between two tips.
+    /// Returns true if a gap forces this sharp element: all its nodes, or the ends of its shortest side, lie across a
+    /// gap, as between two tips.
     bool force(const Element &e) const {
         return isTagged(e[0]) && isTagged(e[1]) && isTagged(e[2]) ? !cutsFlatCorner(e) : hasShortestSideAcross(e);
     }

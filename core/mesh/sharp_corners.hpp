@@ -29,8 +29,8 @@ struct SharpCorners {
 /// Finds the places of a mesh where the domain itself forces small angles: corners and narrow places. A corner owns the
 /// elements at its tip and, from one to the next across their sides, those sharper than `limit` degrees with all nodes
 /// on tagged edges: the band along its two edges without room for a node. The other elements of this kind, side by
-/// side, make the narrow places, except those that cut off a flat corner. Sharp elements whose shortest side leads
-/// across a gap, as between two tips, belong to them. Corners count if adjacent tagged edges are sharper than the limit
+/// side, make the narrow places, except those that cut off a flat corner. Sharp elements whose shortest side crosses a
+/// gap, as between two tips, count as narrow places. Corners count if adjacent tagged edges are sharper than the limit
 /// and elements lie between them. O(n log n) in tagged edges.
 SharpCorners sharpCorners(const Mesh &mesh, double limit);
 

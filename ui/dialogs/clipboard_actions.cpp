@@ -20,7 +20,7 @@ void copy(Shell &context) {
     context.platform.setClipboard(clipboardText(*context.document.current(), context.selection));
 }
 
-/// Inserts the drawing on the clipboard where it was copied, or beside everything that already lies there.
+/// Inserts the drawing on the clipboard where it was copied from, or beside what already lies there.
 void paste(Shell &context) {
     const Result<Document> drawing = readClipboard(context.platform.clipboard());
     if (!drawing) {
@@ -51,7 +51,7 @@ void addClipboardActions(ActionRegistry &actions) {
                  .run =
                      [](Shell &c) {
                          copy(c);
-                         c.selection.nodes.clear(); // single nodes and segments are not on the clipboard
+                         c.selection.nodes.clear(); // nodes and segments on their own are not copied
                          c.selection.segments.clear();
                          c.document.apply(deleteSelection(*c.document.current(), c.selection), "Cut");
                          c.selection.clear();

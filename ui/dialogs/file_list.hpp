@@ -32,8 +32,8 @@ struct FileEntry {
 /// not pass the filter. Error: "folder" with the reason.
 Result<std::vector<FileEntry>> listFolder(const std::filesystem::path &folder, const FileFilter &filter);
 
-/// Returns the filters of a dialog that opens files: all files that the dialog is for, the filters given, those of all
-/// formats that `reads` accepts, and any file. `all`: name of the first filter, such as "All drawings".
+/// Returns the filters of an open dialog: all files that it can open, the given filters, one for each format that
+/// `reads` accepts, and any file. `all`: name of the first filter, such as "All drawings".
 std::vector<FileFilter> openFilters(std::string all, const std::vector<FileFilter> &given,
                                     const std::function<bool(const FileFormat &)> &reads);
 

@@ -44,7 +44,7 @@ double widthOf(FigureInk ink) {
     return ink == FigureInk::Base ? 3.5 : ink == FigureInk::Front || ink == FigureInk::Boundary ? 2.5 : 1.5;
 }
 
-/// Draws a figure that fills a rectangle of the window.
+/// Draws a figure to fill a rectangle of the window.
 void drawFigure(Shell &context, const Figure &figure, const PixelRect &rect) {
     ImDrawList &list = *ImGui::GetWindowDrawList();
     const ImVec2 corner{static_cast<float>(rect.x), static_cast<float>(rect.y)};

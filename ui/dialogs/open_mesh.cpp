@@ -73,7 +73,7 @@ Result<MeshFields> readDrawable(const std::filesystem::path &file, ImportNotes &
     return faults.empty() ? std::move(read) : Result<MeshFields>(std::move(faults));
 }
 
-/// Asks for the file of a mesh; `chosen` returns the faults of one that cannot be used.
+/// Asks for a mesh file; `chosen` returns the faults of a file that cannot be used.
 void askForMesh(Shell &context, std::string id, std::string title, std::string action,
                 Diagnostics (*chosen)(Shell &, const std::filesystem::path &)) {
     FileRequest request;

@@ -15,7 +15,7 @@ void openMesh(Shell &context);
 /// and its outline becomes the drawing. Returns the faults of a file that cannot be read.
 Diagnostics openMesh(Shell &context, const std::filesystem::path &file);
 
-/// Asks for the file of a mesh and shows it beside the mesh on the canvas, with a table of their figures.
+/// Asks for a mesh file and shows it beside the mesh on the canvas, with a table of their figures.
 void compareMesh(Shell &context);
 
 /// Shows the mesh of a file beside the mesh on the canvas. Returns the faults of a file that cannot be read.

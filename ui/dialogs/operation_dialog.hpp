@@ -35,8 +35,8 @@ struct Operation {
         run;
 };
 
-/// Asks for the numbers of an operation and shows its result on the canvas meanwhile. Cancel leaves the document and
-/// its history as they were; OK is one undo step.
+/// Asks for the numbers of an operation while the canvas previews its result. Cancel leaves the document and its
+/// history unchanged; OK is one undo step.
 class OperationDialog final : public PreviewDialog {
   public:
     OperationDialog(Operation operation, Shell &context);

@@ -296,7 +296,7 @@ void addShapeOperations(ActionRegistry &actions) {
     }
 }
 
-/// Returns the ids of all shapes for which `wanted` holds.
+/// Returns the ids of all shapes that satisfy `wanted`.
 template <class Wanted>
 std::set<std::uint32_t> shapesWith(const Shell &context, Wanted wanted) {
     std::set<std::uint32_t> ids;

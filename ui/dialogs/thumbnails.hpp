@@ -30,7 +30,7 @@ class Thumbnails {
   public:
     /// `wake` is called from that thread after each thumbnail.
     Thumbnails(std::vector<std::filesystem::path> projects, std::function<void()> wake);
-    /// Makes each thumbnail of a project with `make`; for tests.
+    /// Makes the thumbnail of each project with `make`; for tests.
     using Make =
         std::function<std::shared_ptr<const Thumbnail>(const std::filesystem::path &, const std::stop_token &)>;
     Thumbnails(std::vector<std::filesystem::path> projects, std::function<void()> wake, Make make);

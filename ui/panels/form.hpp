@@ -18,7 +18,7 @@ namespace forefront::form {
 inline constexpr double kLabel = 84.0;
 
 void label(Workspace &context, const char *text);
-/// Draws a number; returns true when a new one was entered. For `address` see ui::inputNumber().
+/// Draws a number field; returns true when a new number was entered. For `address` see ui::inputNumber().
 bool number(Workspace &context, const std::string &name, const char *text, double &value,
             const std::string &address = {});
 /// Draws an optional number; an empty field shows the hint. Width in design pixels; negative: the rest of the row.

@@ -40,7 +40,7 @@ class ShapesPanel final : public Panel {
   private:
     static constexpr std::size_t kMaxRows = 500;
 
-    /// Says how many rows of a list are not drawn.
+    /// Shows how many rows of a list are not drawn.
     static void drawMissing(Shell &context, const char *name, std::size_t count) {
         if (count > kMaxRows) {
             ui::small(context, "and " + std::to_string(count - kMaxRows) + " more", true);
@@ -72,7 +72,8 @@ class ShapesPanel final : public Panel {
         }
     }
 
-    /// Draws a row with switches for visibility and lock; a click on the name selects, with Ctrl in addition.
+    /// Draws a row with switches for visibility and lock; clicking the name selects the shape, Ctrl+click adds or
+    /// removes it.
     static void drawShape(Shell &context, const Shape &shape) {
         const std::string name = "shapes/" + std::to_string(shape.id);
         const std::set<std::uint32_t> only{shape.id};
@@ -127,7 +128,7 @@ class ShapesPanel final : public Panel {
         drawMissing(context, "shapes/region/missing", document.regionMarkers.size());
     }
 
-    std::map<std::pair<std::int32_t, ShapeUse>, std::vector<std::size_t>> parts_; ///< places in Document::shapes
+    std::map<std::pair<std::int32_t, ShapeUse>, std::vector<std::size_t>> parts_; ///< indices into Document::shapes
     std::uint64_t revision_ = 0;
 };
 

@@ -16,7 +16,7 @@ std::string timeText(double seconds) {
     return seconds < 1.0 ? ui::format("%.3g ms", 1e3 * seconds) : ui::format("%.3g s", seconds);
 }
 
-/// Returns the term of the glossary that explains a figure, or null.
+/// Returns the glossary term that explains a figure, or null.
 const char *termOf(std::string_view label) {
     constexpr std::pair<std::string_view, const char *> kTerms[] = {
         {"Nn", "counters"},        {"Ne", "counters"},           {"Nb", "counters"},         {"Nc", "counters"},

@@ -102,7 +102,7 @@ std::string worked(const AdvanceExplanation &e, Step step) {
     }
 }
 
-/// The term of the glossary that explains each step.
+/// The glossary term that explains each step.
 constexpr std::array<const char *, kStepCount> kTerms{"domain", "base",  "spacing",   "ideal-point", "candidates",
                                                       "score",  "score", "rejection", "front",       "closing"};
 

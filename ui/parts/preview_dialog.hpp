@@ -8,8 +8,8 @@ namespace forefront {
 /// window.
 class PreviewDialog : public Dialog {
   public:
-    /// Restores the document as it was before the preview. Called when Esc or the close button closes the dialog, and
-    /// before another document is opened.
+    /// Restores the document from before the preview. Called when Esc or the close button closes the dialog, and before
+    /// another document is opened.
     virtual void dismiss(Shell &context) = 0;
 };
 

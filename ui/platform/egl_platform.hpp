@@ -28,8 +28,8 @@ class EglPlatform final : public Platform {
     void setClipboard(const std::string &text) override { clipboard_ = text; }
 
     void resize(PixelSize size, double contentScale);
-    /// Draws the next frames into a framebuffer of one pixel if they are not shown: rasterising in software takes most
-    /// of the time of a frame.
+    /// Sets whether the next frames are shown. The others are drawn into a single pixel, since software rasterising
+    /// takes most of the frame time.
     void show(bool shown) { shown_ = shown; }
     const std::string &title() const { return title_; }
     CursorShape cursor() const { return cursor_; }

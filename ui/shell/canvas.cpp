@@ -123,7 +123,7 @@ void Canvas::Parts::takeRaster(const Shell &context) {
     }
 }
 
-/// Returns what layers draw, as seen by a camera that outlives the result.
+/// Returns what layers need to draw a frame with `camera`, which must outlive the result.
 LayerFrame Canvas::Parts::frameOf(const Shell &context, const Camera &camera) {
     return {.camera = camera,
             .theme = context.theme,
@@ -148,7 +148,7 @@ LayerFrame Canvas::Parts::frameOf(const Shell &context, const Camera &camera) {
 }
 
 /// Draws the still parts again if they or the camera have changed. While the camera moves over a large mesh, the
-/// picture moves with it instead and is drawn again when the camera rests.
+/// picture is moved instead, and drawn again when the camera rests.
 void Canvas::Parts::drawStill(Shell &context, const LayerFrame &frame) {
     const std::uint64_t content = contentStamp(frame, context.layers);
     if (still.sharp(content, frame.camera)) {

@@ -10,7 +10,7 @@ namespace forefront::shell {
 
 namespace {
 
-/// Returns the text of a figure, with its ratio to the same figure of the first row.
+/// Formats a figure, with its ratio to that of the first row.
 std::string figureText(const std::optional<double> &value, const std::optional<double> &first, bool ratio) {
     if (!value) {
         return "\xe2\x80\x93";

@@ -16,10 +16,10 @@ struct FigureColumn {
     const char *id, *name, *meaning;
 };
 
-/// A row of that table: what stands on the canvas, then what stands in each view beside it.
+/// A row of that table: the canvas first, then each view beside it.
 struct FigureRow {
     std::string name;
-    std::vector<std::optional<double>> figures; ///< one for each column; not set: unknown
+    std::vector<std::optional<double>> figures; ///< one per column; not set: unknown
 };
 
 /// Draws a table of figures. Those of every row but the first also show their ratio to the first.

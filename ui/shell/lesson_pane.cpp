@@ -134,7 +134,7 @@ void drawQuestion(Shell &context, OpenLesson &open) {
     }
 }
 
-/// Draws links to the terms that a page speaks of.
+/// Draws links to the terms that a page mentions.
 void drawTerms(Shell &context, const LessonPage &page) {
     std::string text = page.title;
     for (const std::string &paragraph : page.paragraphs) {

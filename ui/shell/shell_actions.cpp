@@ -118,7 +118,7 @@ void addRunActions(ActionRegistry &actions) {
                  .checked = [](const Shell &c) { return c.settings.live; }});
 }
 
-/// Moves through the run, unless a mesh of a file is shown, which has none.
+/// Steps through the run, unless the mesh shown is from a file, which has no run.
 void travel(Shell &context, const std::function<void(RunControl &)> &move) {
     if (context.run.showsFile()) {
         context.log.announce("An opened mesh has no run to step through; press 2 to mesh its outline");

@@ -33,7 +33,7 @@ class BrushTool final : public Tool {
     void stroke(Vec2 to, Shell &context);
     bool erases() const { return erases_ || state_->brushMode == DabMode::Erase; }
     bool sets() const { return !erases_ && state_->brushMode == DabMode::Set; }
-    /// Returns the dab of the chosen mode at a place.
+    /// Returns a dab at a position with the chosen mode and options.
     Dab dabAt(Vec2 place) const;
     const char *label() const;
     void drawModes(Shell &context, ui::Flow &flow);

@@ -35,7 +35,7 @@ class DrawingTool : public Tool {
     virtual bool removeLast() { return false; }
     /// Returns true if releasing a drag places a second node.
     virtual bool dragPlaces() const { return false; }
-    /// Handles the end of a press while a shape is unfinished; `away`: the pointer is not where the press was.
+    /// Handles a button release while a shape is unfinished; `away`: the pointer has moved since the press.
     virtual void release(Vec2 at, bool away, Shell &context);
     /// Follows the pointer while it is dragged away from where a press placed a node; see PenTool.
     virtual void pull(Vec2) {}

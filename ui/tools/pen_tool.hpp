@@ -7,7 +7,7 @@ namespace forefront {
 
 /// Draws a polygon (boundary) or a polyline (constraint) node by node, like Inkscape's pen: a click places a corner, a
 /// drag a smooth node and its two control points. As a spline, clicks place the points of a smooth curve; freehand, a
-/// drag draws a path that is simplified when the button is let go.
+/// drag draws a path that is simplified on release.
 class PenTool final : public DrawingTool {
   public:
     PenTool(std::shared_ptr<EditState> state, ShapeKind kind) : DrawingTool(std::move(state)), kind_(kind) {}
@@ -56,7 +56,7 @@ class PenTool final : public DrawingTool {
 
     ShapeKind kind_;
     std::vector<Node> path_;
-    std::vector<Vec2> hand_;   ///< places of the pointer while drawing freehand
+    std::vector<Vec2> hand_;   ///< pointer positions while drawing freehand
     std::vector<Node> undone_; ///< nodes removed by undo, newest last
 };
 

@@ -203,7 +203,7 @@ void SelectTool::press(const CanvasEvent &event, Shell &context) {
     mode_ = Mode::Grabbed;
 }
 
-/// Selects what is under the pointer, unless it is selected, and asks for the menu of the selection.
+/// Selects the item under the pointer, unless it already is selected, and requests the menu of the selection.
 void SelectTool::openMenu(const CanvasEvent &event, Shell &context) {
     start_ = context.document.current();
     const Hit hit = hitAt(event.place, context);

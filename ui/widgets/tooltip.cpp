@@ -37,7 +37,7 @@ namespace {
 
 constexpr double kWrap = 320.0, kPadX = 9.0, kPadY = 6.0; ///< design pixels
 
-/// Returns the place of a note with a text beside `widget`, a rectangle within the current window.
+/// Returns the position of a tooltip beside `widget`, a rectangle within the current window.
 PixelRect placeOf(WidgetContext &context, std::string_view text, const PixelRect &widget) {
     const ImGuiContext &imgui = *ImGui::GetCurrentContext();
     const float wrap = context.px(kWrap);

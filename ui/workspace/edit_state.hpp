@@ -21,7 +21,7 @@ namespace ui {
 class Flow;
 }
 
-/// How the tools for polygons and polylines take a path.
+/// How the polygon and polyline tools draw a path.
 enum class PenMode : std::uint8_t { Corners, Spline, Freehand };
 
 template <>
@@ -36,7 +36,7 @@ struct SelectionFilter {
     bool nodes = true;  ///< of shapes that can be picked
     bool sources = true, markers = true;
 
-    /// Removes from a selection what is not picked.
+    /// Removes items of other kinds from a selection.
     void apply(Selection &selection) const;
 };
 
@@ -46,11 +46,11 @@ struct EditState {
     std::int32_t constraintTag = 2; ///< for the next constraint drawn
     double brushRadius = 0.0;       ///< domain units; 0: derived from the view on first use
     PenMode penMode = PenMode::Corners;
-    double freehandTolerance = 0.0; ///< distance from the hand, domain units; 0: two pixels
+    double freehandTolerance = 0.0; ///< maximum distance from the stroke, domain units; 0: two pixels
     SelectionFilter picks;
     DabMode brushMode = DabMode::Set;
     double brushStrength = 1.0; ///< see Dab, in (0, 1]
-    double brushFalloff = 0.3;  ///< part of the radius in which a dab fades, in [0, 1]
+    double brushFalloff = 0.3;  ///< fraction of the radius over which a dab fades, in [0, 1]
     double brushSpacing = 0.0;  ///< painted ρ; 0: derived from the current ρ on first use
     SourceShape sourceShape = SourceShape::Point;
     double sourceSize = 0.0; ///< 0: derived from ρ under the pointer

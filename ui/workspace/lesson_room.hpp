@@ -15,7 +15,7 @@ namespace forefront {
 
 /// A lesson in the list of lessons.
 struct LessonEntry {
-    std::string id; ///< name of its file without extension, or the path of a file of one's own; key of its progress
+    std::string id; ///< name of its file without extension, or the path of a user's file; key of its progress
     std::filesystem::path file;
     std::shared_ptr<const Lesson> lesson;
 };

@@ -10,7 +10,7 @@
 namespace forefront::ui {
 namespace {
 
-/// Returns the value of a typed number or expression; reports an invalid one at the field and in the log.
+/// Returns the value of a typed number or expression; reports an invalid one beside the field and in the log.
 std::optional<double> typedNumber(Workspace &context, std::string_view name, const std::string &typed) {
     if (const std::optional<double> number = parseNumber(typed)) {
         return number;
@@ -34,8 +34,8 @@ std::string formulaAt(const Workspace &context, const std::string &address) {
     return found == formulas.end() ? std::string() : found->second;
 }
 
-/// Keeps a formula typed into the field of a number that has its value already, or announces it for the command that
-/// changes the number.
+/// Stores a typed formula at once if the number already has its value; else leaves it to the command that changes the
+/// number.
 void keepFormula(Workspace &context, const std::string &address, const std::string &typed, bool changesNumber) {
     if (address.empty()) {
         return;
@@ -66,7 +66,7 @@ void drawFault(Workspace &context, std::string_view name) {
     mark(context, std::string(name) + "/fault");
 }
 
-/// Draws the field. Returns the text when a new one was committed.
+/// Draws the field. Returns the new text when one was committed.
 std::optional<std::string> drawEntry(Workspace &context, std::string_view name, const std::string &plain,
                                      const char *hint, float width, const std::string &address) {
     const std::string formula = formulaAt(context, address);

@@ -10,13 +10,13 @@ struct Workspace;
 
 namespace ui {
 
-/// Draws an entry() for a number or an expression of the parameters. Anything that has no finite value is reported at
+/// Draws an entry() for a number or an expression of the parameters. A text without a finite value is reported beside
 /// the field and in the log, and the old value is kept. A field with an address (see core/edit/number_address.hpp)
 /// shows the formula that its number follows; a formula typed there is kept with the next command that
 /// EditState::apply() makes in this frame.
 bool inputNumber(Workspace &context, std::string_view name, double &value, float width = -1.0F,
                  const std::string &address = {});
-/// The same for a number that may be absent, when the field is empty and shows the hint.
+/// The same for an optional number; without one, the field is empty and shows the hint.
 bool inputOptional(Workspace &context, std::string_view name, std::optional<double> &value, const char *hint,
                    float width = -1.0F, const std::string &address = {});
 

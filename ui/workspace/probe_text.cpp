@@ -97,7 +97,7 @@ class PartReader {
     }
 
   private:
-    /// Returns the elements with a corner at a node, in their order.
+    /// Returns the elements at a node, by index.
     std::vector<std::uint32_t> elementsAround(NodeId node) const {
         std::vector<std::uint32_t> found;
         judgement_.tree->query(boxAround(at(node), 0.0), [&](std::uint32_t element) {

@@ -152,7 +152,7 @@ void RunControl::logLive(bool faulty) {
 }
 
 void RunControl::want(SnapshotLayers layers) {
-    if (wanted_ != layers) { // a command for each frame would keep the worker busy
+    if (wanted_ != layers) { // a command in every frame would keep the worker busy
         wanted_ = layers;
         session_.want(layers);
     }

@@ -24,7 +24,7 @@ struct EnteredFormula {
     int frame = -1; ///< in which it was entered
 };
 
-/// Why the text last typed into a field has no value.
+/// The fault of the text last typed into a field.
 struct FieldFault {
     std::string field; ///< name of the widget; empty: none
     std::string text;

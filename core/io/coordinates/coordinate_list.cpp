@@ -30,8 +30,8 @@ std::optional<double> takeNumber(std::string_view &text) {
     return value;
 }
 
-/// Returns the number that a cell of a table holds. The last point or comma is the decimal sign; the other one may
-/// divide thousands before it.
+/// Returns the number in a cell of a table. The last point or comma is the decimal sign; the other may separate
+/// thousands before it.
 std::optional<double> numberIn(std::string_view cell) {
     const std::size_t last = cell.find_last_of(".,");
     if (last != std::string_view::npos && cell.find(cell[last]) != last) {
@@ -50,7 +50,7 @@ std::optional<double> numberIn(std::string_view cell) {
     return rest.empty() ? number : std::nullopt;
 }
 
-/// Returns the first two cells of a line whose cells are divided by tabs or semicolons; none if they are not numbers.
+/// Returns the first two cells of a line separated by tabs or semicolons; none if they are not numbers.
 std::optional<Vec2> pointInCells(std::string_view line) {
     constexpr std::string_view kBlank = " \r\"'()[]{}";
     double values[2] = {};

@@ -21,7 +21,7 @@ std::string readExpression(const JsonValue &value, JsonCheck &check, const std::
     return {digits.data(), end};
 }
 
-/// Adds the faults of the parameters, which may use each other in any order, at the name or the expression.
+/// Reports the faults of the parameters at their names or expressions. Parameters may use each other in any order.
 void checkParameters(const JsonValue &object, const Document &document, JsonCheck &check) {
     const std::vector<ParameterState> states = parameterStates(document.parameters);
     std::size_t k = 0;
@@ -33,7 +33,7 @@ void checkParameters(const JsonValue &object, const Document &document, JsonChec
     }
 }
 
-/// Gives parameters other expressions. A fault of these is not one of the file, but there is no better place for it.
+/// Replaces the expressions of some parameters. Their faults are not the file's, but are reported at its start.
 void overrideAll(const JsonValue &root, const std::map<std::string, std::string> &overrides, Document &document,
                  JsonCheck &check) {
     Document plain = document;

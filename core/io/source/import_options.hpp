@@ -24,7 +24,7 @@ struct ImportOptions {
     std::size_t maxBytes = std::size_t{2} << 30; ///< larger files are refused
     /// Format by its id, such as "geojson"; empty: by content, then by extension.
     std::string formatId = {};
-    /// Other expressions for parameters of a project, by name; other formats have none.
+    /// Expressions that replace those of a project's parameters, by name; unused for other formats.
     std::map<std::string, std::string> parameters = {};
     /// The bytes of the file where they have been read already, such as those of standard input; null: read the file.
     std::shared_ptr<const std::string> content = {};

@@ -15,7 +15,7 @@ struct SiteWords {
     double gradation = 0.0;                     ///< in force
     std::vector<std::string> sources;           ///< by index into SpacingSpec::sources; may be empty strings
     std::vector<std::string> regions;           ///< by index into Domain::regionMarkers
-    std::map<std::uint32_t, std::string> parts; ///< of boundary parts with a size, by tag
+    std::map<std::uint32_t, std::string> parts; ///< names of boundary parts with a size, by tag
 };
 
 /// Returns the spacing at p as set by one site.

@@ -79,11 +79,11 @@ struct BackgroundMesh {
 struct SpacingSpec {
     std::optional<double> size;                       ///< constant spacing, > 0
     std::optional<std::string> expression;            ///< formula in x and y, for example "max(0.1, 0.2*sqrt(x*x+y*y))"
-    std::map<std::string, double, std::less<>> names; ///< that the expression may use, such as those of parameters
+    std::map<std::string, double, std::less<>> names; ///< other names that the expression may use, such as parameters
     std::vector<SizeSource> sources;
     PaintedSpacing paint;
     std::shared_ptr<const BackgroundMesh> background;
-    /// Sizes of the boundary parts and constraints by tag; points with the tag have it too.
+    /// Sizes of boundary parts and constraints by tag; they also apply to points with the tag.
     std::map<std::int32_t, PartSize> partSizes;
     bool fromBoundary = false; ///< the given lengths of boundary segments act as sources
     /// Edges per full turn of curved boundaries, >= 0; 0: curvature is ignored. Absent: 40 where the spacing is

@@ -13,7 +13,7 @@ constexpr double kAcross = 45.0;          ///< elements along the diagonal of th
 constexpr double kCurvedGradation = 0.18; ///< of curved domains; a steeper one leaves worse shapes beside bends
 constexpr double kAcrossGap = 2.0;        ///< elements across a narrow place
 constexpr double kFinestGap = 1e-4;       ///< fraction of the diagonal; narrower places are not resolved further
-constexpr double kGapElements = 3.0e4;    ///< about this many elements may be spent on narrow places ...
+constexpr double kGapElements = 3.0e4;    ///< approximate number of elements to spend on narrow places ...
 constexpr double kGapElementsEach = 8.0;  ///< ... plus this many per domain segment
 
 /// Returns the number of elements in the half of a gap beside its part of a segment, if their size is at least `floor`.

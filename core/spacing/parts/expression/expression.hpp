@@ -8,10 +8,10 @@
 
 namespace forefront {
 
-/// An expression has at most this many characters, which keeps parsing fast for any pasted text.
+/// Maximum length of an expression in characters, which keeps parsing fast for any pasted text.
 inline constexpr std::size_t kMaxExpressionLength = 4000;
 
-/// Compiles an expression in x and y, and in other names with values.
+/// Compiles an expression in x, y and the given names.
 ///
 /// Operators by increasing precedence: ?: (choice), ||, &&, < <= > >= == !=, + -, * /, sign, ^ (power,
 /// right-associative). Functions: sqrt abs sign rint exp ln log (natural) log2 log10, sin cos tan asin acos atan
@@ -21,8 +21,8 @@ inline constexpr std::size_t kMaxExpressionLength = 4000;
 /// Errors: expression-syntax, with `column` (1-based) in the text.
 Result<ExpressionProgram> compileExpression(const std::string &text, const NamedValues &names = {});
 
-/// Returns the value of an expression of names instead of x and y, such as 2*r + 0.5. Errors: expression-syntax, with
-/// `column`; expression-value if it is not finite.
+/// Returns the value of an expression in the given names but not x and y, such as 2*r + 0.5. Errors: expression-syntax,
+/// with `column`; expression-value if it is not finite.
 Result<double> evaluateExpression(const std::string &text, const NamedValues &names);
 
 } // namespace forefront

@@ -351,7 +351,7 @@ std::vector<std::string_view> namesIn(std::string_view text) {
                 ++end;
             }
             names.push_back(text.substr(at, end - at));
-        } else if (isDigit(text[at]) || text[at] == '.') { // letters after a digit belong to a number such as 2.e3
+        } else if (isDigit(text[at]) || text[at] == '.') { // a letter after a digit is part of a number such as 2.e3
             while (end < text.size() && (isNameStart(text[end]) || isDigit(text[end]) || text[end] == '.')) {
                 ++end;
             }

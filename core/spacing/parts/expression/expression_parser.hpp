@@ -11,9 +11,9 @@ namespace forefront {
 /// Parses a formula into postfix order, not yet optimised; used by ExpressionProgram::compile.
 std::variant<std::vector<ExpressionInstruction>, ExpressionFault> parseExpression(std::string_view text,
                                                                                   FormulaNames names);
-/// Returns true if a formula gives the name a meaning of its own: a coordinate, a function or a constant.
+/// Returns true if the name has a fixed meaning in formulas: a coordinate, a function or a constant.
 bool isReservedName(std::string_view name);
-/// Returns the names in a formula, in order, whether they are known or not. Each is a part of `text`.
+/// Returns the names in a formula, known or not, in order. They point into `text`.
 std::vector<std::string_view> namesIn(std::string_view text);
 
 } // namespace forefront

@@ -56,8 +56,8 @@ std::optional<LatticeDisc> latticeDisc(const PaintedSpacing &paint, Vec2 centre,
     return disc;
 }
 
-/// Calls change(value, distance to the centre in pitches, column, row) for the nodes of the disc; true from it:
-/// changed. Tiles are copied before their first change, and dropped once nothing is painted in them.
+/// Calls change(value, distance to the centre in pitches, column, row) for the nodes of the disc, which returns true if
+/// it changed the value. Tiles are copied before their first change, and dropped once they hold no paint.
 template <class Change>
 void changeDisc(PaintedSpacing &paint, const LatticeDisc &disc, bool mayCreate, Change change) {
     for (std::int32_t tj = tileOf(disc.rows.first); tj <= tileOf(disc.rows.last); ++tj) {
@@ -97,7 +97,7 @@ void changeDisc(PaintedSpacing &paint, const LatticeDisc &disc, bool mayCreate, 
     }
 }
 
-/// Returns the geometric mean of the painted nodes around one, itself included.
+/// Returns the geometric mean of a node and its painted neighbours.
 double meanAround(const PaintedSpacing &paint, std::int32_t i, std::int32_t j) {
     double sum = 0.0, count = 0.0;
     for (std::int32_t dj = -1; dj <= 1; ++dj) {
@@ -116,7 +116,7 @@ double weightAt(double d, double core, double radius) {
     return 1.0 - s * s * (3.0 - 2.0 * s);
 }
 
-/// Changes the spacing that is there, or the ambient one, by a factor or towards a mean.
+/// Changes the painted spacing, or else the ambient one, by a factor or towards a mean.
 PaintedSpacing adjusted(const PaintedSpacing &before, const Dab &dab) {
     constexpr double kDabsPerOctave = 8.0;
     PaintedSpacing after = before;

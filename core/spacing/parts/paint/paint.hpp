@@ -36,9 +36,9 @@ struct Dab {
     /// 0 the paint ends in the middle of the fading rim, and gradation blends it outwards.
     double ambient = 0.0;
     DabMode mode = DabMode::Set;
-    /// Part of the way, 0..1, that a dab goes: to the target or the mean, or to half or double the spacing in
-    /// eight dabs, about as many as meet at a place of one stroke. The way begins at the paint, or at `ambient` where
-    /// nothing is painted; without either, Set paints its target. 0 changes nothing.
+    /// Effect of a dab, 0..1: the fraction of the way to the target or the mean; for Finer and Coarser, 1 halves or
+    /// doubles the spacing in eight dabs, about as many as overlap within a stroke. It starts from the paint, or from
+    /// `ambient` where nothing is painted; without either, Set paints its target. 0 changes nothing.
     double strength = 1.0;
 };
 

@@ -10,7 +10,7 @@
 namespace forefront {
 
 /// Adds one site for each segment and constraint point whose tag has a size, raised to `minimum` and growing by at most
-/// `gradation` (infinity: no limit). A curve is covered by its chords.
+/// `gradation` (infinity: no limit). A curve is represented by its chords.
 void addPartSizeSites(const Domain &domain, const std::map<std::int32_t, PartSize> &sizes, double minimum,
                       double gradation, SiteSet &sites);
 
