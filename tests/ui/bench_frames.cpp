@@ -51,7 +51,7 @@ TEST_CASE("Bench: CPU time of frames with meshes of three sizes" * doctest::skip
         const FrameTimes pointer = timesOfFrames(
             d, 20, [&](int i) { d.editor().input().push({.kind = InputKind::MouseMove, .x = 400.0 + i, .y = 300.0}); });
         const FrameTimes pan = timesOfFrames(d, 30, [&](int) { camera.centre.x += 0.05; });
-        const FrameTimes rest = timesOfFrames(d, 12, [](int) {}); // one of them draws the mesh again
+        const FrameTimes rest = timesOfFrames(d, 12, [](int) {}); // one of them redraws the mesh
         const FrameTimes zoom = timesOfFrames(d, 30, [&](int i) { camera.zoom *= i % 20 < 10 ? 1.03 : 1.0 / 1.03; });
         d.settle();
         std::uint64_t back = 0;

@@ -54,7 +54,7 @@ class Driver {
         std::size_t differences(const Picture &other, const PixelRect &area) const;
         std::size_t differences(const Picture &other) const;
     };
-    /// Draws one more frame and returns it. Other frames are not shown.
+    /// Draws one more frame and returns it. Other frames are not kept as pictures.
     Picture picture();
     PixelRect canvas() const;
 

@@ -22,7 +22,7 @@ void chooseMode(Draughtsman &driver, const std::string &mode) {
 
 } // namespace
 
-TEST_CASE("Hide, isolate, lock: hidden shapes stay in the domain but are neither seen nor picked") {
+TEST_CASE("Hide, isolate, lock: hidden shapes stay in the domain but are neither drawn nor picked") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.rectangle({3, 3}, {5, 5});
@@ -52,7 +52,7 @@ TEST_CASE("Hide, isolate, lock: hidden shapes stay in the domain but are neither
     CHECK_FALSE(driver.document().shapes[1]->locked);
 }
 
-TEST_CASE("Lock: undoing an unlock deselects the shape; the Names panel selects neither hidden nor locked shapes") {
+TEST_CASE("Lock: undoing an unlock deselects the shape; the Names panel skips hidden and locked shapes") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.rectangle({3, 3}, {5, 5});
@@ -92,7 +92,7 @@ TEST_CASE("Shapes panel: lists shapes by boundary part; selects, hides and locks
     CHECK(driver.undoLabel() == "Lock shape");
 }
 
-TEST_CASE("Context menu: a right click selects what is under it and offers what can be done with it") {
+TEST_CASE("Context menu: a right click selects the item under the pointer and offers its actions") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {5, 5});
     driver.key('V');
@@ -111,7 +111,7 @@ TEST_CASE("Context menu: a right click selects what is under it and offers what 
     CHECK(driver.undoLabel() == "Mirror left-right");
 }
 
-TEST_CASE("Context menu: opens beside an empty selection and while a drawing tool waits; Esc closes it") {
+TEST_CASE("Context menu: opens with an empty selection and while a drawing tool is active; Esc closes it") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {5, 5});
     const Pixel empty = driver.pixel({8, 8});
@@ -135,7 +135,7 @@ TEST_CASE("Context menu: opens beside an empty selection and while a drawing too
     CHECK(driver.document().shapes.size() == 2);
 }
 
-TEST_CASE("Select: only the kinds that are chosen are picked") {
+TEST_CASE("Select: picks only the chosen kinds of items") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {5, 5});
     driver.key('V');
@@ -160,7 +160,7 @@ TEST_CASE("Select: only the kinds that are chosen are picked") {
     CHECK(driver.context().selection.empty());
 }
 
-TEST_CASE("Brush: finer and coarser change the spacing that is there; a stroke is one undo step") {
+TEST_CASE("Brush: finer and coarser scale the current spacing; a stroke is one undo step") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.settle();
@@ -184,7 +184,7 @@ TEST_CASE("Brush: smooth and erase are modes of the brush; strength and falloff 
     driver.fill("options/brush/falloff", "0");
     driver.dragPlaces({4, 5}, {6, 5});
     driver.fill("options/brush/spacing", "0.02");
-    driver.dragPlaces({4, 5.5}, {6, 5.5}); // a step for the next stroke to smooth
+    driver.dragPlaces({4, 5.5}, {6, 5.5}); // gives the next stroke something to smooth
     chooseMode(driver, "Smooth");
     driver.fill("options/brush/strength", "0.5");
     driver.dragPlaces({4, 5}, {6, 5});
@@ -198,7 +198,7 @@ TEST_CASE("Brush: smooth and erase are modes of the brush; strength and falloff 
     CHECK(driver.context().preview->spacing->sample({5, 5}).origin != SpacingOrigin::Paint);
 }
 
-TEST_CASE("Brush: coarser changes nothing where nothing is painted, says so and leaves no undo step") {
+TEST_CASE("Brush: coarser on unpainted ground changes nothing, says so and adds no undo step") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.settle();
@@ -213,7 +213,7 @@ TEST_CASE("Brush: coarser changes nothing where nothing is painted, says so and 
     CHECK(last.diagnostic.message == "Nothing changed: coarser and smooth change only painted spacing");
 }
 
-TEST_CASE("Shapes panel: draws 500 shapes, says how many are missing, and lists the regions all the same") {
+TEST_CASE("Shapes panel: lists 500 shapes, says how many are left out, and still lists the regions") {
     Draughtsman driver;
     Document many;
     for (int k = 0; k < 503; ++k) {
@@ -266,7 +266,7 @@ TEST_CASE("Polygon: as a spline through clicked points, or freehand and simplifi
     CHECK(areaOf(*driver.document().shapes[0]) == doctest::Approx(30.0).epsilon(0.02));
 }
 
-TEST_CASE("Polygon: a loop drawn freehand closes where it began; undo on the way gives it up") {
+TEST_CASE("Polygon: a freehand loop closes where it began; undo while drawing cancels it") {
     Draughtsman driver;
     driver.key('P');
     driver.click("options/pen/Freehand");
@@ -297,7 +297,7 @@ TEST_CASE("Polygon: a loop drawn freehand closes where it began; undo on the way
     CHECK(driver.document().shapes.empty());
 }
 
-TEST_CASE("Inspector: size and growth of a boundary part become part of the spacing, and are removed again") {
+TEST_CASE("Inspector: size and growth of a boundary part are added to the spacing and removed again") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.key('V');

@@ -9,7 +9,7 @@ using namespace forefront::test;
 
 namespace {
 
-/// Adds a parameter in the table, which stays open.
+/// Adds a parameter in the table of the open panel.
 void addParameter(Draughtsman &driver, const std::string &name, const std::string &expression) {
     driver.click("panel/parameters");
     driver.settle();
@@ -22,7 +22,7 @@ void addParameter(Draughtsman &driver, const std::string &name, const std::strin
 
 } // namespace
 
-TEST_CASE("Parameters: fields take expressions, and a change redraws what follows them in one undo step") {
+TEST_CASE("Parameters: fields accept expressions; a change updates all dependent numbers in one undo step") {
     Draughtsman driver;
     addParameter(driver, "r", "1.5");
     addParameter(driver, "gap", "r/3");
@@ -66,7 +66,7 @@ TEST_CASE("Parameters: a typed formula is shown in the field, and typing a numbe
     CHECK(boundsOf(driver.document()).min == Vec2{2, 1});
 }
 
-TEST_CASE("Parameters: faults are shown at the row and at the field, and the drawing stays as it is") {
+TEST_CASE("Parameters: faults are shown beside the row and the field, and the drawing is unchanged") {
     Draughtsman driver;
     addParameter(driver, "r", "1");
     driver.fill("parameters/0/expression", "2*r");
@@ -99,7 +99,7 @@ TEST_CASE("Parameters: faults are shown at the row and at the field, and the dra
     CHECK(driver.document().parameters.empty());
 }
 
-TEST_CASE("Parameters: renaming one keeps what follows it") {
+TEST_CASE("Parameters: renaming one keeps the formulas that use it") {
     Draughtsman driver;
     addParameter(driver, "r", "1.5");
     driver.key('C');

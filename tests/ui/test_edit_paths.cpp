@@ -181,7 +181,7 @@ TEST_CASE("Paths: keys change nodes and segments, split and join") {
     CHECK(driver.document().shapes[0]->curves[2].kind() == CurveKind::Line);
 }
 
-TEST_CASE("Paths: joining two paths leaves only what exists selected") {
+TEST_CASE("Paths: joining two paths leaves no missing shapes in the selection") {
     Draughtsman driver;
     driver.key('L');
     for (const Vec2 start : {Vec2{1, 1}, Vec2{6, 1}}) {

@@ -84,7 +84,7 @@ TEST_CASE(
     CHECK(box() == Box2{{1, 1}, {5, 3}});
 }
 
-TEST_CASE("Dialogs with a preview: Esc and Cancel leave what can be redone") {
+TEST_CASE("Dialogs with a preview: Esc and Cancel keep the redo steps") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {5, 3});
     driver.rectangle({6, 1}, {8, 3});
@@ -133,7 +133,7 @@ TEST_CASE("Dialogs with a preview: a dropped file withdraws the preview before i
     }
 }
 
-TEST_CASE("Arrays: the proposed step and centre never put copies on the original") {
+TEST_CASE("Arrays: the default step and centre never put copies on the original") {
     Draughtsman driver;
     const auto places = [&] {
         std::set<std::pair<double, double>> distinct;
@@ -273,7 +273,7 @@ TEST_CASE("Clipboard: copy, paste beside the original, and cut") {
     CHECK(driver.document().shapes[0]->kind == ShapeKind::Rectangle);
 }
 
-TEST_CASE("Clipboard: a second paste does not lie on the first") {
+TEST_CASE("Clipboard: a second paste is offset from the first") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {3, 2});
     driver.key('V');

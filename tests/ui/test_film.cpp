@@ -53,7 +53,7 @@ std::size_t filesIn(const std::filesystem::path &folder) {
 
 } // namespace
 
-TEST_CASE("Film: the dialog writes an animation, numbered pictures and the drawing of a moment") {
+TEST_CASE("Film: the dialog writes an animation, numbered pictures and a drawing of one moment") {
     Filmmaker driver;
     const TemporaryFolder folder;
     driver.openDialog();
@@ -97,7 +97,7 @@ TEST_CASE("Film: the dialog writes an animation, numbered pictures and the drawi
     CHECK(textOf(folder / "caption.svg").find(">Advance 7, ") != std::string::npos);
 }
 
-TEST_CASE("Film: a name with %d writes a drawing for each frame, also with the filter for one moment") {
+TEST_CASE("Film: a name with %d writes one drawing per frame, even with the filter for one moment") {
     Filmmaker driver;
     const TemporaryFolder folder;
     driver.openDialog();
@@ -108,7 +108,7 @@ TEST_CASE("Film: a name with %d writes a drawing for each frame, also with the f
     CHECK(textOf(folder / "run-1.svg") != textOf(folder / "run-3.svg"));
 }
 
-TEST_CASE("Film: numbers out of range are moved into it") {
+TEST_CASE("Film: numbers out of range are clamped") {
     Filmmaker driver;
     driver.openDialog();
     driver.enter("frames", "0");

@@ -43,7 +43,7 @@ TEST_CASE("Glossary: every term can be opened and shows its own figure") {
     }
 }
 
-TEST_CASE("Glossary: links lead from a term to another, and from panels and lessons to their terms") {
+TEST_CASE("Glossary: links lead from one term to another, and from panels and lessons to their terms") {
     MeshedSquare driver;
     driver.context().actions.run("glossary.front", driver.context());
     driver.settle();

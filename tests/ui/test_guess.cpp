@@ -9,7 +9,7 @@ namespace forefront::test {
 
 namespace {
 
-/// A meshed square at its first base, with the tool for guesses.
+/// A meshed square at its first base, with the guess tool.
 class Guessing : public MeshedSquare {
   public:
     Guessing() {
@@ -50,7 +50,7 @@ TEST_CASE("Guess: a click on the chosen node earns ten points and shows the whol
     CHECK(driver.has("options/guess/score"));
 }
 
-TEST_CASE("Guess: a wrong click is explained, and the next click goes on to the next base") {
+TEST_CASE("Guess: a wrong click is explained, and the following click moves to the next base") {
     Guessing driver;
     const AdvanceExplanation &advance = driver.advance();
     const Vec2 along = advance.b - advance.a, left{-along.y, along.x};

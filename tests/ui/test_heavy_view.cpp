@@ -10,7 +10,7 @@ namespace forefront::test {
 
 namespace {
 
-/// A square with a mesh too large to be drawn again while the camera moves.
+/// A square with a mesh too large to redraw while the camera moves.
 class HeavySquare : public Draughtsman {
   public:
     HeavySquare() {
@@ -30,7 +30,7 @@ class HeavySquare : public Draughtsman {
         context().animate();
         settle();
     }
-    /// Moves the camera before each of some frames and returns how often the still parts were drawn again.
+    /// Moves the camera before each frame and returns how often the still parts were redrawn.
     template <class Move>
     std::uint64_t redrawsWhile(Move move) {
         const std::uint64_t before = editor().stillDraws();
@@ -45,14 +45,14 @@ class HeavySquare : public Draughtsman {
 
 } // namespace
 
-TEST_CASE("Canvas: a large mesh is not drawn again while the camera moves, and is sharp once it rests") {
+TEST_CASE("Canvas: a large mesh is not redrawn while the camera moves, and is sharp once it rests") {
     HeavySquare driver;
     CHECK(driver.redrawsWhile([](Camera &camera) { camera.pan({3.0, 2.0}); }) == 0);
     CHECK_FALSE(driver.editor().settled());
     driver.settle();
     CHECK(driver.redrawsWhile([](Camera &) {}) == 0);
     const auto rested = driver.picture();
-    // The same view, reached at once and drawn for it alone.
+    // The same view, reached in one step and drawn afresh.
     const Camera here = driver.context().view.camera;
     driver.context().view.camera.zoom *= 20.0;
     driver.settle();
@@ -84,7 +84,7 @@ TEST_CASE("Canvas: the moved picture of a large mesh is where the mesh is") {
         const auto moved = driver.picture();
         driver.settle();
         const auto sharp = driver.picture();
-        // The edges of the square, one pixel to either side, and its middle look alike in both.
+        // The edges of the square, one pixel to either side, and its middle look the same in both.
         const double pixel = 3.0 / driver.context().view.camera.zoom;
         for (const Vec2 place : {Vec2{5, 1 - pixel}, Vec2{1 - pixel, 4}, Vec2{9 + pixel, 4}}) {
             CHECK(std::abs(filled(moved, place) - filled(sharp, place)) <= 2);
@@ -94,7 +94,7 @@ TEST_CASE("Canvas: the moved picture of a large mesh is where the mesh is") {
     }
 }
 
-TEST_CASE("Canvas: a small mesh is drawn again whenever the camera moves") {
+TEST_CASE("Canvas: a small mesh is redrawn whenever the camera moves") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});
     driver.key(key::kF5);

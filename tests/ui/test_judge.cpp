@@ -118,7 +118,7 @@ TEST_CASE("Judge: meshing the outline replaces the mesh of the file") {
     CHECK(driver.run().known > 0);
 }
 
-TEST_CASE("Judge: keys that step through a run leave an opened mesh as it is and say so") {
+TEST_CASE("Judge: keys that step through a run leave an opened mesh unchanged and say so") {
     JudgedSquare maker;
     TemporaryFolder folder;
     REQUIRE_FALSE(hasErrors(writeMesh(folder / "plate.msh", maker.mesh())));
@@ -136,7 +136,7 @@ TEST_CASE("Judge: keys that step through a run leave an opened mesh as it is and
     CHECK(log.back().diagnostic.message.find("no run to step through") != std::string::npos);
 }
 
-TEST_CASE("Judge: without enough memory a mesh is answered with a fault") {
+TEST_CASE("Judge: too little memory to evaluate a mesh gives a fault") {
     MeshJudge judge({}, [](const JudgeRequest &, const Judgement &) -> std::shared_ptr<const Judgement> {
         throw std::bad_alloc();
     });
@@ -152,7 +152,7 @@ TEST_CASE("Judge: without enough memory a mesh is answered with a fault") {
     CHECK(answer->of == request);
 }
 
-TEST_CASE("Thumbnails: without enough memory a project has no picture") {
+TEST_CASE("Thumbnails: too little memory for a project leaves it without a picture") {
     const Thumbnails thumbnails(
         {"a", "b"}, [] {},
         [](const std::filesystem::path &project, const std::stop_token &) {

@@ -11,7 +11,7 @@ namespace forefront::test {
 
 namespace {
 
-/// A meshed square with other runs beside it.
+/// A meshed square with runs to compare beside it.
 class Comparing : public MeshedSquare {
   public:
     Comparing() {
@@ -23,7 +23,7 @@ class Comparing : public MeshedSquare {
 
 } // namespace
 
-TEST_CASE("Side by side: runs with the other grids stand at the advance of the canvas, with the same mesh") {
+TEST_CASE("Side by side: runs with the other grids are at the advance of the canvas, with the same mesh") {
     Comparing driver;
     REQUIRE(driver.sides().size() == 2);
     CHECK(driver.sides().variant(0).grid == GridKind::None);
@@ -72,7 +72,7 @@ TEST_CASE("Side by side: dragging and scrolling over a view moves the camera of 
     CHECK(driver.context().view.camera.zoom > before.zoom);
 }
 
-TEST_CASE("Side by side: a new mesh is compared anew, and closing gives the canvas its width back") {
+TEST_CASE("Side by side: a new mesh restarts the comparison, and closing restores the canvas width") {
     Comparing driver;
     const double narrow = driver.canvas().width;
     const std::uint64_t first = driver.sides().now(0).meshHash;
@@ -89,7 +89,7 @@ TEST_CASE("Side by side: a new mesh is compared anew, and closing gives the canv
     CHECK(driver.canvas().width > 2.5 * narrow);
 }
 
-TEST_CASE("Side by side: another mesh of the domain stands beside ours, with the figures of both") {
+TEST_CASE("Side by side: another mesh of the domain is shown beside ours, with the figures of both") {
     MeshedSquare driver;
     const Mesh ours = driver.mesh();
     const TemporaryFolder folder;

@@ -46,7 +46,7 @@ TEST_CASE("Clipboard: what is copied comes back exactly, and other programs see 
     CHECK(clipboardText(document, {}).empty());
 }
 
-TEST_CASE("insertCopied: each paste lies beside everything there, also of sources and markers alone") {
+TEST_CASE("insertCopied: each paste avoids what is there, even for sources and markers alone") {
     const Vec2 step{2, -2};
     Document box = *addShapes({}, {square({0, 0}, 1)}), source, marker;
     source.spacing.sources = {{SourceShape::Line, {1, 1}, {2, 1}, 0.0, 0.1, 0.2, "wake"}};
@@ -84,7 +84,7 @@ TEST_CASE("Clipboard: two columns of a spreadsheet, with any separators, become 
     CHECK(only(readClipboard("-1e-3 2")).kind == ShapeKind::Point);
 }
 
-TEST_CASE("Clipboard: in cells the last point or comma is the decimal sign, and the other one divides thousands") {
+TEST_CASE("Clipboard: in cells the last point or comma is the decimal sign, and the other separates thousands") {
     const std::vector<std::pair<const char *, Vec2>> cases = {
         {"1.234,5;2,0", {1234.5, 2}}, {"1,234.5\t-2", {1234.5, -2}}, {"1.5,2.5\tnode 7", {1.5, 2.5}},
         {" 1,5 ; 2 ;3", {1.5, 2}},    {"\"1,5e2\"\t7", {150, 7}},    {"1.2.3,4\t5", {123.4, 5}},

@@ -171,12 +171,12 @@ TEST_CASE("discretise: an invisibly small hook at the end of a curve gets no sep
     }
 }
 
-TEST_CASE("discretise: bends too small to be seen leave no row of ever shorter edges") {
+TEST_CASE("discretise: imperceptible bends do not cause a run of ever shorter edges") {
     struct Sample {
         Curve curve;
         double size, tolerance;
     };
-    // Both bend most at their start: one by a right angle, the other less and less over several edges.
+    // Both bend most at their start: one by a right angle, the other gradually over several edges.
     for (const Sample &sample :
          {Sample{Curve::cubic({0, 0}, {0, 0.13}, {12.5, 1.8}, {12.5, 1.8}), 0.14, 0.0157},
           Sample{Curve::cubic({0, 0}, {-0.025, 0.028}, {1.207, 4.396}, {1.257, 4.449}), 0.36, 0.017}}) {

@@ -103,7 +103,7 @@ TEST_CASE("filletCorners: the ends of an open path stay; selected ends and smoot
     CHECK(codeOf(filletCorners(document, straight, 1.0)) == "not-possible");
 }
 
-TEST_CASE("filletCorners: a rounded rectangle is refused with the way out, a bad number with its value") {
+TEST_CASE("filletCorners: refuses a rounded rectangle with advice, and a bad number with its value") {
     Shape rounded = makeShape(ShapeKind::Rectangle, {{0, 0}, {6, 4}});
     rounded.radius = 1.0;
     const Result<Document> result = filletCorners(documentOf({rounded}), selected({1}), 0.5);

@@ -50,7 +50,7 @@ std::string faultOf(const std::vector<Parameter> &parameters, std::size_t index)
 
 } // namespace
 
-TEST_CASE("parameterStates: values in any order; bad names, wrong expressions and cycles have faults") {
+TEST_CASE("parameterStates: values in any order; bad names, invalid expressions and cycles have faults") {
     const std::vector<ParameterState> states = parameterStates({{"gap", "2*r"}, {"r", "0.4"}, {"f2e3", "2e3 + gap"}});
     CHECK(*states[0].value == doctest::Approx(0.8));
     CHECK(*states[2].value == doctest::Approx(2000.8));
@@ -67,7 +67,7 @@ TEST_CASE("parameterStates: values in any order; bad names, wrong expressions an
     CHECK_FALSE(faultOf({{"a", "1"}, {"a", "2"}}, 1).empty());
 }
 
-TEST_CASE("overrideParameters: every number with a formula follows, and the document without them stays") {
+TEST_CASE("overrideParameters: every number with a formula follows; invalid overrides are refused") {
     const Document before = plate();
     const Result<Document> after = overrideParameters(before, {{"r", "0.75"}});
     REQUIRE(after.ok());
@@ -82,7 +82,7 @@ TEST_CASE("overrideParameters: every number with a formula follows, and the docu
     CHECK(codeOf(setParameters(before, std::vector<Parameter>{{"r", "1"}})) == "expression-syntax"); // gap is in use
 }
 
-TEST_CASE("pruneFormulas: a number changed by hand, or gone, loses its formula; the others keep theirs") {
+TEST_CASE("pruneFormulas: an edited or deleted number loses its formula; the others keep theirs") {
     const Document before = plate();
     Result<Document> moved = setRadius(before, 2, 0.6);
     REQUIRE(moved.ok());
@@ -95,7 +95,7 @@ TEST_CASE("pruneFormulas: a number changed by hand, or gone, loses its formula; 
     CHECK(removed.formulas.size() == 3);
 }
 
-TEST_CASE("numberAt: addresses of every kind of number, and none for what does not exist") {
+TEST_CASE("numberAt: finds every kind of number, and none for missing ones") {
     Document document = plate();
     document.spacing.minimum = 0.125;
     document = *addRegionMarker(document, {{0.5, 0.25}, 1, 0.75});
@@ -160,7 +160,7 @@ TEST_CASE("placeNumber: every kind of number can be set and is read back") {
     CHECK(codeOf(checkedOwner(changed, size)) == "bad-size");
 }
 
-TEST_CASE("setParameters: numbers that fit each other change together, though not one after the other") {
+TEST_CASE("setParameters: numbers that are only valid together change together") {
     Document document = *setParameters({}, {{"r", "10"}});
     document.spacing.minimum = 10.0;
     document.spacing.maximum = 20.0;
@@ -340,7 +340,7 @@ TEST_CASE("Project: faults of parameters and formulas name line and column") {
     CHECK(faultOfText(R"("formulas": {"shape/1/radius": "-1"})").starts_with("bad-number 3:32 formula for"));
 }
 
-TEST_CASE("Project: other expressions for parameters apply while reading") {
+TEST_CASE("Project: overrides of parameters apply while reading") {
     const std::string text = projectText(plate());
     SourceText source{text, "test", {}, {}};
     source.options.parameters = {{"r", "1"}};
@@ -365,7 +365,7 @@ TEST_CASE("parameterStates: long chains, and more parameters than allowed") {
     CHECK(*parameterStates(chain).front().value == static_cast<double>(kMaxParameters));
 }
 
-TEST_CASE("parameterStates: parameters that all name each other are a cycle, reported briefly and in time") {
+TEST_CASE("parameterStates: parameters that all use each other are a cycle, reported briefly and quickly") {
     std::string all = "p0";
     for (int k = 1; all.size() + 6 < 4000; ++k) {
         all += "+p" + std::to_string(k);
@@ -392,7 +392,7 @@ TEST_CASE("parameterStates: names and expressions that are too long have faults"
     CHECK(faultOf({{"a", "b" + std::string(5000, ' ')}, {"b", "a"}}, 0).find("characters") != std::string::npos);
 }
 
-TEST_CASE("evaluateFormula: dist needs a place, which parameters and formulas do not have") {
+TEST_CASE("evaluateFormula: dist needs x and y, which parameters and formulas do not have") {
     const Result<double> value = evaluateFormula({}, "1 + dist(3, 4)");
     REQUIRE_FALSE(value.ok());
     CHECK(value.faults().front().message == "expression, column 5: dist needs x and y; use hypot(a, b)");

@@ -135,7 +135,7 @@ TEST_CASE("History: an abandoned stroke leaves no trace") {
     CHECK(history.size() == 1);
 }
 
-TEST_CASE("History: abandoning a stroke restores what could be redone; ending it does not") {
+TEST_CASE("History: cancelling a stroke restores the redo steps; ending it does not") {
     for (const bool abandon : {true, false}) {
         CAPTURE(abandon);
         History history;
@@ -148,7 +148,7 @@ TEST_CASE("History: abandoning a stroke restores what could be redone; ending it
         history.commit("drag", withPoint(history.document(), {5, 5}), "stroke");
         history.commit("drag", withPoint(history.document(), {6, 5}), "stroke");
         abandon ? history.abandonStroke() : history.endStroke();
-        history.abandonStroke(); // no stroke is in progress: no effect
+        history.abandonStroke(); // no effect: no stroke is in progress
         if (!abandon) {
             CHECK(history.size() == 3);
             CHECK(history.undoLabel() == "drag");
@@ -166,8 +166,7 @@ TEST_CASE("History: abandoning a stroke restores what could be redone; ending it
     }
 }
 
-TEST_CASE(
-    "History: an abandoned stroke that was saved half-way goes back to the saved document, with nothing to redo") {
+TEST_CASE("History: cancelling a stroke that was saved midway returns to the saved document, with nothing to redo") {
     History history;
     history.commit("a", withPoint(history.document(), {0, 0}));
     history.undo();

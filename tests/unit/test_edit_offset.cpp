@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Returns the shapes at a distance from a shape.
+/// Returns the offset shapes of a shape.
 std::vector<Shape> offsetsOf(const Shape &shape, double d) {
     const Result<Document> document = addShape({}, shape);
     REQUIRE(document.ok());
@@ -34,7 +34,7 @@ std::vector<Shape> offsetsOf(const Shape &shape, double d) {
     return made;
 }
 
-/// Measures distances from an outline.
+/// Measures distances to an outline.
 class Ruler {
   public:
     explicit Ruler(const Outline &outline) {
@@ -70,7 +70,7 @@ class Ruler {
     std::vector<Vec2> places_;
 };
 
-/// Returns how far the outlines of some shapes are at most from the places at a distance from a shape.
+/// Returns the maximum distance of some outlines from the exact offset of a shape.
 double worstMiss(const std::vector<Shape> &made, const Shape &shape, double d) {
     const Ruler from(outlineOf(shape));
     double worst = 0.0;
@@ -116,7 +116,7 @@ TEST_CASE("offsetShapes: parallels of slender ellipses are accurate outside and 
     }
 }
 
-TEST_CASE("offsetShapes: the band around a cubic with a cusp, or nearly one, is round there") {
+TEST_CASE("offsetShapes: the band around a cubic is round at a cusp or near-cusp") {
     for (const double gap : {0.0, 1e-6, 0.1}) {
         CAPTURE(gap);
         const Shape path = openCubic({0, 0}, {1 + gap, 1}, {0, 1}, {1, 0});
@@ -129,7 +129,7 @@ TEST_CASE("offsetShapes: the band around a cubic with a cusp, or nearly one, is 
     }
 }
 
-TEST_CASE("offsetShapes: nodes on top of each other make no notches") {
+TEST_CASE("offsetShapes: coinciding nodes make no notches") {
     const std::vector<Vec2> corners = {{0, 0}, {4, 0}, {4, 0}, {4, 4}, {4, 4}, {4, 4}, {0, 4}, {0, 0}};
     const Shape plate = makeShape(ShapeKind::Polygon, corners);
     const std::vector<Shape> wide = offsetsOf(plate, 0.5);
@@ -142,7 +142,7 @@ TEST_CASE("offsetShapes: nodes on top of each other make no notches") {
     CHECK(worstMiss(band, makeShape(ShapeKind::Polyline, corners), 0.5) < 1e-9);
 }
 
-TEST_CASE("offsetShapes: neither the direction of an outline nor a crossing of itself matters") {
+TEST_CASE("offsetShapes: an outline may have either direction and may cross itself") {
     Shape lens = makeShape(ShapeKind::Polygon, {{0, 0}, {1, 0}}); // flat, and clockwise
     lens.curves = {arcThrough({0, 0}, {0.5, 5e-4}, {1, 0}), arcThrough({1, 0}, {0.5, -5e-4}, {0, 0})};
     const std::vector<Shape> wide = offsetsOf(lens, 0.1);
@@ -161,7 +161,7 @@ TEST_CASE("offsetShapes: neither the direction of an outline nor a crossing of i
     CHECK(worstMiss(inside, bow, 0.25) < 1e-9);
 }
 
-TEST_CASE("offsetShapes: only an inside offset of which nothing is left asks for a smaller number") {
+TEST_CASE("offsetShapes: only an inward offset that leaves nothing asks for a smaller number") {
     const Result<Document> plate = addShape({}, square({0, 0}, 4));
     const Result<Document> nothing = offsetShapes(*plate, {1}, -2.5);
     REQUIRE_FALSE(nothing.ok());

@@ -99,7 +99,7 @@ TEST_CASE(
 }
 
 TEST_CASE("setCurved: an arc of more than a quarter turn is divided, and the cubics stay near it") {
-    constexpr double kSweep = 1.75 * kPi; // a single cubic for it would reach far away
+    constexpr double kSweep = 1.75 * kPi; // a single cubic would be far off
     const Curve arc = Curve::arc({0, 0}, {2, 0}, {0, 2}, 0.0, kSweep);
     Shape path = makeShape(ShapeKind::Polygon, {arc.point(0.0), arc.point(1.0), {0, 0}});
     path.curves = {arc, Curve(), Curve()};
@@ -131,7 +131,7 @@ TEST_CASE("setNodeKind: a smooth node beside a long arc has control points near 
     CHECK(box.diagonal() < 20.0);
 }
 
-TEST_CASE("convertToPaths: converts what can be converted, and refuses if nothing can") {
+TEST_CASE("convertToPaths: converts what it can, and fails if there is nothing to convert") {
     const Document document = documentOf({makeShape(ShapeKind::Circle, {{1, 1}, {3, 1}}), square({5, 5}, 1),
                                           makeShape(ShapeKind::Rectangle, {{0, 0}, {1, 2}})});
     const Result<Document> paths = convertToPaths(document, {1, 2, 3});

@@ -254,7 +254,7 @@ TEST_CASE("gridPitch: 1, 2 or 5 times a power of ten, at least as wide as reques
     CHECK(gridPitch(std::nan("")) == 0.0);
 }
 
-TEST_CASE("PickIndex: hidden shapes are never found, locked ones only to snap to") {
+TEST_CASE("PickIndex: hidden shapes are never found, locked ones only for snapping") {
     Document drawn = documentOf({square({0, 0}, 4), square({5, 0}, 4), square({10, 0}, 4)});
     drawn = *setHidden(drawn, {1}, true);
     drawn = *setLocked(drawn, {2}, true);
@@ -270,7 +270,7 @@ TEST_CASE("PickIndex: hidden shapes are never found, locked ones only to snap to
     CHECK(index.inBox({{-1, -1}, {20, 20}}, false).shapes == std::set<std::uint32_t>{3});
     CHECK(index.inBox({{-1, -1}, {20, 20}}, true).nodes.size() == 4);
     CHECK(selectAll(drawn).shapes == std::set<std::uint32_t>{3});
-    CHECK(toDomain(drawn).segments.size() == 12); // the mesh knows all of them
+    CHECK(toDomain(drawn).segments.size() == 12); // the mesh contains all of them
 
     Selection selection;
     selection.shapes = {1, 3};

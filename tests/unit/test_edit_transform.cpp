@@ -104,7 +104,7 @@ TEST_CASE("transformSelection: single nodes, sources and markers are mapped; a m
     CHECK(codeOf(transformSelection(document, some, PlaneMap::scaling({1, 0}, {}))) == "bad-number");
 }
 
-TEST_CASE("transformSelection: a curve with both ends selected is mapped as part of a whole shape would be") {
+TEST_CASE("transformSelection: a curve with both ends selected is mapped as in a whole shape") {
     Shape dome = makeShape(ShapeKind::Polyline, {{-1, -2}, {1, 0}, {-1, 0}, {-3, 0}});
     dome.curves = {Curve::cubic({-1, -2}, {0, -3}, {2, -1}, {1, 0}), arcThrough({1, 0}, {0, 1}, {-1, 0}), Curve()};
     dome.cuts = {{0.5, 1.0}, {0.5, 1.0}, {}};
@@ -185,7 +185,7 @@ TEST_CASE("alignSelection, distributeSelection: shapes line up at each side, and
     CHECK(row->shapes[1]->nodes[1] == Vec2{5, 0});
 }
 
-TEST_CASE("copySelection: markers are copied; nothing or too much to copy is refused with its number") {
+TEST_CASE("copySelection: copies markers; refuses an empty selection and too many copies") {
     Document document = documentOf({square({0, 0}, 2)});
     document.regionMarkers = {{{1, 1}, 2, 0.5}};
     Selection marker, node, copies;
@@ -219,7 +219,7 @@ TEST_CASE("Transformations: messages name the refused value and say what to ente
     says(polarArray(document, selected({1}), 3, {}, 400, true), "angle 400;");
 }
 
-TEST_CASE("alignSelection: nodes of many shapes each move to the line, of circles too") {
+TEST_CASE("alignSelection: nodes of many shapes, even of circles, each move to the line") {
     const Document document =
         documentOf({makeShape(ShapeKind::Circle, {{4, 0}, {5, 1}}), square({7, 1}, 2),
                     makeShape(ShapeKind::Rectangle, {{2, 5}, {3, 6}}), makeShape(ShapeKind::Point, {{9, 9}})});

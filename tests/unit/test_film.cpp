@@ -16,7 +16,7 @@ namespace forefront {
 
 namespace {
 
-/// Reads numbers of some bits, least significant bit first.
+/// Reads numbers of a given number of bits, least significant bit first.
 class BitReader {
   public:
     explicit BitReader(std::string_view bytes) : bytes_(bytes) {}
@@ -27,7 +27,7 @@ class BitReader {
         }
         return value;
     }
-    /// Takes a Huffman code, whose bits come most significant first.
+    /// Reads a Huffman code, most significant bit first.
     unsigned code(unsigned count) {
         unsigned value = 0;
         for (unsigned k = 0; k < count; ++k) {
@@ -76,7 +76,7 @@ std::vector<std::uint8_t> decodeLzw(std::string_view data) {
     }
 }
 
-/// Applies the frames of a GIF of this program to one picture each.
+/// Decodes the frames of a GIF written by this program into full pictures.
 std::vector<std::vector<std::uint8_t>> decodeGif(const std::string &file) {
     const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(file[at]); };
     const auto number = [&](std::size_t at) { return static_cast<std::size_t>(byte(at) | byte(at + 1) << 8); };
@@ -168,7 +168,7 @@ FilmPicture randomPicture(std::mt19937 &random, int width, int height, unsigned 
 
 } // namespace
 
-TEST_CASE("Film: the frames of a GIF decode to the pictures it was made of") {
+TEST_CASE("Film: the frames of a GIF decode to the original pictures") {
     std::mt19937 random(7);
     for (const unsigned run : {1U, 5U, 400U}) {
         for (const unsigned colours : {2U, 227U}) {
@@ -194,7 +194,7 @@ TEST_CASE("Film: the frames of a GIF decode to the pictures it was made of") {
     }
 }
 
-TEST_CASE("Film: a PNG decodes to the picture it was made of") {
+TEST_CASE("Film: a PNG decodes to the original picture") {
     std::mt19937 random(8);
     for (const unsigned run : {1U, 5U, 400U, 3000U}) {
         for (const unsigned colours : {2U, 227U}) {

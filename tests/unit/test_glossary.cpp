@@ -11,7 +11,7 @@
 
 namespace forefront {
 
-TEST_CASE("Glossary: every term has its own id, a text, a figure and related terms that exist") {
+TEST_CASE("Glossary: every term has a unique id, a text, a figure and existing related terms") {
     std::set<std::string_view> ids;
     for (const GlossaryTerm &term : glossary()) {
         CAPTURE(term.name);
@@ -38,7 +38,7 @@ TEST_CASE("Glossary: every term has its own id, a text, a figure and related ter
     CHECK(glossaryTerm("unknown") == nullptr);
 }
 
-TEST_CASE("Glossary: a text is linked to the terms it speaks of") {
+TEST_CASE("Glossary: a text links to the terms that it mentions") {
     const auto idsIn = [](std::string_view text) {
         std::vector<std::string> ids;
         for (const GlossaryTerm *term : termsIn(text)) {

@@ -29,7 +29,7 @@ void settle(Lockstep &runs, std::uint64_t advance, bool end) {
 
 } // namespace
 
-TEST_CASE("Lockstep: the variants beside a run are the other grids, or the other method") {
+TEST_CASE("Lockstep: a run's variants are the other grids, or the other method") {
     const RunVariant shown{Method::Classic, GridKind::Uniform};
     CHECK(variantsBeside(shown, Comparison::Grids) ==
           std::vector<RunVariant>{{Method::Classic, GridKind::None}, {Method::Classic, GridKind::Hierarchical}});
@@ -38,7 +38,7 @@ TEST_CASE("Lockstep: the variants beside a run are the other grids, or the other
     CHECK(RunVariant{Method::Fast, GridKind::None}.name() == "fast, no grid");
 }
 
-TEST_CASE("Lockstep: runs with other grids make the same mesh at each advance, with other work") {
+TEST_CASE("Lockstep: runs with other grids make the same mesh at each advance with different work") {
     const RunVariant shown{Method::Classic, GridKind::Hierarchical};
     Lockstep runs(squareJob(), variantsBeside(shown, Comparison::Grids), {});
     REQUIRE(runs.size() == 2);
@@ -63,7 +63,7 @@ TEST_CASE("Lockstep: a shorter run waits at its end") {
     const auto fast = runs.latest(0), classic = runs.latest(1);
     CHECK(fast->complete);
     CHECK(classic->complete);
-    CHECK(fast->advance < classic->advance); // it makes up to three elements an advance
+    CHECK(fast->advance < classic->advance); // it makes up to three elements per advance
 }
 
 } // namespace forefront

@@ -153,7 +153,7 @@ TEST_CASE("Measures: elements across a gap are counted between parts of the boun
     CHECK(narrowest(twoTriangles(), {1.0, 1.0}).count == 0);
 }
 
-TEST_CASE("Measures: where holes touch in a node, the elements around it are not across a gap") {
+TEST_CASE("Measures: where holes touch at a node, the elements around it are not across a gap") {
     Mesh mesh = samples::square(12, 12);
     std::erase_if(mesh.elements, [&](const Element &element) { // two holes of 3 x 3 cells, 2 and 4 cells from the edge
         const Vec2 at =

@@ -244,7 +244,7 @@ TEST_CASE("SpacingField: refuses invalid paint") {
     CHECK(refused.faults().front().at->x == doctest::Approx(3.3));
 }
 
-TEST_CASE("Brush modes: finer and coarser scale the spacing that is there by octaves, smooth evens it out") {
+TEST_CASE("Brush modes: finer and coarser scale the current spacing by octaves, smooth evens it out") {
     const PaintedSpacing base = forefront::paint(canvas(10), {{5, 5}, 4.0, 0.1, 1.0, 0.0});
     const auto value = [&](const PaintedSpacing &paint, Vec2 at) {
         const Vec2 node = (1.0 / paint.pitch) * (at - paint.origin);
@@ -294,7 +294,7 @@ TEST_CASE("Brush strength: a weak dab goes part of the way to its target") {
     CHECK(static_cast<double>(paintedNode(weak, node, node)) == doctest::Approx(0.05).epsilon(1e-5));
 }
 
-TEST_CASE("Brush strength: on unpainted ground the way begins at the ambient spacing; strength 0 changes nothing") {
+TEST_CASE("Brush strength: unpainted ground starts from the ambient spacing; strength 0 changes nothing") {
     Dab dab{{5, 5}, 1.0, 0.1, 1.0, 0.4};
     dab.strength = 0.5;
     const PaintedSpacing weak = forefront::paint(canvas(10), dab);

@@ -311,7 +311,7 @@ TEST_CASE("SpacingField: a cancelled build reports it") {
 }
 
 TEST_CASE(
-    "Sizes of boundary parts: the spacing is the size at segments and points with the tag, and grows from there") {
+    "Sizes of boundary parts: the spacing equals the size at segments and points with the tag, and grows from there") {
     Domain domain = rectangle(8, 4, 1, 1);
     domain.segments[1].tag = 5;
     domain.boundaryNames[5] = "outlet";
