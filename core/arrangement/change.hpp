@@ -20,7 +20,7 @@ enum class ChangeKind : std::uint8_t {
     CrossingSegments, ///< a node was added where pieces cross
     TouchingSegments, ///< a piece was split at a node on it
     TouchingCurves,   ///< two curves touch, or are within the tolerance of each other, and were joined there
-    UndividedCurves,  ///< an edge of a curve still did not fit what is near after as many divisions as are allowed
+    UndividedCurves,  ///< an edge of a curve was not divided enough to keep clear of nearby edges
     BentSegments,     ///< a piece was routed through a nearby node
     RepeatedSegments, ///< of coinciding segments of a domain, one was kept
     SharedBoundaries, ///< a boundary segment between two inner faces of a domain became a constraint

@@ -89,7 +89,7 @@ bool LineDivision::atLimit() const {
     return chords_.size() >= limits_.partsPerLine * lines_.size() + limits_.spareParts;
 }
 
-/// Notes cuts of chords as not made.
+/// Records cuts of chords that are not made.
 void LineDivision::leave(std::span<const ChordCut> cuts) {
     for (const ChordCut &cut : cuts) {
         left_.push_back({source_[cut.chord], cut.t, cut.at});
@@ -248,7 +248,7 @@ bool LineDivision::divideAfter(const SnappedLines &snapped, const std::stop_toke
         return false;
     }
     ++repeats_;
-    left_.clear(); // divided again
+    left_.clear(); // the chords left are divided again
     const std::size_t before = chords_.size();
     apply(std::move(found));
     return chords_.size() > before;

@@ -10,11 +10,11 @@
 
 namespace forefront {
 
-/// Limits of the work of dividing chords, far above what real drawings need. What they leave is reported.
+/// Limits on the work of dividing chords, far above what real drawings need. Chords left undivided are reported.
 struct DivisionLimits {
     int rounds = 48;                  ///< each may halve a chord
-    std::size_t partsPerLine = 16;    ///< on average, beside the spare parts
-    std::size_t spareParts = 100'000; ///< of all lines together
+    std::size_t partsPerLine = 16;    ///< on average, in addition to the spare parts
+    std::size_t spareParts = 100'000; ///< shared by all lines
     int repeats = 8;                  ///< of dividing after joining
 };
 
@@ -44,7 +44,7 @@ class LineDivision {
     const std::vector<std::uint32_t> &sources() const { return source_; }
     /// Returns where curves meet; `chord` is the index of a line.
     const std::vector<ChordMeeting> &meetings() const { return meetings_; }
-    /// Returns where chords that do not fit were left because of a limit; `chord` is the index of a line.
+    /// Returns the cuts that were not made because of a limit; `chord` is the index of a line.
     const std::vector<ChordCut> &left() const { return left_; }
 
   private:
@@ -81,7 +81,7 @@ struct JoinedLines {
     std::vector<CurveStretch> stretches; ///< per line
     std::vector<std::uint32_t> source;   ///< per line: the given line that it is part of; ascending
     std::vector<ChordMeeting> meetings;  ///< `chord` is the index of a given line
-    std::vector<ChordCut> left;          ///< cuts that were not made because of a limit; likewise
+    std::vector<ChordCut> left;          ///< cuts that were not made because of a limit, with the same indices
     SnappedLines snapped;
 };
 

@@ -119,7 +119,7 @@ std::optional<Cut> chamfer(const Curve &before, const Curve &after, double reach
 /// A node of a path with the segment that starts there.
 struct Element {
     Vec2 node;
-    Curve curve; ///< as a path stores it: a straight segment is known by its nodes
+    Curve curve; ///< as a path stores it: a straight segment is defined by its nodes
     std::int32_t tag = 1;
 };
 
@@ -303,7 +303,7 @@ Result<Document> chamferCorners(const Document &document, const Selection &selec
 }
 
 bool hasCorners(const Document &document, const Selection &selection) {
-    // One pass over the document: menus ask this in every frame.
+    // Takes one pass over the document, since menus call it in every frame.
     return std::any_of(document.shapes.begin(), document.shapes.end(), [&](const auto &shape) {
         const auto node = selection.nodes.lower_bound({shape->id, 0});
         const bool chosen =

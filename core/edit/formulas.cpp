@@ -49,7 +49,7 @@ std::string renamed(const std::string &text, std::string_view from, std::string_
     return result + text.substr(copied);
 }
 
-/// A formula with the number that follows it.
+/// A formula with the number that it sets.
 struct Follower {
     std::string address;
     NumberAddress number;
@@ -115,8 +115,8 @@ Result<Document> checkedOwners(Document document, const std::vector<Follower> &f
     return document;
 }
 
-/// Sets every number to its formula's value. All are set before any is checked, since new values that are valid
-/// together may be invalid beside an old one, such as two opposite corners of a rectangle.
+/// Sets every number to its formula's value. All are set before any is checked, since a new value may be invalid beside
+/// an old one, such as that of the opposite corner of a rectangle.
 Result<Document> follow(Document document, std::string &failed) {
     Result<std::vector<Follower>> followers = followersOf(document, failed);
     if (!followers) {

@@ -27,7 +27,7 @@ class Places {
         std::sort(places_.begin(), places_.end(), before);
     }
 
-    /// Returns true if an item is exactly where one of the same kind in another document is.
+    /// Returns true if an item coincides with one of the same kind in another document.
     bool meet(const Places &other) const {
         return std::any_of(other.places_.begin(), other.places_.end(), [this](const Place &place) {
             return std::binary_search(places_.begin(), places_.end(), place, before);

@@ -160,8 +160,8 @@ std::optional<double> SpacingSpec::*spacingNumber(const std::string &what) {
     return nullptr;
 }
 
-/// Returns the index of an item in the other list. In lists of equal length it is the same, since items were only
-/// edited.
+/// Returns the index in `next` of the item at `index` in `before`. It is unchanged in lists of equal length, whose
+/// items were only edited.
 template <class T>
 std::optional<std::uint32_t> movedIndex(const std::vector<T> &before, const std::vector<T> &next, std::uint32_t index) {
     if (before.size() == next.size()) {

@@ -66,7 +66,7 @@ class Bands {
             }
             return;
         }
-        constexpr int kParts = 4; // at least; a closed loop has coinciding ends
+        constexpr int kParts = 4; // minimum: the ends of a loop coincide, so it would seem to have no length
         for (double k = 0.0; k < kParts; ++k) {
             bisect(curve, k / kParts, (k + 1.0) / kParts, tag);
         }

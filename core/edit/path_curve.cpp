@@ -187,7 +187,7 @@ Curve merged(const Curve &first, const Curve &second) {
 Curve cubicAlong(const Curve &arc) {
     const double sweep = arc.numbers()[7];
     const Vec2 from = arc.point(0.0), to = arc.point(1.0);
-    if (std::fabs(sweep) > std::numbers::pi) { // the formula has a pole at a full turn
+    if (std::fabs(sweep) > std::numbers::pi) { // the formula below diverges at a full turn
         return fitted(Samples(arc.part(0.0, 0.5), arc.part(0.5, 1.0)), from, arc.tangent(0.0), -1.0 * arc.tangent(1.0),
                       to);
     }

@@ -28,7 +28,7 @@ struct SegmentHit {
 };
 
 /// Finds the parts of a document near a point, in O(log n). Hidden shapes are never found; locked ones are found only
-/// by node() and segment(), for snapping. Built once per document, which it keeps alive.
+/// by node() and segment(), for snapping. It is built once per document and keeps the document alive.
 class PickIndex {
   public:
     explicit PickIndex(std::shared_ptr<const Document> document);

@@ -35,8 +35,8 @@ Result<Document> distributeSelection(const Document &document, const Selection &
 /// Returns the number of items that alignSelection() moves.
 std::size_t alignableItems(const Selection &selection);
 
-/// Repeats the selection in a row: `count` items in all, >= 2, each moved by `step` from the one before. Errors: those
-/// of copySelection(); bad-number.
+/// Repeats the selection in a row: `count` items in all, >= 2, each moved by `step` from the previous one. Errors:
+/// those of copySelection(); bad-number.
 Result<Document> linearArray(const Document &document, const Selection &selection, double count, Vec2 step,
                              Selection *copies = nullptr);
 /// Repeats the selection around a centre: `count` items in all, over an angle in degrees. 360 fills the circle evenly;

@@ -9,15 +9,15 @@
 namespace forefront {
 
 /// Returns the selected shapes, sources and region markers as the text of an SVG drawing, for the clipboard. Its
-/// metadata hold them exactly, for readClipboard(); other programs see paths of lines and cubics. Empty if nothing that
-/// can be copied is selected.
+/// metadata holds them exactly, for readClipboard(); other programs see paths of lines and cubics. Empty if nothing
+/// that can be copied is selected.
 std::string clipboardText(const Document &document, const Selection &selection);
 
-/// Returns what a text from the clipboard draws: an SVG drawing, a project, or lines of coordinates. Each line of
-/// coordinates is a point: its first two numbers, with any separators between them. Where tabs or semicolons separate,
-/// numbers may have decimal commas, and points or commas between thousands. A blank line or a line of text starts a new
-/// path. A path of at least four points is closed if its ends are about as near to each other as its nodes. Errors:
-/// those of the readers; no-drawing.
+/// Reads a drawing from the text of the clipboard: an SVG drawing, a project, or lines of coordinates. Each line of
+/// coordinates is a point: its first two numbers, with any separators between them. Numbers separated by tabs or
+/// semicolons may have decimal commas and thousands separators. A blank line or a line of text starts a new path. A
+/// path of at least four points is closed if its ends are about as close together as its nodes. Errors: those of the
+/// readers; no-drawing.
 Result<Document> readClipboard(std::string_view text);
 
 } // namespace forefront

@@ -31,7 +31,7 @@ namespace {
 
 using Ink = FigureInk;
 
-const double kHeight = std::sqrt(3.0) / 2.0; ///< of an equilateral triangle with sides of 1
+const double kHeight = std::sqrt(3.0) / 2.0; ///< of an equilateral triangle of side 1
 
 void add(Figure &figure, Ink ink, const std::vector<Vec2> &points, bool closed = false) {
     for (std::size_t k = 0; k + 1 < points.size(); ++k) {

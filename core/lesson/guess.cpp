@@ -22,7 +22,7 @@ std::string nameOf(const CandidateTrace &candidate) {
     return candidate.node == kNoNode ? "the ideal point C" : "node " + std::to_string(index(candidate.node));
 }
 
-/// Returns the candidate nearest to a place, if it is within reach.
+/// Returns the candidate nearest to a position, if it is within reach.
 std::optional<std::size_t> candidateNear(const AdvanceExplanation &advance, Vec2 place, double base) {
     std::optional<std::size_t> nearest;
     double limit = kReach * base;
@@ -102,9 +102,9 @@ GuessReview reviewGuess(const AdvanceExplanation &advance, Vec2 guess) {
     review.distance = distance(guess, accepted->position) / base;
     review.candidate = candidateNear(advance, guess, base);
     review.same = review.candidate && advance.candidates[*review.candidate].position == accepted->position;
-    review.points = review.same ? GuessReview::kMostPoints
+    review.points = review.same ? GuessReview::kMaxPoints
                                 : static_cast<int>(std::lround(
-                                      std::clamp(GuessReview::kMostPoints - 1.0 - kLoss * review.distance, 0.0, 9.0)));
+                                      std::clamp(GuessReview::kMaxPoints - 1.0 - kLoss * review.distance, 0.0, 9.0)));
     review.words = review.same        ? praise(*accepted)
                    : review.candidate ? capitalised(whyNot(advance.candidates[*review.candidate], *accepted))
                                       : noCandidate(advance, guess, *accepted);

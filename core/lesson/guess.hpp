@@ -10,7 +10,7 @@ namespace forefront {
 
 /// A learner's guess of the apex of the next element, compared with what the method did.
 struct GuessReview {
-    static constexpr int kMostPoints = 10;
+    static constexpr int kMaxPoints = 10;
 
     bool comparable = false;              ///< false: the base was deferred, so no node was chosen
     double distance = 0.0;                ///< from the guess to the chosen node, in units of |AB|

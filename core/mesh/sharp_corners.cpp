@@ -127,7 +127,7 @@ class Bands {
     std::map<std::pair<NodeId, NodeId>, std::size_t> withSide_; // each direction of a side has one element
 };
 
-/// Distinguishes sharp elements that a gap forces from the others.
+/// Finds the sharp elements that a gap forces.
 class Gaps {
   public:
     explicit Gaps(const Mesh &mesh) : mesh_(mesh), onTagged_(mesh.nodes.size(), 0) {

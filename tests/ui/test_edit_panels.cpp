@@ -302,7 +302,7 @@ TEST_CASE("Inspector: size and growth of a boundary part are added to the spacin
     driver.rectangle({1, 1}, {9, 8});
     driver.key('V');
     driver.click("inspector/partgrowth");
-    CHECK_FALSE(ImGui::GetIO().WantTextInput); // there is no size that could grow
+    CHECK_FALSE(ImGui::GetIO().WantTextInput); // without a size there is nothing to grow
     driver.fill("inspector/partsize", "0.1");
     REQUIRE(driver.document().spacing.partSizes.contains(1));
     CHECK(driver.document().spacing.partSizes.at(1) == PartSize{0.1, 0.2});

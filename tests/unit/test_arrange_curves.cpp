@@ -225,7 +225,7 @@ TEST_CASE("arrange: a curve that runs along part of another one becomes one with
 }
 
 TEST_CASE("joinLines: chords left undivided because of a limit are reported, each with its place") {
-    // Two circles of four chords each, the second a third of a radius to the right of the first.
+    // Two circles of four chords each, the second a third of a radius to the right.
     const std::vector<Curve> curves{circle({0, 0}, 1.0), circle({0.3, 0}, 1.0)};
     std::vector<SnapLine> lines;
     std::vector<CurveStretch> stretches;

@@ -89,7 +89,7 @@ TEST_CASE("sharpCorners: reports the gap between two tips, but not a short edge 
     REQUIRE(gap.narrow.size() == 1);
     CHECK(gap.narrow[0].width == doctest::Approx(0.02).epsilon(0.01));
     CHECK(gap.narrow[0].elements == 2);
-    CHECK(gap.minAngleElsewhere == 60.0); // the others lie beside them
+    CHECK(gap.minAngleElsewhere == 60.0); // the others are next to them
     mesh.edges.push_back({node(0), node(1), 1});
     CHECK(sharpCorners(mesh, 20.0).narrow.empty());
     CHECK(sharpCorners(mesh, 20.0).minAngleElsewhere < 6.0);

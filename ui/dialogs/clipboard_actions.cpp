@@ -20,7 +20,7 @@ void copy(Shell &context) {
     context.platform.setClipboard(clipboardText(*context.document.current(), context.selection));
 }
 
-/// Inserts the drawing on the clipboard where it was copied from, or beside what already lies there.
+/// Inserts the drawing on the clipboard where it was copied from, or beside what is already there.
 void paste(Shell &context) {
     const Result<Document> drawing = readClipboard(context.platform.clipboard());
     if (!drawing) {

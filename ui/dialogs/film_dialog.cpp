@@ -109,7 +109,7 @@ FilmPlan planFor(const FilmSettings &settings, const std::filesystem::path &file
     }
     const auto from = static_cast<double>(plan.from);
     if (moment) {
-        plan.steps = 0; // the moment at the start of the range
+        plan.steps = 0; // only the start of the range
     } else if (settings.to) {
         plan.steps = static_cast<std::uint64_t>(std::llround(std::clamp(*settings.to - from, 0.0, 1e9)));
     }

@@ -59,7 +59,7 @@ class OperationDialog final : public PreviewDialog {
     Selection selection_;
     Selection made_;
     std::string stroke_;
-    std::string fault_; ///< why there is no result, and how to get one
+    std::string fault_; ///< why there is no result, and how to fix it
 };
 
 } // namespace forefront

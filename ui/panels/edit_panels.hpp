@@ -16,7 +16,7 @@ std::unique_ptr<Panel> makeMeshingPanel();
 std::unique_ptr<Panel> makeNamesPanel();
 /// Lists shapes by boundary part, and regions; hides, locks and selects them.
 std::unique_ptr<Panel> makeShapesPanel();
-/// Edits the parameters: named values that fields for numbers can use.
+/// Edits the parameters: named values that number fields can use.
 std::unique_ptr<Panel> makeParametersPanel();
 /// Lists the faults of the drawing, with links to their locations and a button to repair them.
 std::unique_ptr<Panel> makeChecksPanel();

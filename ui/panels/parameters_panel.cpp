@@ -141,7 +141,7 @@ class ParametersPanel final : public Panel {
     }
 
     std::vector<Row> rows_;
-    std::uint64_t revision_ = 0; ///< of the document that they were read from
+    std::uint64_t revision_ = 0; ///< of the document that the rows show
 };
 
 } // namespace

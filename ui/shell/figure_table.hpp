@@ -11,7 +11,7 @@ struct WidgetContext;
 
 namespace forefront::shell {
 
-/// A column of the table below views side by side.
+/// A column of the table below the compared views.
 struct FigureColumn {
     const char *id, *name, *meaning;
 };
@@ -22,7 +22,7 @@ struct FigureRow {
     std::vector<std::optional<double>> figures; ///< one per column; not set: unknown
 };
 
-/// Draws a table of figures. Those of every row but the first also show their ratio to the first.
+/// Draws a table of figures. Every row but the first also shows the ratios to the first row.
 void drawFigureTable(WidgetContext &context, std::span<const FigureColumn> columns, std::span<const FigureRow> rows);
 
 } // namespace forefront::shell

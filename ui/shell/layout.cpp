@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kMenuHeight = 34, kTimelineHeight = 78, kStatusHeight = 27;
 constexpr double kLessonWidth = 330;
-constexpr double kFiguresHeight = 66, kFiguresRow = 20; ///< of the table below runs side by side, and of a run in it
+constexpr double kFiguresHeight = 66, kFiguresRow = 20; ///< heights of the comparison table and of a row in it
 constexpr double kMinColumn = 250;                      ///< fields of a narrower column are unreadable
 
 } // namespace

@@ -7,7 +7,7 @@ struct Shell;
 
 namespace forefront::shell {
 
-/// Draws the mesh of a file that is compared with the mesh on the canvas, coloured by the same measure.
+/// Draws the mesh of a compared file, coloured by the measure of the canvas.
 void drawMeshBeside(Shell &context, CanvasPainter &painter);
 
 /// Draws the table of the figures of both meshes.

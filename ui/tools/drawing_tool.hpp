@@ -59,7 +59,7 @@ class DrawingTool : public Tool {
     NumericEntry entry_;
     Snapped pointer_;   ///< where a click would place a node now
     bool over_ = false; ///< the pointer is over the canvas
-    Vec2 place_;        ///< under the pointer, without snapping
+    Vec2 place_;        ///< position under the pointer, without snapping
     Modifiers modifiers_;
 
   private:

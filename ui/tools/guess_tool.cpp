@@ -97,7 +97,7 @@ void GuessTool::drawOverlay(CanvasPainter &painter, Shell &context) {
 void GuessTool::drawOptions(Shell &context, ui::Flow &flow) {
     flow.item("score");
     ImGui::AlignTextToFramePadding();
-    const std::string score = ui::format("%d of %d points in %d %s", points_, GuessReview::kMostPoints * guesses_,
+    const std::string score = ui::format("%d of %d points in %d %s", points_, GuessReview::kMaxPoints * guesses_,
                                          guesses_, guesses_ == 1 ? "guess" : "guesses");
     ImGui::TextUnformatted(score.c_str());
     ui::mark(context, "options/guess/score");

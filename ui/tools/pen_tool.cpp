@@ -66,7 +66,7 @@ void PenTool::release(Vec2 at, bool away, Shell &context) {
     if (state_->penMode != PenMode::Freehand) {
         return;
     }
-    if (away || hand_.size() >= 3) { // a loop ends where the press was
+    if (away || hand_.size() >= 3) { // a loop may end where it began
         finishFreehand(at, context);
     } else {
         cancel();

@@ -47,7 +47,7 @@ class PenTool final : public DrawingTool {
     bool canClose() const { return path_.size() >= (anyCurved() ? 2U : 3U); }
     bool closes(Vec2 at) const { return canClose() && at == path_.front().at; }
     void commit(Shell &context, bool closed);
-    /// Draws the path of the hand, which ends at a place.
+    /// Completes the freehand path with its end and simplifies it.
     void finishFreehand(Vec2 at, Shell &context);
     double freehandTolerance(const Shell &context) const;
     /// Returns the curves between the points placed so far.

@@ -65,7 +65,7 @@ void heading(WidgetContext &context, std::string_view text);
 /// Draws a muted label and, at a fixed column (design pixels), its value.
 void field(WidgetContext &context, std::string_view label, std::string_view value, float column = 108.0F);
 void muted(WidgetContext &context, std::string_view text);
-/// Draws the muted label at the start of a row, in a column of this width in design pixels; the field comes next.
+/// Draws the muted label of a row in a column of this width, in design pixels. Draw the field next.
 void rowLabel(WidgetContext &context, const char *text, double width);
 void small(WidgetContext &context, std::string_view text, bool wrap = false);
 /// Shows `text` while the last item is hovered.

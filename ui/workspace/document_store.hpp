@@ -24,7 +24,7 @@ class DocumentStore {
     /// opened, and stays the same during a stroke.
     std::string step() const { return std::to_string(loads_) + '/' + std::to_string(history_.position()); }
     /// Makes `next` the current document. Consecutive changes with the same non-empty `stroke` form one undo step until
-    /// endStroke(), such as a drag or a brush stroke. Numbers that were changed by hand lose their formulas. Returns
+    /// endStroke(), such as a drag or a brush stroke. Numbers that were edited directly lose their formulas. Returns
     /// false if nothing changed.
     bool apply(Document next, std::string label, std::string_view stroke = {}) {
         carryFormulas(*current(), next);

@@ -33,7 +33,7 @@ struct EnumWords<PenMode> {
 /// The kinds of items that the select tool picks.
 struct SelectionFilter {
     bool shapes = true; ///< also their segments
-    bool nodes = true;  ///< of shapes that can be picked
+    bool nodes = true;  ///< nodes of shapes that can be picked
     bool sources = true, markers = true;
 
     /// Removes items of other kinds from a selection.

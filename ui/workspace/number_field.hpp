@@ -12,8 +12,8 @@ namespace ui {
 
 /// Draws an entry() for a number or an expression of the parameters. A text without a finite value is reported beside
 /// the field and in the log, and the old value is kept. A field with an address (see core/edit/number_address.hpp)
-/// shows the formula that its number follows; a formula typed there is kept with the next command that
-/// EditState::apply() makes in this frame.
+/// shows the formula that its number follows; a formula typed there is stored by the next EditState::apply() in this
+/// frame.
 bool inputNumber(Workspace &context, std::string_view name, double &value, float width = -1.0F,
                  const std::string &address = {});
 /// The same for an optional number; without one, the field is empty and shows the hint.

@@ -114,7 +114,7 @@ class RunControl {
     DocumentStore &document_;
     MessageLog &log_;
     MeshingSession session_;
-    std::optional<SnapshotLayers> wanted_; ///< parts of the snapshots that the session was last told to fill
+    std::optional<SnapshotLayers> wanted_; ///< snapshot layers last requested from the session
     Breakpoints breakpoints_;
     std::shared_ptr<const SessionSnapshot> snapshot_;
     std::shared_ptr<const SessionSnapshot> opened_; ///< mesh of a file; null: the run's mesh is shown

@@ -20,9 +20,6 @@ class RunControl;
 /// document, or the mesh of a file.
 class SideBySide {
   public:
-    /// Maximum number of runs beside that of the document.
-    static constexpr std::size_t kMost = 2;
-
     bool visible = false;
     Comparison comparison = Comparison::Grids;
 

@@ -17,7 +17,7 @@
 
 namespace forefront {
 
-/// A formula typed into a field, until the command that sets its number.
+/// A formula typed into a field, kept until a command sets its number.
 struct EnteredFormula {
     std::string address; ///< see core/edit/number_address.hpp
     std::string text;

@@ -116,7 +116,7 @@ class Filming {
         AtomicFile file(plan_.output);
         GifWriter gif(file, sheet_.width, sheet_.height(), delay);
         Status status = forFrames([&](const FilmScene &scene, int) {
-            return gif.add(paintScene(scene)) ? Status() : file.commit(); // which only reports the fault
+            return gif.add(paintScene(scene)) ? Status() : file.commit(); // returns the write error
         });
         if (!status.empty()) {
             return status;

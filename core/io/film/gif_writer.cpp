@@ -135,7 +135,7 @@ GifWriter::GifWriter(ByteSink &sink, int width, int height, int delay) : sink_(s
 
 bool GifWriter::add(const FilmPicture &picture) {
     const Part part = changedPart(last_, picture);
-    std::string bytes("!\xf9\x04\x05", 4); // leave the frame in place; one index is transparent
+    std::string bytes("!\xf9\x04\x05", 4); // keep the frame as background; one index is transparent
     appendShort(bytes, delay_);
     bytes += static_cast<char>(kUnchangedPixel);
     bytes += std::string_view("\0,", 2);

@@ -37,7 +37,7 @@ void checkParameters(const JsonValue &object, const Document &document, JsonChec
 void overrideAll(const JsonValue &root, const std::map<std::string, std::string> &overrides, Document &document,
                  JsonCheck &check) {
     Document plain = document;
-    plain.formulas.clear(); // they are applied later, with their places in the file
+    plain.formulas.clear(); // they are applied later, where faults are reported at their lines
     const Result<Document> next = overrideParameters(plain, overrides);
     if (!next) {
         check.fault(root, next.faults().front().code, next.faults().front().message, next.faults().front().advice);

@@ -96,7 +96,7 @@ using NamedValues = std::map<std::string, double, std::less<>>;
 
 /// The names that a formula may use besides functions and constants.
 struct FormulaNames {
-    bool coordinates = true;             ///< x and y
+    bool coordinates = true;             ///< x and y are allowed
     const NamedValues *values = nullptr; ///< null: none
 };
 

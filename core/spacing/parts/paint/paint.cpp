@@ -56,8 +56,8 @@ std::optional<LatticeDisc> latticeDisc(const PaintedSpacing &paint, Vec2 centre,
     return disc;
 }
 
-/// Calls change(value, distance to the centre in pitches, column, row) for the nodes of the disc, which returns true if
-/// it changed the value. Tiles are copied before their first change, and dropped once they hold no paint.
+/// Calls change(value, distance to the centre in pitches, column, row) for each node of the disc; it must return true
+/// if it changed the value. Tiles are copied before their first change, and dropped once they hold no paint.
 template <class Change>
 void changeDisc(PaintedSpacing &paint, const LatticeDisc &disc, bool mayCreate, Change change) {
     for (std::int32_t tj = tileOf(disc.rows.first); tj <= tileOf(disc.rows.last); ++tj) {
@@ -126,7 +126,7 @@ PaintedSpacing adjusted(const PaintedSpacing &before, const Dab &dab) {
     }
     const double strength = std::min(dab.strength, 1.0), core = std::clamp(dab.hardness, 0.0, 1.0) * disc->radius;
     const bool smooths = dab.mode == DabMode::Smooth;
-    const bool extends = dab.mode == DabMode::Finer; // more than what is painted
+    const bool extends = dab.mode == DabMode::Finer; // also changes unpainted nodes
     const double ambient = extends && dab.ambient > 0.0 && std::isfinite(dab.ambient) ? dab.ambient : 0.0;
     const double octaves = (dab.mode == DabMode::Finer ? -strength : strength) / kDabsPerOctave;
     changeDisc(after, *disc, ambient > 0.0, [&](float &value, double d, std::int32_t i, std::int32_t j) {
