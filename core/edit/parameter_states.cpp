@@ -55,7 +55,7 @@ class Evaluation {
                    std::to_string(kMaxParameterName);
         }
         if (!isName(name)) {
-            return "invalid name '" + name + "'; expected a letter, then letters, digits and _";
+            return "invalid name '" + name + "'; expected a letter or _, then letters, digits and _";
         }
         if (isReservedName(name)) {
             return "the name '" + name + "' is a coordinate, a function or a constant; choose another one";

@@ -360,8 +360,7 @@ Result<Document> polarArray(const Document &document, const Selection &selection
         return status;
     }
     if (!(std::fabs(degrees) <= 360.0) || degrees == 0.0) {
-        return error("bad-number",
-                     "invalid angle " + numberText(degrees, 6) + "; expected degrees from -360 to 360, not 0",
+        return error("bad-number", "invalid angle " + numberText(degrees, 6) + "; expected -360 to 360 degrees, not 0",
                      "enter an angle such as 90");
     }
     const double step = degrees / (std::fabs(degrees) == 360.0 ? count : count - 1.0);

@@ -119,7 +119,7 @@ const std::vector<GlossaryTerm> kTerms = {
     {"deferral",
      "Deferred base",
      {"defer"},
-     "If no candidate passes, the base goes back to the list and is tried again later, when its surroundings have "
+     "If no candidate passes, the base is put back and tried again later, when its surroundings have "
      "changed.",
      {"base", "closing"},
      figures::deferral},

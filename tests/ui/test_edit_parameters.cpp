@@ -54,7 +54,7 @@ TEST_CASE("Parameters: fields accept expressions; a change updates all dependent
 TEST_CASE("Parameters: a typed formula is shown in the field, and typing a number removes it") {
     Draughtsman driver;
     addParameter(driver, "w", "4");
-    driver.rectangle({1, 1}, {5, 5}); // as wide as w already
+    driver.rectangle({1, 1}, {5, 5}); // already as wide as w
     driver.key('V');
     driver.fill("inspector/size/x", "w");
     CHECK(driver.undoLabel() == "Change formula");

@@ -21,7 +21,7 @@ TEST_CASE("Glossary: every term can be opened and shows its own figure") {
         const WidgetRegistry::Widget *const figure = driver.context().widgets.find("dialog/glossary/figure");
         REQUIRE(figure != nullptr);
         const Driver::Picture now = driver.picture();
-        std::size_t drawn = 0; // pixels that differ from the corner of the figure
+        std::size_t drawn = 0; // pixels whose colour differs from the figure's corner
         const auto at = [&](int x, int y) {
             return 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(now.size.width) +
                         static_cast<std::size_t>(x));

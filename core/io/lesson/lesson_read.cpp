@@ -122,7 +122,7 @@ class LessonReader {
         for (const char *member : {"method", "grid", "improve", "position"}) {
             if (const auto value = item.find(member)) {
                 check_.fault(*value, "no-document", inQuotes(member) + " has no effect without a document",
-                             "add \"document\" to this page or to one before");
+                             "add \"document\" to this page or to an earlier one");
             }
         }
     }

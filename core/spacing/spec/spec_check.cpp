@@ -79,7 +79,7 @@ void checkPartSizes(const std::map<std::int32_t, PartSize> &sizes, Diagnostics &
         if (!size || !isNotNegative(part.growth)) {
             const std::string what = size ? "growth " + text(part.growth) : "size " + text(part.size);
             faults.push_back(error("bad-source",
-                                   "the boundary part with tag " + std::to_string(tag) + " has the " + what +
+                                   "the boundary part with tag " + std::to_string(tag) + " has " + what +
                                        "; expected a number " + (size ? "of at least 0" : "above 0"),
                                    "enter a length in domain units, or leave the field empty")
                                  .front());
