@@ -233,11 +233,12 @@ Result<MeshFields> readFields(const std::filesystem::path &path, const ImportOpt
                 Result<MeshFields> fields = format.readFields(source);
                 if (fields) {
                     dropInfinite(fields->fields);
+                    dropInfinite(fields->elementFields);
                 }
                 return fields;
             }
             Result<Mesh> mesh = format.readMesh(source);
-            return mesh ? Result<MeshFields>(MeshFields{std::move(*mesh), {}}) : mesh.faults();
+            return mesh ? Result<MeshFields>(MeshFields{std::move(*mesh), {}, {}}) : mesh.faults();
         });
 }
 

@@ -53,8 +53,8 @@ Diagnostics locateFaults(const std::filesystem::path &path, Diagnostics faults, 
 /// Reads a mesh: MSH 2.2 (ASCII) or 4.1, VTU, VTK legacy, MEDIT, Abaqus, SU2, Triangle .node/.ele, OBJ, Netgen.
 Result<Mesh> readMesh(const std::filesystem::path &path, const ImportOptions &options = {},
                       ImportNotes *notes = nullptr);
-/// Reads a mesh and all its scalar nodal values: point data of VTU and VTK legacy files, $NodeData of MSH; none for
-/// other formats. Values are NaN where the file has none.
+/// Reads a mesh and all its scalar values of nodes and elements: point and cell data of VTU and VTK legacy files,
+/// $NodeData and $ElementData of MSH; none for other formats. Values are NaN where the file has none.
 Result<MeshFields> readFields(const std::filesystem::path &path, const ImportOptions &options = {},
                               ImportNotes *notes = nullptr);
 /// Reads a mesh and the nodal values with this name: point data of VTU and VTK legacy files, $NodeData of MSH.

@@ -23,7 +23,7 @@ struct Format {
     Result<Domain> (*readDomain)(const SourceText &) = nullptr;     ///< null: the domain of its mesh, if it has one
     Result<Mesh> (*readMesh)(const SourceText &) = nullptr;
     Result<SpacingSpec> (*readSpacing)(const SourceText &) = nullptr;
-    Result<MeshFields> (*readFields)(const SourceText &) = nullptr; ///< null: holds no nodal values
+    Result<MeshFields> (*readFields)(const SourceText &) = nullptr; ///< null: holds no values
     void (*writeMesh)(const Mesh &, TextWriter &) = nullptr;
     /// Returns notes on what the format changes in the mesh, such as names; null: it changes nothing.
     Diagnostics (*noteChanges)(const Mesh &) = nullptr;

@@ -219,7 +219,7 @@ TEST_CASE("Judge: elements, edges and nodes have the colours of their values") {
 
 TEST_CASE("Judge: nodal values of a file are shown smoothly, with contour lines") {
     JudgedSquare maker;
-    MeshFields made{maker.mesh(), {}};
+    MeshFields made{maker.mesh(), {}, {}};
     for (const Vec2 place : made.mesh.nodes) {
         made.fields["heat"].push_back(place.x);
     }
@@ -230,11 +230,11 @@ TEST_CASE("Judge: nodal values of a file are shown smoothly, with contour lines"
     showLayer(driver.context().layers, "mesh", false);
     driver.settle();
     driver.click("panel/histogram");
-    chooseField(driver.context(), "heat");
+    chooseField(driver.context(), MeshPart::Nodes, "heat");
     driver.moveTo({5, 5});
     driver.settle();
     const Judgement &judgement = *driver.context().judgement;
-    REQUIRE(judgement.of.nodal);
+    REQUIRE(judgement.of.fieldValues);
     CHECK(judgement.summary.minimum == 1.0);
     CHECK(judgement.summary.maximum == 9.0);
     CHECK(driver.has("canvas/legend/quality"));
@@ -248,7 +248,51 @@ TEST_CASE("Judge: nodal values of a file are shown smoothly, with contour lines"
     }
     chooseMeasure(driver.context(), Measure::MinAngle);
     driver.settle();
-    CHECK_FALSE(driver.context().judgement->of.nodal);
+    CHECK_FALSE(driver.context().judgement->of.fieldValues);
+}
+
+TEST_CASE("Judge: values of elements in a file colour their elements, with histogram and probe") {
+    JudgedSquare maker;
+    MeshFields made{maker.mesh(), {}, {}};
+    for (std::size_t e = 0; e < made.mesh.elements.size(); ++e) {
+        made.elementFields["flux"].push_back(static_cast<double>(e % 10));
+    }
+    made.fields["flux"].assign(made.mesh.nodes.size(), 1.0);
+    Draughtsman driver;
+    driver.context().run.showFile(made);
+    driver.context().view.fit(made.mesh.bounds());
+    showLayer(driver.context().layers, "quality", true);
+    showLayer(driver.context().layers, "mesh", false);
+    driver.settle();
+    driver.click("panel/histogram");
+    driver.click("histogram/measure");
+    driver.settle();
+    CHECK(driver.has("histogram/measure/flux"));
+    CHECK(driver.has("histogram/measure/flux (elements)"));
+    driver.key(key::kEscape);
+    driver.settle();
+    chooseField(driver.context(), MeshPart::Elements, "flux");
+    driver.moveTo({5, 5});
+    driver.settle();
+    const Judgement &judgement = *driver.context().judgement;
+    REQUIRE(judgement.of.fieldValues);
+    CHECK(judgement.info.part == MeshPart::Elements);
+    CHECK(judgement.summary.count == made.mesh.elements.size());
+    CHECK(judgement.summary.maximum == 9.0);
+    CHECK(driver.has("canvas/legend/quality"));
+    const Driver::Picture picture = driver.picture();
+    for (std::size_t e = 0; e < 20; ++e) {
+        CAPTURE(e);
+        const Element &n = made.mesh.elements[e];
+        const Vec2 middle =
+            (1.0 / 3.0) * (made.mesh.nodes[index(n[0])] + made.mesh.nodes[index(n[1])] + made.mesh.nodes[index(n[2])]);
+        const Colour expected = viridis(static_cast<double>(e % 10) / 9.0);
+        CHECK(difference(colourAt(picture, driver.pixel(middle)), expected) <= 3);
+    }
+    goToPart(driver.context(), {MeshPart::Elements, 7});
+    driver.settle();
+    const auto rows = describePart(driver.context(), {MeshPart::Elements, 7});
+    CHECK(std::find(rows.begin(), rows.end(), std::pair<std::string, std::string>("flux", "7")) != rows.end());
 }
 
 TEST_CASE("Judge: the histogram shows the chosen measure, and a bar isolates its parts") {

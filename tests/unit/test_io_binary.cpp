@@ -90,6 +90,27 @@ TEST_CASE("Binary MSH: nodal values are read as field and as spacing") {
     CHECK(negative.faults().front().message.ends_with("at byte " + std::to_string(values + 28)));
 }
 
+TEST_CASE("Binary MSH: values of triangles are read in the order of the mesh") {
+    const Mesh mesh = twoRegionMesh();
+    std::string bytes = written(writeMsh4Binary, mesh);
+    const auto all = static_cast<std::int32_t>(mesh.points.size() + mesh.edges.size() + mesh.elements.size());
+    bytes += "$ElementData\n1\n\"flux\"\n1\n0\n3\n0\n1\n" + std::to_string(all) + "\n";
+    for (std::int32_t element = all; element >= 1; --element) {
+        const double value = element;
+        bytes.append(reinterpret_cast<const char *>(&element), sizeof element);
+        bytes.append(reinterpret_cast<const char *>(&value), sizeof value);
+    }
+    bytes += "\n$EndElementData\n";
+    const Result<MeshFields> read = readMshFields(sourceOf(bytes));
+    REQUIRE_MESSAGE(read.ok(), messages(read.faults()));
+    CHECK(difference(mesh, read->mesh) == "");
+    const std::vector<double> &flux = read->elementFields.at("flux");
+    REQUIRE(flux.size() == mesh.elements.size());
+    for (std::size_t e = 1; e < flux.size(); ++e) {
+        CHECK(flux[e] > flux[e - 1]); // the writer numbers them in order
+    }
+}
+
 TEST_CASE("Binary MSH: refuses impossible values with their byte") {
     const Mesh mesh = twoRegionMesh(4, 2);
     const std::string bytes = written(writeMsh4Binary, mesh);

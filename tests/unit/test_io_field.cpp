@@ -107,3 +107,62 @@ TEST_CASE("readFields: infinite values are absent") {
     CHECK(std::isnan(heat[1]));
     CHECK(std::isnan(heat[2]));
 }
+
+TEST_CASE("readMshFields: values of triangles by number; those of other elements are left out") {
+    const std::string mesh = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
+                             "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n$EndNodes\n"
+                             "$Elements\n3\n5 1 2 1 1 1 2\n7 2 2 1 1 1 2 3\n9 2 2 1 1 1 3 4\n$EndElements\n";
+    const std::string head = "$ElementData\n1\n\"flux\"\n1\n0\n3\n0\n";
+    const auto read = readMshFields(sourceOf(mesh + head + "1\n3\n9 2.5\n5 8\n7 -1\n$EndElementData\n"));
+    REQUIRE_MESSAGE(read.ok(), messages(read.faults()));
+    CHECK(read->fields.empty());
+    REQUIRE(read->elementFields.contains("flux"));
+    CHECK(read->elementFields.at("flux") == std::vector<double>{-1, 2.5});
+    ImportNotes notes;
+    const std::string vectors = mesh + head + "3\n1\n7 1 2 3\n$EndElementData\n";
+    SourceText source = sourceOf(vectors);
+    source.notes = &notes;
+    const auto left = readMshFields(source);
+    REQUIRE(left.ok());
+    CHECK(left->elementFields.empty());
+    REQUIRE(notes.entries().size() == 1);
+    CHECK(notes.entries().front().message.find("'flux' is ignored: it has 3 components") != std::string::npos);
+    CHECK(allLocated(readMshFields(sourceOf(mesh + head + "1\n2\n7 1\n$EndElementData\n")).faults()));
+}
+
+TEST_CASE("readVtkFields: values of triangles without those of lines, and no tags") {
+    const std::string text = "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+                             "POINTS 3 double\n0 0 0 1 0 0 0 1 0\nCELLS 2 7\n2 0 1\n3 0 1 2\nCELL_TYPES 2\n3\n5\n"
+                             "CELL_DATA 2\nSCALARS region int 1\nLOOKUP_TABLE default\n0\n4\n"
+                             "SCALARS flux double 1\nLOOKUP_TABLE default\n7\n-0.5\nVECTORS v double\n1 2 3 4 5 6\n";
+    ImportNotes notes;
+    SourceText source = sourceOf(text);
+    source.notes = &notes;
+    const auto read = readVtkFields(source);
+    REQUIRE_MESSAGE(read.ok(), messages(read.faults()));
+    CHECK(read->mesh.region(0) == 4);
+    CHECK(read->elementFields == NamedFields{{"flux", {-0.5}}});
+    REQUIRE(notes.entries().size() == 1);
+    CHECK(notes.entries().front().message.find("'v' is ignored: it has 3 components") != std::string::npos);
+}
+
+TEST_CASE("readVtuFields: cell data of triangles; arrays that are not read are noted") {
+    const std::string head = "<VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid><Piece NumberOfPoints=\"3\" "
+                             "NumberOfCells=\"1\"><CellData>"
+                             "<DataArray type=\"Float64\" Name=\"flux\">0.25</DataArray>"
+                             "<DataArray type=\"Float64\" Name=\"v\" NumberOfComponents=\"3\">1 2 3</DataArray>"
+                             "<DataArray type=\"String\" Name=\"note\">x</DataArray>"
+                             "<DataArray type=\"Float64\" Name=\"long\">1 2</DataArray></CellData><PointData>";
+    ImportNotes notes;
+    const std::string text = head + kVtuTail;
+    SourceText source = sourceOf(text);
+    source.notes = &notes;
+    const auto read = readVtuFields(source);
+    REQUIRE_MESSAGE(read.ok(), messages(read.faults()));
+    CHECK(read->elementFields == NamedFields{{"flux", {0.25}}});
+    std::vector<std::string> codes;
+    for (const ImportNote &note : notes.entries()) {
+        codes.push_back(note.code);
+    }
+    CHECK(codes == std::vector<std::string>{"vector-values", "array-type", "array-length"});
+}

@@ -47,7 +47,7 @@ std::uint64_t versionOf(const LayerFrame &frame) {
     hash.add(static_cast<std::uint64_t>(frame.judgement.of.measure));
     hash.add(reinterpret_cast<std::uintptr_t>(frame.judgement.of.spacing.get()));
     hash.add(static_cast<std::uint64_t>(frame.judgement.values.size()));
-    hash.add(reinterpret_cast<std::uintptr_t>(frame.judgement.of.nodal.get()));
+    hash.add(reinterpret_cast<std::uintptr_t>(frame.judgement.of.fieldValues.get()));
     hash.add(frame.measureRange.from);
     hash.add(frame.measureRange.to);
     return hash.value();
@@ -100,11 +100,11 @@ class ElementPainter {
         version.add(static_cast<std::uint64_t>(judgement.of.measure));
         version.add(reinterpret_cast<std::uintptr_t>(judgement.of.spacing.get()));
         version.add(static_cast<std::uint64_t>(judgement.values.size()));
-        version.add(reinterpret_cast<std::uintptr_t>(judgement.of.nodal.get()));
+        version.add(reinterpret_cast<std::uintptr_t>(judgement.of.fieldValues.get()));
         return {.part = info.part,
                 .values = judgement.values,
                 .edges = judgement.edges.get(),
-                .smooth = judgement.of.nodal != nullptr,
+                .smooth = judgement.of.fieldValues && info.part == MeshPart::Nodes,
                 .logarithmic = info.logarithmic,
                 .version = version.value()};
     }

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <string>
 #include <vector>
 
 namespace forefront {
@@ -53,12 +55,34 @@ class HistogramPanel final : public Panel {
   private:
     /// Returns why there are no values.
     static const char *noneText(const Judgement &judgement) {
-        if (judgement.of.nodal) {
-            return "The nodes have no values.";
+        if (judgement.of.fieldValues) {
+            return judgement.of.fieldPart == MeshPart::Nodes ? "The nodes have no values."
+                                                             : "The elements have no values.";
         }
         return judgement.of.measure == Measure::Across
                    ? "No parts of the boundary face each other."
                    : "This measure compares the mesh with the node spacing \xcf\x81, but there is none.";
+    }
+
+    /// A field of the file, as an entry of the list of measures.
+    struct FieldChoice {
+        MeshPart part;
+        std::string name, label;
+    };
+
+    static std::vector<FieldChoice> fieldChoices(const RunControl &run) {
+        std::vector<FieldChoice> choices;
+        const std::shared_ptr<const FileFields> fields = run.fields();
+        if (fields) {
+            for (const auto &[name, values] : fields->nodes) {
+                choices.push_back({MeshPart::Nodes, name, name});
+            }
+            for (const auto &[name, values] : fields->elements) {
+                const bool twice = fields->nodes.contains(name);
+                choices.push_back({MeshPart::Elements, name, twice ? name + " (elements)" : name});
+            }
+        }
+        return choices;
     }
 
     static void drawChoice(Workspace &context) {
@@ -66,22 +90,27 @@ class HistogramPanel final : public Panel {
         for (const Measure measure : valuesOf<Measure>()) {
             labels.push_back(infoOf(measure).name);
         }
-        int choice = static_cast<int>(context.view.measure);
-        const std::shared_ptr<const NamedFields> fields = context.run.fields();
-        if (fields) {
-            for (const auto &[name, values] : *fields) {
-                choice = name == context.view.field ? static_cast<int>(labels.size()) : choice;
-                labels.push_back(name.c_str());
-            }
+        const std::size_t measures = labels.size();
+        auto choice = static_cast<int>(context.view.measure);
+        const std::vector<FieldChoice> fields = fieldChoices(context.run);
+        for (const FieldChoice &field : fields) {
+            const bool shown = field.name == context.view.field && field.part == context.view.fieldPart;
+            choice = shown ? static_cast<int>(labels.size()) : choice;
+            labels.push_back(field.label.c_str());
         }
         if (ui::combo(context, "histogram/measure", labels, choice, 118.0F)) {
-            constexpr auto kMeasures = static_cast<int>(wordsOf<Measure>().size());
-            choice < kMeasures ? chooseMeasure(context, static_cast<Measure>(choice))
-                               : chooseField(context, labels[static_cast<std::size_t>(choice)]);
+            const auto chosen = static_cast<std::size_t>(choice);
+            if (chosen < measures) {
+                chooseMeasure(context, static_cast<Measure>(choice));
+            } else {
+                chooseField(context, fields[chosen - measures].part, fields[chosen - measures].name);
+            }
         }
-        ui::tooltip(context, (context.view.field.empty() ? std::string(infoOf(context.view.measure).meaning)
-                                                         : "Nodal values of the file") +
-                                 "\nThe Quality layer shows it in colour");
+        const std::string meaning =
+            context.view.field.empty()
+                ? std::string(infoOf(context.view.measure).meaning)
+                : "Values of the " + std::string(wordOf(context.view.fieldPart)) + "s in the file";
+        ui::tooltip(context, meaning + "\nThe Quality layer shows it in colour");
     }
 
     static void drawSummary(Workspace &context, const Judgement &judgement) {

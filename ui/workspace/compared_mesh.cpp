@@ -22,8 +22,8 @@ ComparedMesh::ComparedMesh(std::string name, Mesh mesh, std::function<void()> wa
 
 bool ComparedMesh::follow(JudgeRequest request) {
     request.mesh = view_;
-    request.field.clear(); // nodal values belong to the other mesh
-    request.nodal = nullptr;
+    request.field.clear(); // the values belong to the other mesh
+    request.fieldValues = nullptr;
     request.limits = {};
     request.verify = false;
     request.parts = true;

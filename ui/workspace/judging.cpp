@@ -13,7 +13,7 @@ namespace forefront {
 
 namespace {
 
-/// The measure whose colours and linear scale nodal values use; it has no good or bad end.
+/// The measure whose colours and linear scale fields use; it has no good or bad end.
 constexpr Measure kFieldScale = Measure::Birth;
 
 } // namespace
@@ -28,11 +28,11 @@ JudgeRequest judgeRequest(const Workspace &context) {
     request.spacing = shown.spacing || !context.run.showsFile() ? shown.spacing : context.preview->spacing;
     request.measure = context.view.measure;
     if (const auto fields = context.run.fields(); fields && !context.view.field.empty()) {
-        const auto field = fields->find(context.view.field);
-        if (field != fields->end()) {
+        if (const auto *const values = fields->find(context.view.fieldPart, context.view.field)) {
             request.measure = kFieldScale;
-            request.field = field->first;
-            request.nodal = {fields, &field->second};
+            request.field = context.view.field;
+            request.fieldPart = context.view.fieldPart;
+            request.fieldValues = {fields, values};
         }
     }
     request.limits = context.document.current()->limits;
@@ -44,7 +44,8 @@ JudgeRequest judgeRequest(const Workspace &context) {
 ColourRange measureRange(const Workspace &context) {
     const Judgement &judgement = *context.judgement;
     const bool current = judgement.of.field.empty() ? judgement.of.measure == context.view.measure
-                                                    : judgement.of.field == context.view.field;
+                                                    : judgement.of.field == context.view.field &&
+                                                          judgement.of.fieldPart == context.view.fieldPart;
     return current && context.view.measureRange ? *context.view.measureRange : judgement.fitted;
 }
 
@@ -59,8 +60,9 @@ void chooseMeasure(Workspace &context, Measure measure) {
     }
 }
 
-void chooseField(Workspace &context, const std::string &name) {
+void chooseField(Workspace &context, MeshPart part, const std::string &name) {
     context.view.field = name;
+    context.view.fieldPart = part;
     context.view.measureRange.reset();
     context.view.isolatedBin.reset();
     context.probe.rank.reset();
@@ -68,7 +70,7 @@ void chooseField(Workspace &context, const std::string &name) {
 }
 
 std::string valueText(const Judgement &judgement, double value, int digits) {
-    return judgement.of.nodal ? ui::number(value, digits) : measureText(judgement.of.measure, value, digits);
+    return judgement.of.fieldValues ? ui::number(value, digits) : measureText(judgement.of.measure, value, digits);
 }
 
 void goToPart(Workspace &context, const MeshPick &pick) {

@@ -25,8 +25,8 @@ ColourRange measureRange(const Workspace &context);
 /// Chooses the measure to show; resets the colour range and the isolated bar of the previous one.
 void chooseMeasure(Workspace &context, Measure measure);
 
-/// Chooses nodal values of the opened mesh, which are shown instead of a measure.
-void chooseField(Workspace &context, const std::string &name);
+/// Chooses values of nodes or elements of the opened mesh, which are shown instead of a measure.
+void chooseField(Workspace &context, MeshPart part, const std::string &name);
 
 /// Formats a value of the measure or field that a judgement shows, with its unit.
 std::string valueText(const Judgement &judgement, double value, int digits = 4);

@@ -28,14 +28,14 @@ BoxTree treeOf(const Mesh &mesh) {
     return BoxTree(boxes);
 }
 
-/// Summarises the nodal values on a linear scale from their minimum to their maximum.
-void showNodal(Judgement &judgement) {
+/// Summarises the values of a field on a linear scale from their minimum to their maximum.
+void showField(Judgement &judgement) {
     constexpr std::size_t kBins = 40;
     judgement.name = judgement.of.field;
-    judgement.info.part = MeshPart::Nodes;
+    judgement.info.part = judgement.of.fieldPart;
     judgement.info.symbol = "value";
     judgement.info.minimum = -std::numeric_limits<double>::infinity();
-    judgement.values = *judgement.of.nodal;
+    judgement.values = *judgement.of.fieldValues;
     const MeasureSummary summary = summarise(judgement.values);
     judgement.summary = summary;
     const double narrowest = 1e-9 * std::max(std::abs(summary.minimum), std::abs(summary.maximum));
@@ -52,8 +52,8 @@ void measureInto(Judgement &judgement) {
     const MeshEdges &edges = judgement.edges ? *judgement.edges : kNoEdges;
     judgement.name = infoOf(of.measure).name;
     judgement.info = infoOf(of.measure);
-    if (of.nodal) {
-        showNodal(judgement);
+    if (of.fieldValues) {
+        showField(judgement);
         return;
     }
     judgement.values = measureValues(of.measure, of.mesh->mesh, edges, of.spacing.get());

@@ -22,11 +22,12 @@ namespace forefront {
 
 /// A request to evaluate a mesh.
 struct JudgeRequest {
-    std::shared_ptr<const MeshView> mesh;             ///< null: nothing to evaluate
-    std::shared_ptr<const SpacingField> spacing;      ///< may be null
-    Measure measure = Measure::ShapeFactor;           ///< whose values are computed
-    std::string field;                                ///< name of `nodal`; empty: none
-    std::shared_ptr<const std::vector<double>> nodal; ///< nodal values to show instead; null: none
+    std::shared_ptr<const MeshView> mesh;                   ///< null: nothing to evaluate
+    std::shared_ptr<const SpacingField> spacing;            ///< may be null
+    Measure measure = Measure::ShapeFactor;                 ///< whose values are computed
+    MeshPart fieldPart = MeshPart::Nodes;                   ///< that has `fieldValues`: nodes or elements
+    std::string field;                                      ///< name of `fieldValues`; empty: none
+    std::shared_ptr<const std::vector<double>> fieldValues; ///< values to show instead; null: none
     MeshLimits limits;
     bool verify = false;  ///< also check the mesh for faults
     bool parts = false;   ///< also build the tree that finds the parts at a position
@@ -42,8 +43,8 @@ struct Judgement {
     std::shared_ptr<const MeshEdges> edges;
     std::shared_ptr<const BoxTree> tree;             ///< over the boxes of the elements; null unless `parts`
     std::vector<double> values;                      ///< of the measure
-    std::string name;                                ///< of the measure or the nodal values
-    MeasureInfo info = infoOf(Measure::ShapeFactor); ///< of the measure, or of nodal values
+    std::string name;                                ///< of the measure or the field
+    MeasureInfo info = infoOf(Measure::ShapeFactor); ///< of the measure or the field
     MeasureSummary summary;
     MeasureHistogram histogram;       ///< over all values
     ColourRange fitted;               ///< range of the colours that shows the differences within the mesh

@@ -46,6 +46,9 @@ class PartReader {
         rows.emplace_back("Nodes", nodeText(nodes[0]) + "  " + nodeText(nodes[1]) + "  " + nodeText(nodes[2]));
         const std::int32_t tag = mesh_.region(number);
         rows.emplace_back("Region", tagText(tag, regionName(mesh_.regionNames, tag)));
+        if (judgement_.of.fieldValues && judgement_.info.part == MeshPart::Elements) {
+            rows.emplace_back(judgement_.name, ui::number(judgement_.values[number], 6));
+        }
         return rows;
     }
 
@@ -90,7 +93,7 @@ class PartReader {
                   {"Valence", std::to_string(around.size())},
                   {"Elements", elements},
                   {"Location", boundary ? "on the boundary" : "inside"}};
-        if (judgement_.of.nodal) {
+        if (judgement_.of.fieldValues && judgement_.info.part == MeshPart::Nodes) {
             rows.emplace_back(judgement_.name, ui::number(judgement_.values[number], 6));
         }
         return rows;

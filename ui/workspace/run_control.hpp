@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/io/common/mesh_field.hpp"
+#include "core/mesh/measures.hpp"
 #include "core/mesher/options.hpp"
 #include "core/session/meshing_session.hpp"
 
@@ -10,12 +11,21 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace forefront {
 
 class DocumentStore;
 struct Document;
 class MessageLog;
+
+/// The scalar values that the file of a mesh holds, by name.
+struct FileFields {
+    NamedFields nodes, elements;
+
+    /// Returns the values with this name, one for each node or element; null if there are none.
+    const std::vector<double> *find(MeshPart part, const std::string &name) const;
+};
 
 /// Controls the meshing run for the user interface: starts runs from the document, holds speed and granularity, and
 /// knows whether the mesh is out of date. Call all members from the UI thread; none of them blocks.
@@ -45,10 +55,10 @@ class RunControl {
     /// Returns the snapshot of this frame; it does not change within a frame.
     const SessionSnapshot &now() const { return *snapshot(); }
     const std::shared_ptr<const SessionSnapshot> &snapshot() const { return opened_ ? opened_ : snapshot_; }
-    /// Shows a mesh that was read from a file, with its nodal values, until a run starts.
+    /// Shows a mesh that was read from a file, with its values, until a run starts.
     void showFile(MeshFields read);
-    /// Returns the nodal values of the mesh shown, one for each of its nodes; null if there are none.
-    std::shared_ptr<const NamedFields> fields() const { return opened_ ? fields_ : nullptr; }
+    /// Returns the values of the mesh shown, one for each of its nodes or elements; null if there are none.
+    std::shared_ptr<const FileFields> fields() const { return opened_ ? fields_ : nullptr; }
     /// Returns true if the mesh shown was read from a file.
     bool showsFile() const { return opened_ != nullptr; }
     void want(SnapshotLayers layers);
@@ -118,7 +128,7 @@ class RunControl {
     Breakpoints breakpoints_;
     std::shared_ptr<const SessionSnapshot> snapshot_;
     std::shared_ptr<const SessionSnapshot> opened_; ///< mesh of a file; null: the run's mesh is shown
-    std::shared_ptr<const NamedFields> fields_;     ///< nodal values of that mesh; null: none
+    std::shared_ptr<const FileFields> fields_;      ///< values of that mesh; null: none
     std::uint64_t openedCount_ = 0;
     /// The document revision and options that a run was started with.
     struct Start {

@@ -42,7 +42,8 @@ struct View {
     TraceMode traceMode = TraceMode::Birth;
     bool runPlot = false;                    ///< show the curves of the run above the timeline
     Measure measure = Measure::ShapeFactor;  ///< that the histogram shows and the layer "quality" colours by
-    std::string field;                       ///< nodal values shown instead of the measure; empty: none
+    MeshPart fieldPart = MeshPart::Nodes;    ///< that has the values of `field`: nodes or elements
+    std::string field;                       ///< values of the file shown instead of the measure; empty: none
     std::optional<int> isolatedBin;          ///< bin of the histogram whose parts are shown alone
     std::optional<ColourRange> measureRange; ///< of the colours of the measure; not set: it fits the mesh
 

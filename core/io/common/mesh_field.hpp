@@ -18,13 +18,14 @@ struct MeshField {
     std::vector<double> values;
 };
 
-/// Scalar nodal values by name, as stored in a file; NaN where it has no value.
+/// Scalar values of nodes or elements by name, as stored in a file; NaN where it has no value.
 using NamedFields = std::map<std::string, std::vector<double>>;
 
-/// A mesh with all its scalar nodal values; NaN where a node has none.
+/// A mesh with all its scalar values of nodes and elements; NaN where one has none.
 struct MeshFields {
     Mesh mesh;
-    NamedFields fields;
+    NamedFields fields;        ///< of nodes
+    NamedFields elementFields; ///< one value per element
 };
 
 /// Returns the mesh with one of its fields. Faults: "no-field", which lists the fields of the file, and

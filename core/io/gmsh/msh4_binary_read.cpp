@@ -212,25 +212,4 @@ bool MshFile::readElementBlockBinary(ByteScanner &bytes, std::size_t &left) {
     return rows != nullptr;
 }
 
-/// Reads the values of $NodeData: four-byte node numbers, each followed by its value.
-bool MshFile::readValuesBinary(std::size_t count, MshValues &field) {
-    ByteScanner bytes(scanner_);
-    for (std::size_t k = 0; k < count; ++k) {
-        const std::size_t place = bytes.offset();
-        std::int32_t number = 0;
-        double value = 0.0;
-        NodeId node = kNoNode;
-        if (!bytes.number(number, {"nodal value", k + 1}) || !bytes.number(value, {"nodal value", k + 1}) ||
-            !findNode(number, node, place)) {
-            return false;
-        }
-        if (!std::isfinite(value)) {
-            return bytes.fail(place + kInt, "non-finite", "nodal value " + std::to_string(k + 1) + " must be finite");
-        }
-        field.set(node, value, place + kInt);
-    }
-    values_.push_back(std::move(field));
-    return true;
-}
-
 } // namespace forefront

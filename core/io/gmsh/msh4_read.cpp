@@ -167,6 +167,7 @@ void MshFile::restoreOrder() {
         const auto positions = order(elementNumbers_);
         apply(builder_.mesh.elements, positions);
         apply(builder_.mesh.regions, positions);
+        apply(elementNumbers_, positions);
     }
 }
 

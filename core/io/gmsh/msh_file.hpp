@@ -21,18 +21,18 @@ inline constexpr std::int32_t kMshLine = 1, kMshTriangle = 2, kMshPoint = 15;
 /// Returns a number below 1 that stands for the tag of an entity without a physical group until all groups are known.
 std::int32_t ungrouped(std::int64_t entity);
 
-/// Nodal values of a $NodeData section with one component.
+/// Values of a $NodeData or $ElementData section with one component.
 struct MshValues {
     std::string name;
     std::size_t offset = 0;
-    std::vector<double> values;                       ///< per node; NaN where the section has none
+    std::vector<double> values;                       ///< per node or element; NaN where the section has none
     std::size_t notPositive = std::string_view::npos; ///< offset of the first value that is 0 or less
 
-    void set(NodeId node, double value, std::size_t place) {
+    void set(std::size_t item, double value, std::size_t place) {
         if (!(value > 0.0)) {
             notPositive = std::min(notPositive, place);
         }
-        values[index(node)] = value;
+        values[item] = value;
     }
 };
 
@@ -48,12 +48,19 @@ class MshFile {
     PlanarMeshBuilder &builder() { return builder_; }
     /// Returns the nodal values in the order of the file.
     const std::vector<MshValues> &values() const { return values_; }
+    /// Returns the values of triangles in the order of the file.
+    const std::vector<MshValues> &elementValues() const { return elementValues_; }
 
   private:
     bool readSection(std::string_view name);
     bool readFormat();
     bool readNames();
-    bool readNodeData();
+    /// Reads the values of a section, with those of nodes or of elements.
+    bool readData(bool ofNodes);
+    bool readDataHeader(MshValues &field, std::size_t &count, std::int64_t &components);
+    bool readValue(bool ofNodes, std::size_t k, MshValues &field);
+    /// Finds a triangle by its number; false if there is none.
+    bool findElement(std::int64_t number, std::size_t &element);
     bool readComments();
     bool skipSection(std::string_view name);
 
@@ -81,7 +88,7 @@ class MshFile {
     bool findNode(std::int64_t number, NodeId &node, std::size_t place);
     void addConnection(std::int32_t type, const Element &nodes, std::int32_t tag, std::int64_t number);
     bool readElementBlockBinary(ByteScanner &bytes, std::size_t &left);
-    bool readValuesBinary(std::size_t count, MshValues &field);
+    bool readValuesBinary(bool ofNodes, std::size_t count, MshValues &field);
 
     /// Stores the nodes in the order of their numbers.
     bool takeNodes(std::vector<NumberedNode> nodes);
@@ -99,13 +106,15 @@ class MshFile {
 
     TextScanner scanner_;
     PlanarMeshBuilder builder_;
-    std::vector<MshValues> values_;
+    std::vector<MshValues> values_, elementValues_;
+    NodeTable elementTable_;        ///< of elementNumbers_, once a section needs it
     std::vector<MshGroup> origins_; ///< groups that our writer renumbered or renamed
     bool version4_ = false, binary_ = false, formatRead_ = false, nodesRead_ = false, elementsRead_ = false;
     std::map<std::pair<int, std::int64_t>, std::int32_t> physical_; ///< by dimension and entity
     std::array<std::map<std::int32_t, std::string>, 4> names_;      ///< of physical groups, by dimension
     std::size_t elementsOffset_ = 0;                                ///< of $Elements
-    std::vector<std::int64_t> edgeNumbers_, elementNumbers_;        ///< MSH 4.1: as in the file
+    std::vector<std::int64_t> edgeNumbers_;                         ///< MSH 4.1: as in the file
+    std::vector<std::int64_t> elementNumbers_;                      ///< of the triangles of the mesh
 };
 
 } // namespace forefront

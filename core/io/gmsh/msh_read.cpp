@@ -59,7 +59,9 @@ bool MshFile::readSection(std::string_view name) {
     } else if (name == "Entities" && version4_) {
         done = binary_ ? readEntitiesBinary() : readEntities4();
     } else if (name == "NodeData" && nodesRead_) {
-        done = readNodeData();
+        done = readData(true);
+    } else if (name == "ElementData" && elementsRead_) {
+        done = readData(false);
     } else if (name == "Comments") {
         return readComments();
     } else {
@@ -183,7 +185,13 @@ bool MshFile::readElement2(std::size_t number) {
         (t == 0 ? group : entity) = t < 2 ? std::abs(tag) : entity;
     }
     const std::int32_t tag = group > 0 ? static_cast<std::int32_t>(group) : ungrouped(entity);
-    return readConnection(type, tag, typeOffset, expect);
+    if (!readConnection(type, tag, typeOffset, expect)) {
+        return false;
+    }
+    if (type == kMshTriangle) {
+        elementNumbers_.push_back(id);
+    }
+    return true;
 }
 
 bool MshFile::readConnection(std::int64_t type, std::int32_t tag, std::size_t typeOffset, Expect expect) {
@@ -203,69 +211,6 @@ bool MshFile::failType(const std::string &what, std::int64_t type, std::size_t p
     return scanner_.fail(place, "unknown-element",
                          what + " is of MSH type " + std::to_string(type) +
                              "; only points, 2-node lines and 3-node triangles can be read");
-}
-
-bool MshFile::readNodeData() {
-    const std::size_t place = scanner_.offset();
-    std::size_t strings = 0, reals = 0, integers = 0, count = 0;
-    std::string_view text;
-    MshValues field;
-    field.offset = place;
-    double number = 0.0;
-    if (!scanner_.count(strings, 2, {"the number of string tags"})) {
-        return false;
-    }
-    for (std::size_t k = 0; k < strings; ++k) {
-        if (!scanner_.quotedWord(text, {"a string tag"})) {
-            return false;
-        }
-        field.name = k == 0 ? std::string(text) : field.name;
-    }
-    if (!scanner_.count(reals, 2, {"the number of real tags"})) {
-        return false;
-    }
-    for (std::size_t k = 0; k < reals; ++k) {
-        if (!scanner_.real(number, {"a real tag"})) {
-            return false;
-        }
-    }
-    std::int64_t tag = 0, components = 1;
-    if (!scanner_.count(integers, 2, {"the number of integer tags"})) {
-        return false;
-    }
-    for (std::size_t k = 0; k < integers; ++k) {
-        if (k == 2) {
-            if (!scanner_.count(count, 4, {"the number of nodal values"})) {
-                return false;
-            }
-        } else if (!scanner_.integer(tag, 0, kAny, {"an integer tag"})) {
-            return false;
-        }
-        components = k == 1 ? tag : components;
-    }
-    if (components != 1) {
-        scanner_.source().note("vector-values", "nodal values with several components are ignored", place);
-        const std::size_t end = scanner_.source().text.find("\n$EndNodeData", scanner_.offset());
-        scanner_.seek(end == std::string_view::npos ? scanner_.source().text.size() : end);
-        return true;
-    }
-    field.values.assign(builder_.mesh.nodes.size(), std::numeric_limits<double>::quiet_NaN());
-    if (binary_) {
-        return readValuesBinary(count, field);
-    }
-    for (std::size_t k = 0; k < count; ++k) {
-        NodeId node = kNoNode;
-        if (!builder_.readNodeId(scanner_, node, {"nodal value", k + 1})) {
-            return false;
-        }
-        const std::size_t valueOffset = scanner_.offset() + 1;
-        if (!scanner_.real(number, {"nodal value", k + 1})) {
-            return false;
-        }
-        field.set(node, number, valueOffset);
-    }
-    values_.push_back(std::move(field));
-    return true;
 }
 
 bool looksLikeMsh(std::string_view head) {
@@ -289,7 +234,11 @@ Result<MeshFields> readMshFields(const SourceText &source) {
     for (const MshValues &field : file.values()) {
         fields.insert_or_assign(field.name, field.values); // the last of several time steps
     }
-    return MeshFields{file.builder().finish(), std::move(fields)};
+    NamedFields elementFields;
+    for (const MshValues &field : file.elementValues()) {
+        elementFields.insert_or_assign(field.name, field.values);
+    }
+    return MeshFields{file.builder().finish(), std::move(fields), std::move(elementFields)};
 }
 
 Result<SpacingSpec> readMshSpacing(const SourceText &source) {

@@ -12,7 +12,7 @@ namespace forefront {
 
 /// Reads a VTK XML unstructured grid (.vtu). Every fault carries its place in the source.
 Result<Mesh> readVtu(const SourceText &source);
-/// Reads the mesh and its scalar point data.
+/// Reads the mesh and its scalar point and cell data.
 Result<MeshFields> readVtuFields(const SourceText &source);
 /// Returns true if the first bytes of a file show that it is VTU.
 bool looksLikeVtu(std::string_view head);
@@ -21,7 +21,7 @@ void writeVtu(const Mesh &mesh, TextWriter &out);
 
 /// Reads a VTK legacy file (.vtk), ASCII. Every fault carries its place in the source.
 Result<Mesh> readVtk(const SourceText &source);
-/// Reads the mesh and its scalar point data.
+/// Reads the mesh and its scalar point and cell data.
 Result<MeshFields> readVtkFields(const SourceText &source);
 /// Returns true if the first bytes of a file show that it is VTK legacy.
 bool looksLikeVtk(std::string_view head);

@@ -4,8 +4,11 @@
 #include "core/io/common/planar_mesh.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <span>
+#include <string_view>
+#include <utility>
 
 namespace forefront {
 
@@ -24,6 +27,10 @@ std::map<std::string, std::vector<std::int32_t>> vtkNameFields(const Mesh &mesh)
 }
 
 namespace {
+
+/// Names under which programs write the tags of cells; "MaterialID" is that of our legacy files.
+constexpr std::array<std::string_view, 6> kTagArrays = {"region",        "boundary",  "CellEntityIds",
+                                                        "gmsh:physical", "medit:ref", "MaterialID"};
 
 /// Returns the first array of tags with one of the usual names.
 const std::vector<std::int64_t> *tagArray(const VtkGrid &grid, const char *own) {
@@ -109,6 +116,43 @@ bool meshOfVtk(const VtkGrid &grid, TextScanner &scanner, Mesh &mesh) {
         mesh.regions.clear();
     }
     return true;
+}
+
+MeshFields fieldsOfVtk(VtkGrid grid, Mesh mesh, const SourceText &source) {
+    MeshFields read{std::move(mesh), std::move(grid.pointArrays), {}};
+    const auto noteLength = [&](const std::string &name, std::size_t values, std::size_t items, const char *kind) {
+        if (values != items) {
+            source.note("array-length",
+                        "the array " + inQuotes(name) + " is ignored: it has " + std::to_string(values) +
+                            " values for " + std::to_string(items) + kind,
+                        grid.offset);
+        }
+        return values == items;
+    };
+    for (const auto &[name, values] : read.fields) {
+        noteLength(name, values.size(), read.mesh.nodes.size(), " nodes");
+    }
+    for (const auto &[name, values] : grid.cellReals) {
+        const bool tags = std::find(kTagArrays.begin(), kTagArrays.end(), name) != kTagArrays.end();
+        if (tags || !noteLength(name, values.size(), grid.types.size(), " cells")) {
+            continue;
+        }
+        std::vector<double> &ofElements = read.elementFields[name];
+        ofElements.reserve(read.mesh.elements.size());
+        for (std::size_t c = 0; c < values.size(); ++c) {
+            if (grid.types[c] == kVtkTriangle) {
+                ofElements.push_back(values[c]);
+            }
+        }
+    }
+    return read;
+}
+
+void noteComponents(const SourceText &source, const std::string &name, std::size_t components, std::size_t offset) {
+    source.note("vector-values",
+                "the array " + inQuotes(name) + " is ignored: it has " + std::to_string(components) +
+                    " components; only arrays with one component are read",
+                offset);
 }
 
 } // namespace forefront

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/io/common/mesh_field.hpp"
 #include "core/io/text/text_scanner.hpp"
 #include "core/io/text/text_writer.hpp"
 #include "core/mesh/mesh.hpp"
@@ -27,10 +28,18 @@ struct VtkGrid {
     std::map<std::string, std::vector<std::int64_t>> cellArrays;
     std::map<std::string, std::vector<std::int64_t>> fields;
     std::map<std::string, std::vector<double>> pointArrays; ///< with one component; only where asked for
+    std::map<std::string, std::vector<double>> cellReals;   ///< of all cells; likewise
     std::size_t offset = 0;                                 ///< of the cells, for faults
 };
 
 /// Converts a grid to a mesh, with the names of its tags. Failures are recorded in the scanner.
 bool meshOfVtk(const VtkGrid &grid, TextScanner &scanner, Mesh &mesh);
+
+/// Returns the mesh of a grid with its values of nodes and elements; tags are not values. Notes arrays whose length is
+/// not that of the mesh.
+MeshFields fieldsOfVtk(VtkGrid grid, Mesh mesh, const SourceText &source);
+
+/// Notes an array that is not read because it has several components.
+void noteComponents(const SourceText &source, const std::string &name, std::size_t components, std::size_t offset);
 
 } // namespace forefront

@@ -5,6 +5,7 @@
 #include "core/io/vtk/vtk.hpp"
 #include "core/io/vtk/vtk_cells.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <limits>
 
@@ -120,7 +121,7 @@ class VtkReader {
         return mesh;
     }
 
-    std::map<std::string, std::vector<double>> takePointArrays() { return std::move(grid_.pointArrays); }
+    MeshFields takeFields(Mesh mesh) { return fieldsOfVtk(std::move(grid_), std::move(mesh), scanner_.source()); }
 
   private:
     bool header() {
@@ -232,40 +233,44 @@ class VtkReader {
         return true;
     }
 
-    /// Reads numbers of any type; only integers are kept as tags.
-    template <class Kept>
-    bool values(std::size_t count, std::vector<Kept> &kept) {
-        constexpr double kWhole = 1e15;
+    bool values(std::size_t count, std::vector<double> &kept) {
         double value = 0.0;
         for (std::size_t k = 0; k < count; ++k) {
             if (!scanner_.real(value, {"a value"})) {
                 return false;
             }
-            if constexpr (std::is_integral_v<Kept>) {
-                kept.push_back(value > -kWhole && value < kWhole ? static_cast<Kept>(value) : 0);
-            } else {
-                kept.push_back(value);
-            }
+            kept.push_back(value);
         }
         return true;
+    }
+
+    /// Returns values as tags: 0 for those too large to be one.
+    static std::vector<std::int64_t> tagsOf(const std::vector<double> &reals) {
+        constexpr double kWhole = 1e15;
+        std::vector<std::int64_t> tags(reals.size());
+        std::transform(reals.begin(), reals.end(), tags.begin(), [](double value) {
+            return value > -kWhole && value < kWhole ? static_cast<std::int64_t>(value) : 0;
+        });
+        return tags;
     }
 
     /// Reads the values of an array after its header; keeps those of points and cells with one component.
     bool arrayOf(const std::string &name, std::size_t components, std::size_t tuples) {
         const std::size_t place = scanner_.offset();
-        std::vector<std::int64_t> tags;
         std::vector<double> reals;
-        const bool ofPoints = items_ > 0 && !inCells_;
         const bool fits = components == 0 || tuples <= scanner_.remaining() / components + 1;
-        if (!fits || !(ofPoints ? values(components * tuples, reals) : values(components * tuples, tags))) {
+        if (!fits || !values(components * tuples, reals)) {
             return scanner_.fail(place, "bad-count", "fewer values follow than declared");
         }
-        if (ofPoints && components == 1) {
-            grid_.pointArrays[name] = std::move(reals);
-        } else if (!ofPoints && (components == 1 || items_ == 0)) {
-            (items_ == 0 ? grid_.fields : grid_.cellArrays)[name] = std::move(tags);
+        if (items_ == 0) {
+            grid_.fields[name] = tagsOf(reals);
+        } else if (components != 1) {
+            noteComponents(scanner_.source(), name, components, place);
+        } else if (inCells_) {
+            grid_.cellArrays[name] = tagsOf(reals);
+            grid_.cellReals[name] = std::move(reals);
         } else {
-            scanner_.source().note("vector-values", "arrays with several components are ignored", place);
+            grid_.pointArrays[name] = std::move(reals);
         }
         return true;
     }
@@ -364,7 +369,7 @@ Result<MeshFields> readVtkFields(const SourceText &source) {
     if (!mesh) {
         return mesh.faults();
     }
-    return MeshFields{std::move(*mesh), reader.takePointArrays()};
+    return reader.takeFields(std::move(*mesh));
 }
 
 } // namespace forefront

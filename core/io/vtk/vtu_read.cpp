@@ -78,9 +78,9 @@ void convert(NumberType type, std::string_view bytes, std::vector<Target> &value
 /// Reads an unstructured grid of one piece; arrays as ASCII, base64 or appended (raw or base64), not compressed.
 class VtuReader {
   public:
-    /// Point data are read only on request, since they may have types that cannot be read.
-    VtuReader(const SourceText &source, bool wantsPointData)
-        : scanner_(source), text_(source.text), wantsPointData_(wantsPointData) {}
+    /// Values of points and cells are read only on request, since they may have types that cannot be read.
+    VtuReader(const SourceText &source, bool wantsValues)
+        : scanner_(source), text_(source.text), wantsValues_(wantsValues) {}
 
     Result<Mesh> read() {
         Mesh mesh;
@@ -90,7 +90,7 @@ class VtuReader {
         return mesh;
     }
 
-    std::map<std::string, std::vector<double>> takePointArrays() { return std::move(grid_.pointArrays); }
+    MeshFields takeFields(Mesh mesh) { return fieldsOfVtk(std::move(grid_), std::move(mesh), scanner_.source()); }
 
   private:
     static std::size_t offsetOf(const pugi::xml_node &node) {
@@ -153,13 +153,21 @@ class VtuReader {
             }
         }
         return arrays(piece.child("CellData"), grid_.cellArrays) && arrays(grid.child("FieldData"), grid_.fields) &&
-               (!wantsPointData_ || pointArrays(piece.child("PointData")));
+               (!wantsValues_ || (realArrays(piece.child("PointData"), grid_.pointArrays) &&
+                                  realArrays(piece.child("CellData"), grid_.cellReals)));
     }
 
-    bool pointArrays(const pugi::xml_node &parent) {
+    /// Reads arrays of numbers with one component; notes the others.
+    bool realArrays(const pugi::xml_node &parent, std::map<std::string, std::vector<double>> &target) {
         for (const pugi::xml_node node : parent.children("DataArray")) {
-            if (typeOf(node) != NumberType::None && node.attribute("NumberOfComponents").as_int(1) == 1 &&
-                !numbers(node, grid_.pointArrays[node.attribute("Name").value()])) {
+            const std::string name = node.attribute("Name").value();
+            const unsigned components = node.attribute("NumberOfComponents").as_uint(1);
+            if (typeOf(node) == NumberType::None) {
+                scanner_.source().note("array-type", "the array " + inQuotes(name) + " is ignored: it holds no numbers",
+                                       offsetOf(node));
+            } else if (components != 1) {
+                noteComponents(scanner_.source(), name, components, offsetOf(node));
+            } else if (!numbers(node, target[name])) {
                 return false;
             }
         }
@@ -327,7 +335,7 @@ class VtuReader {
 
     TextScanner scanner_;
     std::string_view text_;
-    bool wantsPointData_;
+    bool wantsValues_;
     pugi::xml_document xml_;
     pugi::xml_node root_;
     std::string_view appended_;
@@ -352,7 +360,7 @@ Result<MeshFields> readVtuFields(const SourceText &source) {
     if (!mesh) {
         return mesh.faults();
     }
-    return MeshFields{std::move(*mesh), reader.takePointArrays()};
+    return reader.takeFields(std::move(*mesh));
 }
 
 } // namespace forefront
