@@ -95,17 +95,10 @@ Result<MeshField> readInput(const AdaptArguments &arguments, const Input &file) 
 /// Makes one new mesh, on which a solver must compute the field.
 Result<Mesh> adaptToField(const AdaptArguments &arguments, const Domain &domain, const MeshField &input,
                           const Progress &progress) {
-    const Result<ErrorEstimate> estimate = estimateError(input.mesh, input.values, progress);
-    if (!estimate) {
-        return estimate.faults();
-    }
-    printRound(arguments, 0, input.mesh.nodes.size(), input.mesh.elements.size(), estimate->relative());
-    Result<SpacingSpec> spacing = adaptedSpacing(input.mesh, *estimate, arguments.target, progress);
-    if (!spacing) {
-        return spacing.faults();
-    }
-    const MeshingJob job{domain, std::move(*spacing), {}};
-    Result<MeshingOutcome> outcome = meshDomain(job, progress);
+    const auto tell = [&](std::size_t i, const AdaptRound &round, const AdaptState &) {
+        printRound(arguments, i, round.nodes, round.elements, round.error);
+    };
+    Result<AdaptOutcome> outcome = adaptOnce(domain, input.mesh, input.values, arguments.target, {}, progress, tell);
     if (!outcome) {
         return outcome.faults();
     }
@@ -123,7 +116,7 @@ Result<Mesh> adaptToExpression(const AdaptArguments &arguments, const Domain &do
     if (!field) {
         return field.faults();
     }
-    const auto tell = [&](std::size_t i, const AdaptRound &round) {
+    const auto tell = [&](std::size_t i, const AdaptRound &round, const AdaptState &) {
         bar.clear();
         printRound(arguments, i, round.nodes, round.elements, round.error);
     };

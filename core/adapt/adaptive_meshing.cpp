@@ -99,7 +99,8 @@ Result<AdaptOutcome> adapt(const Domain &domain, Mesh mesh, const NodalField &fi
         const double reached = estimate->relative();
         outcome.rounds.push_back({outcome.mesh.nodes.size(), outcome.mesh.elements.size(), reached});
         if (report) {
-            report(outcome.rounds.size() - 1, outcome.rounds.back());
+            report(outcome.rounds.size() - 1, outcome.rounds.back(),
+                   {outcome.mesh, *values, *estimate, outcome.spacing});
         }
         outcome.met = reached <= target.error;
         outcome.stalled = !outcome.met && stalls(outcome.rounds);
@@ -122,6 +123,32 @@ Result<AdaptOutcome> adapt(const Domain &domain, Mesh mesh, const NodalField &fi
         outcome.spacing = std::move(job.spacing);
         outcome.mesh = std::move(next->mesh);
     }
+}
+
+Result<AdaptOutcome> adaptOnce(const Domain &domain, const Mesh &mesh, const std::vector<double> &values,
+                               const AdaptTarget &target, const MeshingOptions &options, const Progress &progress,
+                               const AdaptReport &report) {
+    AdaptOutcome outcome;
+    const Result<ErrorEstimate> estimate = estimateError(mesh, values, progress);
+    if (!estimate) {
+        return estimate.faults();
+    }
+    outcome.rounds.push_back({mesh.nodes.size(), mesh.elements.size(), estimate->relative()});
+    if (report) {
+        report(0, outcome.rounds.front(), {mesh, values, *estimate, outcome.spacing});
+    }
+    Result<SpacingSpec> spacing = adaptedSpacing(mesh, *estimate, target, progress);
+    if (!spacing) {
+        return spacing.faults();
+    }
+    MeshingJob job{domain, std::move(*spacing), options};
+    Result<MeshingOutcome> next = meshDomain(job, progress);
+    if (!next) {
+        return next.faults();
+    }
+    outcome.spacing = std::move(job.spacing);
+    outcome.mesh = std::move(next->mesh);
+    return outcome;
 }
 
 } // namespace forefront

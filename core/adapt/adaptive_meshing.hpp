@@ -27,8 +27,16 @@ struct AdaptRound {
     double error = 0.0; ///< ErrorEstimate::relative()
 };
 
+/// What adapt() knows at the end of a round; valid during the call that reports it.
+struct AdaptState {
+    const Mesh &mesh;
+    const std::vector<double> &values; ///< of the field at the nodes
+    const ErrorEstimate &estimate;
+    const SpacingSpec &spacing; ///< that the mesh was made with; empty for the given mesh
+};
+
 /// Called at the end of each round.
-using AdaptReport = std::function<void(std::size_t round, const AdaptRound &)>;
+using AdaptReport = std::function<void(std::size_t round, const AdaptRound &, const AdaptState &)>;
 
 /// The result of adapt().
 struct AdaptOutcome {
@@ -45,5 +53,11 @@ struct AdaptOutcome {
 Result<AdaptOutcome> adapt(const Domain &domain, Mesh mesh, const NodalField &field, const AdaptTarget &target,
                            int maxRounds, const MeshingOptions &options, const Progress &progress = {},
                            const AdaptReport &report = {});
+
+/// Makes one new mesh for a field that is known only on the nodes of a mesh, such as a solution: it must be computed
+/// again there. Reports the given mesh as round 0, the only one of the outcome. Errors: as adapt().
+Result<AdaptOutcome> adaptOnce(const Domain &domain, const Mesh &mesh, const std::vector<double> &values,
+                               const AdaptTarget &target, const MeshingOptions &options, const Progress &progress = {},
+                               const AdaptReport &report = {});
 
 } // namespace forefront

@@ -229,13 +229,43 @@ TEST_CASE("adapt: rounds approach the target for an expression, within the limit
     CHECK(infinite.faults().front().code == "expression-value");
 }
 
+TEST_CASE("adaptOnce: one new mesh from nodal values, finer where they need it") {
+    const auto field = expressionField("atan(30*(hypot(x,y)-1))");
+    REQUIRE(field);
+    const Domain square = squareOf(2.0);
+    const Mesh first = uniformMesh(square, 0.2);
+    const Result<std::vector<double>> values = (*field)(first, {});
+    REQUIRE(values);
+    const AdaptTarget target{0.06, 0.0, 0.5, 0.3};
+    std::size_t reports = 0;
+    const auto tell = [&](std::size_t round, const AdaptRound &of, const AdaptState &state) {
+        ++reports;
+        CHECK(round == 0);
+        CHECK(of.elements == first.elements.size());
+        CHECK(state.estimate.relative() == of.error);
+    };
+    const Result<AdaptOutcome> outcome = adaptOnce(square, first, *values, target, {}, {}, tell);
+    REQUIRE(outcome);
+    CHECK(reports == 1);
+    CHECK(outcome->rounds.size() == 1);
+    CHECK(outcome->mesh.elements.size() > first.elements.size());
+    CHECK(verify(outcome->mesh).empty());
+    const Result<AdaptOutcome> rounds = adapt(square, first, *field, target, 1, {});
+    REQUIRE(rounds);
+    CHECK(meshHash(rounds->mesh) == meshHash(outcome->mesh)); // that of the first round
+}
+
 TEST_CASE("adapt: reports each round and stops when finer meshes do not lower the error") {
     const auto field = expressionField("atan(1e9*(x-0.5-0.1*y))"); // practically a jump
     REQUIRE(field);
     const Domain square = squareOf(1.0);
     std::vector<double> reported;
-    const auto tell = [&](std::size_t round, const AdaptRound &of) {
+    const auto tell = [&](std::size_t round, const AdaptRound &of, const AdaptState &state) {
         CHECK(round == reported.size());
+        CHECK(state.mesh.elements.size() == of.elements);
+        CHECK(state.values.size() == of.nodes);
+        CHECK(state.estimate.elements.size() == of.elements);
+        CHECK((state.spacing.background != nullptr) == (round > 0));
         reported.push_back(of.error);
     };
     const Result<AdaptOutcome> outcome =

@@ -10,6 +10,7 @@
 #include "ui/editor/snapshot_pace.hpp"
 #include "ui/editor/state_file.hpp"
 #include "ui/layers/layers.hpp"
+#include "ui/panels/adapted_rounds.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/platform/assets.hpp"
 #include "ui/shell/canvas.hpp"
@@ -203,8 +204,8 @@ bool Editor::running() const {
 bool Editor::settled() const {
     const Shell &c = parts_->context;
     return parts_->input.empty() && !parts_->input.replaying() && c.redraw <= 0 && !c.examiner.busy() &&
-           !c.judge.busy() && !c.sides.busy() && !c.sides.hasNews() && !c.run.busy() && !c.run.hasNews() &&
-           !c.run.hasToFollow();
+           !c.judge.busy() && !c.adaptation.busy() && !c.adaptation.hasNews() && !c.sides.busy() &&
+           !c.sides.hasNews() && !c.run.busy() && !c.run.hasNews() && !c.run.hasToFollow();
 }
 
 double Editor::sleepSeconds() const {
@@ -225,9 +226,9 @@ bool Editor::needsFrame() const {
     const bool previewed =
         (c.examiner.latest() != c.preview || c.examiner.raster() != parts_->raster) && parts_->previewDue();
     return sleepSeconds() <= 0.0 || c.platform.now() >= c.nextFrameAt || (c.run.hasNews() && parts_->newsDue()) ||
-           c.run.canFollow() || previewed || c.sides.hasNews() || c.judge.latest() != c.judgement ||
-           (parts_->drewBusy && !c.run.busy()) || !(c.platform.framebufferSize() == parts_->size) ||
-           (parts_->reportedBusy && settled());
+           c.run.canFollow() || previewed || c.sides.hasNews() || c.adaptation.hasNews() ||
+           c.judge.latest() != c.judgement || (parts_->drewBusy && !c.run.busy()) ||
+           !(c.platform.framebufferSize() == parts_->size) || (parts_->reportedBusy && settled());
 }
 
 bool Editor::open(const std::filesystem::path &file) {
@@ -285,6 +286,9 @@ void Editor::Parts::takeResults(bool cancels) {
         recovery->follow(context);
     }
     if (context.sides.follow(context.run, *context.document.current(), [&p = context.platform] { p.wake(); })) {
+        context.animate();
+    }
+    if (followAdaptation(context)) {
         context.animate();
     }
     JudgeRequest request = judgeRequest(context);

@@ -6,6 +6,7 @@
 #include "ui/parts/panel.hpp"
 #include "ui/parts/settings.hpp"
 #include "ui/parts/tool.hpp"
+#include "ui/workspace/adaptation.hpp"
 #include "ui/workspace/lesson_room.hpp"
 #include "ui/workspace/side_by_side.hpp"
 #include "ui/workspace/workspace.hpp"
@@ -39,6 +40,7 @@ struct Shell : Workspace {
     SideBySide sides;            ///< runs with other grids or the other method
     bool quit = false;           ///< end the program after this frame
     bool closeRequested = false; ///< the user closed the window; "file.quit" decides
+    Adaptation adaptation{[this] { platform.wake(); }};
 
     using Workspace::Workspace;
 

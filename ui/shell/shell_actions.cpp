@@ -109,8 +109,12 @@ void addRunActions(ActionRegistry &actions) {
                  .menu = "Mesh",
                  .title = "Cancel",
                  .shortcuts = {{key::kEscape, kNoModifiers}},
-                 .run = [](Shell &c) { c.run.cancel(); },
-                 .enabled = [](const Shell &c) { return c.run.busy(); }});
+                 .run =
+                     [](Shell &c) {
+                         c.adaptation.cancel();
+                         c.run.cancel();
+                     },
+                 .enabled = [](const Shell &c) { return c.run.busy() || c.adaptation.busy(); }});
     actions.add({.id = "run.live",
                  .menu = "Mesh",
                  .title = "Live meshing",

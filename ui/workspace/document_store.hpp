@@ -53,6 +53,8 @@ class DocumentStore {
     std::string title() const {
         return !path_.empty() ? path_.filename().string() : title_.empty() ? "untitled" : title_;
     }
+    /// Returns a number that changes when another document is opened.
+    std::uint64_t loads() const { return loads_; }
     bool dirty() const { return history_.dirty(); }
     void markSaved(std::filesystem::path path) {
         path_ = std::move(path);

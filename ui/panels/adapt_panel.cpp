@@ -1,0 +1,205 @@
+#include "ui/panels/adapted_rounds.hpp"
+#include "ui/panels/form.hpp"
+#include "ui/panels/panels.hpp"
+#include "ui/parts/shell.hpp"
+#include "ui/widgets/widgets.hpp"
+#include "ui/workspace/number_field.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace forefront {
+
+namespace {
+
+constexpr double kMaxRounds = 100.0;
+constexpr double kLeastPercent = 1e-7, kMostPercent = 100.0; ///< of the target error, as in batch
+
+/// Adapts the mesh to a field until its estimated error meets a target.
+class AdaptPanel final : public Panel {
+  public:
+    const char *id() const override { return "adapt"; }
+    const char *title() const override { return "Adapt"; }
+    PanelPlace place() const override { return PanelPlace::Tabbed; }
+
+    void draw(Shell &context) override {
+        drawField(context);
+        drawTarget(context);
+        drawStart(context);
+        drawRounds(context);
+    }
+
+  private:
+    /// Draws the choice between an expression and the nodal values of the opened mesh.
+    void drawField(Shell &context) {
+        std::vector<std::string> names{"Expression"};
+        if (const auto fields = context.run.fields(); fields && !showsRound(context)) {
+            for (const auto &[name, values] : fields->nodes) {
+                names.push_back(name);
+            }
+        }
+        const auto known = std::find(names.begin() + 1, names.end(), field_);
+        auto choice = static_cast<int>(known == names.end() ? 0 : known - names.begin());
+        std::vector<const char *> labels;
+        for (const std::string &name : names) {
+            labels.push_back(name.c_str());
+        }
+        form::label(context, "Field");
+        if (ui::combo(context, "adapt/field", labels, choice)) {
+            field_ = choice == 0 ? std::string() : names[static_cast<std::size_t>(choice)];
+        }
+        ui::rowTooltip(context, "The mesh is refined where linear elements approximate the gradient of this field "
+                                "badly. Nodal values of an opened mesh allow one new mesh; then compute them again.");
+        if (choice == 0) {
+            form::label(context, "f(x, y)");
+            ui::entry(context, "adapt/expression", expression_, "atan(20*(x*x+y*y-1))");
+        }
+        usesValues_ = choice > 0;
+    }
+
+    void drawTarget(Shell &context) {
+        form::label(context, "Error, %");
+        const float half = form::halfWidth(context);
+        ui::inputNumber(context, "adapt/error", percent_, half);
+        percent_ = std::clamp(percent_, kLeastPercent, kMostPercent);
+        ui::tooltip(context, "Target: estimated error of the gradient, relative to its norm");
+        ImGui::SameLine();
+        ui::inputNumber(context, "adapt/rounds", rounds_, half);
+        rounds_ = std::clamp(std::round(rounds_), 1.0, kMaxRounds);
+        ui::tooltip(context, "Maximum number of new meshes");
+        form::label(context, "Size");
+        ui::inputOptional(context, "adapt/minimum", minimum_, "min", half);
+        ui::tooltip(context, "Minimum edge length");
+        ImGui::SameLine();
+        ui::inputOptional(context, "adapt/maximum", maximum_, "max", half);
+        ui::tooltip(context, "Maximum edge length");
+    }
+
+    /// Returns why no adaptation can start, or null.
+    const char *obstacle(const Shell &context) const {
+        const SessionSnapshot &shown = context.run.now();
+        if (!shown.mesh || shown.mesh->mesh.elements.empty() || !shown.complete) {
+            return "Mesh the drawing, or open a mesh, to adapt it.";
+        }
+        if (context.run.outOfDate()) {
+            return "The drawing has changed; mesh it again first.";
+        }
+        return !usesValues_ && expression_.empty() ? "Enter a field, such as exp(-x*x-y*y)." : nullptr;
+    }
+
+    void drawStart(Shell &context) {
+        const AdaptProgress &now = context.adaptation.now();
+        if (now.running) {
+            if (ui::button(context, "adapt/cancel", "Cancel")) {
+                context.adaptation.cancel();
+            }
+            ui::tooltip(context, "Esc");
+            ImGui::SameLine();
+            ImGui::ProgressBar(static_cast<float>(now.fraction), {-1.0F, context.px(24)}, now.stage.c_str());
+            ui::mark(context, "adapt/progress");
+            return;
+        }
+        const char *const why = obstacle(context);
+        if (ui::button(context, "adapt/start", "Adapt", ui::ButtonKind::Primary, why == nullptr)) {
+            start(context);
+        }
+        const bool keeps = context.adaptation.selected < now.rounds.size() &&
+                           now.rounds[context.adaptation.selected]->spacing.background != nullptr;
+        ImGui::SameLine();
+        if (ui::button(context, "adapt/keep", "Keep spacing", ui::ButtonKind::Plain, keeps)) {
+            keepSpacing(context, context.adaptation.selected);
+        }
+        ui::tooltip(context, "Make the spacing of the selected mesh that of the drawing");
+        if (why != nullptr) {
+            ui::small(context, why, true);
+        }
+    }
+
+    /// Returns true if the mesh shown is one of the rounds.
+    static bool showsRound(const Shell &context) {
+        const auto &mesh = context.run.now().mesh;
+        return mesh && !context.adaptation.now().rounds.empty() && mesh->version == context.adaptation.shown;
+    }
+
+    void start(Shell &context) {
+        AdaptRequest request;
+        request.mesh = context.run.now().mesh;
+        if (showsRound(context)) {
+            request.domain = context.adaptation.request().domain;
+        } else if (!context.run.showsFile()) {
+            request.domain = std::make_shared<const Domain>(toDomain(*context.document.current()));
+        }
+        request.field = usesValues_ ? field_ : expression_;
+        if (const auto fields = context.run.fields(); usesValues_ && fields) {
+            const std::vector<double> *const values = fields->find(MeshPart::Nodes, field_);
+            request.values = values == nullptr ? nullptr : std::shared_ptr<const std::vector<double>>(fields, values);
+        }
+        request.target.error = 0.01 * percent_;
+        request.target.sizeMin = minimum_.value_or(0.0);
+        request.target.sizeMax = maximum_.value_or(request.target.sizeMax);
+        request.maxRounds = static_cast<int>(rounds_);
+        request.options = context.document.current()->options;
+        if (!possible(context, request)) {
+            return;
+        }
+        context.adaptation.start(std::move(request));
+        context.adaptation.loads = context.document.loads();
+        context.animate();
+    }
+
+    /// Refuses sizes and values that cannot be used, with a message.
+    static bool possible(Shell &context, const AdaptRequest &request) {
+        if (request.target.sizeMin < 0.0 || !(request.target.sizeMax > request.target.sizeMin)) {
+            context.log.add(error("bad-size",
+                                  "sizes from " + ui::number(request.target.sizeMin) + " to " +
+                                      ui::number(request.target.sizeMax) + " are not a range",
+                                  "enter two positive numbers in increasing order, or leave them empty"));
+            return false;
+        }
+        const bool finite = !request.values || std::all_of(request.values->begin(), request.values->end(),
+                                                           [](double value) { return std::isfinite(value); });
+        if (!finite) {
+            context.log.add(error("bad-values", "the field '" + request.field + "' has no value at some nodes",
+                                  "choose another field, or an expression"));
+        }
+        return finite;
+    }
+
+    static void drawRounds(Shell &context) {
+        const AdaptProgress &now = context.adaptation.now();
+        for (std::size_t k = 0; k < now.rounds.size(); ++k) {
+            const AdaptedMesh &round = *now.rounds[k];
+            const std::string label =
+                "Mesh " + std::to_string(k) + "   " + ui::count(round.mesh.elements.size()) + " triangles";
+            const std::string error =
+                round.error ? ui::number(100.0 * *round.error, 3) + " %" : std::string("\xe2\x80\x93");
+            if (ui::selectable(context, "adapt/round/" + std::to_string(k), label,
+                               showsRound(context) && context.adaptation.selected == k, error)) {
+                showRound(context, k);
+            }
+            ui::tooltip(context, ui::count(round.mesh.nodes.size()) +
+                                     " nodes; the percentage is the estimated error. Click to show this mesh.");
+        }
+    }
+
+    std::string field_; ///< name of the nodal values; empty: the expression
+    std::string expression_;
+    bool usesValues_ = false;
+    double percent_ = 5.0, rounds_ = 8.0;
+    std::optional<double> minimum_, maximum_;
+};
+
+} // namespace
+
+std::unique_ptr<Panel> makeAdaptPanel() {
+    return std::make_unique<AdaptPanel>();
+}
+
+} // namespace forefront
