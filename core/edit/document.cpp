@@ -2,6 +2,7 @@
 
 #include "core/base/ids.hpp"
 #include "core/edit/domain_sources.hpp"
+#include "core/edit/refine_chords.hpp"
 #include "core/edit/shape_geometry.hpp"
 
 #include <bit>
@@ -57,6 +58,9 @@ class DomainBuilder {
         domain_.boundaryNames = document_.boundaryNames;
         domain_.regionNames = document_.regionNames;
         domain_.curveTolerance = document_.curveTolerance;
+        if (flattened_) {
+            refineMeetingChords(domain_, sources_);
+        }
         return std::move(domain_);
     }
 
@@ -93,6 +97,8 @@ class DomainBuilder {
         const SegmentRole role = shape.use == ShapeUse::Boundary ? SegmentRole::Boundary : SegmentRole::Constraint;
         for (std::size_t k = 0; k < chords.size(); ++k) {
             const std::uint32_t segment = chords.segments[k];
+            const bool given = segment < shape.cuts.size() && !shape.cuts[segment].empty();
+            flattened_ = flattened_ || (chords.stretches[k].follows() && !given);
             CurveStretch stretch = chords.stretches[k];
             if (stretch.follows()) {
                 if (stretch.t0 == 0.0) {
@@ -112,6 +118,7 @@ class DomainBuilder {
     DomainSources *sources_;
     Domain domain_;
     NodeMerger merger_;
+    bool flattened_ = false; ///< some chords were chosen here, regardless of what is near
 };
 
 } // namespace

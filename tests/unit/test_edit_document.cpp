@@ -1,13 +1,17 @@
 #include "core/domain/add_loop.hpp"
+#include "core/domain/validate.hpp"
 #include "core/edit/document.hpp"
+#include "core/edit/domain_sources.hpp"
 #include "core/edit/equality.hpp"
 #include "core/edit/hole_markers.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
+#include "core/mesher/pipeline.hpp"
 #include "tests/unit/edit_support.hpp"
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <numbers>
 
 using namespace forefront;
@@ -49,6 +53,32 @@ TEST_CASE("toDomain: a circle becomes a polygon within the tolerance, at a multi
             CHECK(sagitta <= tolerance * 3.0);
         }
     }
+}
+
+TEST_CASE("toDomain: circles that nearly touch are divided until their chords do not cross") {
+    for (const double gap : {5e-4, 1e-6}) {
+        CAPTURE(gap);
+        // The hole comes nearest to the disc's edge at the middle of one of its 52 chords.
+        const double angle = std::numbers::pi / 52.0, offset = 0.5 - gap;
+        const Vec2 centre{offset * std::cos(angle), offset * std::sin(angle)};
+        const Document document = documentOf({makeShape(ShapeKind::Circle, {{0, 0}, {1, 0}}),
+                                              makeShape(ShapeKind::Circle, {centre, centre + Vec2{0.5, 0.0}})});
+        DomainSources sources;
+        const Domain domain = toDomain(document, sources);
+        CHECK(validate(domain).empty());
+        CHECK(domain.segments.size() > 104);
+        CHECK(domain.segments.size() < 160);
+        CHECK(sources.segments.size() == domain.segments.size());
+        CHECK(sources.nodes.size() == domain.nodes.size());
+        MeshingJob job;
+        job.domain = domain;
+        CHECK(meshDomain(job).ok());
+    }
+    // Circles that do cross stay as they are.
+    const Domain crossing = toDomain(documentOf(
+        {makeShape(ShapeKind::Circle, {{0, 0}, {1, 0}}), makeShape(ShapeKind::Circle, {{0.7, 0}, {1.7, 0}})}));
+    CHECK(crossing.segments.size() == 104);
+    CHECK_FALSE(validate(crossing).empty());
 }
 
 TEST_CASE("circleCorners: the number of corners is in range for any tolerance") {
