@@ -43,7 +43,8 @@ struct CheckArguments {
     std::filesystem::path mesh; ///< "-": standard input
     std::string inputFormat;
     std::optional<std::filesystem::path> domain;
-    std::optional<double> weldTolerance; ///< of the domain
+    std::map<std::string, std::string> parameters; ///< of the projects; expressions by name, from --set
+    std::optional<double> weldTolerance;           ///< of the domain
     OverlapRule overlap = OverlapRule::Later;
     bool repair = false;
     std::optional<double> size;
@@ -60,7 +61,7 @@ Result<std::shared_ptr<const SpacingField>> readWanted(const CheckArguments &arg
         if (!arguments.savedLimits || !arguments.limits[MeshLimit::MinDelta]) {
             return std::shared_ptr<const SpacingField>();
         }
-        const Result<Document> project = readDocument(*arguments.savedLimits);
+        const Result<Document> project = readDocument(*arguments.savedLimits, {.parameters = arguments.parameters});
         return project ? SpacingField::build(project->spacing, toDomain(*project)) : project.faults();
     }
     SpacingSpec spec;
@@ -133,7 +134,8 @@ int reportQuality(const CheckArguments &arguments, const std::filesystem::path &
 
 int check(CheckArguments &arguments) {
     if (arguments.savedLimits) {
-        if (const Diagnostics faults = addSavedLimits(*arguments.savedLimits, arguments.limits); !faults.empty()) {
+        if (const Diagnostics faults = addSavedLimits(*arguments.savedLimits, arguments.parameters, arguments.limits);
+            !faults.empty()) {
             printFaults(faults);
             return kRefused;
         }
@@ -157,7 +159,11 @@ int check(CheckArguments &arguments) {
             printFaults(domain.faults());
             return kRefused;
         }
-        if (const std::string wrong = checkWeld(arguments.weldTolerance, *domain, arguments.repair); !wrong.empty()) {
+        std::string wrong = checkWeld(arguments.weldTolerance, *domain, arguments.repair);
+        if (wrong.empty()) {
+            wrong = setParameters(*domain, arguments.parameters);
+        }
+        if (!wrong.empty()) {
             return wrongUsage("forefront check", wrong);
         }
         faults = checkAgainst(*mesh, arguments, *domain);
@@ -186,6 +192,7 @@ int checkCommand(int argc, const char *const *argv) {
     addInputFormatOption(app, "MESH", arguments.inputFormat);
     app.add_option("--domain", arguments.domain, "domain or project that the mesh was made from")->type_name("IN");
     addArrangementOptions(app, arguments.weldTolerance, arguments.overlap);
+    addParameterOption(app, arguments.parameters);
     app.add_flag("--repair", arguments.repair, "repair the domain first, as mesh --repair does");
     auto *spacing = app.add_option_group("Spacing", "report how closely the mesh follows this spacing; at most one");
     addSpacingOptions(*spacing, arguments.size, arguments.expression);
@@ -204,6 +211,9 @@ int checkCommand(int argc, const char *const *argv) {
     const std::string wrong = checkInputs({arguments.mesh, arguments.domain}, arguments.inputFormat);
     if (!wrong.empty()) {
         return wrongUsage(app.get_name(), wrong);
+    }
+    if (!arguments.parameters.empty() && !arguments.domain && !arguments.savedLimits) {
+        return wrongUsage(app.get_name(), "--set: only projects have parameters; add --domain or --limits");
     }
     const bool spaced = arguments.size || arguments.expression || arguments.savedLimits;
     if (arguments.limits[MeshLimit::MinDelta] && !spaced) {

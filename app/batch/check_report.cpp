@@ -41,8 +41,9 @@ void addLimitOptions(CLI::App &group, MeshLimits &limits) {
     }
 }
 
-Diagnostics addSavedLimits(const std::filesystem::path &project, MeshLimits &limits) {
-    const Result<Document> document = readDocument(project);
+Diagnostics addSavedLimits(const std::filesystem::path &project, const std::map<std::string, std::string> &parameters,
+                           MeshLimits &limits) {
+    const Result<Document> document = readDocument(project, {.parameters = parameters});
     if (!document) {
         return document.faults();
     }

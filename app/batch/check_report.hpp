@@ -6,14 +6,18 @@
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
+#include <map>
+#include <string>
 
 namespace forefront {
 
 /// Adds an option for each limit, "--min-angle" and so on.
 void addLimitOptions(CLI::App &group, MeshLimits &limits);
 
-/// Reads the limits saved in a project and adds those that are not set yet. Returns the faults of the file.
-Diagnostics addSavedLimits(const std::filesystem::path &project, MeshLimits &limits);
+/// Reads the limits saved in a project, with other expressions for its parameters, and adds those that are not set yet.
+/// Returns the faults of the file.
+Diagnostics addSavedLimits(const std::filesystem::path &project, const std::map<std::string, std::string> &parameters,
+                           MeshLimits &limits);
 
 /// Prints a table of all quality measures of a mesh, with minimum, percentiles, maximum and mean.
 void printMeasures(const Mesh &mesh, const SpacingField *spacing);

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -33,6 +34,7 @@ Exit codes: 0 done, 1 input refused (faults on stderr, one per line), 2 usage er
 struct FilmArguments {
     std::filesystem::path input;
     std::string inputFormat;
+    std::map<std::string, std::string> parameters; ///< expressions by name, from --set
     std::optional<Method> method;
     std::optional<GridKind> grid;
     std::optional<double> size;
@@ -43,13 +45,9 @@ struct FilmArguments {
     FilmPlan plan;
 };
 
-Result<MeshingJob> readJob(const FilmArguments &arguments) {
-    const Result<Input> input = openInput(arguments.input, arguments.inputFormat);
-    if (!input) {
-        return input.faults();
-    }
+Result<MeshingJob> readJob(const FilmArguments &arguments, const Input &input) {
     ImportNotes notes;
-    Result<Document> document = readDocument(input->path, input->options, &notes);
+    Result<Document> document = readDocument(input.path, input.options, &notes);
     if (!document) {
         return document.faults();
     }
@@ -114,6 +112,7 @@ int filmCommand(int argc, const char *const *argv) {
     app.footer(kFilmExamples);
     app.add_option("IN", arguments.input, "project, drawing or domain; -: standard input")->required();
     addInputFormatOption(app, "IN", arguments.inputFormat);
+    addParameterOption(app, arguments.parameters);
     app.add_option("-o,--output", arguments.plan.output,
                    "FILE.gif: animation; NAME-%d.png or .svg: one picture per frame; FILE.png or .svg: the last moment")
         ->type_name("FILE")
@@ -147,7 +146,14 @@ int filmCommand(int argc, const char *const *argv) {
         return wrongUsage(app.get_name(), fault);
     }
     InterruptWatch interrupt;
-    Result<MeshingJob> job = readJob(arguments);
+    Result<Input> input = openInput(arguments.input, arguments.inputFormat);
+    if (!input) {
+        return refuse(input.faults(), interrupt);
+    }
+    if (const std::string wrong = setParameters(*input, arguments.parameters); !wrong.empty()) {
+        return wrongUsage(app.get_name(), wrong);
+    }
+    Result<MeshingJob> job = readJob(arguments, *input);
     if (!job) {
         return refuse(job.faults(), interrupt);
     }

@@ -35,6 +35,11 @@ bool Input::isProject() const {
     return found != nullptr && std::string_view(found->id) == "project";
 }
 
+std::string setParameters(Input &input, const std::map<std::string, std::string> &parameters) {
+    input.options.parameters = parameters;
+    return parameters.empty() || input.isProject() ? std::string() : "--set: only projects have parameters";
+}
+
 std::string checkWeld(const std::optional<double> &tolerance, const Input &input, bool repairs) {
     const FileFormat *const format = tolerance && !repairs ? input.format() : nullptr;
     return format == nullptr || format->arranges

@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <initializer_list>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -40,6 +41,9 @@ Result<Input> openInput(const std::filesystem::path &path, const std::optional<s
 /// input; empty if all are valid.
 std::string checkInputs(std::initializer_list<std::optional<std::filesystem::path>> inputs,
                         const std::string &formatId = {});
+
+/// Sets the values of --set. Returns what is wrong if the input has no parameters; empty if it is a project.
+std::string setParameters(Input &input, const std::map<std::string, std::string> &parameters);
 
 /// Returns what is wrong with a weld tolerance given for an input whose parts are not joined; empty if it is valid.
 /// `repairs` is true if --repair is given.

@@ -73,25 +73,8 @@ void addFrontOptions(CLI::App &app, MeshArguments &arguments, std::string &grid)
         ->excludes(improve);
 }
 
-/// Adds --set, which may be repeated.
-void addParameterOption(CLI::App &app, MeshArguments &arguments) {
-    app.add_option_function<std::vector<std::string>>(
-           "--set",
-           [&arguments](const std::vector<std::string> &settings) {
-               for (const std::string &setting : settings) {
-                   const std::size_t cut = setting.find('=');
-                   if (cut == std::string::npos || cut == 0 || cut + 1 == setting.size()) {
-                       throw CLI::ValidationError("--set", "expected NAME=EXPRESSION, got '" + setting + "'");
-                   }
-                   arguments.parameters[setting.substr(0, cut)] = setting.substr(cut + 1);
-               }
-           },
-           "set a parameter of the project, such as r=0.5 or gap=2*r; can be repeated")
-        ->type_name("NAME=EXPR");
-}
-
 void addImportOptions(CLI::App &app, MeshArguments &arguments) {
-    addParameterOption(app, arguments);
+    addParameterOption(app, arguments.parameters);
     addArrangementOptions(app, arguments.weldTolerance, arguments.overlap);
     app.add_flag("--strict", arguments.strict, "refuse input that would need changes")
         ->excludes(app.get_option("--repair"));

@@ -137,11 +137,10 @@ int runMesh(const MeshArguments &arguments) {
         bar.clear();
         return wrongUsage("forefront mesh", wrong);
     }
-    if (!arguments.parameters.empty() && !input->isProject()) {
+    if (const std::string wrong = setParameters(*input, arguments.parameters); !wrong.empty()) {
         bar.clear();
-        return wrongUsage("forefront mesh", "--set: only projects have parameters");
+        return wrongUsage("forefront mesh", wrong);
     }
-    input->options.parameters = arguments.parameters;
     input->options.weldTolerance = arguments.weldTolerance;
     input->options.overlap = arguments.overlap;
     input->options.strict = arguments.strict;

@@ -166,6 +166,22 @@ CLI::Option *addOutputOptions(CLI::App &app, std::vector<std::filesystem::path> 
     return output;
 }
 
+void addParameterOption(CLI::App &app, std::map<std::string, std::string> &parameters) {
+    app.add_option_function<std::vector<std::string>>(
+           "--set",
+           [&parameters](const std::vector<std::string> &settings) {
+               for (const std::string &setting : settings) {
+                   const std::size_t cut = setting.find('=');
+                   if (cut == std::string::npos || cut == 0 || cut + 1 == setting.size()) {
+                       throw CLI::ValidationError("--set", "expected NAME=EXPRESSION, got '" + setting + "'");
+                   }
+                   parameters[setting.substr(0, cut)] = setting.substr(cut + 1);
+               }
+           },
+           "set a parameter of the project, such as r=0.5 or gap=2*r; can be repeated")
+        ->type_name("NAME=EXPR");
+}
+
 void addArrangementOptions(CLI::App &app, std::optional<double> &weldTolerance, OverlapRule &overlap) {
     app.add_option(
            "--weld", weldTolerance,

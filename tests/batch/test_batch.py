@@ -243,6 +243,21 @@ class Meshing(Case):
         self.call("mesh", "disc.json", "-o", "disc.vtu", "--set", "r", code=2)
         self.call("mesh", "plate.poly", "-o", "plate.vtu", "--set", "r=1", code=2)
 
+    def test_film_and_check_set_parameters_too(self):
+        self.write("disc.json", """{"format": "forefront", "version": 2, "spacing": {"size": 0.4},
+            "shapes": [{"id": 1, "kind": "circle", "nodes": [[0, 0], [1, 0]]}],
+            "parameters": {"r": "1"}, "formulas": {"shape/1/radius": "r"}}""")
+        self.call("mesh", "disc.json", "-o", "disc.msh", "--set", "r=2")
+        self.call("check", "disc.msh", "--domain", "disc.json", code=1)
+        self.assertIn("valid for the domain", self.call("check", "disc.msh", "--domain", "disc.json", "--set", "r=2").stdout)
+        self.assertIn("add --domain or --limits", self.call("check", "disc.msh", "--set", "r=2", code=2).stderr)
+        self.assertIn("only projects", self.call("check", "disc.msh", "--domain", "plate.poly", "--set", "r=2", code=2).stderr)
+        self.call("film", "disc.json", "-o", "small.svg")
+        self.call("film", "disc.json", "-o", "large.svg", "--set", "r=2")
+        self.assertGreater(len(self.read("large.svg")), 1.2 * len(self.read("small.svg")))  # more elements
+        self.assertIn("unknown parameter", self.call("film", "disc.json", "-o", "x.svg", "--set", "q=2", code=1).stderr)
+        self.call("film", "plate.poly", "-o", "x.svg", "--set", "r=2", code=2)
+
     def test_progress_bar_shows_on_a_terminal(self):
         try:
             leader, follower = pty.openpty()
