@@ -1,12 +1,12 @@
 #include "core/edit/formulas.hpp"
 
+#include "core/edit/bring_formulas.hpp"
 #include "core/edit/number_address.hpp"
+#include "core/edit/unchanged_numbers.hpp"
 #include "core/spacing/parts/expression/expression.hpp"
-#include "core/spacing/parts/expression/expression_parser.hpp"
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <set>
 #include <utility>
 
@@ -21,35 +21,13 @@ std::string parameterList(const std::vector<Parameter> &parameters) {
     return names;
 }
 
-/// Returns true if the number at an address equals a value up to rounding.
-bool hasValue(const Document &document, const NumberAddress &address, double value) {
-    const std::optional<double> now = readNumber(document, address);
-    constexpr double kRelative = 1e-9, kRounding = 1e-14; // a difference of coordinates is no more exact than they are
-    return now && std::fabs(*now - value) <= kRelative * std::max(std::fabs(*now), std::fabs(value)) +
-                                                 kRounding * magnitudeAt(document, address);
-}
-
 bool isPlainNumber(std::string_view text) {
     double value = 0.0;
     const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
     return fault == std::errc() && end == text.data() + text.size();
 }
 
-/// Returns a formula with one name replaced by another.
-std::string renamed(const std::string &text, std::string_view from, std::string_view to) {
-    std::string result;
-    std::size_t copied = 0;
-    for (const std::string_view name : namesIn(text)) {
-        if (name == from) {
-            const auto at = static_cast<std::size_t>(name.data() - text.data());
-            result += text.substr(copied, at - copied) + std::string(to);
-            copied = at + name.size();
-        }
-    }
-    return result + text.substr(copied);
-}
-
-/// A formula with the number that it sets.
+/// A formula with the number that follows it.
 struct Follower {
     std::string address;
     NumberAddress number;
@@ -185,7 +163,7 @@ Result<Document> renameParameter(const Document &document, std::size_t index, co
     if (index >= document.parameters.size()) {
         return error("bad-parameter", "parameter not found");
     }
-    const std::string old = document.parameters[index].name;
+    const NameChanges change{{document.parameters[index].name, name}};
     Document next = document;
     next.parameters[index].name = name;
     const ParameterState state = parameterStates(next.parameters)[index];
@@ -193,13 +171,13 @@ Result<Document> renameParameter(const Document &document, std::size_t index, co
         return error("bad-parameter", state.fault);
     }
     for (Parameter &parameter : next.parameters) {
-        parameter.expression = renamed(parameter.expression, old, name);
+        parameter.expression = renameIn(parameter.expression, change);
     }
     for (auto &[address, text] : next.formulas) {
-        text = renamed(text, old, name);
+        text = renameIn(text, change);
     }
     if (next.spacing.expression) {
-        next.spacing.expression = renamed(*next.spacing.expression, old, name);
+        next.spacing.expression = renameIn(*next.spacing.expression, change);
     }
     return setParameters(next, next.parameters);
 }
@@ -213,29 +191,46 @@ Document setFormula(Document document, const std::string &address, const std::st
     return document;
 }
 
+namespace {
+
+/// Returns true if a number exists and has the value of a formula.
+bool holds(const Document &document, const std::string &address, const std::string &text) {
+    const std::optional<NumberAddress> place = parseAddress(address);
+    if (!place) {
+        return false;
+    }
+    const Result<double> value = evaluateFormula(document, text);
+    return value && hasValue(document, *place, *value);
+}
+
+} // namespace
+
 void pruneFormulas(Document &document) {
-    std::erase_if(document.formulas, [&](const auto &formula) {
-        const std::optional<NumberAddress> place = parseAddress(formula.first);
-        const Result<double> value = evaluateFormula(document, formula.second);
-        return !place || !value || !hasValue(document, *place, *value);
-    });
+    std::erase_if(document.formulas,
+                  [&](const auto &formula) { return !holds(document, formula.first, formula.second); });
 }
 
 void carryFormulas(const Document &before, Document &next) {
     if (next.formulas.empty()) {
         return;
     }
+    const UnchangedNumbers unchanged(before, next);
+    const bool sameValues = before.spacing.names == next.spacing.names;
     std::map<std::string, std::string> carried;
     for (const auto &[address, text] : next.formulas) {
         const auto old = before.formulas.find(address);
-        const bool unchanged = old != before.formulas.end() && old->second == text;
-        const std::optional<std::string> now = unchanged ? movedAddress(before, next, address) : address;
-        if (now) {
+        const bool sameFormula = old != before.formulas.end() && old->second == text;
+        // Most formulas of a drag: nothing to evaluate.
+        if (sameFormula && sameValues && unchanged.contains(address)) {
+            carried.emplace(address, text);
+            continue;
+        }
+        const std::optional<std::string> now = sameFormula ? movedAddress(before, next, address) : address;
+        if (now && holds(next, *now, text)) {
             carried.emplace(*now, text);
         }
     }
     next.formulas = std::move(carried);
-    pruneFormulas(next);
 }
 
 void copyFormulas(Document &document, std::string_view fromPrefix, std::string_view toPrefix) {

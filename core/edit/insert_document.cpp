@@ -1,9 +1,12 @@
 #include "core/edit/insert_document.hpp"
 
+#include "core/edit/bring_formulas.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <memory>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -50,28 +53,45 @@ class Places {
     std::vector<Place> places_;
 };
 
-} // namespace
-
-Document insertDrawing(const Document &document, const Document &other, double scale, Selection *added) {
+/// Returns a document with the drawing of another one and the given sources, all of them or none.
+Document inserted(const Document &document, const Document &other, double scale, const std::vector<SizeSource> &sources,
+                  Selection *added) {
     Document next = document;
     Selection fresh;
+    ReceivedItems items;
     for (const auto &shape : other.shapes) {
         auto copy = std::make_shared<Shape>(*shape);
         copy->id = next.nextId++;
         scaleShape(*copy, scale);
         fresh.shapes.insert(copy->id);
+        items.shapes[shape->id] = copy->id;
         next.shapes.push_back(std::move(copy));
     }
     for (const RegionMarker &marker : other.regionMarkers) {
-        fresh.markers.insert(static_cast<std::uint32_t>(next.regionMarkers.size()));
+        const auto index = static_cast<std::uint32_t>(next.regionMarkers.size());
+        fresh.markers.insert(index);
+        items.markers[static_cast<std::uint32_t>(items.markers.size())] = index;
         next.regionMarkers.push_back({scale * marker.at, marker.tag, scale * scale * marker.maxArea});
+    }
+    for (const SizeSource &source : sources) {
+        const auto index = static_cast<std::uint32_t>(next.spacing.sources.size());
+        fresh.sources.insert(index);
+        items.sources[static_cast<std::uint32_t>(items.sources.size())] = index;
+        next.spacing.sources.push_back(source);
     }
     next.boundaryNames.insert(other.boundaryNames.begin(), other.boundaryNames.end());
     next.regionNames.insert(other.regionNames.begin(), other.regionNames.end());
+    bringFormulas(next, other, items, scale);
     if (added != nullptr) {
         *added = std::move(fresh);
     }
     return next;
+}
+
+} // namespace
+
+Document insertDrawing(const Document &document, const Document &other, double scale, Selection *added) {
+    return inserted(document, other, scale, {}, added);
 }
 
 Result<Document> insertCopied(const Document &document, const Document &other, Vec2 step, Selection *added) {
@@ -88,16 +108,7 @@ Result<Document> insertCopied(const Document &document, const Document &other, V
             return moved;
         }
     }
-    Selection fresh;
-    Document next = insertDrawing(document, *moved, 1.0, &fresh);
-    for (const SizeSource &source : moved->spacing.sources) {
-        fresh.sources.insert(static_cast<std::uint32_t>(next.spacing.sources.size()));
-        next.spacing.sources.push_back(source);
-    }
-    if (added != nullptr) {
-        *added = std::move(fresh);
-    }
-    return next;
+    return inserted(document, *moved, 1.0, moved->spacing.sources, added);
 }
 
 } // namespace forefront

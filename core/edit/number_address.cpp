@@ -171,6 +171,16 @@ std::optional<std::uint32_t> movedIndex(const std::vector<T> &before, const std:
     return found != next.end() ? std::optional(static_cast<std::uint32_t>(found - next.begin())) : std::nullopt;
 }
 
+/// Returns the maximum coordinate of the shape that a number belongs to, which limits its accuracy; 0 for others.
+double magnitudeAt(const Document &document, const NumberAddress &address) {
+    const Shape *const shape = address.owner == Owner::Shape ? findShape(document, address.id) : nullptr;
+    double largest = 0.0;
+    for (const Vec2 node : shape != nullptr ? shape->nodes : std::vector<Vec2>()) {
+        largest = std::max({largest, std::fabs(node.x), std::fabs(node.y)});
+    }
+    return largest;
+}
+
 std::optional<std::uint32_t> movedHandle(const Document &before, const Document &next, const NumberAddress &address) {
     const Shape *const old = findShape(before, address.id), *const now = findShape(next, address.id);
     return old != nullptr && now != nullptr ? movedIndex(handlesOf(*old), handlesOf(*now), address.handle)
@@ -231,11 +241,10 @@ std::optional<double> readNumber(const Document &document, const NumberAddress &
 Status placeNumber(Document &document, const NumberAddress &address, double value) {
     switch (address.owner) {
     case Owner::Shape: {
-        const auto place = std::find_if(document.shapes.begin(), document.shapes.end(),
-                                        [&](const auto &shape) { return shape->id == address.id; });
-        Shape shape = **place;
+        std::shared_ptr<const Shape> &place = document.shapes[positionOf(document, address.id)];
+        Shape shape = *place;
         Status status = placeInShape(shape, address, value);
-        *place = std::make_shared<const Shape>(std::move(shape));
+        place = std::make_shared<const Shape>(std::move(shape));
         return status;
     }
     case Owner::Source:
@@ -280,13 +289,11 @@ std::optional<double> numberAt(const Document &document, std::string_view addres
     return place ? readNumber(document, *place) : std::nullopt;
 }
 
-double magnitudeAt(const Document &document, const NumberAddress &address) {
-    const Shape *const shape = address.owner == Owner::Shape ? findShape(document, address.id) : nullptr;
-    double largest = 0.0;
-    for (const Vec2 node : shape != nullptr ? shape->nodes : std::vector<Vec2>()) {
-        largest = std::max({largest, std::fabs(node.x), std::fabs(node.y)});
-    }
-    return largest;
+bool hasValue(const Document &document, const NumberAddress &address, double value) {
+    const std::optional<double> now = readNumber(document, address);
+    constexpr double kRelative = 1e-9, kRounding = 1e-14; // differences of coordinates are as rounded as these
+    return now && std::fabs(*now - value) <= kRelative * std::max(std::fabs(*now), std::fabs(value)) +
+                                                 kRounding * magnitudeAt(document, address);
 }
 
 std::optional<std::string> movedAddress(const Document &before, const Document &next, const std::string &address) {

@@ -39,9 +39,8 @@ Status placeNumber(Document &document, const NumberAddress &address, double valu
 /// limits of the spacing. Returns the document if the owner is valid. Errors: those of the commands that change it.
 Result<Document> checkedOwner(const Document &document, const NumberAddress &address);
 
-/// Returns the largest absolute coordinate of the shape that a number belongs to, which limits the number's accuracy; 0
-/// for other owners.
-double magnitudeAt(const Document &document, const NumberAddress &address);
+/// Returns true if a number exists and has a value, up to rounding.
+bool hasValue(const Document &document, const NumberAddress &address, double value);
 
 /// Returns the address of a number after a command, which may have inserted or removed nodes, sources or markers; none
 /// if the number no longer exists.

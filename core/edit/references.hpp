@@ -3,6 +3,8 @@
 #include "core/edit/document.hpp"
 
 #include <compare>
+#include <cstddef>
+#include <cstdint>
 #include <set>
 
 namespace forefront {
@@ -39,6 +41,8 @@ struct Selection {
     void clear() { *this = {}; }
     /// Removes items that do not exist, and hidden and locked shapes with their nodes and segments.
     void prune(const Document &document);
+    /// Returns true if a shape, or a node or segment of it, is selected.
+    bool touches(std::uint32_t shape) const;
     /// Removes shapes with their nodes and segments.
     void drop(const std::set<std::uint32_t> &gone);
     /// Returns the number of selected items.
@@ -49,7 +53,10 @@ struct Selection {
     friend bool operator==(const Selection &, const Selection &) = default;
 };
 
-/// Returns the shape with an id, or null.
+/// Returns the index in Document::shapes of the shape with an id; the number of shapes if there is none. O(log n)
+/// where the shapes are in the order of their ids, as drawn, else O(n).
+std::size_t positionOf(const Document &document, std::uint32_t id);
+/// Returns the shape with an id, or null; see positionOf().
 const Shape *findShape(const Document &document, std::uint32_t id);
 /// Selects all visible and unlocked shapes, all sources and all region markers.
 Selection selectAll(const Document &document);

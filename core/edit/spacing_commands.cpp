@@ -1,8 +1,14 @@
 #include "core/edit/spacing_commands.hpp"
 
+#include "core/edit/bring_formulas.hpp"
+#include "core/edit/formulas.hpp"
+#include "core/spacing/parts/expression/expression_parser.hpp"
 #include "core/spacing/spec/spec_check.hpp"
 
 #include <algorithm>
+#include <set>
+#include <string_view>
+#include <utility>
 
 namespace forefront {
 namespace {
@@ -123,10 +129,24 @@ Document setPaint(const Document &document, PaintedSpacing paint) {
     return next;
 }
 
-Document setSpacing(const Document &document, SpacingSpec spacing) {
+Result<Document> setSpacing(const Document &document, SpacingSpec spacing) {
     Document next = document;
+    NameChanges changes;
+    if (spacing.expression) {
+        std::set<std::string> wanted;
+        for (const std::string_view name : namesIn(*spacing.expression)) {
+            wanted.emplace(name);
+        }
+        if (!bringParameters(next, constantParameters(spacing.names), wanted, changes)) {
+            return error("too-many-parameters",
+                         "the expression of the spacing uses parameters, and the document would have more than " +
+                             std::to_string(kMaxParameters),
+                         "remove parameters that are not used");
+        }
+        spacing.expression = renameIn(*spacing.expression, changes);
+    }
+    spacing.names = next.spacing.names;
     next.spacing = std::move(spacing);
-    next.spacing.names = document.spacing.names; // the parameters are those of the document
     return next;
 }
 

@@ -31,8 +31,9 @@ Result<Document> removeSource(const Document &document, std::size_t index);
 Result<Document> setPartSize(const Document &document, std::int32_t tag, std::optional<PartSize> size);
 
 Document setPaint(const Document &document, PaintedSpacing paint);
-/// Replaces the whole spacing, for example by that of a file.
-Document setSpacing(const Document &document, SpacingSpec spacing);
+/// Replaces the whole spacing, for example by that of a file. Parameters that its expression uses come along with
+/// their values: see bringParameters(). Error: too-many-parameters.
+Result<Document> setSpacing(const Document &document, SpacingSpec spacing);
 
 /// Returns the name of a source, or one made of its shape and index such as "point source 2".
 std::string displayName(const SizeSource &source, std::size_t index);

@@ -1,5 +1,6 @@
 #include "core/io/clipboard.hpp"
 
+#include "core/edit/bring_formulas.hpp"
 #include "core/edit/path_curve.hpp"
 #include "core/edit/shape_geometry.hpp"
 #include "core/io/coordinates/coordinate_list.hpp"
@@ -10,6 +11,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 namespace forefront {
@@ -77,23 +79,28 @@ Document selectedPart(const Document &document, const Selection &selection) {
     Document part;
     part.circleTolerance = document.circleTolerance;
     part.nextId = document.nextId;
+    ReceivedItems items;
     for (const auto &shape : document.shapes) {
         if (selection.shapes.contains(shape->id)) {
+            items.shapes[shape->id] = shape->id;
             part.shapes.push_back(shape);
         }
     }
     for (const std::uint32_t k : selection.sources) {
         if (k < document.spacing.sources.size()) {
+            items.sources[k] = static_cast<std::uint32_t>(part.spacing.sources.size());
             part.spacing.sources.push_back(document.spacing.sources[k]);
         }
     }
     for (const std::uint32_t k : selection.markers) {
         if (k < document.regionMarkers.size()) {
+            items.markers[k] = static_cast<std::uint32_t>(part.regionMarkers.size());
             part.regionMarkers.push_back(document.regionMarkers[k]);
         }
     }
     part.boundaryNames = document.boundaryNames;
     part.regionNames = document.regionNames;
+    bringFormulas(part, document, items);
     return part;
 }
 

@@ -9,8 +9,8 @@
 namespace forefront {
 
 /// Returns the selected shapes, sources and region markers as the text of an SVG drawing, for the clipboard. Its
-/// metadata holds them exactly, for readClipboard(); other programs see paths of lines and cubics. Empty if nothing
-/// that can be copied is selected.
+/// metadata hold them exactly, with their formulas and parameters, for readClipboard(); other programs see paths of
+/// lines and cubics. Empty if nothing that can be copied is selected.
 std::string clipboardText(const Document &document, const Selection &selection);
 
 /// Reads a drawing from the text of the clipboard: an SVG drawing, a project, or lines of coordinates. Each line of

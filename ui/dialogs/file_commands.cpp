@@ -240,7 +240,11 @@ void importSpacing(Shell &context) {
         if (!spacing) {
             return spacing.faults();
         }
-        c.document.apply(setSpacing(*c.document.current(), std::move(spacing).value()), "Import spacing");
+        Result<Document> next = setSpacing(*c.document.current(), std::move(spacing).value());
+        if (!next) {
+            return next.faults();
+        }
+        c.document.apply(*std::move(next), "Import spacing");
         c.log.announce("Imported spacing from " + file.filename().string());
         return {};
     };
