@@ -1,9 +1,11 @@
 #include "core/edit/pick_index.hpp"
 
-#include "core/edit/shape_geometry.hpp"
 #include "core/geometry/polygon.hpp"
 
+#include <algorithm>
+#include <array>
 #include <limits>
+#include <utility>
 
 namespace forefront {
 namespace {
@@ -46,6 +48,7 @@ PickIndex::PickIndex(std::shared_ptr<const Document> document) : document_(std::
             continue;
         }
         const Outline outline = outlineOf(shape);
+        addCentres(k, outline);
         for (std::uint32_t s = 0; s < outline.segmentCount(); ++s) {
             lines_.push_back({k, outline.part(s), outline.from(s), outline.to(s)});
             lineBoxes.push_back(boxOf(outline.from(s), outline.to(s)));
@@ -59,6 +62,64 @@ PickIndex::PickIndex(std::shared_ptr<const Document> document) : document_(std::
     handleTree_ = BoxTree(handleBoxes);
     lineTree_ = BoxTree(lineBoxes);
     shapeTree_ = BoxTree(shapeBoxes);
+    std::vector<Box2> centreBoxes;
+    for (const Entry &entry : centres_) {
+        centreBoxes.push_back(boxOf(entry.a, entry.a));
+    }
+    centreTree_ = BoxTree(centreBoxes);
+}
+
+/// Adds the centres of a rectangle and of the arcs of a path; those of circles and ellipses are handles.
+void PickIndex::addCentres(std::uint32_t shape, const Outline &outline) {
+    const auto add = [&](Vec2 centre) { centres_.push_back({shape, 0, centre, centre}); };
+    if (document_->shapes[shape]->kind == ShapeKind::Rectangle) {
+        add(boundsOf(*document_->shapes[shape]).centre());
+    }
+    for (std::uint32_t s = 0; s < outline.segmentCount(); ++s) {
+        if (outline.isCurved(s) && outline.curves[s].kind() == CurveKind::Arc &&
+            document_->shapes[shape]->kind != ShapeKind::Ellipse) {
+            const std::array<double, 8> numbers = outline.curves[s].numbers();
+            add({numbers[0], numbers[1]});
+        }
+    }
+}
+
+Curve PickIndex::curveOf(const Entry &entry) const {
+    if (document_->shapes[entry.shape]->kind == ShapeKind::Circle) {
+        return Curve::circle(entry.a, entry.b);
+    }
+    return entry.curve != kNoCurve ? curves_[entry.curve] : Curve::line(entry.a, entry.b);
+}
+
+std::vector<Curve> PickIndex::curvesNear(Vec2 p, double tolerance, std::size_t most, const Filter &filter) const {
+    std::vector<std::pair<double, std::uint32_t>> near;
+    lineTree_.query(boxAround(p, tolerance), [&](std::uint32_t item) {
+        const Shape &shape = *document_->shapes[lines_[item].shape];
+        const double d = lineDistance(lines_[item], p);
+        if (d <= tolerance && shape.kind != ShapeKind::Point && (!filter || filter(shape))) {
+            near.emplace_back(d, item);
+        }
+    });
+    std::sort(near.begin(), near.end());
+    near.resize(std::min(near.size(), most));
+    std::vector<Curve> curves;
+    for (const auto &[d, item] : near) {
+        curves.push_back(curveOf(lines_[item]));
+    }
+    return curves;
+}
+
+std::optional<Vec2> PickIndex::centre(Vec2 p, double tolerance, const Filter &filter) const {
+    std::optional<Vec2> best;
+    double limit = tolerance;
+    centreTree_.query(boxAround(p, tolerance), [&](std::uint32_t item) {
+        const double d = distance(centres_[item].a, p);
+        if (d <= limit && (!filter || filter(*document_->shapes[centres_[item].shape]))) {
+            limit = d;
+            best = centres_[item].a;
+        }
+    });
+    return best;
 }
 
 double PickIndex::lineDistance(const Entry &entry, Vec2 p) const {

@@ -1,8 +1,11 @@
 #pragma once
 
 #include "core/edit/references.hpp"
+#include "core/edit/shape_geometry.hpp"
 #include "core/geometry/box_tree.hpp"
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -42,6 +45,11 @@ class PickIndex {
     std::optional<NodeHit> node(Vec2 p, double tolerance, const Filter &filter = {}) const;
     /// Returns the segment or circle nearest to p within the tolerance.
     std::optional<SegmentHit> segment(Vec2 p, double tolerance, const Filter &filter = {}) const;
+    /// Returns the curves of the segments, circles and ellipses within the tolerance, straight ones as lines; the
+    /// nearest `most` of them, nearest first.
+    std::vector<Curve> curvesNear(Vec2 p, double tolerance, std::size_t most, const Filter &filter = {}) const;
+    /// Returns the nearest centre of an arc or a rectangle within the tolerance.
+    std::optional<Vec2> centre(Vec2 p, double tolerance, const Filter &filter = {}) const;
     /// Returns the shape under p: one whose line or point is within the tolerance, else the smallest closed shape that
     /// contains p, else kNoIndex.
     std::uint32_t shape(Vec2 p, double tolerance) const;
@@ -64,13 +72,16 @@ class PickIndex {
         Vec2 a, b;
         std::uint32_t curve = kNoCurve; ///< index into curves_
     };
+    void addCentres(std::uint32_t shape, const Outline &outline);
     double lineDistance(const Entry &entry, Vec2 p) const;
+    Curve curveOf(const Entry &entry) const;
 
     std::shared_ptr<const Document> document_;
     std::vector<Entry> handles_;
     std::vector<Entry> lines_; ///< segments, circles and points
+    std::vector<Entry> centres_;
     std::vector<Curve> curves_;
-    BoxTree handleTree_, lineTree_, shapeTree_;
+    BoxTree handleTree_, lineTree_, shapeTree_, centreTree_;
 };
 
 } // namespace forefront

@@ -1,5 +1,7 @@
 #include "core/edit/snap.hpp"
 
+#include "core/edit/snap_points.hpp"
+
 #include <numbers>
 
 namespace forefront {
@@ -62,6 +64,31 @@ std::optional<Vec2> gridPoint(const SnapQuery &query) {
 
 } // namespace
 
+const char *wordOf(SnapKind kind) {
+    switch (kind) {
+    case SnapKind::Node:
+        return "node";
+    case SnapKind::Midpoint:
+        return "midpoint";
+    case SnapKind::Centre:
+        return "centre";
+    case SnapKind::Intersection:
+        return "intersection";
+    case SnapKind::Perpendicular:
+        return "perpendicular";
+    case SnapKind::Tangent:
+        return "tangent";
+    case SnapKind::Segment:
+        return "on line";
+    case SnapKind::None:
+    case SnapKind::Grid:
+    case SnapKind::Angle:
+    case SnapKind::Locked:
+        break;
+    }
+    return "";
+}
+
 Snapped snap(const PickIndex &index, const SnapQuery &query) {
     if (query.locks.any()) {
         // Coordinates that are not locked still snap: a typed distance points exactly at the node under the pointer.
@@ -79,7 +106,12 @@ Snapped snap(const PickIndex &index, const SnapQuery &query) {
             alongAngle(*query.anchor, query.at, std::round(degrees / kSnapAngle) * kSnapAngle), SnapKind::Angle, {}};
     }
     if (const auto node = index.node(query.at, query.tolerance, query.filter)) {
-        return {node->at, SnapKind::Node, {}};
+        const Shape *const shape = findShape(index.document(), node->ref.shape);
+        const bool centre = isRound(*shape) && node->ref.node == 0;
+        return {node->at, centre ? SnapKind::Centre : SnapKind::Node, {}};
+    }
+    if (const auto special = specialPoint(index, query)) {
+        return *special;
     }
     if (const auto segment = index.segment(query.at, query.tolerance, query.filter)) {
         return {segment->at, SnapKind::Segment, segment};

@@ -10,6 +10,11 @@ namespace forefront {
 enum class SnapKind : std::uint8_t {
     None,
     Node,
+    Midpoint,      ///< of a segment, by its parameter
+    Centre,        ///< of a circle, an ellipse, an arc or a rectangle
+    Intersection,  ///< of segments
+    Perpendicular, ///< where a line from the anchor meets a segment at a right angle
+    Tangent,       ///< where a line from the anchor touches a curve
     Segment,
     Grid,
     Angle, ///< a ray from the anchor at a multiple of 15 degrees
@@ -31,6 +36,7 @@ struct SnapQuery {
     double tolerance = 0.0;     ///< snapping distance of nodes and segments, domain units
     double gridPitch = 0.0;     ///< 0: no grid
     std::optional<Vec2> anchor; ///< the last node drawn, or the start of a drag
+    bool draws = false;         ///< a line from the anchor is drawn: perpendiculars and tangents count
     bool off = false;           ///< ctrl: nothing snaps, but locks apply
     bool angle = false;         ///< shift: directions from the anchor in steps of 15 degrees
     SnapLocks locks;
@@ -44,7 +50,11 @@ struct Snapped {
     std::optional<SegmentHit> segment; ///< set if kind is Segment
 };
 
-/// Snaps a point to an angle, node, segment or the grid, in this order of preference, within the locks. The grid
+/// Returns the word for a kind of target that is shown at the pointer; empty for the grid, angles and locks.
+const char *wordOf(SnapKind kind);
+
+/// Snaps a point to an angle, node, special point (see specialPoint()), segment or the grid, in this order of
+/// preference, within the locks. The grid
 /// attracts only within the smaller of the tolerance and 0.35 of its pitch.
 Snapped snap(const PickIndex &index, const SnapQuery &query);
 

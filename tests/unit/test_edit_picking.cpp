@@ -1,3 +1,5 @@
+#include "core/edit/curve_crossings.hpp"
+#include "core/edit/path_curve.hpp"
 #include "core/edit/pick_index.hpp"
 #include "core/edit/region_commands.hpp"
 #include "core/edit/shape_commands.hpp"
@@ -191,9 +193,9 @@ TEST_CASE("snap: nodes take precedence over segments, and segments over the grid
     query.at = {4.1, 0.1};
     CHECK(snap(index, query).kind == SnapKind::Node);
     CHECK(snap(index, query).at == Vec2{4, 0});
-    query.at = {2.05, 0.1};
+    query.at = {2.55, 0.1};
     CHECK(snap(index, query).kind == SnapKind::Segment);
-    CHECK(snap(index, query).at == Vec2{2.05, 0});
+    CHECK(snap(index, query).at == Vec2{2.55, 0});
     query.at = {2.1, 2.9};
     CHECK(snap(index, query).kind == SnapKind::Grid);
     CHECK(snap(index, query).at == Vec2{2, 3});
@@ -205,6 +207,88 @@ TEST_CASE("snap: nodes take precedence over segments, and segments over the grid
     query.off = false;
     query.filter = [](const Shape &) { return false; };
     CHECK(snap(index, query).kind == SnapKind::Grid);
+}
+
+TEST_CASE("snap: midpoints, centres and crossings of all kinds of segments") {
+    Shape arc = makeShape(ShapeKind::Polyline, {{10, 0}, {12, 0}});
+    arc.curves = {arcThrough({10, 0}, {11, 1}, {12, 0})};
+    const PickIndex index(sharedDocumentOf(
+        {makeShape(ShapeKind::Rectangle, {{0, 0}, {4, 2}}), arc, makeShape(ShapeKind::Circle, {{20, 0}, {21, 0}}),
+         makeShape(ShapeKind::Polyline, {{10, -1}, {14, 3}}), makeShape(ShapeKind::Polyline, {{19, 0.6}, {22, 0.6}})}));
+    const auto snapped = [&](Vec2 at) {
+        SnapQuery query;
+        query.tolerance = 0.1;
+        query.at = at;
+        return snap(index, query);
+    };
+    CHECK(snapped({2.05, 0.05}).kind == SnapKind::Midpoint);
+    CHECK(snapped({2.05, 0.05}).at == Vec2{2, 0});
+    CHECK(snapped({11.02, 1.05}).kind == SnapKind::Midpoint);
+    CHECK(distance(snapped({11.02, 1.05}).at, {11, 1}) < 1e-12);
+    CHECK(snapped({1.95, 1.05}).kind == SnapKind::Centre); // of the rectangle
+    CHECK(snapped({1.95, 1.05}).at == Vec2{2, 1});
+    CHECK(snapped({20.05, 0}).kind == SnapKind::Centre);
+    CHECK(distance(snapped({11.05, 0.05}).at, {11, 0}) < 1e-12); // of the arc; the line passes there, too
+    const Snapped onCircle = snapped({20.75, 0.65});
+    CHECK(onCircle.kind == SnapKind::Intersection);
+    CHECK(distance(onCircle.at, {20.8, 0.6}) < 1e-12);
+    const Snapped onArc = snapped({11.74, 0.68});
+    CHECK(onArc.kind == SnapKind::Intersection);
+    CHECK(distance(onArc.at, {11 + std::sqrt(0.5), std::sqrt(0.5)}) < 1e-9);
+    CHECK(snapped({13.1, 2.1}).kind == SnapKind::Segment);
+    CHECK(std::string(wordOf(SnapKind::Intersection)) == "intersection");
+    CHECK(std::string(wordOf(SnapKind::Grid)).empty());
+}
+
+TEST_CASE("snap: perpendiculars and tangents from the anchor, while a line is drawn") {
+    Shape wave = makeShape(ShapeKind::Polyline, {{0, 10}, {4, 10}});
+    wave.curves = {Curve::cubic({0, 10}, {1, 12}, {3, 8}, {4, 10})};
+    const PickIndex index(sharedDocumentOf(
+        {makeShape(ShapeKind::Polyline, {{0, 0}, {8, 4}}), makeShape(ShapeKind::Circle, {{20, 0}, {21, 0}}), wave}));
+    SnapQuery query;
+    query.tolerance = 0.1;
+    query.anchor = Vec2{3, 6};
+    query.draws = true;
+    query.at = {4.85, 2.38};
+    CHECK(snap(index, query).kind == SnapKind::Perpendicular);
+    CHECK(distance(snap(index, query).at, {4.8, 2.4}) < 1e-12);
+    query.draws = false; // as when something is moved
+    CHECK(snap(index, query).kind == SnapKind::Segment);
+    query.draws = true;
+    query.anchor = Vec2{18, 0};
+    query.at = {19.52, 0.9};
+    CHECK(snap(index, query).kind == SnapKind::Tangent);
+    CHECK(distance(snap(index, query).at, {19.5, std::sqrt(0.75)}) < 1e-12);
+    query.at = {20.98, -0.05};
+    CHECK(snap(index, query).kind == SnapKind::Node); // the point of the circle
+    query.anchor = Vec2{20, 3};
+    query.at = {20.03, -1.02};
+    CHECK(snap(index, query).kind == SnapKind::Perpendicular); // on the far side
+    CHECK(distance(snap(index, query).at, {20, -1}) < 1e-12);
+    query.anchor = Vec2{1, 14};
+    query.at = wave.curves[0].point(0.2);
+    const Snapped onWave = snap(index, query);
+    CHECK((onWave.kind == SnapKind::Perpendicular || onWave.kind == SnapKind::Segment));
+    query.at = wave.curves[0].point(wave.curves[0].nearest(*query.anchor)) + Vec2{0.01, 0};
+    CHECK(snap(index, query).kind == SnapKind::Perpendicular);
+}
+
+TEST_CASE("crossingsOf: lines, circles, arcs and cubics; touching curves and ends on a curve count") {
+    const auto circle = Curve::circle({0, 0}, {2, 0});
+    const auto through = crossingsOf(Curve::line({-3, 0.5}, {3, 0.5}), circle, 1e-9);
+    REQUIRE(through.size() == 2);
+    CHECK(through[0].at.x == doctest::Approx(-std::sqrt(3.75)));
+    CHECK(distance(circle.point(through[1].second), through[1].at) < 1e-9);
+    CHECK(crossingsOf(Curve::line({-3, 2}, {3, 2}), circle, 1e-9).size() == 1); // a tangent
+    CHECK(crossingsOf(Curve::line({-3, 2.1}, {3, 2.1}), circle, 1e-9).empty());
+    CHECK(crossingsOf(circle, Curve::circle({3, 0}, {4.5, 0}), 1e-9).size() == 2);
+    const auto end = crossingsOf(Curve::line({0, 0}, {4, 0}), Curve::line({1, 0}, {1, 3}), 1e-9);
+    REQUIRE(end.size() == 1);
+    CHECK(end[0].first == doctest::Approx(0.25));
+    CHECK(end[0].second == doctest::Approx(0.0));
+    const auto cubic = Curve::cubic({0, 0}, {1, 4}, {3, -4}, {4, 0});
+    CHECK(crossingsOf(cubic, Curve::line({-1, 0}, {5, 0}), 1e-9).size() == 3);
+    CHECK(crossingsOf(Curve::line({0, 0}, {2, 0}), Curve::line({1, 0}, {3, 0}), 1e-9).size() == 2); // along each other
 }
 
 TEST_CASE("snap: shift keeps to multiples of 15 degrees from the anchor, exactly so along the axes") {

@@ -1,0 +1,112 @@
+#include "core/edit/snap_points.hpp"
+
+#include "core/edit/curve_crossings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace forefront {
+namespace {
+
+/// Returns the parameter near `t` where a function of the parameter vanishes, by Newton's method; none if it does not
+/// converge on the curve.
+template <class Function>
+std::optional<double> rootNear(const Curve &curve, double t, const Function &valueAndSlope) {
+    const bool closed = curve.point(0.0) == curve.point(1.0);
+    constexpr int kSteps = 30;
+    constexpr double kConverged = 1e-14;
+    for (int step = 0; step < kSteps; ++step) {
+        const auto [value, slope] = valueAndSlope(t);
+        if (slope == 0.0 || !std::isfinite(value / slope)) {
+            return std::nullopt;
+        }
+        const double by = value / slope;
+        t -= by;
+        t -= closed ? std::floor(t) : 0.0;
+        if (std::fabs(by) <= kConverged) {
+            const double inside = std::clamp(t, 0.0, 1.0);
+            return std::fabs(inside - t) <= kConverged ? std::optional(inside) : std::nullopt;
+        }
+        if (!closed && (t < -1.0 || t > 2.0)) {
+            return std::nullopt;
+        }
+    }
+    return std::nullopt;
+}
+
+struct ValueAndSlope {
+    double value = 0.0, slope = 0.0;
+};
+
+/// Collects candidates and keeps the nearest.
+class Nearest {
+  public:
+    explicit Nearest(const SnapQuery &query) : query_(query), limit_(query.tolerance) {}
+
+    void offer(Vec2 at, SnapKind kind) {
+        const double away = distance(at, query_.at);
+        if (away < limit_ || (away == limit_ && !best_)) {
+            limit_ = away;
+            best_ = Snapped{at, kind, {}};
+        }
+    }
+    const std::optional<Snapped> &best() const { return best_; }
+
+  private:
+    const SnapQuery &query_;
+    double limit_;
+    std::optional<Snapped> best_;
+};
+
+/// Offers where a line from the anchor meets a curve at a right angle, and where it touches the curve.
+void offerDirections(const Curve &curve, Vec2 anchor, Vec2 pointer, Nearest &nearest) {
+    const double start = curve.nearest(pointer);
+    const auto perpendicular = rootNear(curve, start, [&](double t) {
+        const Vec2 arm = curve.point(t) - anchor, along = curve.derivative(t);
+        return ValueAndSlope{dot(arm, along), dot(along, along) + dot(arm, curve.secondDerivative(t))};
+    });
+    if (perpendicular && curve.point(*perpendicular) != anchor) {
+        nearest.offer(curve.point(*perpendicular), SnapKind::Perpendicular);
+    }
+    if (curve.kind() == CurveKind::Line) {
+        return;
+    }
+    const auto tangent = rootNear(curve, start, [&](double t) {
+        const Vec2 arm = curve.point(t) - anchor;
+        return ValueAndSlope{cross(arm, curve.derivative(t)), cross(arm, curve.secondDerivative(t))};
+    });
+    if (tangent && curve.point(*tangent) != anchor) {
+        nearest.offer(curve.point(*tangent), SnapKind::Tangent);
+    }
+}
+
+} // namespace
+
+std::optional<Snapped> specialPoint(const PickIndex &index, const SnapQuery &query) {
+    constexpr std::size_t kMaxCurves = 8; // more are a cluster at this zoom
+    const std::vector<Curve> curves = index.curvesNear(query.at, query.tolerance, kMaxCurves, query.filter);
+    Nearest nearest(query);
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        for (std::size_t k = i + 1; k < curves.size(); ++k) {
+            for (const CurveCrossing &crossing : crossingsOf(curves[i], curves[k], 1e-6 * query.tolerance)) {
+                nearest.offer(crossing.at, SnapKind::Intersection);
+            }
+        }
+    }
+    for (const Curve &curve : curves) {
+        if (curve.point(0.0) != curve.point(1.0)) {
+            nearest.offer(curve.point(0.5), SnapKind::Midpoint);
+        }
+        if (query.draws && query.anchor) {
+            offerDirections(curve, *query.anchor, query.at, nearest);
+        }
+    }
+    if (const std::optional<Vec2> centre = index.centre(query.at, query.tolerance, query.filter)) {
+        nearest.offer(*centre, SnapKind::Centre);
+    }
+    return nearest.best();
+}
+
+} // namespace forefront
