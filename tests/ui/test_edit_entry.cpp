@@ -129,6 +129,42 @@ TEST_CASE("NumericEntry: two numbers are a point, relative with @") {
     CHECK(entry.pair()->relative);
 }
 
+TEST_CASE("NumericEntry: expressions of parameters, also after =, by comma, and with the letters of fields") {
+    const NamedValues names{{"r", 0.5}, {"depth", 3.0}};
+    const auto typed = [&](NumericEntry &entry, std::string_view text, Fields fields = kDirection) {
+        Answer last = Answer::Unused;
+        for (const char c : text) {
+            const int code = c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c;
+            last = entry.handle({.kind = CanvasEvent::Kind::Key, .key = code}, fields, names);
+            entry.handle({.kind = CanvasEvent::Kind::Text, .character = static_cast<char32_t>(c)}, fields, names);
+        }
+        return last;
+    };
+    NumericEntry entry;
+    typed(entry, "2*r");
+    CHECK(entry.locks().distance == 1.0); // before Enter
+    CHECK(entry.expression(EntryField::Distance) == "2*r");
+    CHECK(entry.handle({.kind = CanvasEvent::Kind::Key, .key = key::kTab}, kDirection, names) == Answer::Used);
+    typed(entry, "=depth*10");
+    CHECK(entry.locks().angle == 30.0);
+    CHECK(entry.handle({.kind = CanvasEvent::Kind::Key, .key = key::kEnter}, kDirection, names) == Answer::Place);
+    CHECK(entry.expression(EntryField::Angle) == "depth*10");
+    entry.clear();
+    typed(entry, "d4q9"); // a number is complete, so a letter opens another field
+    CHECK(entry.locks().distance == 4.0);
+    CHECK(entry.locks().angle == 9.0);
+    entry.clear();
+    typed(entry, "=max(2, r), depth/2");
+    REQUIRE(entry.pair().has_value());
+    CHECK(entry.pair()->value == Vec2{2, 1.5});
+    CHECK(entry.pair()->yText == "depth/2");
+    entry.clear();
+    typed(entry, "2*q");
+    CHECK(entry.handle({.kind = CanvasEvent::Kind::Key, .key = key::kEnter}, kDirection, names) == Answer::Used);
+    CHECK(entry.isWrong());
+    CHECK(entry.fault().find("'q'") != std::string::npos);
+}
+
 TEST_CASE("NumericEntry: invalid text stays and is marked; Backspace and Esc remove it") {
     NumericEntry entry;
     type(entry, "1-");

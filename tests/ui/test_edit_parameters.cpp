@@ -99,7 +99,56 @@ TEST_CASE("Parameters: faults are shown beside the row and the field, and the dr
     CHECK(driver.document().parameters.empty());
 }
 
-TEST_CASE("Parameters: renaming one keeps the formulas that use it") {
+TEST_CASE("Parameters: numbers typed on the canvas follow their expressions, and so do copies") {
+    Draughtsman driver;
+    addParameter(driver, "r", "1");
+    const auto typed = [&](std::string_view text) {
+        for (const char c : text) {
+            driver.key(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
+            driver.type(std::string(1, c));
+        }
+        driver.key(key::kEnter);
+    };
+    driver.key('C');
+    driver.moveToPlace({5, 5});
+    typed("4*r, 5");
+    typed("2*r");
+    REQUIRE(driver.document().shapes.size() == 1);
+    CHECK(circleRadius(*driver.document().shapes[0]) == 2.0);
+    CHECK(driver.document().formulas ==
+          std::map<std::string, std::string>{{"shape/1/radius", "2*r"}, {"shape/1/x/0", "4*r"}});
+    driver.key('R');
+    driver.clickPlace({1, 1});
+    typed("3");
+    CHECK(driver.document().shapes.size() == 1); // the height is missing
+    driver.key(key::kTab);
+    driver.key(key::kEscape);
+    driver.clickPlace({1, 1});
+    driver.moveToPlace({3, 3});
+    driver.type("=r/2");
+    driver.key(key::kTab);
+    driver.type("1.5*r");
+    driver.key(key::kEnter);
+    REQUIRE(driver.document().shapes.size() == 2);
+    CHECK(driver.document().formulas.at("shape/2/width") == "r/2");
+    CHECK(driver.document().formulas.at("shape/2/height") == "1.5*r");
+    driver.key('V');
+    driver.key('C', kControl);
+    driver.key('V', kControl);
+    CHECK(driver.document().formulas.at("shape/3/width") == "r/2");
+    driver.context().document.apply(*overrideParameters(driver.document(), {{"r", "1.2"}}), "Change parameter");
+    CHECK(circleRadius(*driver.document().shapes[0]) == doctest::Approx(2.4));
+    CHECK(boundsOf(*driver.document().shapes[2]).size().x == doctest::Approx(0.6));
+    driver.key('P'); // nodes of a path
+    driver.moveToPlace({8, 8});
+    typed("1*r, 9");
+    driver.clickPlace({3, 9.5});
+    driver.clickPlace({2, 9.8});
+    driver.key(key::kEnter);
+    CHECK(driver.document().formulas.at("shape/4/x/0") == "1*r");
+}
+
+TEST_CASE("Parameters: renaming one keeps what follows it") {
     Draughtsman driver;
     addParameter(driver, "r", "1.5");
     driver.key('C');

@@ -1,11 +1,15 @@
 #include "ui/tools/drawing_tool.hpp"
 
+#include "core/edit/formulas.hpp"
 #include "core/edit/join_segments.hpp"
 #include "core/edit/shape_commands.hpp"
+#include "core/edit/shape_geometry.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/parts/shell.hpp"
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 namespace forefront {
 
@@ -15,6 +19,7 @@ void DrawingTool::follow(const CanvasEvent &event, Shell &context) {
     over_ = event.kind != CanvasEvent::Kind::Leave;
     SnapQuery query = state_->query(context, place_, modifiers_.shift() && shiftIsAngle(), modifiers_.control());
     query.anchor = anchor();
+    query.draws = true;
     query.locks = entry_.locks();
     if (const std::optional<TypedPair> pair = entry_.pair()) {
         pointer_ = {typedPlace(*pair), SnapKind::Locked, {}};
@@ -74,23 +79,73 @@ bool DrawingTool::press(const CanvasEvent &event, Shell &context) {
     }
     if (event.button == MouseButton::Left) {
         pressPixel_ = event.pixel;
-        place(pointer_.at, context);
-        entry_.clear();
+        placeTyped(context);
         follow(event, context);
     }
     return true;
 }
 
+/// Places a node at the pointer, and remembers the expressions that were typed for it.
+void DrawingTool::placeTyped(Shell &context) {
+    const std::optional<TypedPair> pair = entry_.pair();
+    TypedNode node{pointer_.at, entry_.expression(EntryField::X), entry_.expression(EntryField::Y)};
+    if (pair && !pair->relative) {
+        node.x = pair->xText;
+        node.y = pair->yText;
+    }
+    if (!node.x.empty() || !node.y.empty()) {
+        typedNodes_.push_back(std::move(node));
+    }
+    place(pointer_.at, context);
+    entry_.clear();
+    if (!inProgress()) {
+        typedNodes_.clear();
+    }
+}
+
+/// Lets the numbers of a shape that were typed follow their expressions. What does not fit, such as a width that the
+/// pointer has changed, is removed when the document changes.
+void DrawingTool::keepFormulas(Document &document, std::uint32_t shape) const {
+    const Shape *const drawn = findShape(document, shape);
+    const std::string prefix = "shape/" + std::to_string(shape) + '/';
+    const auto keep = [&](const std::string &quantity, const std::string &text) {
+        if (!text.empty()) {
+            document = setFormula(std::move(document), prefix + quantity, text);
+        }
+    };
+    const bool rectangle = drawn->kind == ShapeKind::Rectangle;
+    const std::vector<Vec2> handles = handlesOf(*drawn);
+    for (const TypedNode &node : typedNodes_) {
+        const auto at = std::find(handles.begin(), handles.end(), node.at);
+        if (at != handles.end()) {
+            const std::string handle = '/' + std::to_string(at - handles.begin());
+            // A rectangle keeps its left and bottom side when its size changes.
+            keep(rectangle ? "left" : "x" + handle, node.x);
+            keep(rectangle ? "bottom" : "y" + handle, node.y);
+        }
+    }
+    const auto half = [](const std::string &text) { return text.empty() ? text : "(" + text + ")/2"; };
+    const std::string width = entry_.expression(EntryField::Width), height = entry_.expression(EntryField::Height);
+    if (rectangle) {
+        keep("width", width);
+        keep("height", height);
+    } else if (drawn->kind == ShapeKind::Ellipse) {
+        keep("rx", half(width));
+        keep("ry", half(height));
+    } else if (drawn->kind == ShapeKind::Circle) {
+        keep("radius", entry_.expression(EntryField::Radius));
+    }
+}
+
 bool DrawingTool::typed(const CanvasEvent &event, Shell &context) {
-    const NumericEntry::Answer answer = entry_.handle(event, entryFields());
+    const NumericEntry::Answer answer = entry_.handle(event, entryFields(), context.document.current()->spacing.names);
     if (answer != NumericEntry::Answer::Unused) {
         CanvasEvent here = event;
         here.place = place_;
         here.kind = CanvasEvent::Kind::Hover;
         follow(here, context);
         if (answer == NumericEntry::Answer::Place) {
-            place(pointer_.at, context);
-            entry_.clear();
+            placeTyped(context);
             follow(here, context);
         }
         return true;
@@ -110,6 +165,7 @@ bool DrawingTool::typed(const CanvasEvent &event, Shell &context) {
         if (inProgress() || !entry_.label().empty()) {
             cancel();
             entry_.clear();
+            typedNodes_.clear();
             return true;
         }
         return false;
@@ -136,6 +192,7 @@ void DrawingTool::deactivate(Shell &context) {
     }
     cancel();
     entry_.clear();
+    typedNodes_.clear();
     over_ = false;
 }
 
@@ -146,12 +203,16 @@ bool DrawingTool::commitShape(Shell &context, Shape shape, const std::string &la
     if (next) {
         next = joinToSegments(*next, before->nextId);
     }
+    if (next) {
+        keepFormulas(*next, before->nextId);
+    }
     if (!EditState::apply(context, std::move(next), label)) {
         return false;
     }
     context.selection.clear();
     context.selection.shapes.insert(before->nextId);
     entry_.clear();
+    typedNodes_.clear();
     return true;
 }
 
@@ -166,6 +227,11 @@ void DrawingTool::drawMeasure(CanvasPainter &painter, Shell &context, const std:
     if (!typedText.empty()) {
         painter.label(pointer_.at, {16.0, y}, typedText, entry_.isWrong() ? context.theme.bad : context.theme.accent,
                       context.theme.popup, context.fonts.strong);
+        y += 24.0;
+    }
+    if (entry_.isWrong()) {
+        painter.label(pointer_.at, {16.0, y}, entry_.fault(), context.theme.bad, context.theme.popup,
+                      context.fonts.small);
     }
 }
 

@@ -4,9 +4,12 @@
 #include "ui/tools/numeric_entry.hpp"
 #include "ui/workspace/edit_state.hpp"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 namespace forefront {
 
@@ -50,7 +53,8 @@ class DrawingTool : public Tool {
     virtual Vec2 typedPlace(const TypedPair &pair) const;
 
     bool inProgress() const { return anchor().has_value(); }
-    /// Adds a shape, selects it and clears the typed numbers.
+    /// Adds a shape, selects it and clears the typed numbers. Numbers of the shape that were typed as expressions
+    /// follow them.
     bool commitShape(Shell &context, Shape shape, const std::string &label);
     /// Labels the pointer with `text` and with the numbers being typed.
     void drawMeasure(CanvasPainter &painter, Shell &context, const std::string &text) const;
@@ -63,11 +67,20 @@ class DrawingTool : public Tool {
     Modifiers modifiers_;
 
   private:
+    /// A node whose coordinates were typed as expressions; an empty text: not typed.
+    struct TypedNode {
+        Vec2 at;
+        std::string x, y;
+    };
+
     bool press(const CanvasEvent &event, Shell &context);
+    void placeTyped(Shell &context);
+    void keepFormulas(Document &document, std::uint32_t shape) const;
     bool typed(const CanvasEvent &event, Shell &context);
     void follow(const CanvasEvent &event, Shell &context);
 
     Pixel pressPixel_{};
+    std::vector<TypedNode> typedNodes_; ///< of the unfinished shape
 };
 
 } // namespace forefront

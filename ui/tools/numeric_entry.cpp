@@ -1,5 +1,7 @@
 #include "ui/tools/numeric_entry.hpp"
 
+#include "core/base/result.hpp"
+#include "core/spacing/parts/expression/expression.hpp"
 #include "ui/widgets/number_text.hpp"
 
 #include <algorithm>
@@ -15,15 +17,16 @@ bool isDigitKey(int code) {
 
 bool isNumberKey(int code) {
     return isDigitKey(code) || code == key::kKeypadDecimal || code == key::kMinus || code == key::kPeriod ||
-           code == key::kComma;
+           code == key::kComma || code == key::kEqual;
 }
 
 bool isDigit(char32_t c) {
     return c >= U'0' && c <= U'9';
 }
 
-bool belongsToNumber(char32_t c) {
-    return isDigit(c) || c == U'.' || c == U'-' || c == U'+' || c == U',' || c == U'@' || c == U'e' || c == U' ';
+/// Returns true for characters of numbers, pairs and expressions.
+bool isPrintable(char32_t c) {
+    return c >= U' ' && c <= U'~';
 }
 
 /// Returns true for quantities that must be positive; coordinates and angles may have any sign.
@@ -31,13 +34,44 @@ bool isLength(EntryField field) {
     return field != EntryField::X && field != EntryField::Y && field != EntryField::Angle;
 }
 
-std::optional<double> read(EntryField field, std::string_view text) {
-    const std::optional<double> number = parseNumber(text);
-    return number && (*number > 0.0 || !isLength(field)) ? number : std::nullopt;
+/// Returns the text of an expression without the = that may begin it.
+std::string expressionIn(std::string_view text) {
+    text = trimmed(text);
+    return std::string(trimmed(text.starts_with('=') ? text.substr(1) : text));
+}
+
+/// Returns the value of a number or an expression of names.
+Result<double> evaluate(std::string_view text, const NamedValues &names) {
+    if (const std::optional<double> number = parseNumber(text)) {
+        return *number;
+    }
+    return evaluateExpression(expressionIn(text), names);
+}
+
+Result<double> read(EntryField field, std::string_view text, const NamedValues &names) {
+    Result<double> number = evaluate(text, names);
+    if (number && isLength(field) && !(*number > 0.0)) {
+        return error("bad-number", "expected a number above 0");
+    }
+    return number;
+}
+
+/// Returns the position of the comma that separates two numbers, not two arguments of a function; npos if there is
+/// none.
+std::size_t separatingComma(std::string_view text) {
+    int depth = 0;
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        depth += text[k] == '(' ? 1 : text[k] == ')' ? -1 : 0;
+        if (text[k] == ',' && depth == 0) {
+            return k;
+        }
+    }
+    return std::string_view::npos;
 }
 
 const char *symbol(EntryField field) {
-    static constexpr std::array<const char *, kEntryFields> kSymbols{"x", "y", "d", "\xe2\x88\xa0", "w", "h", "r"};
+    static constexpr std::array<const char *, kEntryFields> kSymbols{"x", "y", "d", "\xe2\x88\xa0",
+                                                                     "w", "h", "r", "\xc3\x97"};
     return kSymbols[static_cast<std::size_t>(field)];
 }
 
@@ -49,31 +83,56 @@ std::string shown(double value) {
 
 } // namespace
 
-std::optional<TypedPair> parsePair(std::string_view text) {
+std::optional<TypedPair> parsePair(std::string_view text, const NamedValues &names) {
     text = trimmed(text);
     TypedPair pair;
     if (text.starts_with('@')) {
         pair.relative = true;
         text = trimmed(text.substr(1));
     }
-    std::size_t cut = text.find(',');
-    if (cut == std::string_view::npos) {
+    std::size_t cut = separatingComma(text);
+    const bool spaced = cut == std::string_view::npos;
+    if (spaced) {
         cut = text.find(' ');
     }
     if (cut == std::string_view::npos) {
         return std::nullopt;
     }
-    const auto x = parseNumber(text.substr(0, cut)), y = parseNumber(text.substr(cut + 1));
+    const std::string_view left = text.substr(0, cut), right = text.substr(cut + 1);
+    if (spaced && !(parseNumber(left) && parseNumber(right))) {
+        return std::nullopt; // an expression with spaces
+    }
+    const Result<double> x = evaluate(left, names), y = evaluate(right, names);
     if (!x || !y) {
         return std::nullopt;
     }
     pair.value = {*x, *y};
+    pair.xText = expressionIn(left);
+    pair.yText = expressionIn(right);
     return pair;
 }
 
 std::optional<double> NumericEntry::value(EntryField field) const {
-    const std::optional<double> typed = open_ == field ? read(field, text_) : std::nullopt;
-    return typed ? typed : values_[static_cast<std::size_t>(field)];
+    if (open_ == field && !text_.empty()) {
+        if (const Result<double> typed = read(field, text_, names_)) {
+            return *typed;
+        }
+    }
+    return values_[static_cast<std::size_t>(field)];
+}
+
+std::string NumericEntry::expression(EntryField field) const {
+    return open_ == field && !text_.empty() ? expressionIn(text_) : expressions_[static_cast<std::size_t>(field)];
+}
+
+void NumericEntry::forget(EntryField field) {
+    slot(field).reset();
+    expressions_[static_cast<std::size_t>(field)].clear();
+}
+
+/// Returns true if a letter continues the text: it is no number yet, as after an operator, or no number any longer.
+bool NumericEntry::continuesExpression() const {
+    return open_ && !text_.empty() && !parseNumber(text_);
 }
 
 SnapLocks NumericEntry::locks() const {
@@ -85,7 +144,7 @@ SnapLocks NumericEntry::locks() const {
 }
 
 std::optional<TypedPair> NumericEntry::pair() const {
-    return open_ && byDigit_ ? parsePair(text_) : std::nullopt;
+    return open_ && byDigit_ ? parsePair(text_, names_) : std::nullopt;
 }
 
 bool NumericEntry::shows(EntryField field) const {
@@ -104,8 +163,10 @@ std::vector<EntryField> NumericEntry::visible() const {
     return result;
 }
 
-NumericEntry::Answer NumericEntry::handle(const CanvasEvent &event, std::span<const EntryField> fields) {
+NumericEntry::Answer NumericEntry::handle(const CanvasEvent &event, std::span<const EntryField> fields,
+                                          const NamedValues &names) {
     fields_.assign(fields.begin(), fields.end());
+    names_ = names;
     switch (event.kind) {
     case CanvasEvent::Kind::Key:
         return key(event);
@@ -123,7 +184,8 @@ NumericEntry::Answer NumericEntry::text(char32_t character) {
     }
     if (!open_) {
         const bool begins =
-            isDigit(character) || (anchored() && (character == U'.' || character == U'-' || character == U'@'));
+            isDigit(character) ||
+            (anchored() && (character == U'.' || character == U'-' || character == U'@' || character == U'='));
         if (!begins || fields_.empty()) {
             return Answer::Unused;
         }
@@ -132,9 +194,9 @@ NumericEntry::Answer NumericEntry::text(char32_t character) {
         byDigit_ = true;
         text_.clear();
     }
-    if (belongsToNumber(character)) {
+    if (isPrintable(character) && text_.size() < kMaxExpressionLength) {
         text_ += static_cast<char>(character);
-        wrong_ = false;
+        fault_.clear();
     }
     return Answer::Used;
 }
@@ -145,7 +207,7 @@ NumericEntry::Answer NumericEntry::letter(EntryField field) {
     }
     // The letter of a field that has a value clears it.
     if (slot(field) || open_ == field) {
-        slot(field).reset();
+        forget(field);
         open_.reset();
     } else {
         open_ = field;
@@ -160,6 +222,9 @@ NumericEntry::Answer NumericEntry::key(const CanvasEvent &event) {
     skipLetter_ = false;
     if (event.modifiers.control() || event.modifiers.alt()) {
         return Answer::Unused;
+    }
+    if (continuesExpression() && event.key >= 'A' && event.key <= 'Z') {
+        return Answer::Used; // arrives as text
     }
     switch (event.key) {
     case 'X':
@@ -192,15 +257,15 @@ NumericEntry::Answer NumericEntry::key(const CanvasEvent &event) {
         break;
     case key::kEscape:
         open_.reset();
-        wrong_ = false;
+        fault_.clear();
         text_.clear();
         break;
     case key::kBackspace:
-        wrong_ = false;
+        fault_.clear();
         if (!text_.empty()) {
             text_.pop_back();
         } else if (slot(*open_)) {
-            slot(*open_).reset();
+            forget(*open_);
         } else {
             open_.reset();
         }
@@ -214,12 +279,13 @@ NumericEntry::Answer NumericEntry::key(const CanvasEvent &event) {
 /// Commits the text of the open field; empty text keeps the old value. Returns false and marks invalid text.
 bool NumericEntry::store() {
     if (!text_.empty()) {
-        const std::optional<double> number = read(*open_, text_);
-        wrong_ = !number;
-        if (wrong_) {
+        const Result<double> number = read(*open_, text_, names_);
+        if (!number) {
+            fault_ = number.faults().front().message;
             return false;
         }
-        slot(*open_) = number;
+        slot(*open_) = *number;
+        expressions_[static_cast<std::size_t>(*open_)] = expressionIn(text_);
         text_.clear();
     }
     return true;
@@ -236,6 +302,9 @@ void NumericEntry::moveOn(bool back) {
 
 bool NumericEntry::determined() const {
     const auto has = [this](EntryField field) { return values_[static_cast<std::size_t>(field)].has_value(); };
+    if (fields_.size() == 1 && has(fields_.front())) {
+        return true;
+    }
     return (has(EntryField::X) && has(EntryField::Y)) || (has(EntryField::Width) && has(EntryField::Height)) ||
            has(EntryField::Radius) || (has(EntryField::Distance) && (has(EntryField::Angle) || byDigit_));
 }
@@ -252,7 +321,8 @@ NumericEntry::Answer NumericEntry::accept() {
 }
 
 std::string NumericEntry::label() const {
-    const bool isPair = open_ && byDigit_ && text_.find_first_of(",@ ") != std::string::npos;
+    const bool isPair = open_ && byDigit_ &&
+                        (separatingComma(text_) != std::string::npos || text_.starts_with('@') || pair().has_value());
     if (isPair) {
         return text_ + "_";
     }

@@ -1,12 +1,16 @@
 #pragma once
 
 #include "core/edit/snap.hpp"
+#include "core/spacing/parts/expression/expression_program.hpp"
 #include "ui/parts/tool.hpp"
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace forefront {
@@ -15,19 +19,21 @@ namespace forefront {
 struct TypedPair {
     Vec2 value;
     bool relative = false;
+    std::string xText{}, yText{}; ///< the expressions typed
 };
 
-/// Parses two numbers separated by a comma or a space; "@" in front makes them relative. The entire text must be
-/// consumed.
-std::optional<TypedPair> parsePair(std::string_view text);
+/// Parses two numbers or expressions of names separated by a comma, or two numbers separated by a space; "@" in front
+/// makes them relative. The entire text must be consumed.
+std::optional<TypedPair> parsePair(std::string_view text, const NamedValues &names = {});
 
 /// A quantity that can be typed while drawing. Lengths in domain units, angles in degrees.
-enum class EntryField : std::uint8_t { X, Y, Distance, Angle, Width, Height, Radius };
-inline constexpr std::size_t kEntryFields = 7;
+enum class EntryField : std::uint8_t { X, Y, Distance, Angle, Width, Height, Radius, Factor };
+inline constexpr std::size_t kEntryFields = 8;
 
 /// Handles numbers typed while drawing. A digit opens the first field that the tool shows, Tab and Shift+Tab move
 /// between fields, X, Y, D and Q open a field by its letter, and Enter accepts. Typed numbers take effect immediately,
-/// so that the drawing shows them before Enter. Two numbers ("3, 4" or "@1, 0") are a point.
+/// so that the drawing shows them before Enter. Two numbers ("3, 4" or "@1, 0") are a point. A number may be an
+/// expression of parameters, such as 2*r or, if it begins with X, Y, D or Q, =d/2.
 class NumericEntry {
   public:
     enum class Answer : std::uint8_t {
@@ -36,18 +42,22 @@ class NumericEntry {
         Place ///< the typed numbers determine the next node: place it
     };
     /// Handles an event. `fields` are those that the tool shows now, in Tab order; X first if there is no node to
-    /// measure from.
-    Answer handle(const CanvasEvent &event, std::span<const EntryField> fields);
+    /// measure from. `names` are the parameters that expressions may use.
+    Answer handle(const CanvasEvent &event, std::span<const EntryField> fields, const NamedValues &names = {});
 
     /// Returns the value of a field, including the number being typed into it.
     std::optional<double> value(EntryField field) const;
+    /// Returns the expression typed into a field; empty if there is none.
+    std::string expression(EntryField field) const;
     /// Returns the values that fix coordinates, distance (or radius) and angle.
     SnapLocks locks() const;
     /// Returns the pair being typed, or the one just accepted, until clear().
     std::optional<TypedPair> pair() const;
     bool isOpen() const { return open_.has_value(); }
     /// Returns true while the text is invalid.
-    bool isWrong() const { return wrong_; }
+    bool isWrong() const { return !fault_.empty(); }
+    /// Returns why the text is invalid; empty if it is valid.
+    const std::string &fault() const { return fault_; }
     /// Clears all fields, after a node was placed or the drawing was cancelled.
     void clear() { *this = {}; }
     /// Returns the visible fields in one line: "w 6   h 5_". Empty if nothing is typed.
@@ -64,13 +74,17 @@ class NumericEntry {
     bool anchored() const { return fields_.empty() || fields_.front() != EntryField::X; }
     bool shows(EntryField field) const;
     std::vector<EntryField> visible() const;
+    bool continuesExpression() const;
+    void forget(EntryField field);
     std::optional<double> &slot(EntryField field) { return values_[static_cast<std::size_t>(field)]; }
 
     std::vector<EntryField> fields_;
     std::array<std::optional<double>, kEntryFields> values_;
+    std::array<std::string, kEntryFields> expressions_; ///< of the values
+    NamedValues names_;
     std::optional<EntryField> open_;
     std::string text_;
-    bool wrong_ = false;
+    std::string fault_;
     bool byDigit_ = false;    ///< the field was opened by a digit, so a single number may suffice
     bool skipLetter_ = false; ///< the letter that opened a field arrives as text too
 };
