@@ -73,6 +73,34 @@ TEST_CASE("Lock: undoing an unlock deselects the shape; the Names panel skips hi
     CHECK(driver.context().selection.shapes == std::set<std::uint32_t>{1});
 }
 
+TEST_CASE("Selection: no command, undo or step through the history leaves a locked shape selected, panels or not") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.rectangle({3, 3}, {5, 5});
+    driver.key('V');
+    driver.key('L', kControl); // both are unlocked again in one step
+    driver.key('L', kAlt);
+    driver.key(key::kTab); // hides the panels
+    driver.settle();
+    REQUIRE_FALSE(driver.context().view.panels);
+    Shell &context = driver.context();
+    context.selection.shapes = {1, 2};
+    context.selection.nodes = {{2, 1}};
+    context.selection.segments = {{2, 1}};
+    SUBCASE("undo") {
+        driver.key('Z', kControl);
+    }
+    SUBCASE("history") {
+        context.document.goTo(context.document.history().position() - 1);
+    }
+    SUBCASE("command") {
+        context.document.apply(*setLocked(driver.document(), {2}, true), "Lock shape");
+    }
+    CHECK(driver.document().shapes[1]->locked);
+    CHECK(context.selection.shapes == std::set<std::uint32_t>{1});
+    CHECK(context.selection.size() == 1);
+}
+
 TEST_CASE("Shapes panel: lists shapes by boundary part; selects, hides and locks them") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});

@@ -130,7 +130,6 @@ void addHistoryActions(ActionRegistry &actions) {
                      [](Shell &c) {
                          if (!c.tools.current().undo(c)) {
                              c.document.undo();
-                             c.selection.prune(*c.document.current());
                          }
                      },
                  .dynamic = [](const Shell &c) { return "Undo " + c.document.undoLabel(); },
@@ -143,7 +142,6 @@ void addHistoryActions(ActionRegistry &actions) {
                      [](Shell &c) {
                          if (!c.tools.current().redo(c)) {
                              c.document.redo();
-                             c.selection.prune(*c.document.current());
                          }
                      },
                  .dynamic = [](const Shell &c) { return "Redo " + c.document.redoLabel(); },
@@ -174,11 +172,8 @@ void addPathActions(ActionRegistry &actions) {
                      .menu = "Edit",
                      .title = title,
                      .shortcuts = {{key, Modifiers{Modifiers::kShift}}},
-                     .run =
-                         [title, command](Shell &c) {
-                             EditState::apply(c, command(*c.document.current(), c.selection), title);
-                             c.selection.prune(*c.document.current());
-                         },
+                     .run = [title, command](
+                                Shell &c) { EditState::apply(c, command(*c.document.current(), c.selection), title); },
                      .enabled = enabled,
                      .separatorBefore = first});
     };
@@ -246,7 +241,6 @@ void addSelectionActions(ActionRegistry &actions) {
                      [](Shell &c) {
                          EditState::apply(c, convertToPaths(*c.document.current(), c.selection.shapes),
                                           "Convert to path");
-                         c.selection.prune(*c.document.current());
                      },
                  .enabled = [](const Shell &c) { return !c.selection.shapes.empty(); },
                  .separatorBefore = true});

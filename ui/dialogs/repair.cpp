@@ -18,7 +18,6 @@ void repairDrawing(Shell &context) {
         return;
     }
     context.document.apply(std::move(repaired->document), "Repair drawing");
-    context.selection.prune(*context.document.current());
     context.log.add(notesOf(repaired->changes));
     std::size_t count = 0;
     for (const ArrangementChange &change : repaired->changes) {

@@ -58,8 +58,7 @@ class HistoryPanel final : public Panel {
     }
 
     static void travel(Shell &context, std::size_t entry) {
-        context.document.history().goTo(entry);
-        context.selection.prune(*context.document.current());
+        context.document.goTo(entry);
         context.animate();
     }
 

@@ -42,8 +42,6 @@ class InspectorPanel final : public Panel {
     void drawSource(Shell &context, std::uint32_t index) const;
     void drawMarker(Shell &context, std::uint32_t index) const;
     void drawMany(Shell &context) const;
-
-    std::uint64_t pruned_ = 0; ///< revision for which deleted parts were last removed from the selection
 };
 
 void heading(WidgetContext &context, const std::string &text) {
@@ -415,10 +413,6 @@ void InspectorPanel::drawMany(Shell &context) const {
 void InspectorPanel::draw(Shell &context) {
     const std::shared_ptr<const Document> held =
         context.document.current(); // keeps it alive: fields below may replace it
-    if (pruned_ != context.document.revision()) {
-        pruned_ = context.document.revision();
-        context.selection.prune(*held);
-    }
     const Selection &selection = context.selection;
     drawHere(context);
     if (selection.empty()) {

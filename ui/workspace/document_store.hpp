@@ -3,8 +3,10 @@
 #include "core/edit/formulas.hpp"
 #include "core/edit/history.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -28,15 +30,22 @@ class DocumentStore {
     /// false if nothing changed.
     bool apply(Document next, std::string label, std::string_view stroke = {}) {
         carryFormulas(*current(), next);
-        return history_.commit(std::move(label), std::move(next), stroke);
+        return tell(history_.commit(std::move(label), std::move(next), stroke));
     }
     void endStroke() { history_.endStroke(); }
-    void abandonStroke() { history_.abandonStroke(); }
-    bool undo() { return history_.undo(); }
-    bool redo() { return history_.redo(); }
+    void abandonStroke() {
+        history_.abandonStroke();
+        tell(true);
+    }
+    bool undo() { return tell(history_.undo()); }
+    bool redo() { return tell(history_.redo()); }
+    /// Makes the document after a command of the history current.
+    void goTo(std::size_t entry) {
+        history_.goTo(entry);
+        tell(true);
+    }
     std::string undoLabel() const { return std::string(history_.undoLabel()); }
     std::string redoLabel() const { return std::string(history_.redoLabel()); }
-    History &history() { return history_; }
     const History &history() const { return history_; }
 
     /// Opens another document with a new history. `path` is empty if the document has no file yet. `dirty` marks it
@@ -47,6 +56,7 @@ class DocumentStore {
         path_ = std::move(path);
         title_ = std::move(title);
         ++loads_;
+        tell(true);
     }
     const std::filesystem::path &path() const { return path_; }
     /// Returns the name of the file, or the title of a document without one.
@@ -61,11 +71,22 @@ class DocumentStore {
         history_.markSaved();
     }
 
+    /// Calls `observer` with the new document whenever another one becomes current.
+    void observe(std::function<void(const Document &)> observer) { observer_ = std::move(observer); }
+
   private:
+    bool tell(bool changed) {
+        if (changed && observer_) {
+            observer_(*current());
+        }
+        return changed;
+    }
+
     History history_;
     std::filesystem::path path_;
     std::string title_;
     std::uint64_t loads_ = 1;
+    std::function<void(const Document &)> observer_;
 };
 
 } // namespace forefront

@@ -50,7 +50,10 @@ struct Workspace : WidgetContext {
 
     explicit Workspace(Platform &owner)
         : WidgetContext(owner), run(document, log, [&owner] { owner.wake(); }), examiner([&owner] { owner.wake(); }),
-          preview(examiner.latest()), judge([&owner] { owner.wake(); }), judgement(judge.latest()) {}
+          preview(examiner.latest()), judge([&owner] { owner.wake(); }), judgement(judge.latest()) {
+        // Nothing that is gone, hidden or locked stays selected, however the document changes.
+        document.observe([this](const Document &next) { selection.prune(next); });
+    }
 };
 
 } // namespace forefront
