@@ -108,12 +108,29 @@ void Driver::clickAt(Pixel pixel) {
     drain();
 }
 
-void Driver::drag(Pixel from, Pixel to, int steps) {
+void Driver::hold(Modifiers modifiers, bool pressed) {
+    const std::pair<bool, int> keys[] = {{modifiers.control(), key::kLeftControl},
+                                         {modifiers.shift(), key::kLeftShift},
+                                         {modifiers.alt(), key::kLeftAlt}};
+    for (const auto &[wanted, which] : keys) {
+        if (wanted) {
+            push({.kind = InputKind::Key,
+                  .code = which,
+                  .pressed = pressed,
+                  .modifiers = pressed ? modifiers : Modifiers{}});
+        }
+    }
+}
+
+void Driver::drag(Pixel from, Pixel to, int steps, Modifiers modifiers) {
+    hold(modifiers, true);
     press(from);
     for (int i = 1; i <= steps; ++i) {
         moveTo(glm::mix(from, to, static_cast<double>(i) / steps));
     }
     release(to);
+    hold(modifiers, false);
+    drain();
 }
 
 void Driver::scroll(Pixel pixel, double steps) {
@@ -123,21 +140,10 @@ void Driver::scroll(Pixel pixel, double steps) {
 }
 
 void Driver::key(int code, Modifiers modifiers) {
-    const std::pair<bool, int> held[] = {{modifiers.control(), key::kLeftControl},
-                                         {modifiers.shift(), key::kLeftShift},
-                                         {modifiers.alt(), key::kLeftAlt}};
-    for (const auto &[wanted, which] : held) {
-        if (wanted) {
-            push({.kind = InputKind::Key, .code = which, .pressed = true, .modifiers = modifiers});
-        }
-    }
+    hold(modifiers, true);
     push({.kind = InputKind::Key, .code = code, .pressed = true, .modifiers = modifiers});
     push({.kind = InputKind::Key, .code = code, .pressed = false, .modifiers = modifiers});
-    for (const auto &[wanted, which] : held) {
-        if (wanted) {
-            push({.kind = InputKind::Key, .code = which, .pressed = false});
-        }
-    }
+    hold(modifiers, false);
     drain();
 }
 

@@ -37,7 +37,7 @@ class Driver {
     void clickAt(Pixel pixel);
     void press(Pixel pixel, MouseButton button = MouseButton::Left);
     void release(Pixel pixel, MouseButton button = MouseButton::Left);
-    void drag(Pixel from, Pixel to, int steps = 8);
+    void drag(Pixel from, Pixel to, int steps = 8, Modifiers modifiers = {});
     void key(int code, Modifiers modifiers = {});
     void type(std::string_view text);
     /// Types lower-case letters and digits like a keyboard: each key, then its character.
@@ -60,6 +60,7 @@ class Driver {
 
   private:
     void push(const InputEvent &event);
+    void hold(Modifiers modifiers, bool pressed);
     void drain();
 
     std::unique_ptr<EglPlatform> platform_;

@@ -101,6 +101,10 @@ void SelectTool::drawOverlay(CanvasPainter &painter, Shell &context) {
     drawHandles(painter, context);
     drawControls(painter, context);
     drawSourceHandles(painter, context);
+    if (mode_ == Mode::Idle || mode_ == Mode::Transforming) {
+        const bool under = over_ && hover_.kind == Hit::Kind::Transform;
+        transform_.draw(painter, context, under ? std::optional(hover_.transform) : std::nullopt);
+    }
     const Theme &theme = context.theme;
     if (mode_ == Mode::Boxing) {
         const Box2 box = boxOf(pressPlace_, boxPlace_);
@@ -157,6 +161,8 @@ std::string SelectTool::statusText(const Shell &context) const {
     switch (mode_) {
     case Mode::Moving:
         return "Shift: steps of 15\xc2\xb0, Ctrl: no snapping, Esc: cancel";
+    case Mode::Transforming:
+        return TransformHandles::statusText(grabbed_.transform);
     case Mode::Boxing:
         return "Selects the shapes inside the box, or the nodes if no whole shape is inside";
     case Mode::Grabbed:
@@ -165,6 +171,9 @@ std::string SelectTool::statusText(const Shell &context) const {
     }
     if (over_ && hover_.kind == Hit::Kind::Control) {
         return "Drag the control point. Alt: without the opposite one, Shift: steps of 15\xc2\xb0";
+    }
+    if (over_ && hover_.kind == Hit::Kind::Transform) {
+        return TransformHandles::statusText(hover_.transform);
     }
     if (over_ && hover_.kind == Hit::Kind::Segment) {
         return context.selection.shapes.contains(hover_.shape)

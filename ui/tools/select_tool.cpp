@@ -24,6 +24,7 @@ CursorShape SelectTool::cursor() const {
 void SelectTool::deactivate(Shell &) {
     mode_ = Mode::Idle;
     over_ = false;
+    transform_.end();
     start_.reset();
     startIndex_.reset();
 }
@@ -69,6 +70,9 @@ SelectTool::Hit SelectTool::hitAt(Vec2 place, Shell &context) const {
         hit.kind = Hit::Kind::Marker;
         hit.marker = *marker;
         hit.at = index.document().regionMarkers[*marker].at;
+    } else if (const auto handle = transform_.at(place, context)) {
+        hit.kind = Hit::Kind::Transform;
+        hit.transform = *handle;
     } else if (const auto segment = index.segment(place, EditState::reach(context, 6.0), isFree)) {
         hit.kind = Hit::Kind::Segment;
         hit.segment = segment;
@@ -84,6 +88,7 @@ SelectTool::Hit SelectTool::hitAt(Vec2 place, Shell &context) const {
 bool SelectTool::isSelected(const Hit &hit, const Selection &selection) const {
     switch (hit.kind) {
     case Hit::Kind::Control:
+    case Hit::Kind::Transform:
         return true; // only those of the selection are shown
     case Hit::Kind::Node:
         return selection.nodes.contains(hit.node);
@@ -114,7 +119,7 @@ void choose(std::set<T> &set, const T &item, bool toggles) {
 } // namespace
 
 void SelectTool::select(const Hit &hit, bool adds, Selection &selection) const {
-    if (hit.kind == Hit::Kind::Control) {
+    if (hit.kind == Hit::Kind::Control || hit.kind == Hit::Kind::Transform) {
         return;
     }
     if (!adds) {
@@ -142,6 +147,7 @@ void SelectTool::select(const Hit &hit, bool adds, Selection &selection) const {
         choose(selection.shapes, hit.shape, adds);
         break;
     case Hit::Kind::Control:
+    case Hit::Kind::Transform:
     case Hit::Kind::Nothing:
         break;
     }
@@ -171,9 +177,10 @@ bool SelectTool::handle(const CanvasEvent &event, Shell &context) {
         release(event, context);
         return true;
     case Kind::Key:
-        return key(event, context);
-    case Kind::Wheel:
+        return transform_.typed(event, context) || key(event, context);
     case Kind::Text:
+        return transform_.typed(event, context);
+    case Kind::Wheel:
         break;
     }
     return false;
@@ -189,6 +196,11 @@ void SelectTool::press(const CanvasEvent &event, Shell &context) {
     adds_ = event.modifiers.shift();
     if (event.clicks == 2 && grabbed_.kind == Hit::Kind::Segment) {
         insertAt(grabbed_, context);
+        return;
+    }
+    if (grabbed_.kind == Hit::Kind::Transform) {
+        transform_.begin(grabbed_.transform, event, context);
+        mode_ = Mode::Transforming;
         return;
     }
     wasSelected_ = isSelected(grabbed_, context.selection);
@@ -237,6 +249,10 @@ void SelectTool::drag(const CanvasEvent &event, Shell &context) {
         boxPlace_ = event.place;
         return;
     }
+    if (mode_ == Mode::Transforming) {
+        transform_.drag(event, context);
+        return;
+    }
     if (mode_ == Mode::Grabbed && glm::distance(event.pixel, pressPixel_) > static_cast<double>(context.px(3))) {
         if (!isSelected(grabbed_, context.selection)) {
             return; // Shift removed it from the selection
@@ -252,15 +268,8 @@ void SelectTool::drag(const CanvasEvent &event, Shell &context) {
                                     event.modifiers.shift() && !adds_, event.modifiers.control());
     query.anchor = grabbed_.at;
     // Do not snap to what is being moved.
-    const auto isUnmoved = [this](const Shape &shape) {
-        return !moving_.shapes.contains(shape.id) &&
-               std::none_of(moving_.nodes.begin(), moving_.nodes.end(),
-                            [&](NodeRef node) { return node.shape == shape.id; }) &&
-               std::none_of(moving_.segments.begin(), moving_.segments.end(),
-                            [&](SegmentRef segment) { return segment.shape == shape.id; });
-    };
     if (context.snapping.toDrawing) {
-        query.filter = isUnmoved;
+        query.filter = [this](const Shape &shape) { return !moving_.touches(shape.id); };
     }
     if (grabbed_.kind == Hit::Kind::Control) {
         const Shape *const shape = findShape(*start_, grabbed_.shape);
@@ -337,6 +346,7 @@ void SelectTool::release(const CanvasEvent &event, Shell &context) {
             context.selection.segments.insert(grabbed_.segment->ref);
         }
     }
+    transform_.end();
     clicked_ = moved ? kNoIndex : grabbed_.shape;
     mode_ = Mode::Idle;
     start_.reset();

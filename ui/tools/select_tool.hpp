@@ -2,6 +2,7 @@
 
 #include "core/edit/path_commands.hpp"
 #include "ui/parts/tool.hpp"
+#include "ui/tools/transform_handles.hpp"
 #include "ui/workspace/edit_state.hpp"
 
 #include <memory>
@@ -10,10 +11,10 @@
 namespace forefront {
 
 /// Selects by click and box; drags nodes, control points, segments, shapes, sources and markers; inserts a node by a
-/// double-click on a segment.
+/// double-click on a segment; scales and rotates the selection with its handles.
 class SelectTool final : public Tool {
   public:
-    explicit SelectTool(std::shared_ptr<EditState> state) : state_(std::move(state)) {}
+    explicit SelectTool(std::shared_ptr<EditState> state) : state_(state), transform_(std::move(state)) {}
 
     const char *id() const override { return "select"; }
     const char *name() const override { return "Select and move"; }
@@ -28,10 +29,20 @@ class SelectTool final : public Tool {
     std::string statusText(const Shell &context) const override;
 
   private:
-    enum class Mode : std::uint8_t { Idle, Grabbed, Moving, Boxing };
+    enum class Mode : std::uint8_t { Idle, Grabbed, Moving, Transforming, Boxing };
     /// The item under the pointer; smaller items take precedence.
     struct Hit {
-        enum class Kind : std::uint8_t { Nothing, Control, Node, Source, Marker, Segment, Inside } kind = Kind::Nothing;
+        enum class Kind : std::uint8_t {
+            Nothing,
+            Control,
+            Node,
+            Source,
+            Marker,
+            Transform,
+            Segment,
+            Inside
+        } kind = Kind::Nothing;
+        TransformHandles::Handle transform;
         ControlRef control;
         NodeRef node;
         std::optional<SegmentHit> segment;
@@ -74,6 +85,7 @@ class SelectTool final : public Tool {
     std::shared_ptr<const PickIndex> startIndex_;
     Selection moving_;
     std::string stroke_, nudgeStroke_;
+    TransformHandles transform_;
 };
 
 } // namespace forefront
