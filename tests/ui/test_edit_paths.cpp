@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <numbers>
+#include <string>
 
 using namespace forefront;
 using namespace forefront::test;
@@ -215,4 +216,40 @@ TEST_CASE("Paths: converting several shapes to paths is one undo step") {
     driver.key('Z', {Modifiers::kControl});
     CHECK(driver.document().shapes[0]->kind == ShapeKind::Rectangle);
     CHECK(driver.document().shapes[1]->kind == ShapeKind::Rectangle);
+}
+
+TEST_CASE("Trim tool: a click removes the part between two crossings, or extends an open end to the next line") {
+    Draughtsman driver;
+    driver.key('L');
+    driver.clickPlace({1, 5});
+    driver.clickPlace({9, 5});
+    driver.key(key::kEnter);
+    for (const double x : {3.0, 6.0}) {
+        driver.clickPlace({x, 2});
+        driver.clickPlace({x, 8});
+        driver.key(key::kEnter);
+    }
+    driver.key('J');
+    CHECK(std::string(driver.context().tools.current().id()) == "trim");
+    driver.moveToPlace({4.2, 5});
+    const Driver::Picture before = driver.picture();
+    driver.moveToPlace({4.2, 6.5});
+    CHECK(driver.picture().differences(before) > 100); // the part was shown
+    driver.clickPlace({4.2, 5});
+    CHECK(driver.undoLabel() == "Trim");
+    REQUIRE(driver.document().shapes.size() == 4);
+    CHECK(driver.document().shapes[0]->nodes.back().x == doctest::Approx(3));
+    driver.clickPlace({8.9, 5});
+    driver.clickPlace({2, 5}); // what is left ends at the crossing, and extended it meets nothing
+    CHECK(driver.document().shapes.size() == 4);
+    driver.key('L');
+    driver.clickPlace({7, 3});
+    driver.clickPlace({8, 3});
+    driver.key(key::kEnter);
+    driver.key('J');
+    driver.clickPlace({7, 3});
+    CHECK(driver.undoLabel() == "Extend");
+    CHECK(driver.document().shapes.back()->nodes.front().x == doctest::Approx(6));
+    driver.clickPlace({8, 3});
+    CHECK(driver.undoLabel() == "Extend"); // nothing in its way: refused
 }

@@ -12,6 +12,7 @@
 #include "ui/tools/slot_tool.hpp"
 #include "ui/tools/source_tool.hpp"
 #include "ui/tools/trace_tool.hpp"
+#include "ui/tools/trim_tool.hpp"
 
 namespace forefront {
 
@@ -28,6 +29,7 @@ std::vector<std::unique_ptr<Tool>> makeTools() {
     tools.push_back(std::make_unique<PenTool>(state, ShapeKind::Polyline));
     tools.push_back(std::make_unique<ArcTool>(state));
     tools.push_back(std::make_unique<PointTool>(state));
+    tools.push_back(std::make_unique<TrimTool>(state));
     tools.push_back(std::make_unique<RegionTool>(state));
     tools.push_back(std::make_unique<BrushTool>(state, false));
     tools.push_back(std::make_unique<BrushTool>(state, true));

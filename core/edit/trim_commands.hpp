@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/edit/references.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace forefront {
+
+// Commands that shorten and lengthen outlines up to where they meet others. Hidden shapes do not count. Errors:
+// no-such-shape, no-such-node, not-possible.
+
+/// Returns the part of an outline around a place that trimming removes: from the last crossing before it to the first
+/// one after it, along segments and nodes. An open path is also bounded by its ends. Error: not-possible if nothing
+/// crosses it, or a closed one is crossed at one place only.
+Result<std::vector<Curve>> partToTrim(const Document &document, std::uint32_t shape, Vec2 at);
+/// Removes that part. A rectangle, circle or ellipse becomes a path, a closed path opens, and an open one may fall into
+/// two, of which the second gets a new id.
+Result<Document> trimAt(const Document &document, std::uint32_t shape, Vec2 at);
+
+/// Returns what extending an open path at one of its ends adds: its last segment continued, an arc along its ellipse
+/// and others straight on, to the first crossing. Error: not-possible if it meets nothing.
+Result<Curve> extensionAt(const Document &document, NodeRef end);
+/// Lengthens an open path by that.
+Result<Document> extendEnd(const Document &document, NodeRef end);
+
+} // namespace forefront
