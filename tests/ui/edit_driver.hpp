@@ -5,13 +5,16 @@
 #include "tests/ui/driver.hpp"
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace forefront::test {
 
 /// A driver that works in drawing coordinates. Starts with an empty drawing, with about 10 x 10 units in view.
 class Draughtsman : public Driver {
   public:
-    explicit Draughtsman(EditorSetup setup = {}) : Driver(withoutSample(std::move(setup))) {
+    explicit Draughtsman(EditorSetup setup = {}, PixelSize size = {1280, 800})
+        : Driver(withoutSample(std::move(setup)), size) {
         key('N', {Modifiers::kControl});
         settle();
     }

@@ -1,0 +1,255 @@
+#include "core/edit/equality.hpp"
+#include "core/edit/shape_commands.hpp"
+#include "core/io/project/project.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/ui/edit_driver.hpp"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <random>
+#include <string>
+
+using namespace forefront;
+using namespace forefront::test;
+
+namespace {
+
+/// Returns a whole number from the environment.
+std::uint64_t setting(const char *name, std::uint64_t otherwise) {
+    const char *const text = std::getenv(name);
+    return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
+}
+
+/// Sends random input to an editor: mostly what a hand does on the canvas, some of it anywhere.
+class Hand {
+  public:
+    Hand(Draughtsman &driver, std::uint64_t seed) : driver_(driver), random_(seed) {}
+
+    /// Sends one event and returns true, or returns false if the event would leave the document or write a file.
+    bool act() {
+        switch (below(16)) {
+        case 0:
+        case 1:
+        case 2:
+        case 3:
+        case 4:
+            return move();
+        case 5:
+        case 6:
+        case 7:
+        case 8:
+            return button();
+        case 9:
+        case 10:
+            return key(static_cast<int>('A' + below(26)), tools());
+        case 11:
+            return key(static_cast<int>('A' + below(26)), anyModifiers());
+        case 12:
+            return key(kKeys[below(kKeys.size())], anyModifiers());
+        case 13:
+        case 14:
+            return text();
+        default:
+            return below(4) == 0 ? focus() : scroll();
+        }
+    }
+
+    /// Lets go of all buttons and keys.
+    void letGo() {
+        for (int which = 0; which < 3; ++which) {
+            send({.kind = InputKind::MouseButton, .code = which, .pressed = false});
+        }
+        hold({}, false);
+        driver_.frames(2);
+    }
+
+  private:
+    static constexpr std::array<int, 22> kKeys{
+        key::kEscape,    key::kEnter,       key::kTab,  key::kBackspace, key::kDelete, key::kLeft,
+        key::kRight,     key::kUp,          key::kDown, key::kEscape,    key::kEnter,  key::kDelete,
+        key::kBackspace, key::kLeftBracket, key::k0,    key::k9,         key::kPeriod, key::kMinus,
+        key::kComma,     key::kEqual,       key::kHome, key::kEnd};
+    static constexpr std::string_view kText = "0123456789.,-+*/()@=xydqer ";
+
+    std::size_t below(std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(random_); }
+    double part() { return std::uniform_real_distribution<double>(0.0, 1.0)(random_); }
+
+    void send(InputEvent event) {
+        event.modifiers = held_;
+        driver_.editor().input().push(event);
+    }
+    void hold(Modifiers wanted, bool pressed) {
+        const std::pair<bool, int> keys[] = {
+            {wanted.control(), key::kLeftControl}, {wanted.shift(), key::kLeftShift}, {wanted.alt(), key::kLeftAlt}};
+        held_ = pressed ? wanted : Modifiers{};
+        for (const auto &[down, which] : keys) {
+            if (down || !pressed) {
+                send({.kind = InputKind::Key, .code = which, .pressed = pressed});
+            }
+        }
+    }
+
+    Modifiers tools() { return below(4) == 0 ? Modifiers{Modifiers::kShift} : Modifiers{}; }
+    Modifiers anyModifiers() {
+        static constexpr std::array<std::uint8_t, 6> kSets{0,
+                                                           Modifiers::kControl,
+                                                           Modifiers::kControl,
+                                                           Modifiers::kShift,
+                                                           Modifiers::kControl | Modifiers::kShift,
+                                                           Modifiers::kAlt};
+        return {kSets[below(kSets.size())]};
+    }
+
+    /// Moves the pointer: a little, to a node or the middle of something drawn, or anywhere.
+    bool move() {
+        const PixelRect canvas = driver_.canvas();
+        const Document &document = driver_.document();
+        const std::size_t way = below(8);
+        if (way < 3 && !document.shapes.empty()) {
+            const Shape &shape = *document.shapes[below(document.shapes.size())];
+            const std::vector<Vec2> handles = handlesOf(shape);
+            const Vec2 first = handles[below(handles.size())], second = handles[below(handles.size())];
+            at_ = driver_.pixel(way == 0 ? 0.5 * (first + second) : first);
+            at_ += way == 2 ? Pixel{12.0, -12.0} : Pixel{0.0, 0.0};
+        } else if (way < 5) {
+            at_ += Pixel{40.0 * part() - 20.0, 40.0 * part() - 20.0};
+        } else if (way < 7) {
+            at_ = Pixel{canvas.x + part() * canvas.width, canvas.y + part() * canvas.height};
+        } else {
+            const PixelSize size = driver_.platform().framebufferSize();
+            at_ = Pixel{part() * size.width, part() * size.height};
+        }
+        send({.kind = InputKind::MouseMove, .x = at_.x, .y = at_.y});
+        return true;
+    }
+    /// Presses or releases a button, mostly the left one. Menus load and save files, so they are left alone.
+    bool button() {
+        if (!driver_.canvas().contains(at_) && !down_) {
+            const WidgetRegistry::Widget *const menu = driver_.context().widgets.find("menu/File");
+            if (menu != nullptr && at_.y < menu->rect.y + 2.0 * menu->rect.height) {
+                return false;
+            }
+        }
+        if (!down_) {
+            which_ = below(12) == 0 ? 1 : below(30) == 0 ? 2 : 0;
+        }
+        down_ = !down_;
+        send({.kind = InputKind::MouseButton, .code = which_, .pressed = down_});
+        return true;
+    }
+    /// Taps a key, unless it would open, load, save or mesh something.
+    bool key(int code, Modifiers modifiers) {
+        constexpr std::string_view kFiles = "NOSQEIP";
+        const bool files = modifiers.control() && code < 128 && kFiles.find(static_cast<char>(code)) != kFiles.npos;
+        if (files) {
+            return false;
+        }
+        hold(modifiers, true);
+        send({.kind = InputKind::Key, .code = code, .pressed = true});
+        send({.kind = InputKind::Key, .code = code, .pressed = false});
+        hold({}, false);
+        return true;
+    }
+    bool text() {
+        const char character = kText[below(kText.size())];
+        if (character >= '1' && character <= '9' && !driver_.context().tools.current().hasOptions(driver_.context())) {
+            return false;
+        }
+        send({.kind = InputKind::Text, .code = character});
+        return true;
+    }
+    bool scroll() {
+        send({.kind = InputKind::Scroll, .y = part() < 0.5 ? -1.0 : 1.0});
+        return true;
+    }
+    bool focus() {
+        send({.kind = InputKind::Focus, .pressed = below(2) == 0});
+        return true;
+    }
+
+    Draughtsman &driver_;
+    std::mt19937_64 random_;
+    Pixel at_{320.0, 240.0};
+    Modifiers held_;
+    bool down_ = false;
+    int which_ = 0;
+};
+
+/// Closes dialogs and popups, and ends what is unfinished.
+void comeToRest(Draughtsman &driver, Hand &hand) {
+    hand.letGo();
+    for (int k = 0; k < 6; ++k) {
+        driver.key(key::kEscape);
+    }
+    driver.key('V');
+    driver.frames(4);
+}
+
+/// Checks what must hold for every document in the editor.
+void checkSound(Draughtsman &driver) {
+    const Document &document = driver.document();
+    for (const auto &shape : document.shapes) {
+        REQUIRE(checkShape(*shape).empty());
+    }
+    Selection pruned = driver.context().selection;
+    pruned.prune(document);
+    REQUIRE(pruned == driver.context().selection);
+    Document held = document;
+    pruneFormulas(held);
+    REQUIRE(held.formulas == document.formulas);
+}
+
+} // namespace
+
+// FOREFRONT_FUZZ_EVENTS and FOREFRONT_FUZZ_SEED choose more events, and others.
+TEST_CASE("Fuzz: random input leaves a valid document that can be undone to the empty start and redone") {
+    const TemporaryFolder folder;
+    Draughtsman driver({.settingsFolder = folder.path / "settings", .stateFolder = {}}, {800, 600});
+    driver.context().settings.recentFiles = {(folder.path / "none.forefront").string()}; // where dialogs begin
+    const std::uint64_t events = setting("FOREFRONT_FUZZ_EVENTS", 2000);
+    const std::uint64_t seed = setting("FOREFRONT_FUZZ_SEED", 7);
+    CAPTURE(seed);
+    const Document start = driver.document();
+    const std::string opened = driver.context().document.step();
+    Hand hand(driver, seed);
+    std::uint64_t count = 0;
+    while (count < events) {
+        CAPTURE(count);
+        if (!hand.act()) {
+            continue;
+        }
+        if (++count % 3 == 0) {
+            driver.frames(1);
+        }
+        if (count % 500 == 0) {
+            checkSound(driver);
+        }
+        driver.context().quit = false;
+    }
+    comeToRest(driver, hand);
+    checkSound(driver);
+    const std::string opens = opened.substr(0, opened.find('/')), opens2 = driver.context().document.step();
+    REQUIRE(opens2.substr(0, opens2.find('/')) == opens); // the history is one
+
+    while (driver.context().document.redo()) {
+    }
+    const Document last = driver.document();
+    const Result<Document> read = parseProject(projectText(last), "the fuzzer");
+    REQUIRE(read.ok());
+    CHECK(sameContent(*read, last));
+    std::size_t undone = 0;
+    while (driver.context().document.undo()) {
+        ++undone;
+        checkSound(driver);
+    }
+    CHECK(undone > events / 200); // it did draw
+    CHECK(sameContent(driver.document(), start));
+    driver.frames(2);
+    while (driver.context().document.redo()) {
+    }
+    CHECK(sameContent(driver.document(), last));
+    driver.frames(2);
+}
