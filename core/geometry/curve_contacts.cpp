@@ -14,7 +14,7 @@ namespace forefront {
 
 namespace {
 
-bool lexicographicallyLess(Vec2 p, Vec2 q) {
+bool isBefore(Vec2 p, Vec2 q) {
     return p.x != q.x ? p.x < q.x : p.y < q.y;
 }
 
@@ -41,7 +41,7 @@ void polish(const Curve &first, const Curve &second, double &s, double &t) {
 
 CurveContact crossingAt(const Curve &first, const Curve &second, double s, double t) {
     const Vec2 p = first.point(s), q = second.point(t);
-    const Vec2 at = lexicographicallyLess(q, p) ? q : p;
+    const Vec2 at = isBefore(q, p) ? q : p;
     return {s, t, at, at, true};
 }
 

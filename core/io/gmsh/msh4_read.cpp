@@ -10,7 +10,7 @@ namespace forefront {
 namespace {
 
 constexpr std::int64_t kAnyInteger = std::numeric_limits<std::int64_t>::max();
-constexpr std::int64_t kGreatestTag = std::numeric_limits<std::int32_t>::max();
+constexpr std::int64_t kGreatestTag4 = std::numeric_limits<std::int32_t>::max();
 
 } // namespace
 
@@ -49,7 +49,7 @@ bool MshFile::readEntity4(int dimension) {
         return false;
     }
     for (std::size_t k = 0; k < physicals; ++k) {
-        if (!scanner_.integer(number, -kGreatestTag, kGreatestTag, {"a physical tag"})) {
+        if (!scanner_.integer(number, -kGreatestTag4, kGreatestTag4, {"a physical tag"})) {
             return false;
         }
         if (k == 0 && number != 0) {

@@ -8,7 +8,7 @@
 namespace forefront {
 namespace {
 
-constexpr SiteLabel kReach{SpacingOrigin::Background, SiteReason::BackgroundEdge, 0};
+constexpr SiteLabel kBackgroundLabel{SpacingOrigin::Background, SiteReason::BackgroundEdge, 0};
 constexpr double kStep = 0.02; ///< change of spacing along one piece of an edge, relative
 
 double valueAt(const BackgroundMesh &mesh, std::uint32_t node, double minimum) {
@@ -27,7 +27,7 @@ void addEdge(const BackgroundMesh &mesh, std::uint32_t a, std::uint32_t b, doubl
     const Vec2 from = mesh.nodes[a];
     const Vec2 to = mesh.nodes[b];
     if (high - low >= gradation * distance(from, to)) {
-        sites.add(SizeSite::point(from, low, gradation), kReach);
+        sites.add(SizeSite::point(from, low, gradation), kBackgroundLabel);
         return;
     }
     const int pieces = static_cast<int>(std::clamp(std::ceil((high - low) / (kStep * low)), 1.0, 200.0));
@@ -36,7 +36,7 @@ void addEdge(const BackgroundMesh &mesh, std::uint32_t a, std::uint32_t b, doubl
         const double t = static_cast<double>(i + 1) / pieces;
         sites.add(
             SizeSite::segment(lerp(from, to, s), lerp(from, to, t), low + 0.5 * (s + t) * (high - low), gradation),
-            kReach);
+            kBackgroundLabel);
     }
 }
 

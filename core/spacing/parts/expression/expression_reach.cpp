@@ -13,7 +13,7 @@ constexpr int kDeepest = 24;       ///< halvings of those
 constexpr double kAccuracy = 0.03; ///< side of the finest cells times gradation, relative to the spacing there
 constexpr std::size_t kMaxCells = 3'000'000;
 
-constexpr SiteLabel kReach{SpacingOrigin::Expression, SiteReason::ExpressionEdge, 0};
+constexpr SiteLabel kExpressionLabel{SpacingOrigin::Expression, SiteReason::ExpressionEdge, 0};
 
 /// Looks for the foot of every steep slope: a place that is not steeply above any neighbour but is steeply below one.
 class SlopeSearch {
@@ -102,7 +102,7 @@ class SlopeSearch {
         }
         if (isFoot(places[lowest], values[lowest], 1.5 * side)) {
             const Vec2 foot = descended(places[lowest], 0.25 * side);
-            sites_.add(SizeSite::point(foot, rho_.at(foot), gradation_), kReach);
+            sites_.add(SizeSite::point(foot, rho_.at(foot), gradation_), kExpressionLabel);
         }
     }
     /// Finds the minimum near p by pattern search: at a kink, all samples may be well above it. Any place is a valid
