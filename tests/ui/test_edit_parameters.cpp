@@ -148,7 +148,7 @@ TEST_CASE("Parameters: numbers typed on the canvas follow their expressions, and
     CHECK(driver.document().formulas.at("shape/4/x/0") == "1*r");
 }
 
-TEST_CASE("Parameters: renaming one keeps what follows it") {
+TEST_CASE("Parameters: renaming one keeps the formulas that use it") {
     Draughtsman driver;
     addParameter(driver, "r", "1.5");
     driver.key('C');
