@@ -27,7 +27,7 @@ bool isPlainNumber(std::string_view text) {
     return fault == std::errc() && end == text.data() + text.size();
 }
 
-/// A formula with the number that follows it.
+/// A formula with the number that it sets.
 struct Follower {
     std::string address;
     NumberAddress number;

@@ -9,7 +9,7 @@
 namespace forefront {
 
 /// Returns the selected shapes, sources and region markers as the text of an SVG drawing, for the clipboard. Its
-/// metadata hold them exactly, with their formulas and parameters, for readClipboard(); other programs see paths of
+/// metadata holds them exactly, with their formulas and parameters, for readClipboard(); other programs see paths of
 /// lines and cubics. Empty if nothing that can be copied is selected.
 std::string clipboardText(const Document &document, const Selection &selection);
 
