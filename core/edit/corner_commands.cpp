@@ -143,7 +143,7 @@ class CornerPass {
                 done_.push_back(element);
             } else if (isEnd) {
                 return error("not-possible",
-                             "the end of an open path at " + placeText(element.node) + "  is not a corner",
+                             "the end of an open path at " + placeText(element.node) + " is not a corner",
                              "select nodes between its ends");
             } else if (Status status = cut(element, cutCorner); !status.empty()) {
                 return status;
@@ -192,7 +192,7 @@ class CornerPass {
         const std::optional<Cut> found = cutCorner(first, second);
         if (!found) {
             return error("not-possible",
-                         "the corner at " + placeText(element.node) + "  has no room for a cut of this size",
+                         "the corner at " + placeText(element.node) + " has no room for a cut of this size",
                          "enter a smaller number");
         }
         const bool noBefore = found->s <= kCornerRounding, noAfter = found->t >= 1.0 - kCornerRounding;
@@ -230,7 +230,7 @@ Status openShape(Shape &shape) {
         becomePath(shape);
     }
     if (shape.kind == ShapeKind::Rectangle) {
-        return error("not-possible", displayName(shape) + "  already has rounded corners",
+        return error("not-possible", displayName(shape) + " already has rounded corners",
                      "set its radius to 0, or convert it to a path");
     }
     if (!isPath(shape)) {
@@ -263,7 +263,7 @@ Status changeShape(Shape &shape, const std::set<std::uint32_t> &chosen, const Cu
 Result<Document> changeCorners(const Document &document, const Selection &selection, double size,
                                const CutCorner &cutCorner) {
     if (!(size > 0.0) || !std::isfinite(size)) {
-        return error("bad-number", "invalid corner size  " + numberText(size, 6) + "; expected a finite number above 0",
+        return error("bad-number", "invalid corner size " + numberText(size, 6) + "; expected a finite number above 0",
                      "enter a number such as 0.5");
     }
     std::map<std::uint32_t, std::set<std::uint32_t>> nodes;

@@ -8,7 +8,7 @@ namespace forefront {
 
 namespace {
 
-constexpr double kReach = 8.0; ///< of the pointer, design pixels
+constexpr double kProbeReach = 8.0; ///< of the pointer, design pixels
 
 } // namespace
 
@@ -35,7 +35,7 @@ bool ProbeTool::handle(const CanvasEvent &event, Shell &context) {
     const Judgement &judgement = *context.judgement;
     switch (event.kind) {
     case CanvasEvent::Kind::Hover:
-        probe.hovered = partAt(judgement, event.place, EditState::reach(context, kReach));
+        probe.hovered = partAt(judgement, event.place, EditState::reach(context, kProbeReach));
         return true;
     case CanvasEvent::Kind::Leave:
         probe.hovered.reset();
@@ -44,7 +44,7 @@ bool ProbeTool::handle(const CanvasEvent &event, Shell &context) {
         if (event.button != MouseButton::Left) {
             return false;
         }
-        probe.chosen = partAt(judgement, event.place, EditState::reach(context, kReach));
+        probe.chosen = partAt(judgement, event.place, EditState::reach(context, kProbeReach));
         probe.rank.reset();
         return true;
     case CanvasEvent::Kind::Key:

@@ -133,7 +133,7 @@ class LessonReader {
         if (path.is_relative() && std::find(path.begin(), path.end(), "..") == path.end()) {
             return true;
         }
-        check_.fault(value, "bad-document", "the document " + inQuotes(name) + "  is outside the lesson's folder",
+        check_.fault(value, "bad-document", "the document " + inQuotes(name) + " is outside the lesson's folder",
                      "move it into that folder, and give its path relative to the lesson");
         return false;
     }

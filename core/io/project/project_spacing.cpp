@@ -100,7 +100,7 @@ void readPartSize(const JsonValue &item, JsonCheck &check, std::map<std::int32_t
         part.growth = check.notNegative(*value, "the growth of a boundary part");
     }
     if (!sizes.emplace(tag, part).second) {
-        check.fault(item, "bad-tag", "tag " + std::to_string(tag) + "  already has a size");
+        check.fault(item, "bad-tag", "tag " + std::to_string(tag) + " already has a size");
     }
 }
 
