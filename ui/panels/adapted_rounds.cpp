@@ -92,9 +92,12 @@ void showRound(Shell &context, std::size_t round) {
 }
 
 void keepSpacing(Shell &context, std::size_t round) {
-    SpacingSpec spacing = context.adaptation.now().rounds[round]->spacing;
-    spacing.names = context.document.current()->spacing.names; // of the document's parameters
-    context.document.apply(setSpacing(*context.document.current(), std::move(spacing)), "Keep adapted spacing");
+    Result<Document> next = setSpacing(*context.document.current(), context.adaptation.now().rounds[round]->spacing);
+    if (!next) {
+        context.log.add(next.faults());
+        return;
+    }
+    context.document.apply(*std::move(next), "Keep adapted spacing");
     context.log.announce("The drawing now has the spacing of mesh " + std::to_string(round) +
                          "; press 2 to mesh it again");
 }

@@ -9,7 +9,7 @@ namespace forefront {
 
 namespace {
 
-constexpr std::int32_t kAny = std::numeric_limits<std::int32_t>::max();
+constexpr std::int32_t kAnyInt32 = std::numeric_limits<std::int32_t>::max();
 constexpr std::size_t kInt = sizeof(std::int32_t), kSize = sizeof(std::uint64_t), kReal = sizeof(double);
 
 } // namespace
@@ -62,7 +62,7 @@ bool MshFile::readEntityBinary(ByteScanner &bytes, int dimension) {
         return false;
     }
     for (std::size_t k = 0; k < physicals; ++k) {
-        if (!bytes.integer(physical, -kAny, kAny, {"a physical tag"})) {
+        if (!bytes.integer(physical, -kAnyInt32, kAnyInt32, {"a physical tag"})) {
             return false;
         }
         if (k == 0 && physical != 0) {
