@@ -11,16 +11,19 @@ namespace forefront::test {
 TEST_CASE("Glossary: every term can be opened and shows its own figure") {
     Draughtsman driver;
     driver.script("click menu/Help\nclick menu/help.glossary\nsettle");
-    Driver::Picture last = driver.picture();
+    CHECK(driver.has("dialog/glossary/figure"));
+    driver.key(key::kEscape);
+    driver.settle();
     for (const GlossaryTerm &term : glossary()) {
         CAPTURE(term.name);
         const std::string id(term.id);
         driver.context().actions.run("glossary." + id, driver.context());
         driver.settle();
         CHECK(driver.has("dialog/glossary/term/" + id));
+        const Driver::Picture now = driver.picture();
         const WidgetRegistry::Widget *const figure = driver.context().widgets.find("dialog/glossary/figure");
         REQUIRE(figure != nullptr);
-        const Driver::Picture now = driver.picture();
+        REQUIRE(figure->rect.y + figure->rect.height <= now.size.height);
         std::size_t drawn = 0; // pixels whose colour differs from the figure's corner
         const auto at = [&](int x, int y) {
             return 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(now.size.width) +
