@@ -39,11 +39,12 @@ void History::endStroke() {
     discarded_.clear();
 }
 
-void History::abandonStroke() {
-    if (!stroke_.empty() && canUndo()) {
-        entries_.resize(position_--);
-        std::move(discarded_.begin(), discarded_.end(), std::back_inserter(entries_));
+void History::abandonStroke(std::string_view stroke) {
+    if (stroke_.empty() || stroke != stroke_ || !canUndo()) {
+        return;
     }
+    entries_.resize(position_--);
+    std::move(discarded_.begin(), discarded_.end(), std::back_inserter(entries_));
     endStroke();
 }
 

@@ -26,9 +26,9 @@ class History {
     /// content as the current one is not recorded. Returns true if something changed.
     bool commit(std::string label, Document document, std::string_view stroke = {});
     void endStroke();
-    /// Cancels the stroke in progress, as when Esc is pressed during a drag, and restores the redo steps from before
-    /// it.
-    void abandonStroke();
+    /// Cancels a stroke, as when Esc is pressed during a drag, and restores the redo steps from before it. No effect if
+    /// the current entry is not of that stroke, which changed nothing then.
+    void abandonStroke(std::string_view stroke);
 
     bool canUndo() const { return position_ > 0; }
     bool canRedo() const { return position_ + 1 < entries_.size(); }

@@ -363,6 +363,10 @@ TEST_CASE("Handles: a corner scales the selection, Shift keeps proportions, Ctrl
     pull(right, {1, 0}, {});
     CHECK(box().max.x == doctest::Approx(7.0));
     CHECK(box().min == Vec2{3, 3});
+    driver.press(driver.pixel({7, 4}) + Pixel{12, 0});
+    driver.key(key::kEscape); // before anything moved: nothing to give up
+    driver.release(driver.pixel({7, 4}) + Pixel{12, 0});
+    CHECK(box().max.x == doctest::Approx(7.0));
     CHECK(driver.undoLabel() == "Scale");
     driver.key('Z', kControl);
     CHECK(box() == Box2{{3, 3}, {6, 5}});

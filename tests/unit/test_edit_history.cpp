@@ -128,11 +128,21 @@ TEST_CASE("History: an abandoned stroke leaves no trace") {
     History history;
     history.commit("a", withPoint(history.document(), {0, 0}), "stroke");
     history.commit("a", withPoint(history.document(), {1, 0}), "stroke");
-    history.abandonStroke();
+    history.abandonStroke("stroke");
     CHECK(history.document().shapes.empty());
     CHECK(history.size() == 1);
-    history.abandonStroke();
+    history.abandonStroke("stroke");
     CHECK(history.size() == 1);
+}
+
+TEST_CASE("History: cancelling a stroke that changed nothing keeps the one before it") {
+    History history;
+    history.commit("drag", withPoint(history.document(), {1, 0}), "first");
+    history.abandonStroke("second");
+    CHECK(history.size() == 2);
+    CHECK(history.document().shapes.size() == 1);
+    history.commit("drag", withPoint(history.document(), {2, 0}), "first");
+    CHECK(history.size() == 2); // the first stroke goes on
 }
 
 TEST_CASE("History: cancelling a stroke restores the redo steps; ending it does not") {
@@ -147,8 +157,8 @@ TEST_CASE("History: cancelling a stroke restores the redo steps; ending it does 
         const std::uint64_t before = history.revision();
         history.commit("drag", withPoint(history.document(), {5, 5}), "stroke");
         history.commit("drag", withPoint(history.document(), {6, 5}), "stroke");
-        abandon ? history.abandonStroke() : history.endStroke();
-        history.abandonStroke(); // no effect: no stroke is in progress
+        abandon ? history.abandonStroke("stroke") : history.endStroke();
+        history.abandonStroke("stroke"); // no effect: no stroke is in progress
         if (!abandon) {
             CHECK(history.size() == 3);
             CHECK(history.undoLabel() == "drag");
@@ -173,7 +183,7 @@ TEST_CASE("History: cancelling a stroke that was saved midway returns to the sav
     history.commit("drag", withPoint(history.document(), {5, 5}), "stroke");
     history.markSaved();
     history.commit("drag", withPoint(history.document(), {6, 5}), "stroke");
-    history.abandonStroke();
+    history.abandonStroke("stroke");
     CHECK_FALSE(history.dirty());
     CHECK(history.document().shapes.size() == 1);
     CHECK_FALSE(history.canRedo());

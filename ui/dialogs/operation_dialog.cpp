@@ -44,7 +44,7 @@ void OperationDialog::show(Shell &context) {
 
 void OperationDialog::dismiss(Shell &context) {
     if (context.document.current() != start_) {
-        context.document.abandonStroke();
+        context.document.abandonStroke(stroke_);
     }
 }
 

@@ -109,8 +109,7 @@ bool BrushTool::key(const CanvasEvent &event, Shell &context) {
         return true;
     }
     if (event.key == key::kEscape && !stroke_.empty()) {
-        stroke_.clear();
-        context.document.abandonStroke();
+        context.document.abandonStroke(std::exchange(stroke_, {}));
         return true;
     }
     return false;

@@ -361,7 +361,7 @@ bool SelectTool::key(const CanvasEvent &event, Shell &context) {
     switch (event.key) {
     case key::kEscape:
         if (mode_ == Mode::Moving) {
-            context.document.abandonStroke();
+            context.document.abandonStroke(stroke_);
             mode_ = Mode::Idle;
             return true;
         }

@@ -178,7 +178,7 @@ bool TransformHandles::typed(const CanvasEvent &event, Shell &context) {
     const std::array fields{handle_.rotates ? EntryField::Angle : EntryField::Factor};
     const NumericEntry::Answer answer = entry_.handle(event, fields, start_->spacing.names);
     if (answer == NumericEntry::Answer::Unused && isKey && event.key == key::kEscape) {
-        context.document.abandonStroke();
+        context.document.abandonStroke(stroke_);
         end();
         return true;
     }

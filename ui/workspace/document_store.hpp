@@ -33,8 +33,8 @@ class DocumentStore {
         return tell(history_.commit(std::move(label), std::move(next), stroke));
     }
     void endStroke() { history_.endStroke(); }
-    void abandonStroke() {
-        history_.abandonStroke();
+    void abandonStroke(std::string_view stroke) {
+        history_.abandonStroke(stroke);
         tell(true);
     }
     bool undo() { return tell(history_.undo()); }
