@@ -4,6 +4,7 @@
 #include "core/edit/join_segments.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
+#include "core/geometry/box_tree.hpp"
 
 #include <algorithm>
 #include <array>
@@ -75,38 +76,71 @@ Result<Path> pathOf(const Document &document, std::uint32_t id) {
     return path;
 }
 
+/// The curves that may cross a path, and a tree over their boxes.
+struct Neighbours {
+    std::vector<Curve> curves; ///< those of the path first, in order
+    BoxTree tree;
+};
+
+Neighbours neighboursOf(const Document &document, const Path &path, double touch) {
+    Neighbours found;
+    Box2 box;
+    for (std::size_t k = 0; k < path.outline.segmentCount(); ++k) {
+        found.curves.push_back(path.outline.curve(k));
+        box.add(found.curves.back().bounds());
+    }
+    visitCurves(document, box.grown(touch), path.shape.id, [&](const Curve &other) { found.curves.push_back(other); });
+    std::vector<Box2> boxes;
+    boxes.reserve(found.curves.size());
+    for (const Curve &curve : found.curves) {
+        boxes.push_back(curve.bounds().grown(touch));
+    }
+    found.tree = BoxTree(boxes);
+    return found;
+}
+
+/// Returns true if two positions in ascending order, on one segment or on neighbouring ones, are the same place.
+bool isSamePlace(const Path &path, double first, double second, double touch) {
+    const auto at = [&](double position) {
+        const auto k = std::min(static_cast<std::size_t>(position), path.outline.segmentCount() - 1);
+        return path.outline.curve(k).point(position - static_cast<double>(k));
+    };
+    const double node = std::floor(second);
+    const double along =
+        node > first ? distance(at(first), at(node)) + distance(at(node), at(second)) : distance(at(first), at(second));
+    return second - first <= kApart || (second - first < 1.0 && along <= 4.0 * touch);
+}
+
 /// Returns the positions where a path meets other shapes or itself, in order, without those at the ends of an open one.
 std::vector<double> crossingsAlong(const Document &document, const Path &path) {
     const double touch = touchOf(document);
-    const Outline &outline = path.outline;
+    const std::size_t own = path.outline.segmentCount();
+    const Neighbours near = neighboursOf(document, path, touch);
     std::vector<double> found;
-    for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
-        const Curve curve = outline.curve(k);
-        const auto add = [&](const Curve &other, bool atEnds) {
-            for (const CurveCrossing &crossing : crossingsOf(curve, other, touch)) {
+    for (std::size_t k = 0; k < own; ++k) {
+        near.tree.query(near.curves[k].bounds(), [&](std::uint32_t other) {
+            if (other == k) {
+                return;
+            }
+            for (const CurveCrossing &crossing : crossingsOf(near.curves[k], near.curves[other], touch)) {
                 const bool end = std::min(crossing.first, 1.0 - crossing.first) <= kApart;
-                if (atEnds || !end) {
+                if (other >= own || !end) { // neighbours on the path share their ends
                     found.push_back(static_cast<double>(k) + crossing.first);
                 }
             }
-        };
-        visitCurves(document, curve.bounds(), path.shape.id, [&](const Curve &other) { add(other, true); });
-        for (std::size_t other = 0; other < outline.segmentCount(); ++other) {
-            if (other != k) {
-                add(outline.curve(other), false); // neighbours share their ends
-            }
-        }
+        });
     }
     std::sort(found.begin(), found.end());
     const double size = path.size();
-    if (!outline.closed) {
+    if (!path.outline.closed) {
         std::erase_if(found, [&](double at) { return at <= kApart || at >= size - kApart; });
-    } else if (!found.empty() && found.back() >= size - kApart) {
+    } else if (!found.empty() && isSamePlace(path, found.back(), size, touch)) {
         found.back() = 0.0; // the first node again
         std::sort(found.begin(), found.end());
     }
-    found.erase(std::unique(found.begin(), found.end(), [](double a, double b) { return b - a <= kApart; }),
-                found.end());
+    found.erase(
+        std::unique(found.begin(), found.end(), [&](double a, double b) { return isSamePlace(path, a, b, touch); }),
+        found.end());
     return found;
 }
 
@@ -257,7 +291,7 @@ Result<Curve> extensionAt(const Document &document, NodeRef end) {
             }
         }
     };
-    visitCurves(document, further.bounds(), end.shape, meet);
+    visitCurves(document, further.bounds().grown(touch), end.shape, meet);
     const Outline own = outlineOf(*findShape(document, end.shape));
     const std::size_t last = end.node == 0 ? 0 : own.segmentCount() - 1;
     for (std::size_t k = 0; k < own.segmentCount(); ++k) {

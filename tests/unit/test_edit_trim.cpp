@@ -55,6 +55,15 @@ TEST_CASE("trimAt: removes the middle, the beginning or the end of a line, and j
     CHECK(codeOf(trimAt(document, 9, {0.5, 0})) == "no-such-shape");
 }
 
+TEST_CASE("trimAt: lines that end on another one but for rounding, and touches at a node, are one place") {
+    const Document joint = *addShapes({}, {line({{0, 0}, {10, 0}}), line({{5, 1e-16}, {5, 5}})});
+    CHECK(lengthOfAll(*partToTrim(joint, 1, {7, 0})) == doctest::Approx(5));
+    // A tip that touches a closed path at one of its nodes: not enough to trim between.
+    const Document touched = *addShapes(
+        {}, {makeShape(ShapeKind::Polygon, {{0, 0}, {1, 0}, {1, 1}, {0, 1}}), line({{1 + 5e-11, 1 + 5e-11}, {2, 2}})});
+    CHECK(codeOf(partToTrim(touched, 1, {0.5, 0})) == "not-possible");
+}
+
 TEST_CASE("trimAt: closed outlines open; circles stay arcs, tags stay with their segments, and parts run over nodes") {
     Document document = *addShapes({}, {makeShape(ShapeKind::Circle, {{0, 0}, {2, 0}}), line({{1, -3}, {1, 3}})});
     const Result<Document> cap = trimAt(document, 1, {2, 0.1});

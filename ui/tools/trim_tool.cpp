@@ -52,7 +52,10 @@ void TrimTool::apply(const Change &change, Shell &context) const {
     const Document &document = *context.document.current();
     if (change.curves.empty()) {
         context.log.announce(change.fault);
-    } else if (change.end) {
+        return;
+    }
+    context.selection.drop({change.shape}); // its nodes and segments get other numbers
+    if (change.end) {
         EditState::apply(context, extendEnd(document, *change.end), "Extend");
     } else {
         EditState::apply(context, trimAt(document, change.shape, change.at), "Trim");
