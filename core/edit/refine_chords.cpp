@@ -3,6 +3,7 @@
 #include "core/base/ids.hpp"
 #include "core/domain/domain_graph.hpp"
 #include "core/domain/domain_meetings.hpp"
+#include "core/edit/curve_crossings.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -16,9 +17,28 @@ namespace {
 
 constexpr int kMaxHalvings = 12; ///< each makes a chord deviate by a quarter
 constexpr std::size_t kMaxAdded = 8192;
+constexpr double kTouching = 1e-12;  ///< distance within which curves meet, in diagonals of the domain
 constexpr double kFlatChord = 1e-14; ///< deviation, as a fraction of the coordinates, that rounding alone causes
 
-/// Returns the chords of curves that meet other segments elsewhere than at their ends, in ascending order.
+Curve curveOf(const Domain &domain, std::uint32_t segment) {
+    const DomainSegment &s = domain.segments[segment];
+    return s.stretch.follows() ? domain.curves[s.stretch.curve].part(s.stretch.t0, s.stretch.t1)
+                               : Curve::line(domain.nodes[s.a], domain.nodes[s.b]);
+}
+
+/// Returns true if the curves of two segments themselves meet elsewhere than at the ends of both: finer chords would
+/// meet too.
+bool reallyMeet(const Domain &domain, const EdgeMeeting &meeting, double flat) {
+    constexpr double kEnd = 1e-9; // in the parameter
+    const auto isEnd = [](double t) { return std::min(t, 1.0 - t) <= kEnd; };
+    const auto crossings = crossingsOf(curveOf(domain, meeting.first), curveOf(domain, meeting.second), flat);
+    return std::any_of(crossings.begin(), crossings.end(), [&](const CurveCrossing &crossing) {
+        return !isEnd(crossing.first) || !isEnd(crossing.second);
+    });
+}
+
+/// Returns the chords that meet other segments elsewhere than at their ends although their curves do not, in ascending
+/// order.
 std::vector<std::uint32_t> meetingChords(const Domain &domain) {
     const DomainGraph graph = graphOf(domain);
     if (graph.edges.size() != domain.segments.size()) {
@@ -29,18 +49,25 @@ std::vector<std::uint32_t> meetingChords(const Domain &domain) {
         return {};
     }
     const DomainMeetings meetings = findDomainMeetings(graph, sweep, kMaxAdded);
+    const Box2 box = domain.bounds();
+    const double touching = kTouching * box.diagonal();
     std::vector<std::uint32_t> found;
     for (const std::vector<EdgeMeeting> *list : {&meetings.crossings, &meetings.overlaps}) {
         for (const EdgeMeeting &meeting : *list) {
-            found.insert(found.end(), {meeting.first, meeting.second});
+            if (!reallyMeet(domain, meeting, touching)) {
+                found.insert(found.end(), {meeting.first, meeting.second});
+            }
         }
     }
     for (const DomainMeetings::Touch &touch : meetings.touches) {
-        found.push_back(touch.edge);
+        const Curve curve = curveOf(domain, touch.edge);
+        const Vec2 at = graph.points[touch.point];
+        if (distance(curve.point(curve.nearest(at)), at) > touching) {
+            found.push_back(touch.edge);
+        }
     }
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
-    const Box2 box = domain.bounds();
     const double flat = kFlatChord * std::max(length(box.min), length(box.max));
     std::erase_if(found, [&](std::uint32_t s) {
         const CurveStretch &stretch = domain.segments[s].stretch;
@@ -99,7 +126,7 @@ void refineMeetingChords(Domain &domain, DomainSources *sources) {
         halve(domain, chords, sources);
         chords = meetingChords(domain);
     }
-    if (!chords.empty()) { // some curves really meet
+    if (!chords.empty()) { // too near each other
         domain = given;
         if (sources != nullptr) {
             *sources = givenSources;

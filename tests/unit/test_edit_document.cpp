@@ -81,6 +81,18 @@ TEST_CASE("toDomain: circles that nearly touch are divided until their chords do
     CHECK_FALSE(validate(crossing).empty());
 }
 
+TEST_CASE("toDomain: circles that nearly touch are divided beside circles that cross") {
+    const double angle = std::numbers::pi / 52.0, offset = 0.5 - 1e-5;
+    const Vec2 centre{offset * std::cos(angle), offset * std::sin(angle)};
+    const Domain domain = toDomain(documentOf({makeShape(ShapeKind::Circle, {{0, 0}, {1, 0}}),
+                                               makeShape(ShapeKind::Circle, {centre, centre + Vec2{0.5, 0.0}}),
+                                               makeShape(ShapeKind::Circle, {{5, 0}, {6, 0}}),
+                                               makeShape(ShapeKind::Circle, {{5.7, 0}, {6.7, 0}})}));
+    CHECK(domain.segments.size() > 208);
+    CHECK(domain.segments.size() < 280);
+    CHECK(validate(domain).size() == 2); // the crossings of the others
+}
+
 TEST_CASE("circleCorners: the number of corners is in range for any tolerance") {
     CHECK(circleCorners(0.002) == 52);
     CHECK(circleCorners(0.9) == 8);
