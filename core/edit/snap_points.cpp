@@ -5,18 +5,32 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <numbers>
 #include <vector>
 
 namespace forefront {
 namespace {
 
+bool isClosed(const Curve &curve) {
+    constexpr double kWhole = 2.0 * std::numbers::pi - 1e-12;
+    return curve.kind() == CurveKind::Arc && std::fabs(curve.numbers()[7]) >= kWhole;
+}
+
+/// Returns the change of a parameter that rounding of the coordinates alone may cause.
+double roundingAt(const Curve &curve, double t) {
+    const Box2 box = curve.bounds();
+    const double magnitude = std::max(length(box.min), length(box.max));
+    return std::max(1e-14, 16.0 * std::numeric_limits<double>::epsilon() * magnitude / length(curve.derivative(t)));
+}
+
 /// Returns the parameter near `t` where a function of the parameter vanishes, by Newton's method; none if it does not
 /// converge on the curve.
 template <class Function>
 std::optional<double> rootNear(const Curve &curve, double t, const Function &valueAndSlope) {
-    const bool closed = curve.point(0.0) == curve.point(1.0);
+    const bool closed = isClosed(curve);
+    const double converged = roundingAt(curve, t);
     constexpr int kSteps = 30;
-    constexpr double kConverged = 1e-14;
     for (int step = 0; step < kSteps; ++step) {
         const auto [value, slope] = valueAndSlope(t);
         if (slope == 0.0 || !std::isfinite(value / slope)) {
@@ -25,9 +39,9 @@ std::optional<double> rootNear(const Curve &curve, double t, const Function &val
         const double by = value / slope;
         t -= by;
         t -= closed ? std::floor(t) : 0.0;
-        if (std::fabs(by) <= kConverged) {
+        if (std::fabs(by) <= converged) {
             const double inside = std::clamp(t, 0.0, 1.0);
-            return std::fabs(inside - t) <= kConverged ? std::optional(inside) : std::nullopt;
+            return std::fabs(inside - t) <= converged ? std::optional(inside) : std::nullopt;
         }
         if (!closed && (t < -1.0 || t > 2.0)) {
             return std::nullopt;
@@ -96,7 +110,7 @@ std::optional<Snapped> specialPoint(const PickIndex &index, const SnapQuery &que
         }
     }
     for (const Curve &curve : curves) {
-        if (curve.point(0.0) != curve.point(1.0)) {
+        if (!isClosed(curve)) {
             nearest.offer(curve.point(0.5), SnapKind::Midpoint);
         }
         if (query.draws && query.anchor) {

@@ -273,6 +273,24 @@ TEST_CASE("snap: perpendiculars and tangents from the anchor, while a line is dr
     CHECK(snap(index, query).kind == SnapKind::Perpendicular);
 }
 
+TEST_CASE("snap: perpendiculars far from the origin, and opposite the point of a circle there is no midpoint") {
+    const Vec2 far{5e6, 5.4e6};
+    const PickIndex index(sharedDocumentOf({makeShape(ShapeKind::Polyline, {far, far + Vec2{80, 40}}),
+                                            makeShape(ShapeKind::Circle, {far + Vec2{200, 0}, far + Vec2{210, 0}})}));
+    SnapQuery query;
+    query.tolerance = 1.0;
+    query.anchor = far + Vec2{30, 60};
+    query.draws = true;
+    query.at = far + Vec2{48.5, 23.8};
+    CHECK(snap(index, query).kind == SnapKind::Perpendicular);
+    CHECK(distance(snap(index, query).at, far + Vec2{48, 24}) < 1e-8);
+    const PickIndex atOrigin(sharedDocumentOf({makeShape(ShapeKind::Circle, {{0, 0}, {1, 0}})}));
+    query = {};
+    query.tolerance = 0.1;
+    query.at = {-1.01, 0.01};
+    CHECK(snap(atOrigin, query).kind == SnapKind::Segment);
+}
+
 TEST_CASE("crossingsOf: lines, circles, arcs and cubics; touching curves and ends on a curve count") {
     const auto circle = Curve::circle({0, 0}, {2, 0});
     const auto through = crossingsOf(Curve::line({-3, 0.5}, {3, 0.5}), circle, 1e-9);
