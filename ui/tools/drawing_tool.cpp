@@ -119,9 +119,15 @@ void DrawingTool::keepFormulas(Document &document, std::uint32_t shape) const {
         const auto at = std::find(handles.begin(), handles.end(), node.at);
         if (at != handles.end()) {
             const std::string handle = '/' + std::to_string(at - handles.begin());
+            if (!rectangle) {
+                keep("x" + handle, node.x);
+                keep("y" + handle, node.y);
+                continue;
+            }
             // A rectangle keeps its left and bottom side when its size changes.
-            keep(rectangle ? "left" : "x" + handle, node.x);
-            keep(rectangle ? "bottom" : "y" + handle, node.y);
+            const Vec2 corner = boundsOf(*drawn).min;
+            keep("left", node.at.x == corner.x ? node.x : std::string());
+            keep("bottom", node.at.y == corner.y ? node.y : std::string());
         }
     }
     const auto half = [](const std::string &text) { return text.empty() ? text : "(" + text + ")/2"; };
