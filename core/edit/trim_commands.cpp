@@ -173,13 +173,15 @@ Result<Stretch> stretchAround(const Document &document, const Path &path, Vec2 a
 /// Calls `visit(segment, t0, t1)` for the segments of a stretch in order.
 template <class Visit>
 void visitStretch(const Path &path, Stretch stretch, const Visit &visit) {
-    const double size = path.size();
-    const double turn = stretch.from < 0.0 ? size : 0.0;
+    const std::size_t segments = path.outline.segmentCount();
+    const double turn = stretch.from < 0.0 ? path.size() : 0.0;
     stretch = {stretch.from + turn, stretch.to + turn};
-    for (double base = std::floor(stretch.from); base < stretch.to - kApart; ++base) {
+    const auto end = static_cast<std::size_t>(std::ceil(stretch.to - kApart));
+    for (auto k = static_cast<std::size_t>(stretch.from); k < end; ++k) {
+        const auto base = static_cast<double>(k);
         const double t0 = std::max(stretch.from - base, 0.0), t1 = std::min(stretch.to - base, 1.0);
         if (t1 - t0 > kApart) {
-            visit(static_cast<std::size_t>(std::fmod(base, size)), t0, t1);
+            visit(k < segments ? k : k - segments, t0, t1);
         }
     }
 }
@@ -278,7 +280,7 @@ Result<Document> trimAt(const Document &document, std::uint32_t shape, Vec2 at) 
 Result<Curve> extensionAt(const Document &document, NodeRef end) {
     const Result<Curve> segment = segmentTowards(document, end);
     if (!segment) {
-        return segment;
+        return segment.faults();
     }
     const Curve further = continued(document, *segment);
     const double touch = touchOf(document);
