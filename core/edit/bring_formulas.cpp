@@ -71,7 +71,7 @@ std::set<std::string> conflicts(const Document &document, const std::vector<Para
 std::string freeName(const std::string &name, const std::set<std::string> &taken) {
     for (int number = 2;; ++number) {
         const std::string suffix = '_' + std::to_string(number);
-        const std::string next = name.substr(0, kMaxParameterName - suffix.size()) + suffix;
+        std::string next = name.substr(0, kMaxParameterName - suffix.size()) + suffix;
         if (!taken.contains(next)) {
             return next;
         }

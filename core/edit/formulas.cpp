@@ -146,8 +146,9 @@ Result<Document> setParameters(const Document &document, std::vector<Parameter> 
 Result<Document> overrideParameters(const Document &document, const std::map<std::string, std::string> &expressions) {
     std::vector<Parameter> parameters = document.parameters;
     for (const auto &[name, expression] : expressions) {
-        const auto known = std::find_if(parameters.begin(), parameters.end(),
-                                        [&](const Parameter &parameter) { return parameter.name == name; });
+        const auto known =
+            std::find_if(parameters.begin(), parameters.end(),
+                         [&wanted = name](const Parameter &parameter) { return parameter.name == wanted; });
         if (known == parameters.end()) {
             return parameters.empty()
                        ? error("unknown-parameter", "unknown parameter '" + name + "'; the project has no parameters")
