@@ -160,7 +160,7 @@ int check(CheckArguments &arguments) {
             return kRefused;
         }
         std::string wrong = checkWeld(arguments.weldTolerance, *domain, arguments.repair);
-        if (wrong.empty()) {
+        if (wrong.empty() && (domain->isProject() || !arguments.savedLimits)) { // else they are of that project
             wrong = setParameters(*domain, arguments.parameters);
         }
         if (!wrong.empty()) {

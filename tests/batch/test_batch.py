@@ -661,6 +661,11 @@ class Refusing(Case):
         self.write("delta.json", limits.replace('"minAngle": 59.9', '"minDelta": 0.01'))
         done = self.call("check", "plate.msh", "--limits", "delta.json")  # by the spacing of the project
         self.assertRegex(done.stdout, r"\nminimum δ 0.01: met, worst ")
+        self.write("named.json", limits.replace('"version": 1,', '"version": 2, "parameters": {"r": "1"},'))
+        self.write("outline.poly", poly([SQUARE]))
+        for domain in ([], ["--domain", "outline.poly"]):  # the parameters are those of the project with the limits
+            done = self.call("check", "plate.msh", "--limits", "named.json", "--min-angle", "5", "--set", "r=2", *domain)
+            self.assertIn("minimum angle 5°: met", done.stdout)
         self.write("none.json", PROJECT)
         self.assertIn("[no-limits]", self.call("check", "plate.msh", "--limits", "none.json", code=1).stderr)
 
