@@ -146,6 +146,21 @@ TEST_CASE("readVtkFields: values of triangles without those of lines, and no tag
     CHECK(notes.entries().front().message.find("'v' is ignored: it has 3 components") != std::string::npos);
 }
 
+TEST_CASE("readVtkFields: an array named like tags is a field if its values are not whole numbers") {
+    ImportNotes notes;
+    const std::string text = kVtk + "CELL_DATA 1\nSCALARS region double 1\nLOOKUP_TABLE default\n2.5\n" +
+                             "SCALARS boundary double 1\nLOOKUP_TABLE default\n0\n";
+    SourceText source = sourceOf(text);
+    source.notes = &notes;
+    const auto read = readVtkFields(source);
+    REQUIRE_MESSAGE(read.ok(), messages(read.faults()));
+    CHECK(read->elementFields == NamedFields{{"region", {2.5}}});
+    CHECK(read->mesh.region(0) == 2);
+    REQUIRE(notes.entries().size() == 1);
+    CHECK(notes.entries().front().code == "real-tags");
+    CHECK(notes.entries().front().message.find("'region'") != std::string::npos);
+}
+
 TEST_CASE("readVtuFields: cell data of triangles; arrays that are not read are noted") {
     const std::string head = "<VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid><Piece NumberOfPoints=\"3\" "
                              "NumberOfCells=\"1\"><CellData>"

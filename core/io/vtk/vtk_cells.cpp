@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <span>
 #include <string_view>
@@ -133,7 +134,16 @@ MeshFields fieldsOfVtk(VtkGrid grid, Mesh mesh, const SourceText &source) {
         noteLength(name, values.size(), read.mesh.nodes.size(), " nodes");
     }
     for (const auto &[name, values] : grid.cellReals) {
-        const bool tags = std::find(kTagArrays.begin(), kTagArrays.end(), name) != kTagArrays.end();
+        const bool named = std::find(kTagArrays.begin(), kTagArrays.end(), name) != kTagArrays.end();
+        const bool tags =
+            named && std::all_of(values.begin(), values.end(), [](double v) { return v == std::trunc(v); });
+        if (named && !tags) {
+            source.note("real-tags",
+                        "the array " + inQuotes(name) +
+                            " has the name of an array of tags, but its values are not whole numbers; they are read as "
+                            "a field, and their whole parts as tags",
+                        grid.offset);
+        }
         if (tags || !noteLength(name, values.size(), grid.types.size(), " cells")) {
             continue;
         }
