@@ -28,6 +28,33 @@ Progress progressOfRound(const Progress &progress, int round) {
     return named;
 }
 
+/// Records the error of the mesh of the outcome, and reports it.
+void addRound(AdaptOutcome &outcome, const Mesh &mesh, const std::vector<double> &values, const ErrorEstimate &estimate,
+              const AdaptReport &report) {
+    outcome.rounds.push_back({mesh.nodes.size(), mesh.elements.size(), estimate.relative()});
+    if (report) {
+        report(outcome.rounds.size() - 1, outcome.rounds.back(), {mesh, values, estimate, outcome.spacing});
+    }
+}
+
+/// Makes the next mesh of the outcome: with the spacing that meets a target according to the estimate on `mesh`, which
+/// may be that of the outcome. Returns the faults.
+Diagnostics remesh(AdaptOutcome &outcome, const Domain &domain, const Mesh &mesh, const ErrorEstimate &estimate,
+                   const AdaptTarget &target, const MeshingOptions &options, const Progress &progress) {
+    Result<SpacingSpec> spacing = adaptedSpacing(mesh, estimate, target, progress);
+    if (!spacing) {
+        return spacing.faults();
+    }
+    MeshingJob job{domain, std::move(*spacing), options};
+    Result<MeshingOutcome> next = meshDomain(job, progress);
+    if (!next) {
+        return next.faults();
+    }
+    outcome.spacing = std::move(job.spacing);
+    outcome.mesh = std::move(next->mesh);
+    return {};
+}
+
 /// Returns true if each of the last two meshes is far finer than the previous one and no better. One such mesh is not
 /// enough: the first meshes may have missed features that a finer one shows.
 bool stalls(const std::vector<AdaptRound> &rounds) {
@@ -97,11 +124,7 @@ Result<AdaptOutcome> adapt(const Domain &domain, Mesh mesh, const NodalField &fi
             return estimate.faults();
         }
         const double reached = estimate->relative();
-        outcome.rounds.push_back({outcome.mesh.nodes.size(), outcome.mesh.elements.size(), reached});
-        if (report) {
-            report(outcome.rounds.size() - 1, outcome.rounds.back(),
-                   {outcome.mesh, *values, *estimate, outcome.spacing});
-        }
+        addRound(outcome, outcome.mesh, *values, *estimate, report);
         outcome.met = reached <= target.error;
         outcome.stalled = !outcome.met && stalls(outcome.rounds);
         if (round >= 1 && (outcome.met || outcome.stalled || round >= maxRounds)) {
@@ -111,17 +134,10 @@ Result<AdaptOutcome> adapt(const Domain &domain, Mesh mesh, const NodalField &fi
         if (round >= 1 && reached < kNear * target.error) {
             aim.error *= kMargin * target.error / reached;
         }
-        Result<SpacingSpec> spacing = adaptedSpacing(outcome.mesh, *estimate, aim, inRound);
-        if (!spacing) {
-            return spacing.faults();
+        const Diagnostics faults = remesh(outcome, domain, outcome.mesh, *estimate, aim, options, inRound);
+        if (!faults.empty()) {
+            return faults;
         }
-        MeshingJob job{domain, std::move(*spacing), options};
-        Result<MeshingOutcome> next = meshDomain(job, inRound);
-        if (!next) {
-            return next.faults();
-        }
-        outcome.spacing = std::move(job.spacing);
-        outcome.mesh = std::move(next->mesh);
     }
 }
 
@@ -133,21 +149,11 @@ Result<AdaptOutcome> adaptOnce(const Domain &domain, const Mesh &mesh, const std
     if (!estimate) {
         return estimate.faults();
     }
-    outcome.rounds.push_back({mesh.nodes.size(), mesh.elements.size(), estimate->relative()});
-    if (report) {
-        report(0, outcome.rounds.front(), {mesh, values, *estimate, outcome.spacing});
+    addRound(outcome, mesh, values, *estimate, report);
+    const Diagnostics faults = remesh(outcome, domain, mesh, *estimate, target, options, progress);
+    if (!faults.empty()) {
+        return faults;
     }
-    Result<SpacingSpec> spacing = adaptedSpacing(mesh, *estimate, target, progress);
-    if (!spacing) {
-        return spacing.faults();
-    }
-    MeshingJob job{domain, std::move(*spacing), options};
-    Result<MeshingOutcome> next = meshDomain(job, progress);
-    if (!next) {
-        return next.faults();
-    }
-    outcome.spacing = std::move(job.spacing);
-    outcome.mesh = std::move(next->mesh);
     return outcome;
 }
 

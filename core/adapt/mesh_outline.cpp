@@ -112,8 +112,8 @@ Domain withoutStraightNodes(const Domain &domain) {
     return StraightRuns(domain).run();
 }
 
-Result<Domain> outlineOf(const Mesh &mesh) {
-    const Result<Domain> domain = domainOfMesh(mesh);
+Result<Domain> outlineOf(const Mesh &mesh, const Progress &progress) {
+    const Result<Domain> domain = domainOfMesh(mesh, progress);
     if (!domain) {
         return domain.faults();
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/progress.hpp"
 #include "core/base/result.hpp"
 #include "core/domain/domain.hpp"
 #include "core/mesh/mesh.hpp"
@@ -8,8 +9,8 @@ namespace forefront {
 
 /// Returns the domain that a mesh covers, with tags, names and the curves that its edges follow. Nodes that merely
 /// subdivide a straight run with one tag (straight within 1e-9) are dropped, so that a new mesh can be coarser there.
-/// Error: "empty-domain".
-Result<Domain> outlineOf(const Mesh &mesh);
+/// Errors: "empty-domain", "cancelled".
+Result<Domain> outlineOf(const Mesh &mesh, const Progress &progress = {});
 
 /// Merges the segments of straight runs, the last step of outlineOf().
 Domain withoutStraightNodes(const Domain &domain);

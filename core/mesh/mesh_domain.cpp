@@ -1,9 +1,12 @@
 #include "core/mesh/mesh_domain.hpp"
 
+#include "core/base/cancelled.hpp"
+#include "core/base/paced_progress.hpp"
 #include "core/domain/unused_tag.hpp"
 #include "core/mesh/topology.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <tuple>
@@ -14,13 +17,15 @@ namespace {
 
 class MeshOutline {
   public:
-    explicit MeshOutline(const Mesh &mesh) : mesh_(mesh), numbers_(mesh.nodes.size(), kNoIndex) {}
+    MeshOutline(const Mesh &mesh, const Progress &progress)
+        : mesh_(mesh), numbers_(mesh.nodes.size(), kNoIndex),
+          progress_(progress, "finding the outline", 2 * mesh.elements.size()) {}
 
-    Domain run() {
+    Result<Domain> run() {
         collectTags();
         chooseTagsOfUnnamed();
-        if (!mesh_.elements.empty()) {
-            elementEdges();
+        if (!mesh_.elements.empty() && !elementEdges()) {
+            return cancelled("finding the outline");
         }
         for (std::size_t k = 0; k < tags_.size(); ++k) {
             if (!used_[k]) {
@@ -84,19 +89,21 @@ class MeshOutline {
                                                            : tags_.size();
     }
 
-    void elementEdges() {
+    /// Returns false once cancelled.
+    bool elementEdges() {
         neighbours_ = elementNeighbours(mesh_);
         divides_.resize(neighbours_.size());
         for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
+            if (!progress_.next()) {
+                return false;
+            }
             for (std::size_t k = 0; k < 3; ++k) {
                 elementEdge(e, k);
             }
         }
         const bool named = !mesh_.regionNames.empty() ||
                            std::any_of(mesh_.regions.begin(), mesh_.regions.end(), [](auto tag) { return tag != 1; });
-        if (named) {
-            regionMarkers();
-        }
+        return !named || regionMarkers();
     }
 
     void elementEdge(std::size_t e, std::size_t k) {
@@ -128,8 +135,8 @@ class MeshOutline {
                                                                      : tags_[found].stretch.reversed());
     }
 
-    /// Places a marker in every face, in its largest element.
-    void regionMarkers() {
+    /// Places a marker in every face, in its largest element. Returns false once cancelled.
+    bool regionMarkers() {
         std::vector<bool> seen(mesh_.elements.size(), false);
         std::vector<std::size_t> stack;
         for (std::size_t start = 0; start < seen.size(); ++start) {
@@ -140,6 +147,9 @@ class MeshOutline {
             seen[start] = true;
             stack.push_back(start);
             while (!stack.empty()) {
+                if (!progress_.next()) {
+                    return false;
+                }
                 const std::size_t e = stack.back();
                 stack.pop_back();
                 largest = area(e) > area(largest) ? e : largest;
@@ -155,6 +165,7 @@ class MeshOutline {
             const Vec2 sum = place(nodes[0]) + place(nodes[1]) + place(nodes[2]);
             domain_.regionMarkers.push_back({(1.0 / 3.0) * sum, mesh_.region(largest)});
         }
+        return true;
     }
 
     Vec2 place(NodeId node) const { return mesh_.nodes[index(node)]; }
@@ -184,16 +195,17 @@ class MeshOutline {
     std::int32_t interfaceTag_ = 2; ///< for interfaces without a tag
     std::vector<std::array<ElementId, 3>> neighbours_;
     std::vector<std::array<bool, 3>> divides_;
+    PacedProgress progress_;
     Domain domain_;
 };
 
 } // namespace
 
-Result<Domain> domainOfMesh(const Mesh &mesh) {
+Result<Domain> domainOfMesh(const Mesh &mesh, const Progress &progress) {
     if (mesh.elements.empty() && mesh.edges.empty()) {
         return error("empty-domain", "the mesh has neither triangles nor lines that could bound a domain");
     }
-    return MeshOutline(mesh).run();
+    return MeshOutline(mesh, progress).run();
 }
 
 } // namespace forefront

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/progress.hpp"
 #include "core/base/result.hpp"
 #include "core/domain/domain.hpp"
 #include "core/mesh/mesh.hpp"
@@ -8,7 +9,7 @@ namespace forefront {
 
 /// Returns the domain that a mesh covers: its boundary edges, the interfaces between its regions and its tagged edges
 /// and points, with tags and names, and a marker in every face. Outer edges without a tag share the lowest unused tag,
-/// interfaces without a tag the next one. Errors: empty-domain.
-Result<Domain> domainOfMesh(const Mesh &mesh);
+/// interfaces without a tag the next one. Errors: empty-domain, "cancelled".
+Result<Domain> domainOfMesh(const Mesh &mesh, const Progress &progress = {});
 
 } // namespace forefront

@@ -182,6 +182,33 @@ TEST_CASE("outlineOf: drops nodes that only divide a straight side, and keeps ta
     CHECK(outlineOf(pinned)->nodes.size() == 5);
 }
 
+TEST_CASE("outlineOf: can be cancelled at each of its reports") {
+    Mesh mesh = samples::square(90, 90, 0.2);
+    mesh.regions.assign(mesh.elements.size(), 1);
+    mesh.regions.front() = 2; // so that faces are marked
+    std::size_t reports = 0, limit = 0;
+    std::stop_source stop;
+    Progress progress;
+    progress.report = [&](std::string_view, double) {
+        if (++reports == limit) {
+            stop.request_stop();
+        }
+    };
+    REQUIRE(outlineOf(mesh, progress));
+    const std::size_t all = reports;
+    CHECK(all >= 2 * mesh.elements.size() / 4096);
+    for (limit = 1; limit < all; ++limit) { // nothing is left to cancel at the last one
+        CAPTURE(limit);
+        stop = std::stop_source();
+        progress.stop = stop.get_token();
+        reports = 0;
+        const Result<Domain> outline = outlineOf(mesh, progress);
+        REQUIRE(!outline);
+        CHECK(outline.faults().front().code == "cancelled");
+        CHECK(reports == limit);
+    }
+}
+
 TEST_CASE("outlineOf: a mesh along curves gives them back, so that a finer mesh follows them") {
     Document document;
     Shape disc;
