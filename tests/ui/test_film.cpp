@@ -25,6 +25,12 @@ class Filmmaker : public MeshedSquare {
         script("click menu/File\nclick menu/file.exportFilm\nsettle");
         REQUIRE(has("dialog/film/name"));
     }
+    /// Opens the dialog for the run up to an advance.
+    void openDialog(const std::string &to, const std::string &frames) {
+        openDialog();
+        enter("to", to);
+        enter("frames", frames);
+    }
     void enter(const std::string &field, const std::string &value) {
         click("dialog/film/" + field);
         key('A', {Modifiers::kControl});
@@ -56,9 +62,7 @@ std::size_t filesIn(const std::filesystem::path &folder) {
 TEST_CASE("Film: the dialog writes an animation, numbered pictures and a drawing of one moment") {
     Filmmaker driver;
     const TemporaryFolder folder;
-    driver.openDialog();
-    driver.enter("to", "20");
-    driver.enter("frames", "5");
+    driver.openDialog("20", "5");
     driver.enter("width", "200");
     driver.confirm(folder / "run.gif");
     const std::string gif = textOf(folder / "run.gif");
@@ -100,9 +104,7 @@ TEST_CASE("Film: the dialog writes an animation, numbered pictures and a drawing
 TEST_CASE("Film: a name with %d writes one drawing per frame, even with the filter for one moment") {
     Filmmaker driver;
     const TemporaryFolder folder;
-    driver.openDialog();
-    driver.enter("to", "20");
-    driver.enter("frames", "3");
+    driver.openDialog("20", "3");
     driver.confirm(folder / "run-%d.svg");
     CHECK(filesIn(folder.path) == 3);
     CHECK(textOf(folder / "run-1.svg") != textOf(folder / "run-3.svg"));

@@ -41,6 +41,16 @@ struct JudgedSquare : MeshedSquare {
     }
 };
 
+/// Shows a mesh with values as an opened one, with its elements in colour and the histogram open.
+void showValues(Draughtsman &driver, const MeshFields &made) {
+    driver.context().run.showFile(made);
+    driver.context().view.fit(made.mesh.bounds());
+    showLayer(driver.context().layers, "quality", true);
+    showLayer(driver.context().layers, "mesh", false);
+    driver.settle();
+    driver.click("panel/histogram");
+}
+
 } // namespace
 
 TEST_CASE("Judge: a mesh of every format opens with the figures that the check command prints") {
@@ -224,12 +234,7 @@ TEST_CASE("Judge: nodal values of a file are shown smoothly, with contour lines"
         made.fields["heat"].push_back(place.x);
     }
     Draughtsman driver;
-    driver.context().run.showFile(made);
-    driver.context().view.fit(made.mesh.bounds());
-    showLayer(driver.context().layers, "quality", true);
-    showLayer(driver.context().layers, "mesh", false);
-    driver.settle();
-    driver.click("panel/histogram");
+    showValues(driver, made);
     chooseField(driver.context(), MeshPart::Nodes, "heat");
     driver.moveTo({5, 5});
     driver.settle();
@@ -259,12 +264,7 @@ TEST_CASE("Judge: values of elements in a file colour their elements, with histo
     }
     made.fields["flux"].assign(made.mesh.nodes.size(), 1.0);
     Draughtsman driver;
-    driver.context().run.showFile(made);
-    driver.context().view.fit(made.mesh.bounds());
-    showLayer(driver.context().layers, "quality", true);
-    showLayer(driver.context().layers, "mesh", false);
-    driver.settle();
-    driver.click("panel/histogram");
+    showValues(driver, made);
     driver.click("histogram/measure");
     driver.settle();
     CHECK(driver.has("histogram/measure/flux"));
