@@ -1,6 +1,7 @@
 #include "core/io/files.hpp"
 #include "tests/ui/meshed_square.hpp"
 #include "ui/dialogs/open_mesh.hpp"
+#include "ui/workspace/judging.hpp"
 
 #include <doctest/doctest.h>
 
@@ -138,6 +139,53 @@ TEST_CASE("Side by side: another mesh of the domain is shown beside ours, with t
     driver.settle();
     CHECK(sides.mesh() == nullptr);
     CHECK(sides.size() == 0);
+}
+
+TEST_CASE("Side by side: the compared mesh shows its own values of the field on the canvas, or no colours") {
+    MeshedSquare maker;
+    MeshFields made{maker.mesh(), {}, {}};
+    for (const Vec2 place : made.mesh.nodes) {
+        made.fields["heat"].push_back(place.x);
+    }
+    for (std::size_t e = 0; e < made.mesh.elements.size(); ++e) {
+        made.elementFields["flux"].push_back(static_cast<double>(e));
+    }
+    MeshFields other = made;
+    for (double &value : other.fields["heat"]) {
+        value *= 0.5;
+    }
+    other.elementFields.clear();
+    Draughtsman driver;
+    driver.context().run.showFile(made);
+    driver.context().sides.compareWith("other.vtu", other, [] {});
+    showLayer(driver.context().layers, "quality", true);
+    chooseField(driver.context(), MeshPart::Nodes, "heat");
+    driver.settle();
+    const Judgement &heat = *driver.context().sides.mesh()->judgement();
+    CHECK(heat.values == other.fields["heat"]);
+    CHECK(heat.of.measure == driver.context().judgement->of.measure);
+    const auto coloured = [&] { // by pixels of the view that have the colour of an element without a value
+        const Driver::Picture picture = driver.picture();
+        const PixelRect rect = driver.context().widgets.find("sides/0")->rect;
+        std::size_t plain = 0, seen = 0;
+        for (double x = rect.x + 30.0; x < rect.x + rect.width - 30.0; x += 7.0) {
+            for (double y = rect.y + 40.0; y < rect.y + rect.height - 10.0; y += 7.0) {
+                const Colour found = colourAt(picture, {x, y});
+                plain += difference(found, driver.context().theme.element) <= 3 ? 1U : 0U;
+                seen += difference(found, driver.context().theme.canvas) > 3 ? 1U : 0U;
+            }
+        }
+        CHECK(seen > 100);
+        return plain < seen / 10;
+    };
+    CHECK(coloured());
+    chooseField(driver.context(), MeshPart::Elements, "flux"); // only on the canvas
+    driver.settle();
+    CHECK(driver.context().judgement->of.field == "flux");
+    CHECK_FALSE(coloured());
+    chooseMeasure(driver.context(), Measure::MinAngle);
+    driver.settle();
+    CHECK(coloured());
 }
 
 TEST_CASE("Side by side: the compared mesh has the colours of the canvas and moves with its camera") {

@@ -114,7 +114,7 @@ Diagnostics compareMesh(Shell &context, const std::filesystem::path &file) {
     if (!read) {
         return read.faults();
     }
-    context.sides.compareWith(file.filename().string(), std::move(read->mesh), [&p = context.platform] { p.wake(); });
+    context.sides.compareWith(file.filename().string(), *std::move(read), [&p = context.platform] { p.wake(); });
     context.log.add(notes.diagnostics());
     const Box2 ours = context.run.now().mesh ? context.run.now().mesh->mesh.bounds() : Box2();
     const Box2 others = context.sides.mesh()->mesh().bounds();

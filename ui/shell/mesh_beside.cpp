@@ -3,6 +3,7 @@
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/shell/figure_table.hpp"
+#include "ui/shell/small_mesh.hpp"
 #include "ui/style/measure_colours.hpp"
 #include "ui/workspace/judging.hpp"
 
@@ -20,10 +21,7 @@ namespace forefront::shell {
 
 namespace {
 
-/// Maximum number of elements drawn; with more in view, only the outline is shown.
-constexpr std::size_t kMaxDrawn = 12'000;
-
-/// The elements in view; none if there are too many to draw.
+/// The elements in view; none if there are too many to draw one by one, and only the outline is shown.
 struct InView {
     std::vector<std::uint32_t> elements;
     bool tooMany = false;
@@ -34,13 +32,13 @@ InView elementsIn(const ComparedMesh &compared, const Box2 &box) {
     const Judgement &judgement = *compared.judgement();
     const std::size_t all = compared.mesh().elements.size();
     if (!judgement.tree) { // not yet evaluated
-        view.tooMany = all > kMaxDrawn;
+        view.tooMany = all > kMaxSmallMesh;
         view.elements.resize(view.tooMany ? 0 : all);
         std::iota(view.elements.begin(), view.elements.end(), 0U);
         return view;
     }
     const auto visit = [&](std::uint32_t element) {
-        view.tooMany = view.elements.size() == kMaxDrawn;
+        view.tooMany = view.elements.size() == kMaxSmallMesh;
         if (!view.tooMany) {
             view.elements.push_back(element);
         }
@@ -53,14 +51,33 @@ InView elementsIn(const ComparedMesh &compared, const Box2 &box) {
     return view;
 }
 
+/// Returns the value of an element: its own, or the mean of its nodes; none if the elements are not coloured by a
+/// value.
+std::optional<double> valueOf(const ComparedMesh &compared, std::size_t element) {
+    const Judgement &judgement = *compared.judgement();
+    const std::vector<double> &values = judgement.values;
+    if (judgement.info.part == MeshPart::Elements) {
+        return element < values.size() ? std::optional(values[element]) : std::nullopt;
+    }
+    if (!judgement.of.fieldValues || values.size() != compared.mesh().nodes.size()) {
+        return std::nullopt;
+    }
+    const Element &nodes = compared.mesh().elements[element];
+    return std::accumulate(nodes.begin(), nodes.end(), 0.0,
+                           [&](double sum, NodeId node) { return sum + values[index(node)] / 3.0; });
+}
+
 /// Returns the colour of an element; as on the canvas, the layer "quality" colours it by its value.
-Colour colourOf(const Shell &context, const Judgement &judgement, std::size_t element, bool coloured) {
-    const Measure measure = judgement.of.measure;
-    if (!coloured || element >= judgement.values.size()) {
+Colour colourOf(Shell &context, const ComparedMesh &compared, std::size_t element) {
+    const JudgeRequest &of = compared.judgement()->of, &canvas = context.judgement->of;
+    const LayerSlot *const quality = context.layer("quality");
+    const bool same = of.measure == canvas.measure && of.field == canvas.field && of.fieldPart == canvas.fieldPart;
+    const std::optional<double> value =
+        quality != nullptr && quality->visible && same ? valueOf(compared, element) : std::nullopt;
+    if (!value) {
         return context.theme.element;
     }
-    const double at = mapPosition(measure, measureRange(context), judgement.values[element]);
-    return mapOf(measure)(std::clamp(at, 0.0, 1.0));
+    return mapOf(of.measure)(std::clamp(mapPosition(of.measure, measureRange(context), *value), 0.0, 1.0));
 }
 
 constexpr std::array<FigureColumn, 8> kMeshColumns{
@@ -100,19 +117,13 @@ FigureRow rowOf(std::string name, const std::optional<MeshFigures> &figures) {
 void drawMeshBeside(Shell &context, CanvasPainter &painter) {
     const ComparedMesh &compared = *context.sides.mesh();
     const Mesh &mesh = compared.mesh();
-    const Judgement &judgement = *compared.judgement();
     const auto at = [&](NodeId node) { return mesh.nodes[index(node)]; };
     const Box2 visible = painter.camera().visible();
     const InView view = elementsIn(compared, visible);
-    const LayerSlot *const quality = context.layer("quality");
-    const bool coloured = quality != nullptr && quality->visible && judgement.info.part == MeshPart::Elements;
     for (const std::uint32_t number : view.elements) {
         const Element &element = mesh.elements[number];
         const Vec2 a = at(element[0]), b = at(element[1]), c = at(element[2]);
-        painter.triangle(a, b, c, colourOf(context, judgement, number, coloured));
-        painter.line(a, b, context.theme.mesh, 1.0);
-        painter.line(b, c, context.theme.mesh, 1.0);
-        painter.line(c, a, context.theme.mesh, 1.0);
+        drawElement(painter, context.theme, a, b, c, colourOf(context, compared, number));
     }
     for (const MeshEdge &edge : compared.outline()) {
         if (boxOf(at(edge.a), at(edge.b)).overlaps(visible)) {

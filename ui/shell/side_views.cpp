@@ -3,6 +3,7 @@
 #include "ui/shell/figure_table.hpp"
 #include "ui/shell/mesh_beside.hpp"
 #include "ui/shell/shell.hpp"
+#include "ui/shell/small_mesh.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/moment.hpp"
 
@@ -19,9 +20,6 @@ namespace forefront::shell {
 
 namespace {
 
-/// Maximum number of elements drawn in a view beside the canvas; for larger meshes only the boundary and the front are
-/// shown.
-constexpr std::size_t kMaxElements = 12'000;
 constexpr double kTitleHeight = 26.0; ///< design pixels
 constexpr double kZoomStep = 1.18;
 
@@ -48,7 +46,7 @@ class RunPicture {
         : painter_(painter), theme_(theme), run_(run), visible_(painter.camera().visible()) {}
 
     void draw(bool cells) {
-        if (run_.mesh && run_.mesh->mesh.elements.size() <= kMaxElements) {
+        if (run_.mesh && run_.mesh->mesh.elements.size() <= kMaxSmallMesh) {
             drawElements(run_.mesh->mesh);
         }
         if (cells && run_.cells) {
@@ -84,10 +82,7 @@ class RunPicture {
             Box2 box = boxOf(a, b);
             box.add(c);
             if (box.overlaps(visible_)) {
-                painter_.triangle(a, b, c, theme_.element);
-                painter_.line(a, b, theme_.mesh, 1.0);
-                painter_.line(b, c, theme_.mesh, 1.0);
-                painter_.line(c, a, theme_.mesh, 1.0);
+                drawElement(painter_, theme_, a, b, c, theme_.element);
             }
         }
     }

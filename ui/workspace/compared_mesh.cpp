@@ -17,13 +17,20 @@ std::shared_ptr<const MeshView> viewOf(Mesh mesh) {
 
 } // namespace
 
-ComparedMesh::ComparedMesh(std::string name, Mesh mesh, std::function<void()> wake)
-    : name_(std::move(name)), view_(viewOf(std::move(mesh))), judge_(std::move(wake)), judgement_(judge_.latest()) {}
+ComparedMesh::ComparedMesh(std::string name, MeshFields read, std::function<void()> wake)
+    : name_(std::move(name)), fields_(takeFields(read)), view_(viewOf(std::move(read.mesh))), judge_(std::move(wake)),
+      judgement_(judge_.latest()) {}
 
 bool ComparedMesh::follow(JudgeRequest request) {
     request.mesh = view_;
-    request.field.clear(); // the values belong to the other mesh
-    request.fieldValues = nullptr;
+    if (request
+            .fieldValues) { // those of the canvas belong to its mesh; if the file has no such field, nothing is shown
+        const std::vector<double> *const values = fields_ ? fields_->find(request.fieldPart, request.field) : nullptr;
+        request.fieldValues = values ? std::shared_ptr<const std::vector<double>>(fields_, values) : nullptr;
+        if (!values) {
+            request.field.clear();
+        }
+    }
     request.limits = {};
     request.verify = false;
     request.parts = true;

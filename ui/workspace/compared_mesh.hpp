@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/workspace/file_fields.hpp"
 #include "ui/workspace/mesh_judge.hpp"
 
 #include <cstdint>
@@ -15,7 +16,7 @@ namespace forefront {
 class ComparedMesh {
   public:
     /// `name`: of the file. `wake`: as for MeshJudge.
-    ComparedMesh(std::string name, Mesh mesh, std::function<void()> wake);
+    ComparedMesh(std::string name, MeshFields read, std::function<void()> wake);
 
     const std::string &name() const { return name_; }
     const Mesh &mesh() const { return view_->mesh; }
@@ -24,14 +25,15 @@ class ComparedMesh {
     /// Returns the edges with one element, as pairs of nodes; empty until the mesh has been evaluated.
     const std::vector<MeshEdge> &outline() const { return outline_; }
 
-    /// Evaluates the mesh with the measure and the spacing of the canvas, and fetches the latest evaluation. Call it
-    /// once per frame. Returns true if the evaluation is new.
+    /// Evaluates the mesh with the measure or field and the spacing of the canvas, and fetches the latest evaluation.
+    /// Call it once per frame. Returns true if the evaluation is new.
     bool follow(JudgeRequest request);
     bool busy() const { return judge_.busy(); }
     bool hasNews() const { return judge_.latest() != judgement_; }
 
   private:
     std::string name_;
+    std::shared_ptr<const FileFields> fields_; ///< null: none
     std::shared_ptr<const MeshView> view_;
     MeshJudge judge_;
     std::shared_ptr<const Judgement> judgement_;

@@ -11,12 +11,6 @@
 
 namespace forefront {
 
-const std::vector<double> *FileFields::find(MeshPart part, const std::string &name) const {
-    const NamedFields &fields = part == MeshPart::Nodes ? nodes : elements;
-    const auto found = fields.find(name);
-    return found == fields.end() ? nullptr : &found->second;
-}
-
 RunControl::RunControl(DocumentStore &document, MessageLog &log, std::function<void()> wake)
     : document_(document), log_(log), session_(std::move(wake)), snapshot_(session_.latest()) {}
 
@@ -167,12 +161,7 @@ void RunControl::want(SnapshotLayers layers) {
 void RunControl::showFile(MeshFields read) {
     clear();
     Mesh &mesh = read.mesh;
-    std::erase_if(read.fields, [&](const auto &field) { return field.second.size() != mesh.nodes.size(); });
-    std::erase_if(read.elementFields, [&](const auto &field) { return field.second.size() != mesh.elements.size(); });
-    fields_ =
-        read.fields.empty() && read.elementFields.empty()
-            ? nullptr
-            : std::make_shared<const FileFields>(FileFields{std::move(read.fields), std::move(read.elementFields)});
+    fields_ = takeFields(read);
     auto view = std::make_shared<MeshView>();
     view->alpha = shapeFactors(mesh);
     view->version = (std::uint64_t{1} << 63) + ++openedCount_; // unlike those of runs

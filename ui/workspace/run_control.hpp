@@ -1,9 +1,8 @@
 #pragma once
 
-#include "core/io/common/mesh_field.hpp"
-#include "core/mesh/measures.hpp"
 #include "core/mesher/options.hpp"
 #include "core/session/meshing_session.hpp"
+#include "ui/workspace/file_fields.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -18,14 +17,6 @@ namespace forefront {
 class DocumentStore;
 struct Document;
 class MessageLog;
-
-/// The scalar values that the file of a mesh holds, by name.
-struct FileFields {
-    NamedFields nodes, elements;
-
-    /// Returns the values with this name, one for each node or element; null if there are none.
-    const std::vector<double> *find(MeshPart part, const std::string &name) const;
-};
 
 /// Controls the meshing run for the user interface: starts runs from the document, holds speed and granularity, and
 /// knows whether the mesh is out of date. Call all members from the UI thread; none of them blocks.
