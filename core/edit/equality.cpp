@@ -6,13 +6,16 @@
 
 namespace forefront {
 
-bool sameContent(const Document &a, const Document &b) {
-    return a.circleTolerance == b.circleTolerance && a.curveTolerance == b.curveTolerance && a.options == b.options &&
-           a.limits == b.limits && a.boundaryNames == b.boundaryNames && a.regionNames == b.regionNames &&
-           a.regionMarkers == b.regionMarkers && a.parameters == b.parameters && a.formulas == b.formulas &&
+bool sameDomain(const Document &a, const Document &b) {
+    return a.circleTolerance == b.circleTolerance && a.curveTolerance == b.curveTolerance &&
+           a.boundaryNames == b.boundaryNames && a.regionNames == b.regionNames && a.regionMarkers == b.regionMarkers &&
            std::equal(a.shapes.begin(), a.shapes.end(), b.shapes.begin(), b.shapes.end(),
-                      [](const auto &s, const auto &t) { return s == t || *s == *t; }) &&
-           sameContent(a.spacing, b.spacing);
+                      [](const auto &s, const auto &t) { return s == t || *s == *t; });
+}
+
+bool sameContent(const Document &a, const Document &b) {
+    return a.options == b.options && a.limits == b.limits && a.parameters == b.parameters && a.formulas == b.formulas &&
+           sameDomain(a, b) && sameContent(a.spacing, b.spacing);
 }
 
 } // namespace forefront

@@ -40,7 +40,7 @@ class AdaptPanel final : public Panel {
     /// Draws the choice between an expression and the nodal values of the opened mesh.
     void drawField(Shell &context) {
         std::vector<std::string> names{"Expression"};
-        if (const auto fields = context.run.fields(); fields && !showsRound(context)) {
+        if (const auto fields = source(context).fields) {
             for (const auto &[name, values] : fields->nodes) {
                 names.push_back(name);
             }
@@ -56,7 +56,8 @@ class AdaptPanel final : public Panel {
             field_ = choice == 0 ? std::string() : names[static_cast<std::size_t>(choice)];
         }
         ui::rowTooltip(context, "The mesh is refined where linear elements approximate the gradient of this field "
-                                "badly. Nodal values of an opened mesh allow one new mesh; then compute them again.");
+                                "badly. Nodal values of an opened mesh allow one new mesh, which always starts from "
+                                "that file; then compute them again.");
         if (choice == 0) {
             form::label(context, "f(x, y)");
             ui::entry(context, "adapt/expression", expression_, "atan(20*(x*x+y*y-1))");
@@ -84,12 +85,21 @@ class AdaptPanel final : public Panel {
 
     /// Returns why no adaptation can start, or null.
     const char *obstacle(const Shell &context) const {
-        const SessionSnapshot &shown = context.run.now();
+        constexpr const char *kChanged = "The drawing has changed; mesh it again first.";
+        const RunControl &run = context.run;
+        if (!run.showsFile() && (run.busy() || run.hasNews())) {
+            return "Wait until the mesh is finished.";
+        }
+        const SessionSnapshot &shown = run.now();
         if (!shown.mesh || shown.mesh->mesh.elements.empty() || !shown.complete) {
             return "Mesh the drawing, or open a mesh, to adapt it.";
         }
-        if (context.run.outOfDate()) {
-            return "The drawing has changed; mesh it again first.";
+        // Live meshing may have yet to follow, so the state "out of date" is not enough.
+        if (!run.showsFile() && (run.shownRevision() != run.meshRevision() || run.preview())) {
+            return kChanged;
+        }
+        if (showsRound(context) && !context.adaptation.fits(context.document.current())) {
+            return kChanged;
         }
         return !usesValues_ && expression_.empty() ? "Enter a field, such as exp(-x*x-y*y)." : nullptr;
     }
@@ -128,16 +138,23 @@ class AdaptPanel final : public Panel {
         return mesh && !context.adaptation.now().rounds.empty() && mesh->version == context.adaptation.shown;
     }
 
+    /// Returns the mesh that the rounds shown began with, or else the mesh shown.
+    static AdaptSource source(const Shell &context) {
+        return showsRound(context) ? context.adaptation.request().source
+                                   : AdaptSource{context.run.now().mesh, context.run.fields()};
+    }
+
     void start(Shell &context) {
         AdaptRequest request;
-        request.mesh = context.run.now().mesh;
+        request.source = source(context);
+        request.mesh = usesValues_ ? request.source.mesh : context.run.now().mesh;
         if (showsRound(context)) {
-            request.domain = context.adaptation.request().domain;
+            request.drawing = context.adaptation.request().drawing;
         } else if (!context.run.showsFile()) {
-            request.domain = std::make_shared<const Domain>(toDomain(*context.document.current()));
+            request.drawing = context.document.current();
         }
         request.field = usesValues_ ? field_ : expression_;
-        if (const auto fields = context.run.fields(); usesValues_ && fields) {
+        if (const auto &fields = request.source.fields; usesValues_ && fields) {
             const std::vector<double> *const values = fields->find(MeshPart::Nodes, field_);
             request.values = values == nullptr ? nullptr : std::shared_ptr<const std::vector<double>>(fields, values);
         }
@@ -150,6 +167,7 @@ class AdaptPanel final : public Panel {
             return;
         }
         context.adaptation.start(std::move(request));
+        context.adaptation.shown = context.run.now().mesh->version; // replaced by the meshes as they come
         context.adaptation.loads = context.document.loads();
         context.animate();
     }

@@ -24,25 +24,33 @@ void logEnd(Shell &context) {
         return;
     }
     const AdaptedMesh &last = *now.rounds.back();
-    std::string text = "Adapted: mesh " + std::to_string(now.rounds.size() - 1) + " has " +
-                       ui::count(last.mesh.elements.size()) + " triangles";
+    const std::size_t made = now.rounds.size() - 1;
+    std::string text = "mesh " + std::to_string(made) + " has " + ui::count(last.mesh.elements.size()) + " triangles";
     if (last.error) {
         text += ", estimated error " + ui::number(100.0 * *last.error, 3) + " %";
-    } else {
-        text += "; compute the field on it, and adapt again if the error is still too large";
     }
-    if (now.stalled) {
+    if (!now.faults.empty()) {
+        if (made > 0) {
+            context.log.announce("Adapting ended early; " + text);
+        }
+        return;
+    }
+    if (!last.error) {
+        text += "; compute the field on it, and adapt again if the error is still too large";
+    } else if (now.stalled) {
         text += "; finer meshes do not reduce it: check whether the field has a jump";
-    } else if (!now.met && last.error && now.faults.empty()) {
+    } else if (!now.met) {
         text += "; to meet the target, allow more rounds or a smaller minimum size";
     }
-    context.log.announce(text);
+    context.log.announce("Adapted: " + text);
 }
 
-/// Returns true if the canvas shows a mesh of the adaptation, or the mesh that it starts from.
+/// Returns true if the canvas shows a mesh of the adaptation, or the mesh that it starts from, and no run is about to
+/// replace it.
 bool showsRounds(const Shell &context) {
     const std::shared_ptr<const MeshView> &mesh = context.run.now().mesh;
-    return context.adaptation.shown == 0 || (mesh && mesh->version == context.adaptation.shown);
+    const bool follows = !context.run.showsFile() && (context.run.busy() || context.run.hasToFollow());
+    return mesh && mesh->version == context.adaptation.shown && !follows;
 }
 
 } // namespace
@@ -75,8 +83,13 @@ void showRound(Shell &context, std::size_t round) {
     Adaptation &adaptation = context.adaptation;
     const AdaptedMesh &adapted = *adaptation.now().rounds[round];
     MeshFields fields{adapted.mesh, {}, {}};
+    const AdaptRequest &request = adaptation.request();
+    if (round == 0 && request.mesh == request.source.mesh && request.source.fields) {
+        fields.fields = request.source.fields->nodes;
+        fields.elementFields = request.source.fields->elements;
+    }
     if (adapted.error) {
-        fields.fields[adaptation.request().field] = adapted.values;
+        fields.fields[request.field] = adapted.values;
         fields.elementFields[kErrorField] = adapted.errors;
     }
     context.run.showFile(std::move(fields));

@@ -1,31 +1,36 @@
 #pragma once
 
 #include "core/adapt/adaptive_meshing.hpp"
+#include "core/edit/document.hpp"
 #include "core/session/snapshot.hpp"
+#include "ui/workspace/file_fields.hpp"
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <stop_token>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace forefront {
 
+/// The mesh that adapting began with, and the values of its file.
+struct AdaptSource {
+    std::shared_ptr<const MeshView> mesh;
+    std::shared_ptr<const FileFields> fields; ///< null: none
+};
+
 /// A request to adapt a mesh to a field.
 struct AdaptRequest {
     std::shared_ptr<const MeshView> mesh;              ///< the first round; never null
-    std::shared_ptr<const Domain> domain;              ///< to be meshed; null: the area of the mesh
+    std::shared_ptr<const Document> drawing;           ///< to be meshed; null: the area of the mesh
     std::string field;                                 ///< an expression in x and y, or the name of `values`
     std::shared_ptr<const std::vector<double>> values; ///< of the field at the nodes of the mesh; null: an expression
     AdaptTarget target;
     int maxRounds = 8; ///< with an expression: maximum number of new meshes
     MeshingOptions options;
+    AdaptSource source; ///< kept with the rounds, so that its values can be used again
 };
 
 /// The mesh of a round.
@@ -46,44 +51,53 @@ struct AdaptProgress {
     Diagnostics faults; ///< why it ended early
 };
 
+/// Adapts the mesh of a request.
+Result<AdaptOutcome> adaptedMesh(const AdaptRequest &request, const Progress &progress, const AdaptReport &report);
+
 /// Adapts a mesh to a field in rounds on a separate thread, and keeps the mesh of each round. Call all members from one
-/// thread; none of them waits.
+/// thread; none of them waits, except the destructor.
 class Adaptation {
   public:
-    /// `wake` is called from that thread when there is news.
-    explicit Adaptation(std::function<void()> wake);
+    using Work = std::function<Result<AdaptOutcome>(const AdaptRequest &, const Progress &, const AdaptReport &)>;
+
+    /// `wake` is called from that thread when there is news. `work` adapts the mesh; tests pass their own.
+    explicit Adaptation(std::function<void()> wake, Work work = adaptedMesh);
+    ~Adaptation();
 
     /// Starts an adaptation and drops the rounds of the previous one; does nothing while one is running.
     void start(AdaptRequest request);
-    void cancel() { thread_.request_stop(); }
+    void cancel();
     /// Drops the rounds, and cancels the adaptation if it is running.
     void clear();
     /// Fetches the newest progress. Called once per frame; returns true if it has changed.
     bool refresh();
-    bool hasNews() const { return version_.load() != seen_; }
+    bool hasNews() const;
     bool busy() const { return now_.running; }
     /// Returns the progress of this frame.
     const AdaptProgress &now() const { return now_; }
     /// Returns the request of the rounds.
     const AdaptRequest &request() const { return request_; }
+    /// Returns true if the rounds are of the domain that `drawing` has now, or of the mesh of a file.
+    bool fits(const std::shared_ptr<const Document> &drawing) const;
 
     std::size_t selected = 0; ///< the round shown
     std::size_t followed = 0; ///< number of rounds that the window has taken notice of
-    std::uint64_t shown = 0;  ///< version of the mesh view that shows it; 0: none
+    std::uint64_t shown = 0;  ///< version of the mesh view that shows it, or of the mesh to be adapted; 0: none
     std::uint64_t loads = 0;  ///< DocumentStore::loads() of the document that the rounds belong to
 
   private:
-    void work(const AdaptRequest &request, const std::stop_token &stop);
-    void change(const std::function<void(AdaptProgress &)> &apply);
+    class Worker;
+    void retire();
 
     std::function<void()> wake_;
-    mutable std::mutex mutex_;
-    AdaptProgress progress_; ///< of the thread; guarded by the mutex
-    std::atomic<std::uint64_t> version_ = 0;
-    std::uint64_t seen_ = 0;
+    Work work_;
+    std::unique_ptr<Worker> worker_;
+    std::vector<std::unique_ptr<Worker>> retired_; ///< cancelled; they may still be running
+    std::uint64_t seen_ = 0;                       ///< version of the progress fetched from the worker
     AdaptProgress now_;
     AdaptRequest request_;
-    std::jthread thread_; ///< last, so that it ends before what it uses
+    mutable std::shared_ptr<const Document> compared_; ///< the last drawing that fits() was called with
+    mutable bool fits_ = false;
 };
 
 } // namespace forefront
