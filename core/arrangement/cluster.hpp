@@ -15,9 +15,4 @@ namespace forefront {
 std::vector<std::uint32_t> clusterPlaces(std::span<const Vec2> places, std::span<const std::uint8_t> preferred,
                                          double radius);
 
-/// Returns true if p comes before q by x, then y.
-inline bool comesBefore(Vec2 p, Vec2 q) {
-    return p.x != q.x ? p.x < q.x : p.y < q.y;
-}
-
 } // namespace forefront

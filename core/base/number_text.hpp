@@ -16,6 +16,13 @@ inline std::string numberText(double value, int digits) {
     return {text.data(), end.ptr};
 }
 
+/// Returns the shortest text that is read as the same number.
+inline std::string exactText(double value) {
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
+    return {text.data(), end.ptr};
+}
+
 /// Returns a position as "(1.5, 2)" with six significant digits, for messages.
 inline std::string placeText(Vec2 place) {
     return '(' + numberText(place.x, 6) + ", " + numberText(place.y, 6) + ')';

@@ -38,6 +38,11 @@ constexpr Vec2 &operator+=(Vec2 &a, Vec2 b) {
     return a = a + b;
 }
 
+/// Returns true if p comes before q by x, then by y.
+constexpr bool comesBefore(Vec2 p, Vec2 q) {
+    return p.x != q.x ? p.x < q.x : p.y < q.y;
+}
+
 constexpr double dot(Vec2 a, Vec2 b) {
     return a.x * b.x + a.y * b.y;
 }

@@ -289,7 +289,7 @@ class Discretiser {
         fractions_.clear();
         // The same nodes for either direction: fractions count from the lower end by x, then y.
         const Vec2 a = domain_.nodes[segment.a], b = domain_.nodes[segment.b];
-        const bool forward = a.x != b.x ? a.x < b.x : a.y < b.y;
+        const bool forward = comesBefore(a, b);
         const Vec2 low = forward ? a : b, high = forward ? b : a;
         if (most_[s] > 1) {
             const double rhoLow = rho_[forward ? segment.a : segment.b],

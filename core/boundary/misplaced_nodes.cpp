@@ -43,16 +43,12 @@ class NodeRays {
     std::vector<Ray> rays_;
 };
 
-bool comesFirst(Vec2 p, Vec2 q) {
-    return p.x != q.x ? p.x < q.x : p.y < q.y;
-}
-
 /// Sorts the rays counter-clockwise, from straight down (excluded) on.
 void sortAround(const DiscreteDomain &domain, std::uint32_t node, std::span<Ray> rays) {
     const Vec2 centre = domain.nodes[node];
     std::sort(rays.begin(), rays.end(), [&](const Ray &m, const Ray &n) {
         const Vec2 p = domain.nodes[m.to], q = domain.nodes[n.to];
-        const bool pRight = comesFirst(centre, p), qRight = comesFirst(centre, q);
+        const bool pRight = comesBefore(centre, p), qRight = comesBefore(centre, q);
         return pRight != qRight ? pRight : orientation(centre, p, q) > 0;
     });
 }
@@ -64,7 +60,7 @@ std::uint32_t regionAbove(const DiscreteDomain &domain, std::uint32_t edge) {
         return kOutside;
     }
     const DiscreteSegment &piece = domain.segments[edge];
-    return comesFirst(domain.nodes[piece.a], domain.nodes[piece.b]) ? piece.leftRegion : piece.rightRegion;
+    return comesBefore(domain.nodes[piece.a], domain.nodes[piece.b]) ? piece.leftRegion : piece.rightRegion;
 }
 
 std::vector<std::uint32_t> misplacedNodes(const DiscreteDomain &domain, const PlaneSweepResult &sweep) {
@@ -80,7 +76,7 @@ std::vector<std::uint32_t> misplacedNodes(const DiscreteDomain &domain, const Pl
         for (std::size_t i = 0; i < rays.size(); ++i) {
             fits = fits && rays[i].left == rays[i + 1 == rays.size() ? 0 : i + 1].right;
         }
-        const bool leftmost = comesFirst(domain.nodes[node], domain.nodes[rays.back().to]);
+        const bool leftmost = comesBefore(domain.nodes[node], domain.nodes[rays.back().to]);
         if (!fits || (leftmost && rays.front().right != regionAbove(domain, sweep.below[node]))) {
             misplaced.push_back(node);
         }

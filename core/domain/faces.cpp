@@ -41,7 +41,7 @@ class FaceFinder {
     /// Returns true if the half-edge leads to a point that comes later in the sweep.
     bool rightward(std::uint32_t half) const {
         const Vec2 from = points_[origin(half)], to = target(half);
-        return from.x != to.x ? from.x < to.x : from.y < to.y;
+        return comesBefore(from, to);
     }
 
     /// Sorts the half-edges by origin, then counter-clockwise starting straight down.

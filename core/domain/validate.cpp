@@ -259,7 +259,7 @@ class Validator {
         }
         for (const EdgeMeeting &m : meetings.overlaps) {
             std::array<Vec2, 4> p{a(m.first), b(m.first), a(m.second), b(m.second)};
-            std::sort(p.begin(), p.end(), [](Vec2 s, Vec2 t) { return s.x != t.x ? s.x < t.x : s.y < t.y; });
+            std::sort(p.begin(), p.end(), comesBefore);
             add("overlapping-segments", "two segments overlap",
                 "remove one of them, or repair the domain, which keeps one copy of the common part",
                 midpoint(p[1], p[2]), {part(m.first), part(m.second)});

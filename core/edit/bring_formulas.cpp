@@ -1,12 +1,11 @@
 #include "core/edit/bring_formulas.hpp"
 
+#include "core/base/number_text.hpp"
 #include "core/edit/formulas.hpp"
 #include "core/edit/number_address.hpp"
 #include "core/spacing/parts/expression/expression_parser.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cstddef>
 #include <iterator>
 #include <optional>
@@ -93,13 +92,6 @@ std::optional<NumberAddress> newAddress(const std::string &text, const ReceivedI
     }
     address->id = place->second;
     return address;
-}
-
-/// Returns the shortest text that is read as the same number.
-std::string exactText(double value) {
-    std::array<char, 32> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-    return {digits.data(), end.ptr};
 }
 
 std::string timesFactor(const std::string &text, double factor) {

@@ -15,9 +15,9 @@ namespace forefront {
 namespace {
 
 /// The positions of all shapes, sources and markers of a document.
-class Places {
+class ItemPlaces {
   public:
-    explicit Places(const Document &document) {
+    explicit ItemPlaces(const Document &document) {
         for (const auto &shape : document.shapes) {
             places_.push_back({static_cast<int>(shape->kind), shape->nodes});
         }
@@ -31,7 +31,7 @@ class Places {
     }
 
     /// Returns true if an item coincides with one of the same kind in another document.
-    bool meet(const Places &other) const {
+    bool meet(const ItemPlaces &other) const {
         return std::any_of(other.places_.begin(), other.places_.end(), [this](const Place &place) {
             return std::binary_search(places_.begin(), places_.end(), place, before);
         });
@@ -45,9 +45,8 @@ class Places {
     };
     static bool before(const Place &a, const Place &b) {
         return a.kind != b.kind ? a.kind < b.kind
-                                : std::lexicographical_compare(
-                                      a.points.begin(), a.points.end(), b.points.begin(), b.points.end(),
-                                      [](Vec2 p, Vec2 q) { return std::tuple(p.x, p.y) < std::tuple(q.x, q.y); });
+                                : std::lexicographical_compare(a.points.begin(), a.points.end(), b.points.begin(),
+                                                               b.points.end(), comesBefore);
     }
 
     std::vector<Place> places_;
@@ -99,10 +98,10 @@ Result<Document> insertCopied(const Document &document, const Document &other, V
     for (const auto &shape : other.shapes) { // hidden and locked ones must move, too
         all.shapes.insert(shape->id);
     }
-    const Places taken(document);
+    const ItemPlaces taken(document);
     Result<Document> moved = other;
     constexpr int kMaxSteps = 1000; // guards against steps too small to move anything
-    for (int k = 1; k <= kMaxSteps && taken.meet(Places(*moved)); ++k) {
+    for (int k = 1; k <= kMaxSteps && taken.meet(ItemPlaces(*moved)); ++k) {
         moved = moveSelection(other, all, static_cast<double>(k) * step);
         if (!moved) {
             return moved;

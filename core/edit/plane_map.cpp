@@ -7,8 +7,14 @@
 namespace forefront {
 namespace {
 
-/// Returns the unit vector at an angle in degrees, without rounding at multiples of 90.
-Vec2 direction(double degrees) {
+/// Returns the map with given images of the axes that leaves a point where it is.
+PlaneMap fixing(Vec2 u, Vec2 v, Vec2 point) {
+    return {u, v, point - (point.x * u + point.y * v)};
+}
+
+} // namespace
+
+Vec2 unitVector(double degrees) {
     const double turn = std::fmod(degrees, 360.0), quarters = turn / 90.0;
     if (quarters == std::floor(quarters)) {
         constexpr std::array<Vec2, 4> kAxes = {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}};
@@ -18,18 +24,11 @@ Vec2 direction(double degrees) {
     return {std::cos(angle), std::sin(angle)};
 }
 
-/// Returns the map with given images of the axes that leaves a point where it is.
-PlaneMap fixing(Vec2 u, Vec2 v, Vec2 point) {
-    return {u, v, point - (point.x * u + point.y * v)};
-}
-
-} // namespace
-
 PlaneMap PlaneMap::rotation(double degrees, Vec2 about) {
     if (!std::isfinite(degrees)) {
         return {{degrees, degrees}, {degrees, degrees}, about};
     }
-    const Vec2 u = direction(degrees);
+    const Vec2 u = unitVector(degrees);
     return fixing(u, leftNormal(u), about);
 }
 

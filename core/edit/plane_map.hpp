@@ -4,6 +4,9 @@
 
 namespace forefront {
 
+/// Returns the unit vector at an angle in degrees, counter-clockwise from the x axis; exact for multiples of 90.
+Vec2 unitVector(double degrees);
+
 /// An affine map of the plane: p becomes p.x·u + p.y·v + shift.
 struct PlaneMap {
     Vec2 u{1.0, 0.0}; ///< image of the unit vector along x

@@ -19,12 +19,12 @@ namespace {
 /// Two places in either order, as a key.
 using Ends = std::tuple<double, double, double, double>;
 Ends endsOf(Vec2 a, Vec2 b) {
-    const bool swapped = std::tie(b.x, b.y) < std::tie(a.x, a.y);
+    const bool swapped = comesBefore(b, a);
     return swapped ? Ends{b.x, b.y, a.x, a.y} : Ends{a.x, a.y, b.x, b.y};
 }
 
 /// A set of finite places.
-class Places {
+class PlaceSet {
   public:
     void add(Vec2 p) {
         if (isFinite(p)) {
@@ -41,6 +41,8 @@ class Places {
 struct NamedEdge {
     Vec2 from, to;
     std::uint32_t shape = 0; ///< index into Document::shapes
+
+    static bool before(const NamedEdge &a, const NamedEdge &b) { return comesBefore(a.from, b.from); }
 };
 
 /// Finds out which shapes a repair changed, and makes shapes from what they became.
@@ -78,7 +80,7 @@ class DrawingRepair {
                 changed_[sources_.segments[s].shape] = 1;
             }
         }
-        Places points, nodes;
+        PlaceSet points, nodes;
         for (const ConstraintPoint &point : domain.points) {
             points.add(domain.nodes[point.node]);
         }
@@ -123,9 +125,7 @@ class DrawingRepair {
                 points.push_back(p);
             }
         }
-        std::stable_sort(edges.begin(), edges.end(), [](const NamedEdge &a, const NamedEdge &b) {
-            return std::tie(a.from.x, a.from.y) < std::tie(b.from.x, b.from.y);
-        });
+        std::stable_sort(edges.begin(), edges.end(), NamedEdge::before);
         next.shapes.clear();
         for (std::size_t k = 0; k < document_.shapes.size(); ++k) {
             if (changed_[k] == 0) {
@@ -146,10 +146,8 @@ class DrawingRepair {
         if (chords.size() == 0) {
             return {};
         }
-        const auto [first, last] = std::equal_range(
-            edges.begin(), edges.end(), NamedEdge{chords.from(0), {}, 0}, [](const NamedEdge &a, const NamedEdge &b) {
-                return std::tie(a.from.x, a.from.y) < std::tie(b.from.x, b.from.y);
-            });
+        const auto [first, last] =
+            std::equal_range(edges.begin(), edges.end(), NamedEdge{chords.from(0), {}, 0}, NamedEdge::before);
         const auto nearest = std::min_element(first, last, [&](const NamedEdge &a, const NamedEdge &b) {
             return distanceSquared(a.to, chords.to(0)) < distanceSquared(b.to, chords.to(0));
         });
@@ -160,7 +158,7 @@ class DrawingRepair {
     DomainSources sources_;
     Domain given_;
     std::vector<std::uint8_t> changed_; ///< per shape
-    Places unchangedPoints_;
+    PlaceSet unchangedPoints_;
 };
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "core/edit/snap.hpp"
 
+#include "core/edit/plane_map.hpp"
 #include "core/edit/snap_points.hpp"
 
 #include <numbers>
@@ -9,23 +10,8 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-/// Returns a unit vector; exact along the axes.
-Vec2 direction(double degrees) {
-    const double turn = std::remainder(degrees, 360.0);
-    if (turn == 0.0) {
-        return {1.0, 0.0};
-    }
-    if (turn == 90.0 || turn == -90.0) {
-        return {0.0, turn > 0.0 ? 1.0 : -1.0};
-    }
-    if (turn == 180.0 || turn == -180.0) {
-        return {-1.0, 0.0};
-    }
-    return {std::cos(turn * kDegree), std::sin(turn * kDegree)};
-}
-
 Vec2 alongAngle(Vec2 anchor, Vec2 p, double degrees) {
-    const Vec2 ray = direction(degrees);
+    const Vec2 ray = unitVector(degrees);
     return anchor + std::max(0.0, dot(p - anchor, ray)) * ray;
 }
 
@@ -35,7 +21,7 @@ Vec2 applyLocks(const SnapQuery &query, Vec2 p) {
     if (query.anchor) {
         const Vec2 anchor = *query.anchor;
         if (locks.angle) {
-            p = locks.distance ? anchor + *locks.distance * direction(*locks.angle)
+            p = locks.distance ? anchor + *locks.distance * unitVector(*locks.angle)
                                : alongAngle(anchor, p, *locks.angle);
         } else if (locks.distance) {
             const Vec2 arm = p - anchor;

@@ -14,10 +14,6 @@ namespace forefront {
 
 namespace {
 
-bool isBefore(Vec2 p, Vec2 q) {
-    return p.x != q.x ? p.x < q.x : p.y < q.y;
-}
-
 /// Improves the parameters of a meeting by Newton's method as long as that brings the curves closer.
 void polish(const Curve &first, const Curve &second, double &s, double &t) {
     constexpr int kSteps = 20;
@@ -41,7 +37,7 @@ void polish(const Curve &first, const Curve &second, double &s, double &t) {
 
 CurveContact crossingAt(const Curve &first, const Curve &second, double s, double t) {
     const Vec2 p = first.point(s), q = second.point(t);
-    const Vec2 at = isBefore(q, p) ? q : p;
+    const Vec2 at = comesBefore(q, p) ? q : p;
     return {s, t, at, at, true};
 }
 

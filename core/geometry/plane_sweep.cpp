@@ -8,10 +8,6 @@ namespace forefront {
 
 namespace {
 
-bool lexicographicallyLess(Vec2 p, Vec2 q) {
-    return p.x != q.x ? p.x < q.x : p.y < q.y;
-}
-
 class Sweeper {
   public:
     Sweeper(std::span<const Vec2> points, std::span<const PlaneEdge> edges)
@@ -42,9 +38,8 @@ class Sweeper {
         for (std::uint32_t i = 0; i < count; ++i) {
             sorted[i] = {points_[i], i};
         }
-        std::sort(sorted.begin(), sorted.end(), [](const Entry &s, const Entry &t) {
-            return s.p == t.p ? s.id < t.id : lexicographicallyLess(s.p, t.p);
-        });
+        std::sort(sorted.begin(), sorted.end(),
+                  [](const Entry &s, const Entry &t) { return s.p == t.p ? s.id < t.id : comesBefore(s.p, t.p); });
         result_.canonical.resize(count);
         rank_.resize(count);
         for (std::size_t i = 0; i < sorted.size(); ++i) {

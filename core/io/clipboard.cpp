@@ -1,5 +1,6 @@
 #include "core/io/clipboard.hpp"
 
+#include "core/base/number_text.hpp"
 #include "core/edit/bring_formulas.hpp"
 #include "core/edit/path_curve.hpp"
 #include "core/edit/shape_geometry.hpp"
@@ -9,7 +10,6 @@
 #include "core/io/text/base64.hpp"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -22,11 +22,7 @@ constexpr std::string_view kBegin = "<metadata id=\"forefront\">", kEnd = "</met
 /// Builds the text of an SVG drawing; y points down there.
 class SvgText {
   public:
-    void number(double value) {
-        std::array<char, 32> digits{};
-        const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value + 0.0);
-        text.append(digits.data(), end.ptr);
-    }
+    void number(double value) { text += exactText(value + 0.0); }
     void point(Vec2 p) {
         number(p.x);
         text += ' ';

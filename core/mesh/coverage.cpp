@@ -9,10 +9,6 @@ namespace forefront {
 
 namespace {
 
-bool before(Vec2 a, Vec2 b) {
-    return a.x != b.x ? a.x < b.x : a.y < b.y;
-}
-
 struct SweepEdge {
     Vec2 left, right; ///< ends in the order of the sweep
     NodeId leftNode = kNoNode, rightNode = kNoNode;
@@ -33,7 +29,7 @@ class Below {
         int side; // of b seen from a
         if (a.left == b.left) {
             side = orientation(a.left, a.right, b.right);
-        } else if (before(a.left, b.left)) {
+        } else if (comesBefore(a.left, b.left)) {
             side = orientation(a.left, a.right, b.left);
             side = side != 0 ? side : orientation(a.left, a.right, b.right);
         } else {
@@ -59,9 +55,9 @@ class Sweep {
         for (const HalfEdge h : boundary) {
             const NodeId a = startOf(mesh, h), b = endOf(mesh, h);
             const Vec2 pa = mesh.nodes[index(a)], pb = mesh.nodes[index(b)];
-            if (before(pa, pb)) {
+            if (comesBefore(pa, pb)) {
                 edges_.push_back({pa, pb, a, b, +1, 0});
-            } else if (before(pb, pa)) {
+            } else if (comesBefore(pb, pa)) {
                 edges_.push_back({pb, pa, b, a, -1, 0});
             }
         }
@@ -70,10 +66,10 @@ class Sweep {
             ends_.push_back(i);
         }
         std::sort(starts_.begin(), starts_.end(), [this](std::uint32_t i, std::uint32_t j) {
-            return edges_[i].left == edges_[j].left ? i < j : before(edges_[i].left, edges_[j].left);
+            return edges_[i].left == edges_[j].left ? i < j : comesBefore(edges_[i].left, edges_[j].left);
         });
         std::sort(ends_.begin(), ends_.end(), [this](std::uint32_t i, std::uint32_t j) {
-            return edges_[i].right == edges_[j].right ? i < j : before(edges_[i].right, edges_[j].right);
+            return edges_[i].right == edges_[j].right ? i < j : comesBefore(edges_[i].right, edges_[j].right);
         });
         places_.assign(edges_.size(), active_.end());
     }
@@ -81,8 +77,8 @@ class Sweep {
     Coverage run() {
         std::size_t nextStart = 0;
         for (std::size_t nextEnd = 0; nextEnd < ends_.size() && !found_.overlap;) {
-            const bool starting =
-                nextStart < starts_.size() && !before(edges_[ends_[nextEnd]].right, edges_[starts_[nextStart]].left);
+            const bool starting = nextStart < starts_.size() &&
+                                  !comesBefore(edges_[ends_[nextEnd]].right, edges_[starts_[nextStart]].left);
             const Vec2 p = starting ? edges_[starts_[nextStart]].left : edges_[ends_[nextEnd]].right;
             NodeId node = kNoNode;
             for (; nextEnd < ends_.size() && edges_[ends_[nextEnd]].right == p; ++nextEnd) {

@@ -10,10 +10,6 @@ namespace forefront {
 
 namespace {
 
-bool before(Vec2 a, Vec2 b) {
-    return a.x != b.x ? a.x < b.x : a.y < b.y;
-}
-
 /// An edge of the mesh that the domain requires, lower node first.
 struct RequiredEdge {
     NodeId lower = kNoNode, upper = kNoNode;
@@ -186,13 +182,13 @@ NodeFinder::NodeFinder(const Mesh &mesh) : mesh_(&mesh) {
     }
     std::sort(sorted_.begin(), sorted_.end(), [&mesh](NodeId a, NodeId b) {
         const Vec2 pa = mesh.nodes[index(a)], pb = mesh.nodes[index(b)];
-        return pa == pb ? a < b : before(pa, pb);
+        return pa == pb ? a < b : comesBefore(pa, pb);
     });
 }
 
 NodeId NodeFinder::find(Vec2 p) const {
     const auto it = std::lower_bound(sorted_.begin(), sorted_.end(), p,
-                                     [this](NodeId n, Vec2 q) { return before(mesh_->nodes[index(n)], q); });
+                                     [this](NodeId n, Vec2 q) { return comesBefore(mesh_->nodes[index(n)], q); });
     return it != sorted_.end() && mesh_->nodes[index(*it)] == p ? *it : kNoNode;
 }
 

@@ -100,8 +100,7 @@ class LineGraph {
     /// Walks around the component with the outside on the left. A segment passed on both sides encloses nothing.
     std::vector<std::uint32_t> outerSegments(const std::vector<std::uint32_t> &nodes) const {
         const std::uint32_t first = *std::min_element(nodes.begin(), nodes.end(), [&](auto m, auto n) {
-            const Vec2 p = domain_.nodes[m], q = domain_.nodes[n];
-            return p.x != q.x ? p.x < q.x : p.y < q.y;
+            return comesBefore(domain_.nodes[m], domain_.nodes[n]);
         });
         const std::uint32_t start = nextAround(first, {-1.0, 0.0}, kNoIndex);
         std::vector<std::uint32_t> passed;

@@ -1,10 +1,9 @@
 #include "core/io/project/project_parameters.hpp"
 
+#include "core/base/number_text.hpp"
 #include "core/edit/formulas.hpp"
 #include "core/edit/number_address.hpp"
 
-#include <array>
-#include <charconv>
 #include <utility>
 #include <vector>
 
@@ -13,12 +12,7 @@ namespace {
 
 /// Reads a number or a string.
 std::string readExpression(const JsonValue &value, JsonCheck &check, const std::string &what) {
-    if (!value.is(JsonKind::Number)) {
-        return check.string(value, what);
-    }
-    std::array<char, 32> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), check.number(value, what)).ptr;
-    return {digits.data(), end};
+    return value.is(JsonKind::Number) ? exactText(check.number(value, what)) : check.string(value, what);
 }
 
 /// Reports the faults of the parameters at their names or expressions. Parameters may use each other in any order.

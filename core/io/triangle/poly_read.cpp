@@ -1,3 +1,4 @@
+#include "core/base/number_text.hpp"
 #include "core/io/common/names.hpp"
 #include "core/io/common/node_table.hpp"
 #include "core/io/source/companion.hpp"
@@ -6,7 +7,6 @@
 #include "core/io/triangle/triangle_nodes.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -158,9 +158,7 @@ class PolyReader {
             }
             const auto [entry, added] = others.emplace(attributes[k], next);
             if (added) {
-                char digits[40];
-                const auto end = std::to_chars(digits, digits + sizeof digits, attributes[k]).ptr;
-                domain_.regionNames.emplace(next++, "region_" + std::string(digits, end));
+                domain_.regionNames.emplace(next++, "region_" + exactText(attributes[k]));
             }
             domain_.regionMarkers[k].tag = entry->second;
         }
