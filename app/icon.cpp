@@ -10,11 +10,11 @@ namespace forefront {
 
 namespace {
 
-struct Pixel {
+struct Shade {
     double r = 0.0, g = 0.0, b = 0.0, a = 0.0;
 };
 
-void paint(Pixel &pixel, std::uint32_t hex, double cover) {
+void paint(Shade &pixel, std::uint32_t hex, double cover) {
     cover = std::clamp(cover, 0.0, 1.0);
     const auto channel = [hex](unsigned shift) { return static_cast<double>((hex >> shift) & 0xffU); };
     pixel.r += cover * (channel(16) - pixel.r);
@@ -41,7 +41,7 @@ double insideTile(Vec2 p) {
     return kRadius - length({std::max(q.x, 0.0), std::max(q.y, 0.0)}) - std::min(std::max(q.x, q.y), 0.0);
 }
 
-Pixel pixelAt(Vec2 p, double unit) {
+Shade pixelAt(Vec2 p, double unit) {
     // y up, in a tile of 64 units.
     constexpr Vec2 a{9, 13}, b{32, 11}, c{55, 13}, d{20, 33}, e{44, 33}, f{32, 53};
     struct Face {
@@ -51,7 +51,7 @@ Pixel pixelAt(Vec2 p, double unit) {
     constexpr std::array<Face, 3> faces{{{a, b, d, 0x3cbb75}, {b, e, d, 0x238a8d}, {b, c, e, 0x404788}}};
     constexpr std::array<std::array<Vec2, 2>, 4> front{{{c, e}, {e, d}, {d, a}, {a, d}}};
     const auto cover = [unit](double depth) { return depth / unit + 0.5; };
-    Pixel pixel;
+    Shade pixel;
     paint(pixel, 0x1b212b, cover(insideTile(p)));
     for (const Face &face : faces) {
         paint(pixel, face.colour, cover(inside(p, face.a, face.b, face.c)));
@@ -77,7 +77,7 @@ std::vector<std::uint8_t> makeIcon(int size) {
     const double unit = 64.0 / size;
     for (int row = 0; row < size; ++row) {
         for (int column = 0; column < size; ++column) {
-            const Pixel pixel = pixelAt({(column + 0.5) * unit, 64.0 - (row + 0.5) * unit}, unit);
+            const Shade pixel = pixelAt({(column + 0.5) * unit, 64.0 - (row + 0.5) * unit}, unit);
             for (const double channel : {pixel.r, pixel.g, pixel.b, 255.0 * pixel.a}) {
                 rgba.push_back(static_cast<std::uint8_t>(std::clamp(channel + 0.5, 0.0, 255.0)));
             }

@@ -11,11 +11,6 @@
 namespace forefront {
 namespace {
 
-bool canCopy(const Shell &context) {
-    const Selection &selection = context.selection;
-    return !selection.shapes.empty() || !selection.sources.empty() || !selection.markers.empty();
-}
-
 void copy(Shell &context) {
     context.platform.setClipboard(clipboardText(*context.document.current(), context.selection));
 }
@@ -42,6 +37,11 @@ void paste(Shell &context) {
 }
 
 } // namespace
+
+bool canCopy(const Shell &context) {
+    const Selection &selection = context.selection;
+    return !selection.shapes.empty() || !selection.sources.empty() || !selection.markers.empty();
+}
 
 void addClipboardActions(ActionRegistry &actions) {
     actions.add({.id = "edit.cut",

@@ -3,8 +3,12 @@
 namespace forefront {
 
 class ActionRegistry;
+struct Shell;
 
 /// Registers copy, cut and paste of drawings through the system clipboard.
 void addClipboardActions(ActionRegistry &actions);
+
+/// Returns true if the selection holds shapes, sources or markers, which can be copied.
+bool canCopy(const Shell &context);
 
 } // namespace forefront

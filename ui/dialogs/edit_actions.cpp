@@ -18,10 +18,6 @@
 namespace forefront {
 namespace {
 
-bool hasSelection(const Shell &context) {
-    return !context.selection.empty();
-}
-
 bool hasShapes(const Shell &context) {
     return !context.document.current()->shapes.empty();
 }

@@ -238,10 +238,10 @@ std::string FileDialog::warning() const {
 }
 
 /// Width of each of the two buttons and the gap between them, in design pixels; the warning is to their left.
-constexpr float kButton = 108.0F, kGap = 10.0F;
+constexpr float kButton = 108.0F, kButtonGap = 10.0F;
 
 float FileDialog::bottomHeight(const Shell &context) const {
-    const float room = ImGui::GetContentRegionAvail().x - context.px(2.0 * kButton + 2.0 * kGap);
+    const float room = ImGui::GetContentRegionAvail().x - context.px(2.0 * kButton + 2.0 * kButtonGap);
     const float height = ImGui::CalcTextSize(ui::wrapped(warning(), room).c_str(), nullptr, false, room).y;
     const float more = std::max(0.0F, height - ImGui::GetTextLineHeight());
     constexpr int kPlain = 84, kLine = 34;
@@ -324,16 +324,16 @@ bool FileDialog::drawBottom(Shell &context) {
     }
     const bool allowed = !request_.extra || request_.extra(context);
     ImGui::Dummy({0, context.px(4)});
-    const float buttons = ImGui::GetWindowContentRegionMax().x - context.px(2.0 * kButton + kGap);
+    const float buttons = ImGui::GetWindowContentRegionMax().x - context.px(2.0 * kButton + kButtonGap);
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, fault_.empty() ? context.theme.warn : context.theme.bad);
     const float top = ImGui::GetCursorPosY();
-    ui::wrappedText(warning(), buttons - context.px(kGap) - ImGui::GetCursorPosX());
+    ui::wrappedText(warning(), buttons - context.px(kButtonGap) - ImGui::GetCursorPosX());
     ImGui::PopStyleColor();
     ui::mark(context, widget("warning"));
     ImGui::SetCursorPos({buttons, top});
     const bool cancelled = ui::button(context, widget("cancel"), "Cancel", ui::ButtonKind::Plain, true, kButton);
-    ImGui::SameLine(0, context.px(kGap));
+    ImGui::SameLine(0, context.px(kButtonGap));
     const std::string label = replace_ ? "Replace" : request_.action;
     wanted =
         ui::button(context, widget("ok"), label, ui::ButtonKind::Primary, allowed && !request_.name.empty(), kButton) ||

@@ -13,7 +13,7 @@
 namespace forefront {
 namespace {
 
-constexpr double kMinCardWidth = 190.0, kCardHeight = 196.0, kPictureHeight = 132.0, kGap = 12.0; ///< design pixels
+constexpr double kMinCardWidth = 190.0, kCardHeight = 196.0, kPictureHeight = 132.0, kCardGap = 12.0; ///< design pixels
 
 std::vector<std::filesystem::path> pathsOf(const std::vector<Sample> &samples) {
     std::vector<std::filesystem::path> paths;
@@ -102,10 +102,10 @@ bool GalleryDialog::draw(Shell &context) {
     bool open = true;
     ImGui::BeginChild("cards", {0, 0}, false, ImGuiWindowFlags_NoNav);
     const float room = ImGui::GetContentRegionAvail().x;
-    const float gap = context.px(kGap);
+    const float gap = context.px(kCardGap);
     const auto columns = static_cast<std::size_t>(std::max(1.0F, (room + gap) / (context.px(kMinCardWidth) + gap)));
     const float width = (room + gap) / static_cast<float>(columns) - gap;
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(kGap), context.px(kGap)));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(kCardGap), context.px(kCardGap)));
     for (std::size_t k = 0; k < samples_.size(); ++k) {
         if (k % columns != 0) {
             ImGui::SameLine();

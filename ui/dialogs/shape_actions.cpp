@@ -6,6 +6,7 @@
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
 #include "core/edit/transform.hpp"
+#include "ui/dialogs/clipboard_actions.hpp"
 #include "ui/dialogs/operation_dialog.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/workspace/edit_state.hpp"
@@ -19,15 +20,6 @@ namespace forefront {
 namespace {
 
 using Kind = OperationField::Kind;
-
-bool hasSelection(const Shell &context) {
-    return !context.selection.empty();
-}
-
-bool canCopy(const Shell &context) {
-    const Selection &selection = context.selection;
-    return !selection.shapes.empty() || !selection.sources.empty() || !selection.markers.empty();
-}
 
 /// Returns a step at which copies do not overlap the selection.
 Vec2 stepBeside(const Shell &context) {
@@ -355,6 +347,10 @@ void addVisibilities(ActionRegistry &actions) {
 }
 
 } // namespace
+
+bool hasSelection(const Shell &context) {
+    return !context.selection.empty();
+}
 
 void addShapeActions(ActionRegistry &actions) {
     addTransforms(actions);

@@ -10,7 +10,7 @@ namespace forefront {
 
 namespace {
 
-constexpr std::size_t kMaxLabels = 7;
+constexpr std::size_t kMaxRanks = 7;
 
 /// Returns the length of the base segment on the screen, in design pixels: a measure of the room for labels.
 double roomOf(const LayerFrame &frame, const AdvanceExplanation &advance) {
@@ -86,7 +86,7 @@ class CandidatesLayer final : public Layer {
             drawChosen(painter, frame, moment, *frame.candidate);
             return;
         }
-        const std::size_t labelled = words ? std::min(moment.candidates, kMaxLabels) : 0;
+        const std::size_t labelled = words ? std::min(moment.candidates, kMaxRanks) : 0;
         for (std::size_t i = 0; i < labelled; ++i) {
             const CandidateTrace &candidate = e.candidates[i];
             const Colour colour = verdictColour(theme, candidate.verdict, moment.judged[i]);

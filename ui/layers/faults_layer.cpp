@@ -10,7 +10,7 @@ namespace forefront {
 namespace {
 
 /// Maximum number of faults marked in view; more would hide the drawing.
-constexpr std::size_t kMaxMarks = 200;
+constexpr std::size_t kMaxFaultMarks = 200;
 /// Distance from the pointer within which a fault is explained, design pixels.
 constexpr double kReach = 14.0;
 
@@ -29,7 +29,7 @@ class FaultsLayer final : public Layer {
         double nearest = frame.camera.length(kReach * frame.scale);
         std::size_t drawn = 0;
         for (const Diagnostic &fault : frame.preview.faults) {
-            if (!fault.at || !visible.contains(*fault.at) || ++drawn > kMaxMarks) {
+            if (!fault.at || !visible.contains(*fault.at) || ++drawn > kMaxFaultMarks) {
                 continue;
             }
             const Colour colour = fault.severity == Severity::Error ? frame.theme.bad : frame.theme.warn;

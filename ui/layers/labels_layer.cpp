@@ -10,7 +10,7 @@ namespace forefront {
 
 namespace {
 
-constexpr std::size_t kMaxNumbers = 80;
+constexpr std::size_t kMaxIds = 80;
 
 class LabelsLayer final : public Layer {
   public:
@@ -80,16 +80,16 @@ class LabelsLayer final : public Layer {
         const Box2 visible = frame.camera.visible();
         const Vec2 all = frame.domain.bounds().size(), seen = visible.size();
         const double part = std::min(1.0, seen.x * seen.y / std::max(all.x * all.y, 1e-300));
-        if (part * static_cast<double>(nodes.size()) > 40.0 * static_cast<double>(kMaxNumbers)) {
+        if (part * static_cast<double>(nodes.size()) > 40.0 * static_cast<double>(kMaxIds)) {
             return;
         }
         std::vector<std::size_t> inView;
-        for (std::size_t i = 0; i < nodes.size() && inView.size() <= kMaxNumbers; ++i) {
+        for (std::size_t i = 0; i < nodes.size() && inView.size() <= kMaxIds; ++i) {
             if (visible.contains(nodes[i])) {
                 inView.push_back(i);
             }
         }
-        if (inView.size() > kMaxNumbers) {
+        if (inView.size() > kMaxIds) {
             return;
         }
         const Moment moment = momentOf(frame.snapshot);

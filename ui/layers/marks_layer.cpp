@@ -10,8 +10,8 @@ namespace forefront {
 namespace {
 
 /// Maximum number of marks drawn in view, and of labels; more would be clutter.
-constexpr int kMaxMarks = 600;
-constexpr int kMaxLabels = 40;
+constexpr int kMaxSpacingMarks = 600;
+constexpr int kMaxSpacingLabels = 40;
 
 /// Draws size sources and region markers.
 class MarksLayer final : public Layer {
@@ -23,19 +23,19 @@ class MarksLayer final : public Layer {
         const Box2 visible = frame.camera.visible();
         int drawn = 0;
         const std::vector<SizeSource> &sources = frame.document.spacing.sources;
-        for (std::size_t k = 0; k < sources.size() && drawn < kMaxMarks; ++k) {
+        for (std::size_t k = 0; k < sources.size() && drawn < kMaxSpacingMarks; ++k) {
             Box2 box = boxAround(sources[k].a, sources[k].radius);
             if (sources[k].shape == SourceShape::Line) {
                 box.add(boxAround(sources[k].b, sources[k].radius));
             }
             if (box.overlaps(visible)) {
-                drawSource(painter, frame, k, drawn++ < kMaxLabels);
+                drawSource(painter, frame, k, drawn++ < kMaxSpacingLabels);
             }
         }
         drawn = 0;
         for (const RegionMarker &marker : frame.document.regionMarkers) {
-            if (visible.contains(marker.at) && drawn < kMaxMarks) {
-                drawMarker(painter, frame, marker, drawn++ < kMaxLabels);
+            if (visible.contains(marker.at) && drawn < kMaxSpacingMarks) {
+                drawMarker(painter, frame, marker, drawn++ < kMaxSpacingLabels);
             }
         }
     }

@@ -18,7 +18,7 @@ namespace {
 /// Elements with α below this are hatched and numbered.
 constexpr double kBad = 0.5;
 /// Maximum number of labels; more would hide the elements.
-constexpr std::size_t kMaxNumbers = 60;
+constexpr std::size_t kMaxAlphaLabels = 60;
 /// Edges on opaque colours: dark in both themes, since the colours are the same in both.
 constexpr Colour kEdgeOnColour = rgb(0x0b1018, 0.6);
 
@@ -161,7 +161,7 @@ class QualityLayer final : public Layer {
             }
             painter.freeLabel(middle, {-12, -7}, ui::format("%.2f", static_cast<double>(frame.snapshot.mesh->alpha[i])),
                               frame.theme.bad, fade(frame.theme.popup, 0.9), frame.fonts.small);
-            if (++shown >= kMaxNumbers) {
+            if (++shown >= kMaxAlphaLabels) {
                 break;
             }
         }
