@@ -66,11 +66,13 @@ def main(program, prefix, labels_file, output):
         labels = {prefix} | labels_of(name, source, given) | set(case.get("testsuite", "").split())
         if "slow" not in labels:
             labels.add("fast")
+        cost = 10 if labels & {"slow", "long"} else 0  # CTest starts the highest first
         test = quoted(f"{prefix}/{name}")
         # doctest separates names by commas.
         only = quoted("--test-case=" + name.replace(",", "\\,"))
         lines.append(f"add_test({test} {quoted(program)} {only})")
         lines.append(f"set_tests_properties({test} PROPERTIES TIMEOUT {TIMEOUT} LABELS {quoted(';'.join(sorted(labels)))}"
+                     f' COST {cost}'
                      ' FAIL_REGULAR_EXPRESSION "test cases: +0 ")')
     pathlib.Path(output).write_text("\n".join(lines) + "\n")
 

@@ -1,16 +1,10 @@
 #define DOCTEST_CONFIG_IMPLEMENT
+#include "tests/support/sanitizers.hpp"
+
 #include <doctest/doctest.h>
 
 #include <chrono>
 #include <cstdio>
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define FOREFRONT_SANITIZED 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define FOREFRONT_SANITIZED 1
-#endif
-#endif
 
 #if defined(FOREFRONT_SANITIZED)
 // Keeps graphics drivers loaded: they are unloaded before leaks are reported, and the reports would name no function.

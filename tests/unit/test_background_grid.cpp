@@ -2,6 +2,7 @@
 #include "core/grid/no_grid.hpp"
 #include "core/grid/uniform_grid.hpp"
 #include "tests/support/discrete_samples.hpp"
+#include "tests/support/sanitizers.hpp"
 
 #include <doctest/doctest.h>
 
@@ -88,7 +89,7 @@ void checkAgainstAll(Grid grid, const GenerationFront &front, const Box2 &bounds
     }
     std::mt19937_64 random(7);
     const auto unit = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
-    for (int round = 0; round < 2000; ++round) {
+    for (int round = 0; round < (kSanitized ? 400 : 2000); ++round) {
         const Vec2 centre = bounds.min + Vec2{unit() * 1.4 - 0.2, unit() * 1.4 - 0.2} + Vec2{0.4, 0.4};
         const double radius = std::pow(10.0, -4.0 * unit());
         const Box2 box = boxAround(centre, radius);

@@ -3,6 +3,7 @@
 #include "core/mesh/verify.hpp"
 #include "core/mesher/pipeline.hpp"
 #include "tests/support/random_curves.hpp"
+#include "tests/support/sanitizers.hpp"
 #include "tests/unit/mesh_samples.hpp"
 
 #include <doctest/doctest.h>
@@ -19,12 +20,7 @@ using namespace forefront::testing;
 
 namespace {
 
-// Instrumented builds run the same checks on fewer domains.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr std::uint64_t kShare = 23; // not a divisor of the number of families
-#else
-constexpr std::uint64_t kShare = 1;
-#endif
+constexpr std::uint64_t kShare = kSanitized ? 23 : 1; // not a divisor of the number of families
 
 /// Returns the number of random domains to mesh: FOREFRONT_CURVE_DOMAINS, or as many as take a few seconds.
 std::uint64_t curvedDomains() {

@@ -3,6 +3,7 @@
 #include "core/mesher/pipeline.hpp"
 #include "core/mesher/timeline.hpp"
 #include "tests/support/random_domains.hpp"
+#include "tests/support/sanitizers.hpp"
 #include "tests/unit/mesh_samples.hpp"
 
 #include <doctest/doctest.h>
@@ -14,12 +15,7 @@ using forefront::testing::randomDomain;
 
 namespace {
 
-// Instrumented builds run the same checks on fewer domains.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr std::uint64_t kShare = 11; // not a divisor of the number of families
-#else
-constexpr std::uint64_t kShare = 1;
-#endif
+constexpr std::uint64_t kShare = forefront::testing::kSanitized ? 23 : 1; // not a divisor of the number of families
 
 struct Run {
     std::uint64_t hash = 0;

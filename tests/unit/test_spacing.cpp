@@ -1,5 +1,6 @@
 #include "core/domain/domain.hpp"
 #include "core/spacing/spacing_field.hpp"
+#include "tests/support/sanitizers.hpp"
 
 #include <doctest/doctest.h>
 
@@ -136,7 +137,7 @@ TEST_CASE("SpacingField: a steep expression is limited by the gradation formula 
         const auto limited = built(spec, domain);
         std::mt19937 random(31);
         std::uniform_real_distribution<double> place(0.0, 10.0);
-        for (int n = 0; n < 40; ++n) {
+        for (int n = 0; n < (forefront::testing::kSanitized ? 8 : 40); ++n) {
             const Vec2 p{place(random), place(random)};
             double expected = plain->at(p);
             for (int j = 0; j <= 1000; ++j) {

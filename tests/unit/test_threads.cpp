@@ -2,6 +2,7 @@
 #include "core/io/files.hpp"
 #include "core/mesher/pipeline.hpp"
 #include "tests/support/random_domains.hpp"
+#include "tests/support/sanitizers.hpp"
 
 #include <doctest/doctest.h>
 
@@ -21,11 +22,7 @@ std::uint64_t domainCount() {
     if (requested != nullptr) {
         return std::strtoull(requested, nullptr, 10);
     }
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    return 2;
-#else
-    return 10;
-#endif
+    return forefront::testing::kSanitized ? 2 : 10;
 }
 
 /// About 10,000 elements: enough that threads share the work. Every other domain is graded.
