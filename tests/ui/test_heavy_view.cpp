@@ -61,6 +61,38 @@ TEST_CASE("Canvas: a large mesh is not redrawn while the camera moves, and is sh
     CHECK(driver.picture().differences(rested, driver.canvas()) == 0);
 }
 
+TEST_CASE("Canvas: a large mesh at rest is drawn over several frames, and a move of the camera discards them") {
+    HeavySquare driver;
+    const auto pan = [&] {
+        driver.context().view.camera.pan({3.0, 2.0});
+        driver.context().animate();
+    };
+    /// Counts the frames until a new picture is complete.
+    const auto framesUntilDrawn = [&] {
+        const std::uint64_t before = driver.editor().stillDraws();
+        int count = 0;
+        for (; driver.editor().stillDraws() == before && count < 200; ++count) {
+            driver.context().animate();
+            driver.frames(1);
+        }
+        return count;
+    };
+    pan();
+    const int all = framesUntilDrawn();
+    constexpr int kRestFrames = 8; // 0.12 s at 60 frames per second
+    CHECK(all > kRestFrames);
+    CHECK(all < 20);
+    const std::uint64_t before = driver.editor().stillDraws();
+    pan();
+    driver.frames(all - 1); // all but the last part
+    CHECK(driver.editor().stillDraws() == before);
+    CHECK_FALSE(driver.editor().settled());
+    pan();
+    CHECK(framesUntilDrawn() == all); // from the start
+    driver.settle();
+    CHECK(framesUntilDrawn() == 200); // sharp
+}
+
 TEST_CASE("Canvas: the moved picture of a large mesh is where the mesh is") {
     HeavySquare driver;
     const PixelRect canvas = driver.canvas();

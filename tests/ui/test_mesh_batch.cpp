@@ -54,7 +54,7 @@ std::shared_ptr<MeshView> lattice(std::uint32_t n, std::size_t elements, std::ui
     return view;
 }
 
-std::vector<std::uint8_t> draw(Stage &stage, MeshBatch &batch, double opacity = 0.0) {
+std::vector<std::uint8_t> draw(Stage &stage, MeshBatch &batch, double opacity = 0.0, DrawSlice *slice = nullptr) {
     glBindFramebuffer(GL_FRAMEBUFFER, stage.platform->targetFramebuffer());
     glViewport(0, 0, kSize.width, kSize.height);
     glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
@@ -63,7 +63,7 @@ std::vector<std::uint8_t> draw(Stage &stage, MeshBatch &batch, double opacity = 
     style.face = rgb(0x3060a0);
     style.edge = rgb(0xffffff);
     style.denseEdges = opacity;
-    batch.draw(*stage.gl, stage.camera, style);
+    batch.draw(*stage.gl, stage.camera, style, slice);
     return stage.platform->pixels();
 }
 
@@ -76,6 +76,31 @@ std::size_t painted(const std::vector<std::uint8_t> &picture) {
 }
 
 } // namespace
+
+TEST_CASE("MeshBatch: slices together draw the same as one draw, and each at most what was asked for") {
+    Stage stage;
+    const auto view = lattice(120, 28'800, 1);
+    stage.camera.fit(view->mesh.bounds(), stage.camera.viewport);
+    MeshBatch batch;
+    batch.update(view, true);
+    const auto whole = draw(stage, batch);
+    const std::size_t chunks = batch.chunksDrawn();
+    REQUIRE(chunks > 6);
+    std::size_t first = 0, drawn = 0, pixels = 0;
+    for (bool more = true; more;) {
+        DrawSlice slice{.elements = 10'000, .first = first};
+        const auto part = draw(stage, batch, 0.0, &slice); // on an empty picture
+        more = slice.more;
+        CHECK((!more || slice.first > first));
+        first = slice.first;
+        CHECK(batch.chunksDrawn() >= 1);
+        CHECK(batch.chunksDrawn() <= 2); // 4096 elements each
+        drawn += batch.chunksDrawn();
+        pixels += painted(part);
+    }
+    CHECK(drawn == chunks);
+    CHECK(pixels == painted(whole));
+}
 
 TEST_CASE("MeshBatch: growing and shrinking in place draws the same as rebuilding") {
     Stage stage;

@@ -13,6 +13,7 @@
 #include "ui/panels/adapted_rounds.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/platform/assets.hpp"
+#include "ui/platform/steady_seconds.hpp"
 #include "ui/shell/canvas.hpp"
 #include "ui/shell/shell.hpp"
 #include "ui/tools/make_tools.hpp"
@@ -24,7 +25,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -75,10 +75,6 @@ struct Editor::Parts {
 };
 
 namespace {
-
-double steadySeconds() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 CursorShape cursorOf(ImGuiMouseCursor cursor) {
     switch (cursor) {

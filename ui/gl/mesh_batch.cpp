@@ -226,7 +226,7 @@ void MeshBatch::update(const std::shared_ptr<const MeshView> &view, bool atRest,
     logarithmic_ = values != nullptr && values->logarithmic;
 }
 
-void MeshBatch::draw(const GlKit &gl, const Camera &camera, const MeshStyle &style) {
+void MeshBatch::draw(const GlKit &gl, const Camera &camera, const MeshStyle &style, DrawSlice *slice) {
     chunksDrawn_ = 0;
     if (uploaded_ == 0) {
         return;
@@ -256,10 +256,18 @@ void MeshBatch::draw(const GlKit &gl, const Camera &camera, const MeshStyle &sty
     glBindTexture(GL_TEXTURE_2D, gl.map(style.map != nullptr ? style.map : cividis));
     glBindVertexArray(array_);
     const Box2 visible = camera.visible();
-    for (const Chunk &chunk : chunks_) {
+    std::size_t drawn = 0;
+    for (std::size_t k = slice != nullptr ? slice->first : 0; k < chunks_.size(); ++k) {
+        const Chunk &chunk = chunks_[k];
         if (chunk.count == 0 || !chunk.box.overlaps(visible)) {
             continue;
         }
+        if (slice != nullptr && drawn > 0 && drawn + chunk.count > slice->elements) {
+            slice->first = k;
+            slice->more = true;
+            break;
+        }
+        drawn += chunk.count;
         const Vec2 offset = camera.zoom * (chunk.origin - camera.centre);
         program.set("offset", glm::vec2(offset.x, offset.y));
         glDrawArrays(GL_TRIANGLES, static_cast<int>(3 * chunk.first), static_cast<int>(3 * chunk.count));

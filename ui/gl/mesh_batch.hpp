@@ -43,6 +43,13 @@ struct MeshStyle {
     double isolateFrom = 1.0, isolateTo = 0.0; ///< shows only parts with values in [from, to); from > to: all
 };
 
+/// A part of a mesh to draw, so that a large mesh can be drawn over several frames.
+struct DrawSlice {
+    std::size_t elements = 0; ///< maximum number to draw; at least one chunk is drawn
+    std::size_t first = 0;    ///< chunk to begin with; a draw sets it to the chunk to continue with
+    bool more = false;        ///< set by a draw that left chunks
+};
+
 /// A mesh on the GPU: non-indexed triangles, drawn with their edges in one pass. It is divided into chunks, each with
 /// its own origin for precision at any offset and zoom; chunks out of view are skipped. A mesh that grows or shrinks at
 /// its end, as while the front advances, is updated in place.
@@ -61,7 +68,8 @@ class MeshBatch {
     std::size_t sent() const { return sent_; }
     /// Returns the number of chunks drawn by the last draw(); for tests.
     std::size_t chunksDrawn() const { return chunksDrawn_; }
-    void draw(const GlKit &gl, const Camera &camera, const MeshStyle &style);
+    /// `slice`: the part to draw; null: all.
+    void draw(const GlKit &gl, const Camera &camera, const MeshStyle &style, DrawSlice *slice = nullptr);
 
   private:
     struct Chunk {

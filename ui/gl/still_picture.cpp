@@ -13,70 +13,103 @@ constexpr double kRest = 0.12;
 /// A picture scaled by more than this looks too coarse to show.
 constexpr double kMaxScaling = 8.0;
 
+bool sameView(const Camera &a, const Camera &b) {
+    return a.centre == b.centre && a.zoom == b.zoom;
+}
+
 } // namespace
 
-StillPicture::StillPicture() {
-    glGenFramebuffers(1, &framebuffer_);
-    glGenTextures(1, &texture_);
+StillPicture::Target::Target() {
+    glGenFramebuffers(1, &framebuffer);
+    glGenTextures(1, &texture);
 }
 
-StillPicture::~StillPicture() {
-    glDeleteFramebuffers(1, &framebuffer_);
-    glDeleteTextures(1, &texture_);
+StillPicture::Target::~Target() {
+    glDeleteFramebuffers(1, &framebuffer);
+    glDeleteTextures(1, &texture);
 }
 
-void StillPicture::resize(PixelSize size) {
-    if (size == size_) {
+void StillPicture::Target::set(const Camera &camera, bool margin) {
+    const PixelRect &view = camera.viewport;
+    const double x = margin ? std::floor(view.width / 3.0) : 0.0, y = margin ? std::floor(view.height / 3.0) : 0.0;
+    seen = camera;
+    wide = camera;
+    wide.viewport = {0.0, 0.0, view.width + 2.0 * x, view.height + 2.0 * y};
+    const PixelSize needed{static_cast<int>(wide.viewport.width), static_cast<int>(wide.viewport.height)};
+    if (needed == size) {
         return;
     }
-    size_ = size;
-    glBindTexture(GL_TEXTURE_2D, texture_);
+    size = needed;
+    glBindTexture(GL_TEXTURE_2D, texture);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size.width, size.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+}
+
+void StillPicture::Target::bind() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, size.width, size.height);
 }
 
 bool StillPicture::sharp(std::uint64_t content, const Camera &camera) const {
-    return drawn_ && content == content_ && camera.centre == seen_.centre && camera.zoom == seen_.zoom;
+    return drawn_ && content == content_ && sameView(camera, shown().seen);
+}
+
+bool StillPicture::resembles(const Camera &camera) const {
+    const double scaling = camera.zoom / shown().seen.zoom;
+    return scaling < kMaxScaling && scaling > 1.0 / kMaxScaling && camera.visible().overlaps(shown().wide.visible());
 }
 
 bool StillPicture::moves(std::uint64_t content, const Camera &camera, double now, bool heavy) {
-    if (!(camera.centre == last_.centre && camera.zoom == last_.zoom)) {
+    if (!sameView(camera, last_)) {
         movedAt_ = now;
     }
     last_ = camera;
-    const double scaling = camera.zoom / seen_.zoom;
-    const bool useful =
-        scaling < kMaxScaling && scaling > 1.0 / kMaxScaling && camera.visible().overlaps(wide_.visible());
-    return heavy && drawn_ && content == content_ && useful && now - movedAt_ < kRest;
+    return heavy && canRefine(content, camera) && now - movedAt_ < kRest;
 }
 
 Camera StillPicture::begin(std::uint64_t content, const Camera &camera, bool heavy) {
-    const PixelRect &view = camera.viewport;
-    const double x = heavy ? std::floor(view.width / 3.0) : 0.0, y = heavy ? std::floor(view.height / 3.0) : 0.0;
-    wide_ = camera;
-    wide_.viewport = {0.0, 0.0, view.width + 2.0 * x, view.height + 2.0 * y};
-    seen_ = camera;
+    shown().set(camera, heavy);
     content_ = content;
     drawn_ = true;
-    const PixelSize size{static_cast<int>(wide_.viewport.width), static_cast<int>(wide_.viewport.height)};
-    resize(size);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-    glViewport(0, 0, size.width, size.height);
-    return wide_;
+    refining_ = false;
+    shown().bind();
+    return shown().wide;
+}
+
+bool StillPicture::canRefine(std::uint64_t content, const Camera &camera) const {
+    return drawn_ && content == content_ && resembles(camera);
+}
+
+Camera StillPicture::refine(const Camera &camera, bool &begins) {
+    Target &next = targets_[1 - current_];
+    begins = !refining_ || !sameView(camera, next.seen);
+    if (begins) {
+        next.set(camera, true);
+        refining_ = true;
+    }
+    next.bind();
+    return next.wide;
+}
+
+void StillPicture::finishRefining() {
+    current_ = 1 - current_;
+    refining_ = false;
 }
 
 void StillPicture::show(const Camera &camera, Pixel corner) const {
-    const double scaling = camera.zoom / wide_.zoom;
-    const Vec2 moved = camera.zoom * (wide_.centre - camera.centre); // pixels, y up
+    const Camera &wide = shown().wide;
+    const PixelSize size = shown().size;
+    const double scaling = camera.zoom / wide.zoom;
+    const Vec2 moved = camera.zoom * (wide.centre - camera.centre); // pixels, y up
     const double middleX = corner.x + std::floor(camera.viewport.width) / 2.0 + moved.x;
     const double middleY = corner.y + std::floor(camera.viewport.height) / 2.0 + moved.y;
-    const double halfWidth = 0.5 * scaling * size_.width, halfHeight = 0.5 * scaling * size_.height;
+    const double halfWidth = 0.5 * scaling * size.width, halfHeight = 0.5 * scaling * size.height;
     const auto pixel = [](double value) { return static_cast<int>(std::lround(value)); };
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
-    glBlitFramebuffer(0, 0, size_.width, size_.height, pixel(middleX - halfWidth), pixel(middleY - halfHeight),
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, shown().framebuffer);
+    glBlitFramebuffer(0, 0, size.width, size.height, pixel(middleX - halfWidth), pixel(middleY - halfHeight),
                       pixel(middleX + halfWidth), pixel(middleY + halfHeight), GL_COLOR_BUFFER_BIT,
                       scaling == 1.0 ? GL_NEAREST : GL_LINEAR);
 }

@@ -88,7 +88,7 @@ class ElementPainter {
             style.isolateFrom = bin == 0 ? lowest : bins.edge(bin);
             style.isolateTo = bin + 1 == bins.bins.size() ? 1e38 : bins.edge(bin + 1);
         }
-        batch_.draw(frame.gl, frame.camera, style);
+        batch_.draw(frame.gl, frame.camera, style, frame.slice);
     }
 
   private:

@@ -20,6 +20,7 @@ namespace forefront {
 class CanvasPainter;
 class GlKit;
 struct Document;
+struct DrawSlice;
 struct Judgement;
 struct LayerSlot;
 struct Selection;
@@ -45,7 +46,8 @@ struct LayerFrame {
     ColourRange measureRange; ///< of the colours of the chosen measure
     bool outOfDate;
     const std::vector<LayerSlot> &layers;
-    GlKit &gl; ///< shared shaders and buffers
+    GlKit &gl;                  ///< shared shaders and buffers
+    DrawSlice *slice = nullptr; ///< the part of a large mesh that drawStill() draws; null: all
 
     bool visible(std::string_view id) const;
 };

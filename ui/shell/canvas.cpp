@@ -5,8 +5,10 @@
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/canvas/legend.hpp"
 #include "ui/gl/gl_kit.hpp"
+#include "ui/gl/mesh_batch.hpp"
 #include "ui/gl/still_picture.hpp"
 #include "ui/parts/shell.hpp"
+#include "ui/platform/steady_seconds.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/judging.hpp"
 #include "ui/workspace/moment.hpp"
@@ -40,9 +42,11 @@ std::uint64_t contentStamp(const LayerFrame &frame, const std::vector<LayerSlot>
     return hash.value();
 }
 
+/// Number of elements above which a picture is heavy.
+constexpr std::size_t kHeavy = 30'000;
+
 /// Returns true if the still parts take too long to draw while the camera moves.
 bool isHeavy(const LayerFrame &frame, const std::vector<LayerSlot> &layers) {
-    constexpr std::size_t kHeavy = 30'000; // elements
     return std::any_of(layers.begin(), layers.end(), [&](const LayerSlot &slot) {
         return slot.visible && slot.layer->stillElements(frame) > kHeavy;
     });
@@ -54,6 +58,13 @@ struct Canvas::Parts {
     GlKit gl;
     StillPicture still;
     std::uint64_t stillDraws = 0;
+    /// The part of a heavy picture drawn in one frame.
+    struct Slicing {
+        std::size_t layer = 0, chunk = 0; ///< where the next slice begins
+        std::size_t elements = kHeavy;    ///< in the next slice
+        double at = 0.0;                  ///< steady time of the last slice
+    };
+    Slicing slicing;
     Domain domain; ///< domain of the document with `domainRevision`
     std::uint64_t domainRevision = 0;
 
@@ -66,6 +77,7 @@ struct Canvas::Parts {
     void takeRaster(const Shell &context);
     LayerFrame frameOf(const Shell &context, const Camera &camera);
     void drawStill(Shell &context, const LayerFrame &frame);
+    void drawSlice(Shell &context, const LayerFrame &frame);
     void drawLive(Shell &context, const LayerFrame &frame);
     static void drawLegends(Shell &context, CanvasPainter &painter, const LayerFrame &frame);
     static void reservePlates(const Shell &context, CanvasPainter &painter);
@@ -148,7 +160,7 @@ LayerFrame Canvas::Parts::frameOf(const Shell &context, const Camera &camera) {
 }
 
 /// Draws the still parts again if they or the camera have changed. While the camera moves over a large mesh, the
-/// picture is moved instead, and drawn again when the camera rests.
+/// picture is moved instead, and drawn again over several frames when the camera rests.
 void Canvas::Parts::drawStill(Shell &context, const LayerFrame &frame) {
     const std::uint64_t content = contentStamp(frame, context.layers);
     if (still.sharp(content, frame.camera)) {
@@ -157,6 +169,10 @@ void Canvas::Parts::drawStill(Shell &context, const LayerFrame &frame) {
     const bool heavy = isHeavy(frame, context.layers);
     if (still.moves(content, frame.camera, context.platform.now(), heavy)) {
         context.animate();
+        return;
+    }
+    if (heavy && still.canRefine(content, frame.camera)) {
+        drawSlice(context, frame);
         return;
     }
     ++stillDraws;
@@ -168,6 +184,41 @@ void Canvas::Parts::drawStill(Shell &context, const LayerFrame &frame) {
             slot.layer->drawStill(around);
         }
     }
+}
+
+/// Draws the next part of a heavy picture, so that the window answers input between the parts. The parts grow while
+/// frames are quick: on a GPU millions of elements need few frames, and none takes long with software rendering.
+void Canvas::Parts::drawSlice(Shell &context, const LayerFrame &frame) {
+    constexpr double kQuick = 0.022, kSlow = 0.045; // seconds from frame to frame
+    bool begins = false;
+    const Camera wide = still.refine(frame.camera, begins);
+    const double now = steadySeconds();
+    if (begins) {
+        clearTo(frame.theme.canvas);
+        slicing = {};
+    } else if (now - slicing.at < kQuick) {
+        slicing.elements *= 2;
+    } else if (now - slicing.at > kSlow) {
+        slicing.elements = std::max(kHeavy, slicing.elements / 2);
+    }
+    slicing.at = now;
+    LayerFrame around = frameOf(context, wide);
+    DrawSlice slice{.elements = slicing.elements, .first = slicing.chunk};
+    around.slice = &slice;
+    for (; slicing.layer < context.layers.size(); ++slicing.layer, slice.first = 0) {
+        if (LayerSlot &slot = context.layers[slicing.layer]; slot.visible) {
+            slot.layer->drawStill(around);
+        }
+        if (slice.more) {
+            break;
+        }
+    }
+    slicing.chunk = slice.first;
+    if (!slice.more) {
+        still.finishRefining();
+        ++stillDraws;
+    }
+    context.animate();
 }
 
 void Canvas::Parts::drawLive(Shell &context, const LayerFrame &frame) {
