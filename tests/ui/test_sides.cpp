@@ -188,6 +188,56 @@ TEST_CASE("Side by side: the compared mesh shows its own values of the field on 
     CHECK(coloured());
 }
 
+TEST_CASE("Side by side: the other mesh is laid over that of the canvas, in its own colour and with the table") {
+    MeshedSquare driver;
+    driver.hideLayers({"lattice", "front"});
+    MeshFields other;
+    other.mesh.nodes = {{1, 1}, {9, 1}, {9, 8}, {1, 8}, {5.2, 4.1}};
+    for (std::uint32_t k = 0; k < 4; ++k) {
+        other.mesh.elements.push_back({NodeId{k}, NodeId{(k + 1) % 4}, NodeId{4}});
+    }
+    driver.context().sides.compareWith("other.msh", other, [] {});
+    driver.settle();
+    const double narrow = driver.canvas().width;
+    /// Counts the places along the inner edges of the other mesh where its colour is seen.
+    const auto seen = [&] {
+        const Driver::Picture picture = driver.picture();
+        std::size_t count = 0;
+        for (std::size_t corner = 0; corner < 4; ++corner) {
+            for (double t = 0.2; t < 0.9; t += 0.1) {
+                const Vec2 &from = other.mesh.nodes[corner], &to = other.mesh.nodes[4];
+                const Pixel at = driver.pixel(from + t * (to - from));
+                bool found = false;
+                for (const Pixel near : {at, at + Pixel(1, 0), at + Pixel(0, 1), at - Pixel(1, 0), at - Pixel(0, 1)}) {
+                    found = found || difference(colourAt(picture, near), driver.context().theme.compared) < 70;
+                }
+                count += found ? 1U : 0U;
+            }
+        }
+        return count;
+    };
+    CHECK(seen() < 4);
+    driver.click("sides/arrangement/Overlaid");
+    driver.settle();
+    CHECK(driver.canvas().width > 1.9 * narrow);
+    CHECK_FALSE(driver.has("sides/0"));
+    CHECK(driver.has("sides/key"));
+    CHECK(driver.has("sides/elements/1"));
+    CHECK(seen() > 24);
+    driver.context().view.camera.zoom *= 1.2; // it moves with the canvas
+    driver.settle();
+    CHECK(seen() > 20);
+    driver.click("sides/arrangement/Side by side");
+    driver.settle();
+    CHECK(driver.has("sides/0"));
+    CHECK(seen() < 4);
+    driver.click("sides/arrangement/Overlaid");
+    driver.settle();
+    driver.click("sides/close");
+    driver.settle();
+    CHECK(seen() < 4);
+}
+
 TEST_CASE("Side by side: the compared mesh has the colours of the canvas and moves with its camera") {
     MeshedSquare driver;
     const TemporaryFolder folder;

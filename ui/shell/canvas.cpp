@@ -30,8 +30,10 @@ void clearTo(const Colour &colour) {
 }
 
 /// Returns a number that changes whenever the still parts change for any reason but a camera move.
-std::uint64_t contentStamp(const LayerFrame &frame, const std::vector<LayerSlot> &layers) {
+std::uint64_t contentStamp(const LayerFrame &frame, const std::vector<LayerSlot> &layers,
+                           const std::shared_ptr<const MeshView> &overlaid) {
     Hash64 hash;
+    hash.add(overlaid ? overlaid->version : 0);
     for (const double number : {frame.camera.viewport.width, frame.camera.viewport.height, frame.scale}) {
         hash.add(number);
     }
@@ -46,10 +48,12 @@ std::uint64_t contentStamp(const LayerFrame &frame, const std::vector<LayerSlot>
 constexpr std::size_t kHeavy = 30'000;
 
 /// Returns true if the still parts take too long to draw while the camera moves.
-bool isHeavy(const LayerFrame &frame, const std::vector<LayerSlot> &layers) {
-    return std::any_of(layers.begin(), layers.end(), [&](const LayerSlot &slot) {
-        return slot.visible && slot.layer->stillElements(frame) > kHeavy;
-    });
+bool isHeavy(const LayerFrame &frame, const std::vector<LayerSlot> &layers,
+             const std::shared_ptr<const MeshView> &overlaid) {
+    return (overlaid && overlaid->mesh.elements.size() > kHeavy) ||
+           std::any_of(layers.begin(), layers.end(), [&](const LayerSlot &slot) {
+               return slot.visible && slot.layer->stillElements(frame) > kHeavy;
+           });
 }
 
 } // namespace
@@ -57,6 +61,7 @@ bool isHeavy(const LayerFrame &frame, const std::vector<LayerSlot> &layers) {
 struct Canvas::Parts {
     GlKit gl;
     StillPicture still;
+    MeshBatch comparedBatch;
     std::uint64_t stillDraws = 0;
     /// The part of a heavy picture drawn in one frame.
     struct Slicing {
@@ -78,6 +83,7 @@ struct Canvas::Parts {
     LayerFrame frameOf(const Shell &context, const Camera &camera);
     void drawStill(Shell &context, const LayerFrame &frame);
     void drawSlice(Shell &context, const LayerFrame &frame);
+    void drawOverlaid(const Shell &context, const LayerFrame &frame);
     void drawLive(Shell &context, const LayerFrame &frame);
     static void drawLegends(Shell &context, CanvasPainter &painter, const LayerFrame &frame);
     static void reservePlates(const Shell &context, CanvasPainter &painter);
@@ -162,11 +168,12 @@ LayerFrame Canvas::Parts::frameOf(const Shell &context, const Camera &camera) {
 /// Draws the still parts again if they or the camera have changed. While the camera moves over a large mesh, the
 /// picture is moved instead, and drawn again over several frames when the camera rests.
 void Canvas::Parts::drawStill(Shell &context, const LayerFrame &frame) {
-    const std::uint64_t content = contentStamp(frame, context.layers);
+    const std::shared_ptr<const MeshView> overlaid = context.sides.overlay();
+    const std::uint64_t content = contentStamp(frame, context.layers, overlaid);
     if (still.sharp(content, frame.camera)) {
         return;
     }
-    const bool heavy = isHeavy(frame, context.layers);
+    const bool heavy = isHeavy(frame, context.layers, overlaid);
     if (still.moves(content, frame.camera, context.platform.now(), heavy)) {
         context.animate();
         return;
@@ -184,6 +191,17 @@ void Canvas::Parts::drawStill(Shell &context, const LayerFrame &frame) {
             slot.layer->drawStill(around);
         }
     }
+    drawOverlaid(context, around);
+}
+
+/// Draws the edges of a compared mesh over all layers.
+void Canvas::Parts::drawOverlaid(const Shell &context, const LayerFrame &frame) {
+    comparedBatch.update(context.sides.overlay(), true);
+    MeshStyle style;
+    style.edge = frame.theme.compared;
+    style.edgeWidth = 1.2 * frame.scale;
+    style.denseEdges = 0.35;
+    comparedBatch.draw(frame.gl, frame.camera, style, frame.slice);
 }
 
 /// Draws the next part of a heavy picture, so that the window answers input between the parts. The parts grow while
@@ -205,8 +223,10 @@ void Canvas::Parts::drawSlice(Shell &context, const LayerFrame &frame) {
     LayerFrame around = frameOf(context, wide);
     DrawSlice slice{.elements = slicing.elements, .first = slicing.chunk};
     around.slice = &slice;
-    for (; slicing.layer < context.layers.size(); ++slicing.layer, slice.first = 0) {
-        if (LayerSlot &slot = context.layers[slicing.layer]; slot.visible) {
+    for (; slicing.layer <= context.layers.size(); ++slicing.layer, slice.first = 0) {
+        if (slicing.layer == context.layers.size()) {
+            drawOverlaid(context, around);
+        } else if (LayerSlot &slot = context.layers[slicing.layer]; slot.visible) {
             slot.layer->drawStill(around);
         }
         if (slice.more) {

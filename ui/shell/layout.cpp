@@ -41,10 +41,11 @@ Layout layOut(const Shell &context) {
     layout.lessons = {tools, top, lessons, middle};
     layout.column = {width - column, top, column, middle};
     const double room = std::max(1.0, width - tools - lessons - column);
-    const auto views = static_cast<double>(context.sides.visible ? context.sides.size() : 0);
+    const auto views = static_cast<double>(context.sides.views());
+    const auto compared = static_cast<double>(context.sides.visible ? context.sides.size() : 0);
     const double canvas = std::max(1.0, std::floor(room / (views + 1.0)));
     const double figures =
-        views > 0.0 ? std::min(px(kFiguresHeight + kFiguresRow * (views + 1.0)), std::floor(0.4 * middle)) : 0.0;
+        compared > 0.0 ? std::min(px(kFiguresHeight + kFiguresRow * (compared + 1.0)), std::floor(0.4 * middle)) : 0.0;
     const double canvasHeight = std::max(1.0, middle - figures);
     layout.canvas = {tools + lessons, top, canvas, canvasHeight};
     layout.sides = {tools + lessons + canvas, top, room - canvas, canvasHeight};

@@ -151,11 +151,33 @@ void drawView(Shell &context, std::size_t number, const PixelRect &rect) {
     ImGui::End();
 }
 
+/// Draws the choice between a mesh beside the canvas and one laid over it.
+void drawArrangement(Shell &context) {
+    int choice = context.sides.overlaid ? 1 : 0;
+    const char *const names[] = {"Side by side", "Overlaid"};
+    const char *const tips[] = {"Show the other mesh beside the canvas, with the same camera",
+                                "Draw the edges of the other mesh over the mesh on the canvas"};
+    if (ui::segmented(context, "sides/arrangement", names, choice, 240.0F, tips)) {
+        context.sides.overlaid = choice == 1;
+        context.animate();
+    }
+    ImGui::SameLine(0, context.px(12));
+}
+
 /// Draws the choice of what to compare with the run on the canvas.
 void drawChoice(Shell &context) {
-    if (context.sides.mesh() != nullptr) {
+    if (const ComparedMesh *const mesh = context.sides.mesh(); mesh != nullptr) {
+        drawArrangement(context);
         if (ui::button(context, "sides/other", "Other mesh\xe2\x80\xa6")) {
             compareMesh(context);
+        }
+        if (context.sides.overlaid) {
+            ImGui::SameLine(0, context.px(12));
+            ImGui::AlignTextToFramePadding();
+            ImGui::PushStyleColor(ImGuiCol_Text, context.theme.compared);
+            ImGui::TextUnformatted(("edges of " + mesh->name()).c_str());
+            ImGui::PopStyleColor();
+            ui::mark(context, "sides/key");
         }
         return;
     }
@@ -202,8 +224,9 @@ void drawSides(Shell &context, const PixelRect &views, const PixelRect &table) {
     if (!context.sides.visible || context.sides.size() == 0) {
         return;
     }
-    const double width = std::floor(views.width / static_cast<double>(context.sides.size()));
-    for (std::size_t k = 0; k < context.sides.size(); ++k) {
+    const std::size_t count = context.sides.views();
+    const double width = std::floor(views.width / static_cast<double>(std::max<std::size_t>(1, count)));
+    for (std::size_t k = 0; k < count; ++k) {
         drawView(context, k, {views.x + static_cast<double>(k) * width, views.y, width, views.height});
     }
     drawFigures(context, table);

@@ -33,6 +33,7 @@ Theme darkTheme() {
     t.element = rgb(0x2a313c);
     t.front = rgb(0xff9a3d);
     t.base = rgb(0xff4fa3);
+    t.compared = rgb(0xff5fd7);
     t.candidate = rgb(0xffe08a);
     t.cell = rgb(0x6f8fb8);
     t.visited = rgb(0x9b8cff);
@@ -68,6 +69,7 @@ Theme lightTheme() {
     t.element = rgb(0xeef2f7);
     t.front = rgb(0xe06500);
     t.base = rgb(0xd0127a);
+    t.compared = rgb(0xb0009a);
     t.candidate = rgb(0x8a6500);
     t.cell = rgb(0x5d7fae);
     t.visited = rgb(0x5a48d6);

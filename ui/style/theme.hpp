@@ -40,6 +40,7 @@ struct Theme {
     Colour constraint; ///< constraint segments and points
     Colour selection;
     Colour mesh;      ///< edges of the mesh
+    Colour compared;  ///< edges of a mesh laid over that of the canvas
     Colour element;   ///< faces of elements not coloured by a value
     Colour front;     ///< generation front Γ
     Colour base;      ///< base segment AB

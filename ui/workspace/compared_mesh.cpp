@@ -8,18 +8,19 @@ namespace forefront {
 
 namespace {
 
-std::shared_ptr<const MeshView> viewOf(Mesh mesh) {
+std::shared_ptr<const MeshView> viewOf(Mesh mesh, std::uint64_t version) {
     auto view = std::make_shared<MeshView>();
     view->alpha = shapeFactors(mesh);
     view->mesh = std::move(mesh);
+    view->version = version;
     return view;
 }
 
 } // namespace
 
-ComparedMesh::ComparedMesh(std::string name, MeshFields read, std::function<void()> wake)
-    : name_(std::move(name)), fields_(takeFields(read)), view_(viewOf(std::move(read.mesh))), judge_(std::move(wake)),
-      judgement_(judge_.latest()) {}
+ComparedMesh::ComparedMesh(std::string name, MeshFields read, std::uint64_t version, std::function<void()> wake)
+    : name_(std::move(name)), fields_(takeFields(read)), view_(viewOf(std::move(read.mesh), version)),
+      judge_(std::move(wake)), judgement_(judge_.latest()) {}
 
 bool ComparedMesh::follow(JudgeRequest request) {
     request.mesh = view_;

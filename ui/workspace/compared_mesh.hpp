@@ -15,11 +15,12 @@ namespace forefront {
 /// The mesh of a file, shown for comparison with the mesh on the canvas. It is evaluated on a separate thread.
 class ComparedMesh {
   public:
-    /// `name`: of the file. `wake`: as for MeshJudge.
-    ComparedMesh(std::string name, MeshFields read, std::function<void()> wake);
+    /// `name`: of the file. `version`: of the mesh view. `wake`: as for MeshJudge.
+    ComparedMesh(std::string name, MeshFields read, std::uint64_t version, std::function<void()> wake);
 
     const std::string &name() const { return name_; }
     const Mesh &mesh() const { return view_->mesh; }
+    const std::shared_ptr<const MeshView> &view() const { return view_; }
     /// Returns the evaluation of this frame; never null.
     const std::shared_ptr<const Judgement> &judgement() const { return judgement_; }
     /// Returns the edges with one element, as pairs of nodes; empty until the mesh has been evaluated.

@@ -20,7 +20,7 @@ bool SideBySide::hasNews() const {
 }
 
 void SideBySide::compareWith(std::string name, MeshFields read, std::function<void()> wake) {
-    mesh_ = std::make_unique<ComparedMesh>(std::move(name), std::move(read), std::move(wake));
+    mesh_ = std::make_unique<ComparedMesh>(std::move(name), std::move(read), ++meshes_, std::move(wake));
     visible = true;
 }
 
