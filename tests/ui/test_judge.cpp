@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <memory>
 #include <new>
 #include <set>
@@ -65,7 +66,7 @@ TEST_CASE("Judge: a mesh of every format opens with the figures that the check c
         const auto file = folder / (std::string(format.id) + format.extension);
         REQUIRE_FALSE(hasErrors(writeMesh(file, made, format.id)));
         Draughtsman driver;
-        driver.context().log.add(openMesh(driver.context(), file));
+        openMesh(driver.context(), file);
         driver.settle();
         REQUIRE(driver.context().run.showsFile());
         const Mesh read = readMesh(file).value();
@@ -99,14 +100,56 @@ TEST_CASE("Judge: an invalid mesh is shown with its faults, and a file that hold
     TemporaryFolder folder;
     REQUIRE_FALSE(hasErrors(writeMesh(folder / "turned.msh", turned)));
     Draughtsman driver;
-    CHECK(openMesh(driver.context(), folder / "turned.msh").empty());
+    openMesh(driver.context(), folder / "turned.msh");
     driver.settle();
     CHECK(hasErrors(driver.context().judgement->faults));
     driver.click("panel/checks");
     driver.settle();
     CHECK(driver.has("checks/mesh/faulty"));
     CHECK(driver.has("checks/mesh/goto/0"));
-    CHECK(openMesh(driver.context(), folder / "missing.msh").size() == 1);
+    openMesh(driver.context(), folder / "missing.msh");
+    driver.settle();
+    CHECK(driver.logHas("cannot-read"));
+    CHECK(driver.context().document.title() == "turned.msh");
+}
+
+TEST_CASE("Judge: a mesh is read on another thread while the window answers, and Esc drops it") {
+    JudgedSquare maker;
+    TemporaryFolder folder;
+    REQUIRE_FALSE(hasErrors(writeMesh(folder / "plate.msh", maker.mesh())));
+    Draughtsman driver;
+    openMesh(driver.context(), folder / "plate.msh");
+    CHECK(driver.context().task.busy()); // its result is used in the next frame at the earliest
+    CHECK_FALSE(driver.context().run.showsFile());
+    CHECK(driver.context().task.name() == "reading plate.msh");
+    driver.context().actions.run("run.cancel", driver.context()); // as Esc does
+    driver.settle();
+    CHECK_FALSE(driver.context().task.busy());
+    CHECK_FALSE(driver.context().run.showsFile());
+
+    std::promise<void> begun, released;
+    std::shared_future<void> release = released.get_future().share();
+    bool used = false;
+    driver.context().task.start("waiting", [&begun, release, &used](const Progress &progress) {
+        progress("half of it", 0.5);
+        begun.set_value();
+        release.wait();
+        return [&used] { used = true; };
+    });
+    begun.get_future().wait();
+    driver.frames(2);
+    CHECK(driver.has("canvas/task"));
+    CHECK(driver.context().task.name() == "half of it");
+    CHECK(driver.context().task.fraction() == 0.5);
+    driver.key(key::kEscape); // does not wait for the task
+    CHECK_FALSE(driver.context().task.busy());
+    driver.settle();
+    CHECK_FALSE(driver.has("canvas/task"));
+    released.set_value();
+    openMesh(driver.context(), folder / "plate.msh");
+    driver.settle();
+    CHECK(driver.context().run.showsFile());
+    CHECK_FALSE(used);
 }
 
 TEST_CASE("Judge: meshing the outline replaces the mesh of the file") {
@@ -114,7 +157,7 @@ TEST_CASE("Judge: meshing the outline replaces the mesh of the file") {
     TemporaryFolder folder;
     REQUIRE_FALSE(hasErrors(writeMesh(folder / "plate.msh", maker.mesh())));
     Draughtsman driver;
-    REQUIRE(openMesh(driver.context(), folder / "plate.msh").empty());
+    openMesh(driver.context(), folder / "plate.msh");
     driver.settle();
     REQUIRE(driver.context().run.showsFile());
     driver.key('W'); // a click of the trace tool must not discard it
@@ -133,7 +176,7 @@ TEST_CASE("Judge: keys that step through a run leave an opened mesh unchanged an
     TemporaryFolder folder;
     REQUIRE_FALSE(hasErrors(writeMesh(folder / "plate.msh", maker.mesh())));
     Draughtsman driver;
-    REQUIRE(openMesh(driver.context(), folder / "plate.msh").empty());
+    openMesh(driver.context(), folder / "plate.msh");
     driver.settle();
     for (const int key : {key::kPeriod, key::kComma, key::kSpace, key::kHome, key::kEnd}) {
         CAPTURE(key);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <new>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,26 +38,28 @@ Diagnostics drawingFaults(const Mesh &mesh) {
                        "run 'forefront check' on the file to list them");
 }
 
-/// Shows a mesh with its outline as a drawing without a file.
-void show(Shell &context, MeshFields read, const std::filesystem::path &file) {
-    const Mesh &mesh = read.mesh;
-    Result<Domain> outline = domainOfMesh(mesh);
-    if (!outline) {
-        context.log.add(outline.faults());
-    }
+/// A mesh that was read from a file, with its outline as a drawing.
+struct OpenedMesh {
+    FileMesh mesh;
+    std::shared_ptr<const Document> outline;
+    Diagnostics notes; ///< of the reader and of the outline
+};
+
+void show(Shell &context, const OpenedMesh &opened, const std::filesystem::path &file) {
     rememberView(context);
-    context.document.load(outline ? fromDomain(*outline) : Document(), {}, false, file.filename().string());
+    context.document.load(*opened.outline, {}, false, file.filename().string());
     context.selection.clear();
     context.examiner.abandon();
     context.view.isolatedBin.reset();
     context.view.measureRange.reset();
     context.view.field.clear();
     context.view.fitPending = true;
-    const std::size_t elements = mesh.elements.size();
-    context.run.showFile(std::move(read));
+    const std::size_t elements = opened.mesh.view->mesh.elements.size();
+    context.run.showFile(opened.mesh);
     showLayer(context.layers, "quality", true);
     context.log.announce(file.filename().string() + ": " + ui::count(elements) +
                          " triangles, shown as they are in the file; press 2 to remesh the outline");
+    context.log.add(opened.notes);
     context.animate();
 }
 
@@ -73,9 +76,9 @@ Result<MeshFields> readDrawable(const std::filesystem::path &file, ImportNotes &
     return faults.empty() ? std::move(read) : Result<MeshFields>(std::move(faults));
 }
 
-/// Asks for a mesh file; `chosen` returns the faults of a file that cannot be used.
+/// Asks for a mesh file.
 void askForMesh(Shell &context, std::string id, std::string title, std::string action,
-                Diagnostics (*chosen)(Shell &, const std::filesystem::path &)) {
+                void (*chosen)(Shell &, const std::filesystem::path &)) {
     FileRequest request;
     request.id = std::move(id);
     request.title = std::move(title);
@@ -83,46 +86,73 @@ void askForMesh(Shell &context, std::string id, std::string title, std::string a
     request.filters = openFilters("All meshes", {}, [](const FileFormat &format) { return format.readsMesh; });
     request.folder = startFolder(context);
     request.chosen = [chosen](Shell &c, const std::filesystem::path &file, const FileFilter &) {
-        return chosen(c, file);
+        chosen(c, file);
+        return Diagnostics();
     };
     context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));
 }
 
+/// Reads a mesh on another thread, on which `use` turns it into what to do on that of the window. Faults are logged.
+template <class Use>
+void readInBackground(Shell &context, const std::filesystem::path &file, Use use) {
+    context.task.start("reading " + file.filename().string(), [&context, file, use](const Progress &progress) {
+        const auto refuse = [&context](Diagnostics faults) -> BackgroundTask::Finish {
+            return [&context, faults = std::move(faults)] { context.log.add(faults); };
+        };
+        try {
+            ImportNotes notes;
+            Result<MeshFields> read = readDrawable(file, notes);
+            if (progress.cancelled()) {
+                return BackgroundTask::Finish();
+            }
+            return read ? use(*std::move(read), notes.diagnostics(), progress) : refuse(read.faults());
+        } catch (const std::bad_alloc &) {
+            return refuse(error("out-of-memory", "not enough memory to open the mesh", "open a smaller mesh"));
+        }
+    });
+    context.animate();
+}
+
 } // namespace
 
-Diagnostics openMesh(Shell &context, const std::filesystem::path &file) {
-    const auto notes = std::make_shared<ImportNotes>();
-    Result<MeshFields> mesh = readDrawable(file, *notes);
-    if (!mesh) {
-        return mesh.faults();
-    }
-    const auto read = std::make_shared<MeshFields>(std::move(*mesh));
-    afterUnsaved(context, [file, read, notes](Shell &c) {
-        show(c, std::move(*read), file);
-        c.log.add(notes->diagnostics());
-    });
-    return {};
+void openMesh(Shell &context, const std::filesystem::path &file) {
+    readInBackground(
+        context, file,
+        [&context, file](MeshFields read, Diagnostics notes, const Progress &progress) -> BackgroundTask::Finish {
+            const auto opened = std::make_shared<OpenedMesh>();
+            const Result<Domain> outline = domainOfMesh(read.mesh, progress);
+            if (!outline) {
+                notes.insert(notes.end(), outline.faults().begin(), outline.faults().end());
+            }
+            opened->outline = std::make_shared<const Document>(outline ? fromDomain(*outline) : Document());
+            opened->mesh = fileMeshOf(std::move(read));
+            opened->notes = std::move(notes);
+            return [&context, file, opened] {
+                afterUnsaved(context, [file, opened](Shell &c) { show(c, *opened, file); });
+            };
+        });
 }
 
 void openMesh(Shell &context) {
     askForMesh(context, "openmesh", "Open mesh", "Open", openMesh);
 }
 
-Diagnostics compareMesh(Shell &context, const std::filesystem::path &file) {
-    ImportNotes notes;
-    Result<MeshFields> read = readDrawable(file, notes);
-    if (!read) {
-        return read.faults();
-    }
-    context.sides.compareWith(file.filename().string(), *std::move(read), [&p = context.platform] { p.wake(); });
-    context.log.add(notes.diagnostics());
-    const Box2 ours = context.run.now().mesh ? context.run.now().mesh->mesh.bounds() : Box2();
-    const Box2 others = context.sides.mesh()->mesh().bounds();
-    if (!ours.empty() && !ours.overlaps(others)) {
-        context.log.announce(file.filename().string() + " lies outside the mesh on the canvas; zoom out to see both");
-    }
-    context.animate();
-    return {};
+void compareMesh(Shell &context, const std::filesystem::path &file) {
+    readInBackground(
+        context, file,
+        [&context, file](MeshFields read, const Diagnostics &notes, const Progress &) -> BackgroundTask::Finish {
+            const auto other = std::make_shared<MeshFields>(std::move(read));
+            return [&context, file, other, notes] {
+                const std::string name = file.filename().string();
+                context.sides.compareWith(name, std::move(*other), [&p = context.platform] { p.wake(); });
+                context.log.add(notes);
+                const Box2 ours = context.run.now().mesh ? context.run.now().mesh->mesh.bounds() : Box2();
+                if (!ours.empty() && !ours.overlaps(context.sides.mesh()->mesh().bounds())) {
+                    context.log.announce(name + " lies outside the mesh on the canvas; zoom out to see both");
+                }
+                context.animate();
+            };
+        });
 }
 
 void compareMesh(Shell &context) {

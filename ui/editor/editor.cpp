@@ -149,7 +149,7 @@ Editor::Editor(Platform &platform, EditorSetup options)
     applySettings(c);
     c.tools.current().activate(c);
     if (parts_->options.judge) {
-        c.log.add(openMesh(c, parts_->options.file));
+        openMesh(c, parts_->options.file);
     } else if (!parts_->options.file.empty()) {
         if (open(parts_->options.file)) {
             rememberFile(c, parts_->options.file);
@@ -200,7 +200,7 @@ bool Editor::running() const {
 bool Editor::settled() const {
     const Shell &c = parts_->context;
     return parts_->input.empty() && !parts_->input.replaying() && c.redraw <= 0 && !c.examiner.busy() &&
-           !c.judge.busy() && !c.adaptation.busy() && !c.adaptation.hasNews() && !c.sides.busy() &&
+           !c.judge.busy() && !c.adaptation.busy() && !c.adaptation.hasNews() && !c.task.busy() && !c.sides.busy() &&
            !c.sides.hasNews() && !c.run.busy() && !c.run.hasNews() && !c.run.hasToFollow();
 }
 
@@ -222,7 +222,7 @@ bool Editor::needsFrame() const {
     const bool previewed =
         (c.examiner.latest() != c.preview || c.examiner.raster() != parts_->raster) && parts_->previewDue();
     return sleepSeconds() <= 0.0 || c.platform.now() >= c.nextFrameAt || (c.run.hasNews() && parts_->newsDue()) ||
-           c.run.canFollow() || previewed || c.sides.hasNews() || c.adaptation.hasNews() ||
+           c.run.canFollow() || previewed || c.sides.hasNews() || c.adaptation.hasNews() || c.task.hasNews() ||
            c.judge.latest() != c.judgement || (parts_->drewBusy && !c.run.busy()) ||
            !(c.platform.framebufferSize() == parts_->size) || (parts_->reportedBusy && settled());
 }
@@ -282,6 +282,9 @@ void Editor::Parts::takeResults(bool cancels) {
         recovery->follow(context);
     }
     if (context.sides.follow(context.run, *context.document.current(), [&p = context.platform] { p.wake(); })) {
+        context.animate();
+    }
+    if (context.task.finish()) {
         context.animate();
     }
     if (followAdaptation(context)) {

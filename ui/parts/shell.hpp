@@ -7,6 +7,7 @@
 #include "ui/parts/settings.hpp"
 #include "ui/parts/tool.hpp"
 #include "ui/workspace/adaptation.hpp"
+#include "ui/workspace/background_task.hpp"
 #include "ui/workspace/lesson_room.hpp"
 #include "ui/workspace/side_by_side.hpp"
 #include "ui/workspace/workspace.hpp"
@@ -41,6 +42,7 @@ struct Shell : Workspace {
     bool quit = false;           ///< end the program after this frame
     bool closeRequested = false; ///< the user closed the window; "file.quit" decides
     Adaptation adaptation{[this] { platform.wake(); }};
+    BackgroundTask task{[this] { platform.wake(); }}; ///< reading a file
 
     using Workspace::Workspace;
 

@@ -118,7 +118,7 @@ bool working(const SessionSnapshot &run) {
 }
 
 void drawOutOfDate(Shell &context, const PixelRect &canvas) {
-    if (working(context.run.now()) || context.run.cancelling()) {
+    if (working(context.run.now()) || context.run.cancelling() || context.task.busy()) {
         return; // the progress plate is there
     }
     const RunState state = context.run.now().state;
@@ -156,8 +156,8 @@ void drawBar(WidgetContext &context, double progress) {
 
 void drawProgress(Shell &context, const PixelRect &canvas) {
     const SessionSnapshot &run = context.run.now();
-    const bool cancelling = context.run.cancelling();
-    if (!working(run) && !cancelling) {
+    const bool reading = context.task.busy(), cancelling = !reading && context.run.cancelling();
+    if (!reading && !working(run) && !cancelling) {
         return;
     }
     const double scale = static_cast<double>(context.scale);
@@ -167,13 +167,14 @@ void drawProgress(Shell &context, const PixelRect &canvas) {
         ui::Flow flow(context, roomOfPlates(context, canvas), context.px(12));
         flow.item("stage");
         ImGui::AlignTextToFramePadding();
-        ImGui::TextUnformatted(cancelling          ? "cancelling\xe2\x80\xa6"
+        ImGui::TextUnformatted(reading             ? context.task.name().c_str()
+                               : cancelling        ? "cancelling\xe2\x80\xa6"
                                : run.stage.empty() ? "working"
                                                    : run.stage.c_str());
-        ui::mark(context, cancelling ? "canvas/cancelling" : "canvas/progress");
+        ui::mark(context, reading ? "canvas/task" : cancelling ? "canvas/cancelling" : "canvas/progress");
         if (!cancelling) {
             flow.item("bar");
-            drawBar(context, run.progress);
+            drawBar(context, reading ? context.task.fraction() : run.progress);
             flow.item("cancel");
             if (ui::button(context, "canvas/cancel", "Cancel  Esc")) {
                 context.actions.run("run.cancel", context);

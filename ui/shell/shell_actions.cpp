@@ -111,10 +111,15 @@ void addRunActions(ActionRegistry &actions) {
                  .shortcuts = {{key::kEscape, kNoModifiers}},
                  .run =
                      [](Shell &c) {
+                         if (c.task.busy()) {
+                             c.log.announce("Cancelled " + c.task.name());
+                             c.task.cancel();
+                             return;
+                         }
                          c.adaptation.cancel();
                          c.run.cancel();
                      },
-                 .enabled = [](const Shell &c) { return c.run.busy() || c.adaptation.busy(); }});
+                 .enabled = [](const Shell &c) { return c.run.busy() || c.adaptation.busy() || c.task.busy(); }});
     actions.add({.id = "run.live",
                  .menu = "Mesh",
                  .title = "Live meshing",

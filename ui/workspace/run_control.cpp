@@ -158,20 +158,27 @@ void RunControl::want(SnapshotLayers layers) {
     }
 }
 
-void RunControl::showFile(MeshFields read) {
+FileMesh fileMeshOf(MeshFields read) {
+    FileMesh file;
+    file.fields = takeFields(read);
+    file.view = std::make_shared<MeshView>();
+    file.view->alpha = shapeFactors(read.mesh);
+    file.quality = measure(read.mesh, nullptr);
+    file.hash = meshHash(read.mesh);
+    file.view->mesh = std::move(read.mesh);
+    return file;
+}
+
+void RunControl::showFile(FileMesh read) {
     clear();
-    Mesh &mesh = read.mesh;
-    fields_ = takeFields(read);
-    auto view = std::make_shared<MeshView>();
-    view->alpha = shapeFactors(mesh);
-    view->version = (std::uint64_t{1} << 63) + ++openedCount_; // unlike those of runs
-    view->mesh = std::move(mesh);
+    fields_ = std::move(read.fields);
+    read.view->version = (std::uint64_t{1} << 63) + ++openedCount_; // unlike those of runs
     auto opened = std::make_shared<SessionSnapshot>();
     opened->state = RunState::Finished;
     opened->complete = true;
-    opened->quality = measure(view->mesh, nullptr);
-    opened->meshHash = forefront::meshHash(view->mesh);
-    opened->mesh = std::move(view);
+    opened->quality = read.quality;
+    opened->meshHash = read.hash;
+    opened->mesh = std::move(read.view);
     opened_ = std::move(opened);
 }
 

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace forefront {
@@ -17,6 +18,17 @@ namespace forefront {
 class DocumentStore;
 struct Document;
 class MessageLog;
+
+/// A mesh that was read from a file, ready to be shown.
+struct FileMesh {
+    std::shared_ptr<MeshView> view;
+    std::shared_ptr<const FileFields> fields; ///< null: none
+    MeshQuality quality;
+    std::uint64_t hash = 0;
+};
+
+/// Computes what is shown of a mesh; takes a while for a large one.
+FileMesh fileMeshOf(MeshFields read);
 
 /// Controls the meshing run for the user interface: starts runs from the document, holds speed and granularity, and
 /// knows whether the mesh is out of date. Call all members from the UI thread; none of them blocks.
@@ -47,7 +59,8 @@ class RunControl {
     const SessionSnapshot &now() const { return *snapshot(); }
     const std::shared_ptr<const SessionSnapshot> &snapshot() const { return opened_ ? opened_ : snapshot_; }
     /// Shows a mesh that was read from a file, with its values, until a run starts.
-    void showFile(MeshFields read);
+    void showFile(FileMesh read);
+    void showFile(MeshFields read) { showFile(fileMeshOf(std::move(read))); }
     /// Returns the values of the mesh shown, one for each of its nodes or elements; null if there are none.
     std::shared_ptr<const FileFields> fields() const { return opened_ ? fields_ : nullptr; }
     /// Returns true if the mesh shown was read from a file.
