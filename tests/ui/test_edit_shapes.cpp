@@ -424,3 +424,39 @@ TEST_CASE("Handles: the round one rotates about the centre, Shift by steps of 15
     driver.drag(handle, turned(20));
     CHECK(driver.document().shapes[0]->nodes[0] == Vec2{3, 3});
 }
+
+TEST_CASE("Handles: only one number can be typed, neither a pair nor another field") {
+    Draughtsman driver;
+    driver.rectangle({3, 3}, {6, 5});
+    driver.key('V');
+    driver.settle();
+    const auto width = [&] { return boundsOf(*driver.document().shapes[0]).size().x; };
+    const Pixel right = driver.pixel({6, 4}) + Pixel{12, 0}, corner = driver.pixel({6, 5}) + Pixel{26, -26};
+    driver.press(right);
+    driver.moveTo(right + Pixel{40, 0});
+    driver.keys("1");
+    driver.type(".5,3");
+    driver.key(key::kEnter); // not accepted
+    driver.key(key::kBackspace);
+    driver.key(key::kBackspace);
+    CHECK(width() == doctest::Approx(4.5));
+    driver.keys("x"); // not the field of x: part of the text, which is no number now
+    driver.key(key::kBackspace);
+    CHECK(width() == doctest::Approx(4.5));
+    driver.key(key::kEnter);
+    driver.release(right + Pixel{80, 0});
+    CHECK(width() == doctest::Approx(4.5));
+    driver.key('Z', kControl);
+    driver.settle();
+    driver.press(corner);
+    driver.moveTo(corner + Pixel{0, 40});
+    driver.keys("90d");
+    driver.key(key::kBackspace);
+    driver.type(",1");
+    driver.key(key::kEnter); // not accepted
+    driver.key(key::kBackspace);
+    driver.key(key::kBackspace);
+    driver.key(key::kEnter);
+    driver.release(corner);
+    CHECK(width() == doctest::Approx(2.0));
+}

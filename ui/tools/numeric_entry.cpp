@@ -144,11 +144,17 @@ SnapLocks NumericEntry::locks() const {
 }
 
 std::optional<TypedPair> NumericEntry::pair() const {
-    return open_ && byDigit_ ? parsePair(text_, names_) : std::nullopt;
+    return open_ && byDigit_ && !isScalar() ? parsePair(text_, names_) : std::nullopt;
 }
 
 bool NumericEntry::shows(EntryField field) const {
     return std::find(fields_.begin(), fields_.end(), field) != fields_.end();
+}
+
+/// Returns true if the tool asks for one number that is not a place, so that neither a point nor another field makes
+/// sense.
+bool NumericEntry::isScalar() const {
+    return fields_.size() == 1 && (fields_.front() == EntryField::Factor || fields_.front() == EntryField::Angle);
 }
 
 /// Returns the fields of the tool, then others that have a value or are open.
@@ -183,9 +189,9 @@ NumericEntry::Answer NumericEntry::text(char32_t character) {
         return Answer::Used;
     }
     if (!open_) {
-        const bool begins =
-            isDigit(character) ||
-            (anchored() && (character == U'.' || character == U'-' || character == U'@' || character == U'='));
+        const bool begins = isDigit(character) ||
+                            (anchored() && (character == U'.' || character == U'-' || character == U'=')) ||
+                            (anchored() && !isScalar() && character == U'@');
         if (!begins || fields_.empty()) {
             return Answer::Unused;
         }
@@ -223,8 +229,12 @@ NumericEntry::Answer NumericEntry::key(const CanvasEvent &event) {
     if (event.modifiers.control() || event.modifiers.alt()) {
         return Answer::Unused;
     }
-    if (continuesExpression() && event.key >= 'A' && event.key <= 'Z') {
+    const bool isLetter = event.key >= 'A' && event.key <= 'Z';
+    if (isLetter && (continuesExpression() || (isScalar() && open_))) {
         return Answer::Used; // arrives as text
+    }
+    if (isLetter && isScalar()) {
+        return Answer::Unused;
     }
     switch (event.key) {
     case 'X':
@@ -321,7 +331,7 @@ NumericEntry::Answer NumericEntry::accept() {
 }
 
 std::string NumericEntry::label() const {
-    const bool isPair = open_ && byDigit_ &&
+    const bool isPair = open_ && byDigit_ && !isScalar() &&
                         (separatingComma(text_) != std::string::npos || text_.starts_with('@') || pair().has_value());
     if (isPair) {
         return text_ + "_";

@@ -63,8 +63,7 @@ const Box2 &TransformHandles::box(const Shell &context) const {
     return box_;
 }
 
-std::optional<Vec2> TransformHandles::placeOf(const Handle &handle, const Shell &context) const {
-    const Box2 &around = box(context);
+std::optional<Vec2> TransformHandles::placeOf(const Handle &handle, const Box2 &around, const Shell &context) {
     const double shortSide = EditState::reach(context, kShortSide);
     const bool sideFits =
         (handle.x != 0 || around.size().x >= shortSide) && (handle.y != 0 || around.size().y >= shortSide);
@@ -76,10 +75,11 @@ std::optional<Vec2> TransformHandles::placeOf(const Handle &handle, const Shell 
 }
 
 std::optional<TransformHandles::Handle> TransformHandles::at(Vec2 place, Shell &context) const {
+    const Box2 &around = box(context);
     std::optional<Handle> best;
     double limit = EditState::reach(context, kPointerReach);
     for (const Handle &handle : kHandles) {
-        const std::optional<Vec2> there = placeOf(handle, context);
+        const std::optional<Vec2> there = placeOf(handle, around, context);
         if (there && distance(*there, place) <= limit) {
             limit = distance(*there, place);
             best = handle;
@@ -228,7 +228,7 @@ void TransformHandles::draw(CanvasPainter &painter, Shell &context, const std::o
     const double gap = EditState::reach(context, kHandleGap);
     painter.rectangle({around.min - Vec2{gap, gap}, around.max + Vec2{gap, gap}}, fade(theme.selection, 0.35), 1.0);
     for (const Handle &handle : kHandles) {
-        const std::optional<Vec2> there = placeOf(handle, context);
+        const std::optional<Vec2> there = placeOf(handle, around, context);
         if (!there) {
             continue;
         }

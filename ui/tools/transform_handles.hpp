@@ -45,7 +45,8 @@ class TransformHandles {
   private:
     /// Returns the box around what is selected; empty if it has no handles.
     const Box2 &box(const Shell &context) const;
-    std::optional<Vec2> placeOf(const Handle &handle, const Shell &context) const;
+    /// Returns the place of a handle around a box; none if it is not shown.
+    static std::optional<Vec2> placeOf(const Handle &handle, const Box2 &around, const Shell &context);
     void update(Shell &context);
     PlaneMap map() const;
     Vec2 factors() const;
