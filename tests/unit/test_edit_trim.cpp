@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <vector>
 
@@ -135,4 +136,28 @@ TEST_CASE("extendEnd: lines go straight on, arcs along their circle, cubics alon
     CHECK(codeOf(extendEnd(document, {4, 7})) == "no-such-node");
     const Document closed = *addShape(document, square({50, 50}, 1));
     CHECK(codeOf(extendEnd(closed, {8, 0})) == "not-possible");
+}
+
+TEST_CASE("extendEnd and trimAt: an end that meets its own path becomes a node there") {
+    const Document hook = *addShape({}, line({{0, 0}, {6, 0}, {6, 4}, {3, 4}, {3, 2}}));
+    const Result<Document> extended = extendEnd(hook, {1, 4});
+    REQUIRE(extended.ok());
+    CHECK(findShape(*extended, 1)->nodes == std::vector<Vec2>{{0, 0}, {3, 0}, {6, 0}, {6, 4}, {3, 4}, {3, 0}});
+
+    const Document loop = *addShape({}, line({{0, 0}, {4, 0}, {4, 2}, {2, -2}}));
+    const Result<Document> tail = trimAt(loop, 1, {2.2, -1.6});
+    REQUIRE(tail.ok());
+    CHECK(findShape(*tail, 1)->nodes == std::vector<Vec2>{{0, 0}, {3, 0}, {4, 0}, {4, 2}, {3, 0}});
+
+    Shape curved = line({{0, 0}, {6, 0}, {6, 4}, {3, 4}, {3, 2}});
+    curved.curves = {Curve::arc({3, 0}, {3, 0}, {0, 1}, std::numbers::pi, std::numbers::pi), Curve(), Curve(), Curve()};
+    curved.segmentTags = {5, 6, 7, 8};
+    const Result<Document> onArc = extendEnd(*addShape({}, curved), {1, 4});
+    REQUIRE(onArc.ok());
+    const Shape &joined = *findShape(*onArc, 1);
+    REQUIRE(joined.nodes.size() == 6);
+    CHECK(joined.segmentTags == std::vector<std::int32_t>{5, 5, 6, 7, 8});
+    CHECK(distance(joined.nodes[1], {3, -1}) < 1e-9);
+    CHECK(joined.curves[0].kind() == CurveKind::Arc);
+    CHECK(checkShape(joined).empty());
 }
