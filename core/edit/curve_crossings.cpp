@@ -28,6 +28,38 @@ std::vector<CurvePart> piecesOf(const Curve &curve) {
     return pieces;
 }
 
+/// Returns true if one curve runs along another on one side of a parameter at least. `step` is a small part of the
+/// curve's parameter range.
+bool runsAlong(const Curve &curve, double t, double step, const Curve &other, double tolerance) {
+    const auto meets = [&](double at) {
+        if (at < 0.0 || at > 1.0) {
+            return false;
+        }
+        const Vec2 place = curve.point(at);
+        return distance(other.point(other.nearest(place)), place) <= tolerance;
+    };
+    return (meets(t - step) && meets(t - 0.25 * step)) || (meets(t + step) && meets(t + 0.25 * step));
+}
+
+bool isCurveEnd(double t) {
+    return t == 0.0 || t == 1.0;
+}
+
+/// Adds the ends of piece `b` of `second` that lie on piece `a` of `first`. Curves that cross where a piece ends have
+/// no contact between its ends. If they run along each other there, the end of a piece is just a place between others.
+void addEnds(const Curve &first, const CurvePart &a, const Curve &second, const CurvePart &b, double tolerance,
+             std::vector<CurveCrossing> &found) {
+    constexpr double kStep = 1.0 / 16.0;
+    for (const double u : {b.t0, b.t1}) {
+        const Vec2 place = second.point(u);
+        const double t = first.nearest(place, a.t0, a.t1);
+        if (distance(first.point(t), place) <= tolerance &&
+            (isCurveEnd(u) || isCurveEnd(t) || !runsAlong(second, u, kStep * (b.t1 - b.t0), first, tolerance))) {
+            found.push_back({t, u, first.point(t)});
+        }
+    }
+}
+
 } // namespace
 
 std::vector<CurveCrossing> crossingsOf(const Curve &first, const Curve &second, double tolerance) {
@@ -43,17 +75,11 @@ std::vector<CurveCrossing> crossingsOf(const Curve &first, const Curve &second, 
                     found.push_back({contact.first, contact.second, contact.onFirst});
                 }
             }
-            for (const double u : {b.t0, b.t1}) {
-                const double t = first.nearest(second.point(u), a.t0, a.t1);
-                if (distance(first.point(t), second.point(u)) <= tolerance) {
-                    found.push_back({t, u, first.point(t)});
-                }
-            }
-            for (const double t : {a.t0, a.t1}) {
-                const double u = second.nearest(first.point(t), b.t0, b.t1);
-                if (distance(first.point(t), second.point(u)) <= tolerance) {
-                    found.push_back({t, u, first.point(t)});
-                }
+            addEnds(first, a, second, b, tolerance, found);
+            std::vector<CurveCrossing> swapped;
+            addEnds(second, b, first, a, tolerance, swapped);
+            for (const CurveCrossing &end : swapped) {
+                found.push_back({end.second, end.first, first.point(end.second)});
             }
         }
     }

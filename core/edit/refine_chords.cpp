@@ -31,10 +31,14 @@ Curve curveOf(const Domain &domain, std::uint32_t segment) {
 bool reallyMeet(const Domain &domain, const EdgeMeeting &meeting, double flat) {
     constexpr double kEnd = 1e-9; // in the parameter
     const auto isEnd = [](double t) { return std::min(t, 1.0 - t) <= kEnd; };
-    const auto crossings = crossingsOf(curveOf(domain, meeting.first), curveOf(domain, meeting.second), flat);
-    return std::any_of(crossings.begin(), crossings.end(), [&](const CurveCrossing &crossing) {
-        return !isEnd(crossing.first) || !isEnd(crossing.second);
-    });
+    const Curve first = curveOf(domain, meeting.first), second = curveOf(domain, meeting.second);
+    const auto crossings = crossingsOf(first, second, flat);
+    // Curves that run along each other from end to end cross nowhere between.
+    const Vec2 middle = first.point(0.5);
+    const bool same = distance(second.point(second.nearest(middle)), middle) <= flat;
+    return same || std::any_of(crossings.begin(), crossings.end(), [&](const CurveCrossing &crossing) {
+               return !isEnd(crossing.first) || !isEnd(crossing.second);
+           });
 }
 
 /// Returns the chords that meet other segments elsewhere than at their ends although their curves do not, in ascending

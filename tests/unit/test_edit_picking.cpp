@@ -268,9 +268,10 @@ TEST_CASE("snap: perpendiculars and tangents from the anchor, while a line is dr
     query.anchor = Vec2{1, 14};
     query.at = wave.curves[0].point(0.2);
     const Snapped onWave = snap(index, query);
-    CHECK((onWave.kind == SnapKind::Perpendicular || onWave.kind == SnapKind::Segment));
-    query.at = wave.curves[0].point(wave.curves[0].nearest(*query.anchor)) + Vec2{0.01, 0};
-    CHECK(snap(index, query).kind == SnapKind::Perpendicular);
+    CHECK(onWave.kind == SnapKind::Perpendicular);
+    CHECK(std::abs(dot(onWave.at - *query.anchor, wave.curves[0].tangent(wave.curves[0].nearest(onWave.at)))) < 1e-6);
+    query.at = wave.curves[0].point(0.4);
+    CHECK(snap(index, query).kind == SnapKind::Segment);
 }
 
 TEST_CASE("snap: perpendiculars far from the origin, and opposite the point of a circle there is no midpoint") {
@@ -307,6 +308,18 @@ TEST_CASE("crossingsOf: lines, circles, arcs and cubics; touching curves and end
     const auto cubic = Curve::cubic({0, 0}, {1, 4}, {3, -4}, {4, 0});
     CHECK(crossingsOf(cubic, Curve::line({-1, 0}, {5, 0}), 1e-9).size() == 3);
     CHECK(crossingsOf(Curve::line({0, 0}, {2, 0}), Curve::line({1, 0}, {3, 0}), 1e-9).size() == 2); // along each other
+    // Arcs that run along each other have the ends only, not the places where they are divided internally.
+    const double right = std::numbers::pi / 2;
+    const Curve half = Curve::arc({0, 0}, {2, 0}, {0, 2}, 0, 2 * right),
+                later = Curve::arc({0, 0}, {2, 0}, {0, 2}, 0.7 * right, 2 * right);
+    const auto shared = crossingsOf(half, later, 1e-9);
+    REQUIRE(shared.size() == 2);
+    CHECK(shared[0].first == doctest::Approx(0.35));
+    CHECK(shared[1].first == doctest::Approx(1.0));
+    CHECK(crossingsOf(half, half, 1e-9).size() == 2);
+    CHECK(crossingsOf(cubic, cubic, 1e-9).size() == 2);
+    // A crossing exactly where curves are divided internally is one.
+    CHECK(crossingsOf(half, Curve::line({0, 0}, {0, 3}), 1e-9).size() == 1);
 }
 
 TEST_CASE("snap: shift keeps to multiples of 15 degrees from the anchor, exactly so along the axes") {
