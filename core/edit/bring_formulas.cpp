@@ -15,12 +15,6 @@
 namespace forefront {
 namespace {
 
-const Parameter *findParameter(const std::vector<Parameter> &parameters, std::string_view name) {
-    const auto found = std::find_if(parameters.begin(), parameters.end(),
-                                    [&](const Parameter &parameter) { return parameter.name == name; });
-    return found == parameters.end() ? nullptr : &*found;
-}
-
 /// Adds the names that an expression uses.
 void addNames(const std::string &text, std::set<std::string> &names) {
     for (const std::string_view name : namesIn(text)) {
@@ -28,53 +22,33 @@ void addNames(const std::string &text, std::set<std::string> &names) {
     }
 }
 
-/// Returns the wanted parameters and those that they depend on, in the order of the list.
-std::vector<Parameter> withDependencies(const std::vector<Parameter> &from, std::set<std::string> wanted) {
+/// Returns the wanted parameters and those that they depend on, in the order of the list, without the shared ones.
+std::vector<Parameter> withDependencies(const std::vector<Parameter> &from, std::set<std::string> wanted,
+                                        const std::set<std::string> &shared) {
     for (std::size_t count = 0; count != wanted.size();) {
         count = wanted.size();
         for (const Parameter &parameter : from) {
-            if (wanted.contains(parameter.name)) {
+            if (wanted.contains(parameter.name) && !shared.contains(parameter.name)) {
                 addNames(parameter.expression, wanted);
             }
         }
     }
     std::vector<Parameter> list;
-    std::copy_if(from.begin(), from.end(), std::back_inserter(list),
-                 [&](const Parameter &parameter) { return wanted.contains(parameter.name); });
+    std::copy_if(from.begin(), from.end(), std::back_inserter(list), [&](const Parameter &parameter) {
+        return wanted.contains(parameter.name) && !shared.contains(parameter.name);
+    });
     return list;
 }
 
-/// Returns the names of those parameters that mean something else in a document: another expression, or one that
-/// depends on such a parameter.
-std::set<std::string> conflicts(const Document &document, const std::vector<Parameter> &list) {
-    std::set<std::string> names;
-    std::size_t count = 0;
-    do {
-        count = names.size();
-        for (const Parameter &parameter : list) {
-            const Parameter *const known = findParameter(document.parameters, parameter.name);
-            const std::vector<std::string_view> uses = namesIn(parameter.expression);
-            const bool differs = known != nullptr && (known->expression != parameter.expression ||
-                                                      std::any_of(uses.begin(), uses.end(), [&](std::string_view name) {
-                                                          return names.contains(std::string(name));
-                                                      }));
-            if (differs) {
-                names.insert(parameter.name);
-            }
-        }
-    } while (names.size() != count);
-    return names;
-}
-
-/// Returns a name like `name` that is not taken.
-std::string freeName(const std::string &name, const std::set<std::string> &taken) {
-    for (int number = 2;; ++number) {
-        const std::string suffix = '_' + std::to_string(number);
-        std::string next = name.substr(0, kMaxParameterName - suffix.size()) + suffix;
-        if (!taken.contains(next)) {
-            return next;
+/// Returns the names that have the same value in both.
+std::set<std::string> sharedNames(const NamedValues &first, const NamedValues &second) {
+    std::set<std::string> shared;
+    for (const auto &[name, value] : first) {
+        if (const auto other = second.find(name); other != second.end() && other->second == value) {
+            shared.insert(name);
         }
     }
+    return shared;
 }
 
 /// Returns the new address of a number that came with an item; none if its item did not come.
@@ -123,35 +97,31 @@ std::vector<Parameter> constantParameters(const NamedValues &values) {
 
 bool bringParameters(Document &document, const std::vector<Parameter> &from, const std::set<std::string> &wanted,
                      NameChanges &changes) {
-    const std::vector<Parameter> list = withDependencies(from, wanted);
-    std::set<std::string> taken;
-    for (const Parameter &parameter : document.parameters) {
-        taken.insert(parameter.name);
-    }
-    for (const Parameter &parameter : list) {
-        taken.insert(parameter.name);
-    }
+    const std::set<std::string> shared = sharedNames(parameterValues(document.parameters), parameterValues(from));
+    const std::vector<Parameter> list = withDependencies(from, wanted, shared);
+    const std::set<std::string> known = namesOf(document.parameters);
+    std::set<std::string> taken = namesOf(list);
+    taken.insert(known.begin(), known.end());
     changes.clear();
-    for (const std::string &name : conflicts(document, list)) {
-        changes[name] = freeName(name, taken);
-        taken.insert(changes[name]);
+    for (const Parameter &parameter : list) {
+        if (known.contains(parameter.name)) {
+            changes[parameter.name] = freeParameterName(parameter.name + '_', 2, taken);
+            taken.insert(changes[parameter.name]);
+        }
     }
-    if (taken.size() > kMaxParameters) {
+    if (document.parameters.size() + list.size() > kMaxParameters) {
         return false;
     }
     for (const Parameter &parameter : list) {
         const auto change = changes.find(parameter.name);
-        if (change != changes.end()) {
-            document.parameters.push_back({change->second, renameIn(parameter.expression, changes)});
-        } else if (findParameter(document.parameters, parameter.name) == nullptr) {
-            document.parameters.push_back({parameter.name, renameIn(parameter.expression, changes)});
-        }
+        document.parameters.push_back(
+            {change != changes.end() ? change->second : parameter.name, renameIn(parameter.expression, changes)});
     }
     document.spacing.names = parameterValues(document.parameters);
     return true;
 }
 
-void bringFormulas(Document &document, const Document &from, const ReceivedItems &items, double scale) {
+std::size_t bringFormulas(Document &document, const Document &from, const ReceivedItems &items, double scale) {
     std::map<std::string, std::string> brought;
     std::set<std::string> wanted;
     for (const auto &[old, text] : from.formulas) {
@@ -165,11 +135,16 @@ void bringFormulas(Document &document, const Document &from, const ReceivedItems
         }
     }
     NameChanges changes;
-    if (!brought.empty() && bringParameters(document, from.parameters, wanted, changes)) {
-        for (const auto &[address, text] : brought) {
-            document.formulas[address] = renameIn(text, changes);
-        }
+    if (brought.empty()) {
+        return 0;
     }
+    if (!bringParameters(document, from.parameters, wanted, changes)) {
+        return brought.size();
+    }
+    for (const auto &[address, text] : brought) {
+        document.formulas[address] = renameIn(text, changes);
+    }
+    return 0;
 }
 
 } // namespace forefront

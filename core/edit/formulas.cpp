@@ -146,16 +146,14 @@ Result<Document> setParameters(const Document &document, std::vector<Parameter> 
 Result<Document> overrideParameters(const Document &document, const std::map<std::string, std::string> &expressions) {
     std::vector<Parameter> parameters = document.parameters;
     for (const auto &[name, expression] : expressions) {
-        const auto known =
-            std::find_if(parameters.begin(), parameters.end(),
-                         [&wanted = name](const Parameter &parameter) { return parameter.name == wanted; });
-        if (known == parameters.end()) {
+        const std::size_t index = parameterIndex(parameters, name);
+        if (index == parameters.size()) {
             return parameters.empty()
                        ? error("unknown-parameter", "unknown parameter '" + name + "'; the project has no parameters")
                        : error("unknown-parameter",
                                "unknown parameter '" + name + "'; expected " + parameterList(parameters));
         }
-        known->expression = expression;
+        parameters[index].expression = expression;
     }
     return setParameters(document, std::move(parameters));
 }

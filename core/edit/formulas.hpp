@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,6 +35,16 @@ struct ParameterState {
 /// Returns the state of each parameter, in order. Faults: an empty, reserved, overlong or duplicate name, an invalid
 /// expression, a cycle, too many parameters.
 std::vector<ParameterState> parameterStates(const std::vector<Parameter> &parameters);
+
+/// Returns the index of the parameter with a name; the number of parameters if there is none.
+std::size_t parameterIndex(const std::vector<Parameter> &parameters, std::string_view name);
+
+/// Returns the first name that is not taken of `stem` with the number `first`, the next one, and so on: p1, p2. Long
+/// stems are shortened to keep within kMaxParameterName.
+std::string freeParameterName(const std::string &stem, std::size_t first, const std::set<std::string> &taken);
+
+/// Returns the names of parameters.
+std::set<std::string> namesOf(const std::vector<Parameter> &parameters);
 
 /// Returns the values of the parameters without faults.
 NamedValues parameterValues(const std::vector<Parameter> &parameters);

@@ -1,12 +1,15 @@
 #include "core/edit/insert_document.hpp"
 
 #include "core/edit/bring_formulas.hpp"
+#include "core/edit/formulas.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -52,9 +55,23 @@ class ItemPlaces {
     std::vector<Place> places_;
 };
 
-/// Returns a document with the drawing of another one and the given sources, all of them or none.
+Diagnostics notesOf(std::size_t droppedFormulas) {
+    if (droppedFormulas == 0) {
+        return {};
+    }
+    Diagnostic note;
+    note.severity = Severity::Warning;
+    note.code = "dropped-formulas";
+    note.message = std::to_string(droppedFormulas) +
+                   (droppedFormulas == 1 ? " formula became a plain number" : " formulas became plain numbers") +
+                   "; with the parameters in use the document would have more than " + std::to_string(kMaxParameters);
+    note.advice = "undo, remove parameters that are not used, and insert again";
+    return {note};
+}
+
+/// Returns a document with the drawing of another one and the given sources.
 Document inserted(const Document &document, const Document &other, double scale, const std::vector<SizeSource> &sources,
-                  Selection *added) {
+                  Insertion *insertion) {
     Document next = document;
     Selection fresh;
     ReceivedItems items;
@@ -80,20 +97,20 @@ Document inserted(const Document &document, const Document &other, double scale,
     }
     next.boundaryNames.insert(other.boundaryNames.begin(), other.boundaryNames.end());
     next.regionNames.insert(other.regionNames.begin(), other.regionNames.end());
-    bringFormulas(next, other, items, scale);
-    if (added != nullptr) {
-        *added = std::move(fresh);
+    const std::size_t dropped = bringFormulas(next, other, items, scale);
+    if (insertion != nullptr) {
+        *insertion = {std::move(fresh), notesOf(dropped)};
     }
     return next;
 }
 
 } // namespace
 
-Document insertDrawing(const Document &document, const Document &other, double scale, Selection *added) {
-    return inserted(document, other, scale, {}, added);
+Document insertDrawing(const Document &document, const Document &other, double scale, Insertion *insertion) {
+    return inserted(document, other, scale, {}, insertion);
 }
 
-Result<Document> insertCopied(const Document &document, const Document &other, Vec2 step, Selection *added) {
+Result<Document> insertCopied(const Document &document, const Document &other, Vec2 step, Insertion *insertion) {
     Selection all = selectAll(other);
     for (const auto &shape : other.shapes) { // hidden and locked ones must move, too
         all.shapes.insert(shape->id);
@@ -107,7 +124,7 @@ Result<Document> insertCopied(const Document &document, const Document &other, V
             return moved;
         }
     }
-    return inserted(document, *moved, 1.0, moved->spacing.sources, added);
+    return inserted(document, *moved, 1.0, moved->spacing.sources, insertion);
 }
 
 } // namespace forefront

@@ -145,4 +145,28 @@ NamedValues parameterValues(const std::vector<Parameter> &parameters) {
     return evaluation.takeValues();
 }
 
+std::size_t parameterIndex(const std::vector<Parameter> &parameters, std::string_view name) {
+    const auto found = std::find_if(parameters.begin(), parameters.end(),
+                                    [&](const Parameter &parameter) { return parameter.name == name; });
+    return static_cast<std::size_t>(found - parameters.begin());
+}
+
+std::string freeParameterName(const std::string &stem, std::size_t first, const std::set<std::string> &taken) {
+    for (std::size_t number = first;; ++number) {
+        const std::string digits = std::to_string(number);
+        std::string name = stem.substr(0, kMaxParameterName - digits.size()) + digits;
+        if (!taken.contains(name)) {
+            return name;
+        }
+    }
+}
+
+std::set<std::string> namesOf(const std::vector<Parameter> &parameters) {
+    std::set<std::string> names;
+    for (const Parameter &parameter : parameters) {
+        names.insert(parameter.name);
+    }
+    return names;
+}
+
 } // namespace forefront

@@ -54,10 +54,10 @@ TEST_CASE("insertCopied: each paste avoids what is there, even for sources and m
     for (const Document &copied : {box, source, marker}) {
         Document document = copied;
         for (int k = 1; k <= 3; ++k) {
-            Selection added;
-            Result<Document> next = insertCopied(document, copied, step, &added);
+            Insertion insertion;
+            Result<Document> next = insertCopied(document, copied, step, &insertion);
             REQUIRE(next.ok());
-            CHECK(boundsOf(*next, added).min == boundsOf(copied, selectAll(copied)).min + k * step);
+            CHECK(boundsOf(*next, insertion.added).min == boundsOf(copied, selectAll(copied)).min + k * step);
             document = *std::move(next);
         }
         CHECK(boundsOf(*insertCopied({}, copied, step, nullptr), selectAll(copied)).min ==

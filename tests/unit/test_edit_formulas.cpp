@@ -1,17 +1,14 @@
-#include "core/edit/bring_formulas.hpp"
 #include "core/edit/formulas.hpp"
-#include "core/edit/insert_document.hpp"
 #include "core/edit/number_address.hpp"
 #include "core/edit/region_commands.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
 #include "core/edit/spacing_commands.hpp"
-#include "core/edit/transform.hpp"
-#include "core/io/clipboard.hpp"
 #include "core/io/project/project.hpp"
 #include "core/spacing/part_list.hpp"
 #include "core/spacing/spacing_field.hpp"
 #include "tests/unit/edit_support.hpp"
+#include "tests/unit/plate_sample.hpp"
 
 #include <doctest/doctest.h>
 
@@ -25,26 +22,6 @@ using namespace forefront;
 using namespace forefront::edit_test;
 
 namespace {
-
-/// A plate of width 4r with a circle of radius r in it, and a source of that size.
-Document plate() {
-    Result<Document> drawn = setParameters({}, {{"gap", "2*r"}, {"r", "0.5"}});
-    REQUIRE(drawn.ok());
-    drawn = addShapes(
-        *drawn, {makeShape(ShapeKind::Rectangle, {{0, 0}, {2, 3}}), makeShape(ShapeKind::Circle, {{1, 1}, {1.5, 1}})});
-    REQUIRE(drawn.ok());
-    SizeSource source;
-    source.a = {1, 1};
-    source.radius = 1.0;
-    source.size = 0.25;
-    drawn = addSource(*drawn, source);
-    REQUIRE(drawn.ok());
-    drawn->formulas = {
-        {"shape/1/width", "2*gap"}, {"shape/2/radius", "r"}, {"source/0/size", "r/2"}, {"source/0/radius", "gap"}};
-    pruneFormulas(*drawn);
-    REQUIRE(drawn->formulas.size() == 4);
-    return *std::move(drawn);
-}
 
 template <class T>
 std::string codeOf(const Result<T> &result) {
@@ -263,99 +240,6 @@ TEST_CASE("findShape: finds shapes in any order of their ids") {
         CHECK((found == nullptr || found->id == id));
     }
     CHECK(positionOf(document, 9) == 2);
-}
-
-TEST_CASE("insertCopied: formulas come along with the parameters that they use") {
-    const Document other = plate();
-    Selection all = selectAll(other);
-    const Result<Document> copied = readClipboard(clipboardText(other, all));
-    REQUIRE(copied.ok());
-    CHECK(copied->formulas == other.formulas);
-    const Document pasted = *insertCopied({}, *copied, {1, -1}, nullptr);
-    CHECK(pasted.parameters == other.parameters);
-    CHECK(pasted.formulas == other.formulas);
-
-    SUBCASE("they share a parameter with the same meaning") {
-        const Document twice = *insertCopied(pasted, *copied, {1, -1}, nullptr);
-        CHECK(twice.parameters == other.parameters);
-        CHECK(twice.formulas.at("shape/4/radius") == "r");
-        CHECK(twice.formulas.at("source/1/size") == "r/2");
-    }
-    SUBCASE("one with another meaning gets a free name, and so does what depends on it") {
-        const Document here = *setParameters(pasted, {{"gap", "2*r"}, {"r", "3"}, {"r_2", "1"}});
-        const Document both = *insertCopied(here, *copied, {1, -1}, nullptr);
-        CHECK(both.formulas.at("shape/2/radius") == "r");
-        CHECK(both.formulas.at("shape/4/radius") == "r_3");
-        CHECK(both.formulas.at("shape/3/width") == "2*gap_2");
-        CHECK(both.parameters.back() == Parameter{"r_3", "0.5"});
-        CHECK(both.parameters[3] == Parameter{"gap_2", "2*r_3"});
-        const Result<Document> changed = overrideParameters(both, {{"r_3", "0.75"}});
-        REQUIRE(changed.ok());
-        CHECK(circleRadius(*changed->shapes[3]) == doctest::Approx(0.75));
-        CHECK(circleRadius(*changed->shapes[1]) == doctest::Approx(3.0));
-    }
-    SUBCASE("a number that is no longer that of its formula stays a number") {
-        Document moved = other;
-        moved.formulas["shape/2/x/0"] = "2*r";
-        const Document beside = *insertCopied(moved, moved, {1, -1}, nullptr);
-        CHECK(beside.formulas.contains("shape/2/x/0"));
-        CHECK_FALSE(beside.formulas.contains("shape/4/x/0"));
-        CHECK(beside.formulas.contains("shape/4/radius"));
-    }
-    SUBCASE("scaled drawings have scaled formulas") {
-        const Document scaled = insertDrawing({}, other, 10.0, nullptr);
-        CHECK(scaled.formulas.at("shape/2/radius") == "10*(r)");
-        CHECK(circleRadius(*overrideParameters(scaled, {{"r", "1"}})->shapes[1]) == doctest::Approx(10.0));
-    }
-}
-
-TEST_CASE("bringParameters: refuses more parameters than a document can have") {
-    std::vector<Parameter> many;
-    for (std::size_t k = 0; k < kMaxParameters; ++k) {
-        many.push_back({"p" + std::to_string(k), "1"});
-    }
-    Document document = *setParameters({}, many);
-    NameChanges changes;
-    CHECK(bringParameters(document, {{"p0", "1"}}, {"p0"}, changes));
-    CHECK_FALSE(bringParameters(document, {{"q", "1"}}, {"q"}, changes));
-    CHECK(document.parameters == many);
-}
-
-TEST_CASE("setSpacing: parameters of the expression come along with their values") {
-    const Document here = *setParameters({}, {{"r", "0.5"}, {"gap", "0.125"}});
-    SpacingSpec spacing;
-    spacing.expression = "gap + r*x + s";
-    spacing.names = {{"gap", 0.125}, {"r", 2.0}, {"s", 0.1}, {"unused", 1.0}};
-    const Result<Document> next = setSpacing(here, spacing);
-    REQUIRE(next.ok());
-    CHECK(*next->spacing.expression == "gap + r_2*x + s");
-    CHECK(next->parameters == std::vector<Parameter>{{"r", "0.5"}, {"gap", "0.125"}, {"r_2", "2"}, {"s", "0.1"}});
-    CHECK(next->spacing.names.at("r_2") == 2.0);
-    const auto field = SpacingField::build(next->spacing, toDomain(*addShape(*next, square({0, 0}, 1))));
-    REQUIRE(field.ok());
-}
-
-TEST_CASE("copySelection: copies follow the same formulas where their numbers are the same") {
-    Document document = plate();
-    document.formulas["shape/2/x/0"] = "gap";
-    pruneFormulas(document);
-    REQUIRE(document.formulas.contains("shape/2/x/0"));
-    Selection hole;
-    hole.shapes = {2};
-    hole.sources = {0};
-    document = *addRegionMarker(document, {{1, 1}, 1, 0.5});
-    document.formulas["region/0/area"] = "r";
-    hole.markers = {0};
-    const Result<Document> copied = linearArray(document, hole, 3, {2, 0});
-    REQUIRE(copied.ok());
-    CHECK(copied->formulas.at("region/2/area") == "r");
-    CHECK(copied->formulas.at("shape/3/radius") == "r");
-    CHECK(copied->formulas.at("shape/4/radius") == "r");
-    CHECK(copied->formulas.at("source/2/size") == "r/2");
-    CHECK_FALSE(copied->formulas.contains("shape/3/x/0"));
-    const Result<Document> larger = overrideParameters(*copied, {{"r", "0.75"}});
-    REQUIRE(larger.ok());
-    CHECK(circleRadius(*larger->shapes[3]) == doctest::Approx(0.75));
 }
 
 TEST_CASE("renameParameter: expressions, formulas and the spacing expression follow") {

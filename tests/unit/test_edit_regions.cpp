@@ -63,8 +63,9 @@ TEST_CASE("insertDrawing: shapes get new ids, are scaled, and become the selecti
     there = *setBoundaryName(there, 2, "inlet");
     there = *addRegionMarker(there, {{3, 3}, 7});
     there = *setSize(there, 0.5);
-    Selection added;
-    const Document both = insertDrawing(here, there, 10.0, &added);
+    Insertion insertion;
+    const Document both = insertDrawing(here, there, 10.0, &insertion);
+    const Selection &added = insertion.added;
     REQUIRE(both.shapes.size() == 3);
     CHECK(both.shapes[1]->nodes[0] == Vec2{20, 20});
     CHECK(both.regionMarkers[0].at == Vec2{30, 30});

@@ -23,13 +23,14 @@ void paste(Shell &context) {
         return;
     }
     const Document &document = *context.document.current();
-    Selection added;
+    Insertion insertion;
     const double step = 2.0 * gridPitch(EditState::reach(context, 1.0));
-    Result<Document> next = insertCopied(document, *drawing, {step, -step}, &added);
+    Result<Document> next = insertCopied(document, *drawing, {step, -step}, &insertion);
     const bool first = document.shapes.empty();
     if (EditState::apply(context, std::move(next), "Paste")) {
         context.tools.choose("select", context);
-        context.selection = std::move(added);
+        context.selection = std::move(insertion.added);
+        context.log.add(insertion.notes);
         if (first) {
             context.actions.run("view.fit", context);
         }

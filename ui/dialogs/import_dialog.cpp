@@ -93,14 +93,15 @@ void ImportDialog::read() {
 }
 
 void ImportDialog::insert(Shell &context) const {
-    Selection added;
-    context.document.apply(insertDrawing(*context.document.current(), drawing_, scale_, &added), "Import drawing");
-    context.selection = std::move(added);
+    Insertion insertion;
+    context.document.apply(insertDrawing(*context.document.current(), drawing_, scale_, &insertion), "Import drawing");
+    context.selection = std::move(insertion.added);
     context.actions.run("view.fit", context);
     const std::size_t count = drawing_.shapes.size();
     context.log.announce(ui::count(count) + (count == 1 ? " shape" : " shapes") + " imported from " +
                          file_.filename().string());
     context.log.add(notes_);
+    context.log.add(insertion.notes);
 }
 
 void ImportDialog::drawSizes(Shell &context) const {

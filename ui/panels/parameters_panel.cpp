@@ -18,17 +18,6 @@ namespace {
 
 constexpr float kName = 72.0F, kValue = 64.0F, kRemove = 24.0F, kGap = 6.0F; ///< of a row, in design pixels
 
-std::string freeName(const std::vector<Parameter> &parameters) {
-    const auto taken = [&](const std::string &name) {
-        return std::any_of(parameters.begin(), parameters.end(), [&](const Parameter &p) { return p.name == name; });
-    };
-    std::string name = "p1";
-    for (std::size_t k = 2; taken(name); ++k) {
-        name = "p" + std::to_string(k);
-    }
-    return name;
-}
-
 /// The table of the parameters. An invalid expression stays in its row, with the fault below it, until it is corrected
 /// or the document changes.
 class ParametersPanel final : public Panel {
@@ -52,7 +41,7 @@ class ParametersPanel final : public Panel {
         }
         if (ui::button(context, "parameters/add", "Add parameter")) {
             std::vector<Parameter> more = context.document.current()->parameters;
-            more.push_back({freeName(more), "1"});
+            more.push_back({freeParameterName("p", 1, namesOf(more)), "1"});
             EditState::apply(context, setParameters(*context.document.current(), std::move(more)), "Add parameter");
         }
     }
