@@ -234,7 +234,14 @@ TEST_CASE("Trim tool: a click removes the part between two crossings, or extends
     driver.moveToPlace({4.2, 5});
     const Driver::Picture before = driver.picture();
     driver.moveToPlace({4.2, 6.5});
-    CHECK(driver.picture().differences(before) > 100); // the part was shown
+    // The part between the lines was shown, and is not now; the picture beside it is as before.
+    const auto along = [&](Vec2 from, Vec2 to) {
+        const Pixel a = driver.pixel(from), b = driver.pixel(to);
+        return PixelRect{a.x, a.y - 2.0, b.x - a.x, 5.0};
+    };
+    const Driver::Picture after = driver.picture();
+    CHECK(after.differences(before, along({4.6, 5}, {5.8, 5})) > 100);
+    CHECK(after.differences(before, along({6.2, 5}, {8.8, 5})) == 0);
     driver.clickPlace({4.2, 5});
     CHECK(driver.undoLabel() == "Trim");
     REQUIRE(driver.document().shapes.size() == 4);
