@@ -43,6 +43,7 @@ std::vector<Scene> scenes() {
     };
     return {{"meshed", [](Driver &) {}},
             {"quality", [](Driver &driver) { showLayer(driver.context().layers, "quality", true); }},
+            {"rulers", action("view.rulers")},
             {"steps", panel("steps")},
             {"statistics", panel("statistics")},
             {"checks", panel("checks")},
@@ -95,6 +96,7 @@ TEST_CASE("Screenshots: panels and dialogs" * doctest::skip()) {
                                             (std::string(scene.name) + (theme == ThemeKind::Dark ? "-dark" : "-light") +
                                              std::to_string(scale) + ".ppm"));
                 driver.context().dialogs.closeAll();
+                driver.context().settings.rulers = false;
                 showLayer(driver.context().layers, "size", true);
                 driver.settle();
             }

@@ -81,6 +81,10 @@ void PreferencesDialog::drawAppearance(Shell &context) {
     note(context, "Multiplies the scale of the screen. Takes effect when you release the slider.");
     ui::rowLabel(context, "Hints", kLabel);
     ui::checkbox(context, "dialog/preferences/hints", "Show hints on the canvas", settings.hints);
+    ui::rowLabel(context, "Rulers", kLabel);
+    if (ui::checkbox(context, "dialog/preferences/rulers", "Show rulers along the canvas", settings.rulers)) {
+        context.animate();
+    }
 }
 
 bool PreferencesDialog::draw(Shell &context) {

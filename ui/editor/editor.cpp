@@ -380,6 +380,7 @@ void Editor::Parts::buildInterface() {
     shell::drawColumn(context, layout.column);
     shell::drawTimeline(context, layout.timeline);
     shell::drawStatusBar(context, layout.status);
+    shell::drawRulers(context, layout);
     shell::drawToolOptions(context, layout.canvas);
     shell::drawCanvasNotes(context, layout.canvas);
     shell::drawContextMenu(context);

@@ -118,6 +118,7 @@ Settings loadSettings(const std::filesystem::path &file, Diagnostics *faults) {
     settings.panelWidth = numberIn(json, "panelWidth", settings.panelWidth, 240.0, 640.0);
     settings.tabsHeight = numberIn(json, "tabsHeight", settings.tabsHeight, 90.0, 900.0);
     settings.hints = boolIn(json, "hints", settings.hints);
+    settings.rulers = boolIn(json, "rulers", settings.rulers);
     settings.live = boolIn(json, "live", settings.live);
     settings.liveBudget = numberIn(json, "liveBudget", settings.liveBudget, kMinLiveBudget, kMaxLiveBudget);
     settings.panels = boolIn(json, "panels", settings.panels);
@@ -146,6 +147,7 @@ void saveSettings(const std::filesystem::path &file, const Settings &settings) {
               {"panelWidth", settings.panelWidth},
               {"tabsHeight", settings.tabsHeight},
               {"hints", settings.hints},
+              {"rulers", settings.rulers},
               {"live", settings.live},
               {"liveBudget", settings.liveBudget},
               {"panels", settings.panels},

@@ -14,7 +14,8 @@ namespace {
 constexpr double kMenuHeight = 34, kTimelineHeight = 78, kStatusHeight = 27;
 constexpr double kLessonWidth = 330;
 constexpr double kFiguresHeight = 66, kFiguresRow = 20; ///< heights of the comparison table and of a row in it
-constexpr double kMinColumn = 250;                      ///< fields of a narrower column are unreadable
+constexpr double kRuler = 20;
+constexpr double kMinColumn = 250; ///< fields of a narrower column are unreadable
 
 } // namespace
 
@@ -47,7 +48,10 @@ Layout layOut(const Shell &context) {
     const double figures =
         compared > 0.0 ? std::min(px(kFiguresHeight + kFiguresRow * (compared + 1.0)), std::floor(0.4 * middle)) : 0.0;
     const double canvasHeight = std::max(1.0, middle - figures);
-    layout.canvas = {tools + lessons, top, canvas, canvasHeight};
+    const double ruler = context.settings.rulers ? px(kRuler) : 0.0, left = tools + lessons;
+    layout.canvas = {left + ruler, top + ruler, std::max(1.0, canvas - ruler), std::max(1.0, canvasHeight - ruler)};
+    layout.rulerX = {left + ruler, top, layout.canvas.width, ruler};
+    layout.rulerY = {left, top + ruler, ruler, layout.canvas.height};
     layout.sides = {tools + lessons + canvas, top, room - canvas, canvasHeight};
     layout.figures = {tools + lessons, top + canvasHeight, room, figures};
     return layout;

@@ -12,6 +12,7 @@ void addLessonActions(ActionRegistry &actions);
 /// The rectangles of the main window in this frame, in pixels.
 struct Layout {
     PixelRect menu, tools, lessons, canvas, sides, figures, column, timeline, status;
+    PixelRect rulerX, rulerY; ///< above the canvas and left of it; empty if hidden
 };
 Layout layOut(const Shell &context);
 
@@ -52,6 +53,8 @@ void drawLessons(Shell &context, const PixelRect &rect);
 /// Draws the runs beside the one on the canvas, and a table of their work below.
 void drawSides(Shell &context, const PixelRect &views, const PixelRect &table);
 void drawTimeline(Shell &context, const PixelRect &rect);
+/// Draws the rulers along the canvas, with marks at the coordinates of the pointer, if they are shown.
+void drawRulers(Shell &context, const Layout &layout);
 void drawStatusBar(Shell &context, const PixelRect &rect);
 /// Draws the hint strip, the out-of-date badge, the progress and the newest message over the canvas.
 void drawCanvasNotes(Shell &context, const PixelRect &canvas);

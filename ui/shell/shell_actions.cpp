@@ -67,6 +67,16 @@ void addInterfaceActions(ActionRegistry &actions) {
                      },
                  .checked = [](const Shell &c) { return c.view.panels; },
                  .separatorBefore = true});
+    actions.add({.id = "view.rulers",
+                 .menu = "View",
+                 .title = "Rulers",
+                 .shortcuts = {{'R', kControl}},
+                 .run =
+                     [](Shell &c) {
+                         c.settings.rulers = !c.settings.rulers;
+                         c.animate();
+                     },
+                 .checked = [](const Shell &c) { return c.settings.rulers; }});
     actions.add(
         {.id = "view.theme",
          .menu = "View",
