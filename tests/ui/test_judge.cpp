@@ -146,9 +146,15 @@ TEST_CASE("Judge: a mesh is read on another thread while the window answers, and
     driver.settle();
     CHECK_FALSE(driver.has("canvas/task"));
     released.set_value();
+    driver.press(driver.pixel({5, 5}));
     openMesh(driver.context(), folder / "plate.msh");
     driver.settle();
+    CHECK(driver.context().task.ready()); // waits for the end of the gesture
+    CHECK_FALSE(driver.context().run.showsFile());
+    driver.release(driver.pixel({5, 5}));
+    driver.settle();
     CHECK(driver.context().run.showsFile());
+    CHECK_FALSE(driver.context().task.busy());
     CHECK_FALSE(used);
 }
 

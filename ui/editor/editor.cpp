@@ -200,8 +200,9 @@ bool Editor::running() const {
 bool Editor::settled() const {
     const Shell &c = parts_->context;
     return parts_->input.empty() && !parts_->input.replaying() && c.redraw <= 0 && !c.examiner.busy() &&
-           !c.judge.busy() && !c.adaptation.busy() && !c.adaptation.hasNews() && !c.task.busy() && !c.sides.busy() &&
-           !c.sides.hasNews() && !c.run.busy() && !c.run.hasNews() && !c.run.hasToFollow();
+           !c.judge.busy() && !c.adaptation.busy() && !c.adaptation.hasNews() && !c.task.hasNews() &&
+           (!c.task.busy() || c.task.ready()) && !c.sides.busy() && !c.sides.hasNews() && !c.run.busy() &&
+           !c.run.hasNews() && !c.run.hasToFollow();
 }
 
 double Editor::sleepSeconds() const {
@@ -284,7 +285,12 @@ void Editor::Parts::takeResults(bool cancels) {
     if (context.sides.follow(context.run, *context.document.current(), [&p = context.platform] { p.wake(); })) {
         context.animate();
     }
-    if (context.task.finish()) {
+    if (context.task.refresh()) {
+        context.animate();
+    }
+    // A gesture or a dialog may belong to the document that the result replaces.
+    if (context.task.ready() && !ImGui::IsAnyMouseDown() && !context.dialogs.any()) {
+        context.task.finish();
         context.animate();
     }
     if (followAdaptation(context)) {

@@ -87,13 +87,14 @@ void BackgroundTask::cancel() {
         worker_->stop();
         retired_.push_back(std::move(worker_));
     }
+    ready_ = false;
 }
 
 bool BackgroundTask::hasNews() const {
     return worker_ && worker_->reports() != seen_;
 }
 
-bool BackgroundTask::finish() {
+bool BackgroundTask::refresh() {
     std::erase_if(retired_, [](const std::unique_ptr<Worker> &worker) { return worker->ended(); });
     if (!hasNews()) {
         return false;
@@ -101,13 +102,16 @@ bool BackgroundTask::finish() {
     seen_ = worker_->reports(); // before what they report, which may be newer
     name_ = worker_->name();
     fraction_ = worker_->fraction();
-    if (const std::optional<Finish> result = worker_->result()) {
-        cancel(); // the result may start another task
-        if (*result) {
-            (*result)();
-        }
-    }
+    ready_ = worker_->result().has_value();
     return true;
+}
+
+void BackgroundTask::finish() {
+    const std::optional<Finish> result = worker_->result();
+    cancel(); // the result may start another task
+    if (*result) {
+        (*result)();
+    }
 }
 
 } // namespace forefront

@@ -14,7 +14,7 @@ namespace forefront {
 /// cancels the earlier task. Call all members from one thread; none of them waits, except the destructor.
 class BackgroundTask {
   public:
-    /// Uses the result, on the thread that calls BackgroundTask::finish(); empty: nothing to do.
+    /// Uses the result, on the thread that calls finish(); empty: nothing to do.
     using Finish = std::function<void()>;
     using Work = std::function<Finish(const Progress &)>;
 
@@ -26,11 +26,15 @@ class BackgroundTask {
     void start(std::string name, Work work);
     /// Drops the task and its result. Its thread ends by itself, and its memory is freed then.
     void cancel();
-    /// Fetches the newest progress, and uses the result once it is there. Called once per frame; returns true if there
-    /// was news.
-    bool finish();
+    /// Fetches the newest progress. Called once per frame; returns true if it has changed.
+    bool refresh();
     bool hasNews() const;
+    /// Returns true until the result has been used.
     bool busy() const { return worker_ != nullptr; }
+    /// Returns true if the result is there, to be used by finish().
+    bool ready() const { return ready_; }
+    /// Uses the result. Call it only while it is ready, and no gesture or dialog depends on the state of the window.
+    void finish();
     const std::string &name() const { return name_; }
     /// Returns the fraction done in [0, 1]; 0 while it is unknown.
     double fraction() const { return fraction_; }
@@ -43,6 +47,7 @@ class BackgroundTask {
     std::vector<std::unique_ptr<Worker>> retired_; ///< cancelled; they may still be running
     std::string name_;
     double fraction_ = 0.0;
+    bool ready_ = false;
     std::size_t seen_ = 0; ///< number of reports fetched
 };
 
