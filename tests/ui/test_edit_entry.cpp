@@ -15,6 +15,7 @@ using Answer = NumericEntry::Answer;
 namespace {
 
 constexpr std::array kPlace{EntryField::X, EntryField::Y};
+constexpr std::array kRadius{EntryField::Radius};
 constexpr std::array kDirection{EntryField::Distance, EntryField::Angle};
 constexpr std::array kSize{EntryField::Width, EntryField::Height};
 using Fields = std::span<const EntryField>;
@@ -99,6 +100,22 @@ TEST_CASE("NumericEntry: the letter of another field first commits the typed num
     CHECK(press(entry, key::kEnter) == Answer::Place);
     CHECK(entry.locks().distance == 20.0);
     CHECK(entry.locks().angle == 90.0);
+}
+
+TEST_CASE("NumericEntry: D is the diameter where a radius is asked for; the one typed last counts") {
+    NumericEntry entry;
+    type(entry, "d16", kRadius);
+    CHECK(entry.label() == "d 16_");
+    CHECK(entry.locks().distance == 8.0);
+    CHECK(entry.expression(EntryField::Radius) == "(16)/2");
+    CHECK(press(entry, key::kEnter, kRadius) == Answer::Place);
+    CHECK(entry.value(EntryField::Radius) == 8.0);
+    entry.clear();
+    type(entry, "3", kRadius);
+    type(entry, "d", kRadius);
+    CHECK(entry.label() == "d _");
+    type(entry, "10", kRadius);
+    CHECK(entry.value(EntryField::Radius) == 5.0);
 }
 
 TEST_CASE("NumericEntry: width, Tab, height sets both, and Tab cycles") {

@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
+#include <numbers>
 #include <set>
 #include <string>
 #include <tuple>
@@ -248,6 +249,30 @@ TEST_CASE("Fillet, chamfer, offset: typed sizes show on the canvas; OK is one un
     REQUIRE(driver.document().shapes.size() == 2);
     CHECK(areaOf(*driver.document().shapes[1]) == doctest::Approx(30.0));
     CHECK(driver.context().selection.shapes == std::set<std::uint32_t>{2});
+}
+
+TEST_CASE("Dialogs with a preview: the first number has the focus, and typing replaces it") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('V');
+    driver.key('F', kControlShift);
+    driver.settle();
+    driver.type("1");
+    driver.key(key::kEnter);
+    driver.settle();
+    CHECK_FALSE(driver.has("dialog/fillet/ok"));
+    CHECK(driver.document().shapes[0]->nodes.size() == 8);
+    CHECK(areaOf(*driver.document().shapes[0]) == doctest::Approx(56.0 - 4.0 + std::numbers::pi));
+    driver.key('Z', kControl);
+    driver.clickPlace({9, 8}); // the size of a single node cannot be proposed from the node
+    driver.key('K', kControlShift);
+    driver.settle();
+    CHECK_FALSE(driver.has("dialog/chamfer/fault"));
+    CHECK(areaOf(*driver.document().shapes[0]) < 56.0);
+    driver.key(key::kEscape);
+    driver.settle();
+    CHECK_FALSE(driver.has("dialog/chamfer/ok"));
+    CHECK(areaOf(*driver.document().shapes[0]) == doctest::Approx(56.0));
 }
 
 TEST_CASE("Clipboard: copy, paste beside the original, and cut") {

@@ -6,6 +6,8 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
 namespace forefront {
 namespace {
 
@@ -18,6 +20,11 @@ OperationDialog::OperationDialog(Operation operation, Shell &context)
       stroke_(std::string(operation_.id) + ' ' + std::to_string(context.document.revision())) {
     for (const OperationField &field : operation_.fields) {
         values_.push_back(field.value);
+    }
+    const auto number = std::find_if(operation_.fields.begin(), operation_.fields.end(),
+                                     [](const OperationField &f) { return f.kind == OperationField::Kind::Number; });
+    if (number != operation_.fields.end()) {
+        context.widgets.fields.request(widget(static_cast<std::size_t>(number - operation_.fields.begin())));
     }
     context.document.endStroke();
     show(context);

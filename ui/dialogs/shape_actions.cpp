@@ -102,10 +102,12 @@ Operation polarArrayOperation(const Shell &context) {
     return operation;
 }
 
-/// Returns an operation with one length, proposed as a part of the size of the selection.
+/// Returns an operation with one length, proposed as a part of the size of the selection; of the drawing, if a single
+/// node is selected.
 Operation lengthOperation(const Shell &context, const char *id, const char *title, const char *label,
                           const char *tooltip) {
-    const double size = boundsOf(*context.document.current(), context.selection).diagonal();
+    const double selected = boundsOf(*context.document.current(), context.selection).diagonal();
+    const double size = selected > 0.0 ? selected : boundsOf(*context.document.current()).diagonal();
     Operation operation;
     operation.id = id;
     operation.title = title;

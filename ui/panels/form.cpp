@@ -49,7 +49,7 @@ bool tag(Workspace &context, const std::string &name, const char *text, std::int
     const bool changed = ui::inputNumber(context, name, number, 48.0F) && number >= 1.0 && number <= 1e9;
     ImGui::SameLine(0, context.px(6));
     std::string typed = shownName;
-    if (ui::entry(context, name + "/name", typed, "name") && typed != shownName) {
+    if (ui::entry(context, name + "/name", typed, "name", -1.0F, true) && typed != shownName) {
         rename = typed;
     }
     if (changed) {

@@ -58,7 +58,7 @@ class NamesPanel final : public Panel {
         ImGui::SameLine(context.px(36));
         std::string typed = name;
         const float width = (ImGui::GetContentRegionAvail().x - context.px(34)) / context.scale;
-        if (ui::entry(context, prefix + std::to_string(tag), typed, "name", width)) {
+        if (ui::entry(context, prefix + std::to_string(tag), typed, "name", width, true)) {
             rename(std::move(typed));
         }
     }

@@ -68,7 +68,7 @@ class ParametersPanel final : public Panel {
         Row &row = rows_[index];
         const std::string name = "parameters/" + std::to_string(index);
         const float rest = ImGui::GetContentRegionAvail().x / context.scale - kName - kValue - kRemove - 3.0F * kGap;
-        if (std::string typed = row.shown.name; ui::entry(context, name + "/name", typed, "name", kName)) {
+        if (std::string typed = row.shown.name; ui::entry(context, name + "/name", typed, "name", kName, true)) {
             rename(context, index, typed);
         }
         ImGui::SameLine(0, context.px(kGap));

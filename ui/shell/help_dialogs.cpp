@@ -67,7 +67,7 @@ class ShortcutSheet final : public Dialog {
     static constexpr std::array<std::pair<const char *, const char *>, 7> kDrawing{{
         {"Enter", "Finish the path"},
         {"Backspace", "Remove the last node"},
-        {"X Y D Q", "Lock x, y, distance, angle"},
+        {"X Y D Q", "Type x, y, distance (diameter of a circle), angle"},
         {"0\xe2\x80\xa6"
          "9",
          "Enter a number"},

@@ -151,10 +151,10 @@ std::string BoxTool::statusText(const Shell &) const {
     }
     if (isBox()) {
         return first_ ? "Click the opposite corner, or type width, Tab, height. Shift: square"
-                      : "Drag from corner to corner. Inside another shape it becomes a hole";
+                      : "Drag from corner to corner, or type x, Tab, y. Inside another shape it becomes a hole";
     }
-    return first_ ? "Click a point on the circle, or type the radius"
-                  : "Drag from the centre. Inside another shape it becomes a hole";
+    return first_ ? "Click a point on the circle, or type the radius, or D and the diameter"
+                  : "Drag from the centre, or type x, Tab, y. Inside another shape it becomes a hole";
 }
 
 } // namespace forefront

@@ -12,6 +12,19 @@
 #include <utility>
 
 namespace forefront {
+namespace {
+
+/// Moves a place that is out of view to where a label beside it can be read.
+Vec2 intoView(const Shell &context, Vec2 place) {
+    const PixelRect &room = context.view.room;
+    const Camera &camera = context.view.camera;
+    const double right = room.x + room.width - context.px(200.0), bottom = room.y + room.height - context.px(90.0);
+    const Pixel pixel = camera.toPixel(place);
+    return camera.toPlane(
+        {std::clamp(pixel.x, room.x, std::max(room.x, right)), std::clamp(pixel.y, room.y, std::max(room.y, bottom))});
+}
+
+} // namespace
 
 void DrawingTool::follow(const CanvasEvent &event, Shell &context) {
     place_ = event.place;
@@ -116,9 +129,12 @@ void DrawingTool::keepFormulas(Document &document, std::uint32_t shape) const {
     const bool rectangle = drawn->kind == ShapeKind::Rectangle;
     const std::vector<Vec2> handles = handlesOf(*drawn);
     for (const TypedNode &node : typedNodes_) {
-        const auto at = std::find(handles.begin(), handles.end(), node.at);
-        if (at != handles.end()) {
-            const std::string handle = '/' + std::to_string(at - handles.begin());
+        // Where an end meets its own path, that has a node too: both move together.
+        for (std::size_t k = 0; k < handles.size(); ++k) {
+            if (handles[k] != node.at) {
+                continue;
+            }
+            const std::string handle = '/' + std::to_string(k);
             if (!rectangle) {
                 keep("x" + handle, node.x);
                 keep("y" + handle, node.y);
@@ -224,20 +240,19 @@ bool DrawingTool::commitShape(Shell &context, Shape shape, const std::string &la
 
 void DrawingTool::drawMeasure(CanvasPainter &painter, Shell &context, const std::string &text) const {
     const std::string typedText = entry_.label();
+    const Vec2 at = typedText.empty() ? pointer_.at : intoView(context, pointer_.at);
     double y = 14.0;
     if (!text.empty()) {
-        painter.label(pointer_.at, {16.0, y}, text, context.theme.text, fade(context.theme.popup, 0.9),
-                      context.fonts.small);
+        painter.label(at, {16.0, y}, text, context.theme.text, fade(context.theme.popup, 0.9), context.fonts.small);
         y += 22.0;
     }
     if (!typedText.empty()) {
-        painter.label(pointer_.at, {16.0, y}, typedText, entry_.isWrong() ? context.theme.bad : context.theme.accent,
+        painter.label(at, {16.0, y}, typedText, entry_.isWrong() ? context.theme.bad : context.theme.accent,
                       context.theme.popup, context.fonts.strong);
         y += 24.0;
     }
     if (entry_.isWrong()) {
-        painter.label(pointer_.at, {16.0, y}, entry_.fault(), context.theme.bad, context.theme.popup,
-                      context.fonts.small);
+        painter.label(at, {16.0, y}, entry_.fault(), context.theme.bad, context.theme.popup, context.fonts.small);
     }
 }
 

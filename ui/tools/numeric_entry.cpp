@@ -70,8 +70,8 @@ std::size_t separatingComma(std::string_view text) {
 }
 
 const char *symbol(EntryField field) {
-    static constexpr std::array<const char *, kEntryFields> kSymbols{"x", "y", "d", "\xe2\x88\xa0",
-                                                                     "w", "h", "r", "\xc3\x97"};
+    static constexpr std::array<const char *, kEntryFields> kSymbols{"x", "y", "d", "\xe2\x88\xa0", "w",
+                                                                     "h", "r", "d", "\xc3\x97"};
     return kSymbols[static_cast<std::size_t>(field)];
 }
 
@@ -118,10 +118,18 @@ std::optional<double> NumericEntry::value(EntryField field) const {
             return *typed;
         }
     }
+    if (field == EntryField::Radius && byDiameter()) {
+        const std::optional<double> diameter = value(EntryField::Diameter);
+        return diameter ? std::optional(0.5 * *diameter) : std::nullopt;
+    }
     return values_[static_cast<std::size_t>(field)];
 }
 
 std::string NumericEntry::expression(EntryField field) const {
+    if (field == EntryField::Radius && byDiameter()) {
+        const std::string diameter = expression(EntryField::Diameter);
+        return diameter.empty() ? diameter : "(" + diameter + ")/2";
+    }
     return open_ == field && !text_.empty() ? expressionIn(text_) : expressions_[static_cast<std::size_t>(field)];
 }
 
@@ -157,12 +165,21 @@ bool NumericEntry::isScalar() const {
     return fields_.size() == 1 && (fields_.front() == EntryField::Factor || fields_.front() == EntryField::Angle);
 }
 
-/// Returns the fields of the tool, then others that have a value or are open.
+/// Returns true if the radius is given by a diameter.
+bool NumericEntry::byDiameter() const {
+    return open_ == EntryField::Diameter || (open_ != EntryField::Radius && value(EntryField::Diameter));
+}
+
+/// Returns the fields of the tool, then others that have a value or are open. A diameter takes the place of the radius.
 std::vector<EntryField> NumericEntry::visible() const {
     std::vector<EntryField> result = fields_;
+    if (byDiameter()) {
+        std::replace(result.begin(), result.end(), EntryField::Radius, EntryField::Diameter);
+    }
     for (std::size_t i = 0; i < kEntryFields; ++i) {
         const auto field = static_cast<EntryField>(i);
-        if (!shows(field) && (values_[i] || open_ == field)) {
+        const bool listed = std::find(result.begin(), result.end(), field) != result.end();
+        if (!listed && !shows(field) && (values_[i] || open_ == field)) {
             result.push_back(field);
         }
     }
@@ -243,7 +260,7 @@ NumericEntry::Answer NumericEntry::key(const CanvasEvent &event) {
         return letter(EntryField::Y);
     case 'D':
         if (anchored()) {
-            return letter(shows(EntryField::Radius) ? EntryField::Radius : EntryField::Distance);
+            return letter(shows(EntryField::Radius) ? EntryField::Diameter : EntryField::Distance);
         }
         break;
     case 'Q':
@@ -294,6 +311,12 @@ bool NumericEntry::store() {
             fault_ = number.faults().front().message;
             return false;
         }
+        // The one typed last replaces the other.
+        if (*open_ == EntryField::Radius) {
+            forget(EntryField::Diameter);
+        } else if (*open_ == EntryField::Diameter) {
+            forget(EntryField::Radius);
+        }
         slot(*open_) = *number;
         expressions_[static_cast<std::size_t>(*open_)] = expressionIn(text_);
         text_.clear();
@@ -312,11 +335,12 @@ void NumericEntry::moveOn(bool back) {
 
 bool NumericEntry::determined() const {
     const auto has = [this](EntryField field) { return values_[static_cast<std::size_t>(field)].has_value(); };
-    if (fields_.size() == 1 && has(fields_.front())) {
+    if (fields_.size() == 1 && value(fields_.front())) {
         return true;
     }
     return (has(EntryField::X) && has(EntryField::Y)) || (has(EntryField::Width) && has(EntryField::Height)) ||
-           has(EntryField::Radius) || (has(EntryField::Distance) && (has(EntryField::Angle) || byDigit_));
+           has(EntryField::Radius) || has(EntryField::Diameter) ||
+           (has(EntryField::Distance) && (has(EntryField::Angle) || byDigit_));
 }
 
 NumericEntry::Answer NumericEntry::accept() {

@@ -27,11 +27,12 @@ struct TypedPair {
 std::optional<TypedPair> parsePair(std::string_view text, const NamedValues &names = {});
 
 /// A quantity that can be typed while drawing. Lengths in domain units, angles in degrees.
-enum class EntryField : std::uint8_t { X, Y, Distance, Angle, Width, Height, Radius, Factor };
-inline constexpr std::size_t kEntryFields = 8;
+enum class EntryField : std::uint8_t { X, Y, Distance, Angle, Width, Height, Radius, Diameter, Factor };
+inline constexpr std::size_t kEntryFields = 9;
 
 /// Handles numbers typed while drawing. A digit opens the first field that the tool shows, Tab and Shift+Tab move
-/// between fields, X, Y, D and Q open a field by its letter, and Enter accepts. Typed numbers take effect immediately,
+/// between fields, X, Y, D and Q open a field by its letter (D the diameter where a radius is asked for), and Enter
+/// accepts. Typed numbers take effect immediately,
 /// so that the drawing shows them before Enter. Two numbers ("3, 4" or "@1, 0") are a point. A number may be an
 /// expression of parameters, such as 2*r or, if it begins with X, Y, D or Q, =d/2. Where a tool shows a single factor
 /// or angle, only that number can be typed: pairs are invalid, and letters belong to its expression.
@@ -46,7 +47,8 @@ class NumericEntry {
     /// measure from. `names` are the parameters that expressions may use.
     Answer handle(const CanvasEvent &event, std::span<const EntryField> fields, const NamedValues &names = {});
 
-    /// Returns the value of a field, including the number being typed into it.
+    /// Returns the value of a field, including the number being typed into it; half the diameter for a radius that was
+    /// typed as such.
     std::optional<double> value(EntryField field) const;
     /// Returns the expression typed into a field; empty if there is none.
     std::string expression(EntryField field) const;
@@ -75,6 +77,7 @@ class NumericEntry {
     bool anchored() const { return fields_.empty() || fields_.front() != EntryField::X; }
     bool shows(EntryField field) const;
     bool isScalar() const;
+    bool byDiameter() const;
     std::vector<EntryField> visible() const;
     bool continuesExpression() const;
     void forget(EntryField field);

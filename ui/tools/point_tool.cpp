@@ -76,7 +76,7 @@ void RegionTool::drawOptions(Shell &context, ui::Flow &flow) {
     ui::tooltip(context, "Tag of the region to fill");
     flow.item("name");
     std::string name = regionName(document->regionNames, tag_);
-    if (ui::entry(context, "options/region/name", name, "name", 140.0F)) {
+    if (ui::entry(context, "options/region/name", name, "name", 140.0F, true)) {
         EditState::apply(context, setRegionName(*document, tag_, name), "Name region");
     }
     flow.item("new");

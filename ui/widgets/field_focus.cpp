@@ -3,10 +3,21 @@
 #include <algorithm>
 
 namespace forefront {
+namespace {
+
+constexpr int kMaxFrames = 8; ///< that a request waits for its field
+
+} // namespace
 
 void FieldFocus::tab(std::string_view name, bool back) {
     tabbed_ = name;
     back_ = back;
+}
+
+void FieldFocus::request(std::string_view name) {
+    wanted_ = name;
+    asked_ = false;
+    framesLeft_ = kMaxFrames;
 }
 
 void FieldFocus::gotFocus(std::string_view name) {
@@ -26,7 +37,6 @@ bool FieldFocus::inSight(std::string_view name) const {
 }
 
 void FieldFocus::endFrame() {
-    constexpr int kMaxFrames = 8;
     leaving_ = false;
     if (entry && !inSight(entry->name)) {
         entry.reset(); // its field is gone
@@ -50,9 +60,7 @@ void FieldFocus::endFrame() {
             group.push_back(field.name);
         }
     }
-    wanted_ = group[(at + (back_ ? group.size() - 1 : 1)) % group.size()];
-    asked_ = false;
-    framesLeft_ = kMaxFrames;
+    request(group[(at + (back_ ? group.size() - 1 : 1)) % group.size()]);
 }
 
 } // namespace forefront

@@ -27,6 +27,8 @@ class FieldFocus {
 
     /// Reports that Tab was pressed in the field `name`.
     void tab(std::string_view name, bool back);
+    /// Gives the field `name` the focus when it is drawn within the next frames, as when its dialog opens.
+    void request(std::string_view name);
     /// Returns true once, in the frame in which the field must take the focus.
     bool takes(std::string_view name);
     /// Reports that the field has the focus.
