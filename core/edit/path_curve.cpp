@@ -196,10 +196,10 @@ Curve cubicAlong(const Curve &arc) {
 }
 
 Curve arcThrough(Vec2 from, Vec2 middle, Vec2 to) {
-    constexpr double kStraight = 1e-9;
+    constexpr double kCollinear = 1e-9;
     const Vec2 p = middle - from, q = to - from;
     const double twice = 2.0 * cross(p, q);
-    if (!(std::fabs(twice) > kStraight * length(p) * length(q))) {
+    if (!(std::fabs(twice) > kCollinear * length(p) * length(q))) {
         return Curve::line(from, to);
     }
     const Vec2 offset = (1.0 / twice) * Vec2{q.y * lengthSquared(p) - p.y * lengthSquared(q),

@@ -31,20 +31,19 @@ UnchangedNumbers::UnchangedNumbers(const Document &before, const Document &next)
 }
 
 bool UnchangedNumbers::contains(std::string_view address) const {
-    using Owner = NumberAddress::Owner;
     const std::optional<NumberAddress> place = parseAddress(address);
     if (!place) {
         return false;
     }
     switch (place->owner) {
-    case Owner::Shape:
+    case NumberAddress::Owner::Shape:
         return !changedShapes_.contains(place->id);
-    case Owner::Source:
+    case NumberAddress::Owner::Source:
         return sameSources_;
-    case Owner::Region:
+    case NumberAddress::Owner::Region:
         return sameMarkers_;
-    case Owner::Part:
-    case Owner::Spacing:
+    case NumberAddress::Owner::Part:
+    case NumberAddress::Owner::Spacing:
         break;
     }
     const std::optional<double> now = readNumber(next_, *place);

@@ -24,14 +24,14 @@ UniformGrid::UniformGrid(const Box2 &bounds, int columns, int rows)
       lists_(static_cast<std::size_t>(layout_.columns) * static_cast<std::size_t>(layout_.rows)) {}
 
 UniformGrid UniformGrid::create(const GridRequest &request) {
-    constexpr double kMaxCells = 4e6;
+    constexpr double kMostCells = 4e6;
     const Box2 bounds = request.domain.bounds();
     const Vec2 size = bounds.size();
     const double elementArea = request.domain.area() / estimateElements(request.domain, request.spacing);
     const double meanSpacing = std::sqrt(elementArea * 4.0 / std::numbers::sqrt3);
-    const double cell = std::max(3.0 * meanSpacing, std::sqrt(size.x * size.y / kMaxCells));
+    const double cell = std::max(3.0 * meanSpacing, std::sqrt(size.x * size.y / kMostCells));
     const auto cellsAlong = [&](double extent, int given) {
-        return given > 0 ? given : static_cast<int>(std::clamp(std::ceil(extent / cell), 1.0, kMaxCells));
+        return given > 0 ? given : static_cast<int>(std::clamp(std::ceil(extent / cell), 1.0, kMostCells));
     };
     return {bounds, cellsAlong(size.x, request.columns), cellsAlong(size.y, request.rows)};
 }
