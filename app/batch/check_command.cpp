@@ -160,7 +160,8 @@ int check(CheckArguments &arguments) {
             return kRefused;
         }
         std::string wrong = checkWeld(arguments.weldTolerance, *domain, arguments.repair);
-        if (wrong.empty() && (domain->isProject() || !arguments.savedLimits)) { // else they are of that project
+        // If only --limits names a project, the parameters are those of that project.
+        if (wrong.empty() && (domain->isProject() || !arguments.savedLimits)) {
             wrong = setParameters(*domain, arguments.parameters);
         }
         if (!wrong.empty()) {

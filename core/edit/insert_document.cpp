@@ -64,7 +64,7 @@ Diagnostics notesOf(std::size_t droppedFormulas) {
     note.code = "dropped-formulas";
     note.message = std::to_string(droppedFormulas) +
                    (droppedFormulas == 1 ? " formula became a plain number" : " formulas became plain numbers") +
-                   "; with the parameters in use the document would have more than " + std::to_string(kMaxParameters);
+                   "; the document would need more than " + std::to_string(kMaxParameters) + " parameters";
     note.advice = "undo, remove parameters that are not used, and insert again";
     return {note};
 }

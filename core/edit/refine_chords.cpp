@@ -33,7 +33,7 @@ bool reallyMeet(const Domain &domain, const EdgeMeeting &meeting, double flat) {
     const auto isEnd = [](double t) { return std::min(t, 1.0 - t) <= kEnd; };
     const Curve first = curveOf(domain, meeting.first), second = curveOf(domain, meeting.second);
     const auto crossings = crossingsOf(first, second, flat);
-    // Curves that run along each other from end to end cross nowhere between.
+    // For curves that run along each other from end to end, only the ends are reported: look at a middle.
     const Vec2 middle = first.point(0.5);
     const bool same = distance(second.point(second.nearest(middle)), middle) <= flat;
     return same || std::any_of(crossings.begin(), crossings.end(), [&](const CurveCrossing &crossing) {

@@ -158,6 +158,21 @@ TEST_CASE("Judge: a mesh is read on another thread while the window answers, and
     CHECK_FALSE(used);
 }
 
+TEST_CASE("Judge: a mesh that was read does not replace a document that was opened meanwhile") {
+    JudgedSquare maker;
+    TemporaryFolder folder;
+    REQUIRE_FALSE(hasErrors(writeMesh(folder / "plate.msh", maker.mesh())));
+    Draughtsman driver;
+    openMesh(driver.context(), folder / "plate.msh");
+    driver.context().document.load({}, folder / "other.forefront");
+    driver.settle();
+    CHECK_FALSE(driver.context().task.busy());
+    CHECK_FALSE(driver.context().run.showsFile());
+    CHECK(driver.context().document.title() == "other.forefront");
+    CHECK(driver.context().log.entries().back().diagnostic.message ==
+          "plate.msh is not shown: another document was opened while it was read");
+}
+
 TEST_CASE("Judge: meshing the outline replaces the mesh of the file") {
     JudgedSquare maker;
     TemporaryFolder folder;

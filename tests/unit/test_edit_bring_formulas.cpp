@@ -156,7 +156,7 @@ TEST_CASE("insertDrawing: warns of formulas that become plain numbers because th
     CHECK(insertion.notes[0].code == "dropped-formulas");
     CHECK(insertion.notes[0].severity == Severity::Warning);
     CHECK(insertion.notes[0].message ==
-          "2 formulas became plain numbers; with the parameters in use the document would have more than 1000");
+          "2 formulas became plain numbers; the document would need more than 1000 parameters");
     insertDrawing({}, plate(), 1.0, &insertion);
     CHECK(insertion.notes.empty());
 }

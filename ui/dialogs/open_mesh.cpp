@@ -95,6 +95,9 @@ void askForMesh(Shell &context, std::string id, std::string title, std::string a
 /// Reads a mesh on another thread, on which `use` turns it into what to do on that of the window. Faults are logged.
 template <class Use>
 void readInBackground(Shell &context, const std::filesystem::path &file, Use use) {
+    if (context.task.busy()) {
+        context.log.announce("Cancelled " + context.task.name());
+    }
     context.task.start("reading " + file.filename().string(), [&context, file, use](const Progress &progress) {
         const auto refuse = [&context](Diagnostics faults) -> BackgroundTask::Finish {
             return [&context, faults = std::move(faults)] { context.log.add(faults); };
@@ -116,21 +119,28 @@ void readInBackground(Shell &context, const std::filesystem::path &file, Use use
 } // namespace
 
 void openMesh(Shell &context, const std::filesystem::path &file) {
-    readInBackground(
-        context, file,
-        [&context, file](MeshFields read, Diagnostics notes, const Progress &progress) -> BackgroundTask::Finish {
-            const auto opened = std::make_shared<OpenedMesh>();
-            const Result<Domain> outline = domainOfMesh(read.mesh, progress);
-            if (!outline) {
-                notes.insert(notes.end(), outline.faults().begin(), outline.faults().end());
-            }
-            opened->outline = std::make_shared<const Document>(outline ? fromDomain(*outline) : Document());
-            opened->mesh = fileMeshOf(std::move(read));
-            opened->notes = std::move(notes);
-            return [&context, file, opened] {
-                afterUnsaved(context, [file, opened](Shell &c) { show(c, *opened, file); });
-            };
-        });
+    const std::uint64_t loads = context.document.loads();
+    readInBackground(context, file,
+                     [&context, file, loads](MeshFields read, Diagnostics notes,
+                                             const Progress &progress) -> BackgroundTask::Finish {
+                         const auto opened = std::make_shared<OpenedMesh>();
+                         const Result<Domain> outline = domainOfMesh(read.mesh, progress);
+                         if (!outline) {
+                             notes.insert(notes.end(), outline.faults().begin(), outline.faults().end());
+                         }
+                         opened->outline =
+                             std::make_shared<const Document>(outline ? fromDomain(*outline) : Document());
+                         opened->mesh = fileMeshOf(std::move(read));
+                         opened->notes = std::move(notes);
+                         return [&context, file, opened, loads] {
+                             if (context.document.loads() != loads) {
+                                 context.log.announce(file.filename().string() +
+                                                      " is not shown: another document was opened while it was read");
+                                 return;
+                             }
+                             afterUnsaved(context, [file, opened](Shell &c) { show(c, *opened, file); });
+                         };
+                     });
 }
 
 void openMesh(Shell &context) {

@@ -49,7 +49,8 @@ void logEnd(Shell &context) {
 /// replace it.
 bool showsRounds(const Shell &context) {
     const std::shared_ptr<const MeshView> &mesh = context.run.now().mesh;
-    const bool follows = !context.run.showsFile() && (context.run.busy() || context.run.hasToFollow());
+    const bool follows =
+        !context.run.showsFile() && (context.run.busy() || context.run.hasNews() || context.run.hasToFollow());
     return mesh && mesh->version == context.adaptation.shown && !follows;
 }
 

@@ -60,7 +60,7 @@ void drawSpeed(Workspace &context, bool narrow) {
     }
 }
 
-std::string lowered(std::string text) {
+std::string startLowered(std::string text) {
     text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
     return text;
 }
@@ -95,7 +95,7 @@ TimeAxis drawScrubber(Workspace &context, float width, float height) {
     if (active && advance != run.advance) {
         context.run.seek(advance);
     } else if (!active) {
-        ui::tooltip(context, "Advance " + ui::count(advance) + (mark ? ": " + lowered(markName(mark->kind)) : ""));
+        ui::tooltip(context, "Advance " + ui::count(advance) + (mark ? ": " + startLowered(markName(mark->kind)) : ""));
     }
     return axis;
 }

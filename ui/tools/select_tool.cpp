@@ -365,8 +365,8 @@ bool SelectTool::key(const CanvasEvent &event, Shell &context) {
             mode_ = Mode::Idle;
             return true;
         }
-        // Esc cancels a running mesh first.
-        if (!context.selection.empty() && !context.run.busy()) {
+        // Esc first cancels what runs.
+        if (!context.selection.empty() && !context.actions.find("run.cancel")->enabled(context)) {
             context.selection.clear();
             return true;
         }

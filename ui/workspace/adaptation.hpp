@@ -82,7 +82,7 @@ class Adaptation {
 
     std::size_t selected = 0; ///< the round shown
     std::size_t followed = 0; ///< number of rounds that the window has taken notice of
-    std::uint64_t shown = 0;  ///< version of the mesh view that shows it; before, that of the view it replaces
+    std::uint64_t shown = 0;  ///< version of the mesh view with that round; until it is shown, of the view it replaces
     std::uint64_t loads = 0;  ///< DocumentStore::loads() of the document that the rounds belong to
 
   private:

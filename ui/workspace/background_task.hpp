@@ -24,7 +24,8 @@ class BackgroundTask {
 
     /// Starts a task; `name` says what it does, such as "reading plate.msh".
     void start(std::string name, Work work);
-    /// Drops the task and its result. Its thread ends by itself, and its memory is freed then.
+    /// Drops the task and its result. Its thread ends by itself, at the next point where it looks; its memory is freed
+    /// by a later refresh().
     void cancel();
     /// Fetches the newest progress. Called once per frame; returns true if it has changed.
     bool refresh();

@@ -24,8 +24,8 @@ ComparedMesh::ComparedMesh(std::string name, MeshFields read, std::uint64_t vers
 
 bool ComparedMesh::follow(JudgeRequest request) {
     request.mesh = view_;
-    if (request
-            .fieldValues) { // those of the canvas belong to its mesh; if the file has no such field, nothing is shown
+    // The values of the canvas belong to its mesh. If the file has no such field, nothing is shown.
+    if (request.fieldValues) {
         const std::vector<double> *const values = fields_ ? fields_->find(request.fieldPart, request.field) : nullptr;
         request.fieldValues = values ? std::shared_ptr<const std::vector<double>>(fields_, values) : nullptr;
         if (!values) {

@@ -137,15 +137,15 @@ MeshFields fieldsOfVtk(VtkGrid grid, Mesh mesh, const SourceText &source) {
         const bool named = std::find(kTagArrays.begin(), kTagArrays.end(), name) != kTagArrays.end();
         const bool tags =
             named && std::all_of(values.begin(), values.end(), [](double v) { return v == std::trunc(v); });
-        if (named && !tags) {
+        if (tags || !noteLength(name, values.size(), grid.types.size(), " cells")) {
+            continue;
+        }
+        if (named) {
             source.note("real-tags",
                         "the array " + inQuotes(name) +
                             " has the name of an array of tags, but its values are not whole numbers; they are read as "
                             "a field, and their whole parts as tags",
                         grid.offset);
-        }
-        if (tags || !noteLength(name, values.size(), grid.types.size(), " cells")) {
-            continue;
         }
         std::vector<double> &ofElements = read.elementFields[name];
         ofElements.reserve(read.mesh.elements.size());
