@@ -96,7 +96,7 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     addSpacingOptions(*spacing, arguments.size, arguments.expression);
     spacing
         ->add_option("--spacing-file", arguments.spacingFile,
-                     "use the spacing of a project or of a background mesh (.msh)")
+                     "use the spacing of a project, a background mesh (.msh) or a grid of sizes (.asc)")
         ->type_name("FILE");
     spacing->require_option(0, 1);
     app.add_option("--gradation", arguments.gradation, "maximum change of edge length per unit of distance")

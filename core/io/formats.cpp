@@ -1,4 +1,5 @@
 #include "core/io/abaqus/abaqus.hpp"
+#include "core/io/esri/esri_grid.hpp"
 #include "core/io/format.hpp"
 #include "core/io/geojson/geojson.hpp"
 #include "core/io/gmsh/gmsh.hpp"
@@ -90,6 +91,9 @@ constexpr std::array kFormats = {
            .readMesh = readObj,
            .writeMesh = writeObj,
            .noteChanges = noteObjChanges},
+    Format{.about = {"esri", "ESRI ASCII grid", ".asc", false, false, false},
+           .recognise = looksLikeEsriGrid,
+           .readSpacing = readEsriGrid},
 };
 
 std::string lowerExtension(const std::filesystem::path &path) {

@@ -216,6 +216,16 @@ class Meshing(Case):
         self.call("mesh", "plate.poly", "-o", "b.ele", "-o", "c.ele", "--format", "triangle")
         self.assertEqual(self.read("b.ele"), self.read("c.ele"))
 
+    def test_a_grid_of_sizes_is_a_spacing(self):
+        header = "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 2\n"
+        self.write("even.asc", header + "0.4 0.4\n0.4 0.4\n")
+        self.write("finer.asc", header + "0.4 0.4\n0.15 0.4\n")
+        even = self.stats("plate.poly", "--spacing-file", "even.asc")["elements"]
+        self.assertLess(1.2 * even, self.stats("plate.poly", "--spacing-file", "finer.asc")["elements"])
+        self.write("bad.asc", header + "0.1 0.1\n0 0.1\n")
+        fault = self.call("mesh", "plate.poly", "--spacing-file", "bad.asc", code=1).stderr
+        self.assertIn("bad.asc:7:1: error: expected a size above 0, got 0 [bad-values]", fault)
+
     def test_a_project_keeps_its_spacing_under_any_name(self):
         self.write("plate.json", PROJECT)
         expected = self.stats("plate.json")["hash"]

@@ -120,6 +120,9 @@ const char *const kLesson = "{\"format\":\"forefront-lesson\",\"version\":1,\"ti
                             "\"show\":4}},{\"title\":\"R\",\"text\":\"t\","
                             "\"question\":{\"text\":\"q\",\"number\":\"alpha\",\"within\":0.1}}]}";
 
+constexpr const char *kEsriGrid = "ncols 3\nnrows 2\nxllcorner 0\nyllcenter -1.5\ncellsize 2\nNODATA_value -9999\n"
+                                  "1 2 -9999\n0.5 0.25 1e-1\n";
+
 /// Returns kValues as they are in a binary file.
 std::string binaryValues() {
     std::string section = "$NodeData\n1\n\"size\"\n1\n0\n3\n0\n1\n4\n";
@@ -150,8 +153,8 @@ std::vector<std::string> handMade(std::string_view id) {
         return {text(writeMsh2) + kValues, text(writeMsh4) + kValues, text(writeMsh4Binary) + binaryValues()};
     }
     static const std::map<std::string_view, std::vector<std::string>> kTexts = {
-        {"geojson", {kGeoJson, kLines}}, {"poly", {kPoly}},     {"svg", {kSvg, kStyledSvg}},
-        {"triangle", {kTriangle}},       {"netgen", {kNetgen}}, {"vtu", {kVtuAscii}},
+        {"geojson", {kGeoJson, kLines}}, {"poly", {kPoly}},    {"svg", {kSvg, kStyledSvg}}, {"triangle", {kTriangle}},
+        {"netgen", {kNetgen}},           {"vtu", {kVtuAscii}}, {"esri", {kEsriGrid}},
     };
     const auto found = kTexts.find(id);
     return found != kTexts.end() ? found->second : std::vector<std::string>();

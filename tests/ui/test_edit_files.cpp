@@ -320,6 +320,32 @@ TEST_CASE("Import: a drawing is added to the current one, scaled by the chosen u
     CHECK(driver.undoLabel() == "Import drawing");
 }
 
+TEST_CASE("Import spacing: a grid of sizes becomes the spacing, in one undo step; a broken one is told in the dialog") {
+    const TemporaryFolder place;
+    const std::string header = "ncols 2\nnrows 2\nxllcorner 1\nyllcorner 1\ncellsize 4\n";
+    std::ofstream(place.path / "good.asc") << header << "1 1\n0.5 1\n";
+    std::ofstream(place.path / "bad.asc") << header << "1 1\n-5 1\n";
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 9});
+    const auto import = [&](const char *name) {
+        driver.context().actions.run("file.importSpacing", driver.context());
+        driver.frames(5);
+        typeName(driver, "importspacing", place.path / name);
+        driver.settle();
+    };
+    import("bad.asc");
+    CHECK(driver.context().dialogs.any());
+    CHECK(driver.document().spacing.automatic());
+    driver.context().dialogs.closeAll();
+    import("good.asc");
+    CHECK_FALSE(driver.context().dialogs.any());
+    CHECK(driver.undoLabel() == "Import spacing");
+    REQUIRE(driver.context().preview->spacing != nullptr);
+    CHECK(driver.context().preview->spacing->at({3, 3}) == doctest::Approx(0.5));
+    driver.key('Z', kControl);
+    CHECK(driver.document().spacing.automatic());
+}
+
 TEST_CASE("Import: the weld tolerance closes gaps of a map, and the dialog says what changed") {
     const TemporaryFolder place;
     const auto polygon = [](const char *name, const char *corners) {

@@ -233,7 +233,8 @@ void importSpacing(Shell &context) {
     request.id = "importspacing";
     request.title = "Import spacing";
     request.action = "Import";
-    request.filters = {{"Projects and meshes", {".forefront", ".json", ".msh"}, "spacing"}, {"All files", {}, "any"}};
+    request.filters = {{"Projects, meshes and grids", {".forefront", ".json", ".msh", ".asc"}, "spacing"},
+                       {"All files", {}, "any"}};
     request.folder = startFolder(context);
     request.chosen = [](Shell &c, const std::filesystem::path &file, const FileFilter &) -> Diagnostics {
         Result<SpacingSpec> spacing = readSpacing(file);

@@ -1,0 +1,102 @@
+#include "core/edit/document.hpp"
+#include "core/edit/shape_commands.hpp"
+#include "core/io/esri/esri_grid.hpp"
+#include "core/io/files.hpp"
+#include "core/io/project/project.hpp"
+#include "core/spacing/part_list.hpp"
+#include "core/spacing/spacing_field.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/unit/edit_support.hpp"
+#include "tests/unit/io_samples.hpp"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <string>
+
+using namespace forefront;
+using namespace forefront::testing;
+
+namespace {
+
+/// Three columns and two rows of cells of width 2 over (0, 0) to (6, 4); the upper right one has no value.
+const std::string kHeader = "NCOLS 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 2\nNODATA_value -9\n";
+const std::string kGrid = kHeader + "1 2 -9\n3 4 5\n";
+
+std::string faultIn(const std::string &text) {
+    const auto spacing = readEsriGrid(sourceOf(text));
+    REQUIRE_FALSE(spacing.ok());
+    CHECK(allLocated(spacing.faults()));
+    const Diagnostic &fault = spacing.faults().front();
+    return std::to_string(fault.line) + ':' + std::to_string(fault.column) + ' ' + fault.code + ": " + fault.message;
+}
+
+} // namespace
+
+TEST_CASE("ESRI grid: sizes hold at the centres of the cells, linear between, constant towards the edge") {
+    const auto spacing = readEsriGrid(sourceOf(kGrid));
+    REQUIRE_MESSAGE(spacing.ok(), messages(spacing.faults()));
+    const Document document = edit_test::documentOf({edit_test::makeShape(ShapeKind::Rectangle, {{0, 0}, {6, 4}})});
+    const auto field = SpacingField::build(*spacing, toDomain(document));
+    REQUIRE_MESSAGE(field.ok(), messages(field.faults()));
+    const auto at = [&](Vec2 p) { return (*field)->at(p); };
+    CHECK(at({1, 3}) == doctest::Approx(1)); // the first row is the highest
+    CHECK(at({1, 1}) == doctest::Approx(3));
+    CHECK(at({3, 1}) == doctest::Approx(4));
+    CHECK(at({2, 1}) == doctest::Approx(3.5));
+    CHECK(at({1, 2}) == doctest::Approx(2));
+    CHECK(at({0.25, 0.5}) == doctest::Approx(3));
+    CHECK(at({0, 4}) == doctest::Approx(1));
+    CHECK(spacing->background->nodes.size() == 16);
+    CHECK(spacing->background->elements.size() == 17);
+}
+
+TEST_CASE("ESRI grid: corners by the centre, other widths and heights, any line breaks") {
+    const std::string text = "nrows 2 ncols 2\nxllcenter 10.5 yllcenter 21\ndx 1 dy 2\n1 1 1\n2";
+    const auto spacing = readEsriGrid(sourceOf(text));
+    REQUIRE_MESSAGE(spacing.ok(), messages(spacing.faults()));
+    Box2 box;
+    for (const Vec2 node : spacing->background->nodes) {
+        box.add(node);
+    }
+    CHECK(box == Box2{{10, 20}, {12, 24}});
+    CHECK(looksLikeEsriGrid(text));
+    CHECK(looksLikeEsriGrid("\n ncols"));
+    CHECK_FALSE(looksLikeEsriGrid("xllcorner 0"));
+    CHECK_FALSE(looksLikeEsriGrid(" "));
+}
+
+TEST_CASE("ESRI grid: faults name the value, what was expected, and the place") {
+    CHECK(faultIn(kHeader + "1 2 3\n4 0 6\n") == "8:3 bad-values: expected a size above 0, got 0");
+    CHECK(faultIn(kHeader + "1 2 3\n4 x 6\n").starts_with("8:3 bad-number: "));
+    CHECK(faultIn(kHeader + "1 2 3\n4 5\n").starts_with("9:1 "));
+    CHECK(faultIn(kHeader + "1 2 3\n4 5 6\n7\n") == "9:1 bad-count: expected the end of the file after 6 values");
+    CHECK(faultIn("ncols 2\nncols 3\n") == "2:1 duplicate-field: duplicate ncols");
+    CHECK(faultIn("ncols 2.5\nnrows 2\n") == "1:1 bad-count: expected a whole number above 0 for ncols, got 2.5");
+    CHECK(faultIn("ncols 2\n1 2\n") == "1:1 missing-field: the grid has no nrows");
+    CHECK(faultIn("ncols 1\nnrows 1\nxllcorner 0\nyllcorner 0\n1") == "1:1 missing-field: the grid has no cellsize");
+    CHECK(faultIn("ncols 1\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 0\n1") ==
+          "1:1 bad-number: expected a cellsize above 0, got 0");
+    CHECK(faultIn("ncols 1\nnrows 1\nxllcorner 0\ncellsize 1\n1") == "1:1 missing-field: the grid has no yllcorner");
+    CHECK(faultIn(kHeader + "-9 -9 -9\n-9 -9 -9\n").starts_with("1:1 no-values: "));
+    CHECK(faultIn("ncols 1000\nnrows 1000\nxllcorner 0\nyllcorner 0\ncellsize 1\n1") ==
+          "1:1 too-large: the grid has 1000 x 1000 values; expected at most 250000");
+    CHECK(faultIn("ncols 400\nnrows 400\nxllcorner 0\nyllcorner 0\ncellsize 1\n1").find("bad-count") !=
+          std::string::npos);
+}
+
+TEST_CASE("ESRI grid: read by its name or content, kept in the project") {
+    const TemporaryFolder folder;
+    const auto file = folder / "sizes.asc";
+    std::ofstream(file) << kGrid;
+    const auto spacing = readSpacing(file);
+    REQUIRE_MESSAGE(spacing.ok(), messages(spacing.faults()));
+    Document document;
+    document.spacing = *spacing;
+    const Result<Document> read = parseProject(projectText(document), "test");
+    REQUIRE(read.ok());
+    CHECK(sameContent(read->spacing, document.spacing));
+    const auto domain = readDomain(file);
+    REQUIRE_FALSE(domain.ok());
+    CHECK(domain.faults().front().message == "ESRI ASCII grid cannot be read here");
+}
