@@ -320,7 +320,8 @@ TEST_CASE("Import: a drawing is added to the current one, scaled by the chosen u
     CHECK(driver.undoLabel() == "Import drawing");
 }
 
-TEST_CASE("Import spacing: a grid of sizes becomes the spacing, in one undo step; a broken one is told in the dialog") {
+TEST_CASE(
+    "Import spacing: a grid of sizes becomes the spacing, in one undo step; a broken file is reported in the dialog") {
     const TemporaryFolder place;
     const std::string header = "ncols 2\nnrows 2\nxllcorner 1\nyllcorner 1\ncellsize 4\n";
     std::ofstream(place.path / "good.asc") << header << "1 1\n0.5 1\n";

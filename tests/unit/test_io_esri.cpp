@@ -85,6 +85,17 @@ TEST_CASE("ESRI grid: faults name the value, what was expected, and the place") 
           std::string::npos);
 }
 
+TEST_CASE("ESRI grid: sizes of cells without neighbours are not used, and a note says so") {
+    ImportNotes notes;
+    SourceText source = sourceOf("ncols 5\nnrows 5\nxllcorner 0\nyllcorner 0\ncellsize 1\nnodata_value 0\n"
+                                 "1 1 0 0 0\n1 1 0 0 0\n0 0 0 0 0\n0 0 0 2 0\n0 0 0 0 0\n");
+    source.notes = &notes;
+    REQUIRE(readEsriGrid(source).ok());
+    REQUIRE(notes.diagnostics().size() == 1);
+    CHECK(notes.diagnostics()[0].code == "isolated-sizes");
+    CHECK(notes.diagnostics()[0].message.starts_with("1 cell has a size not used: "));
+}
+
 TEST_CASE("ESRI grid: read by its name or content, kept in the project") {
     const TemporaryFolder folder;
     const auto file = folder / "sizes.asc";

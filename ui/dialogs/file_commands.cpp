@@ -237,7 +237,8 @@ void importSpacing(Shell &context) {
                        {"All files", {}, "any"}};
     request.folder = startFolder(context);
     request.chosen = [](Shell &c, const std::filesystem::path &file, const FileFilter &) -> Diagnostics {
-        Result<SpacingSpec> spacing = readSpacing(file);
+        ImportNotes notes;
+        Result<SpacingSpec> spacing = readSpacing(file, {}, &notes);
         if (!spacing) {
             return spacing.faults();
         }
@@ -247,6 +248,7 @@ void importSpacing(Shell &context) {
         }
         c.document.apply(*std::move(next), "Import spacing");
         c.log.announce("Imported spacing from " + file.filename().string());
+        c.log.add(notes.diagnostics());
         return {};
     };
     context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));

@@ -37,7 +37,7 @@ std::optional<std::size_t> keyOf(std::string_view word) {
 
 class EsriReader {
   public:
-    explicit EsriReader(const SourceText &source) : scanner_(source) {}
+    explicit EsriReader(const SourceText &source) : source_(source), scanner_(source) {}
 
     Result<SpacingSpec> read() {
         if (!header() || !layOut() || !values()) {
@@ -46,9 +46,10 @@ class EsriReader {
         addNodes();
         addTriangles();
         if (mesh_->elements.empty()) {
-            scanner_.fail(0, "no-values", "the grid has no three neighbouring values; expected sizes, not only NODATA");
+            scanner_.fail(0, "no-values", "no three neighbouring cells have a size; expected at least three");
             return scanner_.faults();
         }
+        noteIsolated();
         SpacingSpec spec;
         spec.background = std::move(mesh_);
         return spec;
@@ -189,6 +190,30 @@ class EsriReader {
         }
     }
 
+    /// Reports cells with a size that no triangle uses, such as a strip one cell wide between cells without one.
+    void noteIsolated() {
+        std::vector<std::uint8_t> used(mesh_->nodes.size(), 0);
+        for (const auto &element : mesh_->elements) {
+            for (const std::uint32_t node : element) {
+                used[node] = 1;
+            }
+        }
+        std::size_t isolated = 0;
+        for (std::size_t j = 1; j <= rows_; ++j) {
+            for (std::size_t i = 1; i <= columns_; ++i) {
+                const std::uint32_t node = nodes_[j * (columns_ + 2) + i];
+                isolated += node != kNone && used[node] == 0 ? 1 : 0;
+            }
+        }
+        if (isolated > 0) {
+            source_.note("isolated-sizes",
+                         std::to_string(isolated) + (isolated == 1 ? " cell has a size" : " cells have sizes") +
+                             " not used: expected at least two neighbours with sizes, not all in one line",
+                         0);
+        }
+    }
+
+    const SourceText &source_;
     TextScanner scanner_;
     std::array<std::optional<double>, kKeys.size()> header_;
     std::size_t columns_ = 0, rows_ = 0;
