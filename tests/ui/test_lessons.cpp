@@ -1,9 +1,12 @@
 #include "tests/ui/edit_driver.hpp"
 #include "ui/lessons/lesson_player.hpp"
 #include "ui/platform/assets.hpp"
+#include "ui/workspace/follow_camera.hpp"
+#include "ui/workspace/moment.hpp"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -182,6 +185,26 @@ TEST_CASE("Lessons: pages set the scene again, whatever the learner did to it") 
     CHECK(learner.context().document.current()->shapes.size() == shapes);
     CHECK(learner.run().advance == 1);
     CHECK_FALSE(learner.context().document.dirty());
+}
+
+TEST_CASE("Lessons: a page can follow the current advance, and resizing the window does not end that") {
+    Learner learner;
+    learner.click("lessons/2-ten-steps");
+    learner.settle();
+    const std::vector<LessonPage> &pages = learner.open().entry.lesson->pages;
+    const auto page = std::find_if(pages.begin(), pages.end(), [](const LessonPage &p) { return p.camera.follow; });
+    REQUIRE(page != pages.end());
+    goToPage(learner.context(), static_cast<std::size_t>(page - pages.begin()));
+    learner.settle();
+    CHECK(learner.context().view.following);
+    const Moment moment = momentOf(learner.run());
+    REQUIRE(moment);
+    const Box2 seen = learner.context().view.camera.visible(), advance = boxOf(*moment.advance);
+    CHECK(seen.contains(advance.centre()));
+    CHECK(seen.size().x < boundsOf(*learner.context().document.current()).size().x);
+    learner.context().view.panels = false;
+    learner.settle();
+    CHECK(learner.context().view.following);
 }
 
 TEST_CASE("Lessons: a lesson of one's own is opened from its file, a broken one is refused with its place") {

@@ -376,7 +376,9 @@ void Editor::Parts::buildInterface() {
     }
     if (context.view.fitPending && frames >= 1) {
         context.view.fitPending = false;
+        const bool following = context.view.following; // from here on, as on a page of a lesson
         context.actions.run("view.fit", context);
+        context.view.following = following;
     }
     ui::markRect(context, "canvas", layout.canvas);
     shell::drawMenuBar(context, layout.menu);

@@ -27,7 +27,7 @@ bool View::resize(const PixelRect &viewport, const PixelRect &roomInIt) {
     camera.viewport = viewport;
     room = roomInIt;
     if (fitted) {
-        fit(*fitted);
+        camera.fit(*fitted, room);
     }
     return true;
 }
