@@ -223,7 +223,7 @@ class Meshing(Case):
         even = self.stats("plate.poly", "--spacing-file", "even.asc")["elements"]
         self.assertLess(1.2 * even, self.stats("plate.poly", "--spacing-file", "finer.asc")["elements"])
         self.write("bad.asc", header + "0.1 0.1\n0 0.1\n")
-        fault = self.call("mesh", "plate.poly", "--spacing-file", "bad.asc", code=1).stderr
+        fault = self.call("mesh", "plate.poly", "--spacing-file", "bad.asc", "--stats", "s.json", code=1).stderr
         self.assertIn("bad.asc:7:1: error: expected a size above 0, got 0 [bad-values]", fault)
 
     def test_a_project_keeps_its_spacing_under_any_name(self):
