@@ -314,6 +314,7 @@ class Validator {
     /// Reports nodes at which the boundary ends, each with the distance to the nearest other end.
     void addOpenEnds(const std::vector<std::uint32_t> &nodes) {
         std::vector<Vec2> places;
+        places.reserve(nodes.size());
         for (const std::uint32_t n : nodes) {
             places.push_back(domain_.nodes[n]);
         }

@@ -232,7 +232,8 @@ class Sweeper {
 
 } // namespace
 
-PlaneSweepResult sweepPlane(std::span<const Vec2> points, std::span<const PlaneEdge> edges, std::stop_token stop) {
+PlaneSweepResult sweepPlane(std::span<const Vec2> points, std::span<const PlaneEdge> edges,
+                            const std::stop_token &stop) {
     return Sweeper(points, edges).run(stop);
 }
 

@@ -37,6 +37,7 @@ struct PlaneSweepResult {
 /// intersection problems (1976). O((n + m) log(n + m)) for any input: an edge found to meet another one is dropped and
 /// the sweep continues. All points must be finite. Edges between equal points and repeated edges are dropped. After a
 /// stop request the result is meaningless.
-PlaneSweepResult sweepPlane(std::span<const Vec2> points, std::span<const PlaneEdge> edges, std::stop_token stop = {});
+PlaneSweepResult sweepPlane(std::span<const Vec2> points, std::span<const PlaneEdge> edges,
+                            const std::stop_token &stop = {});
 
 } // namespace forefront

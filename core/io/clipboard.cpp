@@ -52,8 +52,8 @@ class SvgText {
             break;
         case CurveKind::Arc: { // quarter turns at most: cubics are then within 3e-4 of the radius
             const double pieces = std::ceil(std::fabs(curve.numbers()[7]) / (0.5 * std::numbers::pi) - 1e-9);
-            for (double k = 0.0; k < pieces; ++k) {
-                cubic(cubicAlong(curve.part(k / pieces, (k + 1.0) / pieces)));
+            for (int k = 0; k < static_cast<int>(pieces); ++k) {
+                cubic(cubicAlong(curve.part(k / pieces, (k + 1) / pieces)));
             }
             break;
         }

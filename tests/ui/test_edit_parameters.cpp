@@ -146,18 +146,24 @@ TEST_CASE("Parameters: numbers typed on the canvas follow their expressions, and
     driver.clickPlace({2, 9.8});
     driver.key(key::kEnter);
     CHECK(driver.document().formulas.at("shape/4/x/0") == "1*r");
-    driver.key('L'); // the end of a line meets the line itself, which gets a node there that moves with it
-    driver.clickPlace({6, 7});
-    driver.clickPlace({9, 7});
-    driver.clickPlace({9, 9});
-    typed("6*r, 7");
+}
+
+TEST_CASE("Parameters: an end that meets its own path moves the node there with it") {
+    Draughtsman driver;
+    addParameter(driver, "w", "4");
+    driver.key('L');
+    driver.clickPlace({2, 2});
+    driver.clickPlace({8, 2});
+    driver.clickPlace({8, 6});
+    driver.type("=w, 2");
     driver.key(key::kEnter);
-    const std::uint32_t line = driver.document().shapes.back()->id;
-    REQUIRE(driver.document().shapes.back()->nodes.size() == 5);
-    driver.context().document.apply(*overrideParameters(driver.document(), {{"r", "1.3"}}), "Change parameter");
-    const std::vector<Vec2> &nodes = findShape(driver.document(), line)->nodes;
-    CHECK(nodes[1].x == doctest::Approx(7.8));
-    CHECK(nodes[4] == nodes[1]);
+    driver.key(key::kEnter);
+    REQUIRE(driver.document().shapes.size() == 1);
+    REQUIRE(driver.document().shapes[0]->nodes.size() == 5);
+    driver.context().document.apply(*overrideParameters(driver.document(), {{"w", "5"}}), "Change parameter");
+    const std::vector<Vec2> &nodes = driver.document().shapes[0]->nodes;
+    CHECK(nodes[1] == Vec2{5, 2});
+    CHECK(nodes[4] == Vec2{5, 2});
 }
 
 TEST_CASE("Parameters: renaming one keeps the formulas that use it") {
