@@ -200,8 +200,8 @@ void saveDocumentAs(Shell &context, std::function<void(Shell &)> then) {
     request.filters = {projects()};
     request.folder = startFolder(context);
     request.name = context.document.path().empty() ? "drawing.forefront" : context.document.path().filename().string();
-    request.chosen = [then](Shell &c, const std::filesystem::path &file, const FileFilter &) {
-        const Status faults = save(c, file);
+    request.chosen = [then = std::move(then)](Shell &c, const std::filesystem::path &file, const FileFilter &) {
+        Status faults = save(c, file);
         if (faults.empty() && then) {
             then(c);
         }

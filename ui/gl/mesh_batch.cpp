@@ -63,6 +63,7 @@ MeshBatch::MeshBatch() {
     for (unsigned corner = 0; corner < 3; ++corner) {
         glEnableVertexAttribArray(1 + corner);
         glVertexAttribPointer(1 + corner, 1, GL_FLOAT, GL_FALSE, sizeof(float),
+                              // OpenGL takes the offset as a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
                               reinterpret_cast<const void *>(corner * sizeof(float)));
     }
     glBindVertexArray(0);

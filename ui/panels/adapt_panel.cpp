@@ -48,6 +48,7 @@ class AdaptPanel final : public Panel {
         const auto known = std::find(names.begin() + 1, names.end(), field_);
         auto choice = static_cast<int>(known == names.end() ? 0 : known - names.begin());
         std::vector<const char *> labels;
+        labels.reserve(names.size());
         for (const std::string &name : names) {
             labels.push_back(name.c_str());
         }
