@@ -29,8 +29,8 @@ class Ruler {
         const RulerScale scale = scaleFor(low, high);
         const double first = std::ceil(low / scale.minor());
         constexpr double kMaxMarks = 1e4; // far from the origin a step can be lost in rounding
-        const double count = std::min(std::floor(high / scale.minor()) - first, kMaxMarks);
-        for (double k = 0.0; k <= count; k += 1.0) {
+        const auto count = static_cast<int>(std::min(std::floor(high / scale.minor()) - first, kMaxMarks));
+        for (int k = 0; k <= count; ++k) {
             const double step = first + k;
             if (std::fmod(step, scale.divisions) == 0.0) {
                 drawLabel(step / scale.divisions * scale.major, scale.major);
