@@ -49,7 +49,8 @@ struct LessonTask {
     std::vector<LessonCondition> until;
 };
 
-/// A question of a page. Answers are checked against the state of the run when they are given.
+/// A question of a page. Choices and numbers are about the run at the position of the page, tasks about the run as it
+/// is.
 struct LessonQuestion {
     std::string text;
     std::variant<LessonChoices, LessonNumber, LessonTask> answer;

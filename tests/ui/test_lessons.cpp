@@ -132,6 +132,37 @@ TEST_CASE("Lessons: every page of the eight lessons shows what it speaks of, and
     }
 }
 
+TEST_CASE("Lessons: a question is about the position of its page, wherever the run has moved since") {
+    Learner learner;
+    learner.click("lessons/4-rejections");
+    learner.settle();
+    learner.key(key::kPageDown);
+    learner.settle();
+    REQUIRE(valueOf(LessonValue::Rejected, learner.state()) == 2.0);
+    learner.key(key::kPeriod);
+    learner.settle();
+    REQUIRE(learner.run().advance == 11);
+    REQUIRE(valueOf(LessonValue::Rejected, learner.state()) == 0.0);
+    learner.answer(*learner.open().now().question, "2");
+    CHECK(valueOf(LessonValue::Advance, questionState(learner.context())) == 10.0);
+}
+
+TEST_CASE("Lessons: the explanation of a task stays about the state in which it was done") {
+    Learner learner;
+    learner.click("lessons/2-ten-steps");
+    learner.settle();
+    for (int page = 0; page < 3; ++page) {
+        learner.key(key::kPageDown);
+        learner.settle();
+    }
+    learner.answer(*learner.open().now().question, {});
+    learner.key(key::kPeriod);
+    learner.settle();
+    CHECK(learner.run().advance == 71);
+    CHECK(learner.has("lesson/right"));
+    CHECK(valueOf(LessonValue::Advance, questionState(learner.context())) == 70.0);
+}
+
 TEST_CASE("Lessons: a lesson opens again where it was left, and leaves layers and tab as they were") {
     const TemporaryFolder folder;
     const std::string id = "1-front";

@@ -14,6 +14,12 @@ namespace forefront {
 
 namespace {
 
+/// Returns true if two snapshots show the same moment of the same run.
+bool showSameMoment(const SessionSnapshot &a, const SessionSnapshot &b) {
+    return a.shownRun == b.shownRun && a.advance == b.advance && a.eventCursor == b.eventCursor &&
+           a.eventCount == b.eventCount;
+}
+
 /// Files beyond this size are no lessons.
 constexpr std::size_t kMaxBytes = std::size_t{4} << 20U;
 
@@ -78,6 +84,7 @@ void showPage(Shell &context) {
     open.picked.reset();
     open.typed.clear();
     open.settled = false;
+    open.asked.reset();
     context.view.candidate.reset();
     if (page.document) {
         showDocumentOf(context, open);
@@ -202,6 +209,12 @@ LessonState lessonState(const Shell &context) {
     return {run, chosenCandidate(context.view, run)};
 }
 
+LessonState questionState(const Shell &context) {
+    const std::shared_ptr<const SessionSnapshot> &asked = context.lessons.open->asked;
+    const LessonState now = lessonState(context);
+    return {asked ? *asked : now.run, now.chosen};
+}
+
 void answerChoice(Shell &context, std::size_t choice) {
     OpenLesson &open = *context.lessons.open;
     const auto &question = open.now().question;
@@ -210,7 +223,8 @@ void answerChoice(Shell &context, std::size_t choice) {
         return;
     }
     open.picked = choice;
-    open.reply = isRight(*choices, choice, lessonState(context)) ? OpenLesson::Reply::Right : OpenLesson::Reply::Wrong;
+    open.reply =
+        isRight(*choices, choice, questionState(context)) ? OpenLesson::Reply::Right : OpenLesson::Reply::Wrong;
     rememberProgress(context);
     context.animate();
 }
@@ -223,7 +237,7 @@ void answerNumber(Shell &context) {
         return;
     }
     const std::optional<double> typed = parseNumber(open.typed);
-    const bool right = typed && isRight(*number, *typed, lessonState(context));
+    const bool right = typed && isRight(*number, *typed, questionState(context));
     open.reply = right ? OpenLesson::Reply::Right : OpenLesson::Reply::Wrong;
     rememberProgress(context);
     context.animate();
@@ -245,8 +259,14 @@ void followLesson(Shell &context) {
     open.settled = open.settled || (!context.run.busy() && !context.run.hasNews());
     const auto &question = open.now().question;
     const auto *task = question ? std::get_if<LessonTask>(&question->answer) : nullptr;
+    const std::shared_ptr<const SessionSnapshot> &now = context.run.snapshot();
+    // A later snapshot of the same moment may hold more: the improved mesh, or candidates that were not copied before.
+    if (open.asked ? showSameMoment(*open.asked, *now) : open.settled && task == nullptr) {
+        open.asked = now;
+    }
     if (task != nullptr && open.settled && open.reply != OpenLesson::Reply::Right &&
         isDone(*task, lessonState(context))) {
+        open.asked = now;
         open.reply = OpenLesson::Reply::Right;
         rememberProgress(context);
         context.animate();

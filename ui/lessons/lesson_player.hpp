@@ -26,15 +26,18 @@ void closeLesson(Shell &context);
 /// Shows a page of the open lesson: its document, position, layers and camera.
 void goToPage(Shell &context, std::size_t page);
 
-/// Returns the state that the questions of the open lesson are about.
+/// Returns the state of the run as it is now, which the texts of the open lesson show and its tasks are about.
 LessonState lessonState(const Shell &context);
+/// Returns the state that the question of the page is about: that of the page's position, wherever the run has moved
+/// since. For a task, that in which it was done, and until then that of now.
+LessonState questionState(const Shell &context);
 /// Answers the question of the page by a choice.
 void answerChoice(Shell &context, std::size_t choice);
 /// Answers the question of the page by the number typed.
 void answerNumber(Shell &context);
 /// Moves the run to where the answer can be seen.
 void showAnswer(Shell &context);
-/// Checks whether the task of the page is done. Called once per frame.
+/// Notes the state that the question is about, and checks whether a task is done. Called once per frame.
 void followLesson(Shell &context);
 
 } // namespace forefront

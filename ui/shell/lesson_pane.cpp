@@ -82,7 +82,7 @@ void drawReply(Shell &context, const OpenLesson &open, const LessonQuestion &que
     ui::mark(context, right ? "lesson/right" : "lesson/wrong");
     const std::string &more = right ? question.why : question.hint;
     if (!more.empty()) {
-        ui::wrappedText(withValues(more, lessonState(context)));
+        ui::wrappedText(withValues(more, questionState(context)));
     }
 }
 
@@ -97,7 +97,7 @@ void drawChoices(Shell &context, const OpenLesson &open, const LessonChoices &ch
                                  : open.reply == Reply::Right ? icon::kCheck
                                                               : icon::kCross;
         if (textRow(context, "lesson/choice/" + std::to_string(k), mark.c_str(), colour,
-                    withValues(choices.list[k].text, lessonState(context)))) {
+                    withValues(choices.list[k].text, questionState(context)))) {
             chosen = k;
         }
         ui::tooltip(context, "Alt+" + std::to_string(k + 1));
@@ -121,7 +121,7 @@ void drawQuestion(Shell &context, OpenLesson &open) {
     const LessonQuestion &question = *open.now().question;
     ImGui::Dummy({0, context.px(2)});
     ui::heading(context, std::holds_alternative<LessonTask>(question.answer) ? "Try it" : "Question");
-    ui::wrappedText(withValues(question.text, lessonState(context)));
+    ui::wrappedText(withValues(question.text, questionState(context)));
     ui::mark(context, "lesson/question");
     if (const auto *choices = std::get_if<LessonChoices>(&question.answer)) {
         drawChoices(context, open, *choices);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/lesson/lesson.hpp"
+#include "core/session/snapshot.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -33,6 +34,8 @@ struct OpenLesson {
     bool settled = false;              ///< the run has reached the position of the page
     std::uint64_t revision = 0;        ///< of the document, when the page was shown
     std::shared_ptr<const Document> document;
+    /// The run that the question is about: at the position of the page, or where the task was done; null: not yet.
+    std::shared_ptr<const SessionSnapshot> asked;
     std::map<std::string, bool> layersBefore; ///< visible layers, restored at the end
     std::string tabBefore;
     bool panelsBefore = true;
