@@ -71,7 +71,8 @@ std::string plural(std::size_t count, const char *noun) {
     return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
 }
 
-/// Returns a text such as "3 candidates rejected: 2 cross the front, 1 too near".
+/// Returns a text such as "; 3 candidates rejected: 2 cross the front, 1 not left of AB". Points that are withdrawn
+/// before any test do not count as rejected.
 std::string rejections(const AdvanceExplanation &explanation) {
     struct Reason {
         Verdict verdict;
@@ -80,22 +81,29 @@ std::string rejections(const AdvanceExplanation &explanation) {
     };
     static constexpr Reason kReasons[] = {
         {Verdict::CrossesFront, "crosses the front", "cross the front"},
-        {Verdict::Withdrawn, "too near the front", "too near the front"},
         {Verdict::ContainsNode, "encloses a node", "enclose a node"},
         {Verdict::OutsideAngle, "leaves the unmeshed side", "leave the unmeshed side"},
         {Verdict::NotLeft, "not left of AB", "not left of AB"}};
+    const auto countOf = [&](Verdict verdict) {
+        return static_cast<std::size_t>(
+            std::count_if(explanation.candidates.begin(), explanation.candidates.end(),
+                          [verdict](const CandidateTrace &candidate) { return candidate.verdict == verdict; }));
+    };
     std::string list;
     std::size_t total = 0;
     for (const Reason &reason : kReasons) {
-        const auto count = static_cast<std::size_t>(
-            std::count_if(explanation.candidates.begin(), explanation.candidates.end(),
-                          [&](const CandidateTrace &candidate) { return candidate.verdict == reason.verdict; }));
+        const std::size_t count = countOf(reason.verdict);
         if (count > 0) {
             list += (list.empty() ? "" : ", ") + std::to_string(count) + ' ' + (count == 1 ? reason.one : reason.many);
             total += count;
         }
     }
-    return total == 0 ? "" : "; " + plural(total, "candidate") + " rejected: " + list;
+    std::string text = total == 0 ? "" : "; " + plural(total, "candidate") + " rejected: " + list;
+    const std::size_t withdrawn = countOf(Verdict::Withdrawn);
+    if (withdrawn > 0) {
+        text += "; " + plural(withdrawn, "new point") + " too near the front";
+    }
+    return text;
 }
 
 std::string outcome(const AdvanceExplanation &explanation) {

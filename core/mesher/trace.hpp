@@ -98,8 +98,8 @@ struct AdvanceExplanation {
     bool walked = false;                   ///< fast method: the base continues the walk along the front
 };
 
-/// Returns a moment as a caption: "Edge 41-42: ideal point accepted; 3 candidates rejected: 2 cross the front, 1 too
-/// near". `cursor` is an index into events; past the end, the caption sums up the advance.
+/// Returns a moment as a caption: "Edge 41-42: node 7 accepted (α 0.982); 2 candidates rejected: 2 cross the front; 1
+/// new point too near the front". `cursor` is an index into events; past the end, the caption sums up the advance.
 std::string caption(const AdvanceExplanation &explanation, std::size_t cursor);
 
 } // namespace forefront

@@ -224,6 +224,13 @@ TEST_CASE("Advance: explaining an advance predicts it and leaves the run unchang
             const auto accepted = std::count_if(explanation.candidates.begin(), explanation.candidates.end(),
                                                 [](const CandidateTrace &c) { return c.verdict == Verdict::Accepted; });
             REQUIRE(accepted == (explanation.deferred ? 0 : 1));
+            const auto rejected = std::count_if(
+                explanation.candidates.begin(), explanation.candidates.end(), [](const CandidateTrace &c) {
+                    return c.verdict != Verdict::NotTried && c.verdict != Verdict::Accepted &&
+                           c.verdict != Verdict::Withdrawn;
+                });
+            const std::string whole = caption(explanation, explanation.events.size());
+            REQUIRE((whole.find(std::to_string(rejected) + " candidate") != std::string::npos) == (rejected > 0));
             for (std::size_t cursor = 0; cursor <= explanation.events.size(); ++cursor) {
                 REQUIRE_FALSE(caption(explanation, cursor).empty());
             }
