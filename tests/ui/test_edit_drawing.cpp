@@ -269,6 +269,15 @@ TEST_CASE("Select: a second click on a shape selects one segment, which can have
     CHECK(driver.context().selection.shapes.size() == 1);
     driver.clickPlace({5, 1});
     CHECK(driver.context().selection.segments == std::set<SegmentRef>{{1, 0}});
+    const auto shiftClick = [&](Vec2 place) {
+        driver.drag(driver.pixel(place), driver.pixel(place), 1, {Modifiers::kShift});
+        driver.frames(30);
+    };
+    shiftClick({9, 4}); // adds another segment of the shape, not the shape
+    CHECK(driver.context().selection.segments == std::set<SegmentRef>{{1, 0}, {1, 1}});
+    CHECK(driver.context().selection.shapes.empty());
+    shiftClick({9, 4});
+    CHECK(driver.context().selection.segments == std::set<SegmentRef>{{1, 0}});
     driver.click("panel/layers");
     driver.click("inspector/tag");
     driver.key('A', {Modifiers::kControl});

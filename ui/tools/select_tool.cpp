@@ -143,6 +143,12 @@ void SelectTool::select(const Hit &hit, bool adds, Selection &selection) const {
         choose(selection.markers, hit.marker, adds);
         break;
     case Hit::Kind::Segment:
+        if (adds && !selection.segments.empty() && selection.shapes.empty()) {
+            choose(selection.segments, hit.segment->ref, true); // beside segments, another segment is meant
+        } else {
+            choose(selection.shapes, hit.shape, adds);
+        }
+        break;
     case Hit::Kind::Inside:
         choose(selection.shapes, hit.shape, adds);
         break;
