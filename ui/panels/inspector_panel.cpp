@@ -79,8 +79,9 @@ void partSizeRow(Shell &context, std::int32_t tag) {
     form::label(context, "Size, growth");
     bool changed =
         form::optionalField(context, "inspector/partsize", size, "auto", form::halfWidth(context), address + "size");
-    ui::rowTooltip(context, "Element size along this boundary part, and its growth per unit of distance. Leave empty "
-                            "for no size of its own.");
+    ui::rowTooltip(context,
+                   "Largest element size along this boundary part, and its growth per unit of distance. Leave empty "
+                   "for no size of its own.");
     ImGui::SameLine(0, context.px(6));
     ImGui::BeginDisabled(!size); // growth has no meaning without a size
     changed = ui::inputNumber(context, "inspector/partgrowth", growth, -1.0F, address + "growth") || changed;
