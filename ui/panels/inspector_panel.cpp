@@ -154,8 +154,8 @@ form::PairAddress pairAddress(const Shape &shape, const char *first, const char 
 
 void InspectorPanel::drawGeometry(Shell &context, const Shape &shape) const {
     const Document &document = *context.document.current();
-    const auto put = [&](Shape next, const char *label) {
-        EditState::apply(context, replaceShape(document, std::move(next)), label);
+    const auto put = [&](const Shape &next, const char *label) {
+        EditState::apply(context, replaceShape(document, next), label);
     };
     Shape next = shape;
     if (shape.kind == ShapeKind::Rectangle) {
@@ -163,16 +163,16 @@ void InspectorPanel::drawGeometry(Shell &context, const Shape &shape) const {
         Vec2 corner = box.min, size = box.size();
         if (form::pair(context, "inspector/corner", "Corner", corner, pairAddress(shape, "left", "bottom"))) {
             next.nodes = {corner, corner + size};
-            put(std::move(next), "Move rectangle");
+            put(next, "Move rectangle");
         }
         if (form::pair(context, "inspector/size", "Size", size, pairAddress(shape, "width", "height"))) {
             next.nodes = {corner, corner + size};
-            put(std::move(next), "Resize rectangle");
+            put(next, "Resize rectangle");
         }
         double radius = shape.radius;
         if (form::number(context, "inspector/cornerradius", "Corner radius", radius, addressOf(shape, "radius"))) {
             next.radius = radius;
-            put(std::move(next), "Round corners");
+            put(next, "Round corners");
         }
     } else if (shape.kind == ShapeKind::Circle) {
         Vec2 centre = shape.nodes[0];
