@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 #include <memory>
 #include <new>
 #include <set>
@@ -111,103 +110,6 @@ TEST_CASE("Judge: an invalid mesh is shown with its faults, and a file that hold
     driver.settle();
     CHECK(driver.logHas("cannot-read"));
     CHECK(driver.context().document.title() == "turned.msh");
-}
-
-TEST_CASE("Judge: a mesh is read on another thread while the window answers, and Esc drops it") {
-    JudgedSquare maker;
-    TemporaryFolder folder;
-    REQUIRE_FALSE(hasErrors(writeMesh(folder / "plate.msh", maker.mesh())));
-    Draughtsman driver;
-    openMesh(driver.context(), folder / "plate.msh");
-    CHECK(driver.context().task.busy()); // its result is used in the next frame at the earliest
-    CHECK_FALSE(driver.context().run.showsFile());
-    CHECK(driver.context().task.name() == "reading plate.msh");
-    driver.context().actions.run("run.cancel", driver.context()); // as Esc does
-    driver.settle();
-    CHECK_FALSE(driver.context().task.busy());
-    CHECK_FALSE(driver.context().run.showsFile());
-
-    std::promise<void> begun, released;
-    std::shared_future<void> release = released.get_future().share();
-    bool used = false;
-    driver.context().task.start("waiting", [&begun, release, &used](const Progress &progress) {
-        progress("half of it", 0.5);
-        begun.set_value();
-        release.wait();
-        return [&used] { used = true; };
-    });
-    begun.get_future().wait();
-    driver.frames(2);
-    CHECK(driver.has("canvas/task"));
-    CHECK(driver.context().task.name() == "half of it");
-    CHECK(driver.context().task.fraction() == 0.5);
-    driver.key(key::kEscape); // does not wait for the task
-    CHECK_FALSE(driver.context().task.busy());
-    driver.settle();
-    CHECK_FALSE(driver.has("canvas/task"));
-    released.set_value();
-    driver.press(driver.pixel({5, 5}));
-    openMesh(driver.context(), folder / "plate.msh");
-    driver.settle();
-    CHECK(driver.context().task.ready()); // waits for the end of the gesture
-    CHECK_FALSE(driver.context().run.showsFile());
-    driver.release(driver.pixel({5, 5}));
-    driver.settle();
-    CHECK(driver.context().run.showsFile());
-    CHECK_FALSE(driver.context().task.busy());
-    CHECK_FALSE(used);
-}
-
-TEST_CASE("Judge: a mesh that was read does not replace a document that was opened meanwhile") {
-    JudgedSquare maker;
-    TemporaryFolder folder;
-    REQUIRE_FALSE(hasErrors(writeMesh(folder / "plate.msh", maker.mesh())));
-    Draughtsman driver;
-    openMesh(driver.context(), folder / "plate.msh");
-    driver.context().document.load({}, folder / "other.forefront");
-    driver.settle();
-    CHECK_FALSE(driver.context().task.busy());
-    CHECK_FALSE(driver.context().run.showsFile());
-    CHECK(driver.context().document.title() == "other.forefront");
-    CHECK(driver.context().log.entries().back().diagnostic.message ==
-          "plate.msh is not shown: another document was opened while it was read");
-}
-
-TEST_CASE("Judge: meshing the outline replaces the mesh of the file") {
-    JudgedSquare maker;
-    TemporaryFolder folder;
-    REQUIRE_FALSE(hasErrors(writeMesh(folder / "plate.msh", maker.mesh())));
-    Draughtsman driver;
-    openMesh(driver.context(), folder / "plate.msh");
-    driver.settle();
-    REQUIRE(driver.context().run.showsFile());
-    driver.key('W'); // a click of the trace tool must not discard it
-    driver.clickPlace({4, 4});
-    driver.settle();
-    REQUIRE(driver.context().run.showsFile());
-    driver.key(key::kF5);
-    driver.settle();
-    CHECK_FALSE(driver.context().run.showsFile());
-    CHECK(driver.run().quality.elements > 0);
-    CHECK(driver.run().known > 0);
-}
-
-TEST_CASE("Judge: keys that step through a run leave an opened mesh unchanged and say so") {
-    JudgedSquare maker;
-    TemporaryFolder folder;
-    REQUIRE_FALSE(hasErrors(writeMesh(folder / "plate.msh", maker.mesh())));
-    Draughtsman driver;
-    openMesh(driver.context(), folder / "plate.msh");
-    driver.settle();
-    for (const int key : {key::kPeriod, key::kComma, key::kSpace, key::kHome, key::kEnd}) {
-        CAPTURE(key);
-        driver.key(key);
-        driver.settle();
-        CHECK(driver.context().run.showsFile());
-    }
-    const auto &log = driver.context().log.entries();
-    REQUIRE_FALSE(log.empty());
-    CHECK(log.back().diagnostic.message.find("no run to step through") != std::string::npos);
 }
 
 TEST_CASE("Judge: too little memory to evaluate a mesh gives a fault") {

@@ -23,7 +23,7 @@ enum Key : std::uint8_t { Columns, Rows, CornerX, CornerY, CentreX, CentreY, Cel
 constexpr std::array<const char *, 10> kKeys{"ncols",     "nrows",    "xllcorner", "yllcorner", "xllcenter",
                                              "yllcenter", "cellsize", "dx",        "dy",        "nodata_value"};
 
-/// Returns the index of a key of the header, whatever its case.
+/// Returns the index of a key of the header, in upper or lower case.
 std::optional<std::size_t> keyOf(std::string_view word) {
     const auto equal = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };
     for (std::size_t k = 0; k < kKeys.size(); ++k) {
@@ -121,7 +121,7 @@ class EsriReader {
     }
 
     bool values() {
-        constexpr std::size_t kBytes = 2; // of a value and the blank after it
+        constexpr std::size_t kBytes = 2; // of the shortest value with a blank
         if (columns_ * rows_ > scanner_.remaining() / kBytes + 1) {
             return scanner_.fail(scanner_.offset(), "bad-count",
                                  "the file ends before the last of its " + std::to_string(columns_ * rows_) +
