@@ -1,5 +1,6 @@
 #include "ui/tools/numeric_entry.hpp"
 
+#include "core/base/number_text.hpp"
 #include "core/base/result.hpp"
 #include "core/spacing/parts/expression/expression.hpp"
 #include "ui/widgets/number_text.hpp"
@@ -128,6 +129,9 @@ std::optional<double> NumericEntry::value(EntryField field) const {
 std::string NumericEntry::expression(EntryField field) const {
     if (field == EntryField::Radius && byDiameter()) {
         const std::string diameter = expression(EntryField::Diameter);
+        if (const std::optional<double> number = parseNumber(diameter)) {
+            return exactText(0.5 * *number);
+        }
         return diameter.empty() ? diameter : "(" + diameter + ")/2";
     }
     return open_ == field && !text_.empty() ? expressionIn(text_) : expressions_[static_cast<std::size_t>(field)];
