@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
+#include <utility>
 
 namespace forefront::test {
 
@@ -29,6 +31,7 @@ class HeavySquare : public Draughtsman {
         moveTo({5, 5});
         context().animate();
         settle();
+        context().drawSeconds = 0.0; // one piece a frame, however quick the machine
     }
     /// Moves the camera before each frame and returns how often the still parts were redrawn.
     template <class Move>
@@ -40,6 +43,30 @@ class HeavySquare : public Draughtsman {
             frames(1);
         }
         return editor().stillDraws() - before;
+    }
+    /// Counts the frames until a new picture is complete, 200 at most.
+    int framesUntilDrawn() {
+        const std::uint64_t before = editor().stillDraws();
+        int count = 0;
+        for (; editor().stillDraws() == before && count < 200; ++count) {
+            context().animate();
+            frames(1);
+        }
+        return count;
+    }
+    /// Shows a part of the mesh, moved to the right, as if it had been read from a file.
+    void showPart(std::size_t elements, double moved = 0.0) {
+        MeshFields part{run().mesh->mesh, {}, {}};
+        part.mesh.elements.resize(elements);
+        for (Vec2 &node : part.mesh.nodes) {
+            node.x += moved;
+        }
+        context().run.showFile(fileMeshOf(std::move(part)));
+    }
+    int redAt(const Picture &picture, Vec2 place) {
+        const Pixel p = pixel(place);
+        return picture.rgba[4 * (static_cast<std::size_t>(p.y) * static_cast<std::size_t>(picture.size.width) +
+                                 static_cast<std::size_t>(p.x))];
     }
 };
 
@@ -67,18 +94,8 @@ TEST_CASE("Canvas: a large mesh at rest is drawn over several frames, and a move
         driver.context().view.camera.pan({3.0, 2.0});
         driver.context().animate();
     };
-    /// Counts the frames until a new picture is complete.
-    const auto framesUntilDrawn = [&] {
-        const std::uint64_t before = driver.editor().stillDraws();
-        int count = 0;
-        for (; driver.editor().stillDraws() == before && count < 200; ++count) {
-            driver.context().animate();
-            driver.frames(1);
-        }
-        return count;
-    };
     pan();
-    const int all = framesUntilDrawn();
+    const int all = driver.framesUntilDrawn();
     constexpr int kRestFrames = 8; // 0.12 s at 60 frames per second
     CHECK(all > kRestFrames + 1);  // more than one frame after that
     CHECK(all < 20);
@@ -88,9 +105,74 @@ TEST_CASE("Canvas: a large mesh at rest is drawn over several frames, and a move
     CHECK(driver.editor().stillDraws() == before);
     CHECK_FALSE(driver.editor().settled());
     pan();
-    CHECK(framesUntilDrawn() == all); // from the start
+    CHECK(driver.framesUntilDrawn() == all); // from the start
     driver.settle();
-    CHECK(framesUntilDrawn() == 200); // sharp
+    CHECK(driver.framesUntilDrawn() == 200); // sharp
+}
+
+TEST_CASE("Canvas: the first picture of a large mesh is drawn over several frames, behind the last one") {
+    HeavySquare driver;
+    const auto before = driver.picture();
+    driver.showPart(34'000);
+    driver.frames(1);
+    CHECK(driver.picture().differences(before, driver.canvas()) < 1000); // what is drawn over the mesh
+    CHECK(driver.framesUntilDrawn() >= 3);                               // 8192 elements each
+    CHECK(driver.picture().differences(before, driver.canvas()) > 10'000);
+    driver.settle();
+    const auto sliced = driver.picture();
+    driver.context().drawSeconds = 1e9;
+    driver.context().view.camera.zoom *= 20.0;
+    driver.settle();
+    driver.context().view.camera.zoom /= 20.0;
+    driver.settle();
+    CHECK(driver.picture().differences(sliced, driver.canvas()) == 0);
+}
+
+TEST_CASE("Canvas: while the mesh of another document is drawn, the one before is not shown") {
+    HeavySquare driver;
+    const int outside = driver.redAt(driver.picture(), {0.5, 4}), inside = driver.redAt(driver.picture(), {2, 4});
+    REQUIRE(std::abs(inside - outside) > 2);
+    const Camera here = driver.context().view.camera;
+    driver.context().document.load({}, {});
+    driver.context().view.camera = here;
+    driver.showPart(34'000, 2.0);
+    driver.frames(2);
+    REQUIRE_FALSE(driver.editor().settled());
+    CHECK(std::abs(driver.redAt(driver.picture(), {2, 4}) - inside) > 2);
+    CHECK(driver.framesUntilDrawn() >= 2);
+}
+
+TEST_CASE("Canvas: the next snapshot of a run waits until the picture of a large mesh is complete") {
+    HeavySquare driver;
+    const std::uint64_t end = driver.run().known;
+    const auto seek = [&](std::uint64_t advance) {
+        driver.context().run.seek(advance);
+        while (driver.context().run.busy()) {
+        }
+    };
+    seek(end - 1);
+    driver.until([&] { return driver.run().advance == end - 1; });
+    seek(end - 100);
+    const int all = driver.framesUntilDrawn();
+    CHECK(all >= 4);
+    CHECK(driver.run().advance == end - 1);
+    driver.until([&] { return driver.run().advance == end - 100; });
+    driver.settle();
+    CHECK(driver.run().advance == end - 100);
+}
+
+TEST_CASE("Canvas: the picture of a large mesh is completed while something light changes in every frame") {
+    HeavySquare driver;
+    const std::uint64_t before = driver.editor().stillDraws();
+    for (int k = 0; k < 60; ++k) {
+        Document moved = driver.document();
+        auto shape = std::make_shared<Shape>(*moved.shapes.front());
+        shape->nodes.front().x += 0.01;
+        moved.shapes.front() = shape;
+        driver.context().document.apply(std::move(moved), "Move");
+        driver.frames(1);
+    }
+    CHECK(driver.editor().stillDraws() >= before + 3);
 }
 
 TEST_CASE("Canvas: the moved picture of a large mesh is where the mesh is") {

@@ -1,5 +1,6 @@
 #include "core/mesh/quality.hpp"
 #include "ui/gl/domain_mask.hpp"
+#include "ui/gl/draw_pace.hpp"
 #include "ui/gl/gl_kit.hpp"
 #include "ui/gl/mesh_batch.hpp"
 #include "ui/platform/egl_platform.hpp"
@@ -7,8 +8,10 @@
 #include <doctest/doctest.h>
 #include <glad/gl.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <vector>
 
 namespace forefront::test {
 
@@ -134,16 +137,129 @@ TEST_CASE("MeshBatch: a mesh whose nodes have moved is uploaded again") {
 
 TEST_CASE("MeshBatch: elements already on the GPU are not uploaded again") {
     Stage stage;
+    stage.camera.fit({{0, 0}, {20, 20}}, stage.camera.viewport);
     MeshBatch batch;
+    const auto show = [&](const std::shared_ptr<MeshView> &view) {
+        batch.update(view, false);
+        draw(stage, batch);
+        return batch.sent();
+    };
     const auto whole = lattice(20, 800, 1);
-    batch.update(whole, false);
-    CHECK(batch.sent() == 800);
-    batch.update(whole, false);
-    CHECK(batch.sent() == 800);
-    batch.update(lattice(20, 250, 2), false); // back
-    CHECK(batch.sent() == 800);
-    batch.update(lattice(20, 640, 3), false); // forward
-    CHECK(batch.sent() == 800 + 390);
+    CHECK(show(whole) == 800);
+    CHECK(show(whole) == 800);
+    CHECK(show(lattice(20, 250, 2)) == 800);       // back
+    CHECK(show(lattice(20, 640, 3)) == 800 + 390); // forward
+}
+
+TEST_CASE("MeshBatch: a slice uploads no more than it draws, and chunks out of view are never uploaded") {
+    Stage stage;
+    const auto view = lattice(120, 28'800, 1);
+    stage.camera.fit(view->mesh.bounds(), stage.camera.viewport);
+    for (const bool atRest : {false, true}) {
+        CAPTURE(atRest);
+        MeshBatch batch;
+        batch.update(view, atRest);
+        CHECK(batch.sent() == 0);
+        DrawSlice slice{.elements = 9000};
+        draw(stage, batch, 0.0, &slice);
+        CHECK(batch.sent() == 8192);
+        CHECK(slice.done == 8192);
+        draw(stage, batch);
+        CHECK(batch.sent() == 28'800);
+    }
+    MeshBatch near;
+    near.update(view, true);
+    stage.camera.zoomAt({147, 131}, 30.0);
+    draw(stage, near);
+    CHECK(near.sent() < 28'800 / 2);
+}
+
+TEST_CASE("MeshBatch: a large mesh is sorted on another thread, while slices draw nothing") {
+    Stage stage;
+    const auto view = lattice(400, 320'000, 1);
+    stage.camera.fit(view->mesh.bounds(), stage.camera.viewport);
+    MeshBatch batch;
+    batch.update(view, true);
+    std::size_t drawn = 0;
+    DrawSlice slice;
+    do {
+        slice = {.elements = 1'000'000};
+        draw(stage, batch, 0.0, &slice);
+        CHECK((slice.waits ? slice.more && slice.done == 0 : slice.done == 320'000));
+        drawn += slice.done;
+    } while (slice.waits);
+    CHECK(drawn == 320'000);
+    CHECK(batch.bytes() < 42 * view->mesh.elements.size());
+    MeshBatch other;
+    other.update(view, true);
+    CHECK(draw(stage, other) == draw(stage, batch)); // without a slice, it waits
+}
+
+TEST_CASE("MeshBatch: pages of a mesh that grows beyond them draw the same as a new mesh") {
+    Stage stage;
+    stage.camera.fit({{0, 0}, {400, 400}}, stage.camera.viewport);
+    MeshBatch grown;
+    for (const std::size_t count : {100'000U, 150'000U, 262'000U, 263'000U, 320'000U}) {
+        CAPTURE(count);
+        grown.update(lattice(400, count, count), false);
+        MeshBatch anew;
+        anew.update(lattice(400, count, 1), false);
+        CHECK(draw(stage, grown) == draw(stage, anew));
+    }
+    const std::size_t all = grown.bytes();
+    grown.update(nullptr, false);
+    CHECK(grown.bytes() < all / 100);
+}
+
+TEST_CASE("Mesh order: holds each element once, and each chunk lies in its box") {
+    const auto view = lattice(150, 45'000, 1);
+    const MeshOrder order = orderByPlace(view->mesh);
+    REQUIRE(order.elements.size() == 45'000);
+    REQUIRE(order.boxes.size() == 11);
+    std::vector<bool> seen(45'000);
+    double area = 0.0;
+    for (std::size_t i = 0; i < order.elements.size(); ++i) {
+        seen[order.elements[i]] = true;
+        for (const NodeId node : view->mesh.elements[order.elements[i]]) {
+            REQUIRE(order.boxes[i / kMeshChunk].contains(view->mesh.nodes[index(node)]));
+        }
+    }
+    CHECK(std::count(seen.begin(), seen.end(), true) == 45'000);
+    for (const Box2 &box : order.boxes) {
+        area += box.size().x * box.size().y;
+    }
+    CHECK(area < 3.0 * 150.0 * 150.0); // the boxes overlap little
+}
+
+TEST_CASE("Draw pace: pieces follow the time that drawing takes, and begin small") {
+    constexpr double kFrame = 0.03;
+    DrawPace pace;
+    const std::size_t first = pace.next(kFrame);
+    CHECK(first <= 10'000);
+    const auto drawAt = [&pace](double rate) { // elements per second
+        const std::size_t piece = pace.next(kFrame);
+        pace.record(piece, static_cast<double>(piece) / rate);
+        return piece;
+    };
+    std::size_t last = 0;
+    for (int k = 0; k < 10; ++k) {
+        last = drawAt(3e6);
+    }
+    CHECK(last > 25'000);
+    CHECK(last < 35'000); // a hundredth of a second
+    drawAt(1e9);
+    CHECK(drawAt(1e9) <= 4 * last + 4);
+    for (int k = 0; k < 10; ++k) {
+        last = drawAt(1e9);
+    }
+    CHECK(last > 5'000'000);
+    drawAt(1e6);
+    CHECK(drawAt(1e6) == 10'000);
+    CHECK(pace.next(0.0) == first);
+    pace.record(10, 1.0); // too few to tell
+    CHECK(pace.next(kFrame) == 10'000);
+    pace.restart();
+    CHECK(pace.next(kFrame) == first);
 }
 
 TEST_CASE("MeshBatch: edges too dense to be distinguished fade to the opacity of the style") {

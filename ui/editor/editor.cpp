@@ -52,7 +52,8 @@ struct Editor::Parts {
     SnapshotPace pace;
     double lastEnd = 0.0;          ///< steady time when the last frame ended
     double previewTaken = 0.0;     ///< steady time when a preview or raster was last taken
-    bool drewNews = false;         ///< this frame draws a new snapshot
+    bool drewNews = false;         ///< this frame draws a new snapshot, or a part of it
+    double newsSeconds = 0.0;      ///< that drawing the new snapshot has taken
     bool showedCancelling = false; ///< a frame that shows the cancelling has been presented
     bool drewBusy = false;         ///< the last frame showed a run as busy
     bool reportedBusy = false;     ///< the state file says that the editor has not settled
@@ -96,6 +97,9 @@ CursorShape cursorOf(ImGuiMouseCursor cursor) {
 bool Editor::Parts::newsDue() const {
     if (context.run.cancelling() && !showedCancelling) {
         return false; // show the cancelling first: drawing the new snapshot may take long
+    }
+    if (canvas.drawsNews()) {
+        return false; // complete the picture of the last snapshot first
     }
     const RunState state = context.run.now().state;
     return pace.due(steadySeconds(), state == RunState::Running || state == RunState::Improving);
@@ -277,7 +281,7 @@ void Editor::Parts::takeResults(bool cancels) {
     if (newsDue() && !cancels) {
         context.run.refresh();
     }
-    drewNews = before != context.run.snapshot();
+    drewNews = before != context.run.snapshot() || newsSeconds > 0.0;
     context.examiner.submit(context.document.current(), context.document.revision());
     if (recovery) {
         recovery->follow(context);
@@ -475,8 +479,10 @@ void Editor::frame() {
         c.animate();
     }
     if (p.drewNews) {
-        const double end = steadySeconds();
-        p.pace.recordFrame(end, end - begin);
+        p.newsSeconds += p.lastEnd - begin;
+        if (!p.canvas.drawsNews()) {
+            p.pace.recordFrame(p.lastEnd, std::exchange(p.newsSeconds, 0.0));
+        }
     }
     p.showTitle();
     if (!ImGui::IsAnyItemActive()) {

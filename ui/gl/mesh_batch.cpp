@@ -3,17 +3,18 @@
 #include "ui/gl/gl_kit.hpp"
 
 #include <glad/gl.h>
+#include <glm/vec2.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
-#include <numeric>
+#include <utility>
 
 namespace forefront {
 
 namespace {
 
-constexpr std::size_t kChunk = 4096;
 /// The first value in the buffer. Three attributes read the buffer at each vertex and the two entries after it, so that
 /// the last vertex of an element, whose flat outputs count, has the values of all three corners.
 constexpr std::size_t kSkip = 2;
@@ -26,20 +27,6 @@ constexpr std::uint64_t kAlphaVersion = ~std::uint64_t{0};
 /// Minimum number of elements for which culling pays off.
 constexpr std::size_t kWorthSorting = 16384;
 
-/// Returns a key that orders points along a Z-order curve on a 1024 x 1024 lattice.
-std::uint32_t placeKey(Vec2 p, const Box2 &box) {
-    const Vec2 size = box.size();
-    const auto lattice = [](double t) { return static_cast<std::uint32_t>(std::clamp(t, 0.0, 1.0) * 1023.0); };
-    const auto spread = [](std::uint32_t v) {
-        v = (v | (v << 8)) & 0x00ff00ffU;
-        v = (v | (v << 4)) & 0x0f0f0f0fU;
-        v = (v | (v << 2)) & 0x33333333U;
-        return (v | (v << 1)) & 0x55555555U;
-    };
-    return spread(lattice((p.x - box.min.x) / std::max(size.x, 1e-300))) |
-           (spread(lattice((p.y - box.min.y) / std::max(size.y, 1e-300))) << 1);
-}
-
 Vec2 centroid(const Mesh &mesh, const Element &e) {
     return (1.0 / 3.0) * (mesh.nodes[index(e[0])] + mesh.nodes[index(e[1])] + mesh.nodes[index(e[2])]);
 }
@@ -49,38 +36,89 @@ bool sameNodes(const std::vector<Vec2> &a, const std::vector<Vec2> &b) {
     return common == 0 || std::memcmp(a.data(), b.data(), common * sizeof(Vec2)) == 0;
 }
 
-} // namespace
-
-MeshBatch::MeshBatch() {
-    glGenVertexArrays(1, &array_);
-    glGenBuffers(1, &cornerBuffer_);
-    glGenBuffers(1, &valueBuffer_);
-    glBindVertexArray(array_);
-    glBindBuffer(GL_ARRAY_BUFFER, cornerBuffer_);
-    glEnableVertexAttribArray(0);
-    glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, sizeof(glm::vec2), nullptr);
-    glBindBuffer(GL_ARRAY_BUFFER, valueBuffer_);
-    for (unsigned corner = 0; corner < 3; ++corner) {
-        glEnableVertexAttribArray(1 + corner);
-        glVertexAttribPointer(1 + corner, 1, GL_FLOAT, GL_FALSE, sizeof(float),
-                              // OpenGL takes the offset as a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
-                              reinterpret_cast<const void *>(corner * sizeof(float)));
+/// Returns the value of a corner of an element as the shader reads it.
+float valueAt(const MeshView &view, const std::optional<MeshValues> &values, std::size_t element, std::size_t corner) {
+    if (!values) {
+        return element < view.alpha.size() ? view.alpha[element] : 1.0F;
     }
-    glBindVertexArray(0);
+    const auto shown = [&](std::size_t number) {
+        const double value = number < values->values.size() ? values->values[number] : std::nan("");
+        const double scaled = values->logarithmic ? std::log(value) : value; // NaN below 0
+        return std::isfinite(scaled) ? static_cast<float>(scaled) : value > 0.0 ? kInfinite : kNoValue;
+    };
+    if (values->part == MeshPart::Elements) {
+        return shown(element);
+    }
+    if (values->part == MeshPart::Edges) {
+        return values->edges != nullptr ? shown(values->edges->ofElement[element][corner]) : kNoValue;
+    }
+    return shown(index(view.mesh.elements[element][corner]));
 }
 
-MeshBatch::~MeshBatch() {
-    glDeleteBuffers(1, &cornerBuffer_);
-    glDeleteBuffers(1, &valueBuffer_);
-    glDeleteVertexArrays(1, &array_);
+GLsizeiptr bytesOf(std::size_t entries, std::size_t each) {
+    return static_cast<GLsizeiptr>(entries * each);
+}
+
+} // namespace
+
+/// Buffers for the corners and values of a number of elements.
+struct MeshBatch::Page {
+    unsigned array = 0, corners = 0, values = 0;
+    std::size_t capacity = 0; ///< elements
+
+    Page() {
+        glGenVertexArrays(1, &array);
+        glGenBuffers(1, &corners);
+        glGenBuffers(1, &values);
+        glBindVertexArray(array);
+        glBindBuffer(GL_ARRAY_BUFFER, corners);
+        glEnableVertexAttribArray(0);
+        glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, sizeof(glm::vec2), nullptr);
+        glBindBuffer(GL_ARRAY_BUFFER, values);
+        for (unsigned corner = 0; corner < 3; ++corner) {
+            glEnableVertexAttribArray(1 + corner);
+            glVertexAttribPointer(1 + corner, 1, GL_FLOAT, GL_FALSE, sizeof(float),
+                                  // OpenGL takes the offset as a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
+                                  reinterpret_cast<const void *>(corner * sizeof(float)));
+        }
+        glBindVertexArray(0);
+    }
+    ~Page() {
+        glDeleteBuffers(1, &corners);
+        glDeleteBuffers(1, &values);
+        glDeleteVertexArrays(1, &array);
+    }
+    Page(const Page &) = delete;
+    Page &operator=(const Page &) = delete;
+
+    /// Makes room for a number of elements; what the buffers held is lost.
+    void resize(std::size_t elements) {
+        capacity = elements;
+        glBindBuffer(GL_ARRAY_BUFFER, corners);
+        glBufferData(GL_ARRAY_BUFFER, bytesOf(3 * capacity, sizeof(glm::vec2)), nullptr, GL_DYNAMIC_DRAW);
+        glBindBuffer(GL_ARRAY_BUFFER, values);
+        glBufferData(GL_ARRAY_BUFFER, bytesOf(3 * capacity + kSkip, sizeof(float)), nullptr, GL_DYNAMIC_DRAW);
+    }
+};
+
+MeshBatch::MeshBatch() = default;
+
+MeshBatch::~MeshBatch() = default;
+
+std::size_t MeshBatch::bytes() const {
+    std::size_t sum = order_.size() * sizeof(std::uint32_t) + chunks_.size() * sizeof(Chunk);
+    for (const std::unique_ptr<Page> &page : pages_) {
+        sum += page->capacity * 3 * (sizeof(glm::vec2) + sizeof(float));
+    }
+    return sum;
 }
 
 std::size_t MeshBatch::commonPrefix(const MeshView &view) const {
-    if (!shown_ || byPlace_ || !sameNodes(shown_->mesh.nodes, view.mesh.nodes)) {
+    if (!shown_ || byPlace_ || sorter_ || !sameNodes(shown_->mesh.nodes, view.mesh.nodes)) {
         return 0;
     }
     const auto &a = shown_->mesh.elements, &b = view.mesh.elements;
-    const std::size_t common = std::min({a.size(), b.size(), uploaded_});
+    const std::size_t common = std::min({a.size(), b.size(), elements_});
     const auto differs = std::mismatch(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(common), b.begin());
     return static_cast<std::size_t>(differs.first - a.begin());
 }
@@ -90,148 +128,145 @@ void MeshBatch::truncate(std::size_t elements) {
         chunks_.pop_back();
     }
     if (!chunks_.empty()) {
-        chunks_.back().count = elements - chunks_.back().first;
+        Chunk &last = chunks_.back();
+        last.count = elements - last.first;
+        last.corners = std::min(last.corners, last.count);
+        last.values = std::min(last.values, last.count);
     }
-    corners_.resize(3 * elements);
-    uploaded_ = elements;
+    elements_ = elements;
 }
 
-void MeshBatch::writeElement(const MeshView &view, std::size_t element, Chunk &chunk) {
-    for (const NodeId id : view.mesh.elements[element]) {
-        const Vec2 p = view.mesh.nodes[index(id)];
-        const Vec2 d = p - chunk.origin;
-        chunk.box.add(p);
-        corners_.emplace_back(d.x, d.y);
-    }
-    ++chunk.count;
-}
-
-void MeshBatch::appendInOrder(const MeshView &view, std::size_t from) {
-    for (std::size_t i = from; i < view.mesh.elements.size(); ++i) {
-        if (chunks_.empty() || chunks_.back().count >= kChunk) {
-            chunks_.push_back({centroid(view.mesh, view.mesh.elements[i]), {}, i, 0});
+/// Adds the further elements of a mesh in their own order.
+void MeshBatch::extend(const MeshView &view) {
+    const std::vector<Element> &elements = view.mesh.elements;
+    elements_ = elements.size();
+    for (std::size_t first = chunks_.empty() ? 0 : chunks_.back().first; first < elements_; first += kMeshChunk) {
+        if (chunks_.empty() || chunks_.back().first != first) {
+            chunks_.push_back({.origin = centroid(view.mesh, elements[first]), .box = {}, .first = first});
         }
-        writeElement(view, i, chunks_.back());
+        Chunk &chunk = chunks_.back();
+        chunk.count = std::min(kMeshChunk, elements_ - first);
+        chunk.measured = false;
     }
+    makeRoom();
 }
 
-void MeshBatch::rebuildByPlace(const MeshView &view) {
+void MeshBatch::useOrder(MeshOrder order) {
     truncate(0);
-    const Mesh &mesh = view.mesh;
-    order_.resize(mesh.elements.size());
-    const Box2 box = mesh.bounds();
-    std::vector<std::uint64_t> order(mesh.elements.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        order[i] = (static_cast<std::uint64_t>(placeKey(centroid(mesh, mesh.elements[i]), box)) << 32) | i;
+    order_ = std::move(order.elements);
+    byPlace_ = true;
+    if (order_.size() != shown_->mesh.elements.size()) {
+        order_.clear();
     }
-    std::sort(order.begin(), order.end());
-    corners_.reserve(3 * order.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const auto element = static_cast<std::size_t>(order[i] & 0xffffffffU);
-        order_[i] = static_cast<std::uint32_t>(element);
-        if (i % kChunk == 0) {
-            chunks_.push_back({centroid(mesh, mesh.elements[element]), {}, i, 0});
-        }
-        writeElement(view, element, chunks_.back());
+    extend(*shown_);
+    for (std::size_t k = 0; k < chunks_.size() && !order_.empty(); ++k) {
+        chunks_[k].origin = centroid(shown_->mesh, shown_->mesh.elements[order_[chunks_[k].first]]);
+        chunks_[k].box = order.boxes[k];
+        chunks_[k].measured = true;
     }
 }
 
-/// Writes the values of the elements from one on, in the order of the buffers.
-void MeshBatch::writeValues(const MeshView &view, const MeshValues *values, std::size_t fromElement) {
-    const std::size_t total = slots();
-    values_.resize(3 * total + kSkip);
-    const auto shown = [&](std::size_t number) {
-        const double value = number < values->values.size() ? values->values[number] : std::nan("");
-        const double scaled = values->logarithmic ? std::log(value) : value; // NaN below 0
-        return std::isfinite(scaled) ? static_cast<float>(scaled) : value > 0.0 ? kInfinite : kNoValue;
-    };
-    for (std::size_t slot = fromElement; slot < total; ++slot) {
-        const std::size_t element = elementAt(slot);
-        for (std::size_t k = 0; k < 3; ++k) {
-            float &value = values_[3 * slot + k + kSkip];
-            if (values == nullptr) {
-                value = element < view.alpha.size() ? view.alpha[element] : 1.0F;
-            } else if (values->part == MeshPart::Elements) {
-                value = shown(element);
-            } else if (values->part == MeshPart::Edges) {
-                value = values->edges != nullptr ? shown(values->edges->ofElement[element][k]) : kNoValue;
-            } else {
-                value = shown(index(view.mesh.elements[element][k]));
+/// Makes pages for all elements. A page that has to grow loses what it held.
+void MeshBatch::makeRoom() {
+    const std::size_t pages = (elements_ + kPageElements - 1) / kPageElements;
+    for (std::size_t k = 0; k < pages; ++k) {
+        if (k == pages_.size()) {
+            pages_.push_back(std::make_unique<Page>());
+        }
+        const std::size_t needed = std::min(kPageElements, elements_ - k * kPageElements);
+        if (needed <= pages_[k]->capacity) {
+            continue;
+        }
+        pages_[k]->resize(std::min(kPageElements, std::max(needed, 2 * pages_[k]->capacity)));
+        for (Chunk &chunk : chunks_) {
+            if (chunk.first / kPageElements == k) {
+                chunk.corners = chunk.values = 0;
             }
         }
     }
+    if (pages_.size() > 2 * pages) {
+        pages_.resize(pages);
+    }
 }
 
-void MeshBatch::upload(std::size_t fromElement, std::size_t fromValue) {
-    const std::size_t total = slots();
-    const auto bytes = [](std::size_t entries, std::size_t each) { return static_cast<GLsizeiptr>(entries * each); };
-    if (total > capacity_) {
-        capacity_ = std::max(total, std::min(2 * capacity_, total + 262144));
-        fromElement = fromValue = 0;
-        glBindBuffer(GL_ARRAY_BUFFER, cornerBuffer_);
-        glBufferData(GL_ARRAY_BUFFER, bytes(3 * capacity_, sizeof(glm::vec2)), nullptr, GL_DYNAMIC_DRAW);
-        glBindBuffer(GL_ARRAY_BUFFER, valueBuffer_);
-        glBufferData(GL_ARRAY_BUFFER, bytes(3 * capacity_ + kSkip, sizeof(float)), nullptr, GL_DYNAMIC_DRAW);
+void MeshBatch::uploadCorners(Chunk &chunk) {
+    std::array<glm::vec2, 3 * kMeshChunk> corners;
+    std::size_t end = 0;
+    for (std::size_t i = chunk.corners; i < chunk.count; ++i) {
+        for (const NodeId id : shown_->mesh.elements[elementAt(chunk.first + i)]) {
+            const Vec2 p = shown_->mesh.nodes[index(id)];
+            const Vec2 d = p - chunk.origin;
+            chunk.box.add(p);
+            corners[end++] = {d.x, d.y};
+        }
     }
-    if (fromElement < total) {
-        const std::size_t count = total - fromElement;
-        sent_ += count;
-        glBindBuffer(GL_ARRAY_BUFFER, cornerBuffer_);
-        glBufferSubData(GL_ARRAY_BUFFER, bytes(3 * fromElement, sizeof(glm::vec2)), bytes(3 * count, sizeof(glm::vec2)),
-                        &corners_[3 * fromElement]);
+    glBindBuffer(GL_ARRAY_BUFFER, pageOf(chunk).corners);
+    glBufferSubData(GL_ARRAY_BUFFER, bytesOf(3 * (chunk.first % kPageElements + chunk.corners), sizeof(glm::vec2)),
+                    bytesOf(end, sizeof(glm::vec2)), corners.data());
+    sent_ += chunk.count - chunk.corners;
+    chunk.corners = chunk.count;
+    chunk.measured = true;
+}
+
+void MeshBatch::uploadValues(Chunk &chunk) {
+    std::array<float, 3 * kMeshChunk> values;
+    std::size_t end = 0;
+    for (std::size_t i = chunk.values; i < chunk.count; ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            values[end++] = valueAt(*shown_, values_, elementAt(chunk.first + i), k);
+        }
     }
-    if (fromValue < total) {
-        glBindBuffer(GL_ARRAY_BUFFER, valueBuffer_);
-        glBufferSubData(GL_ARRAY_BUFFER, bytes(3 * fromValue + kSkip, sizeof(float)),
-                        bytes(3 * (total - fromValue), sizeof(float)), &values_[3 * fromValue + kSkip]);
+    glBindBuffer(GL_ARRAY_BUFFER, pageOf(chunk).values);
+    glBufferSubData(GL_ARRAY_BUFFER, bytesOf(3 * (chunk.first % kPageElements + chunk.values) + kSkip, sizeof(float)),
+                    bytesOf(end, sizeof(float)), values.data());
+    chunk.values = chunk.count;
+}
+
+/// Uploads what is missing of a chunk.
+void MeshBatch::upload(Chunk &chunk) {
+    if (chunk.corners < chunk.count) {
+        uploadCorners(chunk);
     }
-    uploaded_ = total;
+    if (chunk.values < chunk.count) {
+        uploadValues(chunk);
+    }
 }
 
 void MeshBatch::update(const std::shared_ptr<const MeshView> &view, bool atRest, const MeshValues *values) {
     if (!view) {
         truncate(0);
-        order_.clear();
+        order_ = {};
+        pages_.clear();
+        sorter_.reset();
         shown_ = nullptr;
         return;
     }
     const bool sort = atRest && view->mesh.elements.size() > kWorthSorting;
-    const std::uint64_t version = values != nullptr ? values->version : kAlphaVersion;
-    const bool sameMesh = shown_ && shown_->version == view->version && (byPlace_ || !sort);
-    if (sameMesh && version == valuesVersion_) {
-        return;
-    }
-    std::size_t kept = uploaded_;
+    const bool sameMesh = shown_ && shown_->version == view->version && (byPlace_ || sorter_ || !sort);
     if (!sameMesh && sort) {
-        rebuildByPlace(*view);
-        kept = 0;
+        sorter_ = std::make_unique<MeshSorter>(view);
     } else if (!sameMesh) {
-        kept = commonPrefix(*view);
-        order_.clear();
+        const std::size_t kept = commonPrefix(*view);
+        sorter_.reset();
+        order_ = {};
+        byPlace_ = false;
         truncate(kept);
-        appendInOrder(*view, kept);
+        extend(*view);
     }
     // α of an element never changes; other values may.
-    const std::size_t keptValues = version == kAlphaVersion && valuesVersion_ == kAlphaVersion ? kept : 0;
-    writeValues(*view, values, keptValues);
-    upload(kept, keptValues);
-    byPlace_ = sameMesh ? byPlace_ : sort;
-    if (byPlace_) { // the OpenGL buffers hold a copy, and nothing is appended to a sorted mesh
-        corners_ = {};
-        values_ = {};
+    const std::uint64_t version = values != nullptr ? values->version : kAlphaVersion;
+    if (version != valuesVersion_) {
+        for (Chunk &chunk : chunks_) {
+            chunk.values = 0;
+        }
     }
     shown_ = view;
     valuesVersion_ = version;
-    part_ = values != nullptr ? values->part : MeshPart::Elements;
-    smooth_ = values != nullptr && values->smooth;
-    logarithmic_ = values != nullptr && values->logarithmic;
+    values_ = values != nullptr ? std::optional(*values) : std::nullopt;
 }
 
-void MeshBatch::draw(const GlKit &gl, const Camera &camera, const MeshStyle &style, DrawSlice *slice) {
-    chunksDrawn_ = 0;
-    if (uploaded_ == 0) {
-        return;
-    }
+/// Makes the program current and sets what all chunks share.
+void MeshBatch::use(const GlKit &gl, const Camera &camera, const MeshStyle &style) const {
     const ShaderProgram &program = gl.mesh();
     program.use();
     program.set("zoom", static_cast<float>(camera.zoom));
@@ -240,11 +275,12 @@ void MeshBatch::draw(const GlKit &gl, const Camera &camera, const MeshStyle &sty
     program.set("edge", style.edge);
     program.set("edgeWidth", static_cast<float>(style.edgeWidth));
     const auto scaled = [this](double value) {
-        return static_cast<float>(logarithmic_ && value > 0.0 ? std::log(value) : value);
+        return static_cast<float>(values_ && values_->logarithmic && value > 0.0 ? std::log(value) : value);
     };
     program.set("coloured", style.map != nullptr ? 1 : 0);
     program.set("cyclic", style.cyclic ? 1 : 0);
-    program.set("part", smooth_ ? 3 : static_cast<int>(part_));
+    const MeshPart part = values_ ? values_->part : MeshPart::Elements;
+    program.set("part", values_ && values_->smooth ? 3 : static_cast<int>(part));
     program.set("range", glm::vec2(scaled(style.range.from), scaled(style.range.to)));
     program.set("denseEdges", static_cast<float>(style.denseEdges));
     program.set("badBelow", static_cast<float>(style.badBelow));
@@ -255,23 +291,50 @@ void MeshBatch::draw(const GlKit &gl, const Camera &camera, const MeshStyle &sty
     program.set("map", 0);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, gl.map(style.map != nullptr ? style.map : cividis));
-    glBindVertexArray(array_);
+}
+
+void MeshBatch::draw(const GlKit &gl, const Camera &camera, const MeshStyle &style, DrawSlice *slice) {
+    chunksDrawn_ = 0;
+    if (sorter_) {
+        if (slice != nullptr && !sorter_->done()) {
+            slice->more = slice->waits = true;
+            return;
+        }
+        useOrder(sorter_->take());
+        sorter_.reset();
+    }
     const Box2 visible = camera.visible();
-    std::size_t drawn = 0;
-    for (std::size_t k = slice != nullptr ? slice->first : 0; k < chunks_.size(); ++k) {
-        const Chunk &chunk = chunks_[k];
-        if (chunk.count == 0 || !chunk.box.overlaps(visible)) {
+    const auto inView = [&visible](const Chunk &chunk) { return !chunk.measured || chunk.box.overlaps(visible); };
+    // All uploads come before all draws: some drivers wait for a draw before they change its buffer.
+    const std::size_t first = slice != nullptr ? slice->first : 0;
+    std::size_t end = first, done = 0;
+    for (; end < chunks_.size(); ++end) {
+        Chunk &chunk = chunks_[end];
+        if (!inView(chunk)) {
             continue;
         }
-        if (slice != nullptr && drawn > 0 && drawn + chunk.count > slice->elements) {
-            slice->first = k;
+        if (slice != nullptr && done > 0 && done + chunk.count > slice->elements) {
+            slice->first = end;
             slice->more = true;
             break;
         }
-        drawn += chunk.count;
+        upload(chunk);
+        done += chunk.count;
+    }
+    if (slice != nullptr) {
+        slice->done += done;
+    }
+    use(gl, camera, style);
+    for (std::size_t k = first; k < end; ++k) {
+        const Chunk &chunk = chunks_[k];
+        if (!inView(chunk)) {
+            continue;
+        }
         const Vec2 offset = camera.zoom * (chunk.origin - camera.centre);
-        program.set("offset", glm::vec2(offset.x, offset.y));
-        glDrawArrays(GL_TRIANGLES, static_cast<int>(3 * chunk.first), static_cast<int>(3 * chunk.count));
+        gl.mesh().set("offset", glm::vec2(offset.x, offset.y));
+        glBindVertexArray(pageOf(chunk).array);
+        glDrawArrays(GL_TRIANGLES, static_cast<int>(3 * (chunk.first % kPageElements)),
+                     static_cast<int>(3 * chunk.count));
         ++chunksDrawn_;
     }
     glBindVertexArray(0);

@@ -3,13 +3,14 @@
 #include "core/mesh/measures.hpp"
 #include "core/session/snapshot.hpp"
 #include "ui/canvas/camera.hpp"
+#include "ui/gl/mesh_order.hpp"
 #include "ui/style/colour.hpp"
 #include "ui/style/colour_map.hpp"
 
-#include <glm/vec2.hpp>
-
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -45,14 +46,17 @@ struct MeshStyle {
 
 /// A part of a mesh to draw, so that a large mesh can be drawn over several frames.
 struct DrawSlice {
-    std::size_t elements = 0; ///< maximum number to draw; at least one chunk is drawn
+    std::size_t elements = 0; ///< maximum number to upload or draw; at least one chunk
     std::size_t first = 0;    ///< chunk to begin with; a draw sets it to the chunk to continue with
     bool more = false;        ///< set by a draw that left chunks
+    bool waits = false;       ///< set, with `more`, by a draw that did nothing because the mesh is still being sorted
+    std::size_t done = 0;     ///< increased by the number of elements uploaded or drawn
 };
 
 /// A mesh on the GPU: non-indexed triangles, drawn with their edges in one pass. It is divided into chunks, each with
-/// its own origin for precision at any offset and zoom; chunks out of view are skipped. A mesh that grows or shrinks at
-/// its end, as while the front advances, is updated in place.
+/// its own origin for precision at any offset and zoom; chunks out of view are skipped. Chunks are uploaded when they
+/// are first drawn, so that a slice limits that work too; the mesh of the last update supplies them. A mesh that grows
+/// or shrinks at its end, as while the front advances, is updated in place.
 class MeshBatch {
   public:
     MeshBatch();
@@ -60,49 +64,56 @@ class MeshBatch {
     MeshBatch(const MeshBatch &) = delete;
     MeshBatch &operator=(const MeshBatch &) = delete;
 
-    /// Uploads what has changed; cheap if the version is the same. `atRest` means that the mesh will be shown for a
-    /// while, so that sorting its chunks by location pays off. Without `values`, the elements are coloured by α.
+    /// Sets the mesh; cheap if the version is the same. `atRest` means that the mesh will be shown for a while, so that
+    /// sorting its chunks by location pays off; a large mesh is sorted on a separate thread. Without `values`, the
+    /// elements are coloured by α. What `values` refers to must be alive in the draw that follows.
     void update(const std::shared_ptr<const MeshView> &view, bool atRest, const MeshValues *values = nullptr);
-    std::size_t elements() const { return uploaded_; }
-    /// Returns the number of elements uploaded by all updates together; for tests.
+    std::size_t elements() const { return elements_; }
+    /// Returns the number of elements uploaded by all draws together; for tests.
     std::size_t sent() const { return sent_; }
     /// Returns the number of chunks drawn by the last draw(); for tests.
     std::size_t chunksDrawn() const { return chunksDrawn_; }
-    /// `slice`: the part to draw; null: all.
+    /// Returns the bytes that the batch takes up here and in buffers of OpenGL, without the mesh.
+    std::size_t bytes() const;
+    /// `slice`: the part to draw; null: all, even if the mesh has to be sorted first.
     void draw(const GlKit &gl, const Camera &camera, const MeshStyle &style, DrawSlice *slice = nullptr);
 
   private:
     struct Chunk {
         Vec2 origin;
-        Box2 box;
+        Box2 box; ///< of the elements; of those uploaded while `measured` is false
+        bool measured = false;
         std::size_t first = 0, count = 0; ///< elements
+        std::size_t corners = 0;          ///< elements whose corners are uploaded
+        std::size_t values = 0;           ///< elements whose values are uploaded
     };
+    struct Page;
 
     std::size_t commonPrefix(const MeshView &view) const;
     void truncate(std::size_t elements);
-    void appendInOrder(const MeshView &view, std::size_t from);
-    void rebuildByPlace(const MeshView &view);
-    void writeElement(const MeshView &view, std::size_t element, Chunk &chunk);
-    /// Returns the number of elements in the buffers.
-    std::size_t slots() const { return order_.empty() ? corners_.size() / 3 : order_.size(); }
+    void extend(const MeshView &view);
+    void useOrder(MeshOrder order);
     std::size_t elementAt(std::size_t slot) const { return order_.empty() ? slot : order_[slot]; }
-    void writeValues(const MeshView &view, const MeshValues *values, std::size_t fromElement);
-    void upload(std::size_t fromElement, std::size_t fromValue);
+    Page &pageOf(const Chunk &chunk) { return *pages_[chunk.first / kPageElements]; }
+    void makeRoom();
+    void upload(Chunk &chunk);
+    void uploadCorners(Chunk &chunk);
+    void uploadValues(Chunk &chunk);
+    void use(const GlKit &gl, const Camera &camera, const MeshStyle &style) const;
+
+    static constexpr std::size_t kPageElements = 64 * kMeshChunk;
 
     std::shared_ptr<const MeshView> shown_;
+    std::unique_ptr<MeshSorter> sorter_; ///< at work on `shown_`; null: not
     std::vector<Chunk> chunks_;
-    std::vector<glm::vec2> corners_;   ///< three per element, relative to the origin of the chunk; empty if sorted
-    std::vector<float> values_;        ///< three per element, from entry kSkip on; empty if sorted
-    std::vector<std::uint32_t> order_; ///< elements in the order of the buffers; empty: their own
+    std::vector<std::unique_ptr<Page>> pages_; ///< each holds kPageElements elements, the last one those that it needs
+    std::vector<std::uint32_t> order_;         ///< elements in the order of the chunks; empty: their own
+    std::optional<MeshValues> values_;         ///< of the last update; not set: α
     std::uint64_t valuesVersion_ = 0;
-    MeshPart part_ = MeshPart::Elements;
-    bool logarithmic_ = false, smooth_ = false;
-    std::size_t uploaded_ = 0; ///< elements
-    std::size_t capacity_ = 0; ///< elements that fit into the buffers
+    std::size_t elements_ = 0;
     std::size_t sent_ = 0;
     std::size_t chunksDrawn_ = 0;
     bool byPlace_ = false;
-    unsigned array_ = 0, cornerBuffer_ = 0, valueBuffer_ = 0;
 };
 
 } // namespace forefront

@@ -53,62 +53,65 @@ void StillPicture::Target::bind() const {
     glViewport(0, 0, size.width, size.height);
 }
 
-bool StillPicture::sharp(std::uint64_t content, const Camera &camera) const {
-    return drawn_ && content == content_ && sameView(camera, shown().seen);
+bool StillPicture::Target::resembles(const Camera &camera) const {
+    const double scaling = camera.zoom / seen.zoom;
+    return scaling < kMaxScaling && scaling > 1.0 / kMaxScaling && camera.visible().overlaps(wide.visible());
 }
 
-bool StillPicture::resembles(const Camera &camera) const {
-    const double scaling = camera.zoom / shown().seen.zoom;
-    return scaling < kMaxScaling && scaling > 1.0 / kMaxScaling && camera.visible().overlaps(shown().wide.visible());
+bool StillPicture::sharp(const PictureContent &content, const Camera &camera) const {
+    return drawn_ && content.all == shown().content.all && sameView(camera, shown().seen);
 }
 
-bool StillPicture::moves(std::uint64_t content, const Camera &camera, double now, bool heavy) {
+bool StillPicture::moves(const PictureContent &content, const Camera &camera, double now, bool heavy) {
     if (!sameView(camera, last_)) {
         movedAt_ = now;
     }
     last_ = camera;
-    return heavy && canRefine(content, camera) && now - movedAt_ < kRest;
+    return heavy && drawn_ && content.all == shown().content.all && shown().resembles(camera) && now - movedAt_ < kRest;
 }
 
-Camera StillPicture::begin(std::uint64_t content, const Camera &camera, bool heavy) {
-    shown().set(camera, heavy);
-    content_ = content;
+Camera StillPicture::begin(const PictureContent &content, const Camera &camera) {
+    shown().set(camera, false);
+    shown().content = content;
     drawn_ = true;
     refining_ = false;
     shown().bind();
     return shown().wide;
 }
 
-bool StillPicture::canRefine(std::uint64_t content, const Camera &camera) const {
-    return drawn_ && content == content_ && resembles(camera);
-}
-
-Camera StillPicture::refine(const Camera &camera, bool &begins) {
-    Target &next = targets_[1 - current_];
-    begins = !refining_ || !sameView(camera, next.seen);
+Camera StillPicture::refine(const PictureContent &content, const Camera &camera, bool &begins) {
+    Target &target = next();
+    const bool newContent = !drawn_ || content.all != shown().content.all;
+    const bool serves = newContent ? target.resembles(camera) : sameView(camera, target.seen);
+    begins =
+        !refining_ || content.heavy != target.content.heavy || content.subject != target.content.subject || !serves;
     if (begins) {
-        next.set(camera, true);
+        target.set(camera, true);
+        target.content = content;
         refining_ = true;
     }
-    next.bind();
-    return next.wide;
+    target.bind();
+    return target.wide;
 }
 
 void StillPicture::finishRefining() {
     current_ = 1 - current_;
+    drawn_ = true;
     refining_ = false;
 }
 
 void StillPicture::show(const Camera &camera, Pixel corner) const {
-    const Camera &wide = shown().wide;
-    const PixelSize size = shown().size;
+    const bool standsIn = drawn_ && shown().content.subject == next().content.subject && shown().resembles(camera);
+    const Target &picture = refining_ && !standsIn ? next() : shown();
+    const Camera &wide = picture.wide;
+    const PixelSize size = picture.size;
     const double scaling = camera.zoom / wide.zoom;
     const Vec2 moved = camera.zoom * (wide.centre - camera.centre); // pixels, y up
     const double middleX = corner.x + std::floor(camera.viewport.width) / 2.0 + moved.x;
     const double middleY = corner.y + std::floor(camera.viewport.height) / 2.0 + moved.y;
     const double halfWidth = 0.5 * scaling * size.width, halfHeight = 0.5 * scaling * size.height;
     const auto pixel = [](double value) { return static_cast<int>(std::lround(value)); };
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, shown().framebuffer);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, picture.framebuffer);
     glBlitFramebuffer(0, 0, size.width, size.height, pixel(middleX - halfWidth), pixel(middleY - halfHeight),
                       pixel(middleX + halfWidth), pixel(middleY + halfHeight), GL_COLOR_BUFFER_BIT,
                       scaling == 1.0 ? GL_NEAREST : GL_LINEAR);

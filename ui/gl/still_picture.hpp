@@ -9,29 +9,36 @@
 
 namespace forefront {
 
+/// What a picture shows, as numbers that change whenever it changes for any reason but a move of the camera.
+struct PictureContent {
+    std::uint64_t all = 0;     ///< everything
+    std::uint64_t heavy = 0;   ///< the parts that take long to draw
+    std::uint64_t subject = 0; ///< pictures of another subject are not shown while the next one is being drawn
+};
+
 /// A texture that caches the still parts of the canvas between frames. While the camera moves, it can be shifted and
 /// scaled instead of being drawn again. A second texture takes the next picture if that is drawn over several frames.
 class StillPicture {
   public:
     /// Returns true if the picture shows this content exactly as seen by this camera.
-    bool sharp(std::uint64_t content, const Camera &camera) const;
+    bool sharp(const PictureContent &content, const Camera &camera) const;
     /// Returns true if the picture should be moved rather than drawn again: it shows this content, the content is
     /// `heavy`, and the camera has only just moved. `now`: seconds.
-    bool moves(std::uint64_t content, const Camera &camera, double now, bool heavy);
-    /// Makes the texture the render target and returns the camera to draw with. A heavy picture extends beyond the
-    /// view, so that it can be moved.
-    Camera begin(std::uint64_t content, const Camera &camera, bool heavy);
+    bool moves(const PictureContent &content, const Camera &camera, double now, bool heavy);
+    /// Makes the texture the render target and returns the camera to draw with, for a picture drawn in one frame.
+    Camera begin(const PictureContent &content, const Camera &camera);
 
-    /// Returns true if the picture can be shown while it is drawn again for this camera over several frames: it shows
-    /// this content, seen from a similar place.
-    bool canRefine(std::uint64_t content, const Camera &camera) const;
-    /// Begins or continues a heavy picture of the same content for another camera. Makes the second texture the render
-    /// target and returns the camera to draw with; `begins` is set if nothing has been drawn for it yet.
-    Camera refine(const Camera &camera, bool &begins);
+    /// Begins or continues a heavy picture, which is drawn over several frames. Makes the second texture the render
+    /// target and returns the camera to draw with; `begins` is set if nothing has been drawn for it yet. The picture
+    /// extends beyond the view, so that it can be moved. A change of light parts does not begin it again, or a drag
+    /// could keep it from being completed; nor does a move of the camera if it shows new content.
+    Camera refine(const PictureContent &content, const Camera &camera, bool &begins);
     /// Shows the picture that refine() was called for, once it is complete.
     void finishRefining();
-    /// Copies the picture to the current framebuffer, as seen by this camera. `corner`: lower left corner of the canvas
-    /// in that framebuffer.
+    /// Returns true while a heavy picture of new content is incomplete.
+    bool drawsNews() const { return refining_ && !(drawn_ && next().content.all == shown().content.all); }
+    /// Copies the picture to the current framebuffer, as seen by this camera: the last complete one, or what there is
+    /// of the next if the last one shows something else. `corner`: lower left corner of the canvas in that framebuffer.
     void show(const Camera &camera, Pixel corner) const;
 
   private:
@@ -41,6 +48,7 @@ class StillPicture {
         PixelSize size;
         Camera seen; ///< the view
         Camera wide; ///< the same with the margin around it
+        PictureContent content;
 
         Target();
         ~Target();
@@ -49,17 +57,18 @@ class StillPicture {
         /// Sets the view and resizes the texture for it.
         void set(const Camera &camera, bool margin);
         void bind() const;
+        /// Returns true if the picture, moved and scaled, resembles what a camera sees.
+        bool resembles(const Camera &camera) const;
     };
     Target &shown() { return targets_[current_]; }
     const Target &shown() const { return targets_[current_]; }
-    /// Returns true if the picture, moved and scaled, resembles what a camera sees.
-    bool resembles(const Camera &camera) const;
+    Target &next() { return targets_[1 - current_]; }
+    const Target &next() const { return targets_[1 - current_]; }
 
     std::array<Target, 2> targets_;
     std::size_t current_ = 0;
-    bool drawn_ = false;
+    bool drawn_ = false;    ///< the current target holds a complete picture
     bool refining_ = false; ///< the other target is being drawn
-    std::uint64_t content_ = 0;
     Camera last_;           ///< of the last frame
     double movedAt_ = -1e9; ///< when the camera last moved, seconds
 };

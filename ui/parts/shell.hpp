@@ -37,6 +37,7 @@ struct Shell : Workspace {
     std::vector<LayerSlot> layers;
     std::vector<std::unique_ptr<Panel>> panels;
     LessonRoom lessons;
+    double drawSeconds = 0.025;  ///< per frame for drawing a large mesh; 0: one small piece a frame, for tests
     bool contextMenu = false;    ///< a tool asks for the menu of the selection at the pointer
     SideBySide sides;            ///< runs with other grids or the other method
     bool quit = false;           ///< end the program after this frame

@@ -4,6 +4,7 @@
 #include "core/edit/shape_geometry.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/canvas/legend.hpp"
+#include "ui/gl/draw_pace.hpp"
 #include "ui/gl/gl_kit.hpp"
 #include "ui/gl/mesh_batch.hpp"
 #include "ui/gl/still_picture.hpp"
@@ -29,31 +30,37 @@ void clearTo(const Colour &colour) {
     glClear(GL_COLOR_BUFFER_BIT);
 }
 
-/// Returns a number that changes whenever the still parts change for any reason but a camera move.
-std::uint64_t contentStamp(const LayerFrame &frame, const std::vector<LayerSlot> &layers,
-                           const std::shared_ptr<const MeshView> &overlaid) {
-    Hash64 hash;
-    hash.add(overlaid ? overlaid->version : 0);
-    for (const double number : {frame.camera.viewport.width, frame.camera.viewport.height, frame.scale}) {
-        hash.add(number);
-    }
-    hash.add(static_cast<std::uint64_t>(frame.theme.kind));
-    for (const LayerSlot &slot : layers) {
-        hash.add(slot.visible ? slot.layer->stillVersion(frame) : ~std::uint64_t{0});
-    }
-    return hash.value();
-}
-
 /// Number of elements above which a picture is heavy.
 constexpr std::size_t kHeavy = 30'000;
 
+using OverlaidMesh = std::shared_ptr<const MeshView>;
+
+bool isHeavy(const LayerFrame &frame, const LayerSlot &slot) {
+    return slot.visible && slot.layer->stillElements(frame) > kHeavy;
+}
+
 /// Returns true if the still parts take too long to draw while the camera moves.
-bool isHeavy(const LayerFrame &frame, const std::vector<LayerSlot> &layers,
-             const std::shared_ptr<const MeshView> &overlaid) {
+bool isHeavy(const LayerFrame &frame, const OverlaidMesh &overlaid) {
     return (overlaid && overlaid->mesh.elements.size() > kHeavy) ||
-           std::any_of(layers.begin(), layers.end(), [&](const LayerSlot &slot) {
-               return slot.visible && slot.layer->stillElements(frame) > kHeavy;
-           });
+           std::any_of(frame.layers.begin(), frame.layers.end(),
+                       [&](const LayerSlot &slot) { return isHeavy(frame, slot); });
+}
+
+/// Returns what identifies the picture of the still parts.
+PictureContent contentOf(const LayerFrame &frame, std::uint64_t loads, const OverlaidMesh &overlaid) {
+    Hash64 heavy;
+    heavy.add(overlaid ? overlaid->version : 0);
+    for (const double number : {frame.camera.viewport.width, frame.camera.viewport.height, frame.scale}) {
+        heavy.add(number);
+    }
+    heavy.add(static_cast<std::uint64_t>(frame.theme.kind));
+    Hash64 all = heavy;
+    for (const LayerSlot &slot : frame.layers) {
+        const std::uint64_t version = slot.visible ? slot.layer->stillVersion(frame) : ~std::uint64_t{0};
+        all.add(version);
+        heavy.add(isHeavy(frame, slot) ? version : 0);
+    }
+    return {.all = all.value(), .heavy = heavy.value(), .subject = loads};
 }
 
 } // namespace
@@ -63,14 +70,14 @@ struct Canvas::Parts {
     StillPicture still;
     MeshBatch comparedBatch;
     std::uint64_t stillDraws = 0;
-    /// The part of a heavy picture drawn in one frame.
+    /// Where the next piece of a heavy picture begins.
     struct Slicing {
-        std::size_t layer = 0, chunk = 0; ///< where the next slice begins
-        std::size_t elements = kHeavy;    ///< in the next slice
-        double at = 0.0;                  ///< steady time of the last slice
+        std::size_t layer = 0; ///< as many as there are layers: the compared mesh
+        std::size_t chunk = 0;
     };
     Slicing slicing;
-    Domain domain; ///< domain of the document with `domainRevision`
+    std::vector<DrawPace> paces; ///< of the layers, then of the compared mesh
+    Domain domain;               ///< domain of the document with `domainRevision`
     std::uint64_t domainRevision = 0;
 
     Box2 rasterBox;
@@ -82,7 +89,8 @@ struct Canvas::Parts {
     void takeRaster(const Shell &context);
     LayerFrame frameOf(const Shell &context, const Camera &camera);
     void drawStill(Shell &context, const LayerFrame &frame);
-    void drawSlice(Shell &context, const LayerFrame &frame);
+    void drawSlices(Shell &context, const LayerFrame &frame, const PictureContent &content);
+    void drawPiece(Shell &context, LayerFrame &around, DrawSlice &slice);
     void drawOverlaid(const Shell &context, const LayerFrame &frame);
     void drawLive(Shell &context, const LayerFrame &frame);
     static void drawLegends(Shell &context, CanvasPainter &painter, const LayerFrame &frame);
@@ -96,6 +104,10 @@ Canvas::~Canvas() = default;
 
 std::uint64_t Canvas::stillDraws() const {
     return parts_->stillDraws;
+}
+
+bool Canvas::drawsNews() const {
+    return parts_->still.drawsNews();
 }
 
 /// Requests a raster of ρ over the part in view and a margin around it. Makes a new request only when the last raster
@@ -165,25 +177,25 @@ LayerFrame Canvas::Parts::frameOf(const Shell &context, const Camera &camera) {
             .gl = gl};
 }
 
-/// Draws the still parts again if they or the camera have changed. While the camera moves over a large mesh, the
-/// picture is moved instead, and drawn again over several frames when the camera rests.
+/// Draws the still parts again if they or the camera have changed. A large mesh is drawn over several frames; while the
+/// camera moves over it, its picture is moved instead.
 void Canvas::Parts::drawStill(Shell &context, const LayerFrame &frame) {
-    const std::shared_ptr<const MeshView> overlaid = context.sides.overlay();
-    const std::uint64_t content = contentStamp(frame, context.layers, overlaid);
+    const OverlaidMesh overlaid = context.sides.overlay();
+    const PictureContent content = contentOf(frame, context.document.loads(), overlaid);
     if (still.sharp(content, frame.camera)) {
         return;
     }
-    const bool heavy = isHeavy(frame, context.layers, overlaid);
+    const bool heavy = isHeavy(frame, overlaid);
     if (still.moves(content, frame.camera, context.platform.now(), heavy)) {
         context.animate();
         return;
     }
-    if (heavy && still.canRefine(content, frame.camera)) {
-        drawSlice(context, frame);
+    if (heavy) {
+        drawSlices(context, frame, content);
         return;
     }
     ++stillDraws;
-    const Camera wide = still.begin(content, frame.camera, heavy);
+    const Camera wide = still.begin(content, frame.camera);
     const LayerFrame around = frameOf(context, wide);
     clearTo(frame.theme.canvas);
     for (LayerSlot &slot : context.layers) {
@@ -204,41 +216,48 @@ void Canvas::Parts::drawOverlaid(const Shell &context, const LayerFrame &frame) 
     comparedBatch.draw(frame.gl, frame.camera, style, frame.slice);
 }
 
-/// Draws the next part of a heavy picture, so that the window answers input between the parts. The parts grow while
-/// frames are quick: on a GPU millions of elements need few frames, and none takes long with software rendering.
-void Canvas::Parts::drawSlice(Shell &context, const LayerFrame &frame) {
-    constexpr double kQuick = 0.022, kSlow = 0.045; // seconds from frame to frame
+/// Draws the next pieces of a heavy picture, as many as fit into a frame, so that the window answers input in between.
+/// On a GPU, millions of elements need few frames; with software rendering, none takes long.
+void Canvas::Parts::drawSlices(Shell &context, const LayerFrame &frame, const PictureContent &content) {
+    const double begin = steadySeconds();
     bool begins = false;
-    const Camera wide = still.refine(frame.camera, begins);
-    const double now = steadySeconds();
+    const Camera wide = still.refine(content, frame.camera, begins);
     if (begins) {
         clearTo(frame.theme.canvas);
         slicing = {};
-    } else if (now - slicing.at < kQuick) {
-        slicing.elements *= 2;
-    } else if (now - slicing.at > kSlow) {
-        slicing.elements = std::max(kHeavy, slicing.elements / 2);
+        paces.resize(context.layers.size() + 1);
+        std::for_each(paces.begin(), paces.end(), [](DrawPace &pace) { pace.restart(); });
     }
-    slicing.at = now;
     LayerFrame around = frameOf(context, wide);
-    DrawSlice slice{.elements = slicing.elements, .first = slicing.chunk};
-    around.slice = &slice;
-    for (; slicing.layer <= context.layers.size(); ++slicing.layer, slice.first = 0) {
-        if (slicing.layer == context.layers.size()) {
-            drawOverlaid(context, around);
-        } else if (LayerSlot &slot = context.layers[slicing.layer]; slot.visible) {
-            slot.layer->drawStill(around);
-        }
-        if (slice.more) {
-            break;
-        }
+    double left = context.drawSeconds;
+    bool goesOn = true;
+    while (goesOn) {
+        DrawPace &pace = paces[slicing.layer];
+        DrawSlice slice{.elements = pace.next(left), .first = slicing.chunk};
+        const double before = steadySeconds();
+        drawPiece(context, around, slice);
+        const double after = steadySeconds();
+        pace.record(slice.done, after - before);
+        slicing = {slicing.layer + (slice.more ? 0 : 1), slice.more ? slice.first : 0};
+        left = context.drawSeconds - (after - begin);
+        goesOn = slicing.layer < paces.size() && !slice.waits && (left > 0.0 || slice.done == 0);
     }
-    slicing.chunk = slice.first;
-    if (!slice.more) {
+    if (slicing.layer == paces.size()) {
         still.finishRefining();
         ++stillDraws;
     }
     context.animate();
+}
+
+/// Draws a piece of a layer, or of the compared mesh, and waits until it is drawn.
+void Canvas::Parts::drawPiece(Shell &context, LayerFrame &around, DrawSlice &slice) {
+    around.slice = &slice;
+    if (slicing.layer == context.layers.size()) {
+        drawOverlaid(context, around);
+    } else if (LayerSlot &slot = context.layers[slicing.layer]; slot.visible) {
+        slot.layer->drawStill(around);
+    }
+    glFinish(); // or the time of this piece would be that of another
 }
 
 void Canvas::Parts::drawLive(Shell &context, const LayerFrame &frame) {

@@ -21,6 +21,8 @@ class Canvas {
     void draw(Shell &context);
     /// Returns how often the still parts were redrawn; for tests.
     std::uint64_t stillDraws() const;
+    /// Returns true while the picture of a new large mesh is incomplete; another mesh would begin it again.
+    bool drawsNews() const;
 
   private:
     struct Parts;

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/session/snapshot.hpp"
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <stop_token>
+#include <thread>
+#include <vector>
+
+namespace forefront {
+
+/// Number of elements that are drawn with one call.
+inline constexpr std::size_t kMeshChunk = 4096;
+
+/// The elements of a mesh sorted by location, so that each chunk of them covers a small part of the plane.
+struct MeshOrder {
+    std::vector<std::uint32_t> elements; ///< in the order of the chunks
+    std::vector<Box2> boxes;             ///< one for each chunk
+};
+
+/// Sorts the elements of a mesh along a Z-order curve. The result is incomplete once `stop` is requested.
+MeshOrder orderByPlace(const Mesh &mesh, const std::stop_token &stop = {});
+
+/// Sorts the elements of a large mesh on a separate thread, so that the window does not wait for it. The destructor
+/// waits a few milliseconds at most.
+class MeshSorter {
+  public:
+    explicit MeshSorter(std::shared_ptr<const MeshView> view);
+
+    bool done() const { return done_; }
+    /// Waits until it is done and returns the order; empty if there is not enough memory. Call it once.
+    MeshOrder take();
+
+  private:
+    std::shared_ptr<const MeshView> view_;
+    MeshOrder order_;
+    std::atomic<bool> done_ = false;
+    std::jthread thread_; ///< last, so that it ends before what it uses
+};
+
+} // namespace forefront
