@@ -94,7 +94,7 @@ Result<T> readFile(const std::filesystem::path &path, const ImportOptions &optio
     try {
         std::string loaded;
         if (options.content == nullptr) {
-            Result<std::string> bytes = readFileBytes(path, options.maxBytes);
+            Result<std::string> bytes = readFileBytes(path, options.maxBytes, options.progress);
             if (!bytes) {
                 return bytes.faults();
             }
@@ -110,7 +110,7 @@ Result<T> readFile(const std::filesystem::path &path, const ImportOptions &optio
         Result<T> result = read(**format, source);
         if (!result) {
             Diagnostics faults = named(result.faults(), path);
-            if (!faults.empty() && faults.front().advice.empty()) {
+            if (!faults.empty() && faults.front().advice.empty() && faults.front().code != "cancelled") {
                 faults.front().advice = std::string("the file was read as ") + (*format)->about.name;
             }
             return faults;

@@ -8,8 +8,12 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <limits>
+#include <stop_token>
+#include <utility>
+#include <vector>
 
 using namespace forefront;
 using namespace forefront::testing;
@@ -48,6 +52,42 @@ TEST_CASE("Formats: a mesh written in any format is read back the same, with tag
         REQUIRE_MESSAGE(back.ok(), messages(back.faults()));
         CHECK(difference(std::string(format.id) == "obj" ? byRegion(mesh) : mesh, *back) == "");
         CHECK(verify(*back).empty());
+    }
+}
+
+TEST_CASE("Formats: reading a mesh of any format reports its progress and can be cancelled") {
+    const TemporaryFolder folder;
+    const Mesh mesh = twoRegionMesh(200, 100);
+    for (const FileFormat &format : fileFormats()) {
+        if (!format.writesMesh || !format.readsMesh) {
+            continue;
+        }
+        CAPTURE(std::string(format.id));
+        const auto path = folder / (std::string("mesh_") + format.id + format.extension);
+        REQUIRE(writeMesh(path, mesh, format.id).empty());
+        std::vector<double> reports;
+        std::stop_source stop;
+        double stopAt = 2.0;
+        ImportOptions options;
+        options.progress = {[&](std::string_view stage, double fraction) {
+                                CHECK(stage.starts_with("reading mesh_"));
+                                reports.push_back(fraction);
+                                if (fraction > stopAt) {
+                                    stop.request_stop();
+                                }
+                            },
+                            stop.get_token()};
+        CHECK(readFields(path, options).ok());
+        REQUIRE(reports.size() > 3);
+        CHECK(*std::max_element(reports.begin(), reports.end()) > 0.6);
+        stopAt = 0.3;
+        const std::size_t all = std::exchange(reports, {}).size();
+        const auto cancelled = readFields(path, options);
+        REQUIRE_FALSE(cancelled.ok());
+        CHECK(hasCode(cancelled.faults(), "cancelled"));
+        CHECK(cancelled.faults().front().message == "reading was cancelled");
+        CHECK(reports.size() < all);
+        CHECK(hasCode(readMesh(path, options).faults(), "cancelled")); // the request is still there
     }
 }
 

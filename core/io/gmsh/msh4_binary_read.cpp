@@ -121,6 +121,9 @@ bool MshFile::readNodeBlockBinary(ByteScanner &bytes, std::size_t block, std::si
             return bytes.fail(numbersPlace + k * kSize, "out-of-range",
                               "the number of a node must be 1 or greater, found " + std::to_string(number));
         }
+        if (!scanner_.proceed(placesPlace + k * reals * kReal)) {
+            return false;
+        }
         const Vec2 place{numberAt<double>(places, k * reals), numberAt<double>(places, k * reals + 1)};
         const auto z = numberAt<double>(places, k * reals + 2);
         const std::size_t offset = placesPlace + k * reals * kReal;
@@ -195,6 +198,9 @@ bool MshFile::readElementBlockBinary(ByteScanner &bytes, std::size_t &left) {
     const char *const rows = bytes.block(size, (1 + corners) * kSize, {"the elements of a block"});
     const std::int32_t tag = tagOf(dimension, entity);
     for (std::size_t k = 0; rows != nullptr && k < size; ++k) {
+        if (!scanner_.proceed(place + k * (1 + corners) * kSize)) {
+            return false;
+        }
         const auto number = numberAt<std::int64_t>(rows, k * (1 + corners));
         Element nodes{};
         for (std::size_t corner = 0; corner < corners; ++corner) {

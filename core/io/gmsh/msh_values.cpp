@@ -130,7 +130,7 @@ bool MshFile::readValuesBinary(bool ofNodes, std::size_t count, MshValues &field
         std::int32_t number = 0;
         double value = 0.0;
         NodeId node = kNoNode;
-        if (!bytes.number(number, expect) || !bytes.number(value, expect) ||
+        if (!scanner_.proceed(place) || !bytes.number(number, expect) || !bytes.number(value, expect) ||
             (ofNodes && !findNode(number, node, place))) {
             return false;
         }

@@ -2,6 +2,7 @@
 
 #include "core/arrangement/overlap_rule.hpp"
 #include "core/base/api.hpp"
+#include "core/base/progress.hpp"
 
 #include <cstddef>
 #include <map>
@@ -28,6 +29,8 @@ struct ImportOptions {
     std::map<std::string, std::string> parameters = {};
     /// The bytes of the file where they have been read already, such as those of standard input; null: read the file.
     std::shared_ptr<const std::string> content = {};
+    /// Of reading a mesh, which is cancelled with the fault "cancelled". Reported every few thousand lines or elements.
+    Progress progress = {};
 };
 
 } // namespace forefront

@@ -1,5 +1,7 @@
 #include "core/io/source/source.hpp"
 
+#include "core/base/cancelled.hpp"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -61,7 +63,8 @@ class OpenFile {
 };
 
 /// Reads an open file up to its end; `name` appears in faults.
-Result<std::string> readDescriptor(int descriptor, const std::string &name, std::size_t maxBytes) {
+Result<std::string> readDescriptor(int descriptor, const std::string &name, std::size_t maxBytes,
+                                   const Progress &progress) {
     struct stat status {};
     if (descriptor < 0 || ::fstat(descriptor, &status) != 0) {
         return readFault(name, std::strerror(errno));
@@ -78,12 +81,15 @@ Result<std::string> readDescriptor(int descriptor, const std::string &name, std:
     if (promised > maxBytes) {
         return tooLarge();
     }
-    constexpr std::size_t kChunk = std::size_t{1} << 20;
+    constexpr std::size_t kChunk = std::size_t{1} << 20, kPatience = 16 * kChunk;
     std::string bytes;
     std::size_t size = 0;
     bytes.resize(S_ISREG(status.st_mode) ? promised + 1 : kChunk);
     while (true) {
-        const ssize_t got = ::read(descriptor, bytes.data() + size, bytes.size() - size);
+        if (progress.cancelled()) {
+            return cancelled("reading");
+        }
+        const ssize_t got = ::read(descriptor, bytes.data() + size, std::min(bytes.size() - size, kPatience));
         if (got < 0) {
             if (errno == EINTR) {
                 continue;
@@ -111,13 +117,13 @@ Result<std::string> readDescriptor(int descriptor, const std::string &name, std:
 
 } // namespace
 
-Result<std::string> readFileBytes(const std::filesystem::path &path, std::size_t maxBytes) {
+Result<std::string> readFileBytes(const std::filesystem::path &path, std::size_t maxBytes, const Progress &progress) {
     const OpenFile file(path);
-    return readDescriptor(file.descriptor(), path.string(), maxBytes);
+    return readDescriptor(file.descriptor(), path.string(), maxBytes, progress);
 }
 
 Result<std::string> readStandardInput(std::size_t maxBytes) {
-    return readDescriptor(STDIN_FILENO, "standard input", maxBytes);
+    return readDescriptor(STDIN_FILENO, "standard input", maxBytes, {});
 }
 
 } // namespace forefront

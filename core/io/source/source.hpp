@@ -39,8 +39,9 @@ Diagnostic faultAt(const SourceText &source, std::size_t offset, std::string cod
 std::string inQuotes(std::string_view token);
 
 /// Returns the whole content of a file without the byte order mark that some editors put before UTF-8. Faults:
-/// cannot-read with the text of errno, too-large.
-Result<std::string> readFileBytes(const std::filesystem::path &path, std::size_t maxBytes);
+/// cannot-read with the text of errno, too-large, cancelled.
+Result<std::string> readFileBytes(const std::filesystem::path &path, std::size_t maxBytes,
+                                  const Progress &progress = {});
 /// Returns everything on standard input up to its end, without a byte order mark. Faults as for readFileBytes().
 Result<std::string> readStandardInput(std::size_t maxBytes);
 

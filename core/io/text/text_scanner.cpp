@@ -1,5 +1,7 @@
 #include "core/io/text/text_scanner.hpp"
 
+#include "core/base/cancelled.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -44,6 +46,24 @@ bool TextScanner::fail(std::size_t offset, std::string code, std::string message
 bool TextScanner::fail(const TextScanner &other) {
     if (ok()) {
         faults_ = other.faults_;
+    }
+    return false;
+}
+
+bool TextScanner::pause(std::size_t offset) {
+    pauseAt_ = offset + kPause;
+    if (stopped()) {
+        return false;
+    }
+    source_->options.progress("reading " + std::filesystem::path(source_->name).filename().string(),
+                              static_cast<double>(offset) / static_cast<double>(source_->text.size()));
+    return ok();
+}
+
+bool TextScanner::stopped() {
+    if (ok() && source_->options.progress.cancelled()) {
+        faults_ = cancelled("reading");
+        return true;
     }
     return false;
 }
@@ -124,7 +144,7 @@ bool TextScanner::failExpected(const char *kind, Expect expect) {
 }
 
 bool TextScanner::real(double &value, Expect expect) {
-    if (!ok()) {
+    if (!ok() || !proceed(at_)) {
         return false;
     }
     skipBlanks();
@@ -147,7 +167,7 @@ bool TextScanner::real(double &value, Expect expect) {
 }
 
 bool TextScanner::integer(std::int64_t &value, std::int64_t minimum, std::int64_t maximum, Expect expect) {
-    if (!ok()) {
+    if (!ok() || !proceed(at_)) {
         return false;
     }
     skipBlanks();
@@ -185,7 +205,7 @@ bool TextScanner::count(std::size_t &value, std::size_t bytes, Expect expect) {
 
 bool TextScanner::nextLine(TextScanner &line) {
     skipBlanks();
-    if (at_ == end_) {
+    if (at_ == end_ || !proceed(at_)) {
         return false;
     }
     const std::size_t begin = at_;

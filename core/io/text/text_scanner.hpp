@@ -39,6 +39,12 @@ class TextScanner {
     /// Takes over the failure of another scanner, such as one of a line.
     bool fail(const TextScanner &other);
 
+    /// Reports progress up to a byte of the source every few thousand lines; returns false, and fails, once reading has
+    /// been cancelled. Numbers and lines call it; readers of binary data do so for each item.
+    bool proceed(std::size_t offset) { return offset < pauseAt_ || pause(offset); }
+    /// Returns true, and fails, if reading has been cancelled.
+    bool stopped();
+
     std::size_t offset() const { return at_; }
     void seek(std::size_t offset) { at_ = std::min(offset, end_); }
     std::size_t remaining() const { return end_ - at_; }
@@ -75,18 +81,22 @@ class TextScanner {
 
   private:
     TextScanner(const SourceText &source, std::size_t begin, std::size_t end, char comment, char separator)
-        : source_(&source), text_(source.text.data()), at_(begin), end_(end), comment_(comment), separator_(separator) {
-    }
+        : source_(&source), text_(source.text.data()), at_(begin), end_(end), pauseAt_(begin + kPause),
+          comment_(comment), separator_(separator) {}
+
+    static constexpr std::size_t kPause = std::size_t{1} << 16; ///< bytes between two looks at the stop token
 
     bool blank(char c) const { return static_cast<unsigned char>(c) <= ' ' || c == separator_; }
     bool delimits(std::size_t at) const { return at == end_ || blank(text_[at]) || text_[at] == comment_; }
     void skipBlanks();
     bool failExpected(const char *kind, Expect expect);
+    bool pause(std::size_t offset);
 
     const SourceText *source_;
     const char *text_;
     std::size_t at_;
     std::size_t end_;
+    std::size_t pauseAt_; ///< byte at which to look at the stop token next
     char comment_;
     char separator_;
     bool namesBytes_ = false;

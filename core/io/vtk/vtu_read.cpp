@@ -44,6 +44,7 @@ void convert(std::string_view bytes, std::vector<Target> &values) {
         if constexpr (std::is_integral_v<Target> && std::is_floating_point_v<T>) {
             values[k] = std::fabs(value) < T(1e9) ? static_cast<Target>(value) : Target{0};
         } else {
+            // An Int8 is a number, not a character. NOLINTNEXTLINE(bugprone-signed-char-misuse)
             values[k] = static_cast<Target>(value);
         }
     }
@@ -100,11 +101,10 @@ class VtuReader {
     /// Parses the XML, which ends where raw data begin; open elements are closed.
     bool parse() {
         const std::size_t appended = text_.find("<AppendedData");
-        std::string head(text_.substr(0, appended));
-        if (appended != std::string_view::npos) {
-            head += "</VTKFile>";
-        }
-        const pugi::xml_parse_result parsed = xml_.load_buffer(head.data(), head.size());
+        const std::string head =
+            appended == std::string_view::npos ? std::string() : std::string(text_.substr(0, appended)) + "</VTKFile>";
+        const std::string_view xml = head.empty() ? text_ : head;
+        const pugi::xml_parse_result parsed = xml_.load_buffer(xml.data(), xml.size());
         if (!parsed) {
             return scanner_.fail(static_cast<std::size_t>(std::max<std::ptrdiff_t>(parsed.offset, 0)), "xml-syntax",
                                  std::string("the XML is malformed: ") + parsed.description());
@@ -229,6 +229,11 @@ class VtuReader {
         return kSizes[static_cast<std::size_t>(type)];
     }
 
+    /// Reports progress up to a part of the text; returns false once cancelled.
+    bool proceedTo(std::string_view part) {
+        return part.empty() || scanner_.proceed(static_cast<std::size_t>(part.data() - text_.data()));
+    }
+
     template <class Target>
     bool numbers(const pugi::xml_node &node, std::vector<Target> &values) {
         const std::string_view format = node.attribute("format").as_string("ascii");
@@ -249,6 +254,9 @@ class VtuReader {
         if (format == "appended" && appendedRaw_) {
             const std::uint64_t offset = node.attribute("offset").as_ullong(appended_.size());
             bytes = appended_.substr(static_cast<std::size_t>(std::min<std::uint64_t>(offset, appended_.size())));
+            if (!proceedTo(bytes)) {
+                return false;
+            }
         } else {
             std::string_view encoded;
             if (format == "appended") {
@@ -257,6 +265,9 @@ class VtuReader {
                 encoded = block(encoded);
             } else {
                 encoded = content(node);
+            }
+            if (!proceedTo(encoded)) {
+                return false;
             }
             auto result = fromBase64(encoded);
             if (!result) {
