@@ -18,7 +18,7 @@ namespace {
 class MeshOutline {
   public:
     MeshOutline(const Mesh &mesh, const Progress &progress)
-        : mesh_(mesh), numbers_(mesh.nodes.size(), kNoIndex),
+        : mesh_(mesh), numbers_(mesh.nodes.size(), kNoIndex), tagged_(mesh.nodes.size(), false),
           progress_(progress, "finding the outline", 2 * mesh.elements.size()) {}
 
     Result<Domain> run() {
@@ -57,6 +57,7 @@ class MeshOutline {
             const auto b = static_cast<std::uint32_t>(mesh_.edges[k].b);
             const CurveStretch stretch = k < mesh_.edgeStretches.size() ? mesh_.edgeStretches[k] : CurveStretch();
             tags_.push_back({std::min(a, b), std::max(a, b), a, b, mesh_.edges[k].tag, stretch});
+            tagged_[a] = tagged_[b] = true;
         }
         std::stable_sort(tags_.begin(), tags_.end(),
                          [](const Tagged &a, const Tagged &b) { return a.key() < b.key(); });
@@ -82,6 +83,9 @@ class MeshOutline {
 
     /// Returns the index of the tag of an edge, or tags_.size().
     std::size_t findTag(NodeId a, NodeId b) const {
+        if (!tagged_[index(a)] || !tagged_[index(b)]) {
+            return tags_.size(); // most edges; a search for each would take longer than the rest
+        }
         const std::tuple key(static_cast<std::uint32_t>(std::min(a, b)), static_cast<std::uint32_t>(std::max(a, b)));
         const auto place = std::lower_bound(tags_.begin(), tags_.end(), key,
                                             [](const Tagged &tag, const auto &sought) { return tag.key() < sought; });
@@ -189,6 +193,7 @@ class MeshOutline {
 
     const Mesh &mesh_;
     std::vector<std::uint32_t> numbers_; ///< per node of the mesh: its index in the domain
+    std::vector<bool> tagged_;           ///< per node of the mesh: it is on an edge with a tag
     std::vector<Tagged> tags_;
     std::vector<bool> used_;
     std::int32_t outerTag_ = 1;     ///< for outer edges without a tag
