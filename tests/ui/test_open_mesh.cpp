@@ -4,8 +4,11 @@
 
 #include <doctest/doctest.h>
 
+#include <fstream>
 #include <future>
 #include <string>
+#include <sys/stat.h>
+#include <utility>
 
 namespace forefront::test {
 
@@ -17,6 +20,16 @@ class PlateReader : public Draughtsman {
     PlateReader() { REQUIRE_FALSE(hasErrors(writeMesh(folder_ / "plate.msh", MeshedSquare().mesh()))); }
 
     void open() { openMesh(context(), folder_ / "plate.msh"); }
+    const std::filesystem::path &folder() const { return folder_.path; }
+    /// Opens the dialog of an action and chooses a file by its name.
+    void choose(const char *action, const std::string &dialog, const std::string &file) {
+        context().actions.run(action, context());
+        settle();
+        click("dialog/" + dialog + "/name");
+        key('A', {Modifiers::kControl});
+        type((folder_ / file).string());
+        click("dialog/" + dialog + "/ok");
+    }
     bool showsFile() { return context().run.showsFile(); }
     std::string lastMessage() { return context().log.entries().back().diagnostic.message; }
 
@@ -36,6 +49,66 @@ TEST_CASE("Open mesh: the file is read on another thread, and Esc drops it") {
     driver.settle();
     CHECK_FALSE(driver.context().task.busy());
     CHECK_FALSE(driver.showsFile());
+}
+
+TEST_CASE("Open mesh: a file that cannot be read is reported in the dialog, which stays open until one can") {
+    for (const auto &[action, dialog] : {std::pair("file.openMesh", "openmesh"), {"file.compareMesh", "comparemesh"}}) {
+        CAPTURE(dialog);
+        PlateReader driver;
+        std::ofstream(driver.folder() / "broken.msh") << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\nmany\n";
+        const std::string name = std::string("dialog/") + dialog;
+        if (std::string(dialog) == "comparemesh") {
+            driver.open(); // something to compare with
+            driver.settle();
+        }
+        driver.choose(action, dialog, "broken.msh");
+        driver.settle();
+        REQUIRE(driver.has(name + "/ok"));
+        CHECK_FALSE(driver.context().task.busy());
+        CHECK(driver.context().widgets.find(name + "/warning")->rect.width > 100.0);
+        CHECK(driver.lastMessage().find("found 'many'") != std::string::npos); // in the log too
+        driver.click(name + "/name");
+        driver.key('A', {Modifiers::kControl});
+        driver.type((driver.folder() / "plate.msh").string());
+        driver.key(key::kEnter);
+        driver.settle();
+        CHECK_FALSE(driver.has(name + "/ok"));
+        CHECK((driver.showsFile() || driver.context().sides.mesh() != nullptr));
+    }
+}
+
+TEST_CASE("Open mesh: while the file is read, the dialog shows how far that is, and Esc or Cancel ends only that") {
+    for (const bool escape : {true, false}) {
+        CAPTURE(escape);
+        PlateReader driver;
+        // Opening a named pipe takes until something opens its other end.
+        REQUIRE(::mkfifo((driver.folder() / "pipe.msh").c_str(), 0600) == 0);
+        driver.choose("file.openMesh", "openmesh", "pipe.msh");
+        driver.frames(2);
+        CHECK(driver.has("dialog/openmesh/reading"));
+        CHECK_FALSE(driver.context().widgets.find("dialog/openmesh/ok")->enabled);
+        escape ? driver.key(key::kEscape) : static_cast<void>(driver.click("dialog/openmesh/cancel"));
+        driver.frames(2);
+        CHECK_FALSE(driver.context().task.busy());
+        CHECK(driver.has("dialog/openmesh/ok"));
+        CHECK_FALSE(driver.has("dialog/openmesh/reading"));
+        driver.key(key::kEscape);
+        driver.frames(2);
+        CHECK_FALSE(driver.has("dialog/openmesh/ok"));
+        const std::fstream otherEnd(driver.folder() / "pipe.msh"); // the reader waits for it
+    }
+}
+
+TEST_CASE("Open: Return after a click on a file opens it") {
+    PlateReader driver;
+    driver.choose("file.openMesh", "openmesh", "");
+    driver.settle();
+    driver.click("dialog/openmesh/list/plate.msh");
+    driver.frames(40); // no double click
+    driver.key(key::kEnter);
+    driver.settle();
+    CHECK_FALSE(driver.has("dialog/openmesh/ok"));
+    CHECK(driver.showsFile());
 }
 
 TEST_CASE("Background task: the window shows its progress, and Esc does not wait for it") {

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <ctime>
+#include <utility>
 
 namespace forefront {
 namespace {
@@ -225,12 +226,52 @@ bool FileDialog::choose(Shell &context) {
         return false;
     }
     replace_.reset();
+    if (faults.empty() && request_.reads) {
+        fault_.clear();
+        reading_ = request_.reads(context, file);
+        return false;
+    }
     if (faults.empty()) {
         faults = request_.chosen(context, file, filter());
     }
+    return show(context, faults);
+}
+
+bool FileDialog::show(Shell &context, const Diagnostics &faults) {
     context.log.keep(faults);
     fault_ = faults.empty() ? std::string() : lineOf(faults.front());
     return faults.empty();
+}
+
+bool FileDialog::followReading(Shell &context) {
+    if (!reading_) {
+        return true;
+    }
+    if (ImGui::IsKeyPressed(key::kEscape, false)) {
+        cancelReading(context);
+        return true;
+    }
+    if (context.task.ready()) {
+        context.task.finish();
+    }
+    if (!reading_->done) {
+        reading_ = context.task.busy() ? reading_ : nullptr; // another task may have replaced it
+        return true;
+    }
+    const Diagnostics faults = std::exchange(reading_, nullptr)->faults;
+    return !show(context, faults);
+}
+
+void FileDialog::cancelReading(Shell &context) {
+    context.task.cancel();
+    reading_.reset();
+}
+
+/// Draws how far reading is, in place of the warning.
+void FileDialog::drawReading(Shell &context) {
+    const BackgroundTask &task = context.task;
+    ui::muted(context, task.name() + ui::format("\xe2\x80\xa6 %.0f %%", 100.0 * task.fraction()));
+    ui::mark(context, widget("reading"));
 }
 
 std::string FileDialog::warning() const {
@@ -331,20 +372,34 @@ bool FileDialog::drawBottom(Shell &context) {
     ui::wrappedText(warning(), buttons - context.px(kButtonGap) - ImGui::GetCursorPosX());
     ImGui::PopStyleColor();
     ui::mark(context, widget("warning"));
+    if (reading_) {
+        ImGui::SetCursorPosY(top);
+        drawReading(context);
+    }
     ImGui::SetCursorPos({buttons, top});
     const bool cancelled = ui::button(context, widget("cancel"), "Cancel", ui::ButtonKind::Plain, true, kButton);
     ImGui::SameLine(0, context.px(kButtonGap));
     const std::string label = replace_ ? "Replace" : request_.action;
-    wanted =
-        ui::button(context, widget("ok"), label, ui::ButtonKind::Primary, allowed && !request_.name.empty(), kButton) ||
-        wanted;
-    if (cancelled) {
-        return false;
+    const bool ready = allowed && !request_.name.empty() && !reading_;
+    wanted = ui::button(context, widget("ok"), label, ui::ButtonKind::Primary, ready, kButton) || wanted || returned();
+    if (cancelled && reading_) {
+        cancelReading(context);
+        return true;
     }
-    return !(wanted && allowed && choose(context));
+    return !cancelled && !(wanted && ready && choose(context));
+}
+
+/// Returns true if Return was pressed outside all fields, such as after a click on a file.
+bool FileDialog::returned() const {
+    const bool pressed = ImGui::IsKeyPressed(key::kEnter, false) || ImGui::IsKeyPressed(key::kKeypadEnter, false);
+    return pressed && !typing_ && ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows);
 }
 
 bool FileDialog::draw(Shell &context) {
+    typing_ = ImGui::IsAnyItemActive(); // before a field takes Return
+    if (!followReading(context)) {
+        return false;
+    }
     const float height = ImGui::GetContentRegionAvail().y - bottomHeight(context);
     ImGui::BeginChild("places", {context.px(134), height}, false, ImGuiWindowFlags_NoNav);
     drawPlaces(context);
@@ -362,7 +417,7 @@ bool FileDialog::draw(Shell &context) {
     ImGui::PopStyleColor();
     ImGui::EndGroup();
     const bool stays = drawBottom(context);
-    if (opened && stays && (!request_.extra || ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))) {
+    if (opened && stays && !reading_ && (!request_.extra || ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))) {
         return !choose(context);
     }
     return stays;

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +19,12 @@ struct FilePreset {
     std::string label;
     std::string filter;           ///< id of the filter
     std::function<void()> chosen; ///< may be empty
+};
+
+/// The outcome of reading a file in the background.
+struct FileOutcome {
+    bool done = false;
+    Diagnostics faults; ///< empty: the file is in use
 };
 
 /// The purpose and the initial state of a file dialog.
@@ -34,6 +41,9 @@ struct FileRequest {
     /// Called with the chosen file. The dialog closes if it returns no faults; otherwise it stays open and shows the
     /// first.
     std::function<Diagnostics(Shell &, const std::filesystem::path &, const FileFilter &)> chosen;
+    /// Called instead of `chosen`, if set: reads the file as the background task of the shell. The dialog stays open
+    /// until the result is there, and then as with `chosen`.
+    std::function<std::shared_ptr<const FileOutcome>(Shell &, const std::filesystem::path &)> reads;
     /// Draws extra lines between the list and the buttons; returns false to disable the button. May be empty.
     std::function<bool(Shell &)> extra;
     int extraLines = 1; ///< number of lines that `extra` draws
@@ -48,9 +58,15 @@ class FileDialog : public Dialog {
     std::string title() const override { return request_.title; }
     float width() const override { return 680.0F; }
     float height() const override { return 560.0F; }
+    /// While a file is read, Esc cancels that.
+    bool closesOnEscape() const override { return !reading_; }
     bool draw(Shell &context) override;
 
   private:
+    /// Uses the result of reading the file, if it is there. Returns false to close the dialog.
+    bool followReading(Shell &context);
+    void drawReading(Shell &context);
+    void cancelReading(Shell &context);
     void enter(const std::filesystem::path &folder);
     void drawPlaces(Shell &context);
     void drawPath(Shell &context);
@@ -70,6 +86,9 @@ class FileDialog : public Dialog {
     /// Sets the chosen name and clears the faults of the previous one.
     void suggest(std::string name);
     bool choose(Shell &context);
+    /// Logs the faults of the chosen file and shows the first. Returns true if there are none.
+    bool show(Shell &context, const Diagnostics &faults);
+    bool returned() const;
     /// Switches to the filter that the extension of a typed name belongs to.
     void followExtension(const std::string &name);
     std::string widget(const char *part) const { return "dialog/" + request_.id + "/" + part; }
@@ -79,8 +98,10 @@ class FileDialog : public Dialog {
     std::filesystem::path folder_;
     std::vector<FileEntry> entries_;
     std::string fault_;
+    std::shared_ptr<const FileOutcome> reading_;   ///< of the file being read; null: none
     std::optional<std::filesystem::path> replace_; ///< asked whether to replace this file
     bool focusName_ = true;
+    bool typing_ = false; ///< a field was active when this frame began
     bool newFolder_ = false;
     std::string newFolderName_;
 };

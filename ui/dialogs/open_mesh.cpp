@@ -8,6 +8,7 @@
 #include "ui/widgets/widgets.hpp"
 
 #include <algorithm>
+#include <future>
 #include <memory>
 #include <new>
 #include <string>
@@ -64,8 +65,10 @@ void show(Shell &context, const OpenedMesh &opened, const std::filesystem::path 
 }
 
 /// Reads a mesh that can be drawn.
-Result<MeshFields> readDrawable(const std::filesystem::path &file, ImportNotes &notes) {
-    Result<MeshFields> read = readFields(file, {}, &notes);
+Result<MeshFields> readDrawable(const std::filesystem::path &file, ImportNotes &notes, const Progress &progress) {
+    ImportOptions options;
+    options.progress = progress;
+    Result<MeshFields> read = readFields(file, options, &notes);
     if (!read) {
         return read;
     }
@@ -76,39 +79,57 @@ Result<MeshFields> readDrawable(const std::filesystem::path &file, ImportNotes &
     return faults.empty() ? std::move(read) : Result<MeshFields>(std::move(faults));
 }
 
+using Outcome = std::shared_ptr<FileOutcome>;
+
 /// Asks for a mesh file.
 void askForMesh(Shell &context, std::string id, std::string title, std::string action,
-                void (*chosen)(Shell &, const std::filesystem::path &)) {
+                void (*read)(Shell &, const std::filesystem::path &, const Outcome &)) {
     FileRequest request;
     request.id = std::move(id);
     request.title = std::move(title);
     request.action = std::move(action);
     request.filters = openFilters("All meshes", {}, [](const FileFormat &format) { return format.readsMesh; });
     request.folder = startFolder(context);
-    request.chosen = [chosen](Shell &c, const std::filesystem::path &file, const FileFilter &) {
-        chosen(c, file);
-        return Diagnostics();
+    request.reads = [read](Shell &c, const std::filesystem::path &file) {
+        auto outcome = std::make_shared<FileOutcome>();
+        read(c, file, outcome);
+        return outcome;
     };
     context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));
 }
 
-/// Reads a mesh on another thread, on which `use` turns it into what to do on that of the window. Faults are logged.
+/// Reads a mesh on another thread, on which `use` turns it into what to do on that of the window. Faults go to the
+/// outcome; without one, they are logged.
 template <class Use>
-void readInBackground(Shell &context, const std::filesystem::path &file, Use use) {
+void readInBackground(Shell &context, const std::filesystem::path &file, const Outcome &outcome, Use use) {
     if (context.task.busy()) {
         context.log.announce("Cancelled " + context.task.name());
     }
-    context.task.start("reading " + file.filename().string(), [&context, file, use](const Progress &progress) {
-        const auto refuse = [&context](Diagnostics faults) -> BackgroundTask::Finish {
-            return [&context, faults = std::move(faults)] { context.log.add(faults); };
+    context.task.start("reading " + file.filename().string(), [&context, file, outcome, use](const Progress &progress) {
+        const auto refuse = [&context, outcome](Diagnostics faults) -> BackgroundTask::Finish {
+            return [&context, outcome, faults = std::move(faults)] {
+                if (outcome) {
+                    *outcome = {.done = true, .faults = faults};
+                } else {
+                    context.log.add(faults);
+                }
+            };
         };
         try {
             ImportNotes notes;
-            Result<MeshFields> read = readDrawable(file, notes);
+            Result<MeshFields> read = readDrawable(file, notes, progress);
             if (progress.cancelled()) {
                 return BackgroundTask::Finish();
             }
-            return read ? use(*std::move(read), notes.diagnostics(), progress) : refuse(read.faults());
+            if (!read) {
+                return refuse(read.faults());
+            }
+            return BackgroundTask::Finish([outcome, finish = use(*std::move(read), notes.diagnostics(), progress)] {
+                if (outcome) {
+                    outcome->done = true;
+                }
+                finish();
+            });
         } catch (const std::bad_alloc &) {
             return refuse(error("out-of-memory", "not enough memory to open the mesh", "open a smaller mesh"));
         }
@@ -116,22 +137,30 @@ void readInBackground(Shell &context, const std::filesystem::path &file, Use use
     context.animate();
 }
 
-} // namespace
+/// Computes the outline and the figures of a mesh, at the same time.
+OpenedMesh evaluate(MeshFields read, Diagnostics notes, const Progress &progress) {
+    OpenedMesh opened;
+    opened.mesh = takeMesh(std::move(read));
+    // Without a policy, get() does the work if the system refuses another thread.
+    std::future<Result<Domain>> found =
+        std::async([&mesh = opened.mesh.view->mesh, &progress] { return domainOfMesh(mesh, progress); });
+    measureMesh(opened.mesh);
+    const Result<Domain> outline = found.get();
+    if (!outline) {
+        notes.insert(notes.end(), outline.faults().begin(), outline.faults().end());
+    }
+    opened.outline = std::make_shared<const Document>(outline ? fromDomain(*outline) : Document());
+    opened.notes = std::move(notes);
+    return opened;
+}
 
-void openMesh(Shell &context, const std::filesystem::path &file) {
+void open(Shell &context, const std::filesystem::path &file, const Outcome &outcome) {
     const std::uint64_t loads = context.document.loads();
-    readInBackground(context, file,
+    readInBackground(context, file, outcome,
                      [&context, file, loads](MeshFields read, Diagnostics notes,
                                              const Progress &progress) -> BackgroundTask::Finish {
-                         const auto opened = std::make_shared<OpenedMesh>();
-                         const Result<Domain> outline = domainOfMesh(read.mesh, progress);
-                         if (!outline) {
-                             notes.insert(notes.end(), outline.faults().begin(), outline.faults().end());
-                         }
-                         opened->outline =
-                             std::make_shared<const Document>(outline ? fromDomain(*outline) : Document());
-                         opened->mesh = fileMeshOf(std::move(read));
-                         opened->notes = std::move(notes);
+                         const auto opened =
+                             std::make_shared<OpenedMesh>(evaluate(std::move(read), std::move(notes), progress));
                          return [&context, file, opened, loads] {
                              if (context.document.loads() != loads) {
                                  context.log.announce(file.filename().string() +
@@ -143,15 +172,11 @@ void openMesh(Shell &context, const std::filesystem::path &file) {
                      });
 }
 
-void openMesh(Shell &context) {
-    askForMesh(context, "openmesh", "Open mesh", "Open", openMesh);
-}
-
-void compareMesh(Shell &context, const std::filesystem::path &file) {
+void compare(Shell &context, const std::filesystem::path &file, const Outcome &outcome) {
     readInBackground(
-        context, file,
+        context, file, outcome,
         [&context, file](MeshFields read, const Diagnostics &notes, const Progress &) -> BackgroundTask::Finish {
-            const auto other = std::make_shared<MeshFields>(std::move(read));
+            const auto other = std::make_shared<ComparedFile>(comparedFile(std::move(read)));
             return [&context, file, other, notes] {
                 const std::string name = file.filename().string();
                 context.sides.compareWith(name, std::move(*other), [&p = context.platform] { p.wake(); });
@@ -165,8 +190,22 @@ void compareMesh(Shell &context, const std::filesystem::path &file) {
         });
 }
 
+} // namespace
+
+void openMesh(Shell &context, const std::filesystem::path &file) {
+    open(context, file, nullptr);
+}
+
+void openMesh(Shell &context) {
+    askForMesh(context, "openmesh", "Open mesh", "Open", open);
+}
+
+void compareMesh(Shell &context, const std::filesystem::path &file) {
+    compare(context, file, nullptr);
+}
+
 void compareMesh(Shell &context) {
-    askForMesh(context, "comparemesh", "Compare with mesh", "Compare", compareMesh);
+    askForMesh(context, "comparemesh", "Compare with mesh", "Compare", compare);
 }
 
 } // namespace forefront

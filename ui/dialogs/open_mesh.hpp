@@ -6,7 +6,7 @@ namespace forefront {
 
 struct Shell;
 
-/// Asks for the file of a mesh and opens it.
+/// Asks for the file of a mesh and opens it. The dialog stays open while it is read, and shows why it cannot be.
 void openMesh(Shell &context);
 
 /// Opens a mesh of any format to inspect its quality: the mesh is shown as it is, and its outline becomes the drawing.

@@ -1,26 +1,28 @@
 #include "ui/workspace/compared_mesh.hpp"
 
-#include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace forefront {
 
-namespace {
-
-std::shared_ptr<const MeshView> viewOf(Mesh mesh, std::uint64_t version) {
-    auto view = std::make_shared<MeshView>();
-    view->alpha = shapeFactors(mesh);
-    view->mesh = std::move(mesh);
-    view->version = version;
-    return view;
+ComparedFile comparedFile(MeshFields read) {
+    ComparedFile file;
+    file.fields = takeFields(read);
+    file.view = std::make_shared<MeshView>();
+    file.view->alpha = shapeFactors(read.mesh);
+    file.view->mesh = std::move(read.mesh);
+    return file;
 }
 
-} // namespace
+ComparedMesh::ComparedMesh(std::string name, ComparedFile file, std::uint64_t version, std::function<void()> wake)
+    : name_(std::move(name)), fields_(std::move(file.fields)), judge_(std::move(wake)), judgement_(judge_.latest()) {
+    file.view->version = version;
+    view_ = std::move(file.view);
+}
 
-ComparedMesh::ComparedMesh(std::string name, MeshFields read, std::uint64_t version, std::function<void()> wake)
-    : name_(std::move(name)), fields_(takeFields(read)), view_(viewOf(std::move(read.mesh), version)),
-      judge_(std::move(wake)), judgement_(judge_.latest()) {}
+const std::vector<MeshEdge> &ComparedMesh::outline() const {
+    static const std::vector<MeshEdge> kNone;
+    return judgement_->outline ? *judgement_->outline : kNone;
+}
 
 bool ComparedMesh::follow(JudgeRequest request) {
     request.mesh = view_;
@@ -35,16 +37,12 @@ bool ComparedMesh::follow(JudgeRequest request) {
     request.limits = {};
     request.verify = false;
     request.parts = true;
+    request.outline = true;
     request.quality = true;
     judge_.submit(request);
     std::shared_ptr<const Judgement> newest = judge_.latest();
     if (newest == judgement_) {
         return false;
-    }
-    if (newest->edges && newest->edges != judgement_->edges) {
-        outline_.clear();
-        std::copy_if(newest->edges->edges.begin(), newest->edges->edges.end(), std::back_inserter(outline_),
-                     [](const MeshEdge &edge) { return edge.elements[1] == kNoElement; });
     }
     judgement_ = std::move(newest);
     return true;

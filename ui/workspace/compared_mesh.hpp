@@ -12,19 +12,28 @@
 
 namespace forefront {
 
+/// The mesh of a file, prepared for being compared.
+struct ComparedFile {
+    std::shared_ptr<const FileFields> fields; ///< null: none
+    std::shared_ptr<MeshView> view;           ///< its version is set when it is shown
+};
+
+/// Computes what is shown of a mesh; takes a while for a large one.
+ComparedFile comparedFile(MeshFields read);
+
 /// The mesh of a file, shown for comparison with the mesh on the canvas. It is evaluated on a separate thread.
 class ComparedMesh {
   public:
     /// `name`: of the file. `version`: of the mesh view. `wake`: as for MeshJudge.
-    ComparedMesh(std::string name, MeshFields read, std::uint64_t version, std::function<void()> wake);
+    ComparedMesh(std::string name, ComparedFile file, std::uint64_t version, std::function<void()> wake);
 
     const std::string &name() const { return name_; }
     const Mesh &mesh() const { return view_->mesh; }
     const std::shared_ptr<const MeshView> &view() const { return view_; }
     /// Returns the evaluation of this frame; never null.
     const std::shared_ptr<const Judgement> &judgement() const { return judgement_; }
-    /// Returns the edges with one element, as pairs of nodes; empty until the mesh has been evaluated.
-    const std::vector<MeshEdge> &outline() const { return outline_; }
+    /// Returns the edges with one element; empty until the mesh has been evaluated.
+    const std::vector<MeshEdge> &outline() const;
 
     /// Evaluates the mesh with the measure or field and the spacing of the canvas, and fetches the latest evaluation.
     /// Call it once per frame. Returns true if the evaluation is new.
@@ -38,7 +47,6 @@ class ComparedMesh {
     std::shared_ptr<const MeshView> view_;
     MeshJudge judge_;
     std::shared_ptr<const Judgement> judgement_;
-    std::vector<MeshEdge> outline_;
 };
 
 /// The figures of a mesh that a comparison shows.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <new>
 #include <utility>
@@ -26,6 +27,13 @@ BoxTree treeOf(const Mesh &mesh) {
         }
     }
     return BoxTree(boxes);
+}
+
+std::shared_ptr<const std::vector<MeshEdge>> singleEdges(const MeshEdges &edges) {
+    auto outline = std::make_shared<std::vector<MeshEdge>>();
+    std::copy_if(edges.edges.begin(), edges.edges.end(), std::back_inserter(*outline),
+                 [](const MeshEdge &edge) { return edge.elements[1] == kNoElement; });
+    return outline;
 }
 
 /// Summarises the values of a field on a linear scale from their minimum to their maximum.
@@ -79,6 +87,9 @@ std::shared_ptr<const Judgement> judgementOf(const JudgeRequest &request, const 
     }
     if (request.parts) {
         judgement->tree = same && earlier.tree ? earlier.tree : std::make_shared<const BoxTree>(treeOf(mesh));
+    }
+    if (request.outline && judgement->edges) {
+        judgement->outline = same && earlier.outline ? earlier.outline : singleEdges(*judgement->edges);
     }
     if (request.verify) {
         judgement->faults = same && earlier.of.verify ? earlier.faults : verify(mesh);

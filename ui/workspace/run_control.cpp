@@ -158,14 +158,24 @@ void RunControl::want(SnapshotLayers layers) {
     }
 }
 
-FileMesh fileMeshOf(MeshFields read) {
+FileMesh takeMesh(MeshFields read) {
     FileMesh file;
     file.fields = takeFields(read);
     file.view = std::make_shared<MeshView>();
-    file.view->alpha = shapeFactors(read.mesh);
-    file.quality = measure(read.mesh, nullptr);
-    file.hash = meshHash(read.mesh);
     file.view->mesh = std::move(read.mesh);
+    return file;
+}
+
+void measureMesh(FileMesh &file) {
+    const Mesh &mesh = file.view->mesh;
+    file.view->alpha = shapeFactors(mesh);
+    file.quality = measure(mesh, nullptr);
+    file.hash = meshHash(mesh);
+}
+
+FileMesh fileMeshOf(MeshFields read) {
+    FileMesh file = takeMesh(std::move(read));
+    measureMesh(file);
     return file;
 }
 

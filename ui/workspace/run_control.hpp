@@ -27,7 +27,11 @@ struct FileMesh {
     std::uint64_t hash = 0;
 };
 
-/// Computes what is shown of a mesh; takes a while for a large one.
+/// Takes over what was read; the rest is left for measureMesh().
+FileMesh takeMesh(MeshFields read);
+/// Computes what is shown of a mesh; takes a while for a large one. Only reads the mesh.
+void measureMesh(FileMesh &file);
+/// Does both.
 FileMesh fileMeshOf(MeshFields read);
 
 /// Controls the meshing run for the user interface: starts runs from the document, holds speed and granularity, and

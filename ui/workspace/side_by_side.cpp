@@ -19,8 +19,8 @@ bool SideBySide::hasNews() const {
     return false;
 }
 
-void SideBySide::compareWith(std::string name, MeshFields read, std::function<void()> wake) {
-    mesh_ = std::make_unique<ComparedMesh>(std::move(name), std::move(read), ++meshes_, std::move(wake));
+void SideBySide::compareWith(std::string name, ComparedFile file, std::function<void()> wake) {
+    mesh_ = std::make_unique<ComparedMesh>(std::move(name), std::move(file), ++meshes_, std::move(wake));
     visible = true;
 }
 

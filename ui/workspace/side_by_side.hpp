@@ -28,7 +28,7 @@ class SideBySide {
     /// Call it once per frame; `wake` as for MeshingSession. Returns true if there is a new snapshot.
     bool follow(const RunControl &run, const Document &document, const std::function<void()> &wake);
     /// Shows the mesh of a file instead of runs. `wake`: as for MeshJudge.
-    void compareWith(std::string name, MeshFields read, std::function<void()> wake);
+    void compareWith(std::string name, ComparedFile file, std::function<void()> wake);
     /// Evaluates the mesh of the file with the measure and the spacing of the canvas. Call it once per frame. Returns
     /// true if there is a new evaluation.
     bool judge(const JudgeRequest &canvas) { return mesh_ && mesh_->follow(canvas); }
