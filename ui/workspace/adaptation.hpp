@@ -4,6 +4,7 @@
 #include "core/edit/document.hpp"
 #include "core/session/snapshot.hpp"
 #include "ui/workspace/file_fields.hpp"
+#include "ui/workspace/retiring_worker.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -62,16 +63,15 @@ class Adaptation {
 
     /// `wake` is called from that thread when there is news. `work` adapts the mesh; tests pass their own.
     explicit Adaptation(std::function<void()> wake, Work work = adaptedMesh);
-    ~Adaptation();
 
     /// Starts an adaptation and drops the rounds of the previous one; does nothing while one is running.
     void start(AdaptRequest request);
-    void cancel();
+    void cancel() { worker_.stop(); }
     /// Drops the rounds, and cancels the adaptation if it is running.
     void clear();
     /// Fetches the newest progress. Called once per frame; returns true if it has changed.
     bool refresh();
-    bool hasNews() const;
+    bool hasNews() const { return worker_.hasNews(); }
     bool busy() const { return now_.running; }
     /// Returns the progress of this frame.
     const AdaptProgress &now() const { return now_; }
@@ -86,14 +86,11 @@ class Adaptation {
     std::uint64_t loads = 0;  ///< DocumentStore::loads() of the document that the rounds belong to
 
   private:
-    class Worker;
     void retire();
 
     std::function<void()> wake_;
     Work work_;
-    std::unique_ptr<Worker> worker_;
-    std::vector<std::unique_ptr<Worker>> retired_; ///< cancelled; they may still be running
-    std::uint64_t seen_ = 0;                       ///< version of the progress fetched from the worker
+    RetiringWorker<AdaptProgress> worker_;
     AdaptProgress now_;
     AdaptRequest request_;
     mutable std::shared_ptr<const Document> compared_; ///< the last drawing that fits() was called with

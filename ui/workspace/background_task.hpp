@@ -1,12 +1,11 @@
 #pragma once
 
 #include "core/base/progress.hpp"
+#include "ui/workspace/retiring_worker.hpp"
 
-#include <cstddef>
 #include <functional>
-#include <memory>
+#include <optional>
 #include <string>
-#include <vector>
 
 namespace forefront {
 
@@ -20,7 +19,6 @@ class BackgroundTask {
 
     /// `wake` is called from the thread of the task when there is news.
     explicit BackgroundTask(std::function<void()> wake);
-    ~BackgroundTask();
 
     /// Starts a task; `name` says what it does, such as "reading plate.msh".
     void start(std::string name, Work work);
@@ -29,27 +27,28 @@ class BackgroundTask {
     void cancel();
     /// Fetches the newest progress. Called once per frame; returns true if it has changed.
     bool refresh();
-    bool hasNews() const;
+    bool hasNews() const { return worker_.hasNews(); }
     /// Returns true until the result has been used.
-    bool busy() const { return worker_ != nullptr; }
+    bool busy() const { return worker_.working(); }
     /// Returns true if the result is there, to be used by finish().
-    bool ready() const { return ready_; }
+    bool ready() const { return now_.result.has_value(); }
     /// Uses the result. Call it only while it is ready, and no gesture or dialog depends on the state of the window.
     void finish();
-    const std::string &name() const { return name_; }
+    const std::string &name() const { return now_.name; }
     /// Returns the fraction done in [0, 1]; 0 while it is unknown.
-    double fraction() const { return fraction_; }
+    double fraction() const { return now_.fraction; }
 
   private:
-    class Worker;
+    /// How far a task is.
+    struct State {
+        std::string name;
+        double fraction = 0.0;
+        std::optional<Finish> result{}; ///< none until it is there
+    };
 
     std::function<void()> wake_;
-    std::unique_ptr<Worker> worker_;               ///< null: no task
-    std::vector<std::unique_ptr<Worker>> retired_; ///< cancelled; they may still be running
-    std::string name_;
-    double fraction_ = 0.0;
-    bool ready_ = false;
-    std::size_t seen_ = 0; ///< number of reports fetched
+    State now_; ///< of this frame
+    RetiringWorker<State> worker_;
 };
 
 } // namespace forefront
