@@ -13,13 +13,27 @@
 
 namespace forefront {
 
+/// Where something is in the file of a lesson; 0: unknown.
+struct LessonPlace {
+    int line = 0, column = 0;
+};
+
+/// A widget that a page outlines.
+struct LessonHighlight {
+    std::string widget; ///< its name
+    LessonPlace place{};
+};
+
 /// A position of the timeline.
 struct LessonPosition {
     bool atEnd = false;        ///< the finished and improved mesh; the rest is ignored
     std::uint64_t advance = 0; ///< advances done
     std::int64_t events = 0;   ///< moments shown of the next advance
+    LessonPlace place{};       ///< in the file
 
-    friend bool operator==(const LessonPosition &, const LessonPosition &) = default;
+    friend bool operator==(const LessonPosition &a, const LessonPosition &b) {
+        return a.atEnd == b.atEnd && a.advance == b.advance && a.events == b.events;
+    }
 };
 
 /// What the camera shows.
@@ -72,7 +86,7 @@ struct LessonPage {
     std::optional<std::vector<std::string>> layers; ///< ids of the visible layers; not set: as they are
     std::string panel;                              ///< id of the tab to show; empty: as it is
     LessonCamera camera;
-    std::vector<std::string> highlights; ///< names of widgets to outline, on this page only
+    std::vector<LessonHighlight> highlights; ///< on this page only
     std::optional<LessonQuestion> question;
 };
 

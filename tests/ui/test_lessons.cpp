@@ -1,4 +1,5 @@
 #include "tests/ui/edit_driver.hpp"
+#include "ui/lessons/highlight_names.hpp"
 #include "ui/lessons/lesson_player.hpp"
 #include "ui/platform/assets.hpp"
 #include "ui/workspace/follow_camera.hpp"
@@ -21,7 +22,7 @@ namespace {
 /// Answers the questions of lessons as a learner does, with the keyboard.
 class Learner : public Driver {
   public:
-    explicit Learner(EditorSetup setup = {}) : Driver(std::move(setup), {1400, 900}) {
+    explicit Learner(EditorSetup setup = {}, PixelSize size = {1400, 900}) : Driver(std::move(setup), size) {
         key(key::kF1 + 1);
         settle();
     }
@@ -116,8 +117,8 @@ TEST_CASE("Lessons: every page of the eight lessons shows what it speaks of, and
             REQUIRE(learner.open().page == page);
             const LessonPage &now = learner.open().now();
             CHECK(learner.has("lesson/title"));
-            for (const std::string &name : now.highlights) {
-                CHECK_MESSAGE(learner.has(name), name);
+            for (const LessonHighlight &highlight : now.highlights) {
+                CHECK_MESSAGE(learner.has(highlight.widget), highlight.widget);
             }
             for (const std::string &paragraph : now.paragraphs) {
                 CHECK(withValues(paragraph, learner.state()).find("\xe2\x80\x93") == std::string::npos);
@@ -129,6 +130,9 @@ TEST_CASE("Lessons: every page of the eight lessons shows what it speaks of, and
             learner.settle();
         }
         CHECK_FALSE(learner.context().lessons.open);
+    }
+    for (const MessageLog::Entry &entry : learner.context().log.entries()) {
+        CHECK_MESSAGE(!entry.diagnostic.code.starts_with("lesson-"), entry.diagnostic.message);
     }
 }
 
@@ -259,6 +263,144 @@ TEST_CASE("Lessons: a lesson of one's own is opened from its file, a broken one 
     CHECK(faults.front().column > 50);
     CHECK(faults.front().file == broken.string());
     CHECK(learner.open().entry.file == own);
+}
+
+namespace {
+
+/// Lessons with the drawing of a square, written to a folder of their own.
+class Author : public Learner {
+  public:
+    explicit Author(PixelSize size = {1400, 900}) : Learner({}, size) {
+        std::filesystem::copy(lessonFiles().front().parent_path() / "drawings", folder_.path / "drawings");
+    }
+    /// Opens a lesson whose only page has these members.
+    Diagnostics openPage(const std::string &members) {
+        const std::filesystem::path file = folder_ / "own.json";
+        std::ofstream(file) << "{\"format\": \"forefront-lesson\", \"version\": 1, \"title\": \"Mine\", \"pages\": [\n"
+                               "{\"title\": \"P\", \"text\": \"Hello\", "
+                            << members << "}]}";
+        Diagnostics faults = openLessonFile(context(), file);
+        settle();
+        return faults;
+    }
+    /// Returns the entries of the log with this code.
+    Diagnostics logged(const std::string &code) {
+        Diagnostics found;
+        for (const MessageLog::Entry &entry : context().log.entries()) {
+            if (entry.diagnostic.code == code) {
+                found.push_back(entry.diagnostic);
+            }
+        }
+        return found;
+    }
+    std::vector<WidgetRegistry::Widget> outlines() {
+        std::vector<WidgetRegistry::Widget> found;
+        for (const auto &[name, widget] : context().widgets.all()) {
+            if (name.starts_with("lesson/highlight/")) {
+                found.push_back(widget);
+            }
+        }
+        return found;
+    }
+
+  private:
+    TemporaryFolder folder_;
+};
+
+const std::string kRing = R"("document": "drawings/ring.json", "panel": "statistics")";
+
+} // namespace
+
+TEST_CASE("Lessons: one outline goes around neighbouring rows, and rows apart have their own") {
+    Author author;
+    REQUIRE(
+        author.openPage(kRing + R"(, "position": 3, "highlight": ["statistics/Nb", "statistics/Nc", "statistics/Ns"])")
+            .empty());
+    REQUIRE(author.outlines().size() == 1);
+    const PixelRect box = author.outlines().front().rect;
+    for (const char *row : {"statistics/Nb", "statistics/Nc", "statistics/Ns"}) {
+        const PixelRect rect = author.context().widgets.find(row)->rect;
+        CHECK(box.contains({rect.x, rect.y}));
+        CHECK(box.contains({rect.x + rect.width - 1.0, rect.y + rect.height - 1.0}));
+    }
+    REQUIRE(author.openPage(kRing + R"(, "position": 3, "highlight": ["statistics/Nn", "statistics/Ns", "layer/mesh"])")
+                .empty());
+    const auto apart = author.outlines();
+    REQUIRE(apart.size() == 3);
+    for (std::size_t k = 0; k < 3; ++k) {
+        CHECK_FALSE(apart[k].rect.overlaps(apart[(k + 1) % 3].rect));
+    }
+}
+
+TEST_CASE("Lessons: a row that is scrolled away is not outlined, and one at the edge not beyond its panel") {
+    Author author({1280, 640});
+    REQUIRE(author.openPage(kRing + R"(, "position": 3, "highlight": ["statistics/hash"])").empty());
+    const WidgetRegistry::Widget *const row = author.context().widgets.find("statistics/hash");
+    REQUIRE(row != nullptr);
+    REQUIRE(row->clip);
+    const double bottom = row->clip->y + row->clip->height;
+    REQUIRE(row->rect.y + row->rect.height > bottom); // the window is too low for it
+    for (const WidgetRegistry::Widget &outline : author.outlines()) {
+        CHECK(outline.clip->y + outline.clip->height <= bottom + 8.0);
+    }
+    CHECK((row->visible || author.outlines().empty()));
+    CHECK(row->visible == row->rect.overlaps(*row->clip));
+}
+
+TEST_CASE("Lessons: a misspelt name of a highlight is refused with its place, or logged if only the screen can tell") {
+    Author author;
+    for (const char *name :
+         {"statistics/G", "layer/fornt", "steps/11", "timeline/stop", "tool/pencil", "panel/steppes"}) {
+        CAPTURE(name);
+        const Diagnostics faults = author.openPage(std::string(R"("highlight": ["statistics/Nb", ")") + name + "\"]");
+        REQUIRE(faults.size() == 1);
+        CHECK(faults.front().message == std::string("unknown widget '") + name + "'");
+        CHECK(faults.front().line == 2);
+        CHECK(faults.front().column > 50);
+    }
+    REQUIRE(author.openPage(kRing + R"(, "highlight": ["statistics/Nb", "statistic/Nb", "spacing/siez"])").empty());
+    const Diagnostics logged = author.logged("lesson-highlight");
+    REQUIRE(logged.size() == 2);
+    CHECK(logged.front().message == "nothing to outline: 'statistic/Nb' is not on the screen");
+    CHECK(logged.front().line == 2);
+    CHECK(logged.front().column > 100);
+}
+
+TEST_CASE("Lessons: a position beyond the end of the run is logged with its place") {
+    Author author;
+    REQUIRE(author.openPage(kRing + R"(, "position": 40)").empty());
+    CHECK(author.logged("lesson-position").empty());
+    REQUIRE(author.openPage(kRing + R"(, "position": 4000)").empty());
+    const Diagnostics logged = author.logged("lesson-position");
+    REQUIRE(logged.size() == 1);
+    CHECK(logged.front().message ==
+          "position 4000 is beyond the end of the run, which has " + std::to_string(author.run().known) + " advances");
+    CHECK(logged.front().line == 2);
+    CHECK(logged.front().column > 80);
+    CHECK(logged.front().file.ends_with("own.json"));
+}
+
+TEST_CASE("Lessons: the rows of the statistics are those that a lesson may name") {
+    Author author;
+    REQUIRE(author.openPage(kRing + R"(, "position": 3)").empty());
+    std::vector<std::string> drawn;
+    for (const auto &[name, widget] : author.context().widgets.all()) {
+        if (name.starts_with("statistics/")) {
+            drawn.push_back(name);
+        }
+    }
+    std::vector<std::string> known = highlightNames(author.context()).at("statistics");
+    std::sort(known.begin(), known.end());
+    CHECK(drawn == known);
+    for (const char *group : {"layer", "panel", "steps", "tool"}) {
+        author.context().settings.tab = "steps";
+        author.context().animate();
+        author.settle();
+        const auto names = highlightNames(author.context());
+        for (const std::string &name : names.at(group)) {
+            CHECK_MESSAGE(author.has(name), name);
+        }
+    }
 }
 
 } // namespace forefront::test

@@ -61,7 +61,7 @@ TEST_CASE("Lesson: a page continues the scene of the one before, except for ques
         {"title": "two", "text": "c", "position": "end", "camera": "follow"},
         {"title": "three", "text": "d", "document": "b.json"}]})";
     int read = 0;
-    LessonNames names{.layers = {"mesh", "front"}, .panels = {"steps"}, .document = {}};
+    LessonNames names{.layers = {"mesh", "front"}, .panels = {"steps"}, .widgets = {}, .document = {}};
     names.document = [&](const std::string &name) -> Result<Document> {
         ++read;
         Document document;
@@ -107,6 +107,8 @@ TEST_CASE("Lesson: faults are reported with line, column and what was expected")
         {page(", \"txet\": 1"), "unknown-member", 2, "'txet'"},
         {page(",\n\"method\": \"slow\""), "bad-field", 3, "\"classic\""},
         {page(",\n\"position\": \"middle\""), "bad-field", 3, "\"end\""},
+        {page(",\n\"position\": \"30\""), "bad-field", 3, "got the string \"30\" write 30 without quotes"},
+        {page(",\n\"highlight\": [\"menu/Lern\",\n\"steps/11\"]"), "unknown-name", 4, "steps/10"},
         {page(",\n\"position\": -1"), "bad-number", 3, "position"},
         {page(",\n\"position\": {\"events\": 3}"), "missing-field", 3, "advance"},
         {page(",\n\"layers\": [\"mesh\",\n\"sky\"]"), "unknown-name", 4, "'sky'"},
@@ -133,7 +135,8 @@ TEST_CASE("Lesson: faults are reported with line, column and what was expected")
          "can be right"},
         {question("\"choices\": [{\"text\": \" \"}, {\"text\": \"b\", \"right\": true}]"), "empty-text", 3, "empty"},
     };
-    LessonNames names{.layers = {"mesh"}, .panels = {"steps"}, .document = {}};
+    LessonNames names{
+        .layers = {"mesh"}, .panels = {"steps"}, .widgets = {{"steps", {"steps/1", "steps/10"}}}, .document = {}};
     names.document = [](const std::string &) -> Result<Document> { return error("cannot-read", "no such file"); };
     for (const auto &each : cases) {
         CAPTURE(each.text);
@@ -145,6 +148,20 @@ TEST_CASE("Lesson: faults are reported with line, column and what was expected")
         const std::string said = faults.front().message + ' ' + faults.front().advice;
         CHECK_MESSAGE(said.find(each.part) != std::string::npos, said);
     }
+}
+
+TEST_CASE("Lesson: a document that cannot be used is reported once, with the place of its own fault") {
+    LessonNames names;
+    names.document = [](const std::string &name) -> Result<Document> {
+        Diagnostics faults = error("cannot-read", "cannot read the file: it is a folder");
+        faults.front().line = name == "b.json" ? 7 : 0;
+        return faults;
+    };
+    const auto message = [&](const char *file) {
+        return faultsOf(page(std::string(",\n\"document\": \"") + file + '"'), names).front().message;
+    };
+    CHECK(message("a.json") == "cannot use the document 'a.json': cannot read the file: it is a folder");
+    CHECK(message("b.json") == "cannot use the document 'b.json', line 7: cannot read the file: it is a folder");
 }
 
 TEST_CASE("Lesson: several faults of a file are reported together") {

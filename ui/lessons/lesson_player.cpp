@@ -2,6 +2,7 @@
 
 #include "core/io/files.hpp"
 #include "ui/dialogs/file_commands.hpp"
+#include "ui/lessons/highlight_names.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/platform/assets.hpp"
 #include "ui/widgets/number_text.hpp"
@@ -84,6 +85,7 @@ void showPage(Shell &context) {
     open.picked.reset();
     open.typed.clear();
     open.settled = false;
+    open.framesSettled = 0;
     open.asked.reset();
     context.view.candidate.reset();
     if (page.document) {
@@ -118,6 +120,7 @@ Result<Lesson> loadLesson(const Shell &context, const std::filesystem::path &fil
             names.panels.emplace_back(panel->id());
         }
     }
+    names.widgets = highlightNames(context);
     names.document = [folder = file.parent_path()](const std::string &name) { return readDocument(folder / name); };
     SourceText source;
     source.text = *bytes;
@@ -270,6 +273,58 @@ void followLesson(Shell &context) {
         open.reply = OpenLesson::Reply::Right;
         rememberProgress(context);
         context.animate();
+    }
+}
+
+namespace {
+
+/// Logs that a page asks for something that is not there.
+void logPage(Shell &context, LessonPlace place, const char *code, std::string message, std::string advice) {
+    context.log.add(Diagnostic{.severity = Severity::Warning,
+                               .code = code,
+                               .message = std::move(message),
+                               .advice = std::move(advice),
+                               .file = context.lessons.open->entry.file.string(),
+                               .line = place.line,
+                               .column = place.column});
+}
+
+void checkPosition(Shell &context, const LessonPosition &position) {
+    const SessionSnapshot &run = context.run.now();
+    if (run.complete && !position.atEnd && position.advance > run.known) {
+        const std::string all = std::to_string(run.known);
+        logPage(context, position.place, "lesson-position",
+                "position " + std::to_string(position.advance) + " is beyond the end of the run, which has " + all +
+                    " advances",
+                "expected at most " + all + ", or \"end\"");
+    }
+}
+
+} // namespace
+
+void checkPage(Shell &context) {
+    constexpr int kFrames = 4; // until the tab that the page opens is drawn
+    OpenLesson &open = *context.lessons.open;
+    if (!open.settled || open.framesSettled > kFrames || context.dialogs.any()) {
+        return;
+    }
+    context.animate();
+    if (++open.framesSettled <= kFrames || !open.checked.insert(open.page).second) {
+        return;
+    }
+    const LessonPage &page = open.now();
+    if (page.document) {
+        checkPosition(context, page.position);
+        if (page.question && page.question->show) {
+            checkPosition(context, *page.question->show);
+        }
+    }
+    for (const LessonHighlight &highlight : page.highlights) {
+        if (context.widgets.find(highlight.widget) == nullptr) {
+            logPage(context, highlight.place, "lesson-highlight",
+                    "nothing to outline: '" + highlight.widget + "' is not on the screen",
+                    "correct the name, or show its panel with \"panel\"");
+        }
     }
 }
 

@@ -39,5 +39,8 @@ void answerNumber(Shell &context);
 void showAnswer(Shell &context);
 /// Notes the state that the question is about, and checks whether a task is done. Called once per frame.
 void followLesson(Shell &context);
+/// Logs what the page refers to and the run or the window does not have, once they show the page. Called once per frame
+/// while a lesson is open.
+void checkPage(Shell &context);
 
 } // namespace forefront

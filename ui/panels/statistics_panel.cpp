@@ -67,7 +67,7 @@ class StatisticsPanel final : public Panel {
         const double right = static_cast<double>(ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x);
         ImGui::TextUnformatted(value.c_str());
         const PixelRect rect{from.x, from.y, right - static_cast<double>(from.x), ImGui::GetTextLineHeight()};
-        ui::markRect(context, std::string("statistics/") + label, rect);
+        ui::markPart(context, std::string("statistics/") + label, rect);
         ui::tooltipOver(context, rect, meaning);
         const char *const term = termOf(label);
         const ImVec2 to{static_cast<float>(right), from.y + ImGui::GetTextLineHeight()};

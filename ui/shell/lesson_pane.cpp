@@ -206,25 +206,6 @@ void drawOpen(Shell &context) {
     drawFooter(context, *context.lessons.open);
 }
 
-/// Outlines the widgets that the page points to, where they were drawn in the last frame.
-void drawHighlights(Shell &context) {
-    if (!context.lessons.open || context.dialogs.any()) {
-        return;
-    }
-    for (const std::string &name : context.lessons.open->now().highlights) {
-        const WidgetRegistry::Widget *const widget = context.widgets.find(name);
-        if (widget == nullptr || !widget->visible) {
-            continue;
-        }
-        const float gap = context.px(3);
-        const PixelRect &r = widget->rect;
-        ImGui::GetForegroundDrawList()->AddRect(
-            {static_cast<float>(r.x) - gap, static_cast<float>(r.y) - gap},
-            {static_cast<float>(r.x + r.width) + gap, static_cast<float>(r.y + r.height) + gap}, context.theme.warn,
-            context.px(5), 0, context.px(2));
-    }
-}
-
 } // namespace
 
 void drawLessons(Shell &context, const PixelRect &rect) {
@@ -241,7 +222,10 @@ void drawLessons(Shell &context, const PixelRect &rect) {
     const bool hide = ui::iconButton(context, "lessons/hide", icon::kCross, "Hide the lessons", false, true, 22.0F);
     context.lessons.open ? drawOpen(context) : drawList(context);
     ImGui::End();
-    drawHighlights(context);
+    if (context.lessons.open) {
+        drawHighlights(context);
+        checkPage(context);
+    }
     if (hide) {
         context.actions.run("help.lessons", context);
     }

@@ -50,6 +50,8 @@ void drawToolOptions(Shell &context, const PixelRect &canvas);
 void drawColumn(Shell &context, const PixelRect &rect);
 /// Draws the lessons, or the page of the open one, and outlines the widgets that it points to.
 void drawLessons(Shell &context, const PixelRect &rect);
+/// Outlines the widgets that the page of the open lesson points to, where they were drawn in the last frame.
+void drawHighlights(Shell &context);
 /// Draws the runs beside the one on the canvas, and a table of their work below.
 void drawSides(Shell &context, const PixelRect &views, const PixelRect &table);
 void drawTimeline(Shell &context, const PixelRect &rect);

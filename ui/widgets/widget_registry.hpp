@@ -4,6 +4,7 @@
 #include "ui/widgets/field_focus.hpp"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -15,7 +16,8 @@ class WidgetRegistry {
     struct Widget {
         PixelRect rect;
         bool enabled = true;
-        bool visible = true; ///< not scrolled or clipped away
+        bool visible = true;             ///< not scrolled or clipped away
+        std::optional<PixelRect> clip{}; ///< the part of its window that shows it; not set: all of the window
     };
     using Map = std::map<std::string, Widget, std::less<>>;
 

@@ -45,6 +45,12 @@ float widthOf(const WidgetContext &context, float width) {
     return width < 0.0F ? -1.0F : context.px(width);
 }
 
+/// Returns the visible part of the window; within a table, not only that of the column.
+PixelRect clipOfWindow() {
+    const ImRect &clip = ImGui::GetCurrentWindowRead()->InnerClipRect;
+    return {clip.Min.x, clip.Min.y, clip.GetWidth(), clip.GetHeight()};
+}
+
 void pushButtonColours(const Theme &theme, ButtonKind kind, bool on) {
     Colour rest = theme.raised, hover = theme.hovered, press = theme.pressed, text = theme.text;
     if (kind == ButtonKind::Primary) {
@@ -70,7 +76,13 @@ void markRect(WidgetContext &context, std::string_view name, const PixelRect &re
 
 void mark(WidgetContext &context, std::string_view name, bool enabled) {
     const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
-    context.widgets.add(name, {{min.x, min.y, max.x - min.x, max.y - min.y}, enabled, ImGui::IsItemVisible()});
+    const PixelRect rect{min.x, min.y, max.x - min.x, max.y - min.y};
+    context.widgets.add(name, {rect, enabled, ImGui::IsItemVisible(), clipOfWindow()});
+}
+
+void markPart(WidgetContext &context, std::string_view name, const PixelRect &rect) {
+    const PixelRect clip = clipOfWindow();
+    context.widgets.add(name, {rect, true, rect.overlaps(clip), clip});
 }
 
 void markWindow(WidgetContext &context, std::string_view name) {

@@ -16,6 +16,8 @@ namespace forefront::ui {
 void mark(WidgetContext &context, std::string_view name, bool enabled = true);
 /// Registers any rectangle.
 void markRect(WidgetContext &context, std::string_view name, const PixelRect &rect, bool enabled = true);
+/// Registers a rectangle of the window of Dear ImGui that is being drawn, which may be scrolled away.
+void markPart(WidgetContext &context, std::string_view name, const PixelRect &rect);
 
 /// Registers the window of Dear ImGui that is being drawn.
 void markWindow(WidgetContext &context, std::string_view name);

@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,8 @@ struct OpenLesson {
     std::string typed;                 ///< answer that is a number
     bool focus = false;                ///< move the keyboard to the field for the number
     bool settled = false;              ///< the run has reached the position of the page
+    int framesSettled = 0;             ///< frames drawn since, up to a few
+    std::set<std::size_t> checked{};   ///< pages whose references have been checked
     std::uint64_t revision = 0;        ///< of the document, when the page was shown
     std::shared_ptr<const Document> document;
     /// The run that the question is about: at the position of the page, or where the task was done; null: not yet.

@@ -19,6 +19,8 @@ class JsonCheck {
 
     void fault(const JsonValue &value, std::string code, std::string message, std::string advice = {});
     const Diagnostics &faults() const { return faults_; }
+    /// Returns the line and column of a value.
+    TextPlace place(const JsonValue &value) const { return placeOf(source_.text, value.offset()); }
     /// Returns true once the list of faults is full.
     bool full() const { return faults_.size() >= kMaxListedFaults; }
 

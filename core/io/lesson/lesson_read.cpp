@@ -73,7 +73,7 @@ class LessonReader {
         }
         scene(item, page);
         if (const auto highlight = item.find("highlight")) {
-            page.highlights = words(*highlight, "\"highlight\"", {}, "widget");
+            highlights(*highlight, page);
         }
         if (const auto question = item.find("question");
             question && check_.expect(*question, JsonKind::Object, "\"question\"")) {
@@ -89,6 +89,19 @@ class LessonReader {
             for (const JsonValue paragraph : text) {
                 page.paragraphs.push_back(shownText(check_, paragraph, "a paragraph", true));
             }
+        }
+    }
+
+    void highlights(const JsonValue &list, LessonPage &page) {
+        if (!check_.expect(list, JsonKind::Array, "\"highlight\"")) {
+            return;
+        }
+        for (const JsonValue item : list) {
+            const std::string name = check_.string(item, "the name of a widget");
+            const auto family = names_.widgets.find(name.substr(0, name.find('/')));
+            known(item, family != names_.widgets.end() ? family->second : std::vector<std::string>(), "widget");
+            const TextPlace place = check_.place(item);
+            page.highlights.push_back({name, {place.line, place.column}});
         }
     }
 
@@ -154,7 +167,8 @@ class LessonReader {
             if (!read) {
                 const Diagnostic &fault = read.faults().front();
                 check_.fault(value, "bad-document",
-                             "cannot read the document " + inQuotes(page.documentName) + ": " + fault.message,
+                             "cannot use the document " + inQuotes(page.documentName) +
+                                 (fault.line > 0 ? ", line " + std::to_string(fault.line) : "") + ": " + fault.message,
                              fault.advice);
                 return;
             }

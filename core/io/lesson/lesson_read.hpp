@@ -5,6 +5,7 @@
 #include "core/lesson/lesson.hpp"
 
 #include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,8 @@ inline constexpr int kLessonVersion = 1;
 struct LessonNames {
     std::vector<std::string> layers; ///< ids of layers; empty: any name is accepted
     std::vector<std::string> panels; ///< ids of tabs; empty: any name is accepted
+    /// Names of widgets by what stands before their first '/'; with any other beginning, every name is accepted.
+    std::map<std::string, std::vector<std::string>> widgets;
     /// Reads the document with this name, a path relative to the lesson; empty: documents are not read.
     std::function<Result<Document>(const std::string &name)> document;
 };

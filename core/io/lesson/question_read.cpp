@@ -1,5 +1,7 @@
 #include "core/io/lesson/question_read.hpp"
 
+#include "core/io/common/names.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -143,15 +145,23 @@ std::string shownText(JsonCheck &check, const JsonValue &value, std::string_view
 }
 
 LessonPosition readPosition(const JsonValue &value, JsonCheck &check) {
-    constexpr std::array<std::string_view, 1> kWords = {"end"};
     constexpr std::array<std::string_view, 2> kMembers = {"advance", "events"};
     LessonPosition position;
+    const TextPlace place = check.place(value);
+    position.place = {place.line, place.column};
     const auto advance = [&](const JsonValue &number) {
         return static_cast<std::uint64_t>(check.integer(number, 0, kMaxAdvances, "the position"));
     };
     if (value.is(JsonKind::String)) {
-        check.choice(value, kWords, "the position");
+        const std::string word = value.string();
+        const bool number = !word.empty() && word.find_first_not_of("0123456789") == std::string::npos;
         position.atEnd = true;
+        if (word != "end") {
+            check.fault(value, "bad-field",
+                        "expected a number of advances, \"end\" or an object for the position, got the string \"" +
+                            validUtf8(word) + '"',
+                        number ? "write " + word + " without quotes" : "");
+        }
     } else if (value.is(JsonKind::Object)) {
         expectMembers(check, value, kMembers, "a position");
         if (const auto number = check.member(value, "advance", "the position")) {
