@@ -42,7 +42,7 @@ FrameTimes timesOfFrames(Driver &driver, int count, Change change) {
 // Not a test; prints figures: forefront_ui_tests --no-skip -tc='Bench*'
 TEST_CASE("Bench: CPU time of frames with meshes of four sizes" * doctest::skip()) {
     std::printf("elements,resting_ms,pointer_ms,pan_ms,pan_90_ms,zoom_ms,zoom_90_ms,rest_after_ms,"
-                "new_longest_ms,new_90_ms,new_shown_ms\n");
+                "new_longest_ms,new_90_ms,new_shown_ms,view_bytes_per_element\n");
     for (const double elements : {1e3, 1e5, 1e6, 5e6}) {
         Draughtsman driver;
         driver.platform().show(true);
@@ -70,9 +70,9 @@ TEST_CASE("Bench: CPU time of frames with meshes of four sizes" * doctest::skip(
             d.context().run.seek(d.run().known - ++back);
             while (d.context().run.busy()) {
             }
-            const std::uint64_t drawn = d.editor().stillDraws();
+            const std::uint64_t drawn = d.editor().canvas().stillDraws();
             const double begin = steadySeconds();
-            while (d.editor().stillDraws() == drawn) {
+            while (d.editor().canvas().stillDraws() == drawn) {
                 const double before = steadySeconds();
                 d.frames(1);
                 frames.push_back(1e3 * (steadySeconds() - before));
@@ -80,9 +80,11 @@ TEST_CASE("Bench: CPU time of frames with meshes of four sizes" * doctest::skip(
             shown += 1e3 * (steadySeconds() - begin) / 5.0;
         }
         const FrameTimes fresh = percentiles(std::move(frames));
-        std::printf("%zu,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f\n", d.run().quality.elements, resting.median,
-                    pointer.median, pan.median, pan.ninetieth, zoom.median, zoom.ninetieth, rest.longest, fresh.longest,
-                    fresh.ninetieth, shown);
+        std::printf("%zu,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,%.1f,%.0f\n", d.run().quality.elements,
+                    resting.median, pointer.median, pan.median, pan.ninetieth, zoom.median, zoom.ninetieth,
+                    rest.longest, fresh.longest, fresh.ninetieth, shown,
+                    static_cast<double>(d.editor().canvas().meshBytes()) /
+                        static_cast<double>(d.run().quality.elements));
         std::fflush(stdout);
     }
 }

@@ -2,6 +2,7 @@
 
 #include "ui/editor/editor.hpp"
 #include "ui/platform/egl_platform.hpp"
+#include "ui/shell/canvas.hpp"
 
 #include <cstdint>
 #include <functional>

@@ -36,19 +36,19 @@ class HeavySquare : public Draughtsman {
     /// Moves the camera before each frame and returns how often the still parts were redrawn.
     template <class Move>
     std::uint64_t redrawsWhile(Move move) {
-        const std::uint64_t before = editor().stillDraws();
+        const std::uint64_t before = editor().canvas().stillDraws();
         for (int k = 0; k < 20; ++k) {
             move(context().view.camera);
             context().animate();
             frames(1);
         }
-        return editor().stillDraws() - before;
+        return editor().canvas().stillDraws() - before;
     }
     /// Counts the frames until a new picture is complete, 200 at most.
     int framesUntilDrawn() {
-        const std::uint64_t before = editor().stillDraws();
+        const std::uint64_t before = editor().canvas().stillDraws();
         int count = 0;
-        for (; editor().stillDraws() == before && count < 200; ++count) {
+        for (; editor().canvas().stillDraws() == before && count < 200; ++count) {
             context().animate();
             frames(1);
         }
@@ -99,10 +99,10 @@ TEST_CASE("Canvas: a large mesh at rest is drawn over several frames, and a move
     constexpr int kRestFrames = 8; // 0.12 s at 60 frames per second
     CHECK(all > kRestFrames + 1);  // more than one frame after that
     CHECK(all < 20);
-    const std::uint64_t before = driver.editor().stillDraws();
+    const std::uint64_t before = driver.editor().canvas().stillDraws();
     pan();
     driver.frames(all - 1); // all but the last part
-    CHECK(driver.editor().stillDraws() == before);
+    CHECK(driver.editor().canvas().stillDraws() == before);
     CHECK_FALSE(driver.editor().settled());
     pan();
     CHECK(driver.framesUntilDrawn() == all); // from the start
@@ -163,7 +163,7 @@ TEST_CASE("Canvas: the next snapshot of a run waits until the picture of a large
 
 TEST_CASE("Canvas: the picture of a large mesh is completed while something light changes in every frame") {
     HeavySquare driver;
-    const std::uint64_t before = driver.editor().stillDraws();
+    const std::uint64_t before = driver.editor().canvas().stillDraws();
     for (int k = 0; k < 60; ++k) {
         Document moved = driver.document();
         auto shape = std::make_shared<Shape>(*moved.shapes.front());
@@ -172,7 +172,35 @@ TEST_CASE("Canvas: the picture of a large mesh is completed while something ligh
         driver.context().document.apply(std::move(moved), "Move");
         driver.frames(1);
     }
-    CHECK(driver.editor().stillDraws() >= before + 3);
+    CHECK(driver.editor().canvas().stillDraws() >= before + 3);
+}
+
+TEST_CASE("Canvas: the picture of a large mesh is completed while the range of its colours is dragged") {
+    HeavySquare driver;
+    showLayer(driver.context().layers, "quality", true);
+    driver.settle();
+    const std::uint64_t before = driver.editor().canvas().stillDraws();
+    for (int k = 0; k < 60; ++k) {
+        driver.context().view.measureRange = ColourRange{0.5 + 0.001 * k, 1.0};
+        driver.context().animate();
+        driver.frames(1);
+    }
+    CHECK(driver.editor().canvas().stillDraws() >= before + 3);
+}
+
+TEST_CASE("Canvas: a mesh takes less than 60 bytes an element, whichever of its layers are visible") {
+    HeavySquare driver;
+    const auto bytes = [&] {
+        driver.context().animate();
+        driver.settle();
+        return driver.editor().canvas().meshBytes() / driver.run().quality.elements;
+    };
+    CHECK(bytes() > 30);
+    CHECK(bytes() < 60);
+    showLayer(driver.context().layers, "quality", true);
+    CHECK(bytes() < 60);
+    showLayer(driver.context().layers, "mesh", false);
+    CHECK(bytes() < 60);
 }
 
 TEST_CASE("Canvas: the moved picture of a large mesh is where the mesh is") {
@@ -192,9 +220,9 @@ TEST_CASE("Canvas: the moved picture of a large mesh is where the mesh is") {
         driver.context().view.camera.zoomAt(canvas.centre(), factor);
         driver.context().view.camera.pan({17.0, -11.0});
         driver.context().animate();
-        const std::uint64_t draws = driver.editor().stillDraws();
+        const std::uint64_t draws = driver.editor().canvas().stillDraws();
         driver.frames(1);
-        REQUIRE(driver.editor().stillDraws() == draws);
+        REQUIRE(driver.editor().canvas().stillDraws() == draws);
         const auto moved = driver.picture();
         driver.settle();
         const auto sharp = driver.picture();
@@ -213,11 +241,11 @@ TEST_CASE("Canvas: a small mesh is redrawn whenever the camera moves") {
     driver.rectangle({1, 1}, {9, 8});
     driver.key(key::kF5);
     driver.settle();
-    const std::uint64_t before = driver.editor().stillDraws();
+    const std::uint64_t before = driver.editor().canvas().stillDraws();
     driver.context().view.camera.pan({3.0, 2.0});
     driver.context().animate();
     driver.frames(1);
-    CHECK(driver.editor().stillDraws() == before + 1);
+    CHECK(driver.editor().canvas().stillDraws() == before + 1);
 }
 
 } // namespace forefront::test

@@ -65,7 +65,7 @@ TEST_CASE("Live: the mesh and the preview follow a node that is dragged without 
 
 TEST_CASE("Live: the still parts are drawn for each mesh and preview, not for each move of the pointer") {
     LiveDrag driver;
-    const std::uint64_t before = driver.editor().stillDraws();
+    const std::uint64_t before = driver.editor().canvas().stillDraws();
     std::size_t meshes = 0, previews = 0;
     while (meshes < 6) {
         const std::uint64_t mesh = driver.run().meshHash;
@@ -75,7 +75,7 @@ TEST_CASE("Live: the still parts are drawn for each mesh and preview, not for ea
         previews += driver.context().preview != preview ? 1 : 0;
     }
     // A preview may come before its raster.
-    CHECK(driver.editor().stillDraws() - before <= meshes + 2 * previews + 2);
+    CHECK(driver.editor().canvas().stillDraws() - before <= meshes + 2 * previews + 2);
 }
 
 TEST_CASE("Live: each gesture leaves one line in the log") {

@@ -194,8 +194,8 @@ InputQueue &Editor::input() {
 std::uint64_t Editor::frames() const {
     return parts_->frames;
 }
-std::uint64_t Editor::stillDraws() const {
-    return parts_->canvas.stillDraws();
+const Canvas &Editor::canvas() const {
+    return parts_->canvas;
 }
 bool Editor::running() const {
     return !parts_->context.quit;

@@ -9,6 +9,8 @@
 
 namespace forefront {
 
+class Canvas;
+
 /// The settings an editor starts with.
 struct EditorSetup {
     std::filesystem::path settingsFolder; ///< empty: settings are neither read nor saved
@@ -40,8 +42,7 @@ class Editor {
     Shell &context();
     InputQueue &input();
     std::uint64_t frames() const;
-    /// Returns how many times the still parts of the canvas were redrawn, which costs most of a frame; for tests.
-    std::uint64_t stillDraws() const;
+    const Canvas &canvas() const;
     /// Opens a project or a file in any domain format and logs its faults. Returns true if it was opened.
     bool open(const std::filesystem::path &file);
 

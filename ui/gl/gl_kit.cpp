@@ -2,6 +2,7 @@
 
 #include "core/base/assert.hpp"
 #include "ui/gl/domain_mask.hpp"
+#include "ui/gl/mesh_batch.hpp"
 #include "ui/gl/split.hpp"
 #include "ui/style/colour_map.hpp"
 
@@ -37,7 +38,9 @@ unsigned mapTexture(Colour (*map)(double)) {
 
 } // namespace
 
-GlKit::GlKit() : lines_("line"), boxes_("box"), mesh_("mesh"), field_("field"), spacing_(mapTexture(spacingColour)) {
+GlKit::GlKit()
+    : lines_("line"), boxes_("box"), mesh_("mesh"), field_("field"), elements_(std::make_unique<MeshBatch>()),
+      spacing_(mapTexture(spacingColour)) {
     glGenVertexArrays(1, &emptyArray_);
     mask_ = smoothTexture(GL_NEAREST);
     raster_ = smoothTexture(GL_LINEAR);

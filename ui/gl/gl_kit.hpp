@@ -6,10 +6,13 @@
 #include "ui/style/colour_map.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
 namespace forefront {
+
+class MeshBatch;
 
 /// A raster of ln ρ over a box, and the range of its colours.
 struct FieldTint {
@@ -40,6 +43,8 @@ class GlKit {
                    const FieldTint *tint);
     /// Sets the uniforms "centre" (split), "zoom" and "viewport" of the program in use.
     void setCamera(const ShaderProgram &program, const Camera &camera) const;
+    /// Returns the elements of the mesh on the canvas, which two layers draw.
+    MeshBatch &elements() { return *elements_; }
     /// Returns a texture of 256 x 1 colours of a map.
     unsigned map(ColourMap colours) const;
     /// Returns a vertex array without attributes, for shaders that compute their own corners.
@@ -47,6 +52,7 @@ class GlKit {
 
   private:
     ShaderProgram lines_, boxes_, mesh_, field_;
+    std::unique_ptr<MeshBatch> elements_;
     void updateMask(const Domain &domain, std::uint64_t revision, const Camera &camera);
     void updateRaster(const FieldTint &tint);
 

@@ -12,7 +12,7 @@ namespace forefront {
 /// What a picture shows, as numbers that change whenever it changes for any reason but a move of the camera.
 struct PictureContent {
     std::uint64_t all = 0;     ///< everything
-    std::uint64_t heavy = 0;   ///< the parts that take long to draw
+    std::uint64_t heavy = 0;   ///< the parts that take long to draw, without their style
     std::uint64_t subject = 0; ///< pictures of another subject are not shown while the next one is being drawn
 };
 

@@ -38,16 +38,23 @@ std::size_t countOf(const std::shared_ptr<const MeshView> &mesh) {
     return mesh ? mesh->mesh.elements.size() : 0;
 }
 
-std::uint64_t versionOf(const LayerFrame &frame) {
+/// Returns the version of the mesh and the values that colour it.
+std::uint64_t shapeOf(const LayerFrame &frame) {
     const std::shared_ptr<const MeshView> &mesh = meshShown(frame);
     Hash64 hash;
     hash.add(mesh ? mesh->version : 0);
     hash.add(frame.snapshot.run);
-    hash.add(static_cast<std::uint64_t>(frame.isolatedBin ? *frame.isolatedBin + 1 : 0));
     hash.add(static_cast<std::uint64_t>(frame.judgement.of.measure));
     hash.add(reinterpret_cast<std::uintptr_t>(frame.judgement.of.spacing.get()));
     hash.add(static_cast<std::uint64_t>(frame.judgement.values.size()));
     hash.add(reinterpret_cast<std::uintptr_t>(frame.judgement.of.fieldValues.get()));
+    return hash.value();
+}
+
+std::uint64_t versionOf(const LayerFrame &frame) {
+    Hash64 hash;
+    hash.add(shapeOf(frame));
+    hash.add(static_cast<std::uint64_t>(frame.isolatedBin ? *frame.isolatedBin + 1 : 0));
     hash.add(frame.measureRange.from);
     hash.add(frame.measureRange.to);
     return hash.value();
@@ -57,60 +64,56 @@ bool atRest(const SessionSnapshot &snapshot) {
     return snapshot.state == RunState::Finished || snapshot.state == RunState::Cancelled;
 }
 
+/// Returns the values that colour the mesh; they view the judgement.
+MeshValues valuesOf(const LayerFrame &frame) {
+    const Judgement &judgement = frame.judgement;
+    const MeasureInfo &info = judgement.info;
+    Hash64 version;
+    version.add(judgement.of.mesh ? judgement.of.mesh->version : 0);
+    version.add(static_cast<std::uint64_t>(judgement.of.measure));
+    version.add(reinterpret_cast<std::uintptr_t>(judgement.of.spacing.get()));
+    version.add(static_cast<std::uint64_t>(judgement.values.size()));
+    version.add(reinterpret_cast<std::uintptr_t>(judgement.of.fieldValues.get()));
+    return {.part = info.part,
+            .values = judgement.values,
+            .edges = judgement.edges.get(),
+            .smooth = judgement.of.fieldValues && info.part == MeshPart::Nodes,
+            .logarithmic = info.logarithmic,
+            .version = version.value()};
+}
+
 /// Draws faces and edges in one pass, for both layers: the quality layer gives the faces their colours, the mesh layer
-/// adds the edges.
-class ElementPainter {
-  public:
-    void draw(const LayerFrame &frame, bool edges) {
-        const bool quality = frame.visible("quality");
-        const bool tinted = frame.visible("size");
-        // Bars of the histogram isolate parts by their values, also when the faces are not coloured.
-        const bool valued =
-            !coloursByAlpha(frame) && (quality || frame.isolatedBin) && meshShown(frame) == frame.judgement.of.mesh;
-        const MeshValues values = valuesOf(frame);
-        batch_.update(meshShown(frame), atRest(frame.snapshot), valued ? &values : nullptr);
-        MeshStyle style;
-        style.face = tinted ? Colour() : frame.theme.element;
-        style.edge = !edges ? Colour() : quality || tinted ? kEdgeOnColour : frame.theme.mesh;
-        style.edgeWidth = 1.0 * frame.scale;
-        style.denseEdges = tinted ? 0.2 : 0.0; // shows what is meshed while the front advances
-        style.map = quality ? mapOf(frame.judgement.of.measure) : nullptr;
-        style.cyclic = frame.judgement.of.measure == Measure::Region;
-        style.range = frame.measureRange;
-        style.badBelow = quality && coloursByAlpha(frame) ? kBad : -2.0;
-        style.hatch = frame.theme.bad;
-        const MeasureHistogram &bins = frame.judgement.histogram;
-        if (frame.isolatedBin && (valued || coloursByAlpha(frame)) &&
-            static_cast<std::size_t>(*frame.isolatedBin) < bins.bins.size()) {
-            // The bins at the ends also hold the values outside.
-            const auto bin = static_cast<std::size_t>(*frame.isolatedBin);
-            const double lowest = bins.logarithmic ? 1e-30 : -8e29;
-            style.isolateFrom = bin == 0 ? lowest : bins.edge(bin);
-            style.isolateTo = bin + 1 == bins.bins.size() ? 1e38 : bins.edge(bin + 1);
-        }
-        batch_.draw(frame.gl, frame.camera, style, frame.slice);
+/// adds the edges. They share a batch, since only one of them draws.
+void drawElements(const LayerFrame &frame, bool edges) {
+    MeshBatch &batch = frame.gl.elements();
+    const bool quality = frame.visible("quality");
+    const bool tinted = frame.visible("size");
+    // Bars of the histogram isolate parts by their values, also when the faces are not coloured.
+    const bool valued =
+        !coloursByAlpha(frame) && (quality || frame.isolatedBin) && meshShown(frame) == frame.judgement.of.mesh;
+    const MeshValues values = valuesOf(frame);
+    batch.update(meshShown(frame), atRest(frame.snapshot), valued ? &values : nullptr);
+    MeshStyle style;
+    style.face = tinted ? Colour() : frame.theme.element;
+    style.edge = !edges ? Colour() : quality || tinted ? kEdgeOnColour : frame.theme.mesh;
+    style.edgeWidth = 1.0 * frame.scale;
+    style.denseEdges = tinted ? 0.2 : 0.0; // shows what is meshed while the front advances
+    style.map = quality ? mapOf(frame.judgement.of.measure) : nullptr;
+    style.cyclic = frame.judgement.of.measure == Measure::Region;
+    style.range = frame.measureRange;
+    style.badBelow = quality && coloursByAlpha(frame) ? kBad : -2.0;
+    style.hatch = frame.theme.bad;
+    const MeasureHistogram &bins = frame.judgement.histogram;
+    if (frame.isolatedBin && (valued || coloursByAlpha(frame)) &&
+        static_cast<std::size_t>(*frame.isolatedBin) < bins.bins.size()) {
+        // The bins at the ends also hold the values outside.
+        const auto bin = static_cast<std::size_t>(*frame.isolatedBin);
+        const double lowest = bins.logarithmic ? 1e-30 : -8e29;
+        style.isolateFrom = bin == 0 ? lowest : bins.edge(bin);
+        style.isolateTo = bin + 1 == bins.bins.size() ? 1e38 : bins.edge(bin + 1);
     }
-
-  private:
-    static MeshValues valuesOf(const LayerFrame &frame) {
-        const Judgement &judgement = frame.judgement;
-        const MeasureInfo &info = judgement.info;
-        Hash64 version;
-        version.add(judgement.of.mesh ? judgement.of.mesh->version : 0);
-        version.add(static_cast<std::uint64_t>(judgement.of.measure));
-        version.add(reinterpret_cast<std::uintptr_t>(judgement.of.spacing.get()));
-        version.add(static_cast<std::uint64_t>(judgement.values.size()));
-        version.add(reinterpret_cast<std::uintptr_t>(judgement.of.fieldValues.get()));
-        return {.part = info.part,
-                .values = judgement.values,
-                .edges = judgement.edges.get(),
-                .smooth = judgement.of.fieldValues && info.part == MeshPart::Nodes,
-                .logarithmic = info.logarithmic,
-                .version = version.value()};
-    }
-
-    MeshBatch batch_;
-};
+    batch.draw(frame.gl, frame.camera, style, frame.slice);
+}
 
 class MeshLayer final : public Layer {
   public:
@@ -119,11 +122,9 @@ class MeshLayer final : public Layer {
     void request(SnapshotLayers &layers) const override { layers.mesh = true; }
 
     std::uint64_t stillVersion(const LayerFrame &frame) const override { return versionOf(frame); }
+    std::uint64_t stillShape(const LayerFrame &frame) const override { return shapeOf(frame); }
     std::size_t stillElements(const LayerFrame &frame) const override { return countOf(meshShown(frame)); }
-    void drawStill(const LayerFrame &frame) override { painter_.draw(frame, true); }
-
-  private:
-    ElementPainter painter_;
+    void drawStill(const LayerFrame &frame) override { drawElements(frame, true); }
 };
 
 class QualityLayer final : public Layer {
@@ -135,11 +136,12 @@ class QualityLayer final : public Layer {
     void request(SnapshotLayers &layers) const override { layers.mesh = true; }
 
     std::uint64_t stillVersion(const LayerFrame &frame) const override { return versionOf(frame); }
+    std::uint64_t stillShape(const LayerFrame &frame) const override { return shapeOf(frame); }
     std::size_t stillElements(const LayerFrame &frame) const override { return countOf(meshShown(frame)); }
 
     void drawStill(const LayerFrame &frame) override {
         if (!frame.visible("mesh")) {
-            painter_.draw(frame, false);
+            drawElements(frame, false);
         }
     }
 
@@ -213,7 +215,6 @@ class QualityLayer final : public Layer {
         }
     }
 
-    ElementPainter painter_;
     std::vector<std::size_t> bad_;
     std::uint64_t version_ = ~std::uint64_t{0};
 };

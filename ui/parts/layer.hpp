@@ -71,6 +71,9 @@ class Layer {
     /// or this number changes.
     virtual std::uint64_t stillVersion(const LayerFrame &) const { return 0; }
     virtual void drawStill(const LayerFrame &) {}
+    /// Returns the version of the still part without its style. A picture that takes several frames begins again when
+    /// it changes; other changes wait for the next picture, or dragging a slider could keep it from being completed.
+    virtual std::uint64_t stillShape(const LayerFrame &frame) const { return stillVersion(frame); }
     /// Returns the number of elements that drawStill() draws. If there are many, a picture of them stands in while the
     /// camera moves.
     virtual std::size_t stillElements(const LayerFrame &) const { return 0; }

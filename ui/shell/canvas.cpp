@@ -56,9 +56,8 @@ PictureContent contentOf(const LayerFrame &frame, std::uint64_t loads, const Ove
     heavy.add(static_cast<std::uint64_t>(frame.theme.kind));
     Hash64 all = heavy;
     for (const LayerSlot &slot : frame.layers) {
-        const std::uint64_t version = slot.visible ? slot.layer->stillVersion(frame) : ~std::uint64_t{0};
-        all.add(version);
-        heavy.add(isHeavy(frame, slot) ? version : 0);
+        all.add(slot.visible ? slot.layer->stillVersion(frame) : ~std::uint64_t{0});
+        heavy.add(isHeavy(frame, slot) ? slot.layer->stillShape(frame) : 0);
     }
     return {.all = all.value(), .heavy = heavy.value(), .subject = loads};
 }
@@ -104,6 +103,10 @@ Canvas::~Canvas() = default;
 
 std::uint64_t Canvas::stillDraws() const {
     return parts_->stillDraws;
+}
+
+std::size_t Canvas::meshBytes() const {
+    return parts_->gl.elements().bytes() + parts_->comparedBatch.bytes();
 }
 
 bool Canvas::drawsNews() const {

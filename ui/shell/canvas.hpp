@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 
@@ -21,6 +22,8 @@ class Canvas {
     void draw(Shell &context);
     /// Returns how often the still parts were redrawn; for tests.
     std::uint64_t stillDraws() const;
+    /// Returns the bytes that the meshes drawn take up here and in buffers of OpenGL; for tests.
+    std::size_t meshBytes() const;
     /// Returns true while the picture of a new large mesh is incomplete; another mesh would begin it again.
     bool drawsNews() const;
 
