@@ -380,6 +380,21 @@ TEST_CASE("Lessons: a position beyond the end of the run is logged with its plac
     CHECK(logged.front().file.ends_with("own.json"));
 }
 
+TEST_CASE("Lessons: more events than an advance has are logged") {
+    Author author;
+    const std::string classic = kRing + R"(, "method": "classic", "position": {"advance": 6, "events": )";
+    REQUIRE(author.openPage(classic + "3}").empty());
+    CHECK(author.run().advance == 6);
+    REQUIRE(author.openPage(classic + "200}").empty());
+    const std::uint64_t reached = author.run().advance;
+    CHECK(reached > 7);
+    const Diagnostics logged = author.logged("lesson-position");
+    REQUIRE(logged.size() == 1);
+    CHECK(logged.front().message ==
+          "200 events are more than advance 7 has; the page begins after " + std::to_string(reached) + " advances");
+    CHECK(logged.front().line == 2);
+}
+
 TEST_CASE("Lessons: the rows of the statistics are those that a lesson may name") {
     Author author;
     REQUIRE(author.openPage(kRing + R"(, "position": 3)").empty());

@@ -300,31 +300,54 @@ void checkPosition(Shell &context, const LessonPosition &position) {
     }
 }
 
-} // namespace
+/// Checks the moments of an advance, which the run has just reached. Too many lead into the advances that follow.
+void checkEvents(Shell &context, const LessonPosition &position) {
+    const SessionSnapshot &run = context.run.now();
+    const std::uint64_t past = run.advance - std::min(run.advance, position.advance);
+    if (position.events > 0 && (past > 1 || (past == 1 && run.eventCursor < run.eventCount))) {
+        logPage(context, position.place, "lesson-position",
+                std::to_string(position.events) + " events are more than advance " +
+                    std::to_string(position.advance + 1) + " has; the page begins after " +
+                    std::to_string(run.advance) + " advances",
+                "use fewer \"events\"");
+    }
+}
 
-void checkPage(Shell &context) {
-    constexpr int kFrames = 4; // until the tab that the page opens is drawn
-    OpenLesson &open = *context.lessons.open;
-    if (!open.settled || open.framesSettled > kFrames || context.dialogs.any()) {
-        return;
-    }
-    context.animate();
-    if (++open.framesSettled <= kFrames || !open.checked.insert(open.page).second) {
-        return;
-    }
-    const LessonPage &page = open.now();
+void checkPositions(Shell &context, const LessonPage &page) {
     if (page.document) {
         checkPosition(context, page.position);
-        if (page.question && page.question->show) {
-            checkPosition(context, *page.question->show);
-        }
+        checkEvents(context, page.position);
     }
+    if (page.document && page.question && page.question->show) {
+        checkPosition(context, *page.question->show);
+    }
+}
+
+void checkHighlights(Shell &context, const LessonPage &page) {
     for (const LessonHighlight &highlight : page.highlights) {
         if (context.widgets.find(highlight.widget) == nullptr) {
             logPage(context, highlight.place, "lesson-highlight",
                     "nothing to outline: '" + highlight.widget + "' is not on the screen",
                     "correct the name, or show its panel with \"panel\"");
         }
+    }
+}
+
+} // namespace
+
+void checkPage(Shell &context) {
+    constexpr int kFrames = 4; // until the tab that the page opens is drawn
+    OpenLesson &open = *context.lessons.open;
+    if (!open.settled || open.checked.contains(open.page) || context.dialogs.any()) {
+        return;
+    }
+    context.animate();
+    if (open.framesSettled == 0) {
+        checkPositions(context, open.now());
+    }
+    if (++open.framesSettled > kFrames) {
+        checkHighlights(context, open.now());
+        open.checked.insert(open.page);
     }
 }
 
