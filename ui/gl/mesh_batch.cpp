@@ -166,7 +166,7 @@ void MeshBatch::useOrder(MeshOrder order) {
     }
 }
 
-/// Makes pages for all elements. A page that has to grow loses what it held.
+/// Makes pages for all elements. A page that changes its size loses what it held.
 void MeshBatch::makeRoom() {
     const std::size_t pages = (elements_ + kPageElements - 1) / kPageElements;
     for (std::size_t k = 0; k < pages; ++k) {
@@ -174,10 +174,12 @@ void MeshBatch::makeRoom() {
             pages_.push_back(std::make_unique<Page>());
         }
         const std::size_t needed = std::min(kPageElements, elements_ - k * kPageElements);
-        if (needed <= pages_[k]->capacity) {
+        const std::size_t capacity = pages_[k]->capacity;
+        const bool wasteful = byPlace_ && capacity > needed + needed / 4; // a sorted mesh does not grow
+        if (needed <= capacity && !wasteful) {
             continue;
         }
-        pages_[k]->resize(std::min(kPageElements, std::max(needed, 2 * pages_[k]->capacity)));
+        pages_[k]->resize(byPlace_ ? needed : std::min(kPageElements, std::max(needed, 2 * capacity)));
         for (Chunk &chunk : chunks_) {
             if (chunk.first / kPageElements == k) {
                 chunk.corners = chunk.values = 0;
