@@ -279,8 +279,9 @@ void followLesson(Shell &context) {
 namespace {
 
 /// Logs that a page asks for something that is not there.
-void logPage(Shell &context, LessonPlace place, const char *code, std::string message, std::string advice) {
-    context.log.add(Diagnostic{.severity = Severity::Warning,
+void logPage(Shell &context, Severity severity, LessonPlace place, const char *code, std::string message,
+             std::string advice) {
+    context.log.add(Diagnostic{.severity = severity,
                                .code = code,
                                .message = std::move(message),
                                .advice = std::move(advice),
@@ -293,7 +294,7 @@ void checkPosition(Shell &context, const LessonPosition &position) {
     const SessionSnapshot &run = context.run.now();
     if (run.complete && !position.atEnd && position.advance > run.known) {
         const std::string all = std::to_string(run.known);
-        logPage(context, position.place, "lesson-position",
+        logPage(context, Severity::Warning, position.place, "lesson-position",
                 "position " + std::to_string(position.advance) + " is beyond the end of the run, which has " + all +
                     " advances",
                 "expected at most " + all + ", or \"end\"");
@@ -305,7 +306,7 @@ void checkEvents(Shell &context, const LessonPosition &position) {
     const SessionSnapshot &run = context.run.now();
     const std::uint64_t past = run.advance - std::min(run.advance, position.advance);
     if (position.events > 0 && (past > 1 || (past == 1 && run.eventCursor < run.eventCount))) {
-        logPage(context, position.place, "lesson-position",
+        logPage(context, Severity::Warning, position.place, "lesson-position",
                 std::to_string(position.events) + " events are more than advance " +
                     std::to_string(position.advance + 1) + " has; the page begins after " +
                     std::to_string(run.advance) + " advances",
@@ -326,7 +327,8 @@ void checkPositions(Shell &context, const LessonPage &page) {
 void checkHighlights(Shell &context, const LessonPage &page) {
     for (const LessonHighlight &highlight : page.highlights) {
         if (context.widgets.find(highlight.widget) == nullptr) {
-            logPage(context, highlight.place, "lesson-highlight",
+            // A learner may have hidden its panel, which is no reason to be told so on the canvas.
+            logPage(context, Severity::Note, highlight.place, "lesson-highlight",
                     "nothing to outline: '" + highlight.widget + "' is not on the screen",
                     "correct the name, or show its panel with \"panel\"");
         }
