@@ -60,10 +60,11 @@ class SeekBench {
     }
 
   private:
-    /// Draws frames as the window would until the run rests at the position.
+    /// Draws frames as the window would until the run rests at the position and its picture is complete.
     void untilShown(std::uint64_t target, double begin, std::vector<double> *arrivals, std::vector<double> &shown) {
         double arrived = 0.0;
-        while (driver_.run().advance != target || driver_.run().stateHash == 0) {
+        while (driver_.run().advance != target || driver_.run().stateHash == 0 ||
+               driver_.editor().canvas().drawsNews()) {
             arrived = arrived == 0.0 && !driver_.context().run.busy() ? millisecondsNow() : arrived;
             if (!driver_.editor().needsFrame()) {
                 std::this_thread::sleep_for(std::chrono::microseconds(300));
