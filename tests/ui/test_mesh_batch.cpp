@@ -174,7 +174,7 @@ TEST_CASE("MeshBatch: a slice uploads no more than it draws, and chunks out of v
     CHECK(near.sent() < 28'800 / 2);
 }
 
-TEST_CASE("MeshBatch: a large mesh is sorted on another thread, while slices draw nothing") {
+TEST_CASE("MeshBatch: a large mesh is sorted in the background, while slices draw nothing") {
     Stage stage;
     const auto view = lattice(400, 320'000, 1);
     stage.camera.fit(view->mesh.bounds(), stage.camera.viewport);
@@ -232,6 +232,15 @@ TEST_CASE("Mesh order: holds each element once, and each chunk lies in its box")
         area += box.size().x * box.size().y;
     }
     CHECK(area < 3.0 * 150.0 * 150.0); // the boxes overlap little
+}
+
+TEST_CASE("Mesh order: a thread sorts a large mesh as the caller would, or is given up") {
+    const auto view = lattice(400, 320'000, 1);
+    MeshSorter sorter(view);
+    const MeshSorter dropped(view); // its thread must not outlive it
+    const MeshOrder order = sorter.take();
+    CHECK(sorter.done());
+    CHECK(order.elements == orderByPlace(view->mesh).elements);
 }
 
 TEST_CASE("Draw pace: pieces follow the time that drawing takes, and begin small") {
