@@ -119,6 +119,9 @@ Status placeInShape(Shape &shape, const NumberAddress &address, double value) {
 /// Returns a pointer to a number of a source, or null.
 template <class Source>
 auto sourceNumber(Source &source, const std::string &what) -> decltype(&source.size) {
+    if (what == "endSize") {
+        return source.endSize ? &*source.endSize : nullptr;
+    }
     const std::array<std::pair<std::string_view, decltype(&source.size)>, 7> numbers{{{"x", &source.a.x},
                                                                                       {"y", &source.a.y},
                                                                                       {"x2", &source.b.x},

@@ -4,6 +4,7 @@
 #include "core/spacing/parts/expression/expression_spacing.hpp"
 #include "core/spacing/parts/paint/painted_part.hpp"
 #include "core/spacing/parts/regions/region_part.hpp"
+#include "core/spacing/parts/sources/graded_sources.hpp"
 #include "core/spacing/sites/site_set.hpp"
 #include "core/spacing/sites/site_tree.hpp"
 #include "core/spacing/sites/site_words.hpp"
@@ -73,7 +74,7 @@ class FilledBackground {
 /// not apply, minimum() and maximum() over the domain's box, and sample(p, words). A tuple, so that the compiler
 /// inlines all of them into the hot path.
 using PointParts = std::tuple<std::optional<ExpressionSpacing>, std::optional<FilledBackground>,
-                              std::optional<PaintedPart>, std::optional<RegionPart>>;
+                              std::optional<PaintedPart>, std::optional<RegionPart>, std::optional<GradedSources>>;
 
 /// The ingredients of a combined field. Every part is already clamped and limited, so their minimum is, too.
 struct FieldParts {

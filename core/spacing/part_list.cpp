@@ -70,6 +70,7 @@ Diagnostics addBackground(const PartInput &input, FieldParts &parts) {
 
 Diagnostics addSources(const PartInput &input, FieldParts &parts) {
     addSourceSites(input.spec.sources, input.minimum, input.givenGradation(), parts.few);
+    parts.point<GradedSources>() = GradedSources::build(input.spec.sources, input.givenGradation(), input.box);
     for (const SizeSource &source : input.spec.sources) {
         parts.words.sources.push_back(source.name);
     }

@@ -1,3 +1,4 @@
+#include "core/edit/formulas.hpp"
 #include "tests/ui/edit_driver.hpp"
 
 #include <doctest/doctest.h>
@@ -70,6 +71,62 @@ TEST_CASE("Sources: placed by click and by drag, named, and the inspector says w
     driver.dragPlaces({6, 6}, {6, 6.5});
     CHECK(driver.document().spacing.sources[1].radius == doctest::Approx(1.5));
     CHECK(driver.undoLabel() == "Resize source");
+}
+
+TEST_CASE(
+    "Sources: a line gets a size at its second end, when it is drawn or in the inspector; both ends are dragged") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('S');
+    CHECK_FALSE(driver.has("options/source/endsize")); // a point has no second end
+    driver.click("options/source/shape/Line");
+    driver.fill("options/source/size", "0.1");
+    driver.fill("options/source/endsize", "0.3");
+    driver.dragPlaces({2, 3}, {6, 3});
+    REQUIRE(driver.document().spacing.sources.size() == 1);
+    CHECK(driver.document().spacing.sources[0].size == 0.1);
+    CHECK(driver.document().spacing.sources[0].endSize == 0.3);
+    driver.settle();
+    CHECK(driver.context().preview->spacing->at({4, 3}) == doctest::Approx(0.2));
+    driver.key('V');
+    driver.dragPlaces({6, 3}, {6, 7});
+    CHECK(driver.document().spacing.sources[0].b == Vec2{6, 7});
+    CHECK(driver.undoLabel() == "Move source");
+    driver.dragPlaces({2, 3}, {2, 7});
+    CHECK(driver.document().spacing.sources[0].a == Vec2{2, 7});
+    driver.fill("inspector/endsize", "2*0.1");
+    CHECK(driver.document().spacing.sources[0].endSize == doctest::Approx(0.2));
+    CHECK(driver.undoLabel() == "Change source");
+    driver.settle();
+    CHECK(driver.context().preview->spacing->at({4, 7}) == doctest::Approx(0.15));
+    driver.key('Z', {Modifiers::kControl});
+    CHECK(driver.document().spacing.sources[0].endSize == 0.3);
+    driver.fill("inspector/endsize", "-1");
+    CHECK(driver.document().spacing.sources[0].endSize == 0.3);
+    CHECK(driver.logHas("bad-source"));
+    driver.click("inspector/endsize");
+    driver.key('A', {Modifiers::kControl});
+    driver.key(key::kDelete);
+    driver.key(key::kEnter);
+    driver.settle();
+    CHECK_FALSE(driver.document().spacing.sources[0].endSize.has_value());
+    CHECK(driver.context().preview->spacing->at({4, 7}) == doctest::Approx(0.1));
+}
+
+TEST_CASE("Sources: the end size follows a parameter") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    Document named = *setParameters(driver.document(), {{"h", "0.4"}});
+    driver.context().document.apply(std::move(named), "Add parameter");
+    driver.key('S');
+    driver.click("options/source/shape/Line");
+    driver.dragPlaces({2, 3}, {6, 3});
+    driver.key('V');
+    driver.fill("inspector/endsize", "h/2");
+    CHECK(driver.document().spacing.sources[0].endSize == doctest::Approx(0.2));
+    CHECK(driver.document().formulas.at("source/0/endSize") == "h/2");
+    driver.context().document.apply(*setParameters(driver.document(), {{"h", "1"}}), "Change parameter");
+    CHECK(driver.document().spacing.sources[0].endSize == doctest::Approx(0.5));
 }
 
 TEST_CASE("Spacing panel: size, limits and expression; an invalid expression is explained with its position") {

@@ -70,7 +70,7 @@ Document fullDocument() {
     document.spacing.size = 0.1;
     document.spacing.expression = "max(0.1, \"x\"*x)";
     document.spacing.sources = {{SourceShape::Point, {1, 2}, {}, 0.0, 0.05, 0.3, "head"},
-                                {SourceShape::Line, {1, 2}, {3, 4}, 0.5, 0.05, 0.0, ""},
+                                {SourceShape::Line, {1, 2}, {3, 4}, 0.5, 0.05, 0.0, "", 1.0 / 3.0},
                                 {SourceShape::Circle, {1, 2}, {}, 0.25, 0.01, 0.2, "disc"}};
     document.spacing.paint = paintedPatch();
     document.spacing.background = std::make_shared<const BackgroundMesh>(

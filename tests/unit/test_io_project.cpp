@@ -157,6 +157,7 @@ TEST_CASE("Project: wrong values of every kind are refused") {
           R"("spacing": {"size": "0.1"})",
           R"("spacing": {"gradation": 0})",
           R"("spacing": {"sources": [{"shape": "point", "a": [0, 0]}]})",
+          R"("spacing": {"sources": [{"shape": "line", "a": [0, 0], "b": [1, 0], "size": 1, "endSize": 0}]})",
           R"("spacing": {"sources": [{"shape": "ring", "a": [0, 0], "size": 1}]})",
           R"("spacing": {"sources": [{"shape": "point", "a": [0], "size": 1}]})",
           R"("spacing": {"paint": {"origin": [0, 0], "pitch": 0, "tiles": []}})",

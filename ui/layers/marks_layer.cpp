@@ -2,8 +2,7 @@
 #include "core/edit/spacing_commands.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/layers/layers.hpp"
-
-#include <cstdio>
+#include "ui/widgets/widgets.hpp"
 
 namespace forefront {
 
@@ -47,6 +46,11 @@ class MarksLayer final : public Layer {
         if (source.shape == SourceShape::Line) {
             painter.line(source.a, source.b, fade(colour, 0.8), 2.0);
             painter.dot(source.b, 3.0, colour);
+            if (labelled && source.endSize) {
+                painter.ring(source.b, 6.5, fade(colour, 0.8), 1.25);
+                painter.freeLabel(source.b, {10.0, -18.0}, ui::format("\xcf\x81=%.3g", *source.endSize),
+                                  frame.theme.text, fade(frame.theme.popup, 0.75), frame.fonts.small);
+            }
         }
         if (source.radius > 0.0) {
             painter.dashedCircle(source.a, source.radius, fade(colour, 0.8), 1.5);
@@ -54,8 +58,7 @@ class MarksLayer final : public Layer {
         painter.dot(source.a, 3.0, colour);
         painter.ring(source.a, 6.5, fade(colour, 0.8), 1.25);
         if (labelled) {
-            char text[160];
-            std::snprintf(text, sizeof text, "%s  \xcf\x81=%.3g", displayName(source, index).c_str(), source.size);
+            const std::string text = ui::format("%s  \xcf\x81=%.3g", displayName(source, index).c_str(), source.size);
             painter.freeLabel(source.a, {10.0, -18.0}, text, frame.theme.text, fade(frame.theme.popup, 0.75),
                               frame.fonts.small);
         }

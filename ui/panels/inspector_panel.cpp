@@ -340,6 +340,14 @@ void InspectorPanel::drawSource(Shell &context, std::uint32_t index) const {
     }
     changed = form::number(context, "inspector/radius", "Radius", source.radius, address("radius")) || changed;
     changed = form::number(context, "inspector/size", "Size \xcf\x81", source.size, address("size")) || changed;
+    if (source.shape == SourceShape::Line) {
+        form::label(context, "End size");
+        changed =
+            form::optionalField(context, "inspector/endsize", source.endSize, "same", -1.0F, address("endSize")) ||
+            changed;
+        ui::rowTooltip(context, "Element size at the second end, To; it changes linearly along the line. Leave empty "
+                                "for the same size everywhere.");
+    }
     changed = form::number(context, "inspector/growth", "Growth", source.growth, address("growth")) || changed;
     if (changed) {
         EditState::apply(context, replaceSource(document, index, source), "Change source");

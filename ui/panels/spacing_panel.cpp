@@ -75,6 +75,13 @@ void SpacingPanel::drawExpression(Shell &context) {
     }
 }
 
+/// Returns the size of a source, or the sizes at both ends: "ρ 0.1–0.4".
+std::string sizeText(const SizeSource &source) {
+    const std::string size = "\xcf\x81 " + ui::number(source.size, 3);
+    const bool graded = source.shape == SourceShape::Line && source.endSize;
+    return graded ? size + "\xe2\x80\x93" + ui::number(*source.endSize, 3) : size;
+}
+
 void SpacingPanel::drawSources(Shell &context) {
     const std::shared_ptr<const Document> document = context.document.current();
     const std::vector<SizeSource> &sources = document->spacing.sources;
@@ -95,7 +102,7 @@ void SpacingPanel::drawSources(Shell &context) {
     ImGui::BeginChild("sources", {0, rows * context.px(30)}, false, ImGuiWindowFlags_NoNav);
     for (std::uint32_t k = 0; k < shown; ++k) {
         if (ui::selectable(context, "spacing/source/" + std::to_string(k), displayName(sources[k], k),
-                           context.selection.sources.contains(k), "\xcf\x81 " + ui::number(sources[k].size, 3))) {
+                           context.selection.sources.contains(k), sizeText(sources[k]))) {
             context.selection.clear();
             context.selection.sources.insert(k);
             context.tools.choose("select", context);

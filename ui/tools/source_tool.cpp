@@ -45,6 +45,7 @@ void SourceTool::add(Shell &context, Vec2 a, Vec2 b) {
     source.b = source.shape == SourceShape::Line ? b : a;
     source.radius = source.shape == SourceShape::Circle ? distance(a, b) : 0.0;
     source.size = size(context, a);
+    source.endSize = source.shape == SourceShape::Line ? state_->sourceEndSize : std::nullopt;
     source.growth = state_->sourceGrowth;
     // A unique name, so that the inspector can tell which source wins.
     const std::size_t number = context.document.current()->spacing.sources.size() + 1;
@@ -99,6 +100,11 @@ void SourceTool::drawOptions(Shell &context, ui::Flow &flow) {
     double shown = size(context, context.view.camera.centre);
     if (drawSizeOption(context, flow, "options/source/size", "Size", shown, "Element size at the source")) {
         state_->sourceSize = shown;
+    }
+    if (shape() == SourceShape::Line) {
+        drawOptionalSizeOption(context, flow, "options/source/endsize", "End size", state_->sourceEndSize, "same",
+                               "Element size at the second end of the line; it changes linearly along the line. Leave "
+                               "empty for the same size everywhere.");
     }
     drawSizeOption(context, flow, "options/source/growth", "Growth", state_->sourceGrowth,
                    "Growth of the spacing per unit of distance: 0.1 is gentle, 0.3 is steep");

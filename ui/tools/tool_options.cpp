@@ -49,6 +49,21 @@ bool drawSizeOption(Workspace &context, ui::Flow &flow, const char *name, const 
     return drawNumber(context, flow, name, label, value, tooltip, false);
 }
 
+bool drawOptionalSizeOption(Workspace &context, ui::Flow &flow, const char *name, const char *label,
+                            std::optional<double> &value, const char *hint, const char *tooltip) {
+    flow.item(name);
+    ImGui::AlignTextToFramePadding();
+    ui::muted(context, label);
+    ImGui::SameLine();
+    std::optional<double> entered = value;
+    const bool changed = ui::inputOptional(context, name, entered, hint, 76.0F) && (!entered || (*entered > 0.0));
+    ui::tooltip(context, tooltip);
+    if (changed) {
+        value = entered;
+    }
+    return changed;
+}
+
 bool drawLengthOption(Workspace &context, ui::Flow &flow, const char *name, const char *label, double &value,
                       const char *tooltip) {
     return drawNumber(context, flow, name, label, value, tooltip, true);

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -53,7 +54,8 @@ struct EditState {
     double brushFalloff = 0.3;  ///< fraction of the radius over which a dab fades, in [0, 1]
     double brushSpacing = 0.0;  ///< painted ρ; 0: derived from the current ρ on first use
     SourceShape sourceShape = SourceShape::Point;
-    double sourceSize = 0.0; ///< 0: derived from ρ under the pointer
+    double sourceSize = 0.0;             ///< 0: derived from ρ under the pointer
+    std::optional<double> sourceEndSize; ///< of a line, at its second end; absent: the same
     double sourceGrowth = 0.2;
 
     /// Returns the index of the current document; rebuilds it if the document has changed.

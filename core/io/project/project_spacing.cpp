@@ -26,6 +26,10 @@ void writeSources(const std::vector<SizeSource> &sources, JsonText &out) {
         out.number(source.radius);
         out << ", \"size\": ";
         out.number(source.size);
+        if (source.endSize) {
+            out << ", \"endSize\": ";
+            out.number(*source.endSize);
+        }
         out << ", \"growth\": ";
         out.number(source.growth);
         out << ", \"name\": " << jsonString(source.name) << '}';
@@ -49,6 +53,9 @@ SizeSource readSource(const JsonValue &item, JsonCheck &check) {
     }
     if (const auto size = check.member(item, "size", "the source")) {
         source.size = check.positive(*size, "the size of a source");
+    }
+    if (const auto size = item.find("endSize")) {
+        source.endSize = check.positive(*size, "the size at the second end of a source");
     }
     if (const auto growth = item.find("growth")) {
         source.growth = check.notNegative(*growth, "the growth of a source");

@@ -24,10 +24,8 @@ std::string reachedFrom(const SiteLabel &label, const SiteWords &words) {
 std::string describe(const SiteLabel &label, const SiteWords &words) {
     const std::string number = std::to_string(label.index);
     switch (label.reason) {
-    case SiteReason::Source: {
-        const std::string &name = words.sources[label.index];
-        return name.empty() ? "source " + number : "source '" + name + "'";
-    }
+    case SiteReason::Source:
+        return sourceWords(words, label.index);
     case SiteReason::PartSize:
         return "size of '" + words.parts.at(label.index) + "'";
     case SiteReason::SegmentLength:
@@ -46,6 +44,11 @@ std::string describe(const SiteLabel &label, const SiteWords &words) {
 }
 
 } // namespace
+
+std::string sourceWords(const SiteWords &words, std::uint32_t source) {
+    const std::string &name = words.sources[source];
+    return name.empty() ? "source " + std::to_string(source) : "source '" + name + "'";
+}
 
 SpacingSample sampleSite(const SizeSite &site, const SiteLabel &label, const SiteWords &words, Vec2 p) {
     if (const std::string origin = reachedFrom(label, words); !origin.empty()) {

@@ -18,6 +18,9 @@ struct SiteWords {
     std::map<std::uint32_t, std::string> parts; ///< names of boundary parts with a size, by tag
 };
 
+/// Describes a size source: "source 'pier head'".
+std::string sourceWords(const SiteWords &words, std::uint32_t source);
+
 /// Returns the spacing at p as set by one site.
 SpacingSample sampleSite(const SizeSite &site, const SiteLabel &label, const SiteWords &words, Vec2 p);
 

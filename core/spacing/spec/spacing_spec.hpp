@@ -35,6 +35,9 @@ struct SizeSource {
     double size = 1.0; ///< > 0
     double growth = 0.2; ///< >= 0, change of spacing per unit of distance
     std::string name;
+    /// Size at b (Line only), > 0: from `size` at a, it changes linearly along the line, and that of the nearest point
+    /// of the line counts. Absent: `size` along the whole line.
+    std::optional<double> endSize{};
 
     friend bool operator==(const SizeSource &, const SizeSource &) = default;
 };
@@ -93,7 +96,8 @@ struct SpacingSpec {
     std::optional<double> maximum; ///< > 0
     /// Maximum |∇ρ|, > 0; absent: 0.25 for painted, boundary, region and automatic parts (0.18 for the automatic part
     /// of domains with curves, which leaves better shapes beside bends), no limit for the others. The limited spacing
-    /// is within 1 % of exact for sources and boundary lengths, within 2 % for paint, expression and mesh.
+    /// is within 1 % of exact for sources (see GradedSources for the exception) and boundary lengths, within 2 % for
+    /// paint, expression and mesh.
     std::optional<double> gradation;
 
     /// Returns true if no part is given, so that the spacing is automatic.

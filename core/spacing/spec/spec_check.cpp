@@ -59,6 +59,9 @@ void checkSource(const SizeSource &source, std::uint32_t index, Diagnostics &fau
     if (!isSize(source.size)) {
         fault("the size " + text(source.size), "a number above 0");
     }
+    if (source.endSize && !isSize(*source.endSize)) {
+        fault("the size " + text(*source.endSize) + " at its second end", "a number above 0");
+    }
     if (!isNotNegative(source.growth)) {
         fault("the growth " + text(source.growth), "a number of at least 0");
     }
