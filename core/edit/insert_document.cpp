@@ -4,6 +4,7 @@
 #include "core/edit/formulas.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
+#include "core/edit/spacing_commands.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -89,6 +90,7 @@ Document inserted(const Document &document, const Document &other, double scale,
         items.markers[static_cast<std::uint32_t>(items.markers.size())] = index;
         next.regionMarkers.push_back({scale * marker.at, marker.tag, scale * scale * marker.maxArea});
     }
+    next.spacing.keepAutomatic = sources.empty() ? next.spacing.keepAutomatic : keepsAutomatic(document.spacing);
     for (const SizeSource &source : sources) {
         const auto index = static_cast<std::uint32_t>(next.spacing.sources.size());
         fresh.sources.insert(index);

@@ -83,7 +83,18 @@ Result<Document> addSource(const Document &document, SizeSource source) {
         return faults;
     }
     Document next = document;
+    next.spacing.keepAutomatic = keepsAutomatic(document.spacing);
     next.spacing.sources.push_back(std::move(source));
+    return next;
+}
+
+bool keepsAutomatic(const SpacingSpec &spacing) {
+    return spacing.keepAutomatic || spacing.sources.empty();
+}
+
+Document setKeepAutomatic(const Document &document, bool keep) {
+    Document next = document;
+    next.spacing.keepAutomatic = keep;
     return next;
 }
 

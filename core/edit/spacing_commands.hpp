@@ -23,7 +23,12 @@ Result<Document> setGradation(const Document &document, std::optional<double> gr
 /// Sets whether the lengths of boundary segments act as sources.
 Document setFromBoundary(const Document &document, bool fromBoundary);
 
+/// Adds a source. A first source leaves automatic spacing on: see keepsAutomatic().
 Result<Document> addSource(const Document &document, SizeSource source);
+/// Returns whether automatic spacing is to be kept when sources are added: it is not if the present sources replace it.
+bool keepsAutomatic(const SpacingSpec &spacing);
+/// Sets whether sources only refine automatic spacing.
+Document setKeepAutomatic(const Document &document, bool keep);
 Result<Document> replaceSource(const Document &document, std::size_t index, SizeSource source);
 Result<Document> removeSource(const Document &document, std::size_t index);
 

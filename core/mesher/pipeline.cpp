@@ -62,7 +62,7 @@ Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress, dou
     }
     progress("building the node spacing", 0.0);
     SpacingSpec spec = job.spacing;
-    if (job.options.keepBoundary && spec.automatic()) {
+    if (job.options.keepBoundary && spec.usesAutomatic() && spec.paint.tiles.empty() && !spec.background) {
         spec.fromBoundary = true; // segments that stay as they are set the size of their neighbourhood
     }
     Result<std::shared_ptr<const SpacingField>> spacing = SpacingField::build(spec, job.domain, progress);

@@ -110,29 +110,30 @@ Diagnostics addRegions(const PartInput &input, FieldParts &parts) {
 
 // The order is also that of the sites, so it decides which of several equal ones the inspector names.
 constexpr auto kKinds = std::to_array<SpacingPartKind>({
-    {"size", true, [](const SpacingSpec &spec, const Domain &) { return spec.size.has_value(); },
+    {"size", [](const SpacingSpec &spec, const Domain &) { return spec.size.has_value(); },
      [](const SpacingSpec &spec, const Domain &, Diagnostics &faults) { checkSize(spec.size, "spacing", faults); },
      [](const SpacingSpec &a, const SpacingSpec &b) { return a.size == b.size; }, addSize},
-    {"expression", true, [](const SpacingSpec &spec, const Domain &) { return spec.expression.has_value(); },
-     neverFaulty,
+    {"expression", [](const SpacingSpec &spec, const Domain &) { return spec.expression.has_value(); }, neverFaulty,
      [](const SpacingSpec &a, const SpacingSpec &b) {
          return a.expression == b.expression && (!a.expression || a.names == b.names);
      },
      addExpression},
-    {"paint", false, [](const SpacingSpec &spec, const Domain &) { return !spec.paint.tiles.empty(); }, neverFaulty,
-     samePaint, addPaint},
-    {"background", false, [](const SpacingSpec &spec, const Domain &) { return spec.background != nullptr; },
-     neverFaulty, [](const SpacingSpec &a, const SpacingSpec &b) { return samePointed(a.background, b.background); },
-     addBackground},
-    {"sources", true, [](const SpacingSpec &spec, const Domain &) { return !spec.sources.empty(); },
+    {"paint", [](const SpacingSpec &spec, const Domain &) { return !spec.paint.tiles.empty(); }, neverFaulty, samePaint,
+     addPaint},
+    {"background", [](const SpacingSpec &spec, const Domain &) { return spec.background != nullptr; }, neverFaulty,
+     [](const SpacingSpec &a, const SpacingSpec &b) { return samePointed(a.background, b.background); }, addBackground},
+    {"sources", [](const SpacingSpec &spec, const Domain &) { return !spec.sources.empty(); },
      [](const SpacingSpec &spec, const Domain &, Diagnostics &faults) { checkSources(spec.sources, faults); },
-     [](const SpacingSpec &a, const SpacingSpec &b) { return a.sources == b.sources; }, addSources},
-    {"partSizes", false, [](const SpacingSpec &spec, const Domain &) { return !spec.partSizes.empty(); },
+     [](const SpacingSpec &a, const SpacingSpec &b) {
+         return a.sources == b.sources && a.keepAutomatic == b.keepAutomatic;
+     },
+     addSources},
+    {"partSizes", [](const SpacingSpec &spec, const Domain &) { return !spec.partSizes.empty(); },
      [](const SpacingSpec &spec, const Domain &, Diagnostics &faults) { checkPartSizes(spec.partSizes, faults); },
      [](const SpacingSpec &a, const SpacingSpec &b) { return a.partSizes == b.partSizes; }, addPartSizes},
-    {"fromBoundary", true, [](const SpacingSpec &spec, const Domain &) { return spec.fromBoundary; }, neverFaulty,
+    {"fromBoundary", [](const SpacingSpec &spec, const Domain &) { return spec.fromBoundary; }, neverFaulty,
      [](const SpacingSpec &a, const SpacingSpec &b) { return a.fromBoundary == b.fromBoundary; }, addBoundary},
-    {"segmentsPerTurn", false,
+    {"segmentsPerTurn",
      [](const SpacingSpec &spec, const Domain &domain) {
          return spec.segmentsPerTurn.value_or(0.0) > 0.0 && !domain.curves.empty();
      },
@@ -140,7 +141,7 @@ constexpr auto kKinds = std::to_array<SpacingPartKind>({
          checkSegmentsPerTurn(spec.segmentsPerTurn, faults);
      },
      [](const SpacingSpec &a, const SpacingSpec &b) { return a.segmentsPerTurn == b.segmentsPerTurn; }, addBends},
-    {"", false,
+    {"",
      [](const SpacingSpec &, const Domain &domain) {
          return std::any_of(domain.regionMarkers.begin(), domain.regionMarkers.end(),
                             [](const RegionMarker &marker) { return marker.maxArea > 0.0; });

@@ -12,8 +12,6 @@ namespace forefront {
 struct SpacingPartKind {
     /// Member of "spacing" in a project file; empty for parts that belong to the domain.
     std::string_view word;
-    /// Applies to the whole domain, so that automatic spacing is not needed.
-    bool coversDomain = false;
     bool (*given)(const SpacingSpec &, const Domain &);
     /// Adds the faults of its numbers.
     void (*check)(const SpacingSpec &, const Domain &, Diagnostics &);

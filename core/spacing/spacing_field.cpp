@@ -40,10 +40,8 @@ class FieldBuilder {
         if (Diagnostics faults = checkSpacing(spec_, input_.domain); !faults.empty()) {
             return faults;
         }
-        bool covered = false;
         for (const SpacingPartKind &kind : spacingPartKinds()) {
             if (kind.given(spec_, input_.domain)) {
-                covered = covered || kind.coversDomain;
                 if (Diagnostics faults = kind.add(input_, parts_); !faults.empty()) {
                     return faults;
                 }
@@ -52,7 +50,7 @@ class FieldBuilder {
         limitCap();
         // Paint and region areas reach everywhere by gradation, but their values far away are not intended; a
         // background mesh may end inside the domain.
-        if (!covered) {
+        if (spec_.usesAutomatic()) {
             addAutomatic();
         }
         return finish();
@@ -111,7 +109,8 @@ class FieldBuilder {
         }
         return paint > kManyPaintSites ? SpreadOptions{kManyPaintSites, kPaintCellsPerSize} : SpreadOptions{};
     }
-    /// Removes the sites of sources and returns them, if there are few of them among many at the edges of paint.
+    /// Removes the sites of sources and returns them, if there are few of them among many at the edges of paint or of
+    /// automatic spacing. Away from the sources, the spacing is then as without them.
     SiteSet takeSources() {
         SiteSet sources, others;
         std::size_t paint = 0;
@@ -120,7 +119,8 @@ class FieldBuilder {
             (label.origin == SpacingOrigin::Source ? sources : others).add(parts_.few.sites[i], label);
             paint += label.origin == SpacingOrigin::Paint ? 1 : 0;
         }
-        if (paint <= kManyPaintSites || sources.sites.size() > kFew) {
+        const bool apart = paint > kManyPaintSites || (spec_.keepAutomatic && spec_.usesAutomatic());
+        if (!apart || sources.sites.size() > kFew) {
             return {};
         }
         parts_.few = std::move(others);

@@ -113,6 +113,33 @@ TEST_CASE(
     CHECK(driver.context().preview->spacing->at({4, 7}) == doctest::Approx(0.1));
 }
 
+TEST_CASE("Sources: a first source refines automatic spacing near it, and the panel can let it replace the spacing") {
+    Draughtsman driver;
+    driver.polygon({{1, 1}, {9, 1}, {9, 8}, {5.05, 8}, {5.05, 2}, {5, 2}, {5, 8}, {1, 8}}); // with a narrow slit
+    driver.settle();
+    const Vec2 besideSlit{5.2, 5}, far{8, 7}, near{2, 3};
+    const auto at = [&](Vec2 p) { return driver.context().preview->spacing->at(p); };
+    const double slit = at(besideSlit), away = at(far), before = at(near);
+    driver.key('S');
+    driver.clickPlace(near);
+    driver.settle();
+    REQUIRE(driver.document().spacing.sources.size() == 1);
+    CHECK(at(near) < 0.5 * before);
+    CHECK(at(besideSlit) == slit);
+    CHECK(at(far) == away);
+    driver.unfold("spacing");
+    driver.click("spacing/keepautomatic");
+    driver.settle();
+    CHECK_FALSE(driver.document().spacing.keepAutomatic);
+    CHECK(at(far) > 1.5 * away);
+    driver.key('Z', {Modifiers::kControl});
+    driver.settle();
+    CHECK(at(far) == away);
+    driver.fill("spacing/size", "0.5");
+    CHECK_FALSE(driver.has("spacing/keepautomatic")); // a size replaces automatic spacing in any case
+    CHECK(at(far) == 0.5);
+}
+
 TEST_CASE("Sources: the end size follows a parameter") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {9, 8});

@@ -72,6 +72,7 @@ Document fullDocument() {
     document.spacing.sources = {{SourceShape::Point, {1, 2}, {}, 0.0, 0.05, 0.3, "head"},
                                 {SourceShape::Line, {1, 2}, {3, 4}, 0.5, 0.05, 0.0, "", 1.0 / 3.0},
                                 {SourceShape::Circle, {1, 2}, {}, 0.25, 0.01, 0.2, "disc"}};
+    document.spacing.keepAutomatic = true;
     document.spacing.paint = paintedPatch();
     document.spacing.background = std::make_shared<const BackgroundMesh>(
         BackgroundMesh{{{0, 0}, {1, 0}, {0, 1}, {1, 1}}, {{0, 1, 2}, {2, 1, 3}}, {0.1, 0.2, 0.3, 0.4}});

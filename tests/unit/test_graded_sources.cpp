@@ -178,10 +178,11 @@ TEST_CASE("Graded sources: the end size is written to projects and read back, an
     REQUIRE(read.ok());
     CHECK(read->spacing.sources == document.spacing.sources);
     CHECK(text.find("endSize") == text.rfind("endSize")); // only where it is given
-    const auto refused = parseProject("{\"format\": \"forefront\", \"version\": 2, \"shapes\": [], \"spacing\":\n"
-                                      "{\"sources\": [{\"shape\": \"line\", \"a\": [0, 0], \"b\": [1, 0], \"size\": 1,\n"
-                                      "\"endSize\": 0}]}}",
-                                      "test");
+    const auto refused =
+        parseProject("{\"format\": \"forefront\", \"version\": 2, \"shapes\": [], \"spacing\":\n"
+                     "{\"sources\": [{\"shape\": \"line\", \"a\": [0, 0], \"b\": [1, 0], \"size\": 1,\n"
+                     "\"endSize\": 0}]}}",
+                     "test");
     REQUIRE_FALSE(refused.ok());
     CHECK(refused.faults().front().code == "bad-number");
     CHECK(refused.faults().front().line == 3);

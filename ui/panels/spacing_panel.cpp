@@ -82,6 +82,23 @@ std::string sizeText(const SizeSource &source) {
     return graded ? size + "\xe2\x80\x93" + ui::number(*source.endSize, 3) : size;
 }
 
+/// Draws the switch between sources that refine automatic spacing and sources that replace it. Other parts that cover
+/// the domain replace it in any case.
+void drawKeepAutomatic(Shell &context) {
+    const std::shared_ptr<const Document> document = context.document.current();
+    const SpacingSpec &spacing = document->spacing;
+    if (spacing.size || spacing.expression || spacing.fromBoundary) {
+        return;
+    }
+    form::label(context, "");
+    bool keep = spacing.keepAutomatic;
+    if (ui::checkbox(context, "spacing/keepautomatic", "Keep automatic spacing", keep)) {
+        context.document.apply(setKeepAutomatic(*document, keep), "Keep automatic spacing");
+    }
+    ui::rowTooltip(context, "Sources make elements smaller than automatic spacing does, and leave them as they are "
+                            "elsewhere. Without it, the sources alone set the spacing.");
+}
+
 void SpacingPanel::drawSources(Shell &context) {
     const std::shared_ptr<const Document> document = context.document.current();
     const std::vector<SizeSource> &sources = document->spacing.sources;
@@ -109,6 +126,7 @@ void SpacingPanel::drawSources(Shell &context) {
         }
     }
     ImGui::EndChild();
+    drawKeepAutomatic(context);
 }
 
 void SpacingPanel::drawLimits(Shell &context) {
@@ -138,17 +156,12 @@ void SpacingPanel::drawLimits(Shell &context) {
     ui::rowTooltip(context, "Use the lengths of the drawn boundary segments as the node spacing there.");
 }
 
-/// Returns true if no part of the spacing covers the whole domain, so that the automatic spacing applies.
-bool automatic(const SpacingSpec &spacing) {
-    return !spacing.size && !spacing.expression && spacing.sources.empty() && !spacing.fromBoundary;
-}
-
 void SpacingPanel::draw(Shell &context) {
     const std::shared_ptr<const Document> document = context.document.current();
     const SpacingSpec &spacing = document->spacing;
     std::optional<double> size = spacing.size;
     form::label(context, "Size");
-    if (form::optionalField(context, "spacing/size", size, automatic(spacing) ? "auto" : "none", -1.0F,
+    if (form::optionalField(context, "spacing/size", size, spacing.usesAutomatic() ? "auto" : "none", -1.0F,
                             "spacing/size")) {
         EditState::apply(context, setSize(*document, size), "Change size");
     }

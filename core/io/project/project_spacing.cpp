@@ -290,6 +290,11 @@ constexpr std::array kMembers = {
                   [](const JsonValue &value, JsonCheck &check, std::string_view, SpacingSpec &spec) {
                       spec.sources = readSources(value, check);
                   }},
+    SpacingMember{"keepAutomatic", [](const SpacingSpec &spec) { return spec.keepAutomatic; },
+                  [](const SpacingSpec &, JsonText &out) { out << "true"; },
+                  [](const JsonValue &value, JsonCheck &check, std::string_view, SpacingSpec &spec) {
+                      spec.keepAutomatic = check.flag(value, "\"keepAutomatic\"");
+                  }},
     SpacingMember{"partSizes", [](const SpacingSpec &spec) { return !spec.partSizes.empty(); },
                   [](const SpacingSpec &spec, JsonText &out) { writePartSizes(spec.partSizes, out); },
                   [](const JsonValue &value, JsonCheck &check, std::string_view, SpacingSpec &spec) {

@@ -77,13 +77,14 @@ struct BackgroundMesh {
 /// The given parts, and the maximum areas of the domain's region markers, are combined by minimum, clamped to [minimum,
 /// maximum], then limited so that |∇ρ| <= gradation. Where nothing covers the whole domain (no size, expression, source
 /// or boundary lengths), automatic spacing applies: from boundary lengths, bends, narrow places and domain size,
-/// graded. It is combined by minimum with paint, sizes of parts and region areas, and fills in outside a background
-/// mesh.
+/// graded. It is combined by minimum with paint, sizes of parts, region areas and, with `keepAutomatic`, sources, and
+/// fills in outside a background mesh.
 struct SpacingSpec {
     std::optional<double> size;                       ///< constant spacing, > 0
     std::optional<std::string> expression;            ///< formula in x and y, for example "max(0.1, 0.2*sqrt(x*x+y*y))"
     std::map<std::string, double, std::less<>> names; ///< other names that the expression may use, such as parameters
     std::vector<SizeSource> sources;
+    bool keepAutomatic = false; ///< sources only refine automatic spacing; without this, they replace it
     PaintedSpacing paint;
     std::shared_ptr<const BackgroundMesh> background;
     /// Sizes of boundary parts and constraints by tag; they also apply to points with the tag.
@@ -101,9 +102,9 @@ struct SpacingSpec {
     std::optional<double> gradation;
 
     /// Returns true if no part is given, so that the spacing is automatic.
-    bool automatic() const {
-        return !size && !expression && sources.empty() && paint.tiles.empty() && !background && !fromBoundary;
-    }
+    bool automatic() const { return usesAutomatic() && sources.empty() && paint.tiles.empty() && !background; }
+    /// Returns true if no part covers the whole domain, so that automatic spacing applies together with the others.
+    bool usesAutomatic() const { return !size && !expression && (sources.empty() || keepAutomatic) && !fromBoundary; }
 };
 
 } // namespace forefront

@@ -83,8 +83,8 @@ double GradedSources::at(Vec2 p) const {
 }
 
 SpacingSample GradedSources::sample(Vec2 p, const SiteWords &words) const {
-    const auto winner = std::min_element(lines_.begin(), lines_.end(),
-                                         [p](const Line &a, const Line &b) { return a.at(p) < b.at(p); });
+    const auto winner =
+        std::min_element(lines_.begin(), lines_.end(), [p](const Line &a, const Line &b) { return a.at(p) < b.at(p); });
     return {winner->at(p), SpacingOrigin::Source, winner->source, sourceWords(words, winner->source)};
 }
 

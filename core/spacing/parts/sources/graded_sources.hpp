@@ -23,7 +23,8 @@ bool isGraded(const SizeSource &source);
 /// minimum then cuts off the limited function, which may be smaller beside the line than necessary.
 class GradedSources {
   public:
-    /// Takes the graded sources; std::nullopt if there are none. `gradation` may be infinite; the bounds are over `box`.
+    /// Takes the graded sources; std::nullopt if there are none. `gradation` may be infinite; the bounds are over
+    /// `box`.
     static std::optional<GradedSources> build(std::span<const SizeSource> sources, double gradation, const Box2 &box);
 
     double at(Vec2 p) const;
