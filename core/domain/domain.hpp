@@ -43,6 +43,14 @@ struct RegionMarker {
     friend bool operator==(const RegionMarker &, const RegionMarker &) = default;
 };
 
+/// An element size at a node, growing by `growth` per unit of distance. Becomes part of the spacing.
+struct NodeSize {
+    Vec2 at;
+    double size = 1.0;   ///< > 0
+    double growth = 0.2; ///< >= 0
+    std::string name;    ///< of the node, such as "node 3 of quay"
+};
+
 struct ConstraintPoint {
     std::uint32_t node = 0; ///< index into Domain::nodes
     std::int32_t tag = 1;   ///< >= 1
@@ -60,6 +68,7 @@ struct Domain {
     std::vector<ConstraintPoint> points;
     std::vector<Vec2> holeMarkers;
     std::vector<RegionMarker> regionMarkers;
+    std::vector<NodeSize> nodeSizes;
     InsideRule insideRule = InsideRule::EvenOdd;
     std::vector<Curve> curves; ///< exact curves that segments follow
     /// Maximum distance of a curve from its edges in the mesh, in domain units; 0: 1/2000 of the domain's diagonal.

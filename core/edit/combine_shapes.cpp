@@ -3,6 +3,7 @@
 #include "core/arrangement/arrangement.hpp"
 #include "core/edit/boundary_loops.hpp"
 #include "core/edit/domain_shapes.hpp"
+#include "core/edit/node_sizes.hpp"
 #include "core/edit/shape_geometry.hpp"
 
 #include <algorithm>
@@ -155,6 +156,9 @@ Result<Document> combineShapes(const Document &document, const std::set<std::uin
         if (shape->id == first.id) {
             for (Shape &made : shapesOf(domain)) {
                 made.id = next.nextId++;
+                for (const ShapePointer &from : *chosen) {
+                    takeNodeSizes(made, *from);
+                }
                 made.name = first.name;
                 made.use = made.use == ShapeUse::Boundary ? first.use : ShapeUse::Constraint;
                 fresh.shapes.insert(made.id);

@@ -1,6 +1,7 @@
 #include "core/edit/corner_commands.hpp"
 
 #include "core/base/number_text.hpp"
+#include "core/edit/node_sizes.hpp"
 #include "core/edit/path_curve.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
@@ -154,6 +155,7 @@ class CornerPass {
 
     /// Writes the result to the path.
     void finish(Shape &shape) {
+        const Shape before = shape;
         std::reverse(done_.begin(), done_.end());
         shape.nodes.clear();
         shape.curves.clear();
@@ -168,6 +170,7 @@ class CornerPass {
             shape.segmentTags.pop_back();
         }
         shape.cuts.clear();
+        keepNodeSizes(shape, before);
     }
 
   private:

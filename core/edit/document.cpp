@@ -2,6 +2,7 @@
 
 #include "core/base/ids.hpp"
 #include "core/edit/domain_sources.hpp"
+#include "core/edit/node_sizes.hpp"
 #include "core/edit/refine_chords.hpp"
 #include "core/edit/shape_geometry.hpp"
 
@@ -53,6 +54,7 @@ class DomainBuilder {
         for (std::uint32_t number = 0; number < document_.shapes.size(); ++number) {
             const Shape &shape = *document_.shapes[number];
             shape.kind == ShapeKind::Point ? addPoint(shape, number) : addOutline(shape, number);
+            addNodeSizes(shape);
         }
         domain_.regionMarkers = document_.regionMarkers;
         domain_.boundaryNames = document_.boundaryNames;
@@ -81,6 +83,15 @@ class DomainBuilder {
                 if (sources_ != nullptr) {
                     sources_->points.push_back({number, 0});
                 }
+            }
+        }
+    }
+
+    void addNodeSizes(const Shape &shape) {
+        const std::vector<Vec2> handles = shape.nodeSizes.empty() ? std::vector<Vec2>() : handlesOf(shape);
+        for (const auto &[node, part] : shape.nodeSizes) {
+            if (node < handles.size()) {
+                domain_.nodeSizes.push_back({handles[node], part.size, part.growth, nodeName(shape, node)});
             }
         }
     }

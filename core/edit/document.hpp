@@ -66,6 +66,8 @@ struct Shape {
     double radius = 0.0; ///< of a rectangle's corners; at most half its shorter side counts
     bool hidden = false; ///< neither drawn nor picked, but part of the domain
     bool locked = false; ///< drawn, but neither picked nor moved
+    /// Element sizes at nodes, by handle (see handlesOf()); not at the centre of a circle or an ellipse.
+    std::map<std::uint32_t, PartSize> nodeSizes;
 
     friend bool operator==(const Shape &, const Shape &) = default;
 };

@@ -25,7 +25,8 @@ constexpr std::array<std::pair<std::string_view, Owner>, 4> kOwners{
 
 /// Returns true if the address ends in the index of a handle.
 bool hasHandle(const NumberAddress &address) {
-    return address.owner == Owner::Shape && (address.quantity == "x" || address.quantity == "y");
+    const std::string &what = address.quantity;
+    return address.owner == Owner::Shape && (what == "x" || what == "y" || what == "size" || what == "growth");
 }
 
 std::optional<double> copied(const double *place) {
@@ -50,6 +51,11 @@ std::optional<std::uint32_t> parseIndex(std::string_view text) {
     return fault == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
 }
 
+template <class Part>
+auto partNumber(Part &part, const std::string &what) -> decltype(&part.size) {
+    return what == "size" ? &part.size : what == "growth" ? &part.growth : nullptr;
+}
+
 std::optional<double> shapeNumber(const Shape &shape, const NumberAddress &address) {
     const std::string &what = address.quantity;
     const std::vector<Vec2> handles = handlesOf(shape);
@@ -58,6 +64,10 @@ std::optional<double> shapeNumber(const Shape &shape, const NumberAddress &addre
             return std::nullopt;
         }
         return what == "x" ? handles[address.handle].x : handles[address.handle].y;
+    }
+    if (what == "size" || what == "growth") {
+        const auto part = shape.nodeSizes.find(address.handle);
+        return part != shape.nodeSizes.end() ? copied(partNumber(part->second, what)) : std::nullopt;
     }
     if (what == "radius" && (shape.kind == ShapeKind::Circle || shape.kind == ShapeKind::Rectangle)) {
         return shape.kind == ShapeKind::Rectangle ? shape.radius : circleRadius(shape);
@@ -94,6 +104,10 @@ Status placeInShape(Shape &shape, const NumberAddress &address, double value) {
     if (what == "x" || what == "y") {
         const Vec2 at = handlesOf(shape)[address.handle];
         placeHandle(shape, address.handle, what == "x" ? Vec2{value, at.y} : Vec2{at.x, value});
+        return {};
+    }
+    if (what == "size" || what == "growth") {
+        *partNumber(shape.nodeSizes.at(address.handle), what) = value;
         return {};
     }
     const bool circle = shape.kind == ShapeKind::Circle;
@@ -140,11 +154,6 @@ auto sourceNumber(Source &source, const std::string &what) -> decltype(&source.s
 template <class Marker>
 auto markerNumber(Marker &marker, const std::string &what) -> decltype(&marker.maxArea) {
     return what == "x" ? &marker.at.x : what == "y" ? &marker.at.y : what == "area" ? &marker.maxArea : nullptr;
-}
-
-template <class Part>
-auto partNumber(Part &part, const std::string &what) -> decltype(&part.size) {
-    return what == "size" ? &part.size : what == "growth" ? &part.growth : nullptr;
 }
 
 std::optional<double> SpacingSpec::*spacingNumber(const std::string &what) {

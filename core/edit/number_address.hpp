@@ -13,16 +13,17 @@ namespace forefront {
 /// The address of a number of a document.
 ///
 /// "shape/ID/x/K" and "shape/ID/y/K" for handle K (see handlesOf()), "shape/ID/radius" for a circle or rounded corners,
-/// "shape/ID/rx" and "ry" for an ellipse, "shape/ID/left", "bottom", "width", "height" for a rectangle; "source/K/x",
-/// "y", "x2", "y2", "radius", "size", "endSize", "growth" for a size source; "region/K/x", "y", "area" for a region
-/// marker; "part/TAG/size", "growth" for a boundary part; "spacing/size", "minimum", "maximum", "gradation",
-/// "segmentsPerTurn". ID is that of the shape; indices count from 0.
+/// "shape/ID/size/K" and "shape/ID/growth/K" for the size at a node, "shape/ID/rx" and "ry" for an ellipse,
+/// "shape/ID/left", "bottom", "width", "height" for a rectangle; "source/K/x", "y", "x2", "y2", "radius", "size",
+/// "endSize", "growth" for a size source; "region/K/x", "y", "area" for a region marker; "part/TAG/size", "growth" for
+/// a boundary part; "spacing/size", "minimum", "maximum", "gradation", "segmentsPerTurn". ID is that of the shape;
+/// indices count from 0.
 struct NumberAddress {
     enum class Owner : std::uint8_t { Shape, Source, Region, Part, Spacing };
     Owner owner = Owner::Spacing;
     std::uint32_t id = 0;     ///< of the shape; index of the source or marker; tag of the part
     std::string quantity;     ///< "x", "radius", "size", ...
-    std::uint32_t handle = 0; ///< of "x" and "y" of a shape
+    std::uint32_t handle = 0; ///< of "x", "y", "size" and "growth" of a shape
 };
 
 std::optional<NumberAddress> parseAddress(std::string_view address);

@@ -1,5 +1,6 @@
 #include "core/edit/path_commands.hpp"
 
+#include "core/edit/node_sizes.hpp"
 #include "core/edit/path_curve.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
@@ -316,6 +317,8 @@ Result<Document> splitPath(const Document &document, NodeRef node) {
         shape.segmentTags.resize(node.node);
         rest.segmentTags.erase(rest.segmentTags.begin(), rest.segmentTags.begin() + at);
     }
+    keepNodeSizes(shape, *given);
+    keepNodeSizes(rest, *given);
     return replacePath(document, std::move(shape), std::move(rest));
 }
 
@@ -372,6 +375,9 @@ Result<Document> joinEnds(const Document &document, NodeRef first, NodeRef secon
     path.nodes.insert(path.nodes.end(), rest->nodes.begin() + (touch ? 1 : 0), rest->nodes.end());
     path.segmentTags.insert(path.segmentTags.end(), rest->segmentTags.begin(), rest->segmentTags.end());
     path.curves.insert(path.curves.end(), rest->curves.begin(), rest->curves.end());
+    path.nodeSizes.clear();
+    takeNodeSizes(path, *findShape(document, first.shape));
+    takeNodeSizes(path, *findShape(document, second.shape));
     Result<Document> next = replaceShape(document, std::move(path));
     return next ? Result<Document>(removeShapes(*next, {second.shape})) : next;
 }

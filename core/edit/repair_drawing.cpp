@@ -4,6 +4,7 @@
 #include "core/domain/validate.hpp"
 #include "core/edit/domain_shapes.hpp"
 #include "core/edit/domain_sources.hpp"
+#include "core/edit/node_sizes.hpp"
 #include "core/edit/shape_geometry.hpp"
 
 #include <algorithm>
@@ -135,6 +136,11 @@ class DrawingRepair {
         for (Shape &made : shapesOf(partOf(domain, segments, points))) {
             made.id = next.nextId++;
             made.name = nameOf(made, edges);
+            for (std::size_t k = 0; k < document_.shapes.size(); ++k) {
+                if (changed_[k] != 0) {
+                    takeNodeSizes(made, *document_.shapes[k]);
+                }
+            }
             next.shapes.push_back(std::make_shared<const Shape>(std::move(made)));
         }
     }

@@ -1,3 +1,4 @@
+#include "core/edit/node_sizes.hpp"
 #include "core/edit/path_curve.hpp"
 #include "core/edit/selected_handles.hpp"
 #include "core/edit/shape_commands.hpp"
@@ -62,6 +63,7 @@ void removeNodes(Shape &shape, const std::set<std::uint32_t> &handles) {
         shape.radius = 0.0; // the corners are the nodes that can be selected
         becomePath(shape);
     }
+    const Shape before = shape;
     for (auto handle = handles.rbegin(); handle != handles.rend(); ++handle) {
         if (*handle >= shape.nodes.size()) {
             continue;
@@ -73,6 +75,7 @@ void removeNodes(Shape &shape, const std::set<std::uint32_t> &handles) {
             shape.segmentTags.erase(shape.segmentTags.begin() + std::min(*handle, last));
         }
     }
+    keepNodeSizes(shape, before);
 }
 
 /// Maps some nodes of a path. Curves with both ends among them are mapped exactly; the others follow their ends.
@@ -128,6 +131,9 @@ std::vector<Shape> withoutSegments(const Shape &shape, const std::set<SegmentRef
         if (!outline.curves.empty()) {
             pieces.back().curves.push_back(outline.curves[k]);
         }
+    }
+    for (Shape &piece : pieces) {
+        takeNodeSizes(piece, shape);
     }
     return pieces;
 }

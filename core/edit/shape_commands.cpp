@@ -1,5 +1,6 @@
 #include "core/edit/shape_commands.hpp"
 
+#include "core/edit/node_sizes.hpp"
 #include "core/edit/path_curve.hpp"
 #include "core/edit/shape_geometry.hpp"
 
@@ -27,6 +28,7 @@ void tidy(Shape &shape) {
                     [&](std::int32_t tag) { return tag == shape.tag; })) {
         shape.segmentTags.clear();
     }
+    std::erase_if(shape.nodeSizes, [&](const auto &entry) { return !canHaveSize(shape, entry.first); });
     const Outline outline = outlineOf(shape);
     for (std::size_t k = 0; k < shape.curves.size(); ++k) {
         Curve &curve = shape.curves[k];
@@ -57,6 +59,9 @@ Result<Document> changeShapes(const Document &document, const std::set<std::uint
         Shape shape = *pointer;
         if (Status status = change(shape); !status.empty()) {
             return status;
+        }
+        if (shape.nodeSizes == pointer->nodeSizes && handleCount(shape) != handleCount(*pointer)) {
+            keepNodeSizes(shape, *pointer);
         }
         if (Diagnostics faults = checkShape(shape); !faults.empty()) {
             return faults;
@@ -200,6 +205,9 @@ Diagnostics checkShape(const Shape &shape) {
         return error("bad-shape", std::string(wordOf(shape.kind)) + " is degenerate",
                      "a polygon needs three nodes, a polyline two; the sides of a rectangle, the radius of a circle "
                      "and the semi-axes of an ellipse must not be 0");
+    }
+    if (Diagnostics faults = checkNodeSizes(shape); !faults.empty()) {
+        return faults;
     }
     if (!hasSoundCurves(shape)) {
         return error("bad-curve", "a curve of " + displayName(shape) + " does not begin and end at its nodes",

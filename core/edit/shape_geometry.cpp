@@ -1,5 +1,6 @@
 #include "core/edit/shape_geometry.hpp"
 
+#include "core/edit/node_sizes.hpp"
 #include "core/edit/path_curve.hpp"
 
 #include <algorithm>
@@ -157,12 +158,16 @@ void scaleShape(Shape &shape, double factor) {
         curve = curve.mapped(scaled);
     }
     shape.radius *= std::fabs(factor);
+    for (auto &[node, part] : shape.nodeSizes) {
+        part.size *= std::fabs(factor);
+    }
 }
 
 void becomePath(Shape &shape) {
     if (shape.kind != ShapeKind::Rectangle && !isRound(shape)) {
         return;
     }
+    const Shape before = shape;
     Outline outline = outlineOf(shape);
     if (isRound(shape) && outline.isCurved(0)) {
         const Curve loop = outline.curves[0];
@@ -189,6 +194,7 @@ void becomePath(Shape &shape) {
     shape.curves = std::move(outline.curves);
     shape.cuts.clear();
     shape.radius = 0.0;
+    keepNodeSizes(shape, before);
 }
 
 void moveNodes(Shape &shape, std::vector<Vec2> places) {

@@ -31,6 +31,13 @@ void mapRectangle(Shape &shape, const PlaneMap &map) {
     shape.cuts.clear();
     if (map.u.x == 0.0) {
         std::reverse(shape.segmentTags.begin(), shape.segmentTags.end());
+        auto second = shape.nodeSizes.extract(1), fourth = shape.nodeSizes.extract(3);
+        for (auto *const corner : {&second, &fourth}) {
+            if (!corner->empty()) {
+                corner->key() = 4 - corner->key();
+                shape.nodeSizes.insert(std::move(*corner));
+            }
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/edit/curve_crossings.hpp"
 #include "core/edit/join_segments.hpp"
+#include "core/edit/node_sizes.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
 #include "core/geometry/box_tree.hpp"
@@ -209,6 +210,7 @@ Shape openPart(const Path &path, const Stretch &stretch) {
     if (path.shape.segmentTags.empty()) {
         part.segmentTags.clear();
     }
+    keepNodeSizes(part, path.shape);
     return part;
 }
 

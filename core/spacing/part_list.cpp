@@ -2,6 +2,7 @@
 
 #include "core/spacing/parts/automatic/boundary_spacing.hpp"
 #include "core/spacing/parts/curvature/curvature_sites.hpp"
+#include "core/spacing/parts/node_sizes/node_size_sites.hpp"
 #include "core/spacing/parts/part_sizes/part_size_sites.hpp"
 #include "core/spacing/parts/sources/source_sites.hpp"
 #include "core/spacing/spec/spec_check.hpp"
@@ -85,6 +86,14 @@ Diagnostics addPartSizes(const PartInput &input, FieldParts &parts) {
     return {};
 }
 
+Diagnostics addNodeSizes(const PartInput &input, FieldParts &parts) {
+    addNodeSizeSites(input.domain.nodeSizes, input.minimum, input.givenGradation(), parts.few);
+    for (const NodeSize &node : input.domain.nodeSizes) {
+        parts.words.nodes.push_back(node.name);
+    }
+    return {};
+}
+
 Diagnostics addBoundary(const PartInput &input, FieldParts &parts) {
     addBoundarySites(input.domain, input.minimum, input.gradation, parts.few);
     return {};
@@ -131,6 +140,9 @@ constexpr auto kKinds = std::to_array<SpacingPartKind>({
     {"partSizes", [](const SpacingSpec &spec, const Domain &) { return !spec.partSizes.empty(); },
      [](const SpacingSpec &spec, const Domain &, Diagnostics &faults) { checkPartSizes(spec.partSizes, faults); },
      [](const SpacingSpec &a, const SpacingSpec &b) { return a.partSizes == b.partSizes; }, addPartSizes},
+    {"", [](const SpacingSpec &, const Domain &domain) { return !domain.nodeSizes.empty(); },
+     [](const SpacingSpec &, const Domain &domain, Diagnostics &faults) { checkNodeSizes(domain.nodeSizes, faults); },
+     [](const SpacingSpec &, const SpacingSpec &) { return true; }, addNodeSizes},
     {"fromBoundary", [](const SpacingSpec &spec, const Domain &) { return spec.fromBoundary; }, neverFaulty,
      [](const SpacingSpec &a, const SpacingSpec &b) { return a.fromBoundary == b.fromBoundary; }, addBoundary},
     {"segmentsPerTurn",

@@ -47,6 +47,7 @@ Document fullDocument() {
     Shape outline = shape(1, ShapeKind::Polygon, ShapeUse::Boundary, {{0, 0}, {4, 0}, {4, 3.1}, {1.0 / 3.0, 3}},
                           "quay \"north\" \\ Ä\n");
     outline.segmentTags = {1, 2, 2, 7};
+    outline.nodeSizes = {{1, {1.0 / 3.0, 0.3}}, {3, {0.05, 0.0}}};
     Shape sail = shape(10, ShapeKind::Polygon, ShapeUse::Constraint, {{2, 1}, {2.5, 1.1}, {2.1, 1.2}}, "sail");
     sail.curves = {Curve::cubic({2, 1}, {1.0 / 3.0 + 2.0, 0.9}, {2.4, 1}, {2.5, 1.1}),
                    joining(Curve::arc({0, 0}, {1, 0}, {0, 1}, 0.1, 1.0 / 3.0), {2.5, 1.1}, {2.1, 1.2}),

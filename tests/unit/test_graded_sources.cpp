@@ -135,7 +135,8 @@ TEST_CASE("Graded sources: equal sizes, and a line that is a point, are as witho
     spec.sources[0].endSize = 0.1;
     const auto same = fieldOf(spec);
     for (int i = 0; i < 400; ++i) {
-        const Vec2 p{0.5 * (i % 20), 0.5 * (i / 20)};
+        const int row = i / 20;
+        const Vec2 p{0.5 * (i % 20), 0.5 * row};
         REQUIRE(same->at(p) == plain->at(p));
     }
     spec.sources = {gradedLine({2, 3}, {2, 3}, 0.3, 0.1, 0.2)};

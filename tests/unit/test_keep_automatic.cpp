@@ -53,7 +53,8 @@ TEST_CASE("SpacingField: sources that keep automatic spacing refine it, and leav
         CHECK(kept->sample({0, 0.5}).describe == "source 0");
         std::size_t unchanged = 0, finer = 0;
         for (int i = 0; i < 1600; ++i) {
-            const Vec2 p{-4.0 + 0.2 * (i % 40), -4.0 + 0.2 * (i / 40)};
+            const int row = i / 40;
+            const Vec2 p{-4.0 + 0.2 * (i % 40), -4.0 + 0.2 * row};
             const double rho = kept->at(p);
             REQUIRE(rho <= automatic->at(p) * (sources > 6 ? 1.01 : 1.0));
             unchanged += rho == automatic->at(p) ? 1 : 0;

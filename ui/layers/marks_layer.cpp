@@ -1,4 +1,5 @@
 #include "core/edit/document.hpp"
+#include "core/edit/shape_geometry.hpp"
 #include "core/edit/spacing_commands.hpp"
 #include "ui/canvas/canvas_painter.hpp"
 #include "ui/layers/layers.hpp"
@@ -12,7 +13,7 @@ namespace {
 constexpr int kMaxSpacingMarks = 600;
 constexpr int kMaxSpacingLabels = 40;
 
-/// Draws size sources and region markers.
+/// Draws size sources, sizes at nodes and region markers.
 class MarksLayer final : public Layer {
   public:
     const char *id() const override { return "marks"; }
@@ -29,6 +30,12 @@ class MarksLayer final : public Layer {
             }
             if (box.overlaps(visible)) {
                 drawSource(painter, frame, k, drawn++ < kMaxSpacingLabels);
+            }
+        }
+        drawn = 0;
+        for (const auto &shape : frame.document.shapes) {
+            if (!shape->nodeSizes.empty() && !shape->hidden && drawn < kMaxSpacingMarks) {
+                drawNodeSizes(painter, frame, *shape, drawn);
             }
         }
         drawn = 0;
@@ -61,6 +68,21 @@ class MarksLayer final : public Layer {
             const std::string text = ui::format("%s  \xcf\x81=%.3g", displayName(source, index).c_str(), source.size);
             painter.freeLabel(source.a, {10.0, -18.0}, text, frame.theme.text, fade(frame.theme.popup, 0.75),
                               frame.fonts.small);
+        }
+    }
+
+    static void drawNodeSizes(CanvasPainter &painter, const LayerFrame &frame, const Shape &shape, int &drawn) {
+        const Box2 visible = frame.camera.visible();
+        const std::vector<Vec2> handles = handlesOf(shape);
+        for (const auto &[node, part] : shape.nodeSizes) {
+            if (node >= handles.size() || !visible.contains(handles[node])) {
+                continue;
+            }
+            painter.ring(handles[node], 6.5, fade(frame.theme.brush, 0.8), 1.25);
+            if (drawn++ < kMaxSpacingLabels) {
+                painter.freeLabel(handles[node], {10.0, -18.0}, ui::format("\xcf\x81=%.3g", part.size),
+                                  frame.theme.text, fade(frame.theme.popup, 0.75), frame.fonts.small);
+            }
         }
     }
 

@@ -1,4 +1,5 @@
 #include "core/edit/name_commands.hpp"
+#include "core/edit/node_sizes.hpp"
 #include "core/edit/path_commands.hpp"
 #include "core/edit/region_commands.hpp"
 #include "core/edit/shape_commands.hpp"
@@ -90,6 +91,39 @@ void partSizeRow(Shell &context, std::int32_t tag) {
         EditState::apply(context,
                          setPartSize(document, tag, size ? std::optional(PartSize{*size, growth}) : std::nullopt),
                          "Change size of boundary part");
+    }
+}
+
+/// Draws the size and growth of nodes, shown for the first of them.
+void nodeSizeRow(Shell &context, const std::set<NodeRef> &nodes) {
+    const Document &document = *context.document.current();
+    const NodeRef first = *nodes.begin();
+    const Shape &shape = *findShape(document, first.shape);
+    if (!canHaveSize(shape, first.node)) {
+        return;
+    }
+    const auto found = shape.nodeSizes.find(first.node);
+    const bool given = found != shape.nodeSizes.end();
+    std::optional<double> size = given ? std::optional(found->second.size) : std::nullopt;
+    double growth = given ? found->second.growth : PartSize{}.growth;
+    const auto address = [&](const char *quantity) {
+        return nodes.size() > 1
+                   ? std::string()
+                   : "shape/" + std::to_string(shape.id) + '/' + quantity + '/' + std::to_string(first.node);
+    };
+    form::label(context, "Size, growth");
+    bool changed =
+        form::optionalField(context, "inspector/nodesize", size, "auto", form::halfWidth(context), address("size"));
+    ui::rowTooltip(context, "Largest element size at the node, and its growth per unit of distance. Leave empty for no "
+                            "size of its own.");
+    ImGui::SameLine(0, context.px(6));
+    ImGui::BeginDisabled(!size); // growth has no meaning without a size
+    changed = ui::inputNumber(context, "inspector/nodegrowth", growth, -1.0F, address("growth")) || changed;
+    ImGui::EndDisabled();
+    if (changed && (size || given)) {
+        EditState::apply(context,
+                         setNodeSize(document, nodes, size ? std::optional(PartSize{*size, growth}) : std::nullopt),
+                         "Change size at node");
     }
 }
 
@@ -279,6 +313,7 @@ void InspectorPanel::drawNode(Shell &context, NodeRef ref) const {
     if (isPath(*shape)) {
         drawNodeKind(context, *shape, ref);
     }
+    nodeSizeRow(context, {ref});
     if (ui::button(context, "inspector/delete", "Delete node")) {
         context.actions.run("edit.delete", context);
     }
@@ -408,6 +443,8 @@ void InspectorPanel::drawMany(Shell &context) const {
         const SegmentRef first = *selection.segments.begin();
         boundaryTagRow(context, segmentTag(*findShape(document, first.shape), first.segment),
                        {.shapes = {}, .segments = selection.segments});
+    } else if (!selection.nodes.empty()) {
+        nodeSizeRow(context, selection.nodes);
     }
     const Box2 box = boundsOf(document, selection);
     if (!box.empty()) {

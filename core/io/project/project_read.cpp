@@ -3,6 +3,7 @@
 #include "core/io/json/json_check.hpp"
 #include "core/io/project/project.hpp"
 #include "core/io/project/project_curves.hpp"
+#include "core/io/project/project_node_sizes.hpp"
 #include "core/io/project/project_parameters.hpp"
 #include "core/io/project/project_spacing.hpp"
 #include "core/io/project/project_words.hpp"
@@ -175,6 +176,7 @@ class ProjectReader {
             shape.radius = check_.notNegative(*radius, "the radius of a shape's corners");
         }
         readCurves(item, shape, check_);
+        readNodeSizes(item, shape, check_);
         if (const auto hidden = item.find("hidden")) {
             shape.hidden = check_.flag(*hidden, "\"hidden\"");
         }
@@ -188,8 +190,9 @@ class ProjectReader {
             }
             segmentTagCount(shape, *tags);
         }
-        noteUnknown(item, std::array<std::string_view, 12>{"id", "kind", "use", "tag", "name", "nodes", "radius",
-                                                           "curves", "cuts", "segmentTags", "hidden", "locked"});
+        noteUnknown(item,
+                    std::array<std::string_view, 13>{"id", "kind", "use", "tag", "name", "nodes", "radius", "curves",
+                                                     "cuts", "segmentTags", "nodeSizes", "hidden", "locked"});
         return shape;
     }
 

@@ -2,6 +2,7 @@
 #include "core/io/json/json_text.hpp"
 #include "core/io/project/project.hpp"
 #include "core/io/project/project_curves.hpp"
+#include "core/io/project/project_node_sizes.hpp"
 #include "core/io/project/project_spacing.hpp"
 #include "core/io/project/project_words.hpp"
 #include "core/io/text/atomic_file.hpp"
@@ -55,6 +56,7 @@ class ProjectWriter {
                 out_.number(shape->radius);
             }
             writeCurves(*shape, out_);
+            writeNodeSizes(*shape, out_);
             out_ << (shape->hidden ? ", \"hidden\": true" : "") << (shape->locked ? ", \"locked\": true" : "") << '}';
         });
         out_ << "\n  ]";

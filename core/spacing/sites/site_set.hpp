@@ -17,6 +17,7 @@ enum class SiteReason : std::uint8_t {
     ExpressionEdge, ///< reach of an expression steeper than the gradation
     RegionEdge,     ///< reach of a region with a maximum area; index: of the region marker
     PartSize,       ///< size of a boundary part; index: its tag
+    NodeSize,       ///< size of a node; index into Domain::nodeSizes
     SegmentLength,  ///< index: of the domain segment
     Bend,           ///< curvature; index: of the domain segment
     Channel,        ///< narrow gap across from the domain segment

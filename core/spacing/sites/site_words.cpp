@@ -28,6 +28,8 @@ std::string describe(const SiteLabel &label, const SiteWords &words) {
         return sourceWords(words, label.index);
     case SiteReason::PartSize:
         return "size of '" + words.parts.at(label.index) + "'";
+    case SiteReason::NodeSize:
+        return "size at " + words.nodes[label.index];
     case SiteReason::SegmentLength:
         return "length of boundary segment " + number;
     case SiteReason::Bend:

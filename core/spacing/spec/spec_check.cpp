@@ -90,6 +90,22 @@ void checkPartSizes(const std::map<std::int32_t, PartSize> &sizes, Diagnostics &
     }
 }
 
+void checkNodeSizes(std::span<const NodeSize> sizes, Diagnostics &faults) {
+    for (const NodeSize &node : sizes) {
+        const bool size = isSize(node.size);
+        if (!size || !isNotNegative(node.growth)) {
+            Diagnostics fault =
+                error("bad-source", (node.name.empty() ? "a node" : node.name) + " has the " +
+                                        (size ? "growth " + text(node.growth) : "size " + text(node.size)) +
+                                        "; expected a number " + (size ? "of at least 0" : "above 0"));
+            if (isFinite(node.at)) {
+                fault.front().at = node.at;
+            }
+            faults.push_back(std::move(fault.front()));
+        }
+    }
+}
+
 void checkRegionAreas(std::span<const RegionMarker> markers, Diagnostics &faults) {
     for (std::uint32_t i = 0; i < markers.size(); ++i) {
         if (!isNotNegative(markers[i].maxArea)) {

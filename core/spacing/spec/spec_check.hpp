@@ -24,6 +24,9 @@ void checkSources(std::span<const SizeSource> sources, Diagnostics &faults);
 /// Checks the sizes of boundary parts. Fault: bad-source.
 void checkPartSizes(const std::map<std::int32_t, PartSize> &sizes, Diagnostics &faults);
 
+/// Checks the sizes of nodes. Faults: bad-source, with the place if it is finite.
+void checkNodeSizes(std::span<const NodeSize> sizes, Diagnostics &faults);
+
 /// Checks the maximum areas of region markers. Faults: bad-region-area, with the marker as part.
 void checkRegionAreas(std::span<const RegionMarker> markers, Diagnostics &faults);
 

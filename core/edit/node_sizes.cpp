@@ -1,0 +1,79 @@
+#include "core/edit/node_sizes.hpp"
+
+#include "core/base/number_text.hpp"
+#include "core/edit/shape_commands.hpp"
+#include "core/edit/shape_geometry.hpp"
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace forefront {
+
+bool canHaveSize(const Shape &shape, std::uint32_t handle) {
+    return handle < handleCount(shape) && !(isRound(shape) && handle == 0);
+}
+
+Result<Document> setNodeSize(const Document &document, const std::set<NodeRef> &nodes, std::optional<PartSize> size) {
+    std::vector<Shape> shapes;
+    for (const NodeRef &node : nodes) {
+        if (shapes.empty() || shapes.back().id != node.shape) {
+            const Shape *const shape = findShape(document, node.shape);
+            if (shape == nullptr) {
+                return error("no-such-shape", "shape not found");
+            }
+            shapes.push_back(*shape);
+        }
+        Shape &shape = shapes.back();
+        if (!canHaveSize(shape, node.node)) {
+            return error("no-such-node", "node not found");
+        }
+        if (size) {
+            shape.nodeSizes[node.node] = *size;
+        } else {
+            shape.nodeSizes.erase(node.node);
+        }
+    }
+    return replaceShapes(document, std::move(shapes));
+}
+
+void takeNodeSizes(Shape &shape, const Shape &from) {
+    constexpr double kRounding = 1e-9; // of the size of the shape
+    if (from.nodeSizes.empty()) {
+        return;
+    }
+    const std::vector<Vec2> handles = handlesOf(shape), places = handlesOf(from);
+    const double reach = kRounding * boundsOf(from).diagonal();
+    for (const auto &[node, size] : from.nodeSizes) {
+        for (std::uint32_t k = 0; k < handles.size() && node < places.size(); ++k) {
+            if (distance(handles[k], places[node]) <= reach && canHaveSize(shape, k)) {
+                shape.nodeSizes.emplace(k, size);
+            }
+        }
+    }
+}
+
+void keepNodeSizes(Shape &shape, const Shape &before) {
+    shape.nodeSizes.clear();
+    takeNodeSizes(shape, before);
+}
+
+Diagnostics checkNodeSizes(const Shape &shape) {
+    for (const auto &[node, part] : shape.nodeSizes) {
+        const bool size = std::isfinite(part.size) && part.size > 0.0;
+        if (!size || !std::isfinite(part.growth) || part.growth < 0.0) {
+            return error("bad-size",
+                         nodeName(shape, node) + " has the " +
+                             (size ? "growth " + numberText(part.growth, 6) : "size " + numberText(part.size, 6)) +
+                             "; expected a number " + (size ? "of at least 0" : "above 0"),
+                         "enter a length in domain units, or leave the field empty");
+        }
+    }
+    return {};
+}
+
+std::string nodeName(const Shape &shape, std::uint32_t handle) {
+    return "node " + std::to_string(handle + 1) + " of " + displayName(shape);
+}
+
+} // namespace forefront

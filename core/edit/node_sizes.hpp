@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/edit/references.hpp"
+#include "core/spacing/spec/spacing_spec.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <set>
+
+namespace forefront {
+
+/// Returns true if a handle of a shape exists and can have a size: it is not the centre of a circle or an ellipse.
+bool canHaveSize(const Shape &shape, std::uint32_t handle);
+
+/// Sets the size and growth of nodes; nullopt removes them. Errors: bad-size, no-such-node, no-such-shape.
+Result<Document> setNodeSize(const Document &document, const std::set<NodeRef> &nodes, std::optional<PartSize> size);
+
+/// Gives the nodes of a shape the sizes that nodes of another one have at the same places, up to rounding.
+void takeNodeSizes(Shape &shape, const Shape &from);
+
+/// Replaces the sizes of a shape whose list of nodes has changed by those that it had at the same places before.
+void keepNodeSizes(Shape &shape, const Shape &before);
+
+/// Returns the faults of the sizes of a shape's nodes. Code: bad-size.
+Diagnostics checkNodeSizes(const Shape &shape);
+
+/// Returns the name of a node: "node 3 of quay".
+std::string nodeName(const Shape &shape, std::uint32_t handle);
+
+} // namespace forefront

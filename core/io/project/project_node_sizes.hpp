@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/edit/document.hpp"
+#include "core/io/json/json_check.hpp"
+#include "core/io/json/json_text.hpp"
+
+namespace forefront {
+
+/// Writes the member "nodeSizes" of a shape, if there are any.
+void writeNodeSizes(const Shape &shape, JsonText &out);
+/// Reads it; the shape must have its nodes.
+void readNodeSizes(const JsonValue &item, Shape &shape, JsonCheck &check);
+
+} // namespace forefront
