@@ -5,6 +5,7 @@
 #include "core/edit/shape_geometry.hpp"
 
 #include <cmath>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -56,6 +57,18 @@ void takeNodeSizes(Shape &shape, const Shape &from) {
 void keepNodeSizes(Shape &shape, const Shape &before) {
     shape.nodeSizes.clear();
     takeNodeSizes(shape, before);
+}
+
+void placeBox(Shape &rectangle, Vec2 low, Vec2 high) {
+    const Vec2 a = rectangle.nodes[0], c = rectangle.nodes[1];
+    const bool fromRight = a.x > c.x, fromTop = a.y > c.y;
+    std::map<std::uint32_t, PartSize> sizes;
+    for (const auto &[corner, size] : rectangle.nodeSizes) {
+        const bool right = (corner == 1 || corner == 2) != fromRight, top = (corner >= 2) != fromTop;
+        sizes[top ? (right ? 2U : 3U) : (right ? 1U : 0U)] = size;
+    }
+    rectangle.nodeSizes = std::move(sizes);
+    rectangle.nodes = {low, high};
 }
 
 Diagnostics checkNodeSizes(const Shape &shape) {

@@ -22,6 +22,10 @@ void takeNodeSizes(Shape &shape, const Shape &from);
 /// Replaces the sizes of a shape whose list of nodes has changed by those that it had at the same places before.
 void keepNodeSizes(Shape &shape, const Shape &before);
 
+/// Makes the first node of a rectangle its lower left corner and the second its upper right one, at new places. Sizes
+/// stay at their corners.
+void placeBox(Shape &rectangle, Vec2 low, Vec2 high);
+
 /// Returns the faults of the sizes of a shape's nodes. Code: bad-size.
 Diagnostics checkNodeSizes(const Shape &shape);
 

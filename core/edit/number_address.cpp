@@ -1,5 +1,6 @@
 #include "core/edit/number_address.hpp"
 
+#include "core/edit/node_sizes.hpp"
 #include "core/edit/references.hpp"
 #include "core/edit/region_commands.hpp"
 #include "core/edit/shape_commands.hpp"
@@ -93,7 +94,7 @@ Shape changedBox(Shape shape, const std::string &what, double value) {
     const Box2 box = boundsOf(shape);
     Vec2 low = box.min, size = box.size();
     (what == "left" ? low.x : what == "bottom" ? low.y : what == "width" ? size.x : size.y) = value;
-    shape.nodes = {low, low + size};
+    placeBox(shape, low, low + size);
     shape.cuts.clear();
     return shape;
 }

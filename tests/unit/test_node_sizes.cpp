@@ -168,6 +168,19 @@ TEST_CASE("Node sizes: corners of a rectangle keep theirs through turns and as a
     CHECK(sizedPlaces(*convertToPath(rim, 1)) == std::vector<Vec2>{{2, 0}});
 }
 
+TEST_CASE("Node sizes: corners of a rectangle keep theirs when its numbers change, wherever it was begun") {
+    for (const auto &[a, c] : {std::pair(Vec2{0, 0}, Vec2{4, 3}), std::pair(Vec2{4, 3}, Vec2{0, 0}),
+                               std::pair(Vec2{4, 0}, Vec2{0, 3}), std::pair(Vec2{0, 3}, Vec2{4, 0})}) {
+        const Document drawn = *addShape({}, made(ShapeKind::Rectangle, {a, c}));
+        for (std::uint32_t corner = 0; corner < 4; ++corner) {
+            Document wider = *setNodeSize(drawn, {{1, corner}}, kFine);
+            const Vec2 before = handlesOf(*drawn.shapes[0])[corner];
+            REQUIRE(placeNumber(wider, *parseAddress("shape/1/width"), 8.0).empty());
+            CHECK(sizedPlaces(wider) == std::vector<Vec2>{{2.0 * before.x, before.y}});
+        }
+    }
+}
+
 TEST_CASE("Node sizes: invalid ones are refused, and nullopt removes them") {
     const Document document = square();
     CHECK(setNodeSize(document, {{1, 4}}, kFine).faults().front().code == "no-such-node");

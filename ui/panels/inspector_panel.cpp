@@ -196,11 +196,11 @@ void InspectorPanel::drawGeometry(Shell &context, const Shape &shape) const {
         const Box2 box = boundsOf(shape);
         Vec2 corner = box.min, size = box.size();
         if (form::pair(context, "inspector/corner", "Corner", corner, pairAddress(shape, "left", "bottom"))) {
-            next.nodes = {corner, corner + size};
+            placeBox(next, corner, corner + size);
             put(next, "Move rectangle");
         }
         if (form::pair(context, "inspector/size", "Size", size, pairAddress(shape, "width", "height"))) {
-            next.nodes = {corner, corner + size};
+            placeBox(next, corner, corner + size);
             put(next, "Resize rectangle");
         }
         double radius = shape.radius;
