@@ -110,11 +110,11 @@ TEST_CASE("Graded sources: a gradation limits them to the largest function with 
         for (int i = 0; i < 20; ++i) {
             const Vec2 p{1 + 7 * share(random), 2 + 5 * share(random)};
             double expected = unlimited(source, p);
-            const double step = 0.1;
-            for (double x = 0; x < 10; x += step) {
-                for (double y = 0; y < 10; y += step) {
-                    expected = std::min(expected, unlimited(source, {x, y}) + g * distance(p, {x, y}));
-                }
+            constexpr int kSteps = 100; // per side of 10
+            for (int k = 0; k < kSteps * kSteps; ++k) {
+                const int row = k / kSteps;
+                const Vec2 from{0.1 * (k % kSteps), 0.1 * row};
+                expected = std::min(expected, unlimited(source, from) + g * distance(p, from));
             }
             // The samples are up to 0.071 from the best place.
             REQUIRE(field->at(p) <= expected + 1e-12);
