@@ -334,7 +334,7 @@ class SiteSpreader : SiteTreeWriter {
         const double span = static_cast<double>(1U << leaf.level);
         gatherCompetitors(index, 0.70711 * span * tree_.unit_);
         if (competitors_.size() > 1 && isSmooth(leaf.x, leaf.y, span, kTolerance)) {
-            storeSmooth(leaf.slot, leaf.x, leaf.y, span);
+            storeSmooth(leaf.slot, corners_);
             return;
         }
         if (competitors_.size() > kLongestList) {

@@ -173,8 +173,10 @@ class SiteTreeBuilder : SiteTreeWriter {
         const bool last = level == 0 || full_;
         if (competitors_.size() <= aims_.shortList || (last && competitors_.size() <= kLongestList)) {
             storeList(cell.slot, cell.x, cell.y, span);
-        } else if (last || isSmooth(cell.x, cell.y, span, aims_.tolerance)) {
-            storeSmooth(cell.slot, cell.x, cell.y, span);
+        } else if (last) {
+            storeSmooth(cell.slot, minimaAtCorners(cell.x, cell.y, span));
+        } else if (isSmooth(cell.x, cell.y, span, aims_.tolerance)) {
+            storeSmooth(cell.slot, corners_);
         } else {
             split(cell, level);
         }

@@ -53,15 +53,16 @@ void SiteTreeWriter::dropParallel(Vec2 centre, double reach) {
         return;
     }
     std::erase_if(competitors_, [&](const Competitor &c) {
-        if (c.site == best.site) {
+        const double lead = c.value - best.value;
+        if (lead <= reach * slope.turn) { // most of them; includes the best one
             return false;
         }
         const Slope other = slopeOf(site(c), centre, reach);
-        return c.value - best.value > reach * (length(other.gradient - slope.gradient) + slope.turn + other.turn);
+        return lead > reach * (length(other.gradient - slope.gradient) + slope.turn + other.turn);
     });
 }
 
-bool SiteTreeWriter::isSmooth(double x, double y, double span, double tolerance) const {
+bool SiteTreeWriter::isSmooth(double x, double y, double span, double tolerance) {
     const double size = span * tree_.unit_;
     double growth = 0.0;
     double low = std::numeric_limits<double>::infinity();
@@ -74,18 +75,17 @@ bool SiteTreeWriter::isSmooth(double x, double y, double span, double tolerance)
         middle = std::min(middle, competitor.value);
         touched = touched || competitor.value - s.size <= 0.8 * size * s.growth;
     }
-    if (growth * size <= tolerance * low) {
-        return true; // cannot change more than the tolerance
+    if (growth * size <= tolerance * low) { // cannot change more than the tolerance
+        corners_ = minimaAtCorners(x, y, span);
+        return true;
     }
     // A kink at a site could hide between the samples.
     if (touched || (competitors_.size() > kLongestTested && growth * size > 0.5 * low)) {
         return false;
     }
     const double h = 0.5 * span;
-    const double a = minimumAt(placeOf(x, y));
-    const double b = minimumAt(placeOf(x + span, y));
-    const double c = minimumAt(placeOf(x, y + span));
-    const double d = minimumAt(placeOf(x + span, y + span));
+    corners_ = minimaAtCorners(x, y, span);
+    const auto [a, b, c, d] = corners_;
     const auto near = [tolerance](double exact, double interpolated) {
         return std::fabs(exact - interpolated) <= tolerance * exact;
     };
@@ -103,24 +103,40 @@ void SiteTreeWriter::storeList(std::uint32_t slot, double x, double y, double sp
     });
     tree_.cells_[slot] = static_cast<std::uint32_t>(tree_.lists_.size());
     tree_.lists_.push_back(static_cast<std::uint32_t>(competitors_.size()));
-    double high = std::numeric_limits<double>::infinity();
     for (const Competitor &competitor : competitors_) {
         tree_.lists_.push_back(competitor.site);
         const SizeSite &s = site(competitor);
         tree_.minimum_ = std::min(tree_.minimum_, std::max(s.size, competitor.value - s.growth * reach));
+    }
+    // No value in the cell exceeds that of its best site at the centre by more than this, rounding included.
+    const Competitor &best = competitors_.front();
+    if (1.000001 * (best.value + site(best).growth * reach) > tree_.maximum_) {
+        tree_.maximum_ = std::max(tree_.maximum_, maximumIn(x, y, span));
+    }
+}
+
+double SiteTreeWriter::maximumIn(double x, double y, double span) const {
+    double high = std::numeric_limits<double>::infinity();
+    for (const Competitor &competitor : competitors_) {
         double maximum = 0.0; // distance to a convex shape is maximal at a corner
         for (std::uint32_t corner = 0; corner < 4; ++corner) {
-            maximum = std::max(maximum, s.at(placeOf(x + (corner & 1U) * span, y + (corner >> 1) * span)));
+            const Vec2 place = placeOf(x + (corner & 1U) * span, y + (corner >> 1) * span);
+            maximum = std::max(maximum, site(competitor).at(place));
         }
         high = std::min(high, maximum);
     }
-    tree_.maximum_ = std::max(tree_.maximum_, high);
+    return high;
 }
-void SiteTreeWriter::storeSmooth(std::uint32_t slot, double x, double y, double span) {
+
+std::array<double, 4> SiteTreeWriter::minimaAtCorners(double x, double y, double span) const {
+    return {minimumAt(placeOf(x, y)), minimumAt(placeOf(x + span, y)), minimumAt(placeOf(x, y + span)),
+            minimumAt(placeOf(x + span, y + span))};
+}
+
+void SiteTreeWriter::storeSmooth(std::uint32_t slot, const std::array<double, 4> &values) {
     SiteTree::Corners corners{};
     for (std::uint32_t corner = 0; corner < 4; ++corner) {
-        const Vec2 place = placeOf(x + (corner & 1U) * span, y + (corner >> 1) * span);
-        corners[corner] = static_cast<float>(minimumAt(place) / tree_.scale_);
+        corners[corner] = static_cast<float>(values[corner] / tree_.scale_);
         tree_.minimum_ = std::min(tree_.minimum_, tree_.scale_ * corners[corner]);
         tree_.maximum_ = std::max(tree_.maximum_, tree_.scale_ * corners[corner]);
     }

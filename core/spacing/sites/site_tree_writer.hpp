@@ -2,6 +2,7 @@
 
 #include "core/spacing/sites/site_tree.hpp"
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -38,15 +39,21 @@ class SiteTreeWriter {
     /// direction.
     void dropParallel(Vec2 centre, double reach);
     /// Returns true if bilinear values are within a relative `tolerance` of the minimum of the competitors in the whole
-    /// cell. `x` and `y` are its lower left corner and `span` its side, in units.
-    bool isSmooth(double x, double y, double span, double tolerance) const;
+    /// cell; corners_ then holds the minima at its corners. `x` and `y` are its lower left corner and `span` its side,
+    /// in units.
+    bool isSmooth(double x, double y, double span, double tolerance);
+    /// Returns the minima at the corners of a cell: lower left, lower right, upper left, upper right.
+    std::array<double, 4> minimaAtCorners(double x, double y, double span) const;
     void storeList(std::uint32_t slot, double x, double y, double span);
-    void storeSmooth(std::uint32_t slot, double x, double y, double span);
+    void storeSmooth(std::uint32_t slot, const std::array<double, 4> &values);
+    /// Returns an upper bound of the minimum of the competitors in a cell: the smallest of their maxima.
+    double maximumIn(double x, double y, double span) const;
     SiteTree take();
 
     SiteTree tree_;
     std::uint32_t rows_ = 1;
     std::vector<Competitor> competitors_;
+    std::array<double, 4> corners_{}; ///< of the last smooth cell
 };
 
 } // namespace forefront
