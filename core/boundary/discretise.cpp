@@ -46,8 +46,13 @@ class Discretiser {
         : domain_(domain), spacing_(spacing), progress_(progress), keepBoundary_(keepBoundary),
           longest_(domain.bounds().diagonal() * kLongestStep) {}
 
-    Result<DiscreteDomain> run() {
-        if (Status faults = findRegions(); !faults.empty()) {
+    /// `known`: the faces of the domain, or null to find them.
+    Result<DiscreteDomain> run(const DomainFaces *known) {
+        if (known != nullptr) {
+            if (Status faults = takeRegions(*known); !faults.empty()) {
+                return faults;
+            }
+        } else if (Status faults = findRegions(); !faults.empty()) {
             return faults;
         }
         result_.curves = domain_.curves;
@@ -95,21 +100,27 @@ class Discretiser {
     }
 
   private:
-    /// Regions by face, and the sides of the segments as given.
     Status findRegions() {
-        const DomainGraph graph = graphOf(domain_);
-        if (graph.edges.size() != domain_.segments.size() || graph.node.size() != domain_.nodes.size()) {
-            return notValid();
-        }
-        const PlaneSweepResult sweep = sweepPlane(graph.points, graph.edges, progress_.stop);
+        DomainFaces found;
+        found.graph = graphOf(domain_);
+        found.sweep = sweepPlane(found.graph.points, found.graph.edges, progress_.stop);
         if (progress_.cancelled()) {
             return cancelled("discretising the boundary");
         }
-        if (sweep.droppedCount != 0) {
+        if (found.sweep.droppedCount != 0) {
             return notValid();
         }
-        const Faces faces = findFaces(graph.points, graph.edges, sweep);
-        const FaceLabels labels = labelFaces(domain_, graph, faces);
+        found.faces = findFaces(found.graph.points, found.graph.edges, found.sweep);
+        found.labels = labelFaces(domain_, found.graph, found.faces);
+        return takeRegions(found);
+    }
+
+    /// Regions by face, and the sides of the segments as given.
+    Status takeRegions(const DomainFaces &found) {
+        const auto &[graph, sweep, faces, labels] = found;
+        if (graph.edges.size() != domain_.segments.size() || graph.node.size() != domain_.nodes.size()) {
+            return notValid();
+        }
         std::vector<std::uint32_t> region(faces.count, kOutside);
         for (std::uint32_t face = 0; face < faces.count; ++face) {
             if (labels.inside[face] != 0) {
@@ -395,8 +406,8 @@ Box2 DiscreteDomain::bounds() const {
 }
 
 Result<DiscreteDomain> discretise(const Domain &domain, const SpacingField &spacing, bool keepBoundary,
-                                  const Progress &progress) {
-    return Discretiser(domain, spacing, keepBoundary, progress).run();
+                                  const Progress &progress, const DomainFaces *faces) {
+    return Discretiser(domain, spacing, keepBoundary, progress).run(faces);
 }
 
 } // namespace forefront

@@ -11,6 +11,8 @@
 
 namespace FOREFRONT_API forefront {
 
+struct DomainFaces;
+
 /// Marks the outside of the domain in place of a region.
 inline constexpr std::uint32_t kOutside = 0xffffffffU;
 
@@ -60,8 +62,10 @@ struct DiscreteDomain {
 /// the wrong side, are halved until none does; where that does not help, because curves cross although their chords do
 /// not, the chords are taken as they are.
 ///
+/// `faces` are those that validate() found in this domain; without them, they are found again.
+///
 /// Errors: cancelled, too-many-nodes, invalid-domain.
 Result<DiscreteDomain> discretise(const Domain &domain, const SpacingField &spacing, bool keepBoundary,
-                                  const Progress &progress = {});
+                                  const Progress &progress = {}, const DomainFaces *faces = nullptr);
 
 } // namespace forefront

@@ -35,4 +35,12 @@ struct FaceLabels {
 /// meet at every node.
 FaceLabels labelFaces(const Domain &domain, const DomainGraph &graph, const Faces &faces);
 
+/// The faces of a domain and how they were found. Validation finds them, and discretisation needs them again.
+struct DomainFaces {
+    DomainGraph graph;
+    PlaneSweepResult sweep;
+    Faces faces;
+    FaceLabels labels;
+};
+
 } // namespace forefront

@@ -27,24 +27,29 @@ class Validator {
     Validator(const Domain &domain, std::size_t limit)
         : domain_(domain), limit_(limit), weldable_(kWeldableGap * domain.bounds().diagonal()) {}
 
-    Diagnostics run() {
+    /// `found` receives the faces if the domain is valid.
+    Diagnostics run(DomainFaces &found) {
         checkNodes();
         checkMagnitude();
         checkSegments();
         checkPointsAndMarkers();
         checkReferences();
-        const DomainGraph graph = graphOf(domain_);
+        found.graph = graphOf(domain_);
+        const DomainGraph &graph = found.graph;
         if (graph.edges.empty()) {
             add("empty-domain", "the domain has no valid boundary segment", "draw or import a closed boundary");
             return take();
         }
-        const PlaneSweepResult sweep = sweepPlane(graph.points, graph.edges);
+        found.sweep = sweepPlane(graph.points, graph.edges);
+        const PlaneSweepResult &sweep = found.sweep;
         checkDuplicateNodes(graph, sweep);
         checkMeetings(graph, sweep);
         checkChains(graph, sweep);
         // Inside and outside are defined only if the segments are simple and closed.
         if (sweep.droppedCount == 0 && !incomplete_ && !open_) {
-            checkFaces(graph, sweep);
+            found.faces = findFaces(graph.points, graph.edges, sweep);
+            found.labels = labelFaces(domain_, graph, found.faces);
+            checkFaces(found);
         }
         return take();
     }
@@ -343,9 +348,8 @@ class Validator {
         return ", repair the domain" + (gap > 0.0 ? " with a weld tolerance of " + numberText(1.1 * gap, 2) : "");
     }
 
-    void checkFaces(const DomainGraph &graph, const PlaneSweepResult &sweep) {
-        const Faces faces = findFaces(graph.points, graph.edges, sweep);
-        const FaceLabels labels = labelFaces(domain_, graph, faces);
+    void checkFaces(const DomainFaces &found) {
+        const auto &[graph, sweep, faces, labels] = found;
         if (std::none_of(labels.inside.begin(), labels.inside.end(), [](std::uint8_t inside) { return inside != 0; })) {
             if (!checkOpenEnds(graph, sweep, faces, labels)) { // those already explain it
                 addEmpty(graph, sweep);
@@ -481,8 +485,9 @@ class Validator {
 
 } // namespace
 
-Diagnostics validate(const Domain &domain, std::size_t limit) {
-    return Validator(domain, limit).run();
+Diagnostics validate(const Domain &domain, std::size_t limit, DomainFaces *faces) {
+    DomainFaces own;
+    return Validator(domain, limit).run(faces != nullptr ? *faces : own);
 }
 
 } // namespace forefront

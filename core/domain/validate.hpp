@@ -8,6 +8,8 @@
 
 namespace FOREFRONT_API forefront {
 
+struct DomainFaces;
+
 /// Returns all faults of a domain, each with coordinates and parts; empty if the domain can be meshed.
 ///
 /// Codes: non-finite, out-of-range (beyond 1e60, smaller than 1e-60, or too far from the origin for four digits),
@@ -16,6 +18,7 @@ namespace FOREFRONT_API forefront {
 /// region-marker-outside, region-marker-conflict, point-outside, segment-outside. The last five depend on inside and
 /// outside, so they are checked only if the segments are simple and closed. Exact predicates throughout; O(n log n) for
 /// any input, plus the time to list the meetings. At most `limit` faults are listed; a last Note counts the rest.
-Diagnostics validate(const Domain &domain, std::size_t limit = kMaxListedFaults);
+/// Where `faces` is given and the domain is valid, it receives the faces, which saves discretise() finding them again.
+Diagnostics validate(const Domain &domain, std::size_t limit = kMaxListedFaults, DomainFaces *faces = nullptr);
 
 } // namespace forefront

@@ -5,6 +5,7 @@
 #include "core/base/cpu_clock.hpp"
 #include "core/base/free_memory.hpp"
 #include "core/boundary/estimate.hpp"
+#include "core/domain/domain_graph.hpp"
 #include "core/domain/validate.hpp"
 #include "core/mesher/mesher.hpp"
 #include "core/spacing/scaled_field.hpp"
@@ -27,10 +28,10 @@ std::uint64_t batchFor(const Mesher &mesher) {
 }
 
 /// Discretises the boundary with `spacing` and checks the number of elements.
-Result<PreparedJob> discretised(const MeshingJob &job, std::shared_ptr<const SpacingField> spacing,
-                                const Progress &progress) {
+Result<PreparedJob> discretised(const MeshingJob &job, const DomainFaces &faces,
+                                std::shared_ptr<const SpacingField> spacing, const Progress &progress) {
     progress("discretising the boundary", 0.0);
-    Result<DiscreteDomain> boundary = discretise(job.domain, *spacing, job.options.keepBoundary, progress);
+    Result<DiscreteDomain> boundary = discretise(job.domain, *spacing, job.options.keepBoundary, progress, &faces);
     if (!boundary) {
         return boundary.faults();
     }
@@ -53,7 +54,8 @@ Result<PreparedJob> discretised(const MeshingJob &job, std::shared_ptr<const Spa
 Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress, double budget) {
     FOREFRONT_ASSERT(budget > 0.0);
     progress("validating", 0.0);
-    Diagnostics faults = validate(job.domain);
+    DomainFaces faces;
+    Diagnostics faults = validate(job.domain, kMaxListedFaults, &faces);
     if (hasErrors(faults)) {
         return faults;
     }
@@ -69,12 +71,12 @@ Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress, dou
     if (!spacing) {
         return spacing.faults();
     }
-    Result<PreparedJob> prepared = discretised(job, std::move(*spacing), progress);
+    Result<PreparedJob> prepared = discretised(job, faces, std::move(*spacing), progress);
     if (!prepared || prepared->estimatedElements <= budget) {
         return prepared;
     }
     const double requested = prepared->estimatedElements, factor = std::sqrt(requested / budget);
-    Result<PreparedJob> coarse = discretised(job, scaledField(prepared->spacing, factor), progress);
+    Result<PreparedJob> coarse = discretised(job, faces, scaledField(prepared->spacing, factor), progress);
     if (coarse) {
         coarse->requestedElements = requested;
         coarse->coarsening = factor;
