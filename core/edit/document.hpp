@@ -4,6 +4,7 @@
 #include "core/base/enum_words.hpp"
 #include "core/base/result.hpp"
 #include "core/domain/domain.hpp"
+#include "core/edit/background_picture.hpp"
 #include "core/mesh/limits.hpp"
 #include "core/mesher/options.hpp"
 #include "core/spacing/spec/spacing_spec.hpp"
@@ -12,6 +13,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -98,6 +100,7 @@ struct Document {
     std::vector<Parameter> parameters;
     /// Formulas of numbers of the document, by the address of the number: see NumberAddress.
     std::map<std::string, std::string> formulas;
+    std::optional<BackgroundPicture> picture; ///< below the drawing
 };
 
 /// Returns the domain of a document. Curved segments become chords that follow their curves; coinciding nodes of

@@ -94,6 +94,7 @@ Document fullDocument() {
     for (const MeshLimit limit : valuesOf<MeshLimit>()) {
         document.limits[limit] = std::max(limitInfo(limit).isMinimum ? 0.5 : 70.5, limitInfo(limit).minimum);
     }
+    document.picture = BackgroundPicture{"/maps/\"sea\" chart.png", {-3.0, 0.1}, {40.0, 30.5}, 0.25, true};
     document.circleTolerance = 0.01;
     document.curveTolerance = 0.001;
     document.nextId = 12;

@@ -402,3 +402,45 @@ TEST_CASE("Names: are cleaned, turned into identifiers and made unique") {
     CHECK(names.claim("wall") == "wall_2");
     CHECK(names.claim("WALL_2") == "WALL_2_2");
 }
+
+TEST_CASE("Project: the path of the background picture is relative to the project, and need not exist") {
+    const TemporaryFolder place;
+    std::filesystem::create_directories(place.path / "work");
+    Document document;
+    document.picture = BackgroundPicture{(place.path / "maps" / "lake.png").string(), {1.0, 2.0}, {40.0, 30.0}};
+    const std::filesystem::path file = place.path / "work" / "lake.forefront";
+    REQUIRE(writeProject(file, document).empty());
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    CHECK(text.str().find(R"("picture": {"file": "../maps/lake.png", "at": [1, 2], "size": [40, 30])") !=
+          std::string::npos);
+
+    std::filesystem::rename(place.path / "work", place.path / "moved");
+    const auto back = readDocument(place.path / "moved" / "lake.forefront");
+    REQUIRE_MESSAGE(back.ok(), messages(back.faults()));
+    CHECK(back->picture == document.picture);
+    CHECK(sameContent(*back, document));
+    CHECK(sameDomain(*back, Document{}));
+    // The recovery journal lies in another folder, so it keeps the whole path.
+    CHECK(parseProject(projectText(document), "journal")->picture == document.picture);
+}
+
+TEST_CASE("Project: faults of the background picture have a place") {
+    const auto faultOf = [](const std::string &members) {
+        const Diagnostics faults = faultsOf(kHead + "],\n\"picture\": {" + members + "}}");
+        REQUIRE_MESSAGE(faults.size() <= 1, messages(faults));
+        return faults.empty() ? Diagnostic{} : faults.front();
+    };
+    const std::string place = R"("file": "a.png", "at": [0, 0], "size": [4, 3])";
+    CHECK(faultOf(place).code.empty());
+    CHECK(faultOf(place + R"(, "opacity": 1, "locked": true)").code.empty());
+    const Diagnostic fault = faultOf(place + R"(, "opacity": 1.5)");
+    CHECK(fault.message == "\"opacity\" must lie between 0 and 1");
+    CHECK(fault.line == 3);
+    CHECK(fault.column > 50);
+    CHECK(faultOf(R"("at": [0, 0], "size": [4, 3])").code == "missing-field");
+    CHECK(faultOf(R"("file": "", "at": [0, 0], "size": [4, 3])").code == "bad-field");
+    CHECK(faultOf(R"("file": "a.png", "at": [0], "size": [4, 3])").line == 3);
+    CHECK(faultOf(R"("file": "a.png", "at": [0, 0], "size": [4, 0])").code == "bad-number");
+    CHECK(faultOf(place + R"(, "locked": 1)").line == 3);
+}

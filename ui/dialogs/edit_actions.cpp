@@ -98,6 +98,10 @@ void addFileActions(ActionRegistry &actions) {
                  .separatorBefore = true});
     actions.add(
         {.id = "file.importSpacing", .menu = "File", .title = "Import spacing\xe2\x80\xa6", .run = importSpacing});
+    actions.add(
+        {.id = "file.addPicture", .menu = "File", .title = "Add background picture\xe2\x80\xa6", .run = [](Shell &c) {
+             addPicture(c);
+         }});
     actions.add({.id = "file.export",
                  .menu = "File",
                  .title = "Export mesh\xe2\x80\xa6",

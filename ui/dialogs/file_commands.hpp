@@ -26,6 +26,14 @@ void saveDocumentAs(Shell &context, std::function<void(Shell &)> then = {});
 void importDrawing(Shell &context);
 /// Imports the spacing of a project or of a mesh with nodal values.
 void importSpacing(Shell &context);
+/// Asks for a picture to put below the drawing.
+void addPicture(Shell &context);
+/// Puts a picture below the drawing once another thread has read it.
+void addPicture(Shell &context, const std::filesystem::path &file);
+/// Keeps the pixels of the picture in step with the document; logs why they cannot be read. Called once per frame.
+void followPicture(Shell &context);
+/// Adds a file that was dropped onto the window if it is a picture; otherwise opens it.
+void openDropped(Shell &context, const std::filesystem::path &file);
 /// Exports the mesh in a format that the user chooses.
 void exportMesh(Shell &context);
 /// Writes the run of the document as a film: an animation, numbered frames or one moment.

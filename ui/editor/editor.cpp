@@ -205,8 +205,8 @@ bool Editor::settled() const {
     const Shell &c = parts_->context;
     return parts_->input.empty() && !parts_->input.replaying() && c.redraw <= 0 && !c.examiner.busy() &&
            !c.judge.busy() && !c.adaptation.busy() && !c.adaptation.hasNews() && !c.task.hasNews() &&
-           (!c.task.busy() || c.task.ready()) && !c.sides.busy() && !c.sides.hasNews() && !c.run.busy() &&
-           !c.run.hasNews() && !c.run.hasToFollow();
+           !c.pictures.busy() && (!c.task.busy() || c.task.ready()) && !c.sides.busy() && !c.sides.hasNews() &&
+           !c.run.busy() && !c.run.hasNews() && !c.run.hasToFollow();
 }
 
 double Editor::sleepSeconds() const {
@@ -228,7 +228,7 @@ bool Editor::needsFrame() const {
         (c.examiner.latest() != c.preview || c.examiner.raster() != parts_->raster) && parts_->previewDue();
     return sleepSeconds() <= 0.0 || c.platform.now() >= c.nextFrameAt || (c.run.hasNews() && parts_->newsDue()) ||
            c.run.canFollow() || previewed || c.sides.hasNews() || c.adaptation.hasNews() || c.task.hasNews() ||
-           c.judge.latest() != c.judgement || (parts_->drewBusy && !c.run.busy()) ||
+           c.pictures.hasNews() || c.judge.latest() != c.judgement || (parts_->drewBusy && !c.run.busy()) ||
            !(c.platform.framebufferSize() == parts_->size) || (parts_->reportedBusy && settled());
 }
 
@@ -292,6 +292,7 @@ void Editor::Parts::takeResults(bool cancels) {
     if (context.task.refresh()) {
         context.animate();
     }
+    followPicture(context);
     // A gesture or a dialog may belong to the document that the result replaces.
     if (context.task.ready() && !ImGui::IsAnyMouseDown() && !context.dialogs.any()) {
         context.task.finish();
@@ -356,7 +357,7 @@ void Editor::Parts::handleEvents(const std::vector<InputEvent> &events) {
             context.closeRequested = true;
         } else if (event.kind == InputKind::Drop) {
             for (const std::string &path : event.paths) {
-                openDocument(context, path);
+                openDropped(context, path);
             }
         } else {
             canvasInput.dispatch(event, context);

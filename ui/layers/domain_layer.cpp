@@ -28,8 +28,8 @@ class DomainLayer final : public Layer {
             return; // the colours of the spacing cover all of it
         }
         if (frame.preview.domain) {
-            frame.gl.drawField(*frame.preview.domain, frame.preview.revision, frame.camera, frame.theme.domain,
-                               nullptr);
+            frame.gl.drawField(*frame.preview.domain, frame.preview.revision, frame.camera,
+                               frame.area(frame.theme.domain), nullptr);
         }
     }
 };

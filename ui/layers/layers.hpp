@@ -7,6 +7,8 @@
 
 namespace forefront {
 
+/// Draws the background picture.
+std::unique_ptr<Layer> makePictureLayer();
 /// Fills the inside of the domain.
 std::unique_ptr<Layer> makeDomainLayer();
 /// Draws the boundary, constraints and isolated points of the document.

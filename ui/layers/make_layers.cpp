@@ -4,6 +4,7 @@ namespace forefront {
 
 std::vector<std::unique_ptr<Layer>> makeLayers() {
     std::vector<std::unique_ptr<Layer>> layers;
+    layers.push_back(makePictureLayer());
     layers.push_back(makeDomainLayer());
     layers.push_back(makeSpacingLayer());
     layers.push_back(makeLatticeLayer());

@@ -94,7 +94,7 @@ void drawElements(const LayerFrame &frame, bool edges) {
     const MeshValues values = valuesOf(frame);
     batch.update(meshShown(frame), atRest(frame.snapshot), valued ? &values : nullptr);
     MeshStyle style;
-    style.face = tinted ? Colour() : frame.theme.element;
+    style.face = tinted ? Colour() : frame.area(frame.theme.element);
     style.edge = !edges ? Colour() : quality || tinted ? kEdgeOnColour : frame.theme.mesh;
     style.edgeWidth = 1.0 * frame.scale;
     style.denseEdges = tinted ? 0.2 : 0.0; // shows what is meshed while the front advances

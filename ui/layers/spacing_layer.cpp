@@ -39,7 +39,8 @@ class SpacingLayer final : public Layer {
                              .maximum = std::log(maximum_),
                              .levels = levels_,
                              .contourWidth = 1.25 * frame.scale};
-        frame.gl.drawField(*frame.preview.domain, frame.preview.revision, frame.camera, frame.theme.domain, &tint);
+        frame.gl.drawField(*frame.preview.domain, frame.preview.revision, frame.camera, frame.area(frame.theme.domain),
+                           &tint);
     }
 
     bool coloursByValue() const override { return true; }

@@ -11,6 +11,11 @@ bool LayerFrame::visible(std::string_view id) const {
     return false;
 }
 
+Colour LayerFrame::area(Colour colour) const {
+    constexpr double kOverPicture = 0.35;
+    return picture && visible("picture") ? fade(colour, kOverPicture) : colour;
+}
+
 void showLayer(std::vector<LayerSlot> &layers, std::string_view id, bool visible) {
     bool colours = false;
     for (LayerSlot &slot : layers) {

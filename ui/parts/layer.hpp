@@ -2,6 +2,7 @@
 
 #include "core/session/snapshot.hpp"
 #include "ui/canvas/camera.hpp"
+#include "ui/canvas/picture.hpp"
 #include "ui/platform/platform.hpp"
 #include "ui/style/colour_map.hpp"
 #include "ui/style/fonts.hpp"
@@ -45,11 +46,15 @@ struct LayerFrame {
     std::optional<int> isolatedBin;
     ColourRange measureRange; ///< of the colours of the chosen measure
     bool outOfDate;
+    std::shared_ptr<const Picture> picture; ///< of the document; null: none, or it is not there
+    bool pictureFailed;                     ///< the document has a picture that cannot be read
     const std::vector<LayerSlot> &layers;
     GlKit &gl;                  ///< shared shaders and buffers
     DrawSlice *slice = nullptr; ///< the part of a large mesh that drawStill() draws; null: all
 
     bool visible(std::string_view id) const;
+    /// Returns a colour for areas: translucent where it would hide a background picture.
+    Colour area(Colour colour) const;
 };
 
 /// A layer of the canvas. To add one, write its file and add a line to makeLayers(). Layers are drawn in the order of

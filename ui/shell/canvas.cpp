@@ -176,6 +176,8 @@ LayerFrame Canvas::Parts::frameOf(const Shell &context, const Camera &camera) {
             .isolatedBin = context.view.isolatedBin,
             .measureRange = measureRange(context),
             .outOfDate = context.run.outOfDate(),
+            .picture = context.pictures.shown(),
+            .pictureFailed = context.pictures.failed(),
             .layers = context.layers,
             .gl = gl};
 }

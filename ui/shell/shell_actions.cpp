@@ -17,6 +17,9 @@ Box2 drawingBounds(const Workspace &context) {
     if (context.run.showsFile()) {
         box.add(context.run.now().mesh->mesh.bounds());
     }
+    if (const auto &picture = context.document.current()->picture) {
+        box.add(boundsOf(*picture));
+    }
     return box.empty() ? Box2{{0, 0}, {10, 7}} : box;
 }
 

@@ -5,6 +5,7 @@
 #include "ui/tools/guess_tool.hpp"
 #include "ui/tools/measure_tool.hpp"
 #include "ui/tools/pen_tool.hpp"
+#include "ui/tools/picture_tool.hpp"
 #include "ui/tools/point_tool.hpp"
 #include "ui/tools/probe_tool.hpp"
 #include "ui/tools/round_tools.hpp"
@@ -35,6 +36,7 @@ std::vector<std::unique_ptr<Tool>> makeTools() {
     tools.push_back(std::make_unique<BrushTool>(state, true));
     tools.push_back(std::make_unique<SourceTool>(state));
     tools.push_back(std::make_unique<MeasureTool>(state));
+    tools.push_back(std::make_unique<PictureTool>(state));
     tools.push_back(std::make_unique<TraceTool>());
     tools.push_back(std::make_unique<ProbeTool>());
     tools.push_back(std::make_unique<GuessTool>());

@@ -77,16 +77,18 @@ void RunControl::log(const SessionSnapshot &s) {
     }
 }
 
-/// Limits do not change the mesh, so a revision that differs in nothing else counts as the one before.
+/// Limits and the background picture do not change the mesh, so a revision that differs in nothing else counts as the
+/// one before.
 std::uint64_t RunControl::meshRevision() const {
     const std::uint64_t revision = document_.revision();
     if (revision != seenRevision_) {
         const std::shared_ptr<const Document> document = document_.current();
         const auto known = meshRevisions_.find(revision);
         bool same = false;
-        if (seen_ && !(seen_->limits == document->limits)) {
+        if (seen_ && !(seen_->limits == document->limits && seen_->picture == document->picture)) {
             Document before = *seen_;
             before.limits = document->limits;
+            before.picture = document->picture;
             same = sameContent(before, *document);
         }
         meshRevision_ = known != meshRevisions_.end() ? known->second : same ? meshRevision_ : revision;

@@ -6,6 +6,7 @@
 #include "ui/workspace/document_store.hpp"
 #include "ui/workspace/mesh_judge.hpp"
 #include "ui/workspace/message_log.hpp"
+#include "ui/workspace/picture_store.hpp"
 #include "ui/workspace/probe.hpp"
 #include "ui/workspace/run_control.hpp"
 #include "ui/workspace/snapping.hpp"
@@ -41,6 +42,7 @@ struct Workspace : WidgetContext {
     std::shared_ptr<const DocumentPreview> preview; ///< of this frame, never null
     MeshJudge judge;
     std::shared_ptr<const Judgement> judgement; ///< of this frame, never null
+    PictureStore pictures{[this] { platform.wake(); }};
     Probe probe;
     View view;
     Selection selection;

@@ -19,7 +19,8 @@ Result<SpacingSpec> readProjectSpacing(const SourceText &source);
 /// Returns true if the first bytes of a file show that it is a project.
 bool looksLikeProject(std::string_view head);
 
-/// Writes a project file, versioned JSON, atomically.
+/// Writes a project file, versioned JSON, atomically. The path of the background picture becomes relative to its
+/// folder.
 Status writeProject(const std::filesystem::path &path, const Document &document);
 /// Returns the JSON text of a project; for the recovery journal and tests.
 std::string projectText(const Document &document);

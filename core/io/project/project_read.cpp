@@ -5,6 +5,7 @@
 #include "core/io/project/project_curves.hpp"
 #include "core/io/project/project_node_sizes.hpp"
 #include "core/io/project/project_parameters.hpp"
+#include "core/io/project/project_picture.hpp"
 #include "core/io/project/project_spacing.hpp"
 #include "core/io/project/project_words.hpp"
 
@@ -53,15 +54,19 @@ class ProjectReader {
         if (const auto tolerance = root.find("curveTolerance")) {
             document_.curveTolerance = check_.notNegative(*tolerance, "\"curveTolerance\"");
         }
+        if (const auto given = root.find("picture"); given && check_.expect(*given, JsonKind::Object, "\"picture\"")) {
+            document_.picture = readPicture(*given, source_.path, check_);
+            noteUnknown(*given, std::array<std::string_view, 5>{"file", "at", "size", "opacity", "locked"});
+        }
         nextId(root);
         readParameters(root, source_.options.parameters, document_, check_);
         if (!check_.faults().empty()) {
             return check_.faults();
         }
-        noteUnknown(root,
-                    std::array<std::string_view, 14>{"format", "version", "shapes", "regionMarkers", "boundaryNames",
-                                                     "regionNames", "spacing", "options", "limits", "nextId",
-                                                     "circleTolerance", "curveTolerance", "parameters", "formulas"});
+        noteUnknown(root, std::array<std::string_view, 15>{"format", "version", "shapes", "regionMarkers",
+                                                           "boundaryNames", "regionNames", "spacing", "options",
+                                                           "limits", "nextId", "circleTolerance", "curveTolerance",
+                                                           "parameters", "formulas", "picture"});
         if (source_.origin != nullptr) {
             recordOrigins();
         }

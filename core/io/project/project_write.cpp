@@ -3,9 +3,12 @@
 #include "core/io/project/project.hpp"
 #include "core/io/project/project_curves.hpp"
 #include "core/io/project/project_node_sizes.hpp"
+#include "core/io/project/project_picture.hpp"
 #include "core/io/project/project_spacing.hpp"
 #include "core/io/project/project_words.hpp"
 #include "core/io/text/atomic_file.hpp"
+
+#include <utility>
 
 namespace forefront {
 
@@ -16,7 +19,8 @@ using Names = std::map<std::int32_t, std::string>;
 /// Writes the members of one project.
 class ProjectWriter {
   public:
-    explicit ProjectWriter(TextWriter &out) : out_(out) {}
+    /// `file`: of the project; empty: paths are written as they are.
+    explicit ProjectWriter(TextWriter &out, std::filesystem::path file = {}) : file_(std::move(file)), out_(out) {}
 
     void write(const Document &document) {
         out_ << "{\n  \"format\": \"forefront\",\n  \"version\": " << kProjectVersion;
@@ -34,6 +38,9 @@ class ProjectWriter {
             out_.number(document.curveTolerance);
         }
         parameters(document);
+        if (document.picture) {
+            writePicture(*document.picture, file_, out_);
+        }
         out_ << ",\n  \"nextId\": " << document.nextId << "\n}\n";
     }
 
@@ -126,6 +133,7 @@ class ProjectWriter {
         out_ << '}';
     }
 
+    std::filesystem::path file_;
     JsonText out_;
 };
 
@@ -140,7 +148,7 @@ std::string projectText(const Document &document) {
 }
 
 Status writeProject(const std::filesystem::path &path, const Document &document) {
-    return writeTextFile(path, [&](TextWriter &out) { ProjectWriter(out).write(document); });
+    return writeTextFile(path, [&](TextWriter &out) { ProjectWriter(out, path).write(document); });
 }
 
 } // namespace forefront

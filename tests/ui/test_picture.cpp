@@ -1,0 +1,271 @@
+#include "core/edit/equality.hpp"
+#include "core/io/files.hpp"
+#include "tests/ui/edit_driver.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <stb_image_write.h>
+#include <string>
+#include <vector>
+
+namespace forefront::test {
+
+namespace {
+
+/// Writes a PNG or JPEG picture: blue water, with a red square in the lower left corner.
+std::filesystem::path drawPicture(const std::filesystem::path &file, int width, int height) {
+    std::vector<std::uint8_t> rgb;
+    for (int row = 0; row < height; ++row) {
+        for (int column = 0; column < width; ++column) {
+            const bool square = column < width / 4 && row >= height - height / 4;
+            for (const int channel : square ? std::vector<int>{250, 20, 20} : std::vector<int>{20, 60, 250}) {
+                rgb.push_back(static_cast<std::uint8_t>(channel));
+            }
+        }
+    }
+    const bool png = file.extension() == ".png";
+    REQUIRE((png ? stbi_write_png(file.c_str(), width, height, 3, rgb.data(), 3 * width)
+                 : stbi_write_jpg(file.c_str(), width, height, 3, rgb.data(), 95)) != 0);
+    return file;
+}
+
+void drop(Draughtsman &driver, const std::filesystem::path &file) {
+    driver.editor().input().push({.kind = InputKind::Drop, .paths = {file.string()}});
+    driver.frames(2);
+    driver.settle();
+}
+
+const BackgroundPicture &pictureOf(Draughtsman &driver) {
+    REQUIRE(driver.document().picture.has_value());
+    return *driver.document().picture;
+}
+
+/// Returns the amounts of red and blue of a pixel.
+std::pair<int, int> colourAt(const Driver::Picture &shot, Pixel pixel) {
+    const auto at = 4 * (static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(shot.size.width) +
+                         static_cast<std::size_t>(pixel.x));
+    return {shot.rgba[at], shot.rgba[at + 2]};
+}
+
+bool looksRed(const Driver::Picture &shot, Pixel pixel) {
+    const auto [red, blue] = colourAt(shot, pixel);
+    return red > blue + 30;
+}
+
+bool looksBlue(const Driver::Picture &shot, Pixel pixel) {
+    const auto [red, blue] = colourAt(shot, pixel);
+    return blue > red + 60;
+}
+
+std::string lastMessage(Draughtsman &driver) {
+    return driver.context().log.entries().back().diagnostic.message;
+}
+
+} // namespace
+
+TEST_CASE("Picture: added by the menu, drawn below the drawing, hidden as a layer, undone") {
+    const TemporaryFolder place;
+    for (const char *name : {"lake.png", "lake.jpg"}) {
+        Draughtsman driver;
+        const std::filesystem::path file = drawPicture(place.path / name, 200, 100);
+        driver.context().actions.run("file.addPicture", driver.context());
+        driver.settle();
+        driver.click("dialog/picture/name");
+        driver.type(file.string());
+        driver.click("dialog/picture/ok");
+        driver.settle();
+        CHECK_FALSE(driver.has("dialog/picture/ok"));
+        CHECK(pictureOf(driver).file == file.string());
+        CHECK(pictureOf(driver).size == Vec2{200.0, 100.0}); // an empty drawing: one unit is a pixel
+        CHECK(driver.undoLabel() == "Add background picture");
+        const Pixel corner = driver.pixel({20.0, 10.0}), middle = driver.pixel({120.0, 30.0});
+        CHECK(looksRed(driver.picture(), corner));
+        CHECK(looksBlue(driver.picture(), middle));
+
+        driver.click("options/picture/show");
+        CHECK_FALSE(looksRed(driver.picture(), corner));
+        driver.click("layer/picture");
+        CHECK(looksRed(driver.picture(), corner));
+
+        driver.rectangle({5.0, 5.0}, {195.0, 95.0}); // the domain lets the picture show through
+        driver.key('V');
+        driver.key('2');
+        driver.settle();
+        CHECK(looksRed(driver.picture(), corner + Pixel(3.0, 5.0)));
+        driver.key('Z', {Modifiers::kControl});
+        driver.key('Z', {Modifiers::kControl});
+        driver.settle();
+        CHECK_FALSE(driver.document().picture.has_value());
+        CHECK_FALSE(looksRed(driver.picture(), corner));
+        driver.key('Z', {Modifiers::kControl | Modifiers::kShift});
+        driver.settle();
+        CHECK(looksRed(driver.picture(), corner));
+    }
+}
+
+TEST_CASE("Picture: two clicks and a distance set its scale, about the first point") {
+    const TemporaryFolder place;
+    Draughtsman driver;
+    drop(driver, drawPicture(place.path / "lake.png", 400, 200));
+    driver.click("options/picture/mode/Calibrate");
+    const Vec2 first{100.0, 50.0}, second{300.0, 50.0};
+    driver.clickPlace(first);
+    CHECK_FALSE(driver.has("options/picture/distance"));
+    const Pixel onScreen = driver.pixel(second);
+    driver.clickPlace(second);
+    driver.settle();
+    REQUIRE(driver.has("options/picture/distance"));
+    driver.key('A', {Modifiers::kControl}); // the field has the focus
+    driver.type("5*10");
+    driver.key(key::kEnter);
+    driver.settle();
+    const double pixel = driver.context().view.camera.length(1.0);
+    CHECK(pictureOf(driver).size.x == doctest::Approx(100.0).epsilon(0.01));
+    CHECK(pictureOf(driver).size.y == doctest::Approx(50.0).epsilon(0.01));
+    CHECK(distance(pictureOf(driver).corner, {75.0, 37.5}) < 4.0 * pixel);
+    // Nothing else is drawn, so the picture stays where it is on the screen.
+    CHECK(glm::distance(driver.pixel({150.0, 50.0}), onScreen) < 4.0);
+    CHECK(driver.undoLabel() == "Calibrate background picture");
+
+    driver.fill("options/picture/x1", "0");
+    driver.fill("options/picture/y1", "0");
+    CHECK(distance(pictureOf(driver).corner, {-25.0, -12.5}) < 4.0 * pixel);
+    for (int k = 0; k < 3; ++k) {
+        driver.key('Z', {Modifiers::kControl});
+    }
+    CHECK(pictureOf(driver).size == Vec2{400.0, 200.0});
+    CHECK(pictureOf(driver).corner == Vec2{});
+
+    driver.key('F');
+    driver.clickPlace({20.0, 20.0});
+    driver.key('Z', {Modifiers::kControl}); // takes back the point, not the picture
+    CHECK(driver.document().picture.has_value());
+}
+
+TEST_CASE("Picture: a calibration point cannot be dragged onto the other") {
+    const TemporaryFolder place;
+    Draughtsman driver;
+    drop(driver, drawPicture(place.path / "lake.png", 400, 200));
+    driver.click("options/picture/mode/Calibrate");
+    const Vec2 first{100.0, 50.0}, second{300.0, 50.0};
+    driver.clickPlace(first);
+    driver.clickPlace(second);
+    driver.settle();
+    driver.dragPlaces(second, first);
+    driver.settle();
+    driver.fill("options/picture/distance", "50");
+    CHECK(std::isfinite(pictureOf(driver).size.x));
+    CHECK(std::isfinite(pictureOf(driver).corner.x));
+    CHECK(driver.undoLabel() == "Calibrate background picture");
+}
+
+TEST_CASE("Picture: moved with the mouse in one step, unless it is locked") {
+    const TemporaryFolder place;
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    drop(driver, drawPicture(place.path / "lake.png", 200, 100));
+    const Vec2 corner = pictureOf(driver).corner;
+    CHECK(boundsOf(pictureOf(driver)).size().x > 5.0); // fitted to the view of the drawing
+    CHECK(boundsOf(pictureOf(driver)).size().x < 20.0);
+    driver.dragPlaces({5.0, 4.0}, {6.0, 5.0});
+    CHECK(distance(pictureOf(driver).corner, corner + Vec2{1.0, 1.0}) < 0.05);
+    CHECK(driver.document().shapes.size() == 1);
+    driver.key('Z', {Modifiers::kControl});
+    CHECK(pictureOf(driver).corner == corner);
+
+    driver.fill("options/picture/width", "4");
+    CHECK(pictureOf(driver).size.x == doctest::Approx(4.0));
+    CHECK(pictureOf(driver).size.y == doctest::Approx(2.0));
+    driver.click("options/picture/lock");
+    CHECK(pictureOf(driver).locked);
+    CHECK_FALSE(driver.has("options/picture/width"));
+    driver.dragPlaces(corner + Vec2{0.5, 0.5}, corner + Vec2{1.5, 0.5});
+    CHECK(pictureOf(driver).corner == corner);
+    driver.click("options/picture/remove");
+    CHECK_FALSE(driver.document().picture.has_value());
+    CHECK(driver.has("options/picture/add"));
+}
+
+TEST_CASE("Picture: saved as a link, and a missing file does not refuse the drawing") {
+    const TemporaryFolder place;
+    const std::filesystem::path file = drawPicture(place.path / "lake.png", 200, 100);
+    Draughtsman driver;
+    drop(driver, file);
+    driver.rectangle({20.0, 20.0}, {150.0, 80.0});
+    const Document drawn = driver.document();
+    REQUIRE(writeProject(place.path / "lake.forefront", drawn).empty());
+    drop(driver, place.path / "lake.forefront");
+    driver.click("dialog/unsaved/discard");
+    driver.settle();
+    CHECK(sameContent(driver.document(), drawn));
+    CHECK(looksBlue(driver.picture(), driver.pixel({170.0, 50.0})));
+
+    std::filesystem::remove(file);
+    drop(driver, place.path / "lake.forefront");
+    CHECK(sameContent(driver.document(), drawn)); // the link is kept
+    CHECK_FALSE(looksBlue(driver.picture(), driver.pixel({170.0, 50.0})));
+    CHECK(lastMessage(driver) == "cannot read picture 'lake.png': No such file or directory");
+    CHECK(driver.context().log.entries().back().diagnostic.severity == Severity::Warning);
+    CHECK(driver.context().log.entries().back().diagnostic.file == file.string());
+
+    drawPicture(file, 200, 100);
+    drop(driver, file); // adds it again: same place
+    CHECK(sameContent(driver.document(), drawn));
+    CHECK(looksBlue(driver.picture(), driver.pixel({170.0, 50.0})));
+}
+
+TEST_CASE("Picture: damaged, huge and other files are refused with a reason") {
+    const TemporaryFolder place;
+    Draughtsman driver;
+    const std::filesystem::path file = drawPicture(place.path / "lake.png", 300, 200);
+    std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
+    drop(driver, file);
+    CHECK_FALSE(driver.document().picture.has_value());
+    CHECK(lastMessage(driver).starts_with("cannot decode picture 'lake.png': the file is damaged or incomplete ("));
+    CHECK(driver.has("canvas/error"));
+
+    std::ofstream(place.path / "note.png") << "no picture at all";
+    drop(driver, place.path / "note.png");
+    CHECK(lastMessage(driver) == "'note.png' is not a picture; expected a PNG or JPEG file");
+
+    // Only the header, which is all that is read of it.
+    std::string huge("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x4e\x20\0\0\x4e\x20\x08\x02\0\0\0\0\0\0\0", 33);
+    std::ofstream(place.path / "huge.png", std::ios::binary) << huge;
+    drop(driver, place.path / "huge.png");
+    CHECK(lastMessage(driver) == "picture 'huge.png' has 20000 x 20000 pixels; expected at most 100 million");
+    CHECK_FALSE(driver.document().picture.has_value());
+}
+
+TEST_CASE("Picture: it does not make the mesh out of date") {
+    const TemporaryFolder place;
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('V');
+    driver.key('2');
+    driver.settle();
+    REQUIRE(driver.run().state == RunState::Finished);
+    drop(driver, drawPicture(place.path / "lake.png", 200, 100));
+    CHECK_FALSE(driver.context().run.outOfDate());
+    CHECK(driver.context().document.dirty());
+}
+
+TEST_CASE("Picture: panning and zooming redraw a large picture without reading or sending it again") {
+    const TemporaryFolder place;
+    Draughtsman driver;
+    drop(driver, drawPicture(place.path / "map.png", 9000, 300)); // wider than the largest texture
+    const std::shared_ptr<const Picture> shown = driver.context().pictures.shown();
+    REQUIRE(shown);
+    CHECK(shown->size == PixelSize{9000, 300});
+    CHECK(shown->columns == 4500);
+    CHECK(pictureOf(driver).size == Vec2{9000.0, 300.0});
+    driver.scroll(driver.canvas().centre(), 5.0);
+    driver.settle();
+    CHECK(driver.context().pictures.shown() == shown);
+    CHECK(looksBlue(driver.picture(), driver.canvas().centre()));
+}
+
+} // namespace forefront::test

@@ -1,0 +1,165 @@
+#include "ui/canvas/picture.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <new>
+#include <stb_image.h>
+#include <string>
+#include <utility>
+
+namespace forefront {
+namespace {
+
+/// Maximum width and height of the decoded picture; every graphics card of the last 15 years can hold it.
+constexpr int kMaxSide = 8192;
+
+using File = std::unique_ptr<std::FILE, int (*)(std::FILE *)>;
+
+std::string nameOf(const std::filesystem::path &file) {
+    return '\'' + file.filename().string() + '\'';
+}
+
+Diagnostics fault(const std::filesystem::path &file, std::string code, const std::string &message, std::string advice) {
+    Diagnostics faults = error(std::move(code), message, std::move(advice));
+    faults.front().file = file.string();
+    return faults;
+}
+
+Diagnostics missing(const std::filesystem::path &file) {
+    return fault(file, "missing-picture", "cannot read picture " + nameOf(file) + ": " + std::strerror(errno),
+                 "put the file there, or choose another one with File > Add background picture");
+}
+
+Diagnostics damaged(const std::filesystem::path &file) {
+    const char *const reason = stbi_failure_reason();
+    return fault(file, "bad-picture",
+                 "cannot decode picture " + nameOf(file) + ": the file is damaged or incomplete (" +
+                     (reason != nullptr ? reason : "unknown reason") + ")",
+                 "open it in another program and save it as PNG or JPEG");
+}
+
+/// Returns true if a file begins like a PNG or JPEG file; stb_image also accepts formats that nobody expects here.
+bool isPngOrJpeg(std::FILE *file) {
+    constexpr std::array<unsigned char, 8> kPng{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+    constexpr std::array<unsigned char, 3> kJpeg{0xff, 0xd8, 0xff};
+    std::array<unsigned char, 8> head{};
+    const std::size_t count = std::fread(head.data(), 1, head.size(), file);
+    std::rewind(file);
+    return (count == head.size() && head == kPng) ||
+           (count >= kJpeg.size() && std::equal(kJpeg.begin(), kJpeg.end(), head.begin()));
+}
+
+/// Returns the size in the header of a PNG file; empty for other files. The decoder refuses to tell a size that it
+/// cannot decode.
+PixelSize pngSize(std::FILE *file) {
+    std::array<unsigned char, 24> head{};
+    const std::size_t count = std::fread(head.data(), 1, head.size(), file);
+    std::rewind(file);
+    if (count < head.size() || head[0] != 0x89) {
+        return {};
+    }
+    const auto number = [&](std::size_t at) {
+        const unsigned value = (static_cast<unsigned>(head[at]) << 24) | (static_cast<unsigned>(head[at + 1]) << 16) |
+                               (static_cast<unsigned>(head[at + 2]) << 8) | head[at + 3];
+        return static_cast<int>(std::min(value, 0x7fffffffU));
+    };
+    return {number(16), number(20)};
+}
+
+/// Checks a file and returns its size; afterwards it is at its start again.
+Result<PixelSize> checkedSize(const std::filesystem::path &path, std::FILE *file) {
+    if (!isPngOrJpeg(file)) {
+        return fault(path, "bad-picture", nameOf(path) + " is not a picture; expected a PNG or JPEG file",
+                     "open it in another program and save it as PNG or JPEG");
+    }
+    PixelSize size = pngSize(file);
+    int channels = 0;
+    const bool huge = static_cast<double>(size.width) * size.height > kMaxPicturePixels;
+    if (!huge &&
+        (stbi_info_from_file(file, &size.width, &size.height, &channels) == 0 || size.width < 1 || size.height < 1)) {
+        return damaged(path);
+    }
+    if (static_cast<double>(size.width) * size.height > kMaxPicturePixels) {
+        return fault(path, "large-picture",
+                     "picture " + nameOf(path) + " has " + std::to_string(size.width) + " x " +
+                         std::to_string(size.height) + " pixels; expected at most 100 million",
+                     "make it smaller in another program");
+    }
+    return size;
+}
+
+/// Halves the resolution: each pixel becomes the mean of four.
+void halve(Picture &picture) {
+    const int columns = std::max(1, picture.columns / 2), rows = std::max(1, picture.rows / 2);
+    const auto at = [&](int column, int row) {
+        return 4 *
+               (static_cast<std::size_t>(std::min(row, picture.rows - 1)) * static_cast<std::size_t>(picture.columns) +
+                static_cast<std::size_t>(std::min(column, picture.columns - 1)));
+    };
+    std::vector<std::uint8_t> half;
+    half.reserve(4 * static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+    for (int row = 0; row < rows; ++row) {
+        for (int column = 0; column < columns; ++column) {
+            const std::array corners{at(2 * column, 2 * row), at(2 * column + 1, 2 * row), at(2 * column, 2 * row + 1),
+                                     at(2 * column + 1, 2 * row + 1)};
+            for (std::size_t channel = 0; channel < 4; ++channel) {
+                unsigned sum = 2;
+                for (const std::size_t corner : corners) {
+                    sum += picture.rgba[corner + channel];
+                }
+                half.push_back(static_cast<std::uint8_t>(sum / 4));
+            }
+        }
+    }
+    picture.columns = columns;
+    picture.rows = rows;
+    picture.rgba = std::move(half);
+}
+
+} // namespace
+
+bool isPictureName(const std::filesystem::path &file) {
+    std::string extension = file.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return extension == ".png" || extension == ".jpg" || extension == ".jpeg";
+}
+
+Result<PixelSize> readPictureSize(const std::filesystem::path &path) {
+    const File file(std::fopen(path.c_str(), "rb"), std::fclose);
+    return file ? checkedSize(path, file.get()) : missing(path);
+}
+
+Result<std::shared_ptr<const Picture>> readPicture(const std::filesystem::path &path) {
+    const File file(std::fopen(path.c_str(), "rb"), std::fclose);
+    if (!file) {
+        return missing(path);
+    }
+    const Result<PixelSize> size = checkedSize(path, file.get());
+    if (!size) {
+        return size.faults();
+    }
+    Picture picture{.file = path, .size = *size};
+    int channels = 0;
+    const std::unique_ptr<stbi_uc, void (*)(void *)> pixels(
+        stbi_load_from_file(file.get(), &picture.columns, &picture.rows, &channels, 4), stbi_image_free);
+    if (!pixels) {
+        return damaged(path);
+    }
+    try {
+        const std::size_t count = static_cast<std::size_t>(picture.columns) * static_cast<std::size_t>(picture.rows);
+        picture.rgba.assign(pixels.get(), pixels.get() + 4 * count);
+        while (std::max(picture.columns, picture.rows) > kMaxSide) {
+            halve(picture);
+        }
+        return std::make_shared<const Picture>(std::move(picture));
+    } catch (const std::bad_alloc &) {
+        return fault(path, "large-picture", "not enough memory for picture " + nameOf(path),
+                     "make it smaller in another program");
+    }
+}
+
+} // namespace forefront

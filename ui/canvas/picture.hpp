@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/base/result.hpp"
+#include "ui/input/pixels.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+namespace forefront {
+
+/// A decoded picture.
+struct Picture {
+    std::filesystem::path file;
+    PixelSize size;                 ///< in the file
+    int columns = 0, rows = 0;      ///< of `rgba`: fewer than in the file if that is large
+    std::vector<std::uint8_t> rgba; ///< row by row from the top
+};
+
+/// Maximum number of pixels in the file of a picture.
+inline constexpr double kMaxPicturePixels = 100e6;
+
+/// Returns true if the name of a file is that of a picture that can be read.
+bool isPictureName(const std::filesystem::path &file);
+/// Returns the size of a PNG or JPEG file, from its header. Faults: "missing-picture", "bad-picture", "large-picture".
+Result<PixelSize> readPictureSize(const std::filesystem::path &file);
+/// Reads a PNG or JPEG file. Faults as for readPictureSize(). May be called on any thread.
+Result<std::shared_ptr<const Picture>> readPicture(const std::filesystem::path &file);
+
+} // namespace forefront

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/base/vec2.hpp"
+#include "ui/canvas/camera.hpp"
+#include "ui/canvas/picture.hpp"
+
+#include <memory>
+
+namespace forefront {
+
+/// A picture in the memory of the graphics card, with smaller copies for when it is seen from afar.
+class PictureTexture {
+  public:
+    PictureTexture();
+    ~PictureTexture();
+    PictureTexture(const PictureTexture &) = delete;
+    PictureTexture &operator=(const PictureTexture &) = delete;
+
+    /// Uploads a picture unless it is the one uploaded last. Needs the OpenGL context, as does draw().
+    void update(const std::shared_ptr<const Picture> &picture);
+    /// Draws the picture into a rectangle of the plane.
+    void draw(const Camera &camera, const Box2 &box, double opacity);
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_; ///< null until the first picture, since most drawings have none
+    std::shared_ptr<const Picture> uploaded_;
+};
+
+} // namespace forefront
