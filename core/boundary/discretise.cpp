@@ -118,6 +118,9 @@ class Discretiser {
     /// Regions by face, and the sides of the segments as given.
     Status takeRegions(const DomainFaces &found) {
         const auto &[graph, sweep, faces, labels] = found;
+        if (sweep.droppedCount != 0 || faces.left.size() != graph.edges.size()) {
+            return notValid(); // validation did not come as far as the faces
+        }
         if (graph.edges.size() != domain_.segments.size() || graph.node.size() != domain_.nodes.size()) {
             return notValid();
         }

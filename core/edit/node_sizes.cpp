@@ -15,7 +15,11 @@ bool canHaveSize(const Shape &shape, std::uint32_t handle) {
     return handle < handleCount(shape) && !(isRound(shape) && handle == 0);
 }
 
-Result<Document> setNodeSize(const Document &document, const std::set<NodeRef> &nodes, std::optional<PartSize> size) {
+namespace {
+
+/// Calls change(sizes, node) for each node, with the sizes of its shape.
+template <class Change>
+Result<Document> changeEach(const Document &document, const std::set<NodeRef> &nodes, const Change &change) {
     std::vector<Shape> shapes;
     for (const NodeRef &node : nodes) {
         if (shapes.empty() || shapes.back().id != node.shape) {
@@ -27,15 +31,38 @@ Result<Document> setNodeSize(const Document &document, const std::set<NodeRef> &
         }
         Shape &shape = shapes.back();
         if (!canHaveSize(shape, node.node)) {
-            return error("no-such-node", "node not found");
+            return isRound(shape) && node.node == 0
+                       ? error("no-such-node", "the centre of " + displayName(shape) + " cannot have an element size",
+                               "select a node on its outline")
+                       : error("no-such-node", "node not found");
         }
-        if (size) {
-            shape.nodeSizes[node.node] = *size;
-        } else {
-            shape.nodeSizes.erase(node.node);
-        }
+        change(shape.nodeSizes, node.node);
     }
     return replaceShapes(document, std::move(shapes));
+}
+
+} // namespace
+
+Result<Document> setNodeSize(const Document &document, const std::set<NodeRef> &nodes, std::optional<PartSize> size) {
+    return changeEach(document, nodes, [&](std::map<std::uint32_t, PartSize> &sizes, std::uint32_t node) {
+        if (size) {
+            sizes[node] = *size;
+        } else {
+            sizes.erase(node);
+        }
+    });
+}
+
+Result<Document> changeNodeSizes(const Document &document, const std::set<NodeRef> &nodes,
+                                 const NodeSizeChange &change) {
+    return changeEach(document, nodes, [&](std::map<std::uint32_t, PartSize> &sizes, std::uint32_t node) {
+        if (change.size) {
+            sizes[node].size = *change.size;
+        }
+        if (const auto found = sizes.find(node); change.growth && found != sizes.end()) {
+            found->second.growth = *change.growth;
+        }
+    });
 }
 
 void takeNodeSizes(Shape &shape, const Shape &from) {
@@ -79,7 +106,8 @@ Diagnostics checkNodeSizes(const Shape &shape) {
                          nodeName(shape, node) + " has the " +
                              (size ? "growth " + numberText(part.growth, 6) : "size " + numberText(part.size, 6)) +
                              "; expected a number " + (size ? "of at least 0" : "above 0"),
-                         "enter a length in domain units, or leave the field empty");
+                         size ? "enter a growth such as 0.2"
+                              : "enter a length in domain units, or leave the field empty");
         }
     }
     return {};

@@ -16,6 +16,15 @@ bool canHaveSize(const Shape &shape, std::uint32_t handle);
 /// Sets the size and growth of nodes; nullopt removes them. Errors: bad-size, no-such-node, no-such-shape.
 Result<Document> setNodeSize(const Document &document, const std::set<NodeRef> &nodes, std::optional<PartSize> size);
 
+/// A change of the sizes of nodes; what it does not hold stays as it is.
+struct NodeSizeChange {
+    std::optional<double> size;
+    std::optional<double> growth; ///< for nodes that have a size
+};
+/// Changes the size or the growth of nodes that may differ in the other. Errors as for setNodeSize().
+Result<Document> changeNodeSizes(const Document &document, const std::set<NodeRef> &nodes,
+                                 const NodeSizeChange &change);
+
 /// Gives the nodes of a shape the sizes that nodes of another one have at the same places, up to rounding.
 void takeNodeSizes(Shape &shape, const Shape &from);
 

@@ -13,7 +13,7 @@
 
 namespace forefront {
 
-/// Where something is in the file of a lesson; 0: unknown.
+/// A line and column in the file of a lesson; 0: unknown.
 struct LessonPlace {
     int line = 0, column = 0;
 };

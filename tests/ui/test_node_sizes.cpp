@@ -47,6 +47,14 @@ TEST_CASE("Node sizes: entered for several nodes at once") {
     driver.fill("inspector/nodesize", "0.1");
     CHECK(driver.document().shapes[0]->nodeSizes ==
           std::map<std::uint32_t, PartSize>{{0, {0.1, 0.2}}, {2, {0.1, 0.2}}});
+    driver.context().selection.nodes = {{id, 2}};
+    driver.settle();
+    driver.fill("inspector/nodesize", "0.5");
+    driver.context().selection.nodes = {{id, 0}, {id, 1}, {id, 2}};
+    driver.settle();
+    driver.fill("inspector/nodegrowth", "0.3");
+    CHECK(driver.document().shapes[0]->nodeSizes ==
+          std::map<std::uint32_t, PartSize>{{0, {0.1, 0.3}}, {2, {0.5, 0.3}}});
 }
 
 } // namespace forefront::test

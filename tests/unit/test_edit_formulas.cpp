@@ -104,6 +104,7 @@ TEST_CASE("placeNumber: every kind of number can be set and is read back") {
     document = *addRegionMarker(document, {{0.5, 0.25}, 1, 0.0});
     document.spacing.size = document.spacing.gradation = document.spacing.segmentsPerTurn = 1.0;
     document.spacing.partSizes[3] = {0.5, 0.1};
+    document.spacing.sources[0].shape = SourceShape::Line;
     document.spacing.sources[0].endSize = 0.5;
     for (const char *text : {"shape/1/left",    "shape/1/bottom", "shape/1/width",     "shape/1/height",
                              "shape/1/radius",  "shape/2/radius", "shape/2/x/0",       "shape/3/rx",

@@ -142,9 +142,6 @@ TEST_CASE("Graded sources: equal sizes, and a line that is a point, are as witho
     spec.sources = {gradedLine({2, 3}, {2, 3}, 0.3, 0.1, 0.2)};
     CHECK(fieldOf(spec)->at({2, 3}) == doctest::Approx(0.1));
     CHECK(fieldOf(spec)->at({4, 3}) == doctest::Approx(0.5));
-    // Only lines have a second end.
-    spec.sources = {{SourceShape::Circle, {2, 3}, {}, 0.5, 0.3, 0.2, "disc", 0.1}};
-    CHECK(fieldOf(spec)->at({2, 3}) == 0.3);
 }
 
 TEST_CASE("Graded sources: an invalid end size is refused with the name of the source") {
@@ -153,6 +150,10 @@ TEST_CASE("Graded sources: an invalid end size is refused with the name of the s
     CHECK(added.faults().front().code == "bad-source");
     CHECK(added.faults().front().message ==
           "size source 0 'wake' has the size -0.5 at its second end; expected a number above 0");
+    const auto disc = addSource({}, {SourceShape::Circle, {2, 3}, {}, 0.5, 0.3, 0.2, "disc", 0.1});
+    REQUIRE_FALSE(disc.ok());
+    CHECK(disc.faults().front().message ==
+          "size source 0 'disc' has a size at a second end; expected a line, or no such size");
 }
 
 TEST_CASE("Graded sources: the end size is a number of the document, and survives transformations") {

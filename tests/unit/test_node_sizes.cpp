@@ -189,7 +189,22 @@ TEST_CASE("Node sizes: invalid ones are refused, and nullopt removes them") {
     REQUIRE_FALSE(negative.ok());
     CHECK(negative.faults().front().code == "bad-size");
     CHECK(negative.faults().front().message == "node 1 of polygon 1 has the size -0.5; expected a number above 0");
+    const auto shrinking = setNodeSize(document, {{1, 0}}, PartSize{0.5, -1.0});
+    REQUIRE_FALSE(shrinking.ok());
+    CHECK(shrinking.faults().front().message ==
+          "node 1 of polygon 1 has the growth -1; expected a number of at least 0");
+    CHECK(shrinking.faults().front().advice == "enter a growth such as 0.2");
     CHECK(setNodeSize(document, {{1, 2}}, std::nullopt)->shapes[0]->nodeSizes.empty());
+}
+
+TEST_CASE("Node sizes: changing size or growth of several nodes keeps what each has otherwise") {
+    Document document = *setNodeSize(square(), {{1, 0}}, PartSize{0.5, 0.1}); // node 2 has kFine
+    document = *changeNodeSizes(document, {{1, 0}, {1, 1}, {1, 2}}, {.size = {}, .growth = 0.4});
+    CHECK(document.shapes[0]->nodeSizes == std::map<std::uint32_t, PartSize>{{0, {0.5, 0.4}}, {2, {kFine.size, 0.4}}});
+    document = *setNodeSize(document, {{1, 0}}, PartSize{0.5, 0.1});
+    document = *changeNodeSizes(document, {{1, 0}, {1, 1}, {1, 2}}, {.size = 0.3, .growth = {}});
+    CHECK(document.shapes[0]->nodeSizes ==
+          std::map<std::uint32_t, PartSize>{{0, {0.3, 0.1}}, {1, {0.3, PartSize{}.growth}}, {2, {0.3, 0.4}}});
 }
 
 TEST_CASE("Node sizes: can follow formulas, which move with their nodes") {

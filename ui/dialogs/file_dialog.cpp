@@ -392,7 +392,8 @@ bool FileDialog::drawBottom(Shell &context) {
 /// Returns true if Return was pressed outside all fields, such as after a click on a file.
 bool FileDialog::returned() const {
     const bool pressed = ImGui::IsKeyPressed(key::kEnter, false) || ImGui::IsKeyPressed(key::kKeypadEnter, false);
-    return pressed && !typing_ && ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows);
+    constexpr int kWithoutPopups = ImGuiFocusedFlags_ChildWindows | ImGuiFocusedFlags_NoPopupHierarchy;
+    return pressed && !typing_ && !replace_ && ImGui::IsWindowFocused(kWithoutPopups);
 }
 
 bool FileDialog::draw(Shell &context) {

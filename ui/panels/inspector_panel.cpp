@@ -94,14 +94,16 @@ void partSizeRow(Shell &context, std::int32_t tag) {
     }
 }
 
-/// Draws the size and growth of nodes, shown for the first of them.
-void nodeSizeRow(Shell &context, const std::set<NodeRef> &nodes) {
+/// Draws the size and growth of those nodes that can have them, shown for the first one.
+void nodeSizeRow(Shell &context, std::set<NodeRef> nodes) {
     const Document &document = *context.document.current();
-    const NodeRef first = *nodes.begin();
-    const Shape &shape = *findShape(document, first.shape);
-    if (!canHaveSize(shape, first.node)) {
+    std::erase_if(nodes,
+                  [&](const NodeRef &node) { return !canHaveSize(*findShape(document, node.shape), node.node); });
+    if (nodes.empty()) {
         return;
     }
+    const NodeRef first = *nodes.begin();
+    const Shape &shape = *findShape(document, first.shape);
     const auto found = shape.nodeSizes.find(first.node);
     const bool given = found != shape.nodeSizes.end();
     std::optional<double> size = given ? std::optional(found->second.size) : std::nullopt;
@@ -112,18 +114,21 @@ void nodeSizeRow(Shell &context, const std::set<NodeRef> &nodes) {
                    : "shape/" + std::to_string(shape.id) + '/' + quantity + '/' + std::to_string(first.node);
     };
     form::label(context, "Size, growth");
-    bool changed =
+    const bool sized =
         form::optionalField(context, "inspector/nodesize", size, "auto", form::halfWidth(context), address("size"));
-    ui::rowTooltip(context, "Largest element size at the node, and its growth per unit of distance. Leave empty for no "
-                            "size of its own.");
+    ui::rowTooltip(context,
+                   "Maximum element size at the node, and its growth per unit of distance. Leave empty to set none.");
     ImGui::SameLine(0, context.px(6));
     ImGui::BeginDisabled(!size); // growth has no meaning without a size
-    changed = ui::inputNumber(context, "inspector/nodegrowth", growth, -1.0F, address("growth")) || changed;
+    const bool grown = ui::inputNumber(context, "inspector/nodegrowth", growth, -1.0F, address("growth"));
     ImGui::EndDisabled();
-    if (changed && (size || given)) {
-        EditState::apply(context,
-                         setNodeSize(document, nodes, size ? std::optional(PartSize{*size, growth}) : std::nullopt),
-                         "Change size at node");
+    constexpr const char *kLabel = "Change size at node";
+    if (sized && size) {
+        EditState::apply(context, changeNodeSizes(document, nodes, {.size = size, .growth = {}}), kLabel);
+    } else if (sized && given) {
+        EditState::apply(context, setNodeSize(document, nodes, std::nullopt), kLabel);
+    } else if (grown && size) {
+        EditState::apply(context, changeNodeSizes(document, nodes, {.size = {}, .growth = growth}), kLabel);
     }
 }
 
@@ -380,8 +385,8 @@ void InspectorPanel::drawSource(Shell &context, std::uint32_t index) const {
         changed =
             form::optionalField(context, "inspector/endsize", source.endSize, "same", -1.0F, address("endSize")) ||
             changed;
-        ui::rowTooltip(context, "Element size at the second end, To; it changes linearly along the line. Leave empty "
-                                "for the same size everywhere.");
+        ui::rowTooltip(context, "Element size at the second end (To). The size changes linearly along the line. Leave "
+                                "empty for the same size everywhere.");
     }
     changed = form::number(context, "inspector/growth", "Growth", source.growth, address("growth")) || changed;
     if (changed) {

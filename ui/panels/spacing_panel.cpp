@@ -95,8 +95,8 @@ void drawKeepAutomatic(Shell &context) {
     if (ui::checkbox(context, "spacing/keepautomatic", "Keep automatic spacing", keep)) {
         context.document.apply(setKeepAutomatic(*document, keep), "Keep automatic spacing");
     }
-    ui::rowTooltip(context, "Sources make elements smaller than automatic spacing does, and leave them as they are "
-                            "elsewhere. Without it, the sources alone set the spacing.");
+    ui::rowTooltip(context, "Sources only refine the automatic spacing. Switch this off to let the sources alone set "
+                            "the spacing.");
 }
 
 void SpacingPanel::drawSources(Shell &context) {

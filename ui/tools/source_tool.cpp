@@ -103,8 +103,8 @@ void SourceTool::drawOptions(Shell &context, ui::Flow &flow) {
     }
     if (shape() == SourceShape::Line) {
         drawOptionalSizeOption(context, flow, "options/source/endsize", "End size", state_->sourceEndSize, "same",
-                               "Element size at the second end of the line; it changes linearly along the line. Leave "
-                               "empty for the same size everywhere.");
+                               "Element size at the second end of the line. The size changes linearly along the line. "
+                               "Leave empty for the same size everywhere.");
     }
     drawSizeOption(context, flow, "options/source/growth", "Growth", state_->sourceGrowth,
                    "Growth of the spacing per unit of distance: 0.1 is gentle, 0.3 is steep");

@@ -16,7 +16,7 @@ void drawTagOption(Workspace &context, ui::Flow &flow, std::int32_t &tag, const 
 /// Draws the option "LABEL [ 0.5 ]" for a positive number. Returns true if it changed.
 bool drawSizeOption(Workspace &context, ui::Flow &flow, const char *name, const char *label, double &value,
                     const char *tooltip);
-/// The same for a number that may be absent; the empty field shows the hint.
+/// Draws the option for an optional number; the empty field shows the hint.
 bool drawOptionalSizeOption(Workspace &context, ui::Flow &flow, const char *name, const char *label,
                             std::optional<double> &value, const char *hint, const char *tooltip);
 

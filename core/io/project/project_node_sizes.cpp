@@ -1,6 +1,7 @@
 #include "core/io/project/project_node_sizes.hpp"
 
 #include "core/edit/node_sizes.hpp"
+#include "core/edit/shape_geometry.hpp"
 
 #include <limits>
 
@@ -41,9 +42,11 @@ void readNodeSize(const JsonValue &item, Shape &shape, JsonCheck &check) {
     constexpr std::int64_t kMaxIndex = std::numeric_limits<std::int32_t>::max();
     const auto node = static_cast<std::uint32_t>(check.integer(*index, 0, kMaxIndex, "the index of a node"));
     if (!canHaveSize(shape, node)) {
-        check.fault(*index, "bad-index", "the shape has no node " + std::to_string(node) + " that can have a size");
+        check.fault(*index, "bad-index",
+                    "invalid node " + std::to_string(node) + "; expected " + (isRound(shape) ? "1 to " : "0 to ") +
+                        std::to_string(handleCount(shape) - 1));
     } else if (!shape.nodeSizes.emplace(node, part).second) {
-        check.fault(*index, "bad-index", "node " + std::to_string(node) + " already has a size");
+        check.fault(*index, "bad-index", "node " + std::to_string(node) + " has two sizes; remove one");
     }
 }
 

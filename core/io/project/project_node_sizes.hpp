@@ -8,7 +8,7 @@ namespace forefront {
 
 /// Writes the member "nodeSizes" of a shape, if there are any.
 void writeNodeSizes(const Shape &shape, JsonText &out);
-/// Reads it; the shape must have its nodes.
+/// Reads the member "nodeSizes" of a shape, which must have its nodes.
 void readNodeSizes(const JsonValue &item, Shape &shape, JsonCheck &check);
 
 } // namespace forefront

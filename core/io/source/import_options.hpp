@@ -29,7 +29,8 @@ struct ImportOptions {
     std::map<std::string, std::string> parameters = {};
     /// The bytes of the file where they have been read already, such as those of standard input; null: read the file.
     std::shared_ptr<const std::string> content = {};
-    /// Of reading a mesh, which is cancelled with the fault "cancelled". Reported every few thousand lines or elements.
+    /// Reports the progress of reading a mesh every few thousand lines or elements, and can cancel it with the fault
+    /// "cancelled".
     Progress progress = {};
 };
 

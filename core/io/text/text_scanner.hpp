@@ -46,7 +46,10 @@ class TextScanner {
     bool stopped();
 
     std::size_t offset() const { return at_; }
-    void seek(std::size_t offset) { at_ = std::min(offset, end_); }
+    void seek(std::size_t offset) {
+        at_ = std::min(offset, end_);
+        pauseAt_ = std::min(pauseAt_, at_ + kPause); // reading the same text again can be cancelled, too
+    }
     std::size_t remaining() const { return end_ - at_; }
     /// Returns true if only blanks and comments are left.
     bool atEnd() {

@@ -59,7 +59,9 @@ void checkSource(const SizeSource &source, std::uint32_t index, Diagnostics &fau
     if (!isSize(source.size)) {
         fault("the size " + text(source.size), "a number above 0");
     }
-    if (source.endSize && !isSize(*source.endSize)) {
+    if (source.endSize && source.shape != SourceShape::Line) {
+        fault("a size at a second end", "a line, or no such size");
+    } else if (source.endSize && !isSize(*source.endSize)) {
         fault("the size " + text(*source.endSize) + " at its second end", "a number above 0");
     }
     if (!isNotNegative(source.growth)) {
