@@ -139,7 +139,8 @@ class PartReader {
     double areaRatio(double twice, ElementId other) const {
         const Element &n = mesh_.elements[index(other)];
         const double beside = std::abs(cross(at(n[1]) - at(n[0]), at(n[2]) - at(n[0])));
-        const auto [smaller, larger] = std::minmax(std::abs(twice), beside);
+        const double own = std::abs(twice); // named, since minmax() returns references
+        const auto [smaller, larger] = std::minmax(own, beside);
         return smaller > 0.0 ? larger / smaller : INFINITY;
     }
 
