@@ -30,11 +30,7 @@ bool optionalField(Workspace &context, const std::string &name, std::optional<do
 
 bool pair(Workspace &context, const std::string &name, const char *text, Vec2 &value, const PairAddress &address) {
     label(context, text);
-    const float half = halfWidth(context);
-    const bool x = ui::inputNumber(context, name + "/x", value.x, half, address.x);
-    ImGui::SameLine(0, context.px(6));
-    const bool y = ui::inputNumber(context, name + "/y", value.y, half, address.y);
-    return x || y;
+    return ui::inputPoint(context, name, value, halfWidth(context), address.x, address.y);
 }
 
 bool text(Workspace &context, const std::string &name, const char *text, std::string &value, const char *hint) {

@@ -57,19 +57,6 @@ Result<double> read(EntryField field, std::string_view text, const NamedValues &
     return number;
 }
 
-/// Returns the position of the comma that separates two numbers, not two arguments of a function; npos if there is
-/// none.
-std::size_t separatingComma(std::string_view text) {
-    int depth = 0;
-    for (std::size_t k = 0; k < text.size(); ++k) {
-        depth += text[k] == '(' ? 1 : text[k] == ')' ? -1 : 0;
-        if (text[k] == ',' && depth == 0) {
-            return k;
-        }
-    }
-    return std::string_view::npos;
-}
-
 const char *symbol(EntryField field) {
     static constexpr std::array<const char *, kEntryFields> kSymbols{"x", "y", "d", "\xe2\x88\xa0", "w",
                                                                      "h", "r", "d", "\xc3\x97"};
@@ -176,14 +163,16 @@ bool NumericEntry::byDiameter() const {
 
 /// Returns the fields of the tool, then others that have a value or are open. A diameter takes the place of the radius.
 std::vector<EntryField> NumericEntry::visible() const {
-    std::vector<EntryField> result = fields_;
+    // Once one coordinate is typed, the other completes the point.
+    const bool coordinates = (open_ == EntryField::X || open_ == EntryField::Y) && !shows(EntryField::X);
+    std::vector<EntryField> result = coordinates ? std::vector{EntryField::X, EntryField::Y} : fields_;
     if (byDiameter()) {
         std::replace(result.begin(), result.end(), EntryField::Radius, EntryField::Diameter);
     }
     for (std::size_t i = 0; i < kEntryFields; ++i) {
         const auto field = static_cast<EntryField>(i);
         const bool listed = std::find(result.begin(), result.end(), field) != result.end();
-        if (!listed && !shows(field) && (values_[i] || open_ == field)) {
+        if (!listed && (coordinates || !shows(field)) && (values_[i] || open_ == field)) {
             result.push_back(field);
         }
     }
@@ -220,6 +209,11 @@ NumericEntry::Answer NumericEntry::text(char32_t character) {
         open_ = empty != fields_.end() ? *empty : fields_.front();
         byDigit_ = true;
         text_.clear();
+    }
+    if (character == U',' && open_ == EntryField::X && !byDigit_ &&
+        separatingComma(text_ + ',') == text_.size()) { // "x3,4"
+        moveOn(false);
+        return Answer::Used;
     }
     if (isPrintable(character) && text_.size() < kMaxExpressionLength) {
         text_ += static_cast<char>(character);
@@ -342,8 +336,9 @@ bool NumericEntry::determined() const {
     if (fields_.size() == 1 && value(fields_.front())) {
         return true;
     }
-    return (has(EntryField::X) && has(EntryField::Y)) || (has(EntryField::Width) && has(EntryField::Height)) ||
-           has(EntryField::Radius) || has(EntryField::Diameter) ||
+    const bool across = has(EntryField::X) || has(EntryField::Width);
+    const bool upward = has(EntryField::Y) || has(EntryField::Height);
+    return (across && upward) || has(EntryField::Radius) || has(EntryField::Diameter) ||
            (has(EntryField::Distance) && (has(EntryField::Angle) || byDigit_));
 }
 

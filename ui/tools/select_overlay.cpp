@@ -118,6 +118,10 @@ void SelectTool::drawOverlay(CanvasPainter &painter, Shell &context) {
                       ui::number(snapped_.at.x, 5) + ", " + ui::number(snapped_.at.y, 5) + "   \xce\x94 " +
                           ui::number(length(way), 3),
                       theme.text, fade(theme.popup, 0.9), context.fonts.small);
+        if (const std::string typed = entry_.isWrong() ? entry_.fault() : entry_.label(); !typed.empty()) {
+            painter.label(snapped_.at, {16.0, 36.0}, typed, entry_.isWrong() ? theme.bad : theme.accent, theme.popup,
+                          context.fonts.strong);
+        }
     }
 }
 
@@ -160,7 +164,8 @@ void SelectTool::drawFilter(Shell &context) {
 std::string SelectTool::statusText(const Shell &context) const {
     switch (mode_) {
     case Mode::Moving:
-        return "Shift: steps of 15\xc2\xb0, Ctrl: no snapping, Esc: cancel";
+        return "Drag, or type distance, Tab, angle, or x, y. Shift: steps of 15\xc2\xb0, Ctrl: no snapping, Esc: "
+               "cancel";
     case Mode::Transforming:
         return TransformHandles::statusText(grabbed_.transform);
     case Mode::Boxing:

@@ -6,6 +6,7 @@
 #include "ui/parts/shell.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace forefront {
 
@@ -183,9 +184,9 @@ bool SelectTool::handle(const CanvasEvent &event, Shell &context) {
         release(event, context);
         return true;
     case Kind::Key:
-        return transform_.typed(event, context) || key(event, context);
+        return transform_.typed(event, context) || typedMove(event, context) || key(event, context);
     case Kind::Text:
-        return transform_.typed(event, context);
+        return transform_.typed(event, context) || typedMove(event, context);
     case Kind::Wheel:
         break;
     }
@@ -265,14 +266,20 @@ void SelectTool::drag(const CanvasEvent &event, Shell &context) {
         }
         mode_ = Mode::Moving;
         stroke_ = state_->newStroke();
+        entry_.clear();
         moving_ = context.selection;
     }
-    if (mode_ != Mode::Moving) {
-        return;
+    if (mode_ == Mode::Moving) {
+        last_ = event;
+        updateMove(context);
     }
-    SnapQuery query = state_->query(context, grabbed_.at + (event.place - pressPlace_),
-                                    event.modifiers.shift() && !adds_, event.modifiers.control());
+}
+
+void SelectTool::updateMove(Shell &context) {
+    SnapQuery query = state_->query(context, grabbed_.at + (last_.place - pressPlace_),
+                                    last_.modifiers.shift() && !adds_, last_.modifiers.control());
     query.anchor = grabbed_.at;
+    query.locks = entry_.locks();
     // Do not snap to what is being moved.
     if (context.snapping.toDrawing) {
         query.filter = [this](const Shape &shape) { return !moving_.touches(shape.id); };
@@ -282,9 +289,30 @@ void SelectTool::drag(const CanvasEvent &event, Shell &context) {
         const std::size_t end = grabbed_.control.segment + (grabbed_.control.atEnd ? 1U : 0U);
         query.anchor = shape->nodes[end % shape->nodes.size()];
     }
-    alone_ = event.modifiers.alt();
-    snapped_ = snap(*startIndex_, query);
+    alone_ = last_.modifiers.alt();
+    if (const std::optional<TypedPair> pair = entry_.pair()) {
+        snapped_ = {pair->relative ? *query.anchor + pair->value : pair->value, SnapKind::Locked, {}};
+    } else {
+        snapped_ = snap(*startIndex_, query);
+    }
     EditState::apply(context, moved(snapped_.at), moveLabel(), stroke_);
+}
+
+bool SelectTool::typedMove(const CanvasEvent &event, Shell &context) {
+    if (mode_ != Mode::Moving) {
+        return false;
+    }
+    static constexpr std::array kDirection{EntryField::Distance, EntryField::Angle};
+    const NumericEntry::Answer answer = entry_.handle(event, kDirection, start_->spacing.names);
+    if (answer == NumericEntry::Answer::Unused) {
+        return false;
+    }
+    updateMove(context);
+    if (answer == NumericEntry::Answer::Place) {
+        entry_.clear();
+        mode_ = Mode::Idle; // the button is still down, but the move is over
+    }
+    return true;
 }
 
 std::string SelectTool::moveLabel() const {

@@ -2,6 +2,7 @@
 
 #include "core/edit/path_commands.hpp"
 #include "ui/parts/tool.hpp"
+#include "ui/tools/numeric_entry.hpp"
 #include "ui/tools/transform_handles.hpp"
 #include "ui/workspace/edit_state.hpp"
 
@@ -59,6 +60,10 @@ class SelectTool final : public Tool {
     void press(const CanvasEvent &event, Shell &context);
     void openMenu(const CanvasEvent &event, Shell &context);
     void drag(const CanvasEvent &event, Shell &context);
+    /// Moves the selection to where the pointer or the typed numbers say.
+    void updateMove(Shell &context);
+    /// Handles numbers typed during a drag. Returns true if the event was used.
+    bool typedMove(const CanvasEvent &event, Shell &context);
     void release(const CanvasEvent &event, Shell &context);
     bool key(const CanvasEvent &event, Shell &context);
     void insertAt(const Hit &hit, Shell &context);
@@ -80,6 +85,8 @@ class SelectTool final : public Tool {
     std::uint32_t clicked_ = kNoIndex; ///< shape under the last click that did not move anything
     Pixel pressPixel_{};
     Vec2 pressPlace_, boxPlace_;
+    CanvasEvent last_; ///< of the drag
+    NumericEntry entry_;
     Snapped snapped_;
     std::shared_ptr<const Document> start_; ///< document when the drag began
     std::shared_ptr<const PickIndex> startIndex_;

@@ -23,4 +23,15 @@ std::optional<double> parseNumber(std::string_view text) {
     return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
+std::size_t separatingComma(std::string_view text) {
+    int depth = 0;
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        depth += text[k] == '(' ? 1 : text[k] == ')' ? -1 : 0;
+        if (text[k] == ',' && depth == 0) {
+            return k;
+        }
+    }
+    return std::string_view::npos;
+}
+
 } // namespace forefront

@@ -79,18 +79,44 @@ std::optional<std::string> drawEntry(Workspace &context, std::string_view name, 
     return committed ? std::optional(typed) : std::nullopt;
 }
 
-} // namespace
-
-bool inputNumber(Workspace &context, std::string_view name, double &value, float width, const std::string &address) {
-    const std::optional<std::string> typed = drawEntry(context, name, number(value, 6), "", width, address);
-    const std::optional<double> entered = typed ? typedNumber(context, name, *typed) : std::nullopt;
+/// Replaces `value` by a typed number. Returns true if that changed it.
+bool take(Workspace &context, std::string_view name, const std::string &typed, double &value,
+          const std::string &address) {
+    const std::optional<double> entered = typedNumber(context, name, typed);
     if (!entered) {
         return false;
     }
     const bool changed = *entered != value;
-    keepFormula(context, address, *typed, changed);
+    keepFormula(context, address, typed, changed);
     value = *entered;
     return changed;
+}
+
+} // namespace
+
+bool inputPoint(Workspace &context, const std::string &name, Vec2 &value, float width, const std::string &addressX,
+                const std::string &addressY) {
+    std::optional<std::string> x = drawEntry(context, name + "/x", number(value.x, 6), "", width, addressX);
+    ImGui::SameLine(0, context.px(6));
+    std::optional<std::string> y = drawEntry(context, name + "/y", number(value.y, 6), "", width, addressY);
+    const std::string both = x ? *x : y.value_or("");
+    if (const std::size_t comma = separatingComma(both); comma != std::string::npos) {
+        // A pair is numbers: only one formula can be stored with a change.
+        const std::string field = name + (x ? "/x" : "/y");
+        const std::optional<double> left = typedNumber(context, field, both.substr(0, comma));
+        const std::optional<double> right = left ? typedNumber(context, field, both.substr(comma + 1)) : left;
+        const Vec2 before = value;
+        value = right ? Vec2{*left, *right} : value;
+        return value != before;
+    }
+    const bool changedX = x && take(context, name + "/x", *x, value.x, addressX);
+    const bool changedY = y && take(context, name + "/y", *y, value.y, addressY);
+    return changedX || changedY;
+}
+
+bool inputNumber(Workspace &context, std::string_view name, double &value, float width, const std::string &address) {
+    const std::optional<std::string> typed = drawEntry(context, name, number(value, 6), "", width, address);
+    return typed && take(context, name, *typed, value, address);
 }
 
 bool inputOptional(Workspace &context, std::string_view name, std::optional<double> &value, const char *hint,

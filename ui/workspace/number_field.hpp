@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/vec2.hpp"
+
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +21,11 @@ bool inputNumber(Workspace &context, std::string_view name, double &value, float
 /// The same for an optional number; without one, the field is empty and shows the hint.
 bool inputOptional(Workspace &context, std::string_view name, std::optional<double> &value, const char *hint,
                    float width = -1.0F, const std::string &address = {});
+
+/// Draws the fields "NAME/x" and "NAME/y" of a point side by side, each `width` design pixels wide. "x, y" typed into
+/// one of them sets both.
+bool inputPoint(Workspace &context, const std::string &name, Vec2 &value, float width, const std::string &addressX,
+                const std::string &addressY);
 
 } // namespace ui
 } // namespace forefront

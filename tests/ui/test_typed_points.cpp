@@ -1,0 +1,75 @@
+#include "tests/ui/edit_driver.hpp"
+
+#include <doctest/doctest.h>
+
+namespace forefront::test {
+
+TEST_CASE("Typed points: X after the first corner asks for the opposite corner; a comma or Tab leads to its y") {
+    Draughtsman driver;
+    driver.key('R');
+    driver.clickPlace({1, 1});
+    driver.moveToPlace({4, 3});
+    driver.keys("x7,6.5");
+    driver.key(key::kEnter);
+    driver.clickPlace({2, 2});
+    driver.keys("x3");
+    driver.key(key::kTab);
+    driver.keys("2.5");
+    driver.key(key::kEnter);
+    driver.clickPlace({4, 2});
+    driver.keys("y5");
+    driver.key(key::kEnter); // the pointer still chooses x
+    driver.clickPlace({6, 3});
+    driver.key('K');
+    driver.clickPlace({3, 3.5});
+    driver.keys("x3.5,4");
+    driver.key(key::kEnter);
+    REQUIRE(driver.document().shapes.size() == 4);
+    CHECK(boundsOf(*driver.document().shapes[0]) == Box2{{1, 1}, {7, 6.5}});
+    CHECK(boundsOf(*driver.document().shapes[1]) == Box2{{2, 2}, {3, 2.5}});
+    CHECK(boundsOf(*driver.document().shapes[2]) == Box2{{4, 2}, {6, 5}});
+    CHECK(boundsOf(*driver.document().shapes[3]) == Box2{{3, 3.5}, {3.5, 4}});
+}
+
+TEST_CASE("Typed points: a dragged node goes to a typed point or by a typed way; that is one undo step") {
+    Draughtsman driver;
+    driver.polygon({{1, 1}, {9, 1}, {9, 9}, {1, 9}});
+    driver.key('V');
+    const auto drag = [&](Vec2 from, std::string_view typed) {
+        driver.press(driver.pixel(from));
+        driver.moveToPlace(from - Vec2{1, 1});
+        driver.type(typed);
+        driver.key(key::kEnter);
+        driver.moveToPlace({5, 5}); // the button is still down, but the move is over
+        driver.release(driver.pixel({5, 5}));
+        driver.frames(30);
+    };
+    drag({9, 9}, "7.25,8.125");
+    CHECK(driver.document().shapes[0]->nodes[2] == Vec2{7.25, 8.125});
+    CHECK(driver.undoLabel() == "Move node");
+    drag({1, 9}, "@0.5,-1");
+    CHECK(driver.document().shapes[0]->nodes[3] == Vec2{1.5, 8});
+    driver.press(driver.pixel({9, 1}));
+    driver.moveToPlace({8, 2});
+    driver.keys("x8.5,1.75");
+    driver.key(key::kEnter);
+    driver.release(driver.pixel({8, 2}));
+    CHECK(driver.document().shapes[0]->nodes[1] == Vec2{8.5, 1.75});
+    driver.key('Z', {Modifiers::kControl});
+    CHECK(driver.document().shapes[0]->nodes[1] == Vec2{9, 1});
+    CHECK(driver.run().state == RunState::Empty); // no digit was a shortcut
+}
+
+TEST_CASE("Typed points: x, y in one field of a position sets both") {
+    Draughtsman driver;
+    driver.polygon({{1, 1}, {9, 1}, {9, 9}});
+    driver.key('V');
+    driver.clickPlace({9, 9});
+    driver.fill("inspector/at/x", "8, 7.5");
+    CHECK(driver.document().shapes[0]->nodes[2] == Vec2{8, 7.5});
+    driver.fill("inspector/at/x", "8, no");
+    CHECK(driver.document().shapes[0]->nodes[2] == Vec2{8, 7.5});
+    CHECK(driver.has("inspector/at/x/fault"));
+}
+
+} // namespace forefront::test
