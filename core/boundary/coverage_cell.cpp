@@ -67,12 +67,22 @@ double areaBeyond(Vec2 p, Vec2 q, double middle, const Box2 &box) {
 
 } // namespace
 
+// Most pieces are short compared with the boxes; these are decided without divisions.
 bool meetsBox(const BoundaryPiece &piece, const Box2 &box) {
+    if (box.contains(piece.a) || box.contains(piece.b)) {
+        return true;
+    }
+    if (!box.overlaps(boxOf(piece.a, piece.b))) {
+        return false;
+    }
     const Clip clip = clipped(piece, box);
     return clip.first <= clip.last;
 }
 
 BoundaryPiece partWithin(const BoundaryPiece &piece, const Box2 &box) {
+    if (box.contains(piece.a) && box.contains(piece.b)) {
+        return piece;
+    }
     const Clip clip = clipped(piece, box);
     return {lerp(piece.a, piece.b, clip.first), lerp(piece.a, piece.b, clip.last)};
 }
