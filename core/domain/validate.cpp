@@ -1,5 +1,6 @@
 #include "core/domain/validate.hpp"
 
+#include "core/base/key_order.hpp"
 #include "core/base/number_text.hpp"
 #include "core/domain/coordinate_range.hpp"
 #include "core/domain/domain_meetings.hpp"
@@ -10,6 +11,7 @@
 #include <initializer_list>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace forefront {
 
@@ -281,20 +283,23 @@ class Validator {
             const std::uint32_t point = graph.pointOfNode[node];
             return point == kNoIndex ? node : graph.node[sweep.canonical[point]];
         };
-        std::vector<std::array<std::uint32_t, 2>> spans;
+        std::vector<std::uint64_t> spans;
         for (const DomainSegment &segment : domain_.segments) {
             const bool validA = segment.a < domain_.nodes.size(), validB = segment.b < domain_.nodes.size();
             if (segment.role == SegmentRole::Boundary && (validA || validB)) {
                 const std::uint32_t a = validA ? place(segment.a) : kNoIndex, b = validB ? place(segment.b) : kNoIndex;
                 if (a != b) {
-                    spans.push_back({std::min(a, b), std::max(a, b)});
+                    spans.push_back(sortKey(std::min(a, b), std::max(a, b)));
                 }
             }
         }
-        std::sort(spans.begin(), spans.end());
-        spans.erase(std::unique(spans.begin(), spans.end()), spans.end());
         std::vector<std::uint32_t> degree(domain_.nodes.size(), 0);
-        for (const auto &[a, b] : spans) {
+        std::uint64_t last = sortKey(kNoIndex, kNoIndex);
+        for (const std::uint32_t i : orderByKeys(spans)) {
+            if (spans[i] == std::exchange(last, spans[i])) {
+                continue;
+            }
+            const auto [a, b] = pairOf(spans[i]);
             ++degree[a];
             if (b != kNoIndex) {
                 ++degree[b];

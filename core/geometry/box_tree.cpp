@@ -1,6 +1,6 @@
 #include "core/geometry/box_tree.hpp"
 
-#include <numeric>
+#include "core/base/key_order.hpp"
 
 namespace forefront {
 namespace {
@@ -21,14 +21,14 @@ std::uint32_t step(double low, double high, double wholeLow, double wholeHigh) {
     return part >= 0.0 ? static_cast<std::uint32_t>(std::min(part, 1.0) * 65535.0) : 0U; // a NaN goes to 0
 }
 
-std::vector<std::uint32_t> mortonCodes(std::span<const Box2> boxes) {
+std::vector<std::uint64_t> mortonCodes(std::span<const Box2> boxes) {
     Box2 whole;
     for (const Box2 &box : boxes) {
         if (isFinite(box.min) && isFinite(box.max)) {
             whole.add(box);
         }
     }
-    std::vector<std::uint32_t> codes(boxes.size());
+    std::vector<std::uint64_t> codes(boxes.size());
     for (std::size_t k = 0; k < boxes.size(); ++k) {
         const Box2 &box = boxes[k];
         codes[k] = spread(step(box.min.x, box.max.x, whole.min.x, whole.max.x)) |
@@ -39,14 +39,10 @@ std::vector<std::uint32_t> mortonCodes(std::span<const Box2> boxes) {
 
 } // namespace
 
-BoxTree::BoxTree(std::span<const Box2> boxes) : items_(boxes.size()) {
+BoxTree::BoxTree(std::span<const Box2> boxes) : items_(orderByKeys(mortonCodes(boxes))) {
     if (boxes.empty()) {
         return;
     }
-    const std::vector<std::uint32_t> codes = mortonCodes(boxes);
-    std::iota(items_.begin(), items_.end(), 0U);
-    std::sort(items_.begin(), items_.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return codes[a] != codes[b] ? codes[a] < codes[b] : a < b; });
     levels_.emplace_back();
     levels_.back().reserve(items_.size());
     for (const std::uint32_t item : items_) {

@@ -1,5 +1,6 @@
 #include "core/geometry/plane_sweep.hpp"
 
+#include "core/base/key_order.hpp"
 #include "core/geometry/sweep_status.hpp"
 
 #include <algorithm>
@@ -27,28 +28,38 @@ class Sweeper {
     }
 
   private:
+    /// Returns the points in the order of their places, those at the same place by index.
+    std::vector<std::uint32_t> sortedPoints() const {
+        std::vector<std::uint64_t> keys;
+        keys.reserve(points_.size());
+        for (const Vec2 p : points_) {
+            keys.push_back(sortKey(p.x));
+        }
+        std::vector<std::uint32_t> sorted = orderByKeys(keys);
+        for (auto first = sorted.begin(); first != sorted.end();) {
+            const auto last = std::find_if(first + 1, sorted.end(),
+                                           [&](std::uint32_t i) { return points_[i].x != points_[*first].x; });
+            std::sort(first, last, [&](std::uint32_t i, std::uint32_t j) {
+                return points_[i].y != points_[j].y ? points_[i].y < points_[j].y : i < j;
+            });
+            first = last;
+        }
+        return sorted;
+    }
+
     /// Fills `canonical` and `order` and returns the ends of the edges.
     std::vector<SweepStatus::Ends> orderPoints(std::span<const PlaneEdge> edges) {
         const auto count = static_cast<std::uint32_t>(points_.size());
-        struct Entry {
-            Vec2 p;
-            std::uint32_t id;
-        };
-        std::vector<Entry> sorted(count);
-        for (std::uint32_t i = 0; i < count; ++i) {
-            sorted[i] = {points_[i], i};
-        }
-        std::sort(sorted.begin(), sorted.end(),
-                  [](const Entry &s, const Entry &t) { return s.p == t.p ? s.id < t.id : comesBefore(s.p, t.p); });
+        const std::vector<std::uint32_t> sorted = sortedPoints();
         result_.canonical.resize(count);
         rank_.resize(count);
         for (std::size_t i = 0; i < sorted.size(); ++i) {
-            const bool same = i > 0 && sorted[i].p == sorted[i - 1].p;
+            const bool same = i > 0 && points_[sorted[i]] == points_[sorted[i - 1]];
             if (!same) {
-                result_.order.push_back(sorted[i].id);
+                result_.order.push_back(sorted[i]);
             }
-            result_.canonical[sorted[i].id] = result_.order.back();
-            rank_[sorted[i].id] = static_cast<std::uint32_t>(result_.order.size() - 1);
+            result_.canonical[sorted[i]] = result_.order.back();
+            rank_[sorted[i]] = static_cast<std::uint32_t>(result_.order.size() - 1);
         }
         result_.below.assign(count, kNoIndex);
         result_.on.assign(count, kNoIndex);

@@ -1,5 +1,6 @@
 #include "core/mesher/fast_advancer.hpp"
 
+#include "core/base/key_order.hpp"
 #include "core/mesher/classic_advancer.hpp"
 #include "core/mesher/instantiate.hpp"
 
@@ -26,18 +27,17 @@ constexpr double kSimilar = 2.0;
 
 void offerAll(WalkOrder &order, const GenerationFront &front, const Box2 &box) {
     std::vector<SlotId> slots;
+    std::vector<std::uint64_t> nodes;
+    const auto node = [&](SlotId id) { return static_cast<std::uint32_t>(front[id].node); };
     for (std::uint32_t i = 0; i < front.capacity(); ++i) {
         const SlotId id{i};
         if (front[id].alive && !front.isolated(id) && holds(box, front.start(id)) && holds(box, front.end(id))) {
             slots.push_back(id);
+            nodes.push_back(sortKey(node(id), node(front.next(id))));
         }
     }
-    std::sort(slots.begin(), slots.end(), [&](SlotId p, SlotId q) {
-        return front[p].node != front[q].node ? front[p].node < front[q].node
-                                              : front[front.next(p)].node < front[front.next(q)].node;
-    });
-    for (const SlotId id : slots) {
-        order.offer(front, id);
+    for (const std::uint32_t i : orderByKeys(nodes)) {
+        order.offer(front, slots[i]);
     }
 }
 

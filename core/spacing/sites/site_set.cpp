@@ -1,5 +1,6 @@
 #include "core/spacing/sites/site_set.hpp"
 
+#include "core/base/key_order.hpp"
 #include "core/geometry/box_tree.hpp"
 
 #include <algorithm>
@@ -25,19 +26,17 @@ bool dominates(const SizeSite &strong, const SizeSite &weak, double slack) {
 void SiteSet::dropDominated() {
     const double slack = sites.size() > kManySites ? kSlackOfMany : 1.0;
     std::vector<Box2> boxes;
+    std::vector<std::uint64_t> sizes;
     boxes.reserve(sites.size());
+    sizes.reserve(sites.size());
     for (const SizeSite &site : sites) {
         boxes.push_back(boxOf(site.a, site.a + site.ab));
+        sizes.push_back(sortKey(site.size));
     }
     const BoxTree tree(boxes);
-    std::vector<std::uint32_t> order(sites.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
-        return sites[i].size != sites[j].size ? sites[i].size < sites[j].size : i < j;
-    });
     enum : std::uint8_t { Later, Kept, Dropped };
     std::vector<std::uint8_t> state(sites.size(), Later);
-    for (const std::uint32_t i : order) {
+    for (const std::uint32_t i : orderByKeys(sizes)) {
         const auto dominated = [&](std::uint32_t j) {
             const bool counts = state[j] == Kept || (state[j] == Dropped && slack == 1.0);
             return j != i && counts && dominates(sites[j], sites[i], slack);
