@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <deque>
+#include <numbers>
 #include <thread>
 #include <vector>
 
@@ -31,8 +32,8 @@ double percentile(std::vector<double> values, double part) {
 enum class Gesture { Node, Source, Brush };
 constexpr const char *kGestures[] = {"node", "source", "brush"};
 
-/// Drags a node, a source or the brush around a small circle on a live-meshed square without pausing, and measures
-/// latencies.
+/// Drags a node or a source around a small circle, or the brush along a spiral so that every dab changes the spacing,
+/// on a live-meshed square without pausing, and measures latencies.
 class DragBench {
   public:
     DragBench(Gesture gesture, double elements) : gesture_(gesture), wanted_(elements) {
@@ -44,6 +45,10 @@ class DragBench {
         }
         driver_.context().document.apply(std::move(sized), "Size");
         driver_.key(gesture == Gesture::Brush ? 'B' : 'V');
+        if (gesture == Gesture::Brush) {
+            driver_.fill("options/brush/radius", std::to_string(kBrushRadius));
+            driver_.fill("options/brush/spacing", std::to_string(0.7 * *driver_.document().spacing.size));
+        }
         driver_.context().settings.live = true;
         driver_.settle();
         driver_.press(driver_.pixel(start()));
@@ -67,18 +72,32 @@ class DragBench {
 
   private:
     static constexpr double kPointerPeriod = 1.0 / 125.0; ///< seconds, as with a common mouse
+    static constexpr double kPi = std::numbers::pi;
+    static constexpr double kBrushRadius = 0.4;
+    static constexpr double kSpeed = 3.75; ///< of the pointer in every gesture, units of the drawing a second
 
     struct Input {
         double time = 0.0;
         std::uint64_t revision = 0; ///< of the resulting document; 0: not handled yet
     };
 
-    Vec2 start() const { return gesture_ == Gesture::Node ? Vec2{8, 8} : Vec2{6, 6}; }
+    Vec2 start() const {
+        return gesture_ == Gesture::Brush ? Vec2{4.0, 4.0} : gesture_ == Gesture::Node ? Vec2{8, 8} : Vec2{6, 6};
+    }
+
+    /// Returns a place on a spiral whose turns are as far apart as the brush is wide, after a path of the given length.
+    Vec2 onSpiral(double length) const {
+        const double width = 2.0 * kBrushRadius, radius = std::sqrt(length * width / kPi);
+        const double angle = 2.0 * kPi * radius / width;
+        return start() + radius * Vec2{std::cos(angle), std::sin(angle)};
+    }
 
     void move(double time) {
-        const double angle = 3.0 * 3.14159265358979 * time;
+        const double angle = 3.0 * kPi * time;
         const Vec2 centre = start() - Vec2{0.5, 0.5};
-        const Pixel at = driver_.pixel(centre + 0.4 * Vec2{std::cos(angle), std::sin(angle)});
+        const Vec2 place = gesture_ == Gesture::Brush ? onSpiral(kSpeed * time)
+                                                      : centre + 0.4 * Vec2{std::cos(angle), std::sin(angle)};
+        const Pixel at = driver_.pixel(place);
         driver_.editor().input().push({.kind = InputKind::MouseMove, .x = at.x, .y = at.y});
     }
 
