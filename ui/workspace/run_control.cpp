@@ -284,6 +284,7 @@ void RunControl::cancel() {
 
 void RunControl::clear() {
     session_.clear();
+    seen_.reset(); // a document opened next is meshed even if it differs in nothing that the mesh depends on
     opened_.reset();
     fields_.reset();
     started_ = cancelling_ = false;
