@@ -37,6 +37,34 @@ TEST_CASE("Pen: a click on the first node closes the path; Backspace and undo re
     CHECK(driver.document().shapes[0]->nodes == std::vector<Vec2>{{1, 1}, {9, 1}, {9, 9}, {1, 9}});
 }
 
+TEST_CASE("Pen: undo brings back a path that Esc has dropped, until the drawing changes") {
+    Draughtsman driver;
+    driver.key('P');
+    const std::vector<Vec2> corners{{2, 2}, {6, 2}, {6, 5}};
+    const auto drop = [&] {
+        for (const Vec2 corner : corners) {
+            driver.clickPlace(corner);
+        }
+        driver.key(key::kEscape);
+        driver.key(key::kEnter);
+        CHECK(driver.document().shapes.empty());
+    };
+    drop();
+    driver.key('Z', {Modifiers::kControl});
+    driver.clickPlace({3, 6});
+    driver.key(key::kEnter);
+    REQUIRE(driver.document().shapes.size() == 1);
+    CHECK(driver.document().shapes[0]->nodes == std::vector<Vec2>{{2, 2}, {6, 2}, {6, 5}, {3, 6}});
+
+    driver.key('Z', {Modifiers::kControl}); // the shape
+    REQUIRE(driver.document().shapes.empty());
+    drop();
+    driver.context().actions.run("edit.redo", driver.context());
+    driver.key('Z', {Modifiers::kControl}); // the shape again, not the dropped path
+    driver.key(key::kEnter);
+    CHECK(driver.document().shapes.empty());
+}
+
 TEST_CASE("Pen: Esc cancels the path, and choosing another tool finishes it") {
     Draughtsman driver;
     driver.key('P');

@@ -185,7 +185,7 @@ bool DrawingTool::typed(const CanvasEvent &event, Shell &context) {
         return false;
     case key::kEscape:
         if (inProgress() || !entry_.label().empty()) {
-            cancel();
+            discard(context);
             entry_.clear();
             typedNodes_.clear();
             return true;

@@ -34,6 +34,8 @@ class DrawingTool : public Tool {
     /// change.
     virtual void finish(Shell &) {}
     virtual void cancel() {}
+    /// Drops the unfinished shape because the user pressed Esc.
+    virtual void discard(Shell &) { cancel(); }
     /// Removes the last node (Backspace). Returns false if there is none.
     virtual bool removeLast() { return false; }
     /// Returns true if releasing a drag places a second node.

@@ -87,6 +87,7 @@ void PenTool::place(Vec2 at, Shell &context) {
     if (path_.empty() || at != path_.back().at) {
         path_.push_back({at, {}});
         undone_.clear();
+        discarded_.clear();
     }
 }
 
@@ -152,7 +153,21 @@ bool PenTool::removeLast() {
     return true;
 }
 
-bool PenTool::undo(Shell &) {
+void PenTool::discard(Shell &context) {
+    std::vector<Node> path = hand_.empty() ? std::move(path_) : std::vector<Node>();
+    cancel();
+    if (path.size() >= 2) {
+        discarded_ = std::move(path);
+        discardedRevision_ = context.document.revision();
+        context.log.announce("The path is discarded; Ctrl Z brings it back");
+    }
+}
+
+bool PenTool::undo(Shell &context) {
+    if (path_.empty() && !discarded_.empty() && discardedRevision_ == context.document.revision()) {
+        path_ = std::exchange(discarded_, {});
+        return true;
+    }
     return removeLast();
 }
 
@@ -235,6 +250,10 @@ std::string PenTool::statusText(const Shell &) const {
     if (state_->penMode == PenMode::Freehand) {
         return kind_ == ShapeKind::Polygon ? "Drag to draw an outline freehand; release to close it"
                                            : "Drag to draw a line freehand";
+    }
+    if (state_->penMode == PenMode::Spline && !path_.empty() && !(kind_ == ShapeKind::Polygon && canClose())) {
+        return "Click the next point of the curve, or type distance, Tab, angle. Enter: finish, Backspace: remove the "
+               "last point";
     }
     if (path_.empty() && state_->penMode == PenMode::Spline) {
         return "Click the points of a smooth curve, or type x, Tab, y. Enter: finish";

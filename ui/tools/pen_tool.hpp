@@ -28,6 +28,7 @@ class PenTool final : public DrawingTool {
     std::optional<Vec2> anchor() const override;
     void finish(Shell &context) override;
     void cancel() override;
+    void discard(Shell &context) override;
     bool removeLast() override;
     std::optional<Vec2> ownSnap(Vec2 at, const Shell &context) const override;
     void pull(Vec2 to) override;
@@ -56,8 +57,10 @@ class PenTool final : public DrawingTool {
 
     ShapeKind kind_;
     std::vector<Node> path_;
-    std::vector<Vec2> hand_;   ///< pointer positions while drawing freehand
-    std::vector<Node> undone_; ///< nodes removed by undo, newest last
+    std::vector<Vec2> hand_;      ///< pointer positions while drawing freehand
+    std::vector<Node> undone_;    ///< nodes removed by undo, newest last
+    std::vector<Node> discarded_; ///< path dropped by Esc, which undo brings back until the document changes
+    std::uint64_t discardedRevision_ = 0;
 };
 
 } // namespace forefront
