@@ -34,7 +34,8 @@ bool drawNumber(Workspace &context, ui::Flow &flow, const char *name, const char
     ui::muted(context, label);
     ImGui::SameLine();
     double entered = value;
-    const bool changed = ui::inputNumber(context, name, entered, 76.0F) && (entered > 0.0 || (zero && entered == 0.0));
+    const bool changed = ui::inputNumber(context, name, entered, 76.0F) &&
+                         ((zero && entered == 0.0) || ui::checkPositive(context, name, entered));
     ui::tooltip(context, tooltip);
     if (changed) {
         value = entered;
@@ -56,7 +57,8 @@ bool drawOptionalSizeOption(Workspace &context, ui::Flow &flow, const char *name
     ui::muted(context, label);
     ImGui::SameLine();
     std::optional<double> entered = value;
-    const bool changed = ui::inputOptional(context, name, entered, hint, 76.0F) && (!entered || (*entered > 0.0));
+    const bool changed = ui::inputOptional(context, name, entered, hint, 76.0F) &&
+                         (!entered || ui::checkPositive(context, name, *entered));
     ui::tooltip(context, tooltip);
     if (changed) {
         value = entered;

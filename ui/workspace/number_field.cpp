@@ -7,8 +7,29 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
 namespace forefront::ui {
 namespace {
+
+/// Reports a text that cannot be used beside its field and in the log.
+void refuse(Workspace &context, std::string_view name, const Diagnostics &faults, std::string reason) {
+    context.log.add(faults);
+    context.fieldFault = {std::string(name), std::move(reason), context.document.revision(), ImGui::GetFrameCount()};
+    context.animate();
+}
+
+/// Returns the number of a text that ends with a unit; empty if it does not.
+std::string withoutUnit(const std::string &typed) {
+    for (const std::string_view unit : {"mm", "cm", "km", "m", "in", "ft", "px", "deg", "\xc2\xb0"}) {
+        const std::string_view text = trimmed(typed);
+        const std::string_view head = trimmed(text.substr(0, text.size() - std::min(unit.size(), text.size())));
+        if (text.ends_with(unit) && parseNumber(head)) {
+            return std::string(head);
+        }
+    }
+    return {};
+}
 
 /// Returns the value of a typed number or expression; reports an invalid one beside the field and in the log.
 std::optional<double> typedNumber(Workspace &context, std::string_view name, const std::string &typed) {
@@ -19,11 +40,13 @@ std::optional<double> typedNumber(Workspace &context, std::string_view name, con
     if (value) {
         return *value;
     }
-    const std::string reason = value.faults().front().message;
-    context.log.add(error("bad-number", "expected a number, got '" + typed + "': " + reason,
-                          "enter a number such as 0.25, or an expression of parameters such as 2*r"));
-    context.fieldFault = {std::string(name), reason, context.document.revision(), ImGui::GetFrameCount()};
-    context.animate();
+    const std::string bare = withoutUnit(typed);
+    const std::string reason =
+        bare.empty() ? value.faults().front().message : "numbers have no units; enter " + bare + " alone";
+    refuse(context, name,
+           error("bad-number", "expected a number, got '" + typed + "': " + reason,
+                 "enter a number such as 0.25, or an expression of parameters such as 2*r"),
+           reason);
     return std::nullopt;
 }
 
@@ -112,6 +135,15 @@ bool inputPoint(Workspace &context, const std::string &name, Vec2 &value, float 
     const bool changedX = x && take(context, name + "/x", *x, value.x, addressX);
     const bool changedY = y && take(context, name + "/y", *y, value.y, addressY);
     return changedX || changedY;
+}
+
+bool checkPositive(Workspace &context, std::string_view name, double value) {
+    const bool positive = value > 0.0;
+    if (!positive) {
+        const std::string reason = "expected a positive number, got " + number(value, 6);
+        refuse(context, name, error("bad-number", reason, "enter a number greater than 0"), reason);
+    }
+    return positive;
 }
 
 bool inputNumber(Workspace &context, std::string_view name, double &value, float width, const std::string &address) {
