@@ -218,6 +218,76 @@ TEST_CASE("Picture: saved as a link, and a missing file does not refuse the draw
     CHECK(looksBlue(driver.picture(), driver.pixel({170.0, 50.0})));
 }
 
+TEST_CASE("Picture: another file takes the place, the scale and the lock of the one before") {
+    const TemporaryFolder place;
+    Draughtsman driver;
+    drop(driver, drawPicture(place.path / "old.png", 200, 100));
+    driver.fill("options/picture/width", "50");
+    driver.fill("options/picture/x", "7");
+    driver.click("options/picture/lock");
+    driver.rectangle({20.0, 20.0}, {40.0, 24.0});
+    const BackgroundPicture old = pictureOf(driver);
+    drop(driver, drawPicture(place.path / "finer.png", 400, 200));
+    BackgroundPicture expected = old;
+    expected.file = (place.path / "finer.png").string();
+    CHECK(pictureOf(driver) == expected);
+    CHECK(driver.undoLabel() == "Replace background picture");
+    CHECK(lastMessage(driver) == "finer.png takes the place of the picture before and keeps its scale");
+
+    drop(driver, drawPicture(place.path / "square.png", 300, 300));
+    CHECK(pictureOf(driver).size == Vec2{50.0, 50.0});
+    CHECK(pictureOf(driver).corner == old.corner);
+    CHECK(lastMessage(driver).ends_with("its proportions differ, so check the calibration"));
+
+    driver.key('Z');
+    driver.click("options/picture/replace");
+    driver.settle();
+    CHECK(driver.has("dialog/picture/ok"));
+}
+
+TEST_CASE("Picture: a file that replaces a missing one keeps its calibration") {
+    const TemporaryFolder place;
+    Draughtsman driver;
+    drop(driver, drawPicture(place.path / "lake.png", 200, 100));
+    driver.fill("options/picture/width", "50");
+    const BackgroundPicture old = pictureOf(driver);
+    REQUIRE(writeProject(place.path / "lake.forefront", driver.document()).empty());
+    std::filesystem::rename(place.path / "lake.png", place.path / "moved.png");
+    drop(driver, place.path / "lake.forefront");
+    driver.click("dialog/unsaved/discard");
+    driver.settle();
+    drop(driver, place.path / "moved.png");
+    CHECK(pictureOf(driver).corner == old.corner);
+    CHECK(pictureOf(driver).size == old.size);
+    CHECK(looksRed(driver.picture(), driver.pixel({5.0, 3.0})));
+}
+
+TEST_CASE("Picture: the first one turns snapping to the grid off and says so") {
+    const TemporaryFolder place;
+    Draughtsman driver;
+    REQUIRE(driver.context().snapping.toGrid);
+    drop(driver, drawPicture(place.path / "lake.png", 200, 100));
+    CHECK_FALSE(driver.context().snapping.toGrid);
+    CHECK(lastMessage(driver).ends_with("Snapping to the grid is off for tracing"));
+    driver.context().snapping.toGrid = true;
+    drop(driver, drawPicture(place.path / "other.png", 200, 100));
+    CHECK(driver.context().snapping.toGrid); // the user has turned it on again
+}
+
+TEST_CASE("Picture: a distance that is not positive or has a unit is refused beside its field") {
+    const TemporaryFolder place;
+    Draughtsman driver;
+    drop(driver, drawPicture(place.path / "lake.png", 200, 100));
+    const BackgroundPicture before = pictureOf(driver);
+    driver.fill("options/picture/width", "0");
+    CHECK(pictureOf(driver) == before);
+    CHECK(lastMessage(driver) == "expected a positive number, got 0");
+    CHECK(driver.has("options/picture/width/fault"));
+    driver.fill("options/picture/width", "500 m");
+    CHECK(pictureOf(driver) == before);
+    CHECK(lastMessage(driver) == "expected a number, got '500 m': numbers have no units; enter 500 alone");
+}
+
 TEST_CASE("Picture: damaged, huge and other files are refused with a reason") {
     const TemporaryFolder place;
     Draughtsman driver;
@@ -251,6 +321,26 @@ TEST_CASE("Picture: it does not make the mesh out of date") {
     drop(driver, drawPicture(place.path / "lake.png", 200, 100));
     CHECK_FALSE(driver.context().run.outOfDate());
     CHECK(driver.context().document.dirty());
+}
+
+TEST_CASE("Picture: a drawing that differs from the one before in its picture alone is meshed when it is opened") {
+    const TemporaryFolder place;
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    REQUIRE(writeProject(place.path / "plain.forefront", driver.document()).empty());
+    drop(driver, drawPicture(place.path / "lake.png", 200, 100));
+    REQUIRE(writeProject(place.path / "traced.forefront", driver.document()).empty());
+    driver.context().settings.live = true;
+    drop(driver, place.path / "plain.forefront");
+    driver.click("dialog/unsaved/discard");
+    for (const char *name : {"traced.forefront", "plain.forefront"}) {
+        driver.settle();
+        CHECK(driver.run().state == RunState::Finished);
+        CHECK(driver.run().quality.elements > 0);
+        drop(driver, place.path / name);
+    }
+    driver.settle();
+    CHECK(driver.run().state == RunState::Finished);
 }
 
 TEST_CASE("Picture: panning and zooming redraw a large picture without reading or sending it again") {

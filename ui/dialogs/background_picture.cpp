@@ -3,6 +3,7 @@
 #include "ui/parts/shell.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
@@ -11,9 +12,22 @@ namespace forefront {
 
 namespace {
 
-/// Returns where a new picture goes: into the middle of the view if there is a drawing to fit it to; otherwise one unit
-/// is a pixel, and the origin the lower left corner.
+/// Returns true if the width and height of the pixels agree with those of the old picture to a percent.
+bool sameProportions(const BackgroundPicture &old, PixelSize size) {
+    const double ratio = (old.size.x / old.size.y) / (static_cast<double>(size.width) / size.height);
+    return std::fabs(ratio - 1.0) < 0.01;
+}
+
+/// Returns where a new picture goes: in the place of the old one, whose calibration and lock it keeps; else into the
+/// middle of the view if there is a drawing to fit it to; otherwise one unit is a pixel, and the origin the lower left
+/// corner.
 BackgroundPicture placed(const Shell &context, const Picture &picture) {
+    if (const std::optional<BackgroundPicture> &old = context.document.current()->picture) {
+        BackgroundPicture result = *old;
+        result.file = picture.file.string();
+        result.size.y = result.size.x * picture.size.height / picture.size.width;
+        return result;
+    }
     BackgroundPicture result;
     result.file = picture.file.string();
     result.size = {static_cast<double>(picture.size.width), static_cast<double>(picture.size.height)};
@@ -30,22 +44,38 @@ BackgroundPicture placed(const Shell &context, const Picture &picture) {
     return result;
 }
 
+/// Returns what the log says about a picture that was added or replaces `old`.
+std::string noteFor(const Picture &picture, const std::optional<BackgroundPicture> &old) {
+    const std::string name = picture.file.filename().string();
+    if (!old) {
+        return name + " is below the drawing; choose Calibrate to set its scale";
+    }
+    if (old->file == picture.file) {
+        return name + " is below the drawing; its pixels were read again";
+    }
+    return name + " takes the place of the picture before and keeps its scale" +
+           (sameProportions(*old, picture.size) ? "" : "; its proportions differ, so check the calibration");
+}
+
 void show(Shell &context, const std::shared_ptr<const Picture> &picture) {
     Document next = *context.document.current();
-    const bool same = next.picture && next.picture->file == picture->file;
-    if (!same) { // else only its pixels are new
+    const std::optional<BackgroundPicture> old = next.picture;
+    if (!old || old->file != picture->file) { // else only its pixels are new
         next.picture = placed(context, *picture);
     }
-    const bool alone = next.shapes.empty() && !same;
+    const bool alone = next.shapes.empty() && !old;
     context.pictures.accept(picture);
-    context.document.apply(std::move(next), "Add background picture");
+    context.document.apply(std::move(next), old ? "Replace background picture" : "Add background picture");
+    std::string note = noteFor(*picture, old);
+    if (!old && std::exchange(context.snapping.toGrid, false)) {
+        note += ". Snapping to the grid is off for tracing";
+    }
     showLayer(context.layers, "picture", true);
     context.tools.choose("picture", context);
     if (alone) {
         context.actions.run("view.fit", context);
     }
-    context.log.announce(picture->file.filename().string() + " is below the drawing; " +
-                         (same ? "its pixels were read again" : "choose Calibrate to set its scale"));
+    context.log.announce(note);
     context.animate();
 }
 

@@ -143,7 +143,7 @@ void applyTheme(const Theme &theme, float scale) {
     style.ItemInnerSpacing = {6, 5};
     style.IndentSpacing = 16;
     style.ScrollbarSize = 10;
-    style.GrabMinSize = 12;
+    style.GrabMinSize = 5; // narrow, since the number is written across it
     style.WindowBorderSize = 0;
     style.ChildBorderSize = 0;
     style.PopupBorderSize = 1;

@@ -178,7 +178,8 @@ void PictureTool::drawPlace(Shell &context, ui::Flow &flow) {
     bool moved = drawPlaceField(context, flow, "options/picture/x", "Left", picture.corner.x);
     moved = drawPlaceField(context, flow, "options/picture/y", "Bottom", picture.corner.y) || moved;
     double width = picture.size.x;
-    if (drawPlaceField(context, flow, "options/picture/width", "Width", width) && width > 0.0) {
+    if (drawPlaceField(context, flow, "options/picture/width", "Width", width) &&
+        ui::checkPositive(context, "options/picture/width", width)) {
         change(context, scaledAbout(picture, picture.corner, width / picture.size.x), "Scale background picture");
     } else if (moved) {
         change(context, picture, "Move background picture");
@@ -196,7 +197,8 @@ void PictureTool::drawCalibration(Shell &context, ui::Flow &flow) {
     }
     const Vec2 first = place(picture, 0);
     double length = distance(first, place(picture, 1));
-    if (drawPlaceField(context, flow, "options/picture/distance", "Distance of the points", length) && length > 0.0) {
+    if (drawPlaceField(context, flow, "options/picture/distance", "Distance of the points", length) &&
+        ui::checkPositive(context, "options/picture/distance", length)) {
         calibrate(context, length);
     }
     Vec2 wanted = first;
@@ -237,6 +239,11 @@ void PictureTool::drawLook(Shell &context, ui::Flow &flow) {
         change(context, picture, picture.locked ? "Lock background picture" : "Unlock background picture");
     }
     ui::tooltip(context, "A locked picture is neither moved nor scaled");
+    flow.item("picture/replace");
+    if (ui::button(context, "options/picture/replace", "Replace\xe2\x80\xa6")) {
+        context.actions.run("file.addPicture", context);
+    }
+    ui::tooltip(context, "Choose another file; it keeps the place and scale");
     flow.item("picture/remove");
     if (ui::button(context, "options/picture/remove", "Remove")) {
         Document next = *context.document.current();

@@ -79,7 +79,8 @@ void EditState::drawSnapOptions(Workspace &context, ui::Flow &flow) {
     ui::tooltip(context, "Snap to nodes, midpoints, centres, crossings, perpendiculars, tangents and segments. Hold "
                          "Ctrl to turn snapping off, Shift for steps of 15\xc2\xb0.");
     ImGui::SameLine(0, context.px(12));
-    ui::checkbox(context, "options/snap/grid", "Grid", context.snapping.toGrid);
+    ui::checkbox(context, "options/snap/grid", "Snap to grid", context.snapping.toGrid);
+    ui::tooltip(context, "Snap to the points of the drawing grid. The layer Grid shows the grid or hides it.");
 }
 
 namespace {
