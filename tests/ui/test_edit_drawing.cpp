@@ -220,6 +220,37 @@ TEST_CASE("Select: dragging a node with snapping is one command that can be undo
     CHECK(driver.document().shapes[0]->nodes[2] == Vec2{8, 7});
 }
 
+TEST_CASE("Select: clicks on outlines select shapes, unless a node lies right there or is drawn") {
+    Draughtsman driver;
+    for (const double x : {1.0, 4.0, 7.0}) {
+        driver.rectangle({x, 2.0}, {x + 2.0, 4.0});
+    }
+    driver.key('V');
+    driver.context().selection.clear();
+    const double pixel = driver.context().view.camera.length(1.0);
+    const auto beside = [&](double x) { return Vec2{x + 6.0 * pixel, 2.0}; };
+    const auto shiftClick = [&](Vec2 place) {
+        driver.drag(driver.pixel(place), driver.pixel(place), 1, {Modifiers::kShift});
+        driver.frames(30);
+    };
+    const Selection &selection = driver.context().selection;
+    driver.clickPlace(beside(1.0));
+    CHECK(selection.shapes.size() == 1);
+    CHECK(selection.nodes.empty());
+    shiftClick(beside(4.0));
+    shiftClick({7.0, 2.0}); // a node: beside shapes, its shape
+    CHECK(selection.shapes.size() == 3);
+    CHECK(selection.nodes.empty());
+
+    driver.clickPlace({5.0, 8.0}); // nothing
+    driver.clickPlace({4.0, 2.0});
+    CHECK(selection.nodes.size() == 1);
+    driver.clickPlace({5.0, 8.0});
+    driver.clickPlace(beside(4.0));
+    driver.clickPlace(beside(4.0)); // its nodes are drawn now
+    CHECK(selection.nodes.size() == 1);
+}
+
 TEST_CASE("Select: Esc during a drag restores everything and leaves nothing to undo") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {5, 5});

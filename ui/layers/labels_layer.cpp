@@ -35,29 +35,39 @@ class LabelsLayer final : public Layer {
         }
         const Outline outline = outlineOf(shape);
         const std::size_t segments = outline.segmentCount();
+        if (segments == 0) {
+            return;
+        }
         const auto tagOf = [&](std::size_t i) { return segmentTag(shape, outline.part(i)); };
-        for (std::size_t first = 0; first < segments;) {
-            std::size_t last = first;
+        std::size_t begin = 0; // a run of a closed outline may go on over its first node
+        while (outline.closed && begin < segments && tagOf(begin) == tagOf((begin + segments - 1) % segments)) {
+            ++begin;
+        }
+        for (std::size_t first = begin % segments, seen = 0; seen < segments;) {
+            std::size_t count = 0;
             double whole = 0.0;
-            while (last < segments && tagOf(last) == tagOf(first)) {
-                whole += outline.curve(last).length();
-                ++last;
+            while (seen < segments && tagOf((first + count) % segments) == tagOf(first)) {
+                whole += outline.curve((first + count) % segments).length();
+                ++count;
+                ++seen;
             }
-            drawName(painter, frame, pointAlong(outline, first, 0.3 * whole), tagOf(first), whole);
-            first = last;
+            drawName(painter, frame, pointAlong(outline, first, count, 0.3 * whole), tagOf(first), whole);
+            first = (first + count) % segments;
         }
     }
 
-    /// Returns the point at a length along the outline from the start of a segment; on a cubic, a point near it.
-    static Vec2 pointAlong(const Outline &outline, std::size_t from, double way) {
-        for (std::size_t i = from; i + 1 < outline.segmentCount(); ++i) {
-            const double length = outline.curve(i).length();
+    /// Returns the point at a length along `count` segments of the outline, the first of which is `first`; on a cubic,
+    /// a point near it.
+    static Vec2 pointAlong(const Outline &outline, std::size_t first, std::size_t count, double way) {
+        for (std::size_t k = 0; k + 1 < count; ++k) {
+            const Curve curve = outline.curve((first + k) % outline.segmentCount());
+            const double length = curve.length();
             if (way <= length) {
-                return outline.curve(i).point(length > 0.0 ? way / length : 0.0);
+                return curve.point(length > 0.0 ? way / length : 0.0);
             }
             way -= length;
         }
-        const Curve last = outline.curve(outline.segmentCount() - 1);
+        const Curve last = outline.curve((first + count - 1) % outline.segmentCount());
         const double length = last.length();
         return last.point(length > 0.0 ? std::min(1.0, way / length) : 0.0);
     }

@@ -44,6 +44,15 @@ std::optional<Control> SelectTool::controlAt(Vec2 place, Shell &context) const {
     return best;
 }
 
+std::optional<NodeHit> SelectTool::nodeAt(Vec2 place, const PickIndex::Filter &pickable, Shell &context) const {
+    const PickIndex &index = *state_->index(context);
+    const auto isShown = [&](const Shape &shape) {
+        return pickable(shape) && (shape.kind == ShapeKind::Point || context.selection.touches(shape.id));
+    };
+    const auto shown = index.node(place, EditState::reach(context, 8.0), isShown);
+    return shown ? shown : index.node(place, EditState::reach(context, 4.0), pickable);
+}
+
 SelectTool::Hit SelectTool::hitAt(Vec2 place, Shell &context) const {
     const PickIndex &index = *state_->index(context);
     const SelectionFilter &picks = state_->picks;
@@ -56,7 +65,7 @@ SelectTool::Hit SelectTool::hitAt(Vec2 place, Shell &context) const {
         hit.control = control->ref;
         hit.shape = control->ref.shape;
         hit.at = control->at;
-    } else if (const auto node = index.node(place, EditState::reach(context, 8.0), hasNodes)) {
+    } else if (const auto node = nodeAt(place, hasNodes, context)) {
         hit.kind = Hit::Kind::Node;
         hit.node = node->ref;
         hit.shape = node->ref.shape;
@@ -130,7 +139,10 @@ void SelectTool::select(const Hit &hit, bool adds, Selection &selection) const {
     case Hit::Kind::Node: {
         // A point shape has one node.
         const Shape *shape = findShape(*start_, hit.shape);
-        if (shape != nullptr && shape->kind == ShapeKind::Point) {
+        // Beside whole shapes, another shape is meant.
+        const bool beside =
+            adds && selection.nodes.empty() && !selection.shapes.empty() && !selection.touches(hit.shape);
+        if (beside || (shape != nullptr && shape->kind == ShapeKind::Point)) {
             choose(selection.shapes, hit.shape, adds);
         } else {
             choose(selection.nodes, hit.node, adds);

@@ -53,6 +53,9 @@ class SelectTool final : public Tool {
         Vec2 at;
     };
     Hit hitAt(Vec2 place, Shell &context) const;
+    /// Returns the node near a place. Nodes of shapes that are not selected are not drawn, so they are found only right
+    /// at the place.
+    std::optional<NodeHit> nodeAt(Vec2 place, const PickIndex::Filter &pickable, Shell &context) const;
     /// Returns the control point of the selection under the pointer.
     std::optional<Control> controlAt(Vec2 place, Shell &context) const;
     bool isSelected(const Hit &hit, const Selection &selection) const;
