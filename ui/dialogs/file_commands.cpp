@@ -199,7 +199,8 @@ void saveDocumentAs(Shell &context, std::function<void(Shell &)> then) {
     request.saves = true;
     request.filters = {projects()};
     request.folder = startFolder(context);
-    request.name = context.document.path().empty() ? "drawing.forefront" : context.document.path().filename().string();
+    const std::filesystem::path &path = context.document.path();
+    request.name = path.empty() ? context.document.title() + ".forefront" : path.filename().string();
     request.chosen = [then = std::move(then)](Shell &c, const std::filesystem::path &file, const FileFilter &) {
         Status faults = save(c, file);
         if (faults.empty() && then) {
