@@ -59,15 +59,17 @@ class LabelsLayer final : public Layer {
     /// Returns the point at a length along `count` segments of the outline, the first of which is `first`; on a cubic,
     /// a point near it.
     static Vec2 pointAlong(const Outline &outline, std::size_t first, std::size_t count, double way) {
+        std::size_t i = first;
         for (std::size_t k = 0; k + 1 < count; ++k) {
-            const Curve curve = outline.curve((first + k) % outline.segmentCount());
+            const Curve curve = outline.curve(i);
             const double length = curve.length();
             if (way <= length) {
                 return curve.point(length > 0.0 ? way / length : 0.0);
             }
             way -= length;
+            i = i + 1 < outline.segmentCount() ? i + 1 : 0;
         }
-        const Curve last = outline.curve((first + count - 1) % outline.segmentCount());
+        const Curve last = outline.curve(i);
         const double length = last.length();
         return last.point(length > 0.0 ? std::min(1.0, way / length) : 0.0);
     }
