@@ -44,8 +44,9 @@ const std::vector<GlossaryTerm> kTerms = {
     {"ideal-point",
      "Ideal point C",
      {"ideal point"},
-     "The apex over AB that would give the best element: on the left bisector, about \xcf\x81 away from A and B. It "
-     "becomes a new node if nothing on the front is too near.",
+     "The third corner, or apex, that would give the best element on AB: on the perpendicular bisector of AB, to the "
+     "left of AB, and normally \xcf\x81 away from A and B. It becomes a new node if nothing on the front is too "
+     "near.",
      {"base", "candidates", "spacing"},
      figures::idealPoint},
     {"candidates",
@@ -67,7 +68,7 @@ const std::vector<GlossaryTerm> kTerms = {
      "Score of a candidate",
      {"score"},
      "The product \xce\xb1(ABC) \xc2\xb7 \xce\xb4(AC) \xc2\xb7 \xce\xb4(CB): 1 for an equilateral triangle whose sides "
-     "have exactly the wanted length, less "
+     "have exactly the length \xcf\x81, less "
      "for any other.",
      {"shape-factor", "conformity"},
      figures::score},
@@ -76,7 +77,8 @@ const std::vector<GlossaryTerm> kTerms = {
      {"shape factor", "\xce\xb1"},
      "4\xe2\x88\x9a"
      "3 times the area of a triangle, divided by the sum of the squares of its sides. 1 for an equilateral "
-     "triangle, 0 for a degenerate one,  negative for an inverted one.",
+     "triangle, 0 for a flat one, whose corners lie on a line, and negative for one whose corners A, B and C go round "
+     "clockwise.",
      {"score", "improvement"},
      figures::shapeFactor},
     {"conformity",
@@ -104,9 +106,9 @@ const std::vector<GlossaryTerm> kTerms = {
     {"counters",
      "Nn, Ne, Nb, Nc, Ns",
      {"nb", "nc", "ns"},
-     "Nodes; elements; mean number of segments on the front; mean number of neighbouring segments that the grid "
-     "returns "
-     "per element; mean number of segments tested for intersection per element.",
+     "Nn is the number of nodes, Ne that of elements. The others are averages over a run: Nb is the number of segments "
+     "on the front; Nc is the number of segments that the grid delivers for each element; Ns is the number of "
+     "segments that each element is tested against exactly.",
      {"grid", "neighbours"},
      figures::neighbours},
     {"rejection",
@@ -119,15 +121,17 @@ const std::vector<GlossaryTerm> kTerms = {
     {"deferral",
      "Deferred base",
      {"defer"},
-     "If no candidate passes, the base is put back and tried again later, when its surroundings have "
-     "changed.",
+     "If no candidate passes, the base is put back and waits until only deferred bases are left; then it is tried "
+     "again "
+     "with a wider search. In the meantime an element on another base may have covered it.",
      {"base", "closing"},
      figures::deferral},
     {"closing",
      "Closing",
      {"closing", "close the front", "last element"},
      "The last stage: what remains unmeshed is filled with triangles between existing nodes. In the plane this is "
-     "always possible.",
+     "always possible. If a deferred base fails again, its search is widened until an existing node passes; an element "
+     "made in this way counts as forced.",
      {"front", "deferral"},
      figures::closing},
     {"gradation",

@@ -53,7 +53,7 @@ std::string whyNot(const CandidateTrace &guessed, const CandidateTrace &chosen) 
         return name + " scores " + figure(guessed.score) + "; " + winner + " scores " + figure(chosen.score) +
                ", so it is tried first, and passes.";
     case Verdict::Withdrawn:
-        return name + " is withdrawn: a node or segment of the front is too near, so   " + winner + " is used.";
+        return name + " is withdrawn: a node or segment of the front is too near, so " + winner + " is used.";
     case Verdict::NotLeft:
         return "With " + name + " the triangle would have no area; " + winner + " is used.";
     case Verdict::OutsideAngle:
