@@ -150,7 +150,7 @@ Result<Domain> domainFrom(const Format &format, const SourceText &source) {
     if (!mesh) {
         return mesh.faults();
     }
-    return domainOfMesh(*mesh);
+    return domainOfMesh(*mesh, source.options.progress);
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "core/io/files.hpp"
 #include "tests/ui/meshed_square.hpp"
+#include "ui/dialogs/file_commands.hpp"
 #include "ui/dialogs/open_mesh.hpp"
 
 #include <doctest/doctest.h>
@@ -46,17 +47,52 @@ TEST_CASE("Open mesh: the file is read on another thread, and Esc drops it") {
     CHECK_FALSE(driver.showsFile());
     CHECK(driver.context().task.name() == "reading plate.msh");
     driver.context().actions.run("run.cancel", driver.context()); // the action of Esc
+    CHECK(driver.lastMessage() == "Cancelled reading plate.msh");
     driver.settle();
     CHECK_FALSE(driver.context().task.busy());
     CHECK_FALSE(driver.showsFile());
 }
 
+TEST_CASE("Open: a mesh is read on another thread to be edited as a drawing, and Esc drops it") {
+    PlateReader driver;
+    openDocument(driver.context(), driver.folder() / "plate.msh");
+    CHECK(driver.context().task.busy());
+    CHECK(driver.document().shapes.empty());
+    driver.context().actions.run("run.cancel", driver.context());
+    CHECK(driver.lastMessage() == "Cancelled reading plate.msh");
+    driver.settle();
+    CHECK(driver.document().shapes.empty());
+    driver.choose("file.open", "open", "plate.msh");
+    driver.settle();
+    CHECK_FALSE(driver.has("dialog/open/ok"));
+    CHECK(driver.document().shapes.size() == 1);
+    CHECK_FALSE(driver.showsFile());
+    CHECK(driver.lastMessage().starts_with("plate.msh (Gmsh MSH 2.2) opened as a new drawing with 1 shape"));
+    Driver started({.file = driver.folder() / "plate.msh"}); // as on the command line
+    started.settle();
+    CHECK(started.context().document.current()->shapes.size() == 1);
+}
+
+TEST_CASE("Open: unsaved changes are asked about once a mesh has been read") {
+    PlateReader driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.choose("file.open", "open", "plate.msh");
+    driver.settle();
+    CHECK_FALSE(driver.has("dialog/open/ok"));
+    REQUIRE(driver.has("dialog/unsaved/discard"));
+    CHECK(driver.document().shapes.front()->kind == ShapeKind::Rectangle);
+    driver.click("dialog/unsaved/discard");
+    driver.settle();
+    CHECK(driver.document().shapes.front()->kind == ShapeKind::Polygon);
+}
+
 TEST_CASE("Open mesh: a file that cannot be read is reported in the dialog, which stays open until one can") {
-    for (const auto &[action, dialog] : {std::pair("file.openMesh", "openmesh"), {"file.compareMesh", "comparemesh"}}) {
-        CAPTURE(dialog);
+    for (const auto &[action, dialog] :
+         {std::pair("file.openMesh", "openmesh"), {"file.compareMesh", "comparemesh"}, {"file.open", "open"}}) {
         PlateReader driver;
         std::ofstream(driver.folder() / "broken.msh") << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\nmany\n";
         const std::string name = std::string("dialog/") + dialog;
+        CAPTURE(name);
         if (std::string(dialog) == "comparemesh") {
             driver.open(); // something to compare with
             driver.settle();
@@ -73,29 +109,34 @@ TEST_CASE("Open mesh: a file that cannot be read is reported in the dialog, whic
         driver.key(key::kEnter);
         driver.settle();
         CHECK_FALSE(driver.has(name + "/ok"));
-        CHECK((driver.showsFile() || driver.context().sides.mesh() != nullptr));
+        CHECK((driver.showsFile() || driver.context().sides.mesh() != nullptr || !driver.document().shapes.empty()));
     }
 }
 
 TEST_CASE("Open mesh: while the file is read, the dialog shows how far that is, and Esc or Cancel ends only that") {
-    for (const bool escape : {true, false}) {
-        CAPTURE(escape);
-        PlateReader driver;
-        // Opening a named pipe takes until something opens its other end.
-        REQUIRE(::mkfifo((driver.folder() / "pipe.msh").c_str(), 0600) == 0);
-        driver.choose("file.openMesh", "openmesh", "pipe.msh");
-        driver.frames(2);
-        CHECK(driver.has("dialog/openmesh/reading"));
-        CHECK_FALSE(driver.context().widgets.find("dialog/openmesh/ok")->enabled);
-        escape ? driver.key(key::kEscape) : static_cast<void>(driver.click("dialog/openmesh/cancel"));
-        driver.frames(2);
-        CHECK_FALSE(driver.context().task.busy());
-        CHECK(driver.has("dialog/openmesh/ok"));
-        CHECK_FALSE(driver.has("dialog/openmesh/reading"));
-        driver.key(key::kEscape);
-        driver.frames(2);
-        CHECK_FALSE(driver.has("dialog/openmesh/ok"));
-        const std::fstream otherEnd(driver.folder() / "pipe.msh"); // the reader waits for it
+    for (const auto &[action, dialog] : {std::pair("file.openMesh", "openmesh"), {"file.open", "open"}}) {
+        for (const bool escape : {true, false}) {
+            PlateReader driver;
+            const std::string name = std::string("dialog/") + dialog;
+            CAPTURE(name);
+            CAPTURE(escape);
+            // Opening a named pipe takes until something opens its other end.
+            REQUIRE(::mkfifo((driver.folder() / "pipe.msh").c_str(), 0600) == 0);
+            driver.choose(action, dialog, "pipe.msh");
+            driver.frames(2);
+            CHECK(driver.has(name + "/reading"));
+            CHECK_FALSE(driver.context().widgets.find(name + "/ok")->enabled);
+            escape ? driver.key(key::kEscape) : static_cast<void>(driver.click(name + "/cancel"));
+            driver.frames(2);
+            CHECK_FALSE(driver.context().task.busy());
+            CHECK(driver.lastMessage() == "Cancelled reading pipe.msh");
+            CHECK(driver.has(name + "/ok"));
+            CHECK_FALSE(driver.has(name + "/reading"));
+            driver.key(key::kEscape);
+            driver.frames(2);
+            CHECK_FALSE(driver.has(name + "/ok"));
+            const std::fstream otherEnd(driver.folder() / "pipe.msh"); // the reader waits for it
+        }
     }
 }
 

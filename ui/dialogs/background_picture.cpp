@@ -84,9 +84,7 @@ void show(Shell &context, const std::shared_ptr<const Picture> &picture) {
 void addPicture(Shell &context, const std::filesystem::path &file) {
     std::error_code ignored;
     const std::filesystem::path path = std::filesystem::absolute(file, ignored).lexically_normal();
-    if (context.task.busy()) {
-        context.log.announce("Cancelled " + context.task.name());
-    }
+    cancelTask(context);
     context.task.start("reading " + path.filename().string(),
                        [&context, path](const Progress &) -> BackgroundTask::Finish {
                            auto read = std::make_shared<Result<std::shared_ptr<const Picture>>>(readPicture(path));

@@ -5,6 +5,7 @@
 #include "ui/dialogs/file_dialog.hpp"
 #include "ui/dialogs/import_dialog.hpp"
 #include "ui/dialogs/question_dialog.hpp"
+#include "ui/dialogs/read_in_background.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/platform/assets.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -36,8 +37,18 @@ Status save(Shell &context, const std::filesystem::path &file) {
     return {};
 }
 
-/// Opens a file after asking about unsaved changes. Returns the faults of a file that cannot be read.
-Diagnostics openChosen(Shell &context, const std::filesystem::path &file) {
+bool isProject(const FileFormat *format) {
+    return format != nullptr && std::string_view(format->id) == "project";
+}
+
+void adopt(Shell &context, const Document &document, const ImportNotes &notes, const std::filesystem::path &file) {
+    showDocument(context, document, file);
+    context.log.add(notes.diagnostics());
+    rememberFile(context, file);
+}
+
+/// Opens a project after asking about unsaved changes. Returns the faults of a file that cannot be read.
+Diagnostics openProject(Shell &context, const std::filesystem::path &file) {
     const auto notes = std::make_shared<ImportNotes>();
     const auto read = std::make_shared<Result<Document>>(readDocument(file, {}, notes.get()));
     if (!*read) {
@@ -52,11 +63,39 @@ Diagnostics openChosen(Shell &context, const std::filesystem::path &file) {
             c.log.add(read->faults());
             return;
         }
-        showDocument(c, **read, file);
-        c.log.add(notes->diagnostics());
-        rememberFile(c, file);
+        adopt(c, **read, *notes, file);
     });
     return {};
+}
+
+/// Opens a mesh, drawing or map as a new drawing once another thread has read it; then asks about unsaved changes.
+void openForeign(Shell &context, const std::filesystem::path &file, const std::shared_ptr<FileOutcome> &outcome) {
+    const std::uint64_t loads = context.document.loads();
+    readInBackground(
+        context, file, outcome, [&context, file, loads](const Progress &progress) -> Result<BackgroundTask::Finish> {
+            const auto notes = std::make_shared<ImportNotes>();
+            ImportOptions options;
+            options.progress = progress;
+            Result<Document> read = readDocument(file, options, notes.get());
+            if (!read) {
+                return read.faults();
+            }
+            const auto opened = std::make_shared<const Document>(*std::move(read));
+            return BackgroundTask::Finish([&context, file, opened, notes, loads] {
+                if (!replacedWhileReading(context, file, loads)) {
+                    afterUnsaved(context, [file, opened, notes](Shell &c) { adopt(c, *opened, *notes, file); });
+                }
+            });
+        });
+}
+
+/// Returns true for files that may be large: all but projects, and those whose format is unknown.
+bool opensInBackground(const std::filesystem::path &file) {
+    std::error_code ignored;
+    // Reading the head of a pipe could wait for ever.
+    const FileFormat *const format =
+        std::filesystem::is_regular_file(file, ignored) ? fileFormatOf(file) : fileFormatOf(file, {});
+    return format != nullptr && !isProject(format);
 }
 
 std::string viewKey(const Shell &context) {
@@ -100,7 +139,7 @@ std::filesystem::path startFolder(const Shell &context) {
 
 void showDocument(Shell &context, const Document &document, const std::filesystem::path &file) {
     const FileFormat *const format = fileFormatOf(file);
-    const bool project = format != nullptr && std::string_view(format->id) == "project";
+    const bool project = isProject(format);
     const std::vector<Sample> gallery = samples();
     const auto sample = std::find_if(gallery.begin(), gallery.end(), [&](const Sample &s) { return s.path == file; });
     // Saving must not overwrite a sample or an imported drawing.
@@ -171,14 +210,25 @@ void openDocument(Shell &context) {
     request.action = "Open";
     request.filters = drawings();
     request.folder = startFolder(context);
+    request.reads = [](Shell &c, const std::filesystem::path &file) {
+        const auto outcome = opensInBackground(file) ? std::make_shared<FileOutcome>() : nullptr;
+        if (outcome) {
+            openForeign(c, file, outcome);
+        }
+        return outcome;
+    };
     request.chosen = [](Shell &c, const std::filesystem::path &file, const FileFilter &) {
-        return openChosen(c, file);
+        return openProject(c, file);
     };
     context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));
 }
 
 void openDocument(Shell &context, const std::filesystem::path &file) {
-    context.log.add(openChosen(context, file));
+    if (opensInBackground(file)) {
+        openForeign(context, file, nullptr);
+    } else {
+        context.log.add(openProject(context, file));
+    }
 }
 
 void saveDocument(Shell &context, std::function<void(Shell &)> then) {

@@ -17,7 +17,8 @@ void afterUnsaved(Shell &context, std::function<void(Shell &)> then);
 void newDocument(Shell &context);
 /// Opens the file dialog.
 void openDocument(Shell &context);
-/// Opens a file, asking about unsaved changes first.
+/// Opens a file after asking about unsaved changes. Other files than projects may be large: they are read first, as the
+/// background task of the shell, which Esc cancels.
 void openDocument(Shell &context, const std::filesystem::path &file);
 /// Saves the document to its file, or asks for one. Runs `then` once it is saved.
 void saveDocument(Shell &context, std::function<void(Shell &)> then = {});

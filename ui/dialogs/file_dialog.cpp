@@ -229,7 +229,9 @@ bool FileDialog::choose(Shell &context) {
     if (faults.empty() && request_.reads) {
         fault_.clear();
         reading_ = request_.reads(context, file);
-        return false;
+        if (reading_) {
+            return false;
+        }
     }
     if (faults.empty()) {
         faults = request_.chosen(context, file, filter());
@@ -263,7 +265,7 @@ bool FileDialog::followReading(Shell &context) {
 }
 
 void FileDialog::cancelReading(Shell &context) {
-    context.task.cancel();
+    cancelTask(context);
     reading_.reset();
 }
 

@@ -41,8 +41,8 @@ struct FileRequest {
     /// Called with the chosen file. The dialog closes if it returns no faults; otherwise it stays open and shows the
     /// first.
     std::function<Diagnostics(Shell &, const std::filesystem::path &, const FileFilter &)> chosen;
-    /// Called instead of `chosen`, if set: reads the file as the background task of the shell. The dialog stays open
-    /// until the result is there, and then as with `chosen`.
+    /// Called before `chosen`, if set: reads the file as the background task of the shell. The dialog stays open until
+    /// the result is there, and then as with `chosen`. Returns null to leave a small file to `chosen`.
     std::function<std::shared_ptr<const FileOutcome>(Shell &, const std::filesystem::path &)> reads;
     /// Draws extra lines between the list and the buttons; returns false to disable the button. May be empty.
     std::function<bool(Shell &)> extra;

@@ -4,13 +4,13 @@
 #include "core/mesh/mesh_domain.hpp"
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/dialogs/file_dialog.hpp"
+#include "ui/dialogs/read_in_background.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <algorithm>
 #include <future>
 #include <memory>
-#include <new>
 #include <string>
 #include <utility>
 #include <vector>
@@ -98,45 +98,6 @@ void askForMesh(Shell &context, std::string id, std::string title, std::string a
     context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));
 }
 
-/// Reads a mesh on another thread, on which `use` turns it into what to do on that of the window. Faults go to the
-/// outcome; without one, they are logged.
-template <class Use>
-void readInBackground(Shell &context, const std::filesystem::path &file, const Outcome &outcome, Use use) {
-    if (context.task.busy()) {
-        context.log.announce("Cancelled " + context.task.name());
-    }
-    context.task.start("reading " + file.filename().string(), [&context, file, outcome, use](const Progress &progress) {
-        const auto refuse = [&context, outcome](Diagnostics faults) -> BackgroundTask::Finish {
-            return [&context, outcome, faults = std::move(faults)] {
-                if (outcome) {
-                    *outcome = {.done = true, .faults = faults};
-                } else {
-                    context.log.add(faults);
-                }
-            };
-        };
-        try {
-            ImportNotes notes;
-            Result<MeshFields> read = readDrawable(file, notes, progress);
-            if (progress.cancelled()) {
-                return BackgroundTask::Finish();
-            }
-            if (!read) {
-                return refuse(read.faults());
-            }
-            return BackgroundTask::Finish([outcome, finish = use(*std::move(read), notes.diagnostics(), progress)] {
-                if (outcome) {
-                    outcome->done = true;
-                }
-                finish();
-            });
-        } catch (const std::bad_alloc &) {
-            return refuse(error("out-of-memory", "not enough memory to open the mesh", "open a smaller mesh"));
-        }
-    });
-    context.animate();
-}
-
 /// Computes the outline and the figures of a mesh, at the same time.
 OpenedMesh evaluate(MeshFields read, Diagnostics notes, const Progress &progress) {
     OpenedMesh opened;
@@ -156,37 +117,41 @@ OpenedMesh evaluate(MeshFields read, Diagnostics notes, const Progress &progress
 
 void open(Shell &context, const std::filesystem::path &file, const Outcome &outcome) {
     const std::uint64_t loads = context.document.loads();
-    readInBackground(context, file, outcome,
-                     [&context, file, loads](MeshFields read, Diagnostics notes,
-                                             const Progress &progress) -> BackgroundTask::Finish {
-                         const auto opened =
-                             std::make_shared<OpenedMesh>(evaluate(std::move(read), std::move(notes), progress));
-                         return [&context, file, opened, loads] {
-                             if (context.document.loads() != loads) {
-                                 context.log.announce(file.filename().string() +
-                                                      " is not shown: another document was opened while it was read");
-                                 return;
-                             }
-                             afterUnsaved(context, [file, opened](Shell &c) { show(c, *opened, file); });
-                         };
-                     });
+    readInBackground(
+        context, file, outcome, [&context, file, loads](const Progress &progress) -> Result<BackgroundTask::Finish> {
+            ImportNotes notes;
+            Result<MeshFields> read = readDrawable(file, notes, progress);
+            if (!read) {
+                return read.faults();
+            }
+            const auto opened = std::make_shared<OpenedMesh>(evaluate(*std::move(read), notes.diagnostics(), progress));
+            return BackgroundTask::Finish([&context, file, opened, loads] {
+                if (!replacedWhileReading(context, file, loads)) {
+                    afterUnsaved(context, [file, opened](Shell &c) { show(c, *opened, file); });
+                }
+            });
+        });
 }
 
 void compare(Shell &context, const std::filesystem::path &file, const Outcome &outcome) {
     readInBackground(
-        context, file, outcome,
-        [&context, file](MeshFields read, const Diagnostics &notes, const Progress &) -> BackgroundTask::Finish {
-            const auto other = std::make_shared<ComparedFile>(comparedFile(std::move(read)));
-            return [&context, file, other, notes] {
+        context, file, outcome, [&context, file](const Progress &progress) -> Result<BackgroundTask::Finish> {
+            ImportNotes notes;
+            Result<MeshFields> read = readDrawable(file, notes, progress);
+            if (!read) {
+                return read.faults();
+            }
+            const auto other = std::make_shared<ComparedFile>(comparedFile(*std::move(read)));
+            return BackgroundTask::Finish([&context, file, other, found = notes.diagnostics()] {
                 const std::string name = file.filename().string();
                 context.sides.compareWith(name, std::move(*other), [&p = context.platform] { p.wake(); });
-                context.log.add(notes);
+                context.log.add(found);
                 const Box2 ours = context.run.now().mesh ? context.run.now().mesh->mesh.bounds() : Box2();
                 if (!ours.empty() && !ours.overlaps(context.sides.mesh()->mesh().bounds())) {
                     context.log.announce(name + " lies outside the mesh on the canvas; zoom out to see both");
                 }
                 context.animate();
-            };
+            });
         });
 }
 

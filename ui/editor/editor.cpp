@@ -155,9 +155,7 @@ Editor::Editor(Platform &platform, EditorSetup options)
     if (parts_->options.judge) {
         openMesh(c, parts_->options.file);
     } else if (!parts_->options.file.empty()) {
-        if (open(parts_->options.file)) {
-            rememberFile(c, parts_->options.file);
-        }
+        openDocument(c, parts_->options.file);
     } else if (parts_->options.sample) {
         const std::vector<Sample> gallery = samples();
         if (gallery.empty()) {

@@ -23,4 +23,11 @@ LayerSlot *Shell::layer(std::string_view id) {
     return nullptr;
 }
 
+void cancelTask(Shell &context) {
+    if (context.task.busy()) {
+        context.log.announce("Cancelled " + context.task.purpose());
+        context.task.cancel();
+    }
+}
+
 } // namespace forefront

@@ -51,4 +51,7 @@ struct Shell : Workspace {
     LayerSlot *layer(std::string_view id);
 };
 
+/// Cancels the background task, if there is one, and says so in the log.
+void cancelTask(Shell &context);
+
 } // namespace forefront

@@ -125,8 +125,7 @@ void addRunActions(ActionRegistry &actions) {
                  .run =
                      [](Shell &c) {
                          if (c.task.busy()) {
-                             c.log.announce("Cancelled " + c.task.name());
-                             c.task.cancel();
+                             cancelTask(c);
                              return;
                          }
                          c.adaptation.cancel();

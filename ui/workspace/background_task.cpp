@@ -8,9 +8,10 @@ namespace forefront {
 
 BackgroundTask::BackgroundTask(std::function<void()> wake) : wake_(std::move(wake)) {}
 
-void BackgroundTask::start(std::string name, Work work) {
+void BackgroundTask::start(std::string purpose, Work work) {
     cancel();
-    now_ = {.name = std::move(name)};
+    purpose_ = std::move(purpose);
+    now_ = {.name = purpose_};
     worker_.start(now_, wake_, [work = std::move(work)](StateWorker<State> &worker, const std::stop_token &stop) {
         Progress progress;
         progress.stop = stop;

@@ -20,10 +20,10 @@ class BackgroundTask {
     /// `wake` is called from the thread of the task when there is news.
     explicit BackgroundTask(std::function<void()> wake);
 
-    /// Starts a task; `name` says what it does, such as "reading plate.msh".
-    void start(std::string name, Work work);
-    /// Drops the task and its result. Its thread ends by itself, at the next point where it looks; its memory is freed
-    /// by a later refresh().
+    /// Starts a task; `purpose` says what it is for, such as "reading plate.msh".
+    void start(std::string purpose, Work work);
+    /// Drops the task and its result. Its thread ends by itself, when it next checks its stop token; its memory
+    /// is freed by a later refresh().
     void cancel();
     /// Fetches the newest progress. Called once per frame; returns true if it has changed.
     bool refresh();
@@ -34,7 +34,10 @@ class BackgroundTask {
     bool ready() const { return now_.result.has_value(); }
     /// Uses the result. Call it only while it is ready, and no gesture or dialog depends on the state of the window.
     void finish();
+    /// Returns what the task does at the moment, such as "finding the outline".
     const std::string &name() const { return now_.name; }
+    /// Returns what the task is for, as given to start().
+    const std::string &purpose() const { return purpose_; }
     /// Returns the fraction done in [0, 1]; 0 while it is unknown.
     double fraction() const { return now_.fraction; }
 
@@ -47,6 +50,7 @@ class BackgroundTask {
     };
 
     std::function<void()> wake_;
+    std::string purpose_;
     State now_; ///< of this frame
     RetiringWorker<State> worker_;
 };
