@@ -243,6 +243,31 @@ TEST_CASE("Mesh order: a thread sorts a large mesh as the caller would, or is gi
     CHECK(order.elements == orderByPlace(view->mesh).elements);
 }
 
+TEST_CASE("Mesh order: sorting can be stopped many times in each pass over the elements") {
+    const auto view = lattice(400, 320'000, 1);
+    std::size_t checks = 0, last = 0;
+    const auto stopped = [&] { return ++checks == last; };
+    CHECK(orderByPlace(view->mesh, stopped).elements.size() == 320'000);
+    const std::size_t all = std::exchange(checks, 0);
+    CHECK(all >= 6 * 4); // the keys, two passes over each half of their bits, the boxes
+    for (last = 1; last <= all; ++last) {
+        checks = 0;
+        const MeshOrder order = orderByPlace(view->mesh, stopped);
+        CHECK(checks == last);
+        CHECK(order.elements.empty());
+        CHECK(order.boxes.empty());
+    }
+}
+
+TEST_CASE("Mesh order: a mesh is sorted although no thread can be started") {
+    const auto view = lattice(400, 320'000, 1);
+    MeshSorter sorter(view, [](const auto &) -> std::jthread {
+        throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
+    });
+    CHECK(sorter.done());
+    CHECK(sorter.take().elements == orderByPlace(view->mesh).elements);
+}
+
 TEST_CASE("Draw pace: pieces follow the time that drawing takes, and begin small") {
     constexpr double kFrame = 0.03;
     DrawPace pace;

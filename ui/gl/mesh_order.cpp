@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <new>
+#include <system_error>
 #include <utility>
 
 namespace forefront {
@@ -11,8 +12,8 @@ namespace {
 
 /// Cells of the lattice in each direction, as a power of two; a key has twice as many bits.
 constexpr unsigned kLatticeBits = 10;
-/// Number of elements between two looks at the stop token.
-constexpr std::size_t kPatience = 65536;
+/// Number of elements between two checks for a stop.
+constexpr std::size_t kStopInterval = 65536;
 /// Meshes with at most this many elements are sorted in a few milliseconds, without another thread.
 constexpr std::size_t kQuicklySorted = 100'000;
 
@@ -30,82 +31,100 @@ std::uint32_t placeKey(Vec2 p, const Box2 &box) {
            (spread(lattice((p.y - box.min.y) / std::max(size.y, 1e-300))) << 1);
 }
 
-bool stopsAt(std::size_t i, const std::stop_token &stop) {
-    return i % kPatience == 0 && stop.stop_requested();
-}
-
 /// An element and the key of its place.
 struct Placed {
     std::uint32_t key = 0, element = 0;
 };
 
-/// Sorts by ten bits of the keys; elements with the same bits keep their order.
-void sortByBits(const std::vector<Placed> &from, std::vector<Placed> &to, unsigned shift) {
+/// Calls `visit` for the numbers from 0 to `count`. Returns false once `stopped` has returned true.
+template <class Visit>
+bool forEachUntil(std::size_t count, const std::function<bool()> &stopped, Visit visit) {
+    for (std::size_t begin = 0; begin < count; begin += kStopInterval) {
+        if (stopped && stopped()) {
+            return false;
+        }
+        const std::size_t end = std::min(count, begin + kStopInterval);
+        for (std::size_t i = begin; i < end; ++i) {
+            visit(i);
+        }
+    }
+    return true;
+}
+
+/// Sorts by ten bits of the keys; elements with the same bits keep their order. Returns false if it was stopped.
+bool sortByBits(const std::vector<Placed> &from, std::vector<Placed> &to, unsigned shift,
+                const std::function<bool()> &stopped) {
     constexpr std::uint32_t kMask = (1U << kLatticeBits) - 1U;
     std::array<std::size_t, kMask + 2> begin{};
-    for (const Placed &placed : from) {
-        ++begin[((placed.key >> shift) & kMask) + 1];
+    if (!forEachUntil(from.size(), stopped, [&](std::size_t i) { ++begin[((from[i].key >> shift) & kMask) + 1]; })) {
+        return false;
     }
     for (std::size_t k = 1; k < begin.size(); ++k) {
         begin[k] += begin[k - 1];
     }
-    for (const Placed &placed : from) {
-        to[begin[(placed.key >> shift) & kMask]++] = placed;
-    }
+    return forEachUntil(from.size(), stopped,
+                        [&](std::size_t i) { to[begin[(from[i].key >> shift) & kMask]++] = from[i]; });
 }
 
-std::vector<Box2> chunkBoxes(const Mesh &mesh, const std::vector<std::uint32_t> &elements,
-                             const std::stop_token &stop) {
-    std::vector<Box2> boxes((elements.size() + kMeshChunk - 1) / kMeshChunk);
-    for (std::size_t i = 0; i < elements.size() && !stopsAt(i, stop); ++i) {
-        for (const NodeId node : mesh.elements[elements[i]]) {
-            boxes[i / kMeshChunk].add(mesh.nodes[index(node)]);
-        }
+/// Returns the elements in the order of their places; empty if it was stopped.
+std::vector<std::uint32_t> sortedElements(const Mesh &mesh, const std::function<bool()> &stopped) {
+    const std::size_t count = mesh.elements.size();
+    const Box2 box = mesh.bounds();
+    std::vector<Placed> placed(count), sorted(count);
+    const bool complete = forEachUntil(count, stopped,
+                                       [&](std::size_t i) {
+                                           const Element &e = mesh.elements[i];
+                                           const Vec2 centroid =
+                                               (1.0 / 3.0) * (mesh.nodes[index(e[0])] + mesh.nodes[index(e[1])] +
+                                                              mesh.nodes[index(e[2])]);
+                                           placed[i] = {placeKey(centroid, box), static_cast<std::uint32_t>(i)};
+                                       }) &&
+                          sortByBits(placed, sorted, 0, stopped) && sortByBits(sorted, placed, kLatticeBits, stopped);
+    if (!complete) {
+        return {};
     }
-    return boxes;
+    sorted = {};
+    std::vector<std::uint32_t> elements(count);
+    std::transform(placed.begin(), placed.end(), elements.begin(), [](const Placed &p) { return p.element; });
+    return elements;
 }
 
 } // namespace
 
-MeshOrder orderByPlace(const Mesh &mesh, const std::stop_token &stop) {
-    const std::size_t count = mesh.elements.size();
-    const Box2 box = mesh.bounds();
+MeshOrder orderByPlace(const Mesh &mesh, const std::function<bool()> &stopped) {
     MeshOrder order;
-    {
-        std::vector<Placed> placed(count), sorted(count);
-        for (std::size_t i = 0; i < count && !stopsAt(i, stop); ++i) {
-            const Element &e = mesh.elements[i];
-            const Vec2 centroid =
-                (1.0 / 3.0) * (mesh.nodes[index(e[0])] + mesh.nodes[index(e[1])] + mesh.nodes[index(e[2])]);
-            placed[i] = {placeKey(centroid, box), static_cast<std::uint32_t>(i)};
+    order.elements = sortedElements(mesh, stopped);
+    order.boxes.resize((order.elements.size() + kMeshChunk - 1) / kMeshChunk);
+    const bool complete = forEachUntil(order.elements.size(), stopped, [&](std::size_t i) {
+        for (const NodeId node : mesh.elements[order.elements[i]]) {
+            order.boxes[i / kMeshChunk].add(mesh.nodes[index(node)]);
         }
-        sortByBits(placed, sorted, 0);
-        if (stop.stop_requested()) {
-            return order;
-        }
-        sortByBits(sorted, placed, kLatticeBits);
-        sorted = {};
-        order.elements.resize(count);
-        std::transform(placed.begin(), placed.end(), order.elements.begin(), [](const Placed &p) { return p.element; });
-    }
-    order.boxes = chunkBoxes(mesh, order.elements, stop);
-    return order;
+    });
+    return complete ? order : MeshOrder();
 }
 
-MeshSorter::MeshSorter(std::shared_ptr<const MeshView> view) : view_(std::move(view)) {
-    if (view_->mesh.elements.size() <= kQuicklySorted) {
-        order_ = orderByPlace(view_->mesh);
-        done_ = true;
-        return;
-    }
-    thread_ = std::jthread([this](const std::stop_token &stop) {
+std::jthread startThread(std::function<void(const std::stop_token &)> run) {
+    return std::jthread(std::move(run));
+}
+
+MeshSorter::MeshSorter(std::shared_ptr<const MeshView> view, const ThreadStarter &start) : view_(std::move(view)) {
+    if (view_->mesh.elements.size() > kQuicklySorted) {
         try {
-            order_ = orderByPlace(view_->mesh, stop);
-        } catch (const std::bad_alloc &) {
-            order_ = {}; // the mesh is drawn in its own order
+            thread_ = start([this](const std::stop_token &stop) { sort([&stop] { return stop.stop_requested(); }); });
+            return;
+        } catch (const std::system_error &) { // no thread can be started; a short pause is better than no mesh
         }
-        done_ = true;
-    });
+    }
+    sort({});
+}
+
+void MeshSorter::sort(const std::function<bool()> &stopped) {
+    try {
+        order_ = orderByPlace(view_->mesh, stopped);
+    } catch (const std::bad_alloc &) {
+        order_ = {}; // the mesh is drawn in its own order
+    }
+    done_ = true;
 }
 
 MeshOrder MeshSorter::take() {

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <stop_token>
 #include <thread>
@@ -21,20 +22,30 @@ struct MeshOrder {
     std::vector<Box2> boxes;             ///< one for each chunk
 };
 
-/// Sorts the elements of a mesh along a Z-order curve. The result is incomplete once `stop` is requested.
-MeshOrder orderByPlace(const Mesh &mesh, const std::stop_token &stop = {});
+/// Sorts the elements of a mesh along a Z-order curve. `stopped`, if not empty, is called every few milliseconds; once
+/// it has returned true, it is not called again, and the result is empty.
+MeshOrder orderByPlace(const Mesh &mesh, const std::function<bool()> &stopped = {});
 
-/// Sorts the elements of a large mesh on a separate thread, so that the window does not wait for it. The destructor
-/// waits a few milliseconds at most.
+/// Runs a function on another thread. Throws std::system_error if no thread can be started.
+using ThreadStarter = std::function<std::jthread(std::function<void(const std::stop_token &)>)>;
+
+/// Starts a std::jthread.
+std::jthread startThread(std::function<void(const std::stop_token &)> run);
+
+/// Sorts the elements of a large mesh on a separate thread, so that the window does not wait for it. If no thread can
+/// be started, the constructor sorts them. The destructor waits a few milliseconds at most.
 class MeshSorter {
   public:
-    explicit MeshSorter(std::shared_ptr<const MeshView> view);
+    /// `start`: replaced by tests.
+    explicit MeshSorter(std::shared_ptr<const MeshView> view, const ThreadStarter &start = startThread);
 
     bool done() const { return done_; }
     /// Waits until it is done and returns the order; empty if there is not enough memory. Call it once.
     MeshOrder take();
 
   private:
+    void sort(const std::function<bool()> &stopped);
+
     std::shared_ptr<const MeshView> view_;
     MeshOrder order_;
     std::atomic<bool> done_ = false;
