@@ -57,4 +57,31 @@ TEST_CASE("Node sizes: entered for several nodes at once") {
           std::map<std::uint32_t, PartSize>{{0, {0.1, 0.3}}, {2, {0.5, 0.3}}});
 }
 
+TEST_CASE("Node sizes: fields of nodes that differ are empty, and an entered number applies to all") {
+    Draughtsman driver;
+    driver.polygon({{1, 1}, {9, 1}, {9, 8}, {1, 8}});
+    driver.key('V');
+    const std::uint32_t id = driver.document().shapes[0]->id;
+    const auto choose = [&](std::set<NodeRef> nodes) {
+        driver.context().selection.clear();
+        driver.context().selection.nodes = std::move(nodes);
+        driver.settle();
+    };
+    const auto sizes = [&] { return driver.document().shapes[0]->nodeSizes; };
+    choose({{id, 1}});
+    driver.fill("inspector/nodesize", "0.1");
+    choose({{id, 2}});
+    driver.fill("inspector/nodesize", "0.5");
+    driver.fill("inspector/nodegrowth", "0.4");
+    choose({{id, 1}, {id, 2}});
+    driver.fill("inspector/nodegrowth", "0.2"); // as that of the first one
+    CHECK(sizes() == std::map<std::uint32_t, PartSize>{{1, {0.1, 0.2}}, {2, {0.5, 0.2}}});
+    choose({{id, 0}, {id, 1}, {id, 2}}); // the first one has no size
+    driver.fill("inspector/nodegrowth", "0.3");
+    CHECK(sizes() == std::map<std::uint32_t, PartSize>{{1, {0.1, 0.3}}, {2, {0.5, 0.3}}});
+    choose({{id, 1}, {id, 2}});
+    driver.fill("inspector/nodesize", "0.1");
+    CHECK(sizes() == std::map<std::uint32_t, PartSize>{{1, {0.1, 0.3}}, {2, {0.1, 0.3}}});
+}
+
 } // namespace forefront::test

@@ -7,12 +7,12 @@
 #include "core/edit/spacing_commands.hpp"
 #include "ui/panels/edit_panels.hpp"
 #include "ui/panels/form.hpp"
+#include "ui/panels/size_rows.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/enum_choice.hpp"
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/edit_state.hpp"
-#include "ui/workspace/number_field.hpp"
 
 #include <imgui.h>
 
@@ -66,69 +66,6 @@ void boundaryTagRow(Shell &context, std::int32_t tag, const BoundaryPart &part) 
         EditState::apply(context, std::move(next), "Change tag");
     } else if (rename) {
         EditState::apply(context, nameBoundaryPart(document, part, *rename), "Name boundary");
-    }
-}
-
-/// Draws the size and growth of the boundary part with a tag; they apply wherever the tag is used.
-void partSizeRow(Shell &context, std::int32_t tag) {
-    const Document &document = *context.document.current();
-    const auto found = document.spacing.partSizes.find(tag);
-    const bool given = found != document.spacing.partSizes.end();
-    std::optional<double> size = given ? std::optional(found->second.size) : std::nullopt;
-    double growth = given ? found->second.growth : PartSize{}.growth;
-    const std::string address = "part/" + std::to_string(tag) + '/';
-    form::label(context, "Size, growth");
-    bool changed =
-        form::optionalField(context, "inspector/partsize", size, "auto", form::halfWidth(context), address + "size");
-    ui::rowTooltip(context,
-                   "Largest element size along this boundary part, and its growth per unit of distance. Leave empty "
-                   "for no size of its own.");
-    ImGui::SameLine(0, context.px(6));
-    ImGui::BeginDisabled(!size); // growth has no meaning without a size
-    changed = ui::inputNumber(context, "inspector/partgrowth", growth, -1.0F, address + "growth") || changed;
-    ImGui::EndDisabled();
-    if (changed && (size || given)) {
-        EditState::apply(context,
-                         setPartSize(document, tag, size ? std::optional(PartSize{*size, growth}) : std::nullopt),
-                         "Change size of boundary part");
-    }
-}
-
-/// Draws the size and growth of those nodes that can have them, shown for the first one.
-void nodeSizeRow(Shell &context, std::set<NodeRef> nodes) {
-    const Document &document = *context.document.current();
-    std::erase_if(nodes,
-                  [&](const NodeRef &node) { return !canHaveSize(*findShape(document, node.shape), node.node); });
-    if (nodes.empty()) {
-        return;
-    }
-    const NodeRef first = *nodes.begin();
-    const Shape &shape = *findShape(document, first.shape);
-    const auto found = shape.nodeSizes.find(first.node);
-    const bool given = found != shape.nodeSizes.end();
-    std::optional<double> size = given ? std::optional(found->second.size) : std::nullopt;
-    double growth = given ? found->second.growth : PartSize{}.growth;
-    const auto address = [&](const char *quantity) {
-        return nodes.size() > 1
-                   ? std::string()
-                   : "shape/" + std::to_string(shape.id) + '/' + quantity + '/' + std::to_string(first.node);
-    };
-    form::label(context, "Size, growth");
-    const bool sized =
-        form::optionalField(context, "inspector/nodesize", size, "auto", form::halfWidth(context), address("size"));
-    ui::rowTooltip(context,
-                   "Maximum element size at the node, and its growth per unit of distance. Leave empty to set none.");
-    ImGui::SameLine(0, context.px(6));
-    ImGui::BeginDisabled(!size); // growth has no meaning without a size
-    const bool grown = ui::inputNumber(context, "inspector/nodegrowth", growth, -1.0F, address("growth"));
-    ImGui::EndDisabled();
-    constexpr const char *kLabel = "Change size at node";
-    if (sized && size) {
-        EditState::apply(context, changeNodeSizes(document, nodes, {.size = size, .growth = {}}), kLabel);
-    } else if (sized && given) {
-        EditState::apply(context, setNodeSize(document, nodes, std::nullopt), kLabel);
-    } else if (grown && size) {
-        EditState::apply(context, changeNodeSizes(document, nodes, {.size = {}, .growth = growth}), kLabel);
     }
 }
 

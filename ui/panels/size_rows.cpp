@@ -1,0 +1,119 @@
+#include "ui/panels/size_rows.hpp"
+
+#include "core/edit/node_sizes.hpp"
+#include "core/edit/shape_geometry.hpp"
+#include "core/edit/spacing_commands.hpp"
+#include "ui/panels/form.hpp"
+#include "ui/parts/shell.hpp"
+#include "ui/widgets/widgets.hpp"
+#include "ui/workspace/edit_state.hpp"
+#include "ui/workspace/number_field.hpp"
+
+#include <imgui.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace forefront {
+
+void partSizeRow(Shell &context, std::int32_t tag) {
+    const Document &document = *context.document.current();
+    const auto found = document.spacing.partSizes.find(tag);
+    const bool given = found != document.spacing.partSizes.end();
+    std::optional<double> size = given ? std::optional(found->second.size) : std::nullopt;
+    double growth = given ? found->second.growth : PartSize{}.growth;
+    const std::string address = "part/" + std::to_string(tag) + '/';
+    form::label(context, "Size, growth");
+    bool changed =
+        form::optionalField(context, "inspector/partsize", size, "auto", form::halfWidth(context), address + "size");
+    ui::rowTooltip(context,
+                   "Largest element size along this boundary part, and its growth per unit of distance. Leave empty "
+                   "for no size of its own.");
+    ImGui::SameLine(0, context.px(6));
+    ImGui::BeginDisabled(!size); // growth has no meaning without a size
+    changed = ui::inputNumber(context, "inspector/partgrowth", growth, -1.0F, address + "growth") || changed;
+    ImGui::EndDisabled();
+    if (changed && (size || given)) {
+        EditState::apply(context,
+                         setPartSize(document, tag, size ? std::optional(PartSize{*size, growth}) : std::nullopt),
+                         "Change size of boundary part");
+    }
+}
+
+namespace {
+
+/// A number that items share, unless they differ. An item may have none.
+struct SharedNumber {
+    std::optional<double> value; ///< of all items
+    bool given = false;          ///< an item has one
+    bool differs = false;
+
+    void add(const std::optional<double> &number) {
+        differs = differs || (any_ && number != value);
+        given = given || number.has_value();
+        value = differs ? std::nullopt : number;
+        any_ = true;
+    }
+    const char *hint() const { return differs ? "several" : "auto"; }
+
+  private:
+    bool any_ = false;
+};
+
+/// Returns the size and the growth that nodes share.
+std::pair<SharedNumber, SharedNumber> sharedSize(const Document &document, const std::set<NodeRef> &nodes) {
+    SharedNumber size, growth;
+    for (const NodeRef &node : nodes) {
+        const auto &sizes = findShape(document, node.shape)->nodeSizes;
+        const auto found = sizes.find(node.node);
+        if (found == sizes.end()) {
+            size.add(std::nullopt);
+        } else {
+            size.add(found->second.size);
+            growth.add(found->second.growth);
+        }
+    }
+    return {size, growth};
+}
+
+} // namespace
+
+void nodeSizeRow(Shell &context, std::set<NodeRef> nodes) {
+    const Document &document = *context.document.current();
+    std::erase_if(nodes,
+                  [&](const NodeRef &node) { return !canHaveSize(*findShape(document, node.shape), node.node); });
+    if (nodes.empty()) {
+        return;
+    }
+    auto [size, growth] = sharedSize(document, nodes);
+    const NodeRef first = *nodes.begin();
+    const auto address = [&](const char *quantity) {
+        return nodes.size() > 1
+                   ? std::string()
+                   : "shape/" + std::to_string(first.shape) + '/' + quantity + '/' + std::to_string(first.node);
+    };
+    form::label(context, "Size, growth");
+    const bool sized = form::optionalField(context, "inspector/nodesize", size.value, size.hint(),
+                                           form::halfWidth(context), address("size"));
+    ui::rowTooltip(context,
+                   "Maximum element size at the node, and its growth per unit of distance. Leave empty to set none.");
+    ImGui::SameLine(0, context.px(6));
+    ImGui::BeginDisabled(!size.given); // growth has no meaning without a size
+    if (!size.given) {
+        growth.value = PartSize{}.growth;
+    }
+    const bool grown =
+        form::optionalField(context, "inspector/nodegrowth", growth.value, growth.hint(), -1.0F, address("growth"));
+    ImGui::EndDisabled();
+    constexpr const char *kLabel = "Change size at node";
+    if (sized && size.value) {
+        EditState::apply(context, changeNodeSizes(document, nodes, {.size = size.value, .growth = {}}), kLabel);
+    } else if (sized && size.given) {
+        EditState::apply(context, setNodeSize(document, nodes, std::nullopt), kLabel);
+    } else if (grown && growth.value && size.given) {
+        EditState::apply(context, changeNodeSizes(document, nodes, {.size = {}, .growth = growth.value}), kLabel);
+    }
+}
+
+} // namespace forefront
