@@ -34,7 +34,7 @@ BackgroundPicture placed(const Shell &context, const Picture &picture) {
     if (context.document.current()->shapes.empty()) {
         return result;
     }
-    constexpr double kShare = 0.8; // of the view
+    constexpr double kShare = 0.8; // part of the view that the picture fills
     const Camera &camera = context.view.camera;
     const PixelRect &room = context.view.room;
     const double scale =

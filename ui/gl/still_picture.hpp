@@ -37,8 +37,9 @@ class StillPicture {
     void finishRefining();
     /// Returns true while a heavy picture of new content is incomplete.
     bool drawsNews() const { return refining_ && !(drawn_ && next().content.all == shown().content.all); }
-    /// Copies the picture to the current framebuffer, as seen by this camera: the last complete one, or what there is
-    /// of the next if the last one shows something else. `corner`: lower left corner of the canvas in that framebuffer.
+    /// Copies the last complete picture to the current framebuffer, as seen by this camera. If it shows something else,
+    /// copies the finished part of the next picture instead. `corner`: lower left corner of the canvas in that
+    /// framebuffer.
     void show(const Camera &camera, Pixel corner) const;
 
   private:

@@ -121,7 +121,7 @@ class EsriReader {
     }
 
     bool values() {
-        constexpr std::size_t kBytes = 2; // of the shortest value with a blank
+        constexpr std::size_t kBytes = 2; // length of the shortest value and the blank after it
         if (columns_ * rows_ > scanner_.remaining() / kBytes + 1) {
             return scanner_.fail(scanner_.offset(), "bad-count",
                                  "the file ends before the last of its " + std::to_string(columns_ * rows_) +

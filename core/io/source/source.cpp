@@ -81,7 +81,7 @@ Result<std::string> readDescriptor(int descriptor, const std::string &name, std:
     if (promised > maxBytes) {
         return tooLarge();
     }
-    constexpr std::size_t kChunk = std::size_t{1} << 20, kPatience = 16 * kChunk;
+    constexpr std::size_t kChunk = std::size_t{1} << 20, kStopInterval = 16 * kChunk;
     std::string bytes;
     std::size_t size = 0;
     bytes.resize(S_ISREG(status.st_mode) ? promised + 1 : kChunk);
@@ -89,7 +89,7 @@ Result<std::string> readDescriptor(int descriptor, const std::string &name, std:
         if (progress.cancelled()) {
             return cancelled("reading");
         }
-        const ssize_t got = ::read(descriptor, bytes.data() + size, std::min(bytes.size() - size, kPatience));
+        const ssize_t got = ::read(descriptor, bytes.data() + size, std::min(bytes.size() - size, kStopInterval));
         if (got < 0) {
             if (errno == EINTR) {
                 continue;

@@ -87,7 +87,7 @@ class TextScanner {
         : source_(&source), text_(source.text.data()), at_(begin), end_(end), pauseAt_(begin + kPause),
           comment_(comment), separator_(separator) {}
 
-    static constexpr std::size_t kPause = std::size_t{1} << 16; ///< bytes between two looks at the stop token
+    static constexpr std::size_t kPause = std::size_t{1} << 16; ///< bytes between two checks of the stop token
 
     bool blank(char c) const { return static_cast<unsigned char>(c) <= ' ' || c == separator_; }
     bool delimits(std::size_t at) const { return at == end_ || blank(text_[at]) || text_[at] == comment_; }
@@ -99,7 +99,7 @@ class TextScanner {
     const char *text_;
     std::size_t at_;
     std::size_t end_;
-    std::size_t pauseAt_; ///< byte at which to look at the stop token next
+    std::size_t pauseAt_; ///< byte at which to check the stop token next
     char comment_;
     char separator_;
     bool namesBytes_ = false;

@@ -44,8 +44,8 @@ const std::vector<std::int64_t> *tagArray(const VtkGrid &grid, const char *own) 
     return nullptr;
 }
 
-/// Cells between two looks at the stop token.
-constexpr std::size_t kPatience = 4096;
+/// Number of cells between two checks of the stop token.
+constexpr std::size_t kStopInterval = 4096;
 
 std::int32_t tagAt(const std::vector<std::int64_t> *tags, std::size_t cell) {
     constexpr std::int64_t kGreatest = std::numeric_limits<std::int32_t>::max();
@@ -81,7 +81,7 @@ bool meshOfVtk(const VtkGrid &grid, TextScanner &scanner, Mesh &mesh) {
     const auto *boundaries = tagArray(grid, "boundary");
     std::int64_t begin = 0;
     for (std::size_t c = 0; c < grid.types.size(); ++c) {
-        if (c % kPatience == 0 && scanner.stopped()) {
+        if (c % kStopInterval == 0 && scanner.stopped()) {
             return false;
         }
         const std::int64_t end = grid.ends[c];

@@ -35,8 +35,8 @@ struct SizeSource {
     double size = 1.0; ///< > 0
     double growth = 0.2; ///< >= 0, change of spacing per unit of distance
     std::string name;
-    /// Size at b (Line only), > 0: from `size` at a, it changes linearly along the line, and that of the nearest point
-    /// of the line counts. Absent: `size` along the whole line.
+    /// Size at b (Line only), > 0. Along the line, the size changes linearly from `size` at a; beside it, the nearest
+    /// point of the line counts. Absent: `size` along the whole line.
     std::optional<double> endSize{};
 
     friend bool operator==(const SizeSource &, const SizeSource &) = default;
