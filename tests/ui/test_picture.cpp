@@ -61,6 +61,15 @@ bool looksBlue(const Driver::Picture &shot, Pixel pixel) {
     return blue > red + 60;
 }
 
+const Vec2 kFirst{100.0, 50.0}, kSecond{300.0, 50.0}; ///< calibration points
+
+/// Drops a picture of 400 x 200 pixels onto an empty drawing and clicks the first calibration point.
+void beginCalibration(Draughtsman &driver, const TemporaryFolder &place) {
+    drop(driver, drawPicture(place.path / "lake.png", 400, 200));
+    driver.click("options/picture/mode/Calibrate");
+    driver.clickPlace(kFirst);
+}
+
 std::string lastMessage(Draughtsman &driver) {
     return driver.context().log.entries().back().diagnostic.message;
 }
@@ -110,13 +119,10 @@ TEST_CASE("Picture: added by the menu, drawn below the drawing, hidden as a laye
 TEST_CASE("Picture: two clicks and a distance set its scale, about the first point") {
     const TemporaryFolder place;
     Draughtsman driver;
-    drop(driver, drawPicture(place.path / "lake.png", 400, 200));
-    driver.click("options/picture/mode/Calibrate");
-    const Vec2 first{100.0, 50.0}, second{300.0, 50.0};
-    driver.clickPlace(first);
+    beginCalibration(driver, place);
     CHECK_FALSE(driver.has("options/picture/distance"));
-    const Pixel onScreen = driver.pixel(second);
-    driver.clickPlace(second);
+    const Pixel onScreen = driver.pixel(kSecond);
+    driver.clickPlace(kSecond);
     driver.settle();
     REQUIRE(driver.has("options/picture/distance"));
     driver.key('A', {Modifiers::kControl}); // the field has the focus
@@ -149,13 +155,10 @@ TEST_CASE("Picture: two clicks and a distance set its scale, about the first poi
 TEST_CASE("Picture: a calibration point cannot be dragged onto the other") {
     const TemporaryFolder place;
     Draughtsman driver;
-    drop(driver, drawPicture(place.path / "lake.png", 400, 200));
-    driver.click("options/picture/mode/Calibrate");
-    const Vec2 first{100.0, 50.0}, second{300.0, 50.0};
-    driver.clickPlace(first);
-    driver.clickPlace(second);
+    beginCalibration(driver, place);
+    driver.clickPlace(kSecond);
     driver.settle();
-    driver.dragPlaces(second, first);
+    driver.dragPlaces(kSecond, kFirst);
     driver.settle();
     driver.fill("options/picture/distance", "50");
     CHECK(std::isfinite(pictureOf(driver).size.x));
