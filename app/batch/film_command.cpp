@@ -103,13 +103,8 @@ std::string unusedOption(const CLI::App &app, const FilmPlan &plan) {
     return {};
 }
 
-} // namespace
-
-int filmCommand(int argc, const char *const *argv) {
-    FilmArguments arguments;
-    CLI::App app("Writes a film of a meshing run: an animated GIF, numbered PNG or SVG frames, or one moment.",
-                 "forefront film");
-    app.footer(kFilmExamples);
+/// Declares the options of the command; parsing sets the arguments.
+void addFilmOptions(CLI::App &app, FilmArguments &arguments) {
     app.add_option("IN", arguments.input, "project, drawing or domain; -: standard input")->required();
     addInputFormatOption(app, "IN", arguments.inputFormat);
     addParameterOption(app, arguments.parameters);
@@ -135,6 +130,16 @@ int filmCommand(int argc, const char *const *argv) {
     app.add_option("--layers", arguments.layers, "comma-separated: mesh, boundary, front, candidates, grid, caption")
         ->delimiter(',')
         ->check(oneOf(wordsOf<FilmLayer>()));
+}
+
+} // namespace
+
+int filmCommand(int argc, const char *const *argv) {
+    FilmArguments arguments;
+    CLI::App app("Writes a film of a meshing run: an animated GIF, numbered PNG or SVG frames, or one moment.",
+                 "forefront film");
+    app.footer(kFilmExamples);
+    addFilmOptions(app, arguments);
     if (const auto code = parseOptions(app, argc, argv)) {
         return *code;
     }

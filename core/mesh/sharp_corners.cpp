@@ -199,58 +199,93 @@ NarrowPlace placeOf(const Mesh &mesh, const std::vector<Element> &band) {
     return place;
 }
 
-} // namespace
+/// Returns true if an element lies in a wedge at one of its nodes, and marks all such wedges as meshed.
+bool liesInWedge(const Mesh &mesh, const Element &e, const std::vector<std::uint8_t> &sharp,
+                 std::vector<Wedge> &wedges) {
+    bool inWedge = false;
+    for (unsigned k = 0; k < 3; ++k) {
+        if (sharp[index(e[k])] == 0) {
+            continue;
+        }
+        const Vec2 at = mesh.nodes[index(e[k])];
+        const Vec2 middle = midpoint(mesh.nodes[index(e[(k + 1) % 3])], mesh.nodes[index(e[(k + 2) % 3])]) - at;
+        for (auto w = std::lower_bound(wedges.begin(), wedges.end(), e[k]); w != wedges.end() && w->node == e[k]; ++w) {
+            if (turnFrom(w->from, middle) < w->angle) {
+                w->meshed = inWedge = true;
+            }
+        }
+    }
+    return inWedge;
+}
 
-SharpCorners sharpCorners(const Mesh &mesh, double limit) {
-    std::vector<Wedge> wedges = sharpWedges(mesh, limit);
+/// The sharp elements of a mesh by their reason.
+struct SharpElements {
+    std::vector<Element> tips;   ///< in sharp corners, as are some elements that are not sharp
+    std::vector<Element> bands;  ///< forced by a gap
+    std::vector<Element> others; ///< beside those, or without a reason
+    double minAngleElsewhere = 60.0;
+};
+
+/// Sorts the sharp elements by their reason, and marks the wedges that elements lie in.
+SharpElements sortElements(const Mesh &mesh, double limit, std::vector<Wedge> &wedges) {
     std::vector<std::uint8_t> sharp(mesh.nodes.size(), 0);
     for (const Wedge &w : wedges) {
         sharp[index(w.node)] = 1;
     }
-    SharpCorners result;
-    result.minAngleElsewhere = mesh.elements.empty() ? 0.0 : 60.0;
     const Gaps gaps(mesh);
-    std::vector<Element> tips, bands, others;
+    SharpElements sorted;
     for (const Element &e : mesh.elements) {
-        bool inCorner = false;
-        for (unsigned k = 0; k < 3; ++k) {
-            if (sharp[index(e[k])] == 0) {
-                continue;
-            }
-            const Vec2 at = mesh.nodes[index(e[k])];
-            const Vec2 middle = midpoint(mesh.nodes[index(e[(k + 1) % 3])], mesh.nodes[index(e[(k + 2) % 3])]) - at;
-            for (auto w = std::lower_bound(wedges.begin(), wedges.end(), e[k]); w != wedges.end() && w->node == e[k];
-                 ++w) {
-                if (turnFrom(w->from, middle) < w->angle) {
-                    w->meshed = inCorner = true;
-                }
-            }
-        }
-        if (inCorner) {
-            tips.push_back(e);
+        if (liesInWedge(mesh, e, sharp, wedges)) {
+            sorted.tips.push_back(e);
             continue;
         }
         const double angle = minAngle(mesh, e);
         if (angle < limit) {
-            (gaps.force(e) ? bands : others).push_back(e);
+            (gaps.force(e) ? sorted.bands : sorted.others).push_back(e);
         } else {
-            result.minAngleElsewhere = std::min(result.minAngleElsewhere, angle);
+            sorted.minAngleElsewhere = std::min(sorted.minAngleElsewhere, angle);
         }
     }
-    std::vector<Element> forced = tips;
-    forced.insert(forced.end(), bands.begin(), bands.end());
-    Bands beside(std::move(others));
+    return sorted;
+}
+
+/// Returns the minimum angle of the sharp elements that are not connected to tips or bands; 60 if there are none.
+double minAngleApart(const Mesh &mesh, const SharpElements &sorted) {
+    std::vector<Element> forced = sorted.tips;
+    forced.insert(forced.end(), sorted.bands.begin(), sorted.bands.end());
+    Bands beside(sorted.others);
     beside.take(std::move(forced)); // the end of a band is a short side of the element beyond it
+    double minimum = 60.0;
     for (std::vector<Element> some = beside.takeNext(); !some.empty(); some = beside.takeNext()) {
         for (const Element &e : some) {
-            result.minAngleElsewhere = std::min(result.minAngleElsewhere, minAngle(mesh, e));
+            minimum = std::min(minimum, minAngle(mesh, e));
         }
     }
-    Bands rest(std::move(bands));
-    rest.take(tips);
+    return minimum;
+}
+
+/// Returns the places of the bands that do not end in a sharp corner, the narrowest first.
+std::vector<NarrowPlace> narrowPlaces(const Mesh &mesh, const SharpElements &sorted) {
+    Bands rest(sorted.bands);
+    rest.take(sorted.tips);
+    std::vector<NarrowPlace> places;
     for (std::vector<Element> band = rest.takeNext(); !band.empty(); band = rest.takeNext()) {
-        result.narrow.push_back(placeOf(mesh, band));
+        places.push_back(placeOf(mesh, band));
     }
+    std::stable_sort(places.begin(), places.end(),
+                     [](const NarrowPlace &p, const NarrowPlace &q) { return p.width < q.width; });
+    return places;
+}
+
+} // namespace
+
+SharpCorners sharpCorners(const Mesh &mesh, double limit) {
+    std::vector<Wedge> wedges = sharpWedges(mesh, limit);
+    const SharpElements sorted = sortElements(mesh, limit, wedges);
+    SharpCorners result;
+    result.minAngleElsewhere =
+        mesh.elements.empty() ? 0.0 : std::min(sorted.minAngleElsewhere, minAngleApart(mesh, sorted));
+    result.narrow = narrowPlaces(mesh, sorted);
     for (const Wedge &w : wedges) {
         if (w.meshed) {
             result.corners.push_back({w.node, mesh.nodes[index(w.node)], w.angle});
@@ -258,8 +293,6 @@ SharpCorners sharpCorners(const Mesh &mesh, double limit) {
     }
     std::stable_sort(result.corners.begin(), result.corners.end(),
                      [](const SharpCorner &c, const SharpCorner &d) { return c.angle < d.angle; });
-    std::stable_sort(result.narrow.begin(), result.narrow.end(),
-                     [](const NarrowPlace &p, const NarrowPlace &q) { return p.width < q.width; });
     return result;
 }
 

@@ -48,7 +48,8 @@ std::vector<MenuEntry> recentFileEntries(const Shell &context) {
     return entries;
 }
 
-void addFileActions(ActionRegistry &actions) {
+/// Adds the actions that open files and documents.
+void addOpenActions(ActionRegistry &actions) {
     actions.add({.id = "file.new", .menu = "File", .title = "New", .shortcuts = {{'N', kControl}}, .run = newDocument});
     actions.add({.id = "file.open",
                  .menu = "File",
@@ -79,6 +80,10 @@ void addFileActions(ActionRegistry &actions) {
     actions.add({.id = "file.samples", .menu = "File", .title = "Samples\xe2\x80\xa6", .run = [](Shell &c) {
                      c.dialogs.open(std::make_unique<GalleryDialog>(c));
                  }});
+}
+
+/// Adds the actions that save, import and export, and that end the program.
+void addFileActions(ActionRegistry &actions) {
     actions.add({.id = "file.save",
                  .menu = "File",
                  .title = "Save",
@@ -260,6 +265,7 @@ void addSelectionActions(ActionRegistry &actions) {
 } // namespace
 
 void addEditActions(ActionRegistry &actions) {
+    addOpenActions(actions);
     addFileActions(actions);
     addHistoryActions(actions);
     addSelectionActions(actions);

@@ -6,6 +6,7 @@
 #include "ui/dialogs/recovery.hpp"
 #include "ui/editor/apply_settings.hpp"
 #include "ui/editor/canvas_input.hpp"
+#include "ui/editor/cursor.hpp"
 #include "ui/editor/imgui_bridge.hpp"
 #include "ui/editor/snapshot_pace.hpp"
 #include "ui/editor/state_file.hpp"
@@ -71,28 +72,10 @@ struct Editor::Parts {
     void handleEvents(const std::vector<InputEvent> &events);
     void buildInterface();
     void showTitle();
-    void applyCursor();
+    std::vector<InputEvent> takeInput();
+    void recordFrame(double begin, bool cancelling, bool busy);
     void rememberSettings();
 };
-
-namespace {
-
-CursorShape cursorOf(ImGuiMouseCursor cursor) {
-    switch (cursor) {
-    case ImGuiMouseCursor_TextInput:
-        return CursorShape::Text;
-    case ImGuiMouseCursor_ResizeEW:
-        return CursorShape::ResizeHorizontal;
-    case ImGuiMouseCursor_ResizeNS:
-        return CursorShape::ResizeVertical;
-    case ImGuiMouseCursor_Hand:
-        return CursorShape::Hand;
-    default:
-        return CursorShape::Arrow;
-    }
-}
-
-} // namespace
 
 bool Editor::Parts::newsDue() const {
     if (context.run.cancelling() && !showedCancelling) {
@@ -407,17 +390,6 @@ void Editor::Parts::showTitle() {
     }
 }
 
-void Editor::Parts::applyCursor() {
-    const bool onCanvas = context.view.pointer.has_value() && !ImGui::GetIO().WantCaptureMouse;
-    if (canvasInput.panning()) {
-        context.platform.setCursor(CursorShape::Move);
-    } else if (onCanvas) {
-        context.platform.setCursor(context.tools.current().cursor());
-    } else {
-        context.platform.setCursor(cursorOf(ImGui::GetMouseCursor()));
-    }
-}
-
 void Editor::Parts::rememberSettings() {
     if (options.settingsFolder.empty()) {
         return;
@@ -426,6 +398,31 @@ void Editor::Parts::rememberSettings() {
         saveSettings(options.settingsFolder / "settings.json", settings);
         savedSettings = std::move(settings);
     }
+}
+
+/// Returns the input of this frame; none while a field that is to receive it takes the focus.
+std::vector<InputEvent> Editor::Parts::takeInput() {
+    if (context.widgets.fields.travelling()) {
+        return {};
+    }
+    return input.takeFrame([this](const InputEvent &event) { return keySharesFrame(event); });
+}
+
+/// Records what was presented and how long it took since `begin`. `cancelling`, `busy`: of the run in this frame.
+void Editor::Parts::recordFrame(double begin, bool cancelling, bool busy) {
+    showedCancelling = cancelling;
+    drewBusy = busy;
+    lastEnd = steadySeconds();
+    if (context.run.cancelling()) {
+        context.animate();
+    }
+    if (drewNews) {
+        newsSeconds += lastEnd - begin;
+        if (!canvas.drawsNews()) {
+            pace.recordFrame(lastEnd, std::exchange(newsSeconds, 0.0));
+        }
+    }
+    ++frames;
 }
 
 void Editor::frame() {
@@ -445,18 +442,14 @@ void Editor::frame() {
     if (size.width <= 0 || size.height <= 0) {
         return; // minimised
     }
-    const std::vector<InputEvent> events =
-        c.widgets.fields.travelling()
-            ? std::vector<InputEvent>()
-            : p.input.takeFrame([&p](const InputEvent &event) { return p.keySharesFrame(event); });
+    const std::vector<InputEvent> events = p.takeInput();
     p.refreshLook();
     const bool escape = std::any_of(events.begin(), events.end(), [](const InputEvent &event) {
         return event.kind == InputKind::Key && event.code == key::kEscape && event.pressed;
     });
     p.takeResults(escape && c.run.busy());
-    const double seconds = now - p.lastFrame;
+    const double seconds = now - std::exchange(p.lastFrame, now);
     p.bridge.beginFrame(events, seconds);
-    p.lastFrame = now;
     c.widgets.beginFrame();
     p.handleEvents(events);
     p.dropFlag();
@@ -467,27 +460,15 @@ void Editor::frame() {
     p.followFront(seconds);
     p.canvasInput.runWaiting(c);
     p.canvas.draw(c);
-    p.applyCursor();
+    applyCursor(c, p.canvasInput.panning());
     p.bridge.endFrame();
     c.widgets.endFrame();
     c.platform.present();
-    p.showedCancelling = cancelling;
-    p.drewBusy = busy;
-    p.lastEnd = steadySeconds();
-    if (c.run.cancelling()) {
-        c.animate();
-    }
-    if (p.drewNews) {
-        p.newsSeconds += p.lastEnd - begin;
-        if (!p.canvas.drawsNews()) {
-            p.pace.recordFrame(p.lastEnd, std::exchange(p.newsSeconds, 0.0));
-        }
-    }
+    p.recordFrame(begin, cancelling, busy);
     p.showTitle();
     if (!ImGui::IsAnyItemActive()) {
         p.rememberSettings();
     }
-    ++p.frames;
     if (!p.options.stateFile.empty()) {
         p.reportedBusy = !settled();
         writeStateFile(p.options.stateFile, *this);
