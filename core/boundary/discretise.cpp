@@ -100,6 +100,7 @@ class Discretiser {
     }
 
   private:
+    /// Finds the faces of the domain, and sets the regions by them.
     Status findRegions() {
         DomainFaces found;
         found.graph = graphOf(domain_);
@@ -107,19 +108,18 @@ class Discretiser {
         if (progress_.cancelled()) {
             return cancelled("discretising the boundary");
         }
-        if (found.sweep.droppedCount != 0) {
-            return notValid();
+        if (found.sweep.droppedCount == 0) {
+            found.faces = findFaces(found.graph.points, found.graph.edges, found.sweep);
+            found.labels = labelFaces(domain_, found.graph, found.faces);
         }
-        found.faces = findFaces(found.graph.points, found.graph.edges, found.sweep);
-        found.labels = labelFaces(domain_, found.graph, found.faces);
         return takeRegions(found);
     }
 
-    /// Regions by face, and the sides of the segments as given.
+    /// Sets the regions by face, and the sides of the segments as given.
     Status takeRegions(const DomainFaces &found) {
         const auto &[graph, sweep, faces, labels] = found;
         if (sweep.droppedCount != 0 || faces.left.size() != graph.edges.size()) {
-            return notValid(); // validation did not come as far as the faces
+            return notValid(); // edges meet, so that there are no faces
         }
         if (graph.edges.size() != domain_.segments.size() || graph.node.size() != domain_.nodes.size()) {
             return notValid();
