@@ -91,6 +91,32 @@ TEST_CASE("Formats: reading a mesh of any format reports its progress and can be
     }
 }
 
+TEST_CASE("Formats: readers that go through the elements twice can be cancelled the second time, too") {
+    const TemporaryFolder folder;
+    const Mesh mesh = twoRegionMesh(200, 100);
+    for (const char *const id : {"su2", "obj"}) {
+        CAPTURE(id);
+        const auto path = folder / (std::string("mesh.") + id);
+        REQUIRE(writeMesh(path, mesh, id).empty());
+        double last = 0.0;
+        bool again = false; // the reader has gone back
+        std::stop_source stop;
+        ImportOptions options;
+        options.progress = {[&](std::string_view, double fraction) {
+                                again = again || fraction < last;
+                                last = fraction;
+                                if (again) {
+                                    stop.request_stop();
+                                }
+                            },
+                            stop.get_token()};
+        const auto cancelled = readMesh(path, options);
+        CHECK(again);
+        REQUIRE_FALSE(cancelled.ok());
+        CHECK(cancelled.faults().front().message == "reading was cancelled");
+    }
+}
+
 TEST_CASE("Formats: round trip of a mesh of one region without names, edges or points") {
     const TemporaryFolder folder;
     Mesh mesh = samples::square(2, 2);

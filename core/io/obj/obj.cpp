@@ -163,8 +163,12 @@ class ObjReader {
 
     bool faces() {
         const std::string_view text = scanner_.source().text;
+        scanner_.seek(0); // the items are read again, which can be cancelled, too
         for (std::size_t k = 0; k < items_.size(); ++k) {
             const Item &item = items_[k];
+            if (!scanner_.proceed(item.offset)) {
+                return false;
+            }
             TextScanner line = scanner_.part(item.offset, std::min(text.find('\n', item.offset), text.size()));
             const Expect expect{item.kind == Kind::Face ? "face" : "line or point", k + 1};
             NodeId nodes[3] = {};

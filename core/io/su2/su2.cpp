@@ -182,7 +182,11 @@ class Su2Reader {
             scanner_.fail(scanner_.offset(), "bad-syntax", "the file has no points (NPOIN=)");
             return;
         }
+        scanner_.seek(0); // the elements are read again, which can be cancelled, too
         for (std::size_t k = 0; k < connections_.size(); ++k) {
+            if (!scanner_.proceed(connections_[k].offset)) {
+                return;
+            }
             TextScanner item = scanner_.part(connections_[k].offset, scanner_.source().text.size());
             std::int64_t type = 0;
             const Expect expect{connections_[k].tag == 0 ? "element" : "marker element", k};
