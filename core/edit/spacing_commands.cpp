@@ -89,7 +89,7 @@ Result<Document> addSource(const Document &document, SizeSource source) {
 }
 
 bool keepsAutomatic(const SpacingSpec &spacing) {
-    return spacing.keepAutomatic || spacing.sources.empty();
+    return spacing.keepAutomatic.value_or(spacing.sources.empty());
 }
 
 Document setKeepAutomatic(const Document &document, bool keep) {

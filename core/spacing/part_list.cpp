@@ -134,7 +134,7 @@ constexpr auto kKinds = std::to_array<SpacingPartKind>({
     {"sources", [](const SpacingSpec &spec, const Domain &) { return !spec.sources.empty(); },
      [](const SpacingSpec &spec, const Domain &, Diagnostics &faults) { checkSources(spec.sources, faults); },
      [](const SpacingSpec &a, const SpacingSpec &b) {
-         return a.sources == b.sources && a.keepAutomatic == b.keepAutomatic;
+         return a.sources == b.sources && a.keepAutomatic.value_or(false) == b.keepAutomatic.value_or(false);
      },
      addSources},
     {"partSizes", [](const SpacingSpec &spec, const Domain &) { return !spec.partSizes.empty(); },

@@ -119,7 +119,7 @@ class FieldBuilder {
             (label.origin == SpacingOrigin::Source ? sources : others).add(parts_.few.sites[i], label);
             paint += label.origin == SpacingOrigin::Paint ? 1 : 0;
         }
-        const bool apart = paint > kManyPaintSites || (spec_.keepAutomatic && spec_.usesAutomatic());
+        const bool apart = paint > kManyPaintSites || (spec_.keepAutomatic.value_or(false) && spec_.usesAutomatic());
         if (!apart || sources.sites.size() > kFew) {
             return {};
         }

@@ -130,7 +130,7 @@ TEST_CASE("Sources: a first source refines automatic spacing near it, and the pa
     driver.unfold("spacing");
     driver.click("spacing/keepautomatic");
     driver.settle();
-    CHECK_FALSE(driver.document().spacing.keepAutomatic);
+    CHECK(driver.document().spacing.keepAutomatic == false);
     CHECK(at(far) > 1.5 * away);
     driver.key('Z', {Modifiers::kControl});
     driver.settle();

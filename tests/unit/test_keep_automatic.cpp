@@ -81,30 +81,44 @@ TEST_CASE("SpacingField: without keepAutomatic, sources alone set the spacing") 
     CHECK(fieldOf(spec)->at({0, 3.5}) == 0.5);
 }
 
-TEST_CASE("addSource: a first source keeps automatic spacing; sources that replaced it go on doing so") {
+TEST_CASE("addSource: a first source keeps automatic spacing, unless the user has switched that off before") {
     const Document first = *addSource({}, fine({0, 0}));
-    CHECK(first.spacing.keepAutomatic);
-    CHECK(addSource(first, fine({1, 0}))->spacing.keepAutomatic);
+    CHECK(first.spacing.keepAutomatic == true);
+    CHECK(addSource(first, fine({1, 0}))->spacing.keepAutomatic == true);
     const Document replacing = setKeepAutomatic(first, false);
-    CHECK_FALSE(addSource(replacing, fine({1, 0}))->spacing.keepAutomatic);
-    CHECK(addSource(*removeSource(replacing, 0), fine({1, 0}))->spacing.keepAutomatic);
+    CHECK(addSource(replacing, fine({1, 0}))->spacing.keepAutomatic == false);
+    const Document none = *removeSource(replacing, 0);
+    CHECK(addSource(none, fine({1, 0}))->spacing.keepAutomatic == false);
+    const Document reopened = *parseProject(projectText(none), "test");
+    CHECK(addSource(reopened, fine({1, 0}))->spacing.keepAutomatic == false);
+}
+
+TEST_CASE("addSource: nobody has chosen in an older project, whose sources go on replacing automatic spacing") {
+    Document older;
+    older.spacing.sources = {fine({0, 0})};
+    older = *parseProject(projectText(older), "test");
+    CHECK_FALSE(older.spacing.usesAutomatic());
+    CHECK(addSource(older, fine({1, 0}))->spacing.keepAutomatic == false);
+    CHECK(addSource(*removeSource(older, 0), fine({1, 0}))->spacing.keepAutomatic == true);
 }
 
 TEST_CASE("insertCopied: pasted sources keep automatic spacing, unless the sources of the document replace it") {
     const Document copied = *addSource({}, fine({0, 0}));
-    CHECK(insertCopied({}, copied, {1, 1}, nullptr)->spacing.keepAutomatic);
-    CHECK_FALSE(insertCopied(setKeepAutomatic(copied, false), copied, {1, 1}, nullptr)->spacing.keepAutomatic);
-    CHECK_FALSE(insertCopied({}, {}, {1, 1}, nullptr)->spacing.keepAutomatic);
+    CHECK(insertCopied({}, copied, {1, 1}, nullptr)->spacing.keepAutomatic == true);
+    CHECK(insertCopied(setKeepAutomatic(copied, false), copied, {1, 1}, nullptr)->spacing.keepAutomatic == false);
+    CHECK_FALSE(insertCopied({}, {}, {1, 1}, nullptr)->spacing.keepAutomatic.has_value());
 }
 
-TEST_CASE("Project: keepAutomatic is written only where it is set, and older projects do not keep automatic spacing") {
+TEST_CASE("Project: keepAutomatic is written only where it was chosen, and older projects have no choice") {
     const Document kept = *addSource({}, fine({0, 0}));
     const std::string text = projectText(kept);
     CHECK(text.find("\"keepAutomatic\": true") != std::string::npos);
-    CHECK(parseProject(text, "test")->spacing.keepAutomatic);
-    const std::string older = projectText(setKeepAutomatic(kept, false));
-    CHECK(older.find("keepAutomatic") == std::string::npos);
-    CHECK_FALSE(parseProject(older, "test")->spacing.keepAutomatic);
+    CHECK(parseProject(text, "test")->spacing.keepAutomatic == true);
+    CHECK(parseProject(projectText(setKeepAutomatic(kept, false)), "test")->spacing.keepAutomatic == false);
+    Document older = kept;
+    older.spacing.keepAutomatic.reset();
+    CHECK(projectText(older).find("keepAutomatic") == std::string::npos);
+    CHECK_FALSE(parseProject(projectText(older), "test")->spacing.keepAutomatic.has_value());
     const auto refused =
         parseProject(R"({"format": "forefront", "version": 2, "shapes": [], "spacing": {"keepAutomatic": 1}})", "test");
     REQUIRE_FALSE(refused.ok());

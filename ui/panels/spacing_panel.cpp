@@ -91,7 +91,7 @@ void drawKeepAutomatic(Shell &context) {
         return;
     }
     form::label(context, "");
-    bool keep = spacing.keepAutomatic;
+    bool keep = spacing.keepAutomatic.value_or(false);
     if (ui::checkbox(context, "spacing/keepautomatic", "Keep automatic spacing", keep)) {
         context.document.apply(setKeepAutomatic(*document, keep), "Keep automatic spacing");
     }

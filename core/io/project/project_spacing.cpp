@@ -290,8 +290,8 @@ constexpr std::array kMembers = {
                   [](const JsonValue &value, JsonCheck &check, std::string_view, SpacingSpec &spec) {
                       spec.sources = readSources(value, check);
                   }},
-    SpacingMember{"keepAutomatic", [](const SpacingSpec &spec) { return spec.keepAutomatic; },
-                  [](const SpacingSpec &, JsonText &out) { out << "true"; },
+    SpacingMember{"keepAutomatic", [](const SpacingSpec &spec) { return spec.keepAutomatic.has_value(); },
+                  [](const SpacingSpec &spec, JsonText &out) { out << (*spec.keepAutomatic ? "true" : "false"); },
                   [](const JsonValue &value, JsonCheck &check, std::string_view, SpacingSpec &spec) {
                       spec.keepAutomatic = check.flag(value, "\"keepAutomatic\"");
                   }},

@@ -84,7 +84,8 @@ struct SpacingSpec {
     std::optional<std::string> expression;            ///< formula in x and y, for example "max(0.1, 0.2*sqrt(x*x+y*y))"
     std::map<std::string, double, std::less<>> names; ///< other names that the expression may use, such as parameters
     std::vector<SizeSource> sources;
-    bool keepAutomatic = false; ///< sources only refine automatic spacing; without this, they replace it
+    /// True: sources only refine automatic spacing. False: they replace it. Absent: nobody has chosen; they replace it.
+    std::optional<bool> keepAutomatic;
     PaintedSpacing paint;
     std::shared_ptr<const BackgroundMesh> background;
     /// Sizes of boundary parts and constraints by tag; they also apply to points with the tag.
@@ -104,7 +105,9 @@ struct SpacingSpec {
     /// Returns true if no part is given, so that the spacing is automatic.
     bool automatic() const { return usesAutomatic() && sources.empty() && paint.tiles.empty() && !background; }
     /// Returns true if no part covers the whole domain, so that automatic spacing applies together with the others.
-    bool usesAutomatic() const { return !size && !expression && (sources.empty() || keepAutomatic) && !fromBoundary; }
+    bool usesAutomatic() const {
+        return !size && !expression && (sources.empty() || keepAutomatic.value_or(false)) && !fromBoundary;
+    }
 };
 
 } // namespace forefront
