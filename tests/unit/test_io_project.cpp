@@ -125,6 +125,29 @@ TEST_CASE("Project: unknown members of shapes, markers, options and limits are r
     }
 }
 
+TEST_CASE("Project: unknown members of the spacing, its sources and the sizes of nodes are reported at their places") {
+    const std::string text = kHead + R"(
+{"id": 1, "kind": "polygon", "nodes": [[0, 0], [1, 0], [0, 1]],
+ "nodeSizes": [{"node": 0, "size": 0.1, "grwth": 0.3}]}],
+"spacing": {"sise": 1,
+ "sources": [{"shape": "line", "a": [0, 0], "b": [1, 0], "size": 0.1, "endsize": 0.2}],
+ "partSizes": [{"tag": 1, "size": 0.1, "grow": 1}],
+ "paint": {"origin": [0, 0], "pitch": 1, "tiles": [], "brush": 1}}})";
+    ImportNotes notes;
+    SourceText source = sourceOf(text, "new.forefront");
+    source.notes = &notes;
+    REQUIRE(readProjectText(source).ok());
+    std::string all;
+    for (const auto &note : notes.entries()) {
+        all += std::to_string(note.line) + ':' + std::to_string(note.column) + ' ' + note.message + '\n';
+    }
+    CHECK(all == "4:41 unknown member 'grwth' is ignored\n"
+                 "6:71 unknown member 'endsize' is ignored\n"
+                 "7:40 unknown member 'grow' is ignored\n"
+                 "8:55 unknown member 'brush' is ignored\n"
+                 "5:13 unknown member 'sise' is ignored\n");
+}
+
 TEST_CASE("Project: shapes with numbers near the limit are renumbered, so that new shapes can be saved and read") {
     const std::string shape = R"("kind": "point", "use": "constraint", "nodes": [[0, 0]]})";
     const auto document = parseProject(kHead + R"({"id": 4294967294, )" + shape + "]}", "a.forefront");

@@ -2,6 +2,7 @@
 
 #include "core/io/common/names.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace forefront {
@@ -9,6 +10,18 @@ namespace forefront {
 void JsonCheck::fault(const JsonValue &value, std::string code, std::string message, std::string advice) {
     if (!full()) {
         faults_.push_back(faultAt(source_, value.offset(), std::move(code), std::move(message), std::move(advice)));
+    }
+}
+
+void JsonCheck::noteUnknown(const JsonValue &object, std::span<const std::string_view> known) const {
+    if (!object.is(JsonKind::Object)) {
+        return; // reported as a fault
+    }
+    for (auto member = object.begin(); member != object.end(); ++member) {
+        const std::string key = member.key();
+        if (std::find(known.begin(), known.end(), key) == known.end()) {
+            source_.note("members", "unknown member " + inQuotes(key) + " is ignored", member.keyValue().offset());
+        }
     }
 }
 

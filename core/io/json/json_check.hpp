@@ -3,6 +3,7 @@
 #include "core/io/json/json.hpp"
 
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,6 +22,11 @@ class JsonCheck {
     const Diagnostics &faults() const { return faults_; }
     /// Returns the line and column of a value.
     TextPlace place(const JsonValue &value) const { return placeOf(source_.text, value.offset()); }
+    /// Reports members of an object that are not `known`, which a newer or another program may have added.
+    void noteUnknown(const JsonValue &object, std::span<const std::string_view> known) const;
+    void noteUnknown(const JsonValue &object, std::initializer_list<std::string_view> known) const {
+        noteUnknown(object, std::span(known.begin(), known.size()));
+    }
     /// Returns true once the list of faults is full.
     bool full() const { return faults_.size() >= kMaxListedFaults; }
 

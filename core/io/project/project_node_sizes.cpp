@@ -35,6 +35,7 @@ void readNodeSize(const JsonValue &item, Shape &shape, JsonCheck &check) {
     if (const auto value = item.find("growth")) {
         part.growth = check.notNegative(*value, "the growth of a node");
     }
+    check.noteUnknown(item, {"node", "size", "growth"});
     const auto index = check.member(item, "node", "the size of a node");
     if (!index) {
         return;

@@ -10,11 +10,9 @@
 #include "core/io/project/project_words.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <limits>
 #include <set>
-#include <span>
 
 namespace forefront {
 
@@ -56,17 +54,16 @@ class ProjectReader {
         }
         if (const auto given = root.find("picture"); given && check_.expect(*given, JsonKind::Object, "\"picture\"")) {
             document_.picture = readPicture(*given, source_.path, check_);
-            noteUnknown(*given, std::array<std::string_view, 5>{"file", "at", "size", "opacity", "locked"});
+            check_.noteUnknown(*given, {"file", "at", "size", "opacity", "locked"});
         }
         nextId(root);
         readParameters(root, source_.options.parameters, document_, check_);
         if (!check_.faults().empty()) {
             return check_.faults();
         }
-        noteUnknown(root, std::array<std::string_view, 15>{"format", "version", "shapes", "regionMarkers",
-                                                           "boundaryNames", "regionNames", "spacing", "options",
-                                                           "limits", "nextId", "circleTolerance", "curveTolerance",
-                                                           "parameters", "formulas", "picture"});
+        check_.noteUnknown(root, {"format", "version", "shapes", "regionMarkers", "boundaryNames", "regionNames",
+                                  "spacing", "options", "limits", "nextId", "circleTolerance", "curveTolerance",
+                                  "parameters", "formulas", "picture"});
         if (source_.origin != nullptr) {
             recordOrigins();
         }
@@ -74,16 +71,6 @@ class ProjectReader {
     }
 
   private:
-    /// Reports unknown members, which a newer or another program may have added.
-    void noteUnknown(const JsonValue &object, std::span<const std::string_view> known) const {
-        for (auto member = object.begin(); member != object.end(); ++member) {
-            const std::string key = member.key();
-            if (std::find(known.begin(), known.end(), key) == known.end()) {
-                source_.note("members", "unknown member " + inQuotes(key) + " is ignored", member.keyValue().offset());
-            }
-        }
-    }
-
     /// Records the places of the parts of the document's domain in the text. The parts of rectangles, circles and
     /// ellipses are placed at the list of nodes.
     void recordOrigins() {
@@ -195,9 +182,8 @@ class ProjectReader {
             }
             segmentTagCount(shape, *tags);
         }
-        noteUnknown(item,
-                    std::array<std::string_view, 13>{"id", "kind", "use", "tag", "name", "nodes", "radius", "curves",
-                                                     "cuts", "segmentTags", "nodeSizes", "hidden", "locked"});
+        check_.noteUnknown(item, {"id", "kind", "use", "tag", "name", "nodes", "radius", "curves", "cuts",
+                                  "segmentTags", "nodeSizes", "hidden", "locked"});
         return shape;
     }
 
@@ -256,7 +242,7 @@ class ProjectReader {
             if (const auto area = item.find("maxArea")) {
                 marker.maxArea = check_.notNegative(*area, "the maximum area of a region marker");
             }
-            noteUnknown(item, std::array<std::string_view, 3>{"at", "tag", "maxArea"});
+            check_.noteUnknown(item, {"at", "tag", "maxArea"});
             document_.regionMarkers.push_back(marker);
             markerOffsets_.push_back(item.offset());
         }
@@ -301,8 +287,7 @@ class ProjectReader {
         if (const auto threads = object.find("threads")) {
             options.threads = static_cast<unsigned>(check_.integer(*threads, 0, kMaxThreads, "\"threads\""));
         }
-        noteUnknown(object, std::array<std::string_view, 7>{"method", "grid", "gridColumns", "gridRows", "keepBoundary",
-                                                            "improve", "threads"});
+        check_.noteUnknown(object, {"method", "grid", "gridColumns", "gridRows", "keepBoundary", "improve", "threads"});
     }
 
     void limits(const JsonValue &object) {
@@ -322,7 +307,7 @@ class ProjectReader {
         for (const MeshLimit limit : valuesOf<MeshLimit>()) {
             known.emplace_back(limitInfo(limit).member);
         }
-        noteUnknown(object, known);
+        check_.noteUnknown(object, known);
     }
 
     /// Reads a word, or true (default) and false (none) as in older projects.

@@ -63,6 +63,7 @@ SizeSource readSource(const JsonValue &item, JsonCheck &check) {
     if (const auto name = item.find("name")) {
         source.name = check.string(*name, "the name of a source");
     }
+    check.noteUnknown(item, {"shape", "a", "b", "radius", "size", "endSize", "growth", "name"});
     return source;
 }
 
@@ -106,6 +107,7 @@ void readPartSize(const JsonValue &item, JsonCheck &check, std::map<std::int32_t
     if (const auto value = item.find("growth")) {
         part.growth = check.notNegative(*value, "the growth of a boundary part");
     }
+    check.noteUnknown(item, {"tag", "size", "growth"});
     if (!sizes.emplace(tag, part).second) {
         check.fault(item, "bad-tag", "tag " + std::to_string(tag) + " already has a size");
     }
@@ -171,6 +173,7 @@ PaintedSpacing readPaint(const JsonValue &object, JsonCheck &check) {
     if (const auto pitch = check.member(object, "pitch", "the paint")) {
         paint.pitch = check.positive(*pitch, "the pitch of the paint");
     }
+    check.noteUnknown(object, {"origin", "pitch", "tiles"});
     const auto tiles = check.member(object, "tiles", "the paint");
     if (!tiles || !check.expect(*tiles, JsonKind::Array, "\"tiles\"")) {
         return paint;
@@ -225,6 +228,7 @@ std::shared_ptr<const BackgroundMesh> readBackground(const JsonValue &object, Js
         !check.expect(*values, JsonKind::Array, "\"values\"")) {
         return nullptr;
     }
+    check.noteUnknown(object, {"nodes", "elements", "values"});
     BackgroundMesh mesh;
     mesh.nodes = check.points(*nodes, "a node of the background mesh");
     for (const JsonValue item : *elements) {
@@ -334,6 +338,12 @@ SpacingSpec readSpacing(const JsonValue &object, JsonCheck &check) {
             member.read(*value, check, member.name, spec);
         }
     }
+    std::vector<std::string_view> known;
+    known.reserve(kMembers.size());
+    for (const SpacingMember &member : kMembers) {
+        known.emplace_back(member.name);
+    }
+    check.noteUnknown(object, known);
     return spec;
 }
 
