@@ -68,7 +68,7 @@ Result<bool> placeOnce(Document &document, std::vector<Follower> &followers, std
     for (Follower &follower : followers) {
         if (!hasValue(document, follower.number, follower.value)) {
             failed = follower.address;
-            if (Status status = placeNumber(document, follower.number, follower.value); !status.empty()) {
+            if (Status status = setNumber(document, follower.number, follower.value); !status.empty()) {
                 return status;
             }
             follower.changed = any = true;

@@ -100,7 +100,7 @@ Shape changedBox(Shape shape, const std::string &what, double value) {
 }
 
 /// Sets a number of a shape, which may become degenerate.
-Status placeInShape(Shape &shape, const NumberAddress &address, double value) {
+Status setShapeNumber(Shape &shape, const NumberAddress &address, double value) {
     const std::string &what = address.quantity;
     if (what == "x" || what == "y") {
         const Vec2 at = handlesOf(shape)[address.handle];
@@ -251,12 +251,12 @@ std::optional<double> readNumber(const Document &document, const NumberAddress &
     return place != nullptr ? document.spacing.*place : std::nullopt;
 }
 
-Status placeNumber(Document &document, const NumberAddress &address, double value) {
+Status setNumber(Document &document, const NumberAddress &address, double value) {
     switch (address.owner) {
     case Owner::Shape: {
         std::shared_ptr<const Shape> &place = document.shapes[positionOf(document, address.id)];
         Shape shape = *place;
-        Status status = placeInShape(shape, address, value);
+        Status status = setShapeNumber(shape, address, value);
         place = std::make_shared<const Shape>(std::move(shape));
         return status;
     }

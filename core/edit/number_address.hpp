@@ -35,8 +35,8 @@ std::optional<double> readNumber(const Document &document, const NumberAddress &
 std::optional<double> numberAt(const Document &document, std::string_view address);
 /// Sets an existing number to a finite value. It does not check whether the result is valid: see checkedOwner(). Error:
 /// bad-number for a length that is not above 0.
-Status placeNumber(Document &document, const NumberAddress &address, double value);
-/// Checks the owner of a number after placeNumber(): its shape, source, marker, the sizes of the boundary parts, or the
+Status setNumber(Document &document, const NumberAddress &address, double value);
+/// Checks the owner of a number after setNumber(): its shape, source, marker, the sizes of the boundary parts, or the
 /// limits of the spacing. Returns the document if the owner is valid. Errors: those of the commands that change it.
 Result<Document> checkedOwner(const Document &document, const NumberAddress &address);
 

@@ -97,7 +97,7 @@ TEST_CASE("numberAt: finds every kind of number, and none for missing ones") {
     }
 }
 
-TEST_CASE("placeNumber: every kind of number can be set and is read back") {
+TEST_CASE("setNumber: every kind of number can be set and is read back") {
     Document document = plate();
     document = *addShape(document, makeShape(ShapeKind::Ellipse, {{5, 5}, {7, 5}, {5, 6}}));
     document = *addShape(document, makeShape(ShapeKind::Polygon, {{8, 0}, {9, 0}, {9, 1}}));
@@ -117,15 +117,15 @@ TEST_CASE("placeNumber: every kind of number can be set and is read back") {
         REQUIRE(address.has_value());
         CHECK(toString(*address) == text);
         Document changed = document;
-        CHECK(placeNumber(changed, *address, 0.625).empty());
+        CHECK(setNumber(changed, *address, 0.625).empty());
         CHECK(checkedOwner(changed, *address).ok());
         CHECK(*numberAt(changed, text) == doctest::Approx(0.625).epsilon(1e-12));
     }
     const NumberAddress axis = *parseAddress("shape/3/rx"), size = *parseAddress("spacing/size");
     Document changed = document;
-    CHECK(placeNumber(changed, axis, 0.0).front().code == "bad-number");
+    CHECK(setNumber(changed, axis, 0.0).front().code == "bad-number");
     changed = document;
-    CHECK(placeNumber(changed, size, -1.0).empty());
+    CHECK(setNumber(changed, size, -1.0).empty());
     CHECK(codeOf(checkedOwner(changed, size)) == "bad-size");
 }
 

@@ -175,7 +175,7 @@ TEST_CASE("Node sizes: corners of a rectangle keep theirs when its numbers chang
         for (std::uint32_t corner = 0; corner < 4; ++corner) {
             Document wider = *setNodeSize(drawn, {{1, corner}}, kFine);
             const Vec2 before = handlesOf(*drawn.shapes[0])[corner];
-            REQUIRE(placeNumber(wider, *parseAddress("shape/1/width"), 8.0).empty());
+            REQUIRE(setNumber(wider, *parseAddress("shape/1/width"), 8.0).empty());
             CHECK(sizedPlaces(wider) == std::vector<Vec2>{{2.0 * before.x, before.y}});
         }
     }
