@@ -1,8 +1,8 @@
 #include "core/edit/node_sizes.hpp"
 
-#include "core/base/number_text.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
+#include "core/spacing/spec/spec_check.hpp"
 
 #include <cmath>
 #include <map>
@@ -100,14 +100,8 @@ void placeBox(Shape &rectangle, Vec2 low, Vec2 high) {
 
 Diagnostics checkNodeSizes(const Shape &shape) {
     for (const auto &[node, part] : shape.nodeSizes) {
-        const bool size = std::isfinite(part.size) && part.size > 0.0;
-        if (!size || !std::isfinite(part.growth) || part.growth < 0.0) {
-            return error("bad-size",
-                         nodeName(shape, node) + " has the " +
-                             (size ? "growth " + numberText(part.growth, 6) : "size " + numberText(part.size, 6)) +
-                             "; expected a number " + (size ? "of at least 0" : "above 0"),
-                         size ? "enter a growth such as 0.2"
-                              : "enter a length in domain units, or leave the field empty");
+        if (auto fault = partSizeFault(part, nodeName(shape, node), "bad-size")) {
+            return {*std::move(fault)};
         }
     }
     return {};

@@ -21,12 +21,25 @@ std::string text(double value) {
 
 } // namespace
 
-void checkSize(const std::optional<double> &value, const std::string &name, Diagnostics &faults) {
+void checkSize(const std::optional<double> &value, const std::string &name, Diagnostics &faults, const char *advice) {
     if (value && !isSize(*value)) {
-        faults.push_back(error("bad-size", "invalid " + name + ' ' + text(*value) + "; expected a number above 0",
-                               "enter a length in domain units")
-                             .front());
+        faults.push_back(
+            error("bad-size", "invalid " + name + ' ' + text(*value) + "; expected a number above 0", advice).front());
     }
+}
+
+std::optional<Diagnostic> partSizeFault(const PartSize &part, const std::string &owner, const char *code) {
+    if (!isSize(part.size)) {
+        return error(code, owner + " has the size " + text(part.size) + "; expected a number above 0",
+                     "enter a length in domain units, or leave the field empty")
+            .front();
+    }
+    if (!isNotNegative(part.growth)) {
+        return error(code, owner + " has the growth " + text(part.growth) + "; expected a number of at least 0",
+                     "enter a growth such as 0.2")
+            .front();
+    }
+    return std::nullopt;
 }
 
 void checkSegmentsPerTurn(const std::optional<double> &value, Diagnostics &faults) {
@@ -80,30 +93,20 @@ void checkSources(std::span<const SizeSource> sources, Diagnostics &faults) {
 
 void checkPartSizes(const std::map<std::int32_t, PartSize> &sizes, Diagnostics &faults) {
     for (const auto &[tag, part] : sizes) {
-        const bool size = isSize(part.size);
-        if (!size || !isNotNegative(part.growth)) {
-            const std::string what = size ? "growth " + text(part.growth) : "size " + text(part.size);
-            faults.push_back(error("bad-source",
-                                   "the boundary part with tag " + std::to_string(tag) + " has " + what +
-                                       "; expected a number " + (size ? "of at least 0" : "above 0"),
-                                   "enter a length in domain units, or leave the field empty")
-                                 .front());
+        if (auto fault = partSizeFault(part, "the boundary part with tag " + std::to_string(tag), "bad-source")) {
+            faults.push_back(*std::move(fault));
         }
     }
 }
 
 void checkNodeSizes(std::span<const NodeSize> sizes, Diagnostics &faults) {
     for (const NodeSize &node : sizes) {
-        const bool size = isSize(node.size);
-        if (!size || !isNotNegative(node.growth)) {
-            Diagnostics fault =
-                error("bad-source", (node.name.empty() ? "a node" : node.name) + " has the " +
-                                        (size ? "growth " + text(node.growth) : "size " + text(node.size)) +
-                                        "; expected a number " + (size ? "of at least 0" : "above 0"));
+        const std::string name = node.name.empty() ? "a node" : node.name;
+        if (auto fault = partSizeFault({node.size, node.growth}, name, "bad-source")) {
             if (isFinite(node.at)) {
-                fault.front().at = node.at;
+                fault->at = node.at;
             }
-            faults.push_back(std::move(fault.front()));
+            faults.push_back(*std::move(fault));
         }
     }
 }
@@ -127,7 +130,7 @@ void checkRegionAreas(std::span<const RegionMarker> markers, Diagnostics &faults
 void checkLimits(const SpacingSpec &spec, Diagnostics &faults) {
     checkSize(spec.minimum, "minimum spacing", faults);
     checkSize(spec.maximum, "maximum spacing", faults);
-    checkSize(spec.gradation, "gradation", faults);
+    checkSize(spec.gradation, "gradation", faults, "enter a gradation such as 0.25");
     if (spec.minimum && spec.maximum && isSize(*spec.minimum) && isSize(*spec.maximum) &&
         *spec.minimum > *spec.maximum) {
         faults.push_back(error("bad-size",

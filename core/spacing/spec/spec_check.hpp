@@ -15,7 +15,11 @@ namespace forefront {
 // Each check appends the faults of the given numbers to a list.
 
 /// Checks that a size is absent or a finite number above 0. Fault: bad-size.
-void checkSize(const std::optional<double> &value, const std::string &name, Diagnostics &faults);
+void checkSize(const std::optional<double> &value, const std::string &name, Diagnostics &faults,
+               const char *advice = "enter a length in domain units");
+
+/// Returns the fault of a size or its growth, if there is one. `owner`: what has it, such as "node 3 of quay".
+std::optional<Diagnostic> partSizeFault(const PartSize &part, const std::string &owner, const char *code);
 
 /// Checks a size source. Faults: bad-source, with the index in `ids` and the place if it is finite.
 void checkSource(const SizeSource &source, std::uint32_t index, Diagnostics &faults);
