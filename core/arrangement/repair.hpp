@@ -15,6 +15,7 @@ namespace FOREFRONT_API forefront {
 struct Repaired {
     Domain domain;
     std::vector<std::uint32_t> nodeSource;    ///< per node: the (first) input node it came from, or kNoIndex if new
+    std::vector<std::uint32_t> nodeResult;    ///< per input node: the node that it became, or kNoIndex if it is gone
     std::vector<std::uint32_t> segmentSource; ///< per segment: the input segment that it is part of
     double radius = 0.0; ///< joining distance: the tolerance, or less if several things are crowded within it
     std::vector<ArrangementChange> changes; ///< one entry per kind; the parts are those of the given domain

@@ -28,9 +28,11 @@ void Repairer::build() {
         }
     }
     result_.nodeSource.assign(domain.nodes.size(), kNoIndex);
+    result_.nodeResult.assign(given_.nodes.size(), kNoIndex);
     for (auto n = static_cast<std::uint32_t>(given_.nodes.size()); n-- > 0;) {
         if (const std::uint32_t number = renumbered(n); number != kNoIndex) {
             result_.nodeSource[number] = n;
+            result_.nodeResult[n] = number;
         }
     }
     locateChanges();

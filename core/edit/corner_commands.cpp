@@ -1,7 +1,6 @@
 #include "core/edit/corner_commands.hpp"
 
 #include "core/base/number_text.hpp"
-#include "core/edit/node_sizes.hpp"
 #include "core/edit/path_curve.hpp"
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
@@ -122,15 +121,22 @@ struct Element {
     Vec2 node;
     Curve curve; ///< as a path stores it: a straight segment is defined by its nodes
     std::int32_t tag = 1;
+    std::optional<PartSize> size; ///< at the node
 };
+
+/// Returns the size of a node that takes the place of two: the smaller one.
+std::optional<PartSize> smaller(const std::optional<PartSize> &a, const std::optional<PartSize> &b) {
+    return !b || (a && a->size <= b->size) ? a : b;
+}
 
 /// Cuts corners of a path in one pass, from its last node to its first. With `all`, smooth nodes and ends are skipped.
 class CornerPass {
   public:
     CornerPass(const Shape &shape, bool all) : closed_(shape.kind == ShapeKind::Polygon), all_(all) {
-        for (std::size_t k = 0; k < shape.nodes.size(); ++k) {
-            ahead_.push_back(
-                {shape.nodes[k], k < shape.curves.size() ? shape.curves[k] : Curve(), segmentTag(shape, k)});
+        for (std::uint32_t k = 0; k < shape.nodes.size(); ++k) {
+            const auto size = shape.nodeSizes.find(k);
+            ahead_.push_back({shape.nodes[k], k < shape.curves.size() ? shape.curves[k] : Curve(), segmentTag(shape, k),
+                              size != shape.nodeSizes.end() ? std::optional(size->second) : std::nullopt});
         }
     }
 
@@ -155,12 +161,15 @@ class CornerPass {
 
     /// Writes the result to the path.
     void finish(Shape &shape) {
-        const Shape before = shape;
         std::reverse(done_.begin(), done_.end());
         shape.nodes.clear();
         shape.curves.clear();
         shape.segmentTags.clear();
+        shape.nodeSizes.clear();
         for (const Element &element : done_) {
+            if (element.size) {
+                shape.nodeSizes[static_cast<std::uint32_t>(shape.nodes.size())] = *element.size;
+            }
             shape.nodes.push_back(element.node);
             shape.curves.push_back(element.curve);
             shape.segmentTags.push_back(element.tag);
@@ -170,7 +179,6 @@ class CornerPass {
             shape.segmentTags.pop_back();
         }
         shape.cuts.clear();
-        keepNodeSizes(shape, before);
     }
 
   private:
@@ -199,7 +207,8 @@ class CornerPass {
                          "enter a smaller number");
         }
         const bool noBefore = found->s <= kCornerRounding, noAfter = found->t >= 1.0 - kCornerRounding;
-        const Element joint{noBefore ? first.point(0.0) : first.point(found->s), found->joint, before.tag};
+        const Element joint{noBefore ? first.point(0.0) : first.point(found->s), found->joint, before.tag,
+                            element.size};
         before.curve = part(first, 0.0, found->s);
         element.curve = part(second, found->t, alone ? found->s : 1.0);
         element.node = second.point(found->t);
@@ -207,16 +216,21 @@ class CornerPass {
         return {};
     }
 
-    /// Puts a joint before a node. A side that is used up is removed with its first node.
-    void replace(const Element &element, const Element &joint, bool noBefore, bool noAfter) {
+    /// Puts a joint before a node; both have the size of the corner. A side that is used up is removed with its first
+    /// node.
+    void replace(const Element &element, Element joint, bool noBefore, bool noAfter) {
         if (!noAfter) {
             done_.push_back(element);
+        } else if (!done_.empty()) {
+            done_.back().size = smaller(done_.back().size, element.size);
         }
         if (noBefore && !ahead_.empty()) {
+            joint.size = smaller(joint.size, ahead_.back().size);
             ahead_.back() = joint; // the next corner
             return;
         }
         if (noBefore && !done_.empty()) {
+            joint.size = smaller(joint.size, done_.front().size);
             done_.erase(done_.begin());
         }
         done_.push_back(joint);

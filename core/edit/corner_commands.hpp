@@ -9,10 +9,12 @@ namespace forefront {
 // Errors: bad-number, no-such-node, not-possible (a smooth node, the end of an open path, or a corner that is too
 // narrow for the number).
 
-/// Rounds corners by arcs of circles that are tangent to both sides, which may be curves.
+/// Rounds corners by arcs of circles that are tangent to both sides, which may be curves. The ends of an arc get the
+/// element size of its corner.
 Result<Document> filletCorners(const Document &document, const Selection &selection, double radius);
 
-/// Cuts corners by straight segments between the points at a distance from the node along both sides.
+/// Cuts corners by straight segments between the points at a distance from the node along both sides, which get the
+/// element size of the corner.
 Result<Document> chamferCorners(const Document &document, const Selection &selection, double distance);
 
 /// Returns true if the selection holds a node or a shape with corners.

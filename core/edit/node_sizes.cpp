@@ -4,7 +4,9 @@
 #include "core/edit/shape_geometry.hpp"
 #include "core/spacing/spec/spec_check.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -65,18 +67,42 @@ Result<Document> changeNodeSizes(const Document &document, const std::set<NodeRe
     });
 }
 
+namespace {
+
+/// See giveSize(); `handles` are those of the shape.
+bool giveSizeAt(Shape &shape, const std::vector<Vec2> &handles, Vec2 at, const PartSize &size, double reach) {
+    bool given = false;
+    for (std::uint32_t k = 0; k < handles.size(); ++k) {
+        if (distance(handles[k], at) <= reach && canHaveSize(shape, k)) {
+            PartSize &present = shape.nodeSizes.emplace(k, size).first->second;
+            present = size.size < present.size ? size : present;
+            given = true;
+        }
+    }
+    return given;
+}
+
+/// Returns the distance within which two places are the same, for nodes of a shape.
+double roundingOf(const Shape &shape) {
+    constexpr double kRounding = 1e-9; // relative to the size of the shape
+    return kRounding * boundsOf(shape).diagonal();
+}
+
+} // namespace
+
+bool giveSize(Shape &shape, Vec2 at, const PartSize &size, double reach) {
+    return giveSizeAt(shape, handlesOf(shape), at, size, reach);
+}
+
 void takeNodeSizes(Shape &shape, const Shape &from) {
-    constexpr double kRounding = 1e-9; // of the size of the shape
     if (from.nodeSizes.empty()) {
         return;
     }
     const std::vector<Vec2> handles = handlesOf(shape), places = handlesOf(from);
-    const double reach = kRounding * boundsOf(from).diagonal();
+    const double reach = roundingOf(from);
     for (const auto &[node, size] : from.nodeSizes) {
-        for (std::uint32_t k = 0; k < handles.size() && node < places.size(); ++k) {
-            if (distance(handles[k], places[node]) <= reach && canHaveSize(shape, k)) {
-                shape.nodeSizes.emplace(k, size);
-            }
+        if (node < places.size()) {
+            giveSizeAt(shape, handles, places[node], size, reach);
         }
     }
 }
@@ -84,6 +110,24 @@ void takeNodeSizes(Shape &shape, const Shape &from) {
 void keepNodeSizes(Shape &shape, const Shape &before) {
     shape.nodeSizes.clear();
     takeNodeSizes(shape, before);
+}
+
+void moveNodeSizes(Shape &shape, const Shape &before) {
+    shape.nodeSizes.clear();
+    if (before.nodeSizes.empty()) {
+        return;
+    }
+    const std::vector<Vec2> handles = handlesOf(shape), places = handlesOf(before);
+    const double rounding = roundingOf(before);
+    for (const auto &[node, size] : before.nodeSizes) {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (std::uint32_t k = 0; k < handles.size() && node < places.size(); ++k) {
+            nearest = canHaveSize(shape, k) ? std::min(nearest, distance(handles[k], places[node])) : nearest;
+        }
+        if (std::isfinite(nearest)) {
+            giveSizeAt(shape, handles, places[node], size, nearest + rounding);
+        }
+    }
 }
 
 void placeBox(Shape &rectangle, Vec2 low, Vec2 high) {

@@ -25,11 +25,19 @@ struct NodeSizeChange {
 Result<Document> changeNodeSizes(const Document &document, const std::set<NodeRef> &nodes,
                                  const NodeSizeChange &change);
 
+/// Gives the nodes of a shape within `reach` of a place a size. Of two sizes at a node, the smaller one stays. Returns
+/// false if there is no such node.
+bool giveSize(Shape &shape, Vec2 at, const PartSize &size, double reach);
+
 /// Gives the nodes of a shape the sizes that nodes of another one have at the same places, up to rounding.
 void takeNodeSizes(Shape &shape, const Shape &from);
 
 /// Replaces the sizes of a shape whose list of nodes has changed by those that it had at the same places before.
 void keepNodeSizes(Shape &shape, const Shape &before);
+
+/// Replaces the sizes of a shape by those that it had before: each goes to the nearest node, or to several that are
+/// equally near.
+void moveNodeSizes(Shape &shape, const Shape &before);
 
 /// Makes the first node of a rectangle its lower left corner and the second its upper right one, at new places. Sizes
 /// stay at their corners.

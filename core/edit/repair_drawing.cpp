@@ -1,6 +1,8 @@
 #include "core/edit/repair_drawing.hpp"
 
 #include "core/arrangement/repair.hpp"
+#include "core/base/ids.hpp"
+#include "core/base/number_text.hpp"
 #include "core/domain/validate.hpp"
 #include "core/edit/domain_shapes.hpp"
 #include "core/edit/domain_sources.hpp"
@@ -56,10 +58,10 @@ class DrawingRepair {
         if (!repaired) {
             return repaired.faults();
         }
-        RepairedDrawing result{document_, std::move(repaired->changes), validate(repaired->domain)};
+        RepairedDrawing result{document_, std::move(repaired->changes), validate(repaired->domain), {}};
         if (!result.changes.empty()) {
             findChanged(*repaired);
-            replaceChanged(repaired->domain, repaired->segmentSource, result.document);
+            replaceChanged(*repaired, result);
         }
         return result;
     }
@@ -108,12 +110,14 @@ class DrawingRepair {
                endsOf(domain.nodes[now.a], domain.nodes[now.b]) == endsOf(given_.nodes[then.a], given_.nodes[then.b]);
     }
 
-    void replaceChanged(const Domain &domain, const std::vector<std::uint32_t> &segmentSource, Document &next) const {
+    void replaceChanged(const Repaired &repaired, RepairedDrawing &result) const {
+        const Domain &domain = repaired.domain;
+        Document &next = result.document;
         std::vector<std::uint32_t> segments, points;
         std::vector<NamedEdge> edges;
         for (std::uint32_t s = 0; s < domain.segments.size(); ++s) {
             const DomainSegment &segment = domain.segments[s];
-            const std::uint32_t shape = sources_.segments[segmentSource[s]].shape;
+            const std::uint32_t shape = sources_.segments[repaired.segmentSource[s]].shape;
             if (changed_[shape] != 0 && std::max(segment.a, segment.b) < domain.nodes.size()) {
                 segments.push_back(s);
                 edges.push_back({domain.nodes[segment.a], domain.nodes[segment.b], shape});
@@ -133,16 +137,71 @@ class DrawingRepair {
                 next.shapes.push_back(document_.shapes[k]);
             }
         }
-        for (Shape &made : shapesOf(partOf(domain, segments, points))) {
-            made.id = next.nextId++;
-            made.name = nameOf(made, edges);
-            for (std::size_t k = 0; k < document_.shapes.size(); ++k) {
-                if (changed_[k] != 0) {
-                    takeNodeSizes(made, *document_.shapes[k]);
+        std::vector<Shape> made = shapesOf(partOf(domain, segments, points));
+        moveSizes(repaired, made, result);
+        for (Shape &shape : made) {
+            shape.id = next.nextId++;
+            shape.name = nameOf(shape, edges);
+            next.shapes.push_back(std::make_shared<const Shape>(std::move(shape)));
+        }
+    }
+
+    /// Gives the sizes at nodes of changed shapes to the nodes that these became: nodes of `made` or, where only shapes
+    /// that stay have a node there, of these.
+    void moveSizes(const Repaired &repaired, std::vector<Shape> &made, RepairedDrawing &result) const {
+        constexpr double kRounding = 1e-9; // relative to the size of the drawing
+        const double reach = kRounding * given_.bounds().diagonal();
+        for (std::size_t k = 0; k < document_.shapes.size(); ++k) {
+            const Shape &shape = *document_.shapes[k];
+            if (changed_[k] == 0 || shape.nodeSizes.empty()) {
+                continue;
+            }
+            const std::vector<Vec2> handles = handlesOf(shape);
+            for (const auto &[node, size] : shape.nodeSizes) {
+                const Vec2 at = placeAfter(handles[node], repaired, reach);
+                bool given = false;
+                for (Shape &taker : made) {
+                    given = giveSize(taker, at, size, reach) || given;
+                }
+                if (!given && !giveToUnchanged(result.document, at, size, reach)) {
+                    result.lostSizes.push_back(lostSize(shape, node, size, handles[node]));
                 }
             }
-            next.shapes.push_back(std::make_shared<const Shape>(std::move(made)));
         }
+    }
+
+    /// Returns the place to which a node at a given place was moved.
+    Vec2 placeAfter(Vec2 at, const Repaired &repaired, double reach) const {
+        for (std::size_t n = 0; n < given_.nodes.size(); ++n) {
+            if (distance(given_.nodes[n], at) <= reach && repaired.nodeResult[n] != kNoIndex) {
+                return repaired.domain.nodes[repaired.nodeResult[n]];
+            }
+        }
+        return at;
+    }
+
+    /// Gives a size to the nodes at a place. Returns false if there are none.
+    static bool giveToUnchanged(Document &next, Vec2 at, const PartSize &size, double reach) {
+        bool given = false;
+        for (std::shared_ptr<const Shape> &shape : next.shapes) {
+            Shape taker = *shape;
+            if (giveSize(taker, at, size, reach)) {
+                shape = std::make_shared<const Shape>(std::move(taker));
+                given = true;
+            }
+        }
+        return given;
+    }
+
+    static Diagnostic lostSize(const Shape &shape, std::uint32_t node, const PartSize &size, Vec2 at) {
+        Diagnostic lost;
+        lost.severity = Severity::Warning;
+        lost.code = "lost-size";
+        lost.message = nodeName(shape, node) + " lost its element size " + numberText(size.size, 6) +
+                       ", because the repair removed the node";
+        lost.advice = "give the size to a node nearby";
+        lost.at = at;
+        return lost;
     }
 
     /// Returns the name of the shape that the first chord of a new one comes from. On curves, places may be rounded,

@@ -194,7 +194,7 @@ void becomePath(Shape &shape) {
     shape.curves = std::move(outline.curves);
     shape.cuts.clear();
     shape.radius = 0.0;
-    keepNodeSizes(shape, before);
+    moveNodeSizes(shape, before); // that of a rounded corner goes to the ends of its arc
 }
 
 void moveNodes(Shape &shape, std::vector<Vec2> places) {

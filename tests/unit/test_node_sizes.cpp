@@ -88,12 +88,62 @@ TEST_CASE("Node sizes: stay at their nodes when the shape is edited") {
     CHECK(sizedPlaces(*toggleClosed(document, 1)) == kSame);
     CHECK(sizedPlaces(*toggleClosed(*toggleClosed(document, 1), 1)) == kSame);
     CHECK(sizedPlaces(*filletCorners(document, nodeOf(1, 0), 0.5)) == kSame);
-    CHECK(sizedPlaces(*filletCorners(document, nodeOf(1, 2), 0.5)).empty());
     CHECK(sizedPlaces(*chamferCorners(document, nodeOf(1, 1), 0.5)) == kSame);
     CHECK(sizedPlaces(*setCurved(document, {{1, 0}}, true)) == kSame);
     Selection side;
     side.segments = {{1, 0}};
     CHECK(sizedPlaces(deleteSelection(document, side)) == kSame);
+}
+
+TEST_CASE("Node sizes: that of a corner that is cut goes to both ends of the cut") {
+    const Document document = square();
+    const std::vector<Vec2> ends{{4, 2.5}, {3.5, 3}};
+    CHECK(sizedPlaces(*filletCorners(document, nodeOf(1, 2), 0.5)) == ends);
+    CHECK(sizedPlaces(*chamferCorners(document, nodeOf(1, 2), 0.5)) == ends);
+    // A cut that uses up a side: the size goes to the node at its other end, where the smaller size stays.
+    Document both = *setNodeSize(document, {{1, 1}}, PartSize{0.01, 0.2});
+    both = *chamferCorners(both, nodeOf(1, 2), 3.0);
+    CHECK(both.shapes[0]->nodes == std::vector<Vec2>{{0, 0}, {4, 0}, {1, 3}, {0, 3}});
+    CHECK(both.shapes[0]->nodeSizes == std::map<std::uint32_t, PartSize>{{1, {0.01, 0.2}}, {2, kFine}});
+    const Document all = *filletCorners(document, shapeOf(1), 1.5); // uses up two sides
+    CHECK(sizedPlaces(all) == std::vector<Vec2>{{4, 1.5}, {2.5, 3}});
+}
+
+TEST_CASE("Node sizes: that of a rounded corner goes to both ends of its arc when the rectangle becomes a path") {
+    Shape rounded = made(ShapeKind::Rectangle, {{0, 0}, {4, 3}});
+    rounded.radius = 0.5;
+    const Document document = *setNodeSize(*addShape({}, rounded), {{1, 2}}, kFine); // at (4, 3)
+    CHECK(sizedPlaces(*convertToPath(document, 1)) == std::vector<Vec2>{{4, 2.5}, {3.5, 3}});
+    const PlaneMap turn = PlaneMap::rotation(30.0, {0, 0});
+    const std::vector<Vec2> turned = sizedPlaces(*transformSelection(document, shapeOf(1), turn));
+    REQUIRE(turned.size() == 2);
+    CHECK(distance(turned[0], turn({4, 2.5})) < 1e-12);
+    CHECK(distance(turned[1], turn({3.5, 3})) < 1e-12);
+}
+
+TEST_CASE("Node sizes: a repair moves them with their nodes, and reports those whose nodes it removes") {
+    Document document = *addShape({}, made(ShapeKind::Polygon, {{0, 0}, {4, 0}, {4, 3}, {0, 3}}));
+    document = *addShape(document, made(ShapeKind::Polygon, {{4.02, 0}, {8, 0}, {8, 3}, {4.02, 3}}));
+    for (const NodeRef sized : {NodeRef{1, 2}, NodeRef{2, 3}}) {
+        CAPTURE(sized.shape);
+        const auto repaired = repairDrawing(*setNodeSize(document, {sized}, kFine), 0.1);
+        REQUIRE(repaired.ok());
+        CHECK(repaired->lostSizes.empty());
+        const std::vector<Vec2> places = sizedPlaces(repaired->document);
+        REQUIRE(places.size() == 1);
+        CHECK(distance(places[0], {4.01, 3}) < 0.02);
+        const Domain domain = toDomain(repaired->document);
+        CHECK(std::find(domain.nodes.begin(), domain.nodes.end(), places[0]) != domain.nodes.end());
+    }
+    Shape line = made(ShapeKind::Polyline, {{2, 1}, {2, -5}});
+    line.use = ShapeUse::Constraint;
+    document = *setNodeSize(*addShape(document, line), {{3, 1}}, kFine); // outside the domain
+    const auto repaired = repairDrawing(document, 0.0);
+    REQUIRE(repaired.ok());
+    REQUIRE(repaired->lostSizes.size() == 1);
+    CHECK(repaired->lostSizes[0].message ==
+          "node 2 of polyline 3 lost its element size 0.05, because the repair removed the node");
+    CHECK(repaired->lostSizes[0].at == Vec2{2, -5});
 }
 
 TEST_CASE("Node sizes: stay when paths are split, joined and trimmed") {

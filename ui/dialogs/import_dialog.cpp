@@ -59,7 +59,9 @@ Result<Reading> readRepaired(const std::filesystem::path &file, const ImportOpti
         if (!repaired) {
             return repaired.faults();
         }
-        return Reading{std::move(repaired->document), joined(notes.diagnostics(), repaired->changes)};
+        Diagnostics all = joined(notes.diagnostics(), repaired->changes);
+        all.insert(all.end(), repaired->lostSizes.begin(), repaired->lostSizes.end());
+        return Reading{std::move(repaired->document), std::move(all)};
     }
     const Result<Domain> domain = readDomain(file, options, &notes);
     const Result<Repaired> repaired = domain ? repair(*domain, tolerance) : domain.faults();

@@ -19,6 +19,7 @@ void repairDrawing(Shell &context) {
     }
     context.document.apply(std::move(repaired->document), "Repair drawing");
     context.log.add(notesOf(repaired->changes));
+    context.log.add(repaired->lostSizes);
     std::size_t count = 0;
     for (const ArrangementChange &change : repaired->changes) {
         count += change.count;
