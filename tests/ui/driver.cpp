@@ -10,13 +10,13 @@
 
 namespace forefront::test {
 
-Driver::Driver(EditorSetup setup, PixelSize size, double contentScale) {
+Driver::Driver(EditorSetup setup, PixelSize size, double contentScale, bool shown) {
     std::string fault;
     platform_ = EglPlatform::create(size, contentScale, fault);
     if (!platform_) {
         throw std::runtime_error("no headless OpenGL: " + fault);
     }
-    platform_->show(false);
+    platform_->show(shown);
     editor_ = std::make_unique<Editor>(*platform_, std::move(setup));
     context().settings.live = false;
     frames(4);

@@ -17,7 +17,9 @@ namespace forefront::test {
 /// so that tests decide when a mesh is made.
 class Driver {
   public:
-    explicit Driver(EditorSetup setup = {}, PixelSize size = {1280, 800}, double contentScale = 1.0);
+    /// `shown`: the frames are drawn as in a window; see EglPlatform::show().
+    explicit Driver(EditorSetup setup = {}, PixelSize size = {1280, 800}, double contentScale = 1.0,
+                    bool shown = false);
 
     Editor &editor() { return *editor_; }
     Shell &context() { return editor_->context(); }

@@ -3,6 +3,7 @@
 #include <glad/gl.h>
 
 #include <cmath>
+#include <utility>
 
 namespace forefront {
 
@@ -15,6 +16,16 @@ constexpr double kMaxScaling = 8.0;
 
 bool sameView(const Camera &a, const Camera &b) {
     return a.centre == b.centre && a.zoom == b.zoom;
+}
+
+/// Copies a few pixels to a corner, scaled and cut off, so that the driver prepares both kinds of copies now. Software
+/// rendering compiles code for each of them, which took a tenth of a second when a large mesh was first moved.
+void prepareCopies(int left, int bottom) {
+    constexpr int kPixels = 4;
+    glBlitFramebuffer(0, 0, kPixels, kPixels, left, bottom, left + 2 * kPixels, bottom + 2 * kPixels,
+                      GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    glBlitFramebuffer(0, 0, kPixels, kPixels, left - 2, bottom - 2, left + kPixels - 2, bottom + kPixels - 2,
+                      GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 } // namespace
@@ -100,7 +111,7 @@ void StillPicture::finishRefining() {
     refining_ = false;
 }
 
-void StillPicture::show(const Camera &camera, Pixel corner) const {
+void StillPicture::show(const Camera &camera, Pixel corner) {
     const bool standsIn = drawn_ && shown().content.subject == next().content.subject && shown().resembles(camera);
     const Target &picture = refining_ && !standsIn ? next() : shown();
     const Camera &wide = picture.wide;
@@ -112,6 +123,9 @@ void StillPicture::show(const Camera &camera, Pixel corner) const {
     const double halfWidth = 0.5 * scaling * size.width, halfHeight = 0.5 * scaling * size.height;
     const auto pixel = [](double value) { return static_cast<int>(std::lround(value)); };
     glBindFramebuffer(GL_READ_FRAMEBUFFER, picture.framebuffer);
+    if (!std::exchange(prepared_, true)) {
+        prepareCopies(pixel(corner.x), pixel(corner.y));
+    }
     glBlitFramebuffer(0, 0, size.width, size.height, pixel(middleX - halfWidth), pixel(middleY - halfHeight),
                       pixel(middleX + halfWidth), pixel(middleY + halfHeight), GL_COLOR_BUFFER_BIT,
                       scaling == 1.0 ? GL_NEAREST : GL_LINEAR);

@@ -40,7 +40,7 @@ class StillPicture {
     /// Copies the last complete picture to the current framebuffer, as seen by this camera. If it shows something else,
     /// copies the finished part of the next picture instead. `corner`: lower left corner of the canvas in that
     /// framebuffer.
-    void show(const Camera &camera, Pixel corner) const;
+    void show(const Camera &camera, Pixel corner);
 
   private:
     /// A texture and the view that it was drawn for.
@@ -67,6 +67,7 @@ class StillPicture {
     const Target &next() const { return targets_[1 - current_]; }
 
     std::array<Target, 2> targets_;
+    bool prepared_ = false; ///< see prepareCopies()
     std::size_t current_ = 0;
     bool drawn_ = false;    ///< the current target holds a complete picture
     bool refining_ = false; ///< the other target is being drawn
