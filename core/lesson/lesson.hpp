@@ -42,6 +42,11 @@ struct LessonCamera {
     std::optional<Box2> box; ///< this part of the plane; otherwise the whole drawing
 };
 
+/// The values of α at the ends of the colour scale.
+struct LessonRange {
+    double from = 0.0, to = 1.0; ///< from < to
+};
+
 /// A question answered by choosing one of several texts.
 struct LessonChoices {
     struct Choice {
@@ -86,6 +91,7 @@ struct LessonPage {
     std::optional<std::vector<std::string>> layers; ///< ids of the visible layers; not set: as they are
     std::string panel;                              ///< id of the tab to show; empty: as it is
     LessonCamera camera;
+    std::optional<LessonRange> range;        ///< not set: it fits the mesh
     std::vector<LessonHighlight> highlights; ///< on this page only
     std::optional<LessonQuestion> question;
 };

@@ -56,7 +56,7 @@ TEST_CASE("Lesson: a page continues the scene of the one before, except for ques
     const std::string text = R"({"format": "forefront-lesson", "version": 1, "title": "T", "about": "A", "pages": [
         {"title": "one", "text": ["Γ has {front}.", "b"], "document": "a.json", "method": "classic", "grid": "none",
          "position": {"advance": 4, "events": 2}, "layers": ["mesh"], "panel": "steps", "highlight": ["x/y"],
-         "camera": {"centre": [1, 2], "size": 4},
+         "camera": {"centre": [1, 2], "size": 4}, "range": [0.5, 1],
          "question": {"text": "q", "number": "front", "within": 0.5, "hint": "h", "why": "w {front}"}},
         {"title": "two", "text": "c", "position": "end", "camera": "follow"},
         {"title": "three", "text": "d", "document": "b.json"}]})";
@@ -76,6 +76,9 @@ TEST_CASE("Lesson: a page continues the scene of the one before, except for ques
     CHECK(one.paragraphs.size() == 2);
     CHECK(one.position == LessonPosition{false, 4, 2});
     CHECK(one.camera.box->max.x == 3.0);
+    REQUIRE(two.range);
+    CHECK(two.range->from == 0.5);
+    CHECK(two.range->to == 1.0);
     REQUIRE(one.question);
     CHECK(std::get<LessonNumber>(one.question->answer).within == 0.5);
     CHECK(documentOf(one)->options.grid == GridKind::None);
@@ -114,6 +117,7 @@ TEST_CASE("Lesson: faults are reported with line, column and what was expected")
         {page(",\n\"layers\": [\"mesh\",\n\"sky\"]"), "unknown-name", 4, "'sky'"},
         {page(",\n\"panel\": \"stairs\""), "unknown-name", 3, "steps"},
         {page(",\n\"camera\": {\"centre\": [0, 0], \"size\": 0}"), "bad-number", 3, "greater than 0"},
+        {page(",\n\"range\": [1, 0.5]"), "bad-range", 3, "increasing"},
         {page(",\n\"document\": \"none.json\""), "bad-document", 3, "'none.json'"},
         {page(",\n\"document\": \"\""), "empty-text", 3, "document"},
         {page(",\n\"document\": \"/etc/a.json\""), "bad-document", 3, "outside the lesson's folder"},

@@ -6,6 +6,7 @@
 #include "ui/parts/shell.hpp"
 #include "ui/platform/assets.hpp"
 #include "ui/widgets/number_text.hpp"
+#include "ui/workspace/judging.hpp"
 #include "ui/workspace/moment.hpp"
 
 #include <algorithm>
@@ -78,6 +79,15 @@ void showCamera(Shell &context, const LessonCamera &camera) {
     context.view.following = camera.follow;
 }
 
+void showColours(Shell &context, const std::optional<LessonRange> &range) {
+    if (range) {
+        chooseMeasure(context, Measure::ShapeFactor);
+        context.view.measureRange = ColourRange{range->from, range->to};
+    } else if (context.view.measure == Measure::ShapeFactor) {
+        context.view.measureRange.reset();
+    }
+}
+
 void showPage(Shell &context) {
     OpenLesson &open = *context.lessons.open;
     const LessonPage &page = open.now();
@@ -100,6 +110,7 @@ void showPage(Shell &context) {
         context.view.panels = true;
     }
     showCamera(context, page.camera);
+    showColours(context, page.range);
     rememberProgress(context);
     context.animate();
 }
@@ -192,6 +203,7 @@ void closeLesson(Shell &context) {
     context.settings.tab = open.tabBefore;
     context.view.panels = open.panelsBefore;
     context.view.following = false;
+    context.view.measureRange.reset();
     context.animate();
 }
 

@@ -13,9 +13,9 @@ namespace forefront {
 namespace {
 
 constexpr std::array<std::string_view, 5> kLessonMembers = {"format", "version", "title", "about", "pages"};
-constexpr std::array<std::string_view, 12> kPageMembers = {"title", "text",    "document",  "method",
-                                                           "grid",  "improve", "position",  "layers",
-                                                           "panel", "camera",  "highlight", "question"};
+constexpr std::array<std::string_view, 13> kPageMembers = {"title",   "text",      "document", "method", "grid",
+                                                           "improve", "position",  "layers",   "panel",  "camera",
+                                                           "range",   "highlight", "question"};
 
 class LessonReader {
   public:
@@ -124,6 +124,9 @@ class LessonReader {
         if (const auto camera = item.find("camera")) {
             page.camera = readCamera(*camera);
         }
+        if (const auto range = item.find("range")) {
+            page.range = readRange(*range);
+        }
         needDocument(item, page);
     }
 
@@ -200,6 +203,16 @@ class LessonReader {
                                    0.5 * check_.positive(*size, "the size of the camera"));
         }
         return camera;
+    }
+
+    LessonRange readRange(const JsonValue &value) {
+        const Vec2 ends = check_.point(value, "\"range\"");
+        if (!(ends.x < ends.y)) {
+            check_.fault(value, "bad-range", "expected two increasing numbers for \"range\"",
+                         "write the values of α at the ends of the colour scale, such as [0.5, 1]");
+            return {};
+        }
+        return {ends.x, ends.y};
     }
 
     std::vector<std::string> words(const JsonValue &list, std::string_view what, const std::vector<std::string> &names,
