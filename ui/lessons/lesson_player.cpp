@@ -46,6 +46,17 @@ void showPosition(Shell &context, const LessonPosition &position) {
     }
 }
 
+/// Does something that replaces the drawing, after asking about unsaved changes. A drawing that a lesson brought comes
+/// back with its page, so its changes are dropped, unless it was saved as a file.
+void afterLeaving(Shell &context, std::function<void(Shell &)> then) {
+    if (context.document.loads() == context.lessons.drawingLoaded && context.document.path().empty()) {
+        context.dialogs.dismissPreviews(context);
+        then(context);
+    } else {
+        afterUnsaved(context, std::move(then));
+    }
+}
+
 void showDocumentOf(Shell &context, OpenLesson &open) {
     const std::shared_ptr<const Document> document = documentOf(open.now());
     const bool untouched = open.document == open.now().document && open.revision == context.document.revision() &&
@@ -53,6 +64,7 @@ void showDocumentOf(Shell &context, OpenLesson &open) {
     if (!untouched) {
         rememberView(context);
         context.document.load(*document, {}, false, open.entry.lesson->title);
+        context.lessons.drawingLoaded = context.document.loads();
         context.run.clear();
         context.examiner.abandon();
         context.selection.clear();
@@ -156,7 +168,7 @@ void listLessons(Shell &context) {
 }
 
 void openLesson(Shell &context, const LessonEntry &entry) {
-    afterUnsaved(context, [entry](Shell &c) {
+    afterLeaving(context, [entry](Shell &c) {
         closeLesson(c);
         OpenLesson open{.entry = entry};
         for (const LayerSlot &slot : c.layers) {
@@ -211,7 +223,7 @@ void goToPage(Shell &context, std::size_t page) {
     if (!context.lessons.open || page >= context.lessons.open->entry.lesson->pages.size()) {
         return;
     }
-    afterUnsaved(context, [page](Shell &c) {
+    afterLeaving(context, [page](Shell &c) {
         if (c.lessons.open) {
             c.lessons.open->page = page;
             showPage(c);

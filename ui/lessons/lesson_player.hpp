@@ -17,7 +17,8 @@ Result<Lesson> loadLesson(const Shell &context, const std::filesystem::path &fil
 /// Reads the lessons that come with the program into the list, unless this was done before.
 void listLessons(Shell &context);
 
-/// Opens a lesson at the page where it was left, after asking about unsaved changes.
+/// Opens a lesson at the page where it was left, after asking about unsaved changes to a drawing of the user. The
+/// drawing of a lesson is replaced without asking, unless it was saved as a file.
 void openLesson(Shell &context, const LessonEntry &entry);
 /// Opens the lesson of a file, and adds it to the list.
 Diagnostics openLessonFile(Shell &context, const std::filesystem::path &file);

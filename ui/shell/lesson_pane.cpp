@@ -47,7 +47,8 @@ void drawList(Shell &context) {
     listLessons(context);
     ui::wrappedText(
         "Lessons about the advancing front, with the run that each page talks about. Leave one at any time; "
-        "it opens again at the same page.");
+        "it opens again at the same page. Each page brings its drawing anew: to keep changes to it, save it as a "
+        "file.");
     ImGui::Dummy({0, context.px(4)});
     if (context.lessons.list.empty()) {
         ui::small(context, "No lessons found; set FOREFRONT_ASSETS to the folder that holds lessons/.", true);

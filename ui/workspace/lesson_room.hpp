@@ -52,6 +52,7 @@ struct LessonRoom {
     bool listed = false; ///< the lessons have been read
     std::vector<LessonEntry> list;
     std::optional<OpenLesson> open;
+    std::uint64_t drawingLoaded = 0; ///< DocumentStore::loads() of the last drawing that a lesson brought; 0: none
 };
 
 } // namespace forefront
