@@ -37,4 +37,10 @@ bool isDone(const LessonTask &task, const LessonState &state) {
     return allHold(task.until, state);
 }
 
+bool asksForCandidate(const LessonTask &task) {
+    return std::any_of(task.until.begin(), task.until.end(), [](const LessonCondition &condition) {
+        return condition.value == LessonValue::Chosen || condition.other == LessonValue::Chosen;
+    });
+}
+
 } // namespace forefront

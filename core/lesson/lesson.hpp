@@ -112,5 +112,7 @@ bool isRight(const LessonChoices &choices, std::size_t index, const LessonState 
 bool isRight(const LessonNumber &question, double number, const LessonState &state);
 /// Returns true if the task is done.
 bool isDone(const LessonTask &task, const LessonState &state);
+/// Returns true if the task is to choose a candidate.
+bool asksForCandidate(const LessonTask &task);
 
 } // namespace forefront

@@ -48,6 +48,14 @@ class Learner : public Driver {
         CHECK(has("lesson/wrong"));
         enter(number);
     }
+    void enter(const std::string &text) {
+        key(key::k0, kAlt);
+        settle();
+        key('A', kControl);
+        type(text);
+        key(key::kEnter);
+        settle();
+    }
 
     void doTask(const LessonQuestion &question) {
         CHECK_FALSE(has("lesson/right"));
@@ -77,14 +85,6 @@ class Learner : public Driver {
   private:
     void pick(std::size_t choice) {
         key(key::k0 + static_cast<int>(choice), kAlt);
-        settle();
-    }
-    void enter(const std::string &text) {
-        context().lessons.open->typed.clear();
-        key(key::k0, kAlt);
-        settle();
-        type(text);
-        key(key::kEnter);
         settle();
     }
 };
@@ -331,12 +331,17 @@ TEST_CASE("Lessons: one outline goes around neighbouring rows, and rows apart ha
     }
 }
 
-TEST_CASE("Lessons: a row that is scrolled away is not outlined, and one at the edge not beyond its panel") {
+TEST_CASE("Lessons: an outlined row scrolls into view, and is not outlined beyond its panel once scrolled away") {
     Author author({1280, 640});
     REQUIRE(author.openPage(kRing + R"(, "position": 3, "highlight": ["statistics/hash"])").empty());
-    const WidgetRegistry::Widget *const row = author.context().widgets.find("statistics/hash");
-    REQUIRE(row != nullptr);
-    REQUIRE(row->clip);
+    const auto find = [&] { return author.context().widgets.find("statistics/hash"); };
+    REQUIRE(find() != nullptr);
+    REQUIRE(find()->clip);
+    CHECK(find()->rect.y + find()->rect.height <= find()->clip->y + find()->clip->height);
+    CHECK(author.outlines().size() == 1);
+    author.scroll({find()->rect.x + 5.0, find()->rect.y + 5.0}, 20.0);
+    author.settle();
+    const WidgetRegistry::Widget *const row = find();
     const double bottom = row->clip->y + row->clip->height;
     REQUIRE(row->rect.y + row->rect.height > bottom); // the window is too low for it
     for (const WidgetRegistry::Widget &outline : author.outlines()) {

@@ -10,6 +10,7 @@
 #include "ui/workspace/moment.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace forefront {
@@ -20,6 +21,12 @@ namespace {
 bool showSameMoment(const SessionSnapshot &a, const SessionSnapshot &b) {
     return a.shownRun == b.shownRun && a.advance == b.advance && a.eventCursor == b.eventCursor &&
            a.eventCount == b.eventCount;
+}
+
+/// Returns the task of the page, or null if its question is of another kind.
+const LessonTask *taskOf(const OpenLesson &open) {
+    const auto &question = open.now().question;
+    return question ? std::get_if<LessonTask>(&question->answer) : nullptr;
 }
 
 /// Files beyond this size are no lessons.
@@ -106,9 +113,11 @@ void showPage(Shell &context) {
     open.reply = OpenLesson::Reply::None;
     open.picked.reset();
     open.typed.clear();
+    open.complaint.clear();
     open.settled = false;
     open.framesSettled = 0;
-    open.asked.reset();
+    open.arrived.reset();
+    open.done.reset();
     context.view.candidate.reset();
     if (page.document) {
         showDocumentOf(context, open);
@@ -236,10 +245,19 @@ LessonState lessonState(const Shell &context) {
     return {run, chosenCandidate(context.view, run)};
 }
 
-LessonState questionState(const Shell &context) {
-    const std::shared_ptr<const SessionSnapshot> &asked = context.lessons.open->asked;
+LessonState pageState(const Shell &context) {
+    const std::shared_ptr<const SessionSnapshot> &arrived = context.lessons.open->arrived;
     const LessonState now = lessonState(context);
-    return {asked ? *asked : now.run, now.chosen};
+    return {arrived ? *arrived : now.run, now.chosen};
+}
+
+LessonState questionState(const Shell &context) {
+    const OpenLesson &open = *context.lessons.open;
+    if (taskOf(open) == nullptr) {
+        return pageState(context);
+    }
+    const LessonState now = lessonState(context);
+    return {open.done ? *open.done : now.run, now.chosen};
 }
 
 void answerChoice(Shell &context, std::size_t choice) {
@@ -263,7 +281,12 @@ void answerNumber(Shell &context) {
     if (number == nullptr || open.typed.empty() || !open.settled) {
         return;
     }
-    const std::optional<double> typed = parseNumber(open.typed);
+    std::string digits = open.typed;
+    if (digits.find('.') == std::string::npos) {
+        std::replace(digits.begin(), digits.end(), ',', '.');
+    }
+    const std::optional<double> typed = parseNumber(digits);
+    open.complaint = typed ? "" : "'" + open.typed + "' is not a number; expected one such as 12 or 0.5.";
     const bool right = typed && isRight(*number, *typed, questionState(context));
     open.reply = right ? OpenLesson::Reply::Right : OpenLesson::Reply::Wrong;
     rememberProgress(context);
@@ -284,19 +307,26 @@ void followLesson(Shell &context) {
     }
     OpenLesson &open = *context.lessons.open;
     open.settled = open.settled || (!context.run.busy() && !context.run.hasNews());
-    const auto &question = open.now().question;
-    const auto *task = question ? std::get_if<LessonTask>(&question->answer) : nullptr;
     const std::shared_ptr<const SessionSnapshot> &now = context.run.snapshot();
     // A later snapshot of the same moment may hold more: the improved mesh, or candidates that were not copied before.
-    if (open.asked ? showSameMoment(*open.asked, *now) : open.settled && task == nullptr) {
-        open.asked = now;
+    if (open.arrived ? showSameMoment(*open.arrived, *now) : open.settled) {
+        open.arrived = now;
     }
-    if (task != nullptr && open.settled && open.reply != OpenLesson::Reply::Right &&
-        isDone(*task, lessonState(context))) {
-        open.asked = now;
+    if (open.done && showSameMoment(*open.done, *now)) {
+        open.done = now;
+    }
+    const LessonTask *const task = taskOf(open);
+    if (task == nullptr || !open.settled || open.reply == OpenLesson::Reply::Right) {
+        return;
+    }
+    const LessonState state = lessonState(context);
+    if (isDone(*task, state)) {
+        open.done = now;
         open.reply = OpenLesson::Reply::Right;
         rememberProgress(context);
         context.animate();
+    } else if (asksForCandidate(*task)) {
+        open.reply = state.chosen ? OpenLesson::Reply::Wrong : OpenLesson::Reply::None;
     }
 }
 

@@ -27,18 +27,20 @@ void closeLesson(Shell &context);
 /// Shows a page of the open lesson: its document, position, layers and camera.
 void goToPage(Shell &context, std::size_t page);
 
-/// Returns the state of the run as it is now, which the texts of the open lesson show and its tasks are about.
+/// Returns the state of the run as it is now, which tasks are about.
 LessonState lessonState(const Shell &context);
+/// Returns the state of the run at the position of the page, which its text is about, wherever the run has moved since.
+LessonState pageState(const Shell &context);
 /// Returns the state that the question of the page is about: that of the page's position, wherever the run has moved
 /// since. For a task, that in which it was done, and until then that of now.
 LessonState questionState(const Shell &context);
 /// Answers the question of the page by a choice.
 void answerChoice(Shell &context, std::size_t choice);
-/// Answers the question of the page by the number typed.
+/// Answers the question of the page by the number typed, with a point or a comma.
 void answerNumber(Shell &context);
 /// Moves the run to where the answer can be seen.
 void showAnswer(Shell &context);
-/// Notes the state that the question is about, and checks whether a task is done. Called once per frame.
+/// Notes the state that the page is about, and checks whether a task is done. Called once per frame.
 void followLesson(Shell &context);
 /// Logs what the page refers to and the run or the window does not have, once they show the page. Called once per frame
 /// while a lesson is open.

@@ -76,6 +76,11 @@ void drawReply(Shell &context, const OpenLesson &open, const LessonQuestion &que
         return;
     }
     const bool right = open.reply == Reply::Right;
+    if (!open.complaint.empty()) {
+        ui::wrappedText(open.complaint);
+        ui::mark(context, "lesson/complaint");
+        return;
+    }
     ImGui::PushStyleColor(ImGuiCol_Text, right ? context.theme.good : context.theme.bad);
     ImGui::TextUnformatted(right ? (std::string(icon::kCheck) + "  Right").c_str()
                                  : (std::string(icon::kCross) + "  Not yet").c_str());
@@ -101,7 +106,6 @@ void drawChoices(Shell &context, const OpenLesson &open, const LessonChoices &ch
                     withValues(choices.list[k].text, questionState(context)))) {
             chosen = k;
         }
-        ui::tooltip(context, "Alt+" + std::to_string(k + 1));
     }
     if (chosen) {
         answerChoice(context, *chosen);
@@ -109,12 +113,12 @@ void drawChoices(Shell &context, const OpenLesson &open, const LessonChoices &ch
 }
 
 void drawNumber(Shell &context, OpenLesson &open) {
-    const bool entered =
-        ui::inputText(context, "lesson/number", open.typed, "a number", 110.0F, true, std::exchange(open.focus, false));
-    ui::tooltip(context, "Alt+0");
+    const bool entered = ui::inputText(context, "lesson/number", open.typed, "number (Alt 0)", 120.0F, true,
+                                       std::exchange(open.focus, false));
     ImGui::SameLine();
     if (ui::button(context, "lesson/check", "Check") || entered) {
         answerNumber(context);
+        open.focus = entered && open.reply == Reply::Wrong; // for another try
     }
 }
 
@@ -161,7 +165,7 @@ void drawPage(Shell &context, OpenLesson &open) {
     ImGui::PopFont();
     ui::mark(context, "lesson/title");
     for (const std::string &paragraph : page.paragraphs) {
-        ui::wrappedText(withValues(paragraph, lessonState(context)));
+        ui::wrappedText(withValues(paragraph, pageState(context)));
         ImGui::Dummy({0, context.px(1)});
     }
     if (page.question) {

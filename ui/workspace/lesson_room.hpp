@@ -31,15 +31,16 @@ struct OpenLesson {
     Reply reply = Reply::None;         ///< to the last answer
     std::optional<std::size_t> picked; ///< the last choice
     std::string typed;                 ///< answer that is a number
+    std::string complaint;             ///< why the text typed cannot be an answer; empty: it can
     bool focus = false;                ///< move the keyboard to the field for the number
     bool settled = false;              ///< the run has reached the position of the page
     int framesSettled = 0;             ///< frames drawn since, up to a few
     std::set<std::size_t> checked{};   ///< pages whose references have been checked
     std::uint64_t revision = 0;        ///< of the document, when the page was shown
     std::shared_ptr<const Document> document;
-    /// The run that the question is about: at the position of the page, or where the task was done; null: not yet.
-    std::shared_ptr<const SessionSnapshot> asked;
-    std::map<std::string, bool> layersBefore; ///< visible layers, restored at the end
+    std::shared_ptr<const SessionSnapshot> arrived; ///< the run at the position of the page; null: not yet
+    std::shared_ptr<const SessionSnapshot> done;    ///< the run in which the task was done; null: not yet
+    std::map<std::string, bool> layersBefore;       ///< visible layers, restored at the end
     std::string tabBefore;
     bool panelsBefore = true;
 
