@@ -108,6 +108,7 @@ void showColours(Shell &context, const std::optional<LessonRange> &range) {
 }
 
 void showPage(Shell &context) {
+    constexpr int kFramesToReveal = 4; // until the tab that the page opens is drawn, and scrolled
     OpenLesson &open = *context.lessons.open;
     const LessonPage &page = open.now();
     open.reply = OpenLesson::Reply::None;
@@ -116,6 +117,7 @@ void showPage(Shell &context) {
     open.complaint.clear();
     open.settled = false;
     open.framesSettled = 0;
+    open.framesToReveal = kFramesToReveal;
     open.arrived.reset();
     open.done.reset();
     context.view.candidate.reset();
@@ -328,6 +330,19 @@ void followLesson(Shell &context) {
     } else if (asksForCandidate(*task)) {
         open.reply = state.chosen ? OpenLesson::Reply::Wrong : OpenLesson::Reply::None;
     }
+}
+
+void revealHighlights(Shell &context) {
+    context.widgets.revealed.clear();
+    OpenLesson *const open = context.lessons.open ? &*context.lessons.open : nullptr;
+    if (open == nullptr || !open->settled || open->framesToReveal == 0) {
+        return;
+    }
+    --open->framesToReveal;
+    for (const LessonHighlight &highlight : open->now().highlights) {
+        context.widgets.revealed.insert(highlight.widget);
+    }
+    context.animate();
 }
 
 namespace {

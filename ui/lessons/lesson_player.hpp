@@ -42,6 +42,8 @@ void answerNumber(Shell &context);
 void showAnswer(Shell &context);
 /// Notes the state that the page is about, and checks whether a task is done. Called once per frame.
 void followLesson(Shell &context);
+/// Lets outlined widgets scroll into view in the first frames of a page. Called once per frame, open lesson or not.
+void revealHighlights(Shell &context);
 /// Logs what the page refers to and the run or the window does not have, once they show the page. Called once per frame
 /// while a lesson is open.
 void checkPage(Shell &context);

@@ -214,6 +214,7 @@ void drawOpen(Shell &context) {
 } // namespace
 
 void drawLessons(Shell &context, const PixelRect &rect) {
+    revealHighlights(context);
     if (rect.width < 1.0 || rect.height < 1.0) {
         return;
     }

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -38,6 +39,8 @@ class WidgetRegistry {
     const Map &all() const { return last_; }
 
     FieldFocus fields;
+    /// Widgets that scroll into view when they are drawn; for the frames of a change, so that users can scroll on.
+    std::set<std::string, std::less<>> revealed;
 
   private:
     Map current_, last_;

@@ -51,6 +51,16 @@ PixelRect clipOfWindow() {
     return {clip.Min.x, clip.Min.y, clip.GetWidth(), clip.GetHeight()};
 }
 
+/// Scrolls the window, and those around it, as little as possible to show a part of it, if its widget is to be
+/// revealed.
+void revealPart(WidgetContext &context, std::string_view name, const ImVec2 &min, const ImVec2 &max) {
+    if (context.widgets.revealed.contains(name)) {
+        const float margin = context.px(6); // for an outline
+        ImGui::ScrollToRect(ImGui::GetCurrentWindow(), {{min.x, min.y - margin}, {max.x, max.y + margin}},
+                            ImGuiScrollFlags_KeepVisibleEdgeY);
+    }
+}
+
 void pushButtonColours(const Theme &theme, ButtonKind kind, bool on) {
     Colour rest = theme.raised, hover = theme.hovered, press = theme.pressed, text = theme.text;
     if (kind == ButtonKind::Primary) {
@@ -78,11 +88,14 @@ void mark(WidgetContext &context, std::string_view name, bool enabled) {
     const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
     const PixelRect rect{min.x, min.y, max.x - min.x, max.y - min.y};
     context.widgets.add(name, {rect, enabled, ImGui::IsItemVisible(), clipOfWindow()});
+    revealPart(context, name, min, max);
 }
 
 void markPart(WidgetContext &context, std::string_view name, const PixelRect &rect) {
     const PixelRect clip = clipOfWindow();
     context.widgets.add(name, {rect, true, rect.overlaps(clip), clip});
+    const ImVec2 min{static_cast<float>(rect.x), static_cast<float>(rect.y)};
+    revealPart(context, name, min, {min.x + static_cast<float>(rect.width), min.y + static_cast<float>(rect.height)});
 }
 
 void markWindow(WidgetContext &context, std::string_view name) {

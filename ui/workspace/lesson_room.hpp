@@ -35,6 +35,7 @@ struct OpenLesson {
     bool focus = false;                ///< move the keyboard to the field for the number
     bool settled = false;              ///< the run has reached the position of the page
     int framesSettled = 0;             ///< frames drawn since, up to a few
+    int framesToReveal = 0;            ///< frames in which outlined widgets still scroll into view
     std::set<std::size_t> checked{};   ///< pages whose references have been checked
     std::uint64_t revision = 0;        ///< of the document, when the page was shown
     std::shared_ptr<const Document> document;
