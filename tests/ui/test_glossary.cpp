@@ -56,6 +56,12 @@ TEST_CASE("Glossary: links lead from one term to another, and from panels and le
     driver.click("dialog/glossary/list/grid");
     driver.settle();
     CHECK(driver.has("dialog/glossary/term/grid"));
+    driver.key(key::kDown);
+    driver.settle();
+    CHECK(driver.has("dialog/glossary/term/neighbours"));
+    driver.key(key::kUp);
+    driver.settle();
+    CHECK(driver.has("dialog/glossary/term/grid"));
     driver.key(key::kEscape);
     driver.settle();
     driver.click("panel/steps");

@@ -73,9 +73,21 @@ GlossaryDialog::GlossaryDialog(std::string_view term) : term_(glossaryTerm(term)
 }
 
 void GlossaryDialog::drawList(Shell &context) {
-    for (const GlossaryTerm &term : glossary()) {
+    const GlossaryTerm *const before = term_;
+    const std::span<const GlossaryTerm> all = glossary();
+    const bool up = ImGui::IsKeyPressed(key::kUp), down = ImGui::IsKeyPressed(key::kDown);
+    if (up && term_ != &all.front()) {
+        --term_;
+    } else if (down && term_ != &all.back()) {
+        ++term_;
+    }
+    for (const GlossaryTerm &term : all) {
         if (ui::selectable(context, "dialog/glossary/list/" + std::string(term.id), term.name, &term == term_)) {
             term_ = &term;
+        }
+        if (&term == term_ && term_ != before) {
+            ImGui::SetScrollHereY();
+            context.animate();
         }
     }
 }

@@ -230,6 +230,13 @@ void closeLesson(Shell &context) {
     context.animate();
 }
 
+void finishLesson(Shell &context) {
+    if (context.lessons.open) {
+        context.settings.lessons[context.lessons.open->entry.id].page = 0;
+        closeLesson(context);
+    }
+}
+
 void goToPage(Shell &context, std::size_t page) {
     if (!context.lessons.open || page >= context.lessons.open->entry.lesson->pages.size()) {
         return;

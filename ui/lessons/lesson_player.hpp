@@ -24,6 +24,8 @@ void openLesson(Shell &context, const LessonEntry &entry);
 Diagnostics openLessonFile(Shell &context, const std::filesystem::path &file);
 /// Returns to the list of lessons. Layers, panels and tab are as before the lesson; the drawing stays.
 void closeLesson(Shell &context);
+/// Returns to the list of lessons after the last page. The lesson begins at its first page again.
+void finishLesson(Shell &context);
 /// Shows a page of the open lesson: its document, position, layers and camera.
 void goToPage(Shell &context, std::size_t page);
 

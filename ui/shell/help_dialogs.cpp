@@ -62,6 +62,15 @@ class ShortcutSheet final : public Dialog {
             row(context, column, "Middle drag", "Pan");
             actionRows(context, column, {"View", "Help"});
         });
+        group(context, "shortcuts/lessons", "Lessons", column, [&] {
+            row(context, column,
+                "Alt+1\xe2\x80\xa6"
+                "9",
+                "Choose a lesson or an answer");
+            row(context, column, "Alt+0", "Type an answer");
+            row(context, column, "Alt+H", "Show the answer");
+            actionRows(context, column, {"Learn"});
+        });
     }
 
     static constexpr std::array<std::pair<const char *, const char *>, 7> kDrawing{{

@@ -48,16 +48,28 @@ void addGlossaryActions(ActionRegistry &actions) {
     }
 }
 
+/// Shows the next page; after the last one, the list of lessons.
+void turnPage(Shell &context) {
+    const std::size_t next = context.lessons.open->page + 1;
+    next < context.lessons.open->entry.lesson->pages.size() ? goToPage(context, next) : finishLesson(context);
+}
+
+/// Picks an answer of the open lesson, or a lesson from the list.
+void choose(Shell &context, std::size_t index) {
+    if (context.lessons.open) {
+        answerChoice(context, index);
+    } else if (index < context.lessons.list.size()) {
+        openLesson(context, LessonEntry(context.lessons.list[index]));
+    }
+}
+
 void addPageActions(ActionRegistry &actions) {
     actions.add({.id = "lesson.next",
                  .menu = "Learn",
                  .title = "Next page",
                  .shortcuts = {{key::kPageDown, kNoModifiers}},
-                 .run = [](Shell &c) { goToPage(c, c.lessons.open->page + 1); },
-                 .enabled =
-                     [](const Shell &c) {
-                         return isOpen(c) && c.lessons.open->page + 1 < c.lessons.open->entry.lesson->pages.size();
-                     }});
+                 .run = turnPage,
+                 .enabled = isOpen});
     actions.add({.id = "lesson.previous",
                  .menu = "Learn",
                  .title = "Previous page",
@@ -69,10 +81,10 @@ void addPageActions(ActionRegistry &actions) {
     for (int k = 0; k < 9; ++k) {
         actions.add({.id = "lesson.choice" + std::to_string(k + 1),
                      .menu = "",
-                     .title = "Lesson: answer " + std::to_string(k + 1),
+                     .title = "Lessons: choose " + std::to_string(k + 1),
                      .shortcuts = {{key::k0 + 1 + k, kAlt}},
-                     .run = [k](Shell &c) { answerChoice(c, static_cast<std::size_t>(k)); },
-                     .enabled = isOpen});
+                     .run = [k](Shell &c) { choose(c, static_cast<std::size_t>(k)); },
+                     .enabled = [](const Shell &c) { return c.lessons.visible; }});
     }
     actions.add({.id = "lesson.number",
                  .menu = "",

@@ -17,18 +17,30 @@ namespace {
 
 using Reply = OpenLesson::Reply;
 
-/// Returns "3 of 8" for a lesson that has been begun.
-std::string progressText(const Shell &context, const LessonEntry &entry) {
-    const auto known = context.settings.lessons.find(entry.id);
-    const std::size_t pages = entry.lesson->pages.size();
-    return known == context.settings.lessons.end()
-               ? ui::format("%zu pages", pages)
-               : ui::format("page %zu of %zu", std::min(known->second.page + 1, pages), pages);
+/// Returns how far a lesson has been read: "page 3 of 8", or how many of its questions were answered once it is closed
+/// at its first page.
+std::string progressText(const LessonEntry &entry, const LessonProgress &progress) {
+    const std::vector<LessonPage> &pages = entry.lesson->pages;
+    const auto questions = static_cast<std::size_t>(
+        std::count_if(pages.begin(), pages.end(), [](const LessonPage &page) { return page.question.has_value(); }));
+    if (questions > 0 && progress.answered.size() >= questions) {
+        return ui::format("%s  all %zu questions answered", icon::kCheck, questions);
+    }
+    if (progress.page > 0) {
+        return ui::format("page %zu of %zu", std::min(progress.page + 1, pages.size()), pages.size());
+    }
+    return progress.answered.empty() ? ui::format("%zu pages", pages.size())
+                                     : ui::format("%zu of %zu questions answered", progress.answered.size(), questions);
+}
+
+/// Returns the key of an answer or a lesson, counted from 0: "Alt 1"; nothing beyond the ninth.
+std::string keyText(std::size_t index) {
+    return index < 9 ? "Alt " + std::to_string(index + 1) : std::string();
 }
 
 /// Draws a row of wrapped text that can be clicked, with a mark to its left.
 bool textRow(Shell &context, const std::string &name, const char *mark, Colour markColour, const std::string &text) {
-    const float left = context.px(26), pad = context.px(5);
+    const float left = context.px(48), pad = context.px(5);
     const float width = ImGui::GetContentRegionAvail().x;
     const std::string lines = ui::wrapped(text, width - left - pad);
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -57,13 +69,14 @@ void drawList(Shell &context) {
     const LessonEntry *chosen = nullptr;
     for (std::size_t k = 0; k < context.lessons.list.size(); ++k) {
         const LessonEntry &entry = context.lessons.list[k];
-        if (textRow(context, "lessons/" + entry.id, std::to_string(k + 1).c_str(), context.theme.muted,
-                    entry.lesson->title)) {
+        if (textRow(context, "lessons/" + entry.id, keyText(k).c_str(), context.theme.accent, entry.lesson->title)) {
             chosen = &entry;
         }
         ui::tooltip(context, entry.lesson->about);
-        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + context.px(26));
-        ui::small(context, progressText(context, entry));
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + context.px(48));
+        const auto known = context.settings.lessons.find(entry.id);
+        ui::small(context,
+                  progressText(entry, known == context.settings.lessons.end() ? LessonProgress() : known->second));
         ui::mark(context, "lessons/" + entry.id + "/progress");
     }
     if (chosen != nullptr) {
@@ -99,9 +112,7 @@ void drawChoices(Shell &context, const OpenLesson &open, const LessonChoices &ch
         const Colour colour = !picked                      ? context.theme.accent
                               : open.reply == Reply::Right ? context.theme.good
                                                            : context.theme.bad;
-        const std::string mark = !picked                      ? std::to_string(k + 1)
-                                 : open.reply == Reply::Right ? icon::kCheck
-                                                              : icon::kCross;
+        const std::string mark = !picked ? keyText(k) : open.reply == Reply::Right ? icon::kCheck : icon::kCross;
         if (textRow(context, "lesson/choice/" + std::to_string(k), mark.c_str(), colour,
                     withValues(choices.list[k].text, questionState(context)))) {
             chosen = k;
@@ -134,7 +145,7 @@ void drawQuestion(Shell &context, OpenLesson &open) {
         drawNumber(context, open);
     }
     drawReply(context, open, question);
-    if (question.show && open.reply != Reply::Right && ui::link(context, "lesson/show", "Show me")) {
+    if (question.show && open.reply != Reply::Right && ui::link(context, "lesson/show", "Show me (Alt H)")) {
         showAnswer(context);
     }
 }
@@ -189,10 +200,10 @@ void drawFooter(Shell &context, const OpenLesson &open) {
     ui::mark(context, "lesson/place");
     ImGui::SameLine(ImGui::GetContentRegionMax().x - context.px(84));
     if (ui::button(context, "lesson/next", last ? "Finish" : "Next", ui::ButtonKind::Primary, true, 84.0F)) {
-        context.actions.run(last ? "lesson.close" : "lesson.next", context);
+        context.actions.run("lesson.next", context);
         return;
     }
-    ui::tooltip(context, last ? "Back to the list of lessons" : "Page Down");
+    ui::tooltip(context, last ? "Page Down: back to the list of lessons" : "Page Down");
 }
 
 void drawOpen(Shell &context) {

@@ -1,0 +1,130 @@
+#include "tests/ui/driver.hpp"
+#include "ui/lessons/lesson_player.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstddef>
+#include <string>
+
+namespace forefront::test {
+
+namespace {
+
+/// Reads the lessons with the keyboard alone, but for clicks on the canvas and in panels.
+class Reader : public Driver {
+  public:
+    Reader() : Driver({}, {1400, 900}) {
+        key(key::kF1 + 1);
+        settle();
+    }
+    /// Opens a lesson by its number in the list, at a page; both count from 1.
+    void open(int lesson, std::size_t page) {
+        key(key::k0 + lesson, kAlt);
+        settle();
+        REQUIRE(context().lessons.open);
+        goToPage(context(), page - 1);
+        settle();
+    }
+    void answer(const std::string &number) {
+        key(key::k0, kAlt);
+        settle();
+        retype(number);
+    }
+    /// Types over the text of the field that has the focus.
+    void retype(const std::string &text) {
+        key('A', kControl);
+        type(text);
+        key(key::kEnter);
+        settle();
+    }
+};
+
+} // namespace
+
+TEST_CASE("Lessons: a number may have a comma, and a text that is no number is said to be none") {
+    Reader reader;
+    reader.open(3, 3);
+    reader.answer("abc");
+    CHECK(reader.has("lesson/complaint"));
+    CHECK_FALSE(reader.has("lesson/wrong"));
+    CHECK(reader.context().lessons.open->complaint == "'abc' is not a number; expected one such as 12 or 0.5.");
+    reader.retype("0,5"); // the field keeps the focus for another try
+    CHECK_FALSE(reader.has("lesson/complaint"));
+    CHECK(reader.has("lesson/wrong"));
+    reader.retype("0,99");
+    CHECK(reader.has("lesson/right"));
+    CHECK(reader.context().selection.empty());
+}
+
+TEST_CASE("Lessons: a wrong candidate gets a hint, and choosing none takes it away") {
+    Reader reader;
+    reader.open(3, 4);
+    CHECK_FALSE(reader.has("lesson/wrong"));
+    reader.click("candidates/1");
+    reader.settle();
+    CHECK(reader.has("lesson/wrong"));
+    reader.click("candidates/1");
+    reader.settle();
+    CHECK_FALSE(reader.has("lesson/wrong"));
+    reader.click("candidates/0");
+    reader.settle();
+    CHECK(reader.has("lesson/right"));
+}
+
+TEST_CASE("Lessons: the text of a page is about its position, wherever the run has moved since") {
+    Reader reader;
+    reader.open(7, 2);
+    REQUIRE(valueOf(LessonValue::Front, pageState(reader.context())) == 3.0);
+    reader.key(key::kEnd);
+    reader.settle();
+    REQUIRE(reader.run().frontSegments == 0);
+    CHECK(valueOf(LessonValue::Front, pageState(reader.context())) == 3.0);
+}
+
+TEST_CASE("Lessons: Page Down on the last page returns to the list, and the lesson begins anew") {
+    Reader reader;
+    reader.open(2, 5);
+    reader.key(key::kPageDown);
+    reader.settle();
+    CHECK_FALSE(reader.context().lessons.open);
+    CHECK(reader.has("lessons/2-ten-steps/progress"));
+    reader.open(2, 1);
+    CHECK(reader.context().lessons.open->page == 0);
+}
+
+TEST_CASE("Lessons: a drawing of one's own is not left without asking, one that a lesson brought is") {
+    Reader reader;
+    const auto clear = [&] {
+        Document changed = *reader.context().document.current();
+        changed.shapes.clear();
+        reader.context().document.apply(std::move(changed), "Delete");
+        reader.settle();
+    };
+    reader.open(1, 1);
+    clear();
+    reader.click("lesson/list");
+    reader.settle();
+    reader.key(key::k0 + 2, kAlt);
+    reader.settle();
+    REQUIRE(reader.context().lessons.open);
+    CHECK(reader.context().lessons.open->entry.id == "2-ten-steps");
+    reader.context().document.load(*reader.context().document.current(), {}); // as New and Open do
+    clear();
+    reader.key(key::kPageDown);
+    reader.settle();
+    CHECK(reader.has("dialog/unsaved/cancel"));
+    CHECK(reader.context().lessons.open->page == 0);
+}
+
+TEST_CASE("Lessons: pages that compare the shapes of two meshes use the same colours") {
+    Reader reader;
+    for (const std::size_t page : {2, 3}) {
+        reader.open(6, page);
+        CHECK(reader.context().view.measureRange == ColourRange{0.4, 1.0});
+        closeLesson(reader.context());
+        reader.settle();
+        CHECK_FALSE(reader.context().view.measureRange);
+    }
+}
+
+} // namespace forefront::test
