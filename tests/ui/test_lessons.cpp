@@ -244,7 +244,7 @@ TEST_CASE("Lessons: a page can follow the current advance, and resizing the wind
 TEST_CASE("Lessons: a lesson of one's own is opened from its file, a broken one is refused with its place") {
     const TemporaryFolder folder;
     const auto write = [&](const char *name, const std::string &text) {
-        const std::filesystem::path file = folder.path / name;
+        std::filesystem::path file = folder.path / name;
         std::ofstream(file) << text;
         return file;
     };
