@@ -268,13 +268,17 @@ void importDrawing(Shell &context) {
     request.action = "Import";
     request.filters = drawings();
     request.folder = startFolder(context);
-    request.chosen = [](Shell &c, const std::filesystem::path &file, const FileFilter &) -> Diagnostics {
-        Result<std::unique_ptr<ImportDialog>> dialog = ImportDialog::open(file);
-        if (!dialog) {
-            return dialog.faults();
-        }
-        c.dialogs.open(std::move(*dialog));
-        return {};
+    request.reads = [](Shell &c, const std::filesystem::path &file) {
+        auto outcome = std::make_shared<FileOutcome>();
+        readInBackground(c, file, outcome, [&c, file](const Progress &progress) -> Result<BackgroundTask::Finish> {
+            Result<std::unique_ptr<ImportDialog>> read = ImportDialog::open(file, progress);
+            if (!read) {
+                return read.faults();
+            }
+            const auto dialog = std::make_shared<std::unique_ptr<ImportDialog>>(*std::move(read));
+            return BackgroundTask::Finish([&c, dialog] { c.dialogs.open(std::move(*dialog)); });
+        });
+        return outcome;
     };
     context.dialogs.open(std::make_unique<FileDialog>(std::move(request)));
 }

@@ -73,20 +73,22 @@ Result<Reading> readRepaired(const std::filesystem::path &file, const ImportOpti
 
 } // namespace
 
-Result<std::unique_ptr<ImportDialog>> ImportDialog::open(const std::filesystem::path &file) {
+Result<std::unique_ptr<ImportDialog>> ImportDialog::open(const std::filesystem::path &file, const Progress &progress) {
     std::unique_ptr<ImportDialog> dialog(new ImportDialog(file));
     const FileFormat *const format = fileFormatOf(file);
     dialog->arranges_ = format != nullptr && format->arranges;
-    dialog->read();
+    dialog->read(progress);
     if (!dialog->faults_.empty()) {
         return std::move(dialog->faults_);
     }
     return dialog;
 }
 
-void ImportDialog::read() {
+void ImportDialog::read(const Progress &progress) {
     const bool repairs = !arranges_ && options_.weldTolerance.value_or(0.0) > 0.0;
-    Result<Reading> reading = repairs ? readRepaired(file_, options_) : readAsItIs(file_, options_);
+    ImportOptions options = options_;
+    options.progress = progress;
+    Result<Reading> reading = repairs ? readRepaired(file_, options) : readAsItIs(file_, options);
     faults_ = reading ? Diagnostics() : reading.faults();
     if (reading) {
         drawing_ = std::move(reading->drawing);

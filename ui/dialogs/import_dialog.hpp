@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/diagnostic.hpp"
+#include "core/base/progress.hpp"
 #include "core/base/result.hpp"
 #include "core/edit/document.hpp"
 #include "core/io/source/import_options.hpp"
@@ -17,8 +18,8 @@ namespace forefront {
 /// tolerance, before adding it to the current drawing.
 class ImportDialog final : public Dialog {
   public:
-    /// Reads the file. Faults: those of readDocument().
-    static Result<std::unique_ptr<ImportDialog>> open(const std::filesystem::path &file);
+    /// Reads the file, on any thread. Faults: those of readDocument().
+    static Result<std::unique_ptr<ImportDialog>> open(const std::filesystem::path &file, const Progress &progress);
 
     const char *id() const override { return "importoptions"; }
     std::string title() const override { return "Import " + file_.filename().string(); }
@@ -28,7 +29,7 @@ class ImportDialog final : public Dialog {
     explicit ImportDialog(std::filesystem::path file) : file_(std::move(file)) {}
 
     /// Reads the file with the current options. If that fails, the drawing read before stays, and `faults_` says why.
-    void read();
+    void read(const Progress &progress = {});
     void drawSizes(Shell &context) const;
     void drawUnit(Shell &context);
     void drawJoining(Shell &context);
