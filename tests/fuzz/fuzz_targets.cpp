@@ -182,13 +182,19 @@ void checkRepair(const Domain &domain, double tolerance) {
         return;
     }
     checkDomain(once->domain);
+    bool outOfRange = false; // such as one edge as long as a unit of the last place, which is all that is left
     for (const Diagnostic &fault : validate(once->domain)) {
         demand(domain.insideRule == InsideRule::HoleMarkers || !repairable(fault), "a repair leaves nothing to repair");
+        outOfRange = outOfRange || fault.code == "out-of-range";
     }
     for (const ArrangementChange &change : once->changes) {
         demand(change.displacement <= std::max(tolerance, 1e-9), "nothing moves farther than the tolerance");
     }
     const auto twice = repair(once->domain, once->radius);
+    if (outOfRange) {
+        demand(!twice.ok() && twice.faults().front().code == "out-of-range", "what is left is refused for its extent");
+        return;
+    }
     demand(twice.ok() && twice->changes.empty() && twice->domain.nodes == once->domain.nodes,
            "a second repair changes nothing");
 }
