@@ -211,7 +211,7 @@ void openDocument(Shell &context) {
     request.filters = drawings();
     request.folder = startFolder(context);
     request.reads = [](Shell &c, const std::filesystem::path &file) {
-        const auto outcome = opensInBackground(file) ? std::make_shared<FileOutcome>() : nullptr;
+        auto outcome = opensInBackground(file) ? std::make_shared<FileOutcome>() : nullptr;
         if (outcome) {
             openForeign(c, file, outcome);
         }
