@@ -75,12 +75,12 @@ Result<Reading> readRepaired(const std::filesystem::path &file, const ImportOpti
 
 Result<std::unique_ptr<ImportDialog>> ImportDialog::open(const std::filesystem::path &file, const Progress &progress) {
     std::unique_ptr<ImportDialog> dialog(new ImportDialog(file));
-    const FileFormat *const format = fileFormatOf(file);
-    dialog->arranges_ = format != nullptr && format->arranges;
     dialog->read(progress);
     if (!dialog->faults_.empty()) {
         return std::move(dialog->faults_);
     }
+    const FileFormat *const format = fileFormatOf(file);
+    dialog->arranges_ = format != nullptr && format->arranges;
     return dialog;
 }
 

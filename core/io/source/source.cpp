@@ -118,6 +118,9 @@ Result<std::string> readDescriptor(int descriptor, const std::string &name, std:
 } // namespace
 
 Result<std::string> readFileBytes(const std::filesystem::path &path, std::size_t maxBytes, const Progress &progress) {
+    if (progress.cancelled()) {
+        return cancelled("reading"); // opening a pipe waits for its other end
+    }
     const OpenFile file(path);
     return readDescriptor(file.descriptor(), path.string(), maxBytes, progress);
 }
