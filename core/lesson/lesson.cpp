@@ -13,6 +13,11 @@ bool allHold(const std::vector<LessonCondition> &conditions, const LessonState &
 
 } // namespace
 
+std::size_t questionsOf(const Lesson &lesson) {
+    return static_cast<std::size_t>(std::count_if(lesson.pages.begin(), lesson.pages.end(),
+                                                  [](const LessonPage &page) { return page.question.has_value(); }));
+}
+
 std::shared_ptr<const Document> documentOf(const LessonPage &page) {
     if (!page.document || (!page.method && !page.grid && !page.improve)) {
         return page.document;

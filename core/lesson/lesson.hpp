@@ -103,6 +103,9 @@ struct Lesson {
     std::vector<LessonPage> pages;
 };
 
+/// Returns the number of pages with a question.
+std::size_t questionsOf(const Lesson &lesson);
+
 /// Returns the document of a page with the method, grid and improvement level of the page.
 std::shared_ptr<const Document> documentOf(const LessonPage &page);
 

@@ -92,6 +92,23 @@ TEST_CASE("Lessons: Page Down on the last page returns to the list, and the less
     CHECK(reader.context().lessons.open->page == 0);
 }
 
+TEST_CASE("Lessons: one that is left at its last page with all questions answered begins anew, too") {
+    Reader reader;
+    const auto leaveAtLastPage = [&] {
+        reader.open(4, 5);
+        reader.click("lesson/list");
+        reader.settle();
+        reader.key(key::k0 + 4, kAlt);
+        reader.settle();
+        return reader.context().lessons.open->page;
+    };
+    CHECK(leaveAtLastPage() == 4);
+    reader.click("lesson/list");
+    reader.settle();
+    reader.context().settings.lessons["4-rejections"].answered = {0, 1, 2, 3, 4};
+    CHECK(leaveAtLastPage() == 0);
+}
+
 TEST_CASE("Lessons: a drawing of one's own is not left without asking, one that a lesson brought is") {
     Reader reader;
     const auto clear = [&] {

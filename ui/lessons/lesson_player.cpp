@@ -187,8 +187,10 @@ void openLesson(Shell &context, const LessonEntry &entry) {
         }
         open.tabBefore = c.settings.tab;
         open.panelsBefore = c.view.panels;
-        const std::size_t left = c.settings.lessons[entry.id].page;
-        open.page = std::min(left, entry.lesson->pages.size() - 1);
+        const LessonProgress &progress = c.settings.lessons[entry.id];
+        const std::size_t last = entry.lesson->pages.size() - 1;
+        const bool finished = progress.page >= last && progress.answered.size() >= questionsOf(*entry.lesson);
+        open.page = finished ? 0 : std::min(progress.page, last);
         c.lessons.open = std::move(open);
         c.lessons.visible = true;
         showPage(c);

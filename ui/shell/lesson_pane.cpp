@@ -20,16 +20,14 @@ using Reply = OpenLesson::Reply;
 /// Returns how far a lesson has been read: "page 3 of 8", or how many of its questions were answered once it is closed
 /// at its first page.
 std::string progressText(const LessonEntry &entry, const LessonProgress &progress) {
-    const std::vector<LessonPage> &pages = entry.lesson->pages;
-    const auto questions = static_cast<std::size_t>(
-        std::count_if(pages.begin(), pages.end(), [](const LessonPage &page) { return page.question.has_value(); }));
+    const std::size_t pages = entry.lesson->pages.size(), questions = questionsOf(*entry.lesson);
     if (questions > 0 && progress.answered.size() >= questions) {
         return ui::format("%s  all %zu questions answered", icon::kCheck, questions);
     }
     if (progress.page > 0) {
-        return ui::format("page %zu of %zu", std::min(progress.page + 1, pages.size()), pages.size());
+        return ui::format("page %zu of %zu", std::min(progress.page + 1, pages), pages);
     }
-    return progress.answered.empty() ? ui::format("%zu pages", pages.size())
+    return progress.answered.empty() ? ui::format("%zu pages", pages)
                                      : ui::format("%zu of %zu questions answered", progress.answered.size(), questions);
 }
 
