@@ -72,4 +72,49 @@ TEST_CASE("Typed points: x, y in one field of a position sets both") {
     CHECK(driver.has("inspector/at/x/fault"));
 }
 
+TEST_CASE("Rubber band: follows keys, undo and zoom while the pointer rests") {
+    Draughtsman driver;
+    const auto drawn = [&] { return driver.picture(); };
+    const auto afterMove = [&](Vec2 place) { // as if the pointer had come just now
+        driver.moveTo(driver.pixel(place) + Pixel(40, 0));
+        driver.moveTo(driver.pixel(place));
+        driver.settle();
+        return driver.picture();
+    };
+    SUBCASE("undo of a shape that the pointer snapped to") {
+        driver.rectangle({3, 3}, {6.37, 6.41});
+        driver.key('L');
+        driver.clickPlace({1, 1});
+        const Vec2 near = driver.context().view.camera.toPlane(driver.pixel({6.37, 6.41}) + Pixel(4, 3));
+        driver.moveToPlace(near); // snaps to the corner
+        driver.context().document.undo();
+        driver.context().animate();
+        driver.settle();
+        const auto shown = drawn();
+        CHECK(shown.differences(afterMove(near), driver.canvas()) == 0);
+    }
+    SUBCASE("Backspace, which moves the foot of a perpendicular") {
+        driver.rectangle({3, 3}, {8, 8});
+        driver.key('L');
+        driver.clickPlace({1, 5});
+        driver.clickPlace({1.5, 4.2});
+        driver.moveToPlace({3.02, 4.24});
+        driver.key(key::kBackspace);
+        driver.settle();
+        const auto shown = drawn();
+        CHECK(shown.differences(afterMove({3.02, 4.24}), driver.canvas()) == 0);
+    }
+    SUBCASE("zoom by key") {
+        driver.rectangle({3, 3}, {5, 5});
+        driver.key('L');
+        driver.clickPlace({1, 1});
+        driver.moveToPlace({6, 6});
+        const Pixel rest = driver.pixel({6, 6});
+        driver.key('F');
+        driver.settle();
+        const auto shown = drawn();
+        CHECK(shown.differences(afterMove(driver.context().view.camera.toPlane(rest)), driver.canvas()) == 0);
+    }
+}
+
 } // namespace forefront::test

@@ -40,6 +40,7 @@ void CanvasInput::dispatch(const InputEvent &event, Shell &context) {
         scroll(event, context);
         break;
     case InputKind::Key:
+        keyed_ = keyed_ || event.pressed;
         key(event, context);
         break;
     case InputKind::Text:
@@ -174,6 +175,25 @@ void CanvasInput::runWaiting(Shell &context) {
         press && !ui::typing().active) {
         button(*press, context);
     }
+}
+
+/// Offers the pointer again where it rests, if what is under it may have changed: a rubber band must not keep an end
+/// that a key, undo or zoom has taken away.
+void CanvasInput::showTool(Shell &context) {
+    const Camera &camera = context.view.camera;
+    const Scene scene{context.document.revision(), camera.toPlane({camera.viewport.x, camera.viewport.y}), camera.zoom};
+    if ((!keyed_ && scene == seen_) || !over_ || held_ || panning_ || !canvasFree(context)) {
+        return;
+    }
+    keyed_ = false;
+    seen_ = scene;
+    context.view.pointer = camera.toPlane(pixel_);
+    offer({.kind = CanvasEvent::Kind::Hover}, context);
+}
+
+void CanvasInput::endFrame(Shell &context) {
+    runWaiting(context);
+    showTool(context);
 }
 
 void CanvasInput::key(const InputEvent &event, Shell &context) {

@@ -4,6 +4,7 @@
 #include "ui/parts/action.hpp"
 #include "ui/parts/tool.hpp"
 
+#include <cstdint>
 #include <optional>
 
 namespace forefront {
@@ -14,10 +15,21 @@ class CanvasInput {
     /// Handles one event. Call after Dear ImGui's NewFrame and before the windows are built.
     void dispatch(const InputEvent &event, Shell &context);
     bool panning() const { return panning_; }
-    /// Runs the shortcut or click that ended the editing of a text field, now that the field has committed its text.
-    void runWaiting(Shell &context);
+    /// Ends a frame, once the windows are built: runs the shortcut or click that ended the editing of a text field, now
+    /// that the field has committed its text, and tells the tool what a key, an edit or the camera brought under the
+    /// pointer.
+    void endFrame(Shell &context);
 
   private:
+    /// What decides on the item under a pointer that rests.
+    struct Scene {
+        std::uint64_t revision = 0;
+        Vec2 corner; ///< place at the first pixel of the canvas
+        double zoom = 0.0;
+        bool operator==(const Scene &) const = default;
+    };
+    void runWaiting(Shell &context);
+    void showTool(Shell &context);
     void move(const InputEvent &event, Shell &context);
     void button(const InputEvent &event, Shell &context);
     void scroll(const InputEvent &event, Shell &context);
@@ -38,6 +50,8 @@ class CanvasInput {
     Pixel clickPixel_{};
     double clickTime_ = -1.0;
     int clicks_ = 0;
+    bool keyed_ = false; ///< a key was pressed since the tool last saw the pointer
+    Scene seen_;         ///< when the tool last saw the pointer
 };
 
 } // namespace forefront

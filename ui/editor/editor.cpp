@@ -458,7 +458,7 @@ void Editor::frame() {
     const bool busy = c.run.busy();
     p.buildInterface();
     p.followFront(seconds);
-    p.canvasInput.runWaiting(c);
+    p.canvasInput.endFrame(c);
     p.canvas.draw(c);
     applyCursor(c, p.canvasInput.panning());
     p.bridge.endFrame();
