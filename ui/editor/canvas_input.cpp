@@ -29,6 +29,7 @@ bool CanvasInput::offer(CanvasEvent event, Shell &context) const {
 }
 
 void CanvasInput::dispatch(const InputEvent &event, Shell &context) {
+    context.tools.followDocument(context);
     switch (event.kind) {
     case InputKind::MouseMove:
         move(event, context);
@@ -193,6 +194,7 @@ void CanvasInput::showTool(Shell &context) {
 
 void CanvasInput::endFrame(Shell &context) {
     runWaiting(context);
+    context.tools.followDocument(context);
     showTool(context);
 }
 

@@ -14,6 +14,15 @@ void ToolBox::choose(std::string_view id, Shell &context) {
     }
 }
 
+void ToolBox::followDocument(Shell &context) {
+    if (loads_ != context.document.loads()) {
+        loads_ = context.document.loads();
+        for (const std::unique_ptr<Tool> &tool : tools) {
+            tool->forget(context);
+        }
+    }
+}
+
 LayerSlot *Shell::layer(std::string_view id) {
     for (LayerSlot &slot : layers) {
         if (slot.layer->id() == id) {

@@ -13,6 +13,7 @@
 #include "ui/workspace/workspace.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,11 @@ struct ToolBox {
 
     Tool &current() const { return *tools[active]; }
     void choose(std::string_view id, Shell &context);
+    /// Lets the tools forget the previous document when another one was opened.
+    void followDocument(Shell &context);
+
+  private:
+    std::uint64_t loads_ = 0; ///< see DocumentStore::loads()
 };
 
 /// The workspace and the parts of the window around it. Handed to tools, panels, dialogs and actions; owned by Editor.

@@ -56,6 +56,8 @@ class Tool {
     virtual void activate(Shell &) {}
     /// Finishes or discards unfinished input when another tool is chosen.
     virtual void deactivate(Shell &) {}
+    /// Forgets unfinished input, and numbers that belong to one drawing, when another document is opened.
+    virtual void forget(Shell &) {}
     /// Handles an event and returns true if it was used. Unused keys go to the shortcuts, so that a tool in the middle
     /// of a path can take digits, Enter, Backspace and Esc.
     virtual bool handle(const CanvasEvent &event, Shell &context) = 0;

@@ -46,6 +46,11 @@ int BoxTool::key() const {
     return kindOf(kind_).key;
 }
 
+void BoxTool::forget(Shell &context) {
+    DrawingTool::forget(context);
+    radius_ = 0.0;
+}
+
 Vec2 BoxTool::corner(Vec2 at) const {
     if (!isBox() || !first_) {
         return at;

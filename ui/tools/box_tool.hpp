@@ -13,6 +13,7 @@ class BoxTool final : public DrawingTool {
     const char *name() const override;
     const char *icon() const override;
     int key() const override;
+    void forget(Shell &context) override;
     void drawOptions(Shell &context, ui::Flow &flow) override;
     bool hasOptions(const Shell &) const override { return true; }
     std::string statusText(const Shell &context) const override;

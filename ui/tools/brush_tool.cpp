@@ -31,7 +31,10 @@ const char *BrushTool::icon() const {
     return erases_ ? icon::kEraser : icon::kBrush;
 }
 
-void BrushTool::settle(Shell &context) {
+void BrushTool::settle(Shell &context, bool forDisplay) {
+    if (forDisplay && (context.view.fitPending || context.preview->revision != context.document.revision())) {
+        return;
+    }
     if (!(state_->brushRadius > 0.0)) {
         state_->brushRadius = EditState::twoDigits(EditState::reach(context, 36.0));
     }
@@ -49,6 +52,11 @@ void BrushTool::activate(Shell &context) {
 void BrushTool::deactivate(Shell &) {
     stroke_.clear();
     pointer_.reset();
+}
+
+void BrushTool::forget(Shell &context) {
+    deactivate(context);
+    state_->forgetNumbers();
 }
 
 void BrushTool::scale(double factor, bool spacing, Shell &context) {
@@ -177,7 +185,7 @@ void BrushTool::drawOverlay(CanvasPainter &painter, Shell &context) {
     if (!pointer_) {
         return;
     }
-    settle(context);
+    settle(context, true);
     const Theme &theme = context.theme;
     painter.circle(*pointer_, state_->brushRadius, fade(theme.canvas, 0.7), 3.5);
     painter.circle(*pointer_, state_->brushRadius, theme.brush, 1.75);
@@ -222,7 +230,7 @@ void BrushTool::drawModes(Shell &context, ui::Flow &flow) {
 }
 
 void BrushTool::drawOptions(Shell &context, ui::Flow &flow) {
-    settle(context);
+    settle(context, true);
     drawSizeOption(context, flow, "options/brush/radius", "Radius", state_->brushRadius,
                    "Brush radius. Also [ and ], or Ctrl + wheel.");
     if (!erases_) {

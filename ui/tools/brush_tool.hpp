@@ -21,6 +21,7 @@ class BrushTool final : public Tool {
     CursorShape cursor() const override { return CursorShape::Crosshair; }
     void activate(Shell &context) override;
     void deactivate(Shell &context) override;
+    void forget(Shell &context) override;
     bool handle(const CanvasEvent &event, Shell &context) override;
     void drawOverlay(CanvasPainter &painter, Shell &context) override;
     bool hasOptions(const Shell &) const override { return true; }
@@ -38,8 +39,9 @@ class BrushTool final : public Tool {
     const char *label() const;
     void drawModes(Shell &context, ui::Flow &flow);
     void scale(double factor, bool spacing, Shell &context);
-    /// Derives radius and spacing that the user has not set from the view and the current spacing.
-    void settle(Shell &context);
+    /// Derives radius and spacing that the user has not set from the view and the current spacing; for display only
+    /// once both belong to the current document.
+    void settle(Shell &context, bool forDisplay = false);
 
     std::shared_ptr<EditState> state_;
     bool erases_;

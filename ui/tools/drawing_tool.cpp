@@ -218,6 +218,13 @@ void DrawingTool::deactivate(Shell &context) {
     over_ = false;
 }
 
+void DrawingTool::forget(Shell &) {
+    cancel();
+    entry_.clear();
+    typedNodes_.clear();
+    state_->forgetNumbers();
+}
+
 bool DrawingTool::commitShape(Shell &context, Shape shape, const std::string &label) {
     const std::shared_ptr<const Document> before = context.document.current();
     shape.tag = shape.use == ShapeUse::Boundary ? state_->boundaryTag : state_->constraintTag;

@@ -21,6 +21,7 @@ class DrawingTool : public Tool {
     bool handle(const CanvasEvent &event, Shell &context) final;
     void drawOverlay(CanvasPainter &painter, Shell &context) final;
     void deactivate(Shell &context) override;
+    void forget(Shell &context) override;
     CursorShape cursor() const override { return CursorShape::Crosshair; }
 
   protected:

@@ -35,6 +35,7 @@ class PictureTool final : public Tool {
     int key() const override { return 'Z'; }
     bool handle(const CanvasEvent &event, Shell &context) override;
     void deactivate(Shell &context) override;
+    void forget(Shell &context) override { deactivate(context); }
     void drawOverlay(CanvasPainter &painter, Shell &context) override;
     bool hasOptions(const Shell &) const override { return true; }
     void drawOptions(Shell &context, ui::Flow &flow) override;

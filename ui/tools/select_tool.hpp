@@ -23,6 +23,7 @@ class SelectTool final : public Tool {
     int key() const override { return 'V'; }
     CursorShape cursor() const override;
     void deactivate(Shell &context) override;
+    void forget(Shell &context) override { deactivate(context); }
     bool handle(const CanvasEvent &event, Shell &context) override;
     void drawOverlay(CanvasPainter &painter, Shell &context) override;
     bool hasOptions(const Shell &) const override { return true; }

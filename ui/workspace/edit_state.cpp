@@ -39,6 +39,18 @@ const std::shared_ptr<const PickIndex> &EditState::index(const Workspace &contex
     return index_;
 }
 
+void EditState::forgetNumbers() {
+    const EditState initial;
+    boundaryTag = initial.boundaryTag;
+    constraintTag = initial.constraintTag;
+    freehandTolerance = initial.freehandTolerance;
+    brushRadius = initial.brushRadius;
+    brushSpacing = initial.brushSpacing;
+    sourceSize = initial.sourceSize;
+    sourceEndSize = initial.sourceEndSize;
+    sourceGrowth = initial.sourceGrowth;
+}
+
 std::string EditState::newStroke() {
     return "stroke " + std::to_string(++strokes_);
 }

@@ -60,6 +60,8 @@ struct EditState {
 
     /// Returns the index of the current document; rebuilds it if the document has changed.
     const std::shared_ptr<const PickIndex> &index(const Workspace &context);
+    /// Resets tags of the next shapes and sizes in domain units, which belong to one drawing.
+    void forgetNumbers();
     /// Returns a new stroke key for DocumentStore::apply().
     std::string newStroke();
     /// Makes `next` the document, or logs why it was refused. Returns true if it was applied.

@@ -1,0 +1,64 @@
+#include "core/edit/equality.hpp"
+#include "tests/ui/edit_driver.hpp"
+
+#include <doctest/doctest.h>
+
+namespace forefront::test {
+
+namespace {
+
+void startAnew(Draughtsman &driver) {
+    driver.key('N', {Modifiers::kControl});
+    driver.settle();
+    if (driver.has("dialog/unsaved/discard")) {
+        driver.click("dialog/unsaved/discard");
+        driver.settle();
+    }
+}
+
+} // namespace
+
+TEST_CASE("New: tags and sizes of the next items are those of a fresh program") {
+    Draughtsman driver, fresh;
+    driver.key('R');
+    driver.fill("options/tag", "7");
+    driver.fill("options/cornerradius", "0.5");
+    driver.rectangle({1, 1}, {4, 4});
+    CHECK(driver.document().shapes[0]->tag == 7);
+    driver.key('B');
+    driver.fill("options/brush/radius", "3");
+    driver.fill("options/brush/spacing", "0.01");
+    driver.key('S');
+    driver.fill("options/source/size", "0.02");
+    driver.fill("options/source/growth", "0.9");
+    startAnew(driver);
+    for (Draughtsman *each : {&driver, &fresh}) {
+        each->rectangle({1, 1}, {4, 4});
+        each->settle();
+        each->key('B');
+        each->moveToPlace({2, 2});
+        each->dragPlaces({2, 2}, {3, 3});
+        each->key('S');
+        each->clickPlace({3, 2});
+        each->settle();
+    }
+    const Document &document = driver.document(), &expected = fresh.document();
+    CHECK(document.shapes[0]->tag == 1);
+    CHECK(document.shapes[0]->radius == 0.0);
+    CHECK_FALSE(expected.spacing.paint.tiles.empty());
+    CHECK(expected.spacing.sources.size() == 1);
+    CHECK(sameContent(document, expected));
+}
+
+TEST_CASE("New: an unfinished path does not continue in the new drawing") {
+    Draughtsman driver;
+    driver.key('P');
+    driver.clickPlace({1, 1});
+    driver.clickPlace({4, 1});
+    startAnew(driver);
+    driver.clickPlace({4, 4});
+    driver.key(key::kEnter);
+    CHECK(driver.document().shapes.empty());
+}
+
+} // namespace forefront::test
