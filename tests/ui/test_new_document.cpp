@@ -61,4 +61,35 @@ TEST_CASE("New: an unfinished path does not continue in the new drawing") {
     CHECK(driver.document().shapes.empty());
 }
 
+TEST_CASE("Undo: disabled in a fresh document, enabled for a change and for an unfinished path") {
+    Draughtsman driver;
+    const auto enabled = [&](const char *action) {
+        return driver.context().actions.find(action)->enabled(driver.context());
+    };
+    const auto title = [&](const char *action) {
+        return driver.context().actions.find(action)->dynamic(driver.context());
+    };
+    CHECK_FALSE(enabled("edit.undo"));
+    CHECK_FALSE(enabled("edit.redo"));
+    CHECK(title("edit.undo") == "Undo");
+    driver.key('P');
+    driver.clickPlace({1, 1});
+    CHECK(title("edit.undo") == "Undo last point");
+    driver.key('Z', {Modifiers::kControl});
+    CHECK_FALSE(enabled("edit.undo"));
+    CHECK(enabled("edit.redo"));
+    driver.key('Z', {Modifiers::kControl | Modifiers::kShift});
+    CHECK(enabled("edit.undo"));
+    driver.clickPlace({4, 1});
+    driver.key(key::kEscape);
+    CHECK(title("edit.undo") == "Undo discarding the path");
+    driver.rectangle({1, 1}, {4, 4});
+    CHECK(title("edit.undo") == "Undo Draw rectangle");
+    startAnew(driver);
+    CHECK_FALSE(enabled("edit.undo"));
+    driver.click("menu/Edit");
+    REQUIRE(driver.has("menu/edit.undo"));
+    CHECK_FALSE(driver.context().widgets.find("menu/edit.undo")->enabled);
+}
+
 } // namespace forefront::test

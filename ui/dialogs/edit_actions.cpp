@@ -126,6 +126,21 @@ void addFileActions(ActionRegistry &actions) {
                  .separatorBefore = true});
 }
 
+/// Returns what undo would undo: in the unfinished input of the tool first, then in the document.
+std::string undoLabel(const Shell &context) {
+    const std::string ofTool = context.tools.current().undoLabel(context);
+    return ofTool.empty() ? context.document.undoLabel() : ofTool;
+}
+
+std::string redoLabel(const Shell &context) {
+    const std::string ofTool = context.tools.current().redoLabel(context);
+    return ofTool.empty() ? context.document.redoLabel() : ofTool;
+}
+
+std::string titleWith(const char *verb, const std::string &what) {
+    return what.empty() ? verb : std::string(verb) + ' ' + what;
+}
+
 void addHistoryActions(ActionRegistry &actions) {
     actions.add({.id = "edit.undo",
                  .menu = "Edit",
@@ -137,7 +152,8 @@ void addHistoryActions(ActionRegistry &actions) {
                              c.document.undo();
                          }
                      },
-                 .dynamic = [](const Shell &c) { return "Undo " + c.document.undoLabel(); },
+                 .enabled = [](const Shell &c) { return !undoLabel(c).empty(); },
+                 .dynamic = [](const Shell &c) { return titleWith("Undo", undoLabel(c)); },
                  .repeats = true});
     actions.add({.id = "edit.redo",
                  .menu = "Edit",
@@ -149,7 +165,8 @@ void addHistoryActions(ActionRegistry &actions) {
                              c.document.redo();
                          }
                      },
-                 .dynamic = [](const Shell &c) { return "Redo " + c.document.redoLabel(); },
+                 .enabled = [](const Shell &c) { return !redoLabel(c).empty(); },
+                 .dynamic = [](const Shell &c) { return titleWith("Redo", redoLabel(c)); },
                  .repeats = true});
 }
 

@@ -73,6 +73,9 @@ class Tool {
     /// redo.
     virtual bool undo(Shell &) { return false; }
     virtual bool redo(Shell &) { return false; }
+    /// Returns what undo() or redo() would undo or redo, for the menu; empty: nothing.
+    virtual std::string undoLabel(const Shell &) const { return {}; }
+    virtual std::string redoLabel(const Shell &) const { return {}; }
 };
 
 } // namespace forefront

@@ -109,12 +109,6 @@ Shape BoxTool::shapeTo(Vec2 second) const {
     return shape;
 }
 
-bool BoxTool::undo(Shell &) {
-    const bool drawing = first_.has_value();
-    cancel();
-    return drawing;
-}
-
 void BoxTool::drawSketch(CanvasPainter &painter, Shell &context) {
     const Theme &theme = context.theme;
     if (!first_) {

@@ -17,7 +17,6 @@ class BoxTool final : public DrawingTool {
     void drawOptions(Shell &context, ui::Flow &flow) override;
     bool hasOptions(const Shell &) const override { return true; }
     std::string statusText(const Shell &context) const override;
-    bool undo(Shell &context) override;
 
   protected:
     void place(Vec2 at, Shell &context) override;

@@ -208,6 +208,16 @@ Vec2 DrawingTool::typedPlace(const TypedPair &pair) const {
     return pair.relative && anchor() ? *anchor() + pair.value : pair.value;
 }
 
+bool DrawingTool::undo(Shell &) {
+    if (!inProgress()) {
+        return false;
+    }
+    if (!removeLast()) {
+        cancel();
+    }
+    return true;
+}
+
 void DrawingTool::deactivate(Shell &context) {
     if (inProgress()) {
         finish(context);

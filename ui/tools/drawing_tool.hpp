@@ -22,6 +22,9 @@ class DrawingTool : public Tool {
     void drawOverlay(CanvasPainter &painter, Shell &context) final;
     void deactivate(Shell &context) override;
     void forget(Shell &context) override;
+    /// Removes the last node, or cancels a shape that has only one.
+    bool undo(Shell &context) override;
+    std::string undoLabel(const Shell &) const override { return inProgress() ? "last point" : ""; }
     CursorShape cursor() const override { return CursorShape::Crosshair; }
 
   protected:

@@ -164,11 +164,19 @@ void PenTool::discard(Shell &context) {
 }
 
 bool PenTool::undo(Shell &context) {
-    if (path_.empty() && !discarded_.empty() && discardedRevision_ == context.document.revision()) {
+    if (bringsBack(context)) {
         path_ = std::exchange(discarded_, {});
         return true;
     }
-    return removeLast();
+    return DrawingTool::undo(context);
+}
+
+std::string PenTool::undoLabel(const Shell &context) const {
+    return bringsBack(context) ? "discarding the path" : DrawingTool::undoLabel(context);
+}
+
+bool PenTool::bringsBack(const Shell &context) const {
+    return path_.empty() && !discarded_.empty() && discardedRevision_ == context.document.revision();
 }
 
 bool PenTool::redo(Shell &) {

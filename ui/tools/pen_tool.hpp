@@ -21,6 +21,8 @@ class PenTool final : public DrawingTool {
     std::string statusText(const Shell &context) const override;
     bool undo(Shell &context) override;
     bool redo(Shell &context) override;
+    std::string undoLabel(const Shell &context) const override;
+    std::string redoLabel(const Shell &) const override { return undone_.empty() ? "" : "last point"; }
 
   protected:
     void place(Vec2 at, Shell &context) override;
@@ -48,6 +50,8 @@ class PenTool final : public DrawingTool {
     bool canClose() const { return path_.size() >= (anyCurved() ? 2U : 3U); }
     bool closes(Vec2 at) const { return canClose() && at == path_.front().at; }
     void commit(Shell &context, bool closed);
+    /// Returns true if undo brings a discarded path back.
+    bool bringsBack(const Shell &context) const;
     /// Completes the freehand path with its end and simplifies it.
     void finishFreehand(Vec2 at, Shell &context);
     double freehandTolerance(const Shell &context) const;

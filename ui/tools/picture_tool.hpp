@@ -42,6 +42,7 @@ class PictureTool final : public Tool {
     CursorShape cursor() const override;
     std::string statusText(const Shell &context) const override;
     bool undo(Shell &context) override;
+    std::string undoLabel(const Shell &) const override { return points_.size() == 1 ? "last point" : ""; }
 
   private:
     /// Returns the picture of the document if it can be placed: null if there is none or it is locked.

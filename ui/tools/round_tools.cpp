@@ -46,12 +46,6 @@ void RegularPolygonTool::place(Vec2 at, Shell &context) {
     centre_.reset();
 }
 
-bool RegularPolygonTool::undo(Shell &) {
-    const bool drawing = centre_.has_value();
-    cancel();
-    return drawing;
-}
-
 void RegularPolygonTool::drawSketch(CanvasPainter &painter, Shell &context) {
     if (!centre_) {
         drawMeasure(painter, context, {});

@@ -18,7 +18,6 @@ class SlotTool final : public DrawingTool {
     void drawOptions(Shell &context, ui::Flow &flow) override;
     bool hasOptions(const Shell &) const override { return true; }
     std::string statusText(const Shell &context) const override;
-    bool undo(Shell &) override { return removeLast(); }
 
   protected:
     void place(Vec2 at, Shell &context) override;

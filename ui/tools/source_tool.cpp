@@ -65,12 +65,6 @@ std::span<const EntryField> SourceTool::entryFields() const {
     return first_ && shape() == SourceShape::Circle ? std::span<const EntryField>(kRadius) : DrawingTool::entryFields();
 }
 
-bool SourceTool::undo(Shell &) {
-    const bool drawing = first_.has_value();
-    cancel();
-    return drawing;
-}
-
 void SourceTool::drawSketch(CanvasPainter &painter, Shell &context) {
     const Theme &theme = context.theme;
     if (!over_) {

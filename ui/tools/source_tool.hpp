@@ -17,7 +17,6 @@ class SourceTool final : public DrawingTool {
     bool hasOptions(const Shell &) const override { return true; }
     void drawOptions(Shell &context, ui::Flow &flow) override;
     std::string statusText(const Shell &context) const override;
-    bool undo(Shell &context) override;
 
   protected:
     void place(Vec2 at, Shell &context) override;
