@@ -268,6 +268,10 @@ TEST_CASE("Text: at most two lines, and truncated text ends with an ellipsis") {
         CHECK(ImGui::CalcTextSize(lines.c_str()).x <= width);
     }
     CHECK(ui::twoLines("short", 200.0F) == "short");
+    CHECK(ui::twoLines("short\n", 200.0F) == "short\n");
+    CHECK(ui::twoLines("one\ntwo\n", 200.0F) == "one\ntwo");
+    CHECK(ui::twoLines("one\ntwo\n\n", 200.0F) == "one\ntwo");
+    CHECK(ui::twoLines("one\ntwo\n\nthree", 200.0F) == "one\ntwo\xe2\x80\xa6");
 }
 
 TEST_CASE("Fonts: all digits have the same width") {

@@ -282,14 +282,31 @@ std::string FileDialog::warning() const {
 
 /// Width of each of the two buttons and the gap between them, in design pixels; the warning is to their left.
 constexpr float kButton = 108.0F, kButtonGap = 10.0F;
+constexpr float kNoteIndent = 72.0F; ///< of the note on the chosen format
+
+/// Returns the number of lines of the longest note, so that the dialog does not change with the chosen format.
+std::ptrdiff_t FileDialog::noteLines(const Shell &context, float width) const {
+    ImGui::PushFont(context.fonts.small);
+    std::ptrdiff_t most = 2;
+    for (const FileFilter &filter : request_.filters) {
+        const std::string lines = ui::wrapped(filter.note, width);
+        most = std::max(most, 1 + std::count(lines.begin(), lines.end(), '\n'));
+    }
+    ImGui::PopFont();
+    return most;
+}
 
 float FileDialog::bottomHeight(const Shell &context) const {
     const float room = ImGui::GetContentRegionAvail().x - context.px(2.0 * kButton + 2.0 * kButtonGap);
     const float height = ImGui::CalcTextSize(ui::wrapped(warning(), room).c_str(), nullptr, false, room).y;
-    const float more = std::max(0.0F, height - ImGui::GetTextLineHeight());
+    float more = std::max(0.0F, height - ImGui::GetTextLineHeight());
     constexpr int kPlain = 84, kLine = 34;
     const int lines =
         (request_.extra ? request_.extraLines : 0) + (request_.presets.empty() ? 0 : 1) + (hasNotes(request_) ? 1 : 0);
+    if (hasNotes(request_)) {
+        const float width = ImGui::GetContentRegionMax().x - context.px(kNoteIndent);
+        more += static_cast<float>(noteLines(context, width) - 2) * context.fonts.small->FontSize;
+    }
     return context.px(kPlain + lines * kLine) + more;
 }
 
@@ -323,13 +340,17 @@ void FileDialog::drawPresets(Shell &context) {
 }
 
 void FileDialog::drawNote(Shell &context) {
-    ImGui::SetCursorPosX(context.px(72));
+    const float width = ImGui::GetContentRegionMax().x - context.px(kNoteIndent);
+    const std::ptrdiff_t lines = noteLines(context, width);
+    ImGui::SetCursorPosX(context.px(kNoteIndent));
     ImGui::PushFont(context.fonts.small);
     ImGui::PushStyleColor(ImGuiCol_Text, context.theme.muted);
-    ImGui::TextUnformatted(ui::twoLines(filter().note + "\n", ImGui::GetContentRegionAvail().x).c_str());
+    const float below = ImGui::GetCursorPosY() + static_cast<float>(lines) * ImGui::GetTextLineHeight();
+    ImGui::TextUnformatted(ui::wrapped(filter().note, width).c_str());
     ImGui::PopStyleColor();
     ImGui::PopFont();
     ui::mark(context, widget("note"));
+    ImGui::SetCursorPosY(below + ImGui::GetStyle().ItemSpacing.y);
 }
 
 void FileDialog::drawName(Shell &context, bool &wanted) {

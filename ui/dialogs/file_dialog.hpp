@@ -4,6 +4,7 @@
 #include "ui/dialogs/file_list.hpp"
 #include "ui/parts/dialog.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -82,6 +83,7 @@ class FileDialog : public Dialog {
     /// Returns what is wrong with the choice, or that it will replace a file; empty if neither.
     std::string warning() const;
     /// Returns the height of the rows below the list, in pixels.
+    std::ptrdiff_t noteLines(const Shell &context, float width) const;
     float bottomHeight(const Shell &context) const;
     /// Sets the chosen name and clears the faults of the previous one.
     void suggest(std::string name);

@@ -37,8 +37,8 @@ std::string twoLines(std::string_view text, float width) {
     std::string lines = wrapped(text, width);
     const std::size_t first = lines.find('\n');
     const std::size_t second = first == std::string::npos ? first : lines.find('\n', first + 1);
-    if (second == std::string::npos) {
-        return lines;
+    if (second == std::string::npos || lines.find_first_not_of('\n', second) == std::string::npos) {
+        return lines.substr(0, second);
     }
     lines.resize(second);
     const auto tooWide = [&] {
