@@ -2,6 +2,7 @@
 
 #include "core/edit/node_sizes.hpp"
 #include "core/edit/path_curve.hpp"
+#include "core/edit/slot.hpp"
 
 #include <algorithm>
 #include <numbers>
@@ -211,8 +212,12 @@ void moveNodes(Shape &shape, std::vector<Vec2> places) {
     shape.nodes = after.nodes;
 }
 
+std::string kindName(const Shape &shape) {
+    return isSlot(shape) ? "slot" : std::string(wordOf(shape.kind));
+}
+
 std::string displayName(const Shape &shape) {
-    return shape.name.empty() ? std::string(wordOf(shape.kind)) + ' ' + std::to_string(shape.id) : shape.name;
+    return shape.name.empty() ? kindName(shape) + ' ' + std::to_string(shape.id) : shape.name;
 }
 
 } // namespace forefront

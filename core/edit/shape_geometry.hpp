@@ -102,6 +102,8 @@ void becomePath(Shape &shape);
 /// Moves nodes of a path to new places, one for each node; curves move with their ends.
 void moveNodes(Shape &shape, std::vector<Vec2> places);
 
+/// Returns the word for the form of a shape: that of its kind, or "slot".
+std::string kindName(const Shape &shape);
 /// Returns the name of a shape, or one made of its kind and id such as "polygon 3".
 std::string displayName(const Shape &shape);
 

@@ -8,4 +8,7 @@ namespace forefront {
 /// both are one point.
 Shape slotAround(Vec2 a, Vec2 b, double radius);
 
+/// Returns true for a path with the form of a slot: two parallel sides joined by half circles.
+bool isSlot(const Shape &shape);
+
 } // namespace forefront

@@ -352,6 +352,10 @@ TEST_CASE("Slot: two centres and a radius, by clicks or typed") {
     CHECK(boundsOf(*driver.document().shapes[0]).max.x == doctest::Approx(7.5));
     CHECK(boundsOf(*driver.document().shapes[0]).min.y == doctest::Approx(3.5));
     CHECK(driver.undoLabel() == "Draw slot");
+    CHECK(displayName(*driver.document().shapes[0]) == "slot 1");
+    driver.key(key::kRightBracket, kControl); // a quarter turn
+    CHECK(displayName(*driver.document().shapes[0]) == "slot 1");
+    driver.key('Z', kControl);
     driver.key('Z', kControl);
     CHECK(driver.document().shapes.empty());
 }

@@ -5,10 +5,12 @@
 #include "core/edit/shape_commands.hpp"
 #include "core/edit/shape_geometry.hpp"
 #include "core/edit/slot.hpp"
+#include "core/edit/transform.hpp"
 #include "tests/unit/edit_support.hpp"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -236,4 +238,17 @@ TEST_CASE("slotAround: two half circles and two lines around a line") {
     CHECK(areaOf(slot) == doctest::Approx(5.0 + 0.25 * kPi));
     CHECK(lengthOf(slot) == doctest::Approx(10.0 + kPi));
     CHECK(slotAround({1, 1}, {1, 1}, 0.5).kind == ShapeKind::Circle);
+    CHECK(isSlot(slot));
+    CHECK_FALSE(isSlot(slotAround({1, 1}, {1, 1}, 0.5)));
+    Shape turned = slot; // another node is the first one
+    std::rotate(turned.nodes.begin(), turned.nodes.begin() + 1, turned.nodes.end());
+    std::rotate(turned.curves.begin(), turned.curves.begin() + 1, turned.curves.end());
+    CHECK(isSlot(turned));
+    Shape straight = slot;
+    straight.curves[1] = Curve();
+    CHECK_FALSE(isSlot(straight));
+    const Result<Document> wide =
+        transformSelection(documentOf({slot}), {.shapes = {1}}, PlaneMap::scaling({2, 1}, {}));
+    REQUIRE(wide.ok());
+    CHECK_FALSE(isSlot(*wide->shapes[0])); // its ends are elliptical
 }

@@ -223,7 +223,7 @@ void InspectorPanel::drawShape(Shell &context, const Shape &shape) const {
     const Document &document = *context.document.current();
     heading(context, displayName(shape));
     std::string name = shape.name;
-    if (form::text(context, "inspector/name", "Name", name, wordOf(shape.kind).data()) && name != shape.name) {
+    if (form::text(context, "inspector/name", "Name", name, kindName(shape).c_str()) && name != shape.name) {
         EditState::apply(context, setShapeName(document, shape.id, name), "Name shape");
     }
     useRow(context, {shape.id}, shape.use);

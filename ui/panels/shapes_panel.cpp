@@ -92,8 +92,8 @@ class ShapesPanel final : public Panel {
         }
         ImGui::SameLine(0, context.px(4));
         const bool selected = context.selection.shapes.contains(shape.id);
-        if (ui::selectable(context, name, displayName(shape), selected, std::string(wordOf(shape.kind))) &&
-            !shape.hidden && !shape.locked) {
+        if (ui::selectable(context, name, displayName(shape), selected, kindName(shape)) && !shape.hidden &&
+            !shape.locked) {
             choose(context, shape.id, selected);
         }
     }
