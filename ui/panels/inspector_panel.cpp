@@ -6,6 +6,7 @@
 #include "core/edit/shape_geometry.hpp"
 #include "core/edit/spacing_commands.hpp"
 #include "ui/panels/edit_panels.hpp"
+#include "ui/panels/element_count_row.hpp"
 #include "ui/panels/form.hpp"
 #include "ui/panels/size_rows.hpp"
 #include "ui/parts/shell.hpp"
@@ -230,6 +231,7 @@ void InspectorPanel::drawShape(Shell &context, const Shape &shape) const {
     if (shape.segmentTags.empty()) {
         boundaryTagRow(context, shape.tag, {.shapes = {shape.id}, .segments = {}});
         partSizeRow(context, shape.tag);
+        elementCountRow(context, std::set{shape.id});
     } else {
         form::label(context, "Tag");
         ui::muted(context, "several");
@@ -275,6 +277,7 @@ void InspectorPanel::drawSegment(Shell &context, SegmentRef ref) const {
     heading(context, "Segment " + std::to_string(ref.segment + 1) + " of " + displayName(*shape));
     boundaryTagRow(context, segmentTag(*shape, ref.segment), {.shapes = {}, .segments = {ref}});
     partSizeRow(context, segmentTag(*shape, ref.segment));
+    elementCountRow(context, std::set{ref});
     if (isRound(*shape) || ref.segment >= taggedSegments(*shape)) {
         return;
     }
@@ -381,10 +384,12 @@ void InspectorPanel::drawMany(Shell &context) const {
         const Shape *first = findShape(document, *selection.shapes.begin());
         useRow(context, selection.shapes, first->use);
         boundaryTagRow(context, first->tag, {selection.shapes, selection.segments});
+        elementCountRow(context, selection.shapes);
     } else if (!selection.segments.empty()) {
         const SegmentRef first = *selection.segments.begin();
         boundaryTagRow(context, segmentTag(*findShape(document, first.shape), first.segment),
                        {.shapes = {}, .segments = selection.segments});
+        elementCountRow(context, selection.segments);
     } else if (!selection.nodes.empty()) {
         nodeSizeRow(context, selection.nodes);
     }

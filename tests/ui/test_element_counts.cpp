@@ -1,0 +1,72 @@
+#include "tests/ui/edit_driver.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+namespace forefront::test {
+
+namespace {
+
+std::ptrdiff_t edges(Draughtsman &driver, std::int32_t tag) {
+    driver.key(key::kF5);
+    driver.settle();
+    const Mesh &mesh = driver.run().mesh->mesh;
+    return std::count_if(mesh.edges.begin(), mesh.edges.end(), [&](const TaggedEdge &edge) { return edge.tag == tag; });
+}
+
+void clear(Draughtsman &driver, std::string_view field) {
+    driver.click(field);
+    driver.key('A', {Modifiers::kControl});
+    driver.key(key::kDelete);
+    driver.key(key::kEnter);
+    driver.settle();
+}
+
+} // namespace
+
+TEST_CASE("Elements: a number for one segment, for several and for a circle; each is one undo step") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.key('C');
+    driver.dragPlaces({5, 4}, {6.5, 4});
+    Document sized = driver.document();
+    sized.spacing.size = 3.0;
+    driver.context().document.apply(std::move(sized), "Size");
+    driver.key('V');
+    driver.key(key::kEscape);
+    driver.clickPlace({3, 1});
+    driver.clickPlace({3, 1});
+    REQUIRE(driver.context().selection.segments == std::set<SegmentRef>{{1, 0}});
+    driver.fill("inspector/elements", "13");
+    CHECK(driver.undoLabel() == "Set number of elements");
+    CHECK(segmentTag(*driver.document().shapes[0], 0) == 2);
+    CHECK(edges(driver, 2) == 13);
+    driver.drag(driver.pixel({9, 4}), driver.pixel({9, 4}), 1, {Modifiers::kShift});
+    driver.frames(30);
+    REQUIRE(driver.context().selection.segments.size() == 2);
+    driver.fill("inspector/elements", "9");
+    CHECK(edges(driver, 2) == 9);
+    CHECK(edges(driver, 3) == 9);
+    driver.key('Z', {Modifiers::kControl});
+    CHECK(driver.document().spacing.partSizes.size() == 1);
+    driver.clickPlace({5, 5.5});
+    REQUIRE(driver.context().selection.shapes == std::set<std::uint32_t>{2});
+    driver.fill("inspector/elements", "40");
+    CHECK(edges(driver, driver.document().shapes[1]->tag) == 40);
+    driver.fill("inspector/elements", "2.5");
+    CHECK(driver.has("inspector/elements/fault"));
+    CHECK(edges(driver, driver.document().shapes[1]->tag) == 40);
+    clear(driver, "inspector/elements");
+    CHECK(driver.document().spacing.partSizes.size() == 1);
+}
+
+TEST_CASE("Elements: the field is not shown for shapes of several segments") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {9, 8});
+    driver.settle();
+    CHECK(driver.has("inspector/partsize"));
+    CHECK_FALSE(driver.has("inspector/elements"));
+}
+
+} // namespace forefront::test
