@@ -71,11 +71,19 @@ void drawToolOptions(Shell &context, const PixelRect &canvas) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.px(8));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
     ImGui::PushStyleColor(ImGuiCol_WindowBg, fade(context.theme.popup, 0.96));
+    // What does not fit beside the canvas and above most of it is scrolled.
+    constexpr float kMaxHeight = 0.6F;
+    const float width = std::max(1.0F, static_cast<float>(canvas.width) - context.px(24));
+    const float height = std::max(context.px(40), kMaxHeight * static_cast<float>(canvas.height));
+    ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {width, height});
     ImGui::Begin("##tooloptions", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
-                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+                     ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                     ImGuiWindowFlags_NoFocusOnAppearing);
     {
-        ui::Flow flow(context, static_cast<float>(canvas.width) - context.px(24) - 2 * pad.x, context.px(14));
+        const float bar = ImGui::GetScrollMaxY() > 0.0F ? ImGui::GetStyle().ScrollbarSize : 0.0F;
+        ui::Flow flow(context, width - 2 * pad.x - bar, context.px(14));
         tool.drawOptions(context, flow);
     }
     ui::markWindow(context, "options");

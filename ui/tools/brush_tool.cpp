@@ -214,8 +214,7 @@ void BrushTool::drawModes(Shell &context, ui::Flow &flow) {
     ui::tooltip(context,
                 "Set: paint a spacing. Finer: reduce the current spacing. Coarser, smooth: enlarge or even out "
                 "painted spacing only. Erase: remove paint.");
-    constexpr float kNarrow = 330.0F; // more options would cover other panels of the canvas
-    if (erases() || flow.room() < context.px(kNarrow)) {
+    if (erases()) {
         return;
     }
     double strength = state_->brushStrength, falloff = state_->brushFalloff;
