@@ -54,6 +54,13 @@ void Driver::drain() {
     frames(2);
 }
 
+void Driver::unfoldLayers() {
+    if (!has("layer/domain")) {
+        click("panel/layers");
+        settle();
+    }
+}
+
 bool Driver::has(std::string_view widget) const {
     return editor_->context().widgets.find(widget) != nullptr;
 }

@@ -33,6 +33,8 @@ class Driver {
     void until(const std::function<bool()> &condition);
     void frames(int count);
     bool has(std::string_view widget) const;
+    /// Unfolds the layers, which are folded in a low window at first.
+    void unfoldLayers();
     /// Clicks the middle of a widget. Returns false, and fails a check, if it is not drawn or not enabled.
     bool click(std::string_view widget);
     bool hover(std::string_view widget);

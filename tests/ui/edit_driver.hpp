@@ -79,7 +79,7 @@ class Draughtsman : public Driver {
         return setup;
     }
     bool folded(const std::string &panel) {
-        const char *inside = panel == "layers" ? "layer/domain" : "inspector/here";
+        const char *inside = panel == "layers" ? "layer/domain" : "inspector/here"; // drawn only if unfolded
         return !has(inside);
     }
 };

@@ -41,7 +41,29 @@ std::vector<Scene> scenes() {
             driver.click(std::string("dialog/preferences/page/") + page);
         };
     };
+    const auto tool = [](const char *id) {
+        return [name = std::string("tool/") + id](Driver &driver) {
+            driver.click(name);
+            driver.settle();
+        };
+    };
+    const auto inspect = [](Driver &driver) {
+        driver.click("tool/select");
+        driver.context().selection.segments = {{driver.context().document.current()->shapes.front()->id, 0}};
+    };
     return {{"meshed", [](Driver &) {}},
+            {"inspector", inspect},
+            {"rectangle", tool("rectangle")},
+            {"polygon", tool("polygon")},
+            {"brush", tool("brush")},
+            {"source", tool("source")},
+            {"picture", tool("picture")},
+            {"unfolded",
+             [](Driver &driver) {
+                 driver.click("tool/select");
+                 driver.context().selection.clear();
+                 driver.click("panel/layers");
+             }},
             {"quality", [](Driver &driver) { showLayer(driver.context().layers, "quality", true); }},
             {"rulers", action("view.rulers")},
             {"steps", panel("steps")},

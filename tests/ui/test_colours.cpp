@@ -45,6 +45,7 @@ struct ColouredSquare : MeshedSquare {
 TEST_CASE("Colours: quality and spacing exclude each other") {
     ColouredSquare driver;
     REQUIRE(driver.visible("size"));
+    driver.unfoldLayers();
     driver.click("layer/quality");
     CHECK(driver.visible("quality"));
     CHECK_FALSE(driver.visible("size"));
@@ -113,6 +114,7 @@ TEST_CASE("Colours: good values are bright and bad ones dark, and the middle of 
 
 TEST_CASE("Colours: the user can set the quality range in the histogram, and fit it again") {
     ColouredSquare driver;
+    driver.unfoldLayers();
     driver.click("layer/quality");
     driver.click("panel/histogram");
     driver.settle();

@@ -337,7 +337,6 @@ TEST_CASE("Select: a second click on a shape selects one segment, which can have
     CHECK(driver.context().selection.shapes.empty());
     shiftClick({9, 4});
     CHECK(driver.context().selection.segments == std::set<SegmentRef>{{1, 0}});
-    driver.click("panel/layers");
     driver.click("inspector/tag");
     driver.key('A', {Modifiers::kControl});
     driver.type("7");
@@ -360,7 +359,6 @@ TEST_CASE("Inspector: naming one segment keeps the names of other shapes; the na
     driver.clickPlace({5, 1});
     driver.clickPlace({5, 1});
     REQUIRE(driver.context().selection.segments == std::set<SegmentRef>{{1, 0}});
-    driver.click("panel/layers");
     driver.click("inspector/tag/name");
     driver.key('A', {Modifiers::kControl});
     driver.type("inlet");

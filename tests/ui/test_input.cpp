@@ -159,6 +159,7 @@ TEST_CASE("Camera: fit shows the whole box, even a thin one") {
 
 TEST_CASE("Editor: ten quick clicks on a switch are ten clicks") {
     Driver driver;
+    driver.unfoldLayers();
     const auto *widget = driver.context().widgets.find("layer/labels");
     REQUIRE(widget != nullptr);
     const Pixel at = widget->rect.centre();
@@ -222,6 +223,7 @@ TEST_CASE("Editor: a recorded session replays to the same picture") {
     Driver first;
     first.editor().input().startRecording();
     first.scroll(first.canvas().centre(), 3);
+    first.unfoldLayers();
     first.click("layer/size");
     first.click("menu/theme");
     first.settle();

@@ -97,6 +97,7 @@ TEST_CASE("Picture: added by the menu, drawn below the drawing, hidden as a laye
 
         driver.click("options/picture/show");
         CHECK_FALSE(looksRed(driver.picture(), corner));
+        driver.unfoldLayers();
         driver.click("layer/picture");
         CHECK(looksRed(driver.picture(), corner));
 

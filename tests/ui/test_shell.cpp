@@ -95,6 +95,7 @@ TEST_CASE("Editor: the whole interface is inside the window at 1280x800, 1920x10
         driver.platform().resize(size, scale);
         driver.settle();
         CHECK(static_cast<double>(driver.context().scale) == scale);
+        driver.unfoldLayers();
         for (const char *name : {"canvas", "menu/File", "menu/Help", "tool/select", "layer/domain", "layer/mesh",
                                  "panel/steps", "panel/histogram", "panel/log", "timeline/play", "timeline/scrubber",
                                  "timeline/position", "status/pointer"}) {
@@ -136,6 +137,7 @@ TEST_CASE("Editor: the theme changes nearly every pixel except value colours, an
 
 TEST_CASE("Editor: Tab hides the panels and brings them back") {
     Driver driver;
+    driver.unfoldLayers();
     const double before = driver.canvas().width;
     driver.key('R');
     driver.key(key::kTab);

@@ -4,6 +4,8 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
 namespace forefront {
 
 namespace {
@@ -12,13 +14,19 @@ class LayersPanel final : public Panel {
   public:
     const char *id() const override { return "layers"; }
     const char *title() const override { return "Layers"; }
+    bool foldsInLowWindow() const override { return true; }
 
     void draw(Shell &context) override {
-        const float width = ImGui::GetContentRegionAvail().x / context.scale;
-        const int columns = width > 390.0F ? 4 : 3;
-        const float each = width / static_cast<float>(columns) - 2.0F;
         ImGui::PushFont(context.fonts.small);
-        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(2), 0));
+        constexpr float kEye = 24.0F, kGap = 2.0F, kMargin = 3.0F;
+        float widest = 0.0F;
+        for (const LayerSlot &slot : context.layers) {
+            widest = std::max(widest, ImGui::CalcTextSize(slot.layer->name()).x / context.scale);
+        }
+        const float width = ImGui::GetContentRegionAvail().x / context.scale;
+        const int columns = std::clamp(static_cast<int>((width + kGap) / (kEye + widest + kMargin + kGap)), 1, 4);
+        const float each = width / static_cast<float>(columns) - kGap;
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(context.px(kGap), 0));
         int at = 0;
         for (LayerSlot &slot : context.layers) {
             if (at % columns != 0) {

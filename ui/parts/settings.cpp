@@ -74,6 +74,11 @@ void readMaps(const Json &json, Settings &settings) {
             settings.layers[layer] = visible.get<bool>();
         }
     });
+    forMembers(json, "folded", [&](const std::string &panel, const Json &folded) {
+        if (folded.is_boolean()) {
+            settings.folded[panel] = folded.get<bool>();
+        }
+    });
     forMembers(json, "lessons", [&](const std::string &lesson, const Json &progress) {
         if (!progress.is_object()) {
             return;
@@ -159,6 +164,7 @@ void saveSettings(const std::filesystem::path &file, const Settings &settings) {
               {"snapReach", settings.snapping.reach},
               {"keys", settings.keys},
               {"layers", settings.layers},
+              {"folded", settings.folded},
               {"views", Json::object()},
               {"recentFiles", settings.recentFiles}};
     for (const auto &[name, view] : settings.views) {

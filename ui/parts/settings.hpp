@@ -45,6 +45,7 @@ struct Settings {
     std::vector<std::string> recentFiles;
     std::map<std::string, SavedView> views; ///< last view of each recent file
     std::map<std::string, bool> layers;     ///< visibility by id, of those that differ from the default
+    std::map<std::string, bool> folded;     ///< panels that the user folded or unfolded, by id
     bool panels = true;                     ///< show the right column
     std::string tab;                        ///< id of the panel shown in the tabs; empty: the first
     Snapping snapping;

@@ -38,14 +38,25 @@ float splitter(WidgetContext &context, const char *name, const PixelRect &rect, 
     return vertical ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y;
 }
 
-/// Draws the heading of a panel, which folds it. Returns true if the panel is unfolded; Dear ImGui's storage remembers.
-bool panelHeading(WidgetContext &context, const Panel &panel) {
+/// Returns true if the user folded a panel, or if it leaves its room to others in a low window; lessons point at it.
+bool isFolded(const Shell &context, const Panel &panel) {
+    constexpr double kLowWindow = 900.0; // design pixels
+    const double height = context.platform.framebufferSize().height / static_cast<double>(context.scale);
+    const auto chosen = context.settings.folded.find(panel.id());
+    if (chosen != context.settings.folded.end()) {
+        return chosen->second;
+    }
+    return panel.foldsInLowWindow() && height < kLowWindow && !context.lessons.visible;
+}
+
+/// Draws the heading of a panel, which folds it. Returns true if the panel is unfolded.
+bool panelHeading(Shell &context, const Panel &panel) {
     const std::string name = std::string("panel/") + panel.id();
-    bool *folded = ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID(panel.id()), false);
+    const bool folded = isFolded(context, panel);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, height = context.px(22);
     if (ImGui::InvisibleButton(name.c_str(), {width, height})) {
-        *folded = !*folded;
+        context.settings.folded[panel.id()] = !folded;
     }
     const bool hovered = ImGui::IsItemHovered();
     ui::mark(context, name);
@@ -53,10 +64,10 @@ bool panelHeading(WidgetContext &context, const Panel &panel) {
     ImGui::PushFont(context.fonts.heading);
     const float y = at.y + (height - ImGui::GetFontSize()) / 2;
     const Colour colour = hovered ? context.theme.text : context.theme.muted;
-    list.AddText({at.x, y}, colour, *folded ? icon::kRight : icon::kDown);
+    list.AddText({at.x, y}, colour, folded ? icon::kRight : icon::kDown);
     list.AddText({at.x + context.px(14), y}, colour, panel.title());
     ImGui::PopFont();
-    return !*folded;
+    return !folded;
 }
 
 void drawStacked(Shell &context, float height) {

@@ -1,0 +1,48 @@
+#include "tests/ui/edit_driver.hpp"
+
+#include <doctest/doctest.h>
+
+namespace forefront::test {
+
+TEST_CASE("Column: in a low window the layers are folded, so that the inspector is seen whole; a choice is remembered") {
+    const TemporaryFolder place;
+    EditorSetup setup;
+    setup.settingsFolder = place.path;
+    {
+        Draughtsman driver(setup);
+        driver.rectangle({1, 1}, {9, 8});
+        driver.settle();
+        CHECK_FALSE(driver.has("layer/domain"));
+        const auto *button = driver.context().widgets.find("inspector/delete"); // the last row
+        REQUIRE(button != nullptr);
+        CHECK(button->visible);
+        CHECK((!button->clip || button->rect.y + button->rect.height <= button->clip->y + button->clip->height));
+        driver.platform().resize({1280, 1000}, 1.0);
+        driver.settle();
+        CHECK(driver.has("layer/domain"));
+        driver.platform().resize({1280, 1000}, 2.0);
+        driver.settle();
+        CHECK_FALSE(driver.has("layer/domain"));
+        driver.click("panel/layers");
+        driver.settle();
+        CHECK(driver.has("layer/domain"));
+    }
+    Draughtsman again(setup);
+    CHECK(again.has("layer/domain"));
+}
+
+TEST_CASE("Column: the names of layers do not reach into the next column") {
+    for (const double scale : {1.0, 2.0}) {
+        Driver driver({}, {1280, 800}, scale);
+        driver.unfoldLayers();
+        for (const LayerSlot &slot : driver.context().layers) {
+            CAPTURE(slot.layer->name());
+            const auto *eye = driver.context().widgets.find(std::string("layer/") + slot.layer->id());
+            REQUIRE(eye != nullptr);
+            // The eye is 24 pixels wide; letters of the small font are at most 9 pixels wide, on average below 7.
+            CHECK(eye->rect.width >= (24.0 + 5.5 * static_cast<double>(std::string_view(slot.layer->name()).size())) * scale);
+        }
+    }
+}
+
+} // namespace forefront::test
