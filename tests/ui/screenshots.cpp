@@ -62,7 +62,7 @@ std::vector<Scene> scenes() {
              [](Driver &driver) {
                  driver.click("tool/select");
                  driver.context().selection.clear();
-                 driver.click("panel/layers");
+                 driver.context().settings.folded["layers"] = false;
              }},
             {"quality", [](Driver &driver) { showLayer(driver.context().layers, "quality", true); }},
             {"rulers", action("view.rulers")},

@@ -4,7 +4,8 @@
 
 namespace forefront::test {
 
-TEST_CASE("Column: in a low window the layers are folded, so that the inspector is seen whole; a choice is remembered") {
+TEST_CASE(
+    "Column: in a low window the layers are folded, so that the inspector is seen whole; a choice is remembered") {
     const TemporaryFolder place;
     EditorSetup setup;
     setup.settingsFolder = place.path;
@@ -31,6 +32,23 @@ TEST_CASE("Column: in a low window the layers are folded, so that the inspector 
     CHECK(again.has("layer/domain"));
 }
 
+TEST_CASE("Column: at twice the scale, a selection scrolls the inspector into view") {
+    Draughtsman driver({}, {1280, 800});
+    driver.rectangle({1, 1}, {9, 8});
+    driver.platform().resize({1280, 800}, 2.0);
+    driver.key('V');
+    driver.key(key::kEscape);
+    driver.unfoldLayers();
+    driver.context().selection.shapes = {1};
+    driver.settle();
+    for (const char *row : {"inspector/what", "inspector/name"}) {
+        CAPTURE(row);
+        const auto *widget = driver.context().widgets.find(row);
+        REQUIRE(widget != nullptr);
+        CHECK(widget->visible);
+    }
+}
+
 TEST_CASE("Column: the names of layers do not reach into the next column") {
     for (const double scale : {1.0, 2.0}) {
         Driver driver({}, {1280, 800}, scale);
@@ -40,7 +58,8 @@ TEST_CASE("Column: the names of layers do not reach into the next column") {
             const auto *eye = driver.context().widgets.find(std::string("layer/") + slot.layer->id());
             REQUIRE(eye != nullptr);
             // The eye is 24 pixels wide; letters of the small font are at most 9 pixels wide, on average below 7.
-            CHECK(eye->rect.width >= (24.0 + 5.5 * static_cast<double>(std::string_view(slot.layer->name()).size())) * scale);
+            CHECK(eye->rect.width >=
+                  (24.0 + 5.5 * static_cast<double>(std::string_view(slot.layer->name()).size())) * scale);
         }
     }
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace forefront::shell {
@@ -70,6 +71,41 @@ bool panelHeading(Shell &context, const Panel &panel) {
     return !folded;
 }
 
+/// Returns a number that nearly always differs between selections.
+int keyOf(const Selection &selection) {
+    std::size_t key = selection.size();
+    const auto add = [&key](std::size_t value) { key = key * 1'000'003U + value + 1U; };
+    if (!selection.shapes.empty()) {
+        add(*selection.shapes.begin());
+    }
+    if (!selection.nodes.empty()) {
+        add(selection.nodes.begin()->shape);
+        add(selection.nodes.begin()->node);
+    }
+    if (!selection.segments.empty()) {
+        add(selection.segments.begin()->shape);
+        add(selection.segments.begin()->segment);
+    }
+    if (!selection.sources.empty()) {
+        add(*selection.sources.begin());
+    }
+    if (!selection.markers.empty()) {
+        add(*selection.markers.begin());
+    }
+    return static_cast<int>(key % 1'000'000'007U);
+}
+
+/// Scrolls to the inspector, which is drawn next, when something else is selected and there is room for little else.
+void showSelection(const Shell &context, float height) {
+    constexpr double kLowStack = 300.0; // design pixels
+    int &seen = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("selection"), 0);
+    const int now = keyOf(context.selection);
+    if (now != seen && !context.selection.empty() && height < context.px(kLowStack)) {
+        ImGui::SetScrollFromPosY(ImGui::GetCursorScreenPos().y - ImGui::GetWindowPos().y, 0.0F);
+    }
+    seen = now;
+}
+
 void drawStacked(Shell &context, float height) {
     ImGui::BeginChild("stacked", {0, height}, false, ImGuiWindowFlags_NoNav);
     bool first = true;
@@ -87,6 +123,9 @@ void drawStacked(Shell &context, float height) {
             ImGui::Dummy({0, context.px(1)});
         }
         first = false;
+        if (std::string_view(panel->id()) == "inspector") {
+            showSelection(context, height);
+        }
         if (panelHeading(context, *panel)) {
             if (panel->height() > 0.0) {
                 ImGui::BeginChild("content", {0, context.px(panel->height())}, false, ImGuiWindowFlags_NoNav);
@@ -116,7 +155,11 @@ void drawTabs(Shell &context) {
     std::size_t chosen = last == tabs.end() ? 0 : static_cast<std::size_t>(last - tabs.begin());
     ImDrawList &list = *ImGui::GetWindowDrawList();
     ImGui::PushFont(context.fonts.heading);
-    const float height = context.px(24);
+    constexpr double kLowTabs = 150.0; // design pixels; the rows of headings leave room to the tab
+    const bool low = ImGui::GetContentRegionAvail().y < context.px(kLowTabs);
+    const float height = context.px(low ? 20 : 24);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
+                        {ImGui::GetStyle().ItemSpacing.x, low ? 0.0F : ImGui::GetStyle().ItemSpacing.y});
     float words = 0.0F;
     for (const Panel *tab : tabs) {
         words += ImGui::CalcTextSize(tab->title()).x + context.px(2);
@@ -148,6 +191,7 @@ void drawTabs(Shell &context) {
                                context.theme.accent, context.px(1));
         }
     }
+    ImGui::PopStyleVar();
     ImGui::PopFont();
     ImGui::BeginChild("tabcontent", {0, 0}, false, ImGuiWindowFlags_NoNav);
     tabs[chosen]->draw(context);
@@ -165,8 +209,8 @@ void drawColumn(Shell &context, const PixelRect &rect) {
     ImGui::GetWindowDrawList()->AddLine({edge, static_cast<float>(rect.y)},
                                         {edge, static_cast<float>(rect.y + rect.height)}, context.theme.line);
     const double scale = static_cast<double>(context.scale);
-    // In a low window the panels above the tabs keep half of the column.
-    const double limit = std::min(rect.height - 80.0 * scale, std::max(0.5 * rect.height, rect.height - 240.0 * scale));
+    // In a low window the panels above the tabs keep more than half of the column.
+    const double limit = std::min(rect.height - 80.0 * scale, std::max(0.4 * rect.height, rect.height - 240.0 * scale));
     const double tabs = std::clamp(context.settings.tabsHeight * scale, 60.0, std::max(60.0, limit));
     const float stacked = static_cast<float>(rect.height - tabs) - context.px(10);
     drawStacked(context, stacked);
