@@ -36,8 +36,9 @@ TEST_CASE("New: tags and sizes of the next items are those of a fresh program") 
         each->rectangle({1, 1}, {4, 4});
         each->settle();
         each->key('B');
-        each->moveToPlace({2, 2});
+        each->settle(); // the spacing is computed on another thread; sizes of brush and source derive from it
         each->dragPlaces({2, 2}, {3, 3});
+        each->settle();
         each->key('S');
         each->clickPlace({3, 2});
         each->settle();
