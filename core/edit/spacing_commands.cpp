@@ -72,6 +72,17 @@ Result<Document> setGradation(const Document &document, std::optional<double> gr
     return withGoodLimits(std::move(next));
 }
 
+Result<Document> setSegmentsPerTurn(const Document &document, std::optional<double> count) {
+    Diagnostics faults;
+    checkSegmentsPerTurn(count, faults);
+    if (!faults.empty()) {
+        return faults;
+    }
+    Document next = document;
+    next.spacing.segmentsPerTurn = count;
+    return next;
+}
+
 Document setFromBoundary(const Document &document, bool fromBoundary) {
     Document next = document;
     next.spacing.fromBoundary = fromBoundary;

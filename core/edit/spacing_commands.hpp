@@ -20,6 +20,8 @@ Document setExpression(const Document &document, std::string expression);
 Result<Document> setLimits(const Document &document, std::optional<double> minimum, std::optional<double> maximum);
 /// Sets the maximum |∇ρ|; nullopt restores the default.
 Result<Document> setGradation(const Document &document, std::optional<double> gradation);
+/// Sets the edges per full turn of curved boundaries, see SpacingSpec::segmentsPerTurn; nullopt restores the default.
+Result<Document> setSegmentsPerTurn(const Document &document, std::optional<double> count);
 /// Sets whether the lengths of boundary segments act as sources.
 Document setFromBoundary(const Document &document, bool fromBoundary);
 

@@ -148,6 +148,13 @@ void SpacingPanel::drawLimits(Shell &context) {
         EditState::apply(context, setGradation(*context.document.current(), gradation), "Change gradation");
     }
     ui::rowTooltip(context, "Maximum change of \xcf\x81 per unit of length: 0.1 is gentle, 0.3 is steep");
+    std::optional<double> perTurn = document->spacing.segmentsPerTurn;
+    form::label(context, "Per turn");
+    if (form::optionalField(context, "spacing/perturn", perTurn, "auto", -1.0F, "spacing/segmentsPerTurn")) {
+        EditState::apply(context, setSegmentsPerTurn(*context.document.current(), perTurn), "Change edges per turn");
+    }
+    ui::rowTooltip(context, "Elements along a full turn of a curved boundary; 0: bends do not matter. Empty: 40 with "
+                            "automatic spacing, else 0. Curves always get as many as their shape needs.");
     form::label(context, "");
     bool fromBoundary = document->spacing.fromBoundary;
     if (ui::checkbox(context, "spacing/fromboundary", "Use boundary lengths", fromBoundary)) {
