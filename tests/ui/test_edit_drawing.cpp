@@ -337,6 +337,10 @@ TEST_CASE("Select: a second click on a shape selects one segment, which can have
     CHECK(driver.context().selection.shapes.empty());
     shiftClick({9, 4});
     CHECK(driver.context().selection.segments == std::set<SegmentRef>{{1, 0}});
+    driver.clickPlace({9, 4}); // another segment of the shape, not the shape
+    CHECK(driver.context().selection.segments == std::set<SegmentRef>{{1, 1}});
+    CHECK(driver.context().selection.shapes.empty());
+    driver.clickPlace({5, 1});
     driver.click("inspector/tag");
     driver.key('A', {Modifiers::kControl});
     driver.type("7");

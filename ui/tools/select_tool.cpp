@@ -132,6 +132,10 @@ void SelectTool::select(const Hit &hit, bool adds, Selection &selection) const {
     if (hit.kind == Hit::Kind::Control || hit.kind == Hit::Kind::Transform) {
         return;
     }
+    // Beside a selected segment, another segment of the shape is meant.
+    const bool segment = hit.kind == Hit::Kind::Segment && !selection.segments.empty() && selection.shapes.empty() &&
+                         std::all_of(selection.segments.begin(), selection.segments.end(),
+                                     [&](const SegmentRef &chosen) { return adds || chosen.shape == hit.shape; });
     if (!adds) {
         selection.clear();
     }
@@ -156,8 +160,8 @@ void SelectTool::select(const Hit &hit, bool adds, Selection &selection) const {
         choose(selection.markers, hit.marker, adds);
         break;
     case Hit::Kind::Segment:
-        if (adds && !selection.segments.empty() && selection.shapes.empty()) {
-            choose(selection.segments, hit.segment->ref, true); // beside segments, another segment is meant
+        if (segment) {
+            choose(selection.segments, hit.segment->ref, adds);
         } else {
             choose(selection.shapes, hit.shape, adds);
         }
