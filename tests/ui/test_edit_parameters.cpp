@@ -148,6 +148,40 @@ TEST_CASE("Parameters: numbers typed on the canvas follow their expressions, and
     CHECK(driver.document().formulas.at("shape/4/x/0") == "1*r");
 }
 
+TEST_CASE("Parameters: a new one is named and given a value without the mouse") {
+    Draughtsman driver;
+    driver.click("panel/parameters");
+    driver.click("parameters/add");
+    driver.frames(2);
+    driver.key('A', kControl);
+    driver.type("d");
+    driver.key(key::kTab);
+    driver.frames(2);
+    driver.key('A', kControl);
+    driver.type("16");
+    driver.key(key::kEnter);
+    driver.settle();
+    REQUIRE(driver.document().parameters.size() == 1);
+    CHECK(driver.document().parameters[0].name == "d");
+    CHECK(driver.document().parameters[0].expression == "16");
+}
+
+TEST_CASE("Parameters: a circle of radius d/2, with d a parameter, begins on its right wherever the pointer is") {
+    Draughtsman driver;
+    Result<Document> named = setParameters(driver.document(), {{"d", "3"}});
+    REQUIRE(named.ok());
+    driver.context().document.apply(*std::move(named), "Add parameter");
+    driver.key('C');
+    driver.clickPlace({4, 4});
+    driver.moveToPlace({6, 7});
+    driver.key('D');
+    driver.type("d/2");
+    driver.key(key::kEnter);
+    REQUIRE(driver.document().shapes.size() == 1);
+    CHECK(driver.document().shapes[0]->nodes == std::vector<Vec2>{{4, 4}, {5.5, 4}});
+    CHECK(driver.document().formulas.at("shape/1/radius") == "d/2");
+}
+
 TEST_CASE("Parameters: an end that meets its own path moves the node there with it") {
     Draughtsman driver;
     addParameter(driver, "w", "4");

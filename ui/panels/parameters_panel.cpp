@@ -42,7 +42,12 @@ class ParametersPanel final : public Panel {
         if (ui::button(context, "parameters/add", "Add parameter")) {
             std::vector<Parameter> more = context.document.current()->parameters;
             more.push_back({freeParameterName("p", 1, namesOf(more)), "1"});
-            EditState::apply(context, setParameters(*context.document.current(), std::move(more)), "Add parameter");
+            const std::string row = "parameters/" + std::to_string(more.size() - 1);
+            if (EditState::apply(context, setParameters(*context.document.current(), std::move(more)),
+                                 "Add parameter")) {
+                context.widgets.fields.request(row + "/name");
+                context.animate();
+            }
         }
     }
 

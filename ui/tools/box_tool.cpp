@@ -88,7 +88,10 @@ void BoxTool::place(Vec2 at, Shell &context) {
         first_ = at;
         return;
     }
-    const Vec2 second = corner(at);
+    const std::optional<double> radius = entry_.value(EntryField::Radius);
+    const bool typed = kind_ == ShapeKind::Circle && radius;
+    // The nodes of a circle begin at its second point: of a typed one not where the pointer happens to be.
+    const Vec2 second = typed ? *first_ + Vec2{*radius, 0.0} : corner(at);
     if (*first_ == second) {
         return; // second click of a double-click
     }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <string_view>
 #include <utility>
 
 namespace forefront {
@@ -209,6 +210,11 @@ NumericEntry::Answer NumericEntry::text(char32_t character) {
         open_ = empty != fields_.end() ? *empty : fields_.front();
         byDigit_ = true;
         text_.clear();
+    }
+    if (text_.empty() && !byDigit_ && (open_ == EntryField::Diameter || open_ == EntryField::Distance) &&
+        names_.contains("d") && std::u32string_view(U"/*^+").find(character) != std::u32string_view::npos) {
+        open_ = open_ == EntryField::Diameter ? EntryField::Radius : EntryField::Distance;
+        text_ = "d"; // the parameter, not the field
     }
     if (character == U',' && open_ == EntryField::X && !byDigit_ &&
         separatingComma(text_ + ',') == text_.size()) { // "x3,4"
