@@ -50,8 +50,12 @@ PixelRect placeOf(WidgetContext &context, std::string_view text, const PixelRect
                         context.platform.framebufferSize(), imgui.IO.MousePos.x, context.px(6));
 }
 
-/// Shows a tooltip beside `widget`, a rectangle within the current window.
+/// Shows a tooltip beside `widget`, a rectangle within the current window, unless there is one in this frame.
 void show(WidgetContext &context, std::string_view text, const PixelRect &widget) {
+    const ImGuiWindow *const shown = ImGui::FindWindowByName("##Tooltip_00");
+    if (shown != nullptr && shown->Active) {
+        return;
+    }
     const float wrap = context.px(kWrap);
     const ImVec2 pad(context.px(kPadX), context.px(kPadY));
     const PixelRect place = placeOf(context, text, widget);
