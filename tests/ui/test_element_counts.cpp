@@ -57,8 +57,43 @@ TEST_CASE("Elements: a number for one segment, for several and for a circle; eac
     driver.fill("inspector/elements", "2.5");
     CHECK(driver.has("inspector/elements/fault"));
     CHECK(edges(driver, driver.document().shapes[1]->tag) == 40);
+    CHECK_FALSE(driver.has("inspector/elements/meshed"));
+    driver.fill("inspector/elements", "4"); // the bend of the circle needs more
+    CHECK(edges(driver, driver.document().shapes[1]->tag) > 4);
+    driver.frames(2);
+    CHECK(driver.has("inspector/elements/meshed"));
     clear(driver, "inspector/elements");
     CHECK(driver.document().spacing.partSizes.size() == 1);
+}
+
+TEST_CASE("Spacing: the number of elements per turn is a field") {
+    Draughtsman driver;
+    driver.key('C');
+    driver.dragPlaces({5, 4}, {7, 4});
+    driver.unfold("spacing");
+    driver.fill("spacing/perturn", "100");
+    CHECK(driver.undoLabel() == "Change edges per turn");
+    CHECK(edges(driver, 1) >= 100);
+    driver.fill("spacing/perturn", "-1");
+    CHECK(driver.document().spacing.segmentsPerTurn == 100.0);
+    CHECK(driver.logHas("bad-size"));
+}
+
+TEST_CASE("Inspector: several tags are not shown as one, and a number gives all of them one") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {4, 4});
+    driver.fill("options/tag", "7");
+    driver.rectangle({5, 1}, {9, 4});
+    driver.key('V');
+    driver.key('A', {Modifiers::kControl});
+    driver.frames(2);
+    REQUIRE(driver.context().selection.shapes.size() == 2);
+    CHECK_FALSE(driver.has("inspector/tag/name"));
+    driver.fill("inspector/tag", "3");
+    for (const auto &shape : driver.document().shapes) {
+        CHECK(shape->tag == 3);
+    }
+    CHECK(driver.undoLabel() == "Change tag");
 }
 
 TEST_CASE("Elements: the field is not shown for shapes of several segments") {

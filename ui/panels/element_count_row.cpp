@@ -13,6 +13,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace forefront {
 namespace {
@@ -29,43 +30,53 @@ std::optional<double> commonCount(const Document &document, const std::set<Segme
     return same && first ? std::optional<double>(*first) : std::nullopt;
 }
 
-/// Returns the number of elements that the spacing asks for along a segment, ∫ds/ρ.
-double expectedElements(const Document &document, SegmentRef segment, const SpacingField &spacing) {
-    constexpr int kSamples = 64;
-    const Outline outline = outlineOf(*findShape(document, segment.shape));
-    double sum = 0.0;
-    for (std::size_t k = 0; k < outline.segmentCount(); ++k) {
-        if (outline.part(k) != segment.segment) {
-            continue;
-        }
-        const Curve curve = outline.curve(k);
-        Vec2 from = curve.point(0.0);
-        for (int i = 1; i <= kSamples; ++i) {
-            const Vec2 to = curve.point(static_cast<double>(i) / kSamples);
-            sum += distance(from, to) / spacing.at(midpoint(from, to));
-            from = to;
+/// Returns the number of elements that the mesh of the present drawing has along a segment with a number of elements;
+/// nullopt if there is no such mesh.
+std::optional<std::size_t> meshedElements(const Shell &context, SegmentRef segment) {
+    const SessionSnapshot &run = *context.run.snapshot();
+    if (!run.mesh || !run.complete || context.run.outOfDate()) {
+        return std::nullopt;
+    }
+    const Document &document = *context.document.current();
+    const std::int32_t tag = segmentTag(*findShape(document, segment.shape), segment.segment);
+    const std::optional<std::uint32_t> count = elementCount(document, segment);
+    std::size_t sharing = 0; // segments of the tag, which have the same length
+    for (const auto &shape : document.shapes) {
+        for (std::uint32_t k = 0; k < taggedSegments(*shape); ++k) {
+            if (segmentTag(*shape, k) == tag) {
+                if (elementCount(document, {shape->id, k}) != count) {
+                    return std::nullopt;
+                }
+                ++sharing;
+            }
         }
     }
-    return sum;
+    const std::vector<TaggedEdge> &edges = run.mesh->mesh.edges;
+    const auto all = static_cast<std::size_t>(
+        std::count_if(edges.begin(), edges.end(), [&](const TaggedEdge &edge) { return edge.tag == tag; }));
+    return sharing > 0 && all % sharing == 0 ? std::optional(all / sharing) : std::nullopt;
 }
 
-std::string explanation(const Shell &context, const std::set<SegmentRef> &segments, std::optional<double> count) {
-    std::string text = segments.size() == 1 ? "Number of elements along this segment."
-                                            : "Number of elements along each of the segments.";
-    text += " Sets the size of a boundary part of its own. Leave empty for no size of its own.";
-    const DocumentPreview &preview = *context.preview;
-    if (!count || !preview.spacing || preview.revision != context.document.revision()) {
-        return text;
+/// Writes below the field how many elements the mesh has, if these are more or fewer.
+void drawMeshed(Shell &context, SegmentRef segment, double count) {
+    const std::optional<std::size_t> meshed = meshedElements(context, segment);
+    if (!meshed || static_cast<double>(*meshed) == count) {
+        return;
     }
-    const double expected = expectedElements(*context.document.current(), *segments.begin(), *preview.spacing);
-    constexpr double kSame = 0.02;
-    if (expected > (1.0 + kSame) * *count) {
-        text += " Now about " + ui::number(std::round(expected), 4) +
-                ": another size, of a part, a source or the automatic spacing, is smaller here.";
-    } else if (expected < (1.0 - kSame) * *count) {
-        text += " Now about " + ui::number(std::round(expected), 4) + ": the minimum size is larger.";
-    }
-    return text;
+    ui::small(context, "The mesh has " + std::to_string(*meshed) + " here.", true);
+    ui::mark(context, "inspector/elements/meshed");
+    ui::tooltip(context, static_cast<double>(*meshed) > count
+                             ? "A smaller size acts here: of a part, a source, the automatic spacing or a narrow "
+                               "place. Curves also get as many elements as their shape needs."
+                             : "The minimum size is larger.");
+}
+
+std::string explanation(const std::set<SegmentRef> &segments) {
+    const std::string along =
+        segments.size() == 1 ? "Number of elements along it." : "Number of elements along each of them.";
+    return along +
+           " Sets the size of a boundary part, with a tag of its own where others share the tag. Leave it empty "
+           "to use the general size.";
 }
 
 } // namespace
@@ -80,8 +91,11 @@ void elementCountRow(Shell &context, const std::set<SegmentRef> &segments) {
     std::optional<double> count = before;
     form::label(context, "Elements");
     const bool changed = form::optionalField(context, "inspector/elements", count, "auto");
-    ui::rowTooltip(context, explanation(context, segments, before));
+    ui::rowTooltip(context, explanation(segments));
     if (!changed) {
+        if (before) {
+            drawMeshed(context, *segments.begin(), *before);
+        }
         return;
     }
     constexpr double kMax = kMaxElementCount;

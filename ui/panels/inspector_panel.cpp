@@ -14,11 +14,15 @@
 #include "ui/widgets/text_wrap.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/edit_state.hpp"
+#include "ui/workspace/number_field.hpp"
 
 #include <imgui.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
+#include <set>
 
 namespace forefront {
 namespace {
@@ -68,6 +72,47 @@ void boundaryTagRow(Shell &context, std::int32_t tag, const BoundaryPart &part) 
     } else if (rename) {
         EditState::apply(context, nameBoundaryPart(document, part, *rename), "Name boundary");
     }
+}
+
+/// Returns the tags of the segments of a boundary part, and of its points.
+std::set<std::int32_t> tagsOf(const Document &document, const BoundaryPart &part) {
+    std::set<std::int32_t> tags;
+    for (const std::uint32_t id : part.shapes) {
+        const Shape &shape = *findShape(document, id);
+        const std::size_t segments = taggedSegments(shape);
+        if (segments == 0) {
+            tags.insert(shape.tag);
+        }
+        for (std::uint32_t k = 0; k < segments; ++k) {
+            tags.insert(segmentTag(shape, k));
+        }
+    }
+    for (const SegmentRef segment : part.segments) {
+        tags.insert(segmentTag(*findShape(document, segment.shape), segment.segment));
+    }
+    return tags;
+}
+
+/// Draws boundaryTagRow() for several shapes or segments; if their tags differ, a field that gives all of them one.
+void manyTagsRow(Shell &context, const BoundaryPart &part) {
+    const Document &document = *context.document.current();
+    const std::set<std::int32_t> tags = tagsOf(document, part);
+    if (tags.size() == 1) {
+        boundaryTagRow(context, *tags.begin(), part);
+        return;
+    }
+    form::label(context, "Tag");
+    std::optional<double> wanted;
+    if (form::optionalField(context, "inspector/tag", wanted, "several") && wanted &&
+        ui::checkPositive(context, "inspector/tag", std::floor(*wanted))) {
+        const auto tag = static_cast<std::int32_t>(std::min(*wanted, 1e9));
+        Result<Document> next = setShapeTag(document, part.shapes, tag);
+        if (next) {
+            next = setSegmentTag(*next, part.segments, tag);
+        }
+        EditState::apply(context, std::move(next), "Change tag");
+    }
+    ui::rowTooltip(context, "The tags differ. A number gives all of them this tag.");
 }
 
 void useRow(Shell &context, const std::set<std::uint32_t> &ids, ShapeUse use) {
@@ -383,12 +428,10 @@ void InspectorPanel::drawMany(Shell &context) const {
     if (!selection.shapes.empty()) {
         const Shape *first = findShape(document, *selection.shapes.begin());
         useRow(context, selection.shapes, first->use);
-        boundaryTagRow(context, first->tag, {selection.shapes, selection.segments});
+        manyTagsRow(context, {selection.shapes, selection.segments});
         elementCountRow(context, selection.shapes);
     } else if (!selection.segments.empty()) {
-        const SegmentRef first = *selection.segments.begin();
-        boundaryTagRow(context, segmentTag(*findShape(document, first.shape), first.segment),
-                       {.shapes = {}, .segments = selection.segments});
+        manyTagsRow(context, {.shapes = {}, .segments = selection.segments});
         elementCountRow(context, selection.segments);
     } else if (!selection.nodes.empty()) {
         nodeSizeRow(context, selection.nodes);

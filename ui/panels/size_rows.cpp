@@ -28,8 +28,8 @@ void partSizeRow(Shell &context, std::int32_t tag) {
     bool changed =
         form::optionalField(context, "inspector/partsize", size, "auto", form::halfWidth(context), address + "size");
     ui::rowTooltip(context,
-                   "Largest element size along this boundary part, and its growth per unit of distance. Leave empty "
-                   "for no size of its own.");
+                   "Largest element size along this boundary part, and its growth per unit of distance. Leave it "
+                   "empty to use the general size.");
     ImGui::SameLine(0, context.px(6));
     ImGui::BeginDisabled(!size); // growth has no meaning without a size
     changed = ui::inputNumber(context, "inspector/partgrowth", growth, -1.0F, address + "growth") || changed;
