@@ -221,8 +221,10 @@ class CornerPass {
     void replace(const Element &element, Element joint, bool noBefore, bool noAfter) {
         if (!noAfter) {
             done_.push_back(element);
-        } else if (!done_.empty()) {
-            done_.back().size = smaller(done_.back().size, element.size);
+        } else if (Element *const next = !done_.empty()    ? &done_.back()
+                                         : !ahead_.empty() ? &ahead_.front() // over the seam of a closed path
+                                                           : nullptr) {
+            next->size = smaller(next->size, element.size);
         }
         if (noBefore && !ahead_.empty()) {
             joint.size = smaller(joint.size, ahead_.back().size);

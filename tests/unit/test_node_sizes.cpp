@@ -105,6 +105,9 @@ TEST_CASE("Node sizes: that of a corner that is cut goes to both ends of the cut
     both = *chamferCorners(both, nodeOf(1, 2), 3.0);
     CHECK(both.shapes[0]->nodes == std::vector<Vec2>{{0, 0}, {4, 0}, {1, 3}, {0, 3}});
     CHECK(both.shapes[0]->nodeSizes == std::map<std::uint32_t, PartSize>{{1, {0.01, 0.2}}, {2, kFine}});
+    const Document last = *setNodeSize(*addShape({}, made(ShapeKind::Polygon, {{0, 0}, {4, 0}, {4, 3}, {0, 3}})),
+                                       {{1, 3}}, kFine); // the side that is used up closes the path
+    CHECK(sizedPlaces(*chamferCorners(last, nodeOf(1, 3), 3.0)) == std::vector<Vec2>{{0, 0}, {3, 3}});
     const Document all = *filletCorners(document, shapeOf(1), 1.5); // uses up two sides
     CHECK(sizedPlaces(all) == std::vector<Vec2>{{4, 1.5}, {2.5, 3}});
 }
