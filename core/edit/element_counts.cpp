@@ -107,25 +107,39 @@ Result<Document> withTag(const Document &document, const std::set<SegmentRef> &s
     return next ? setSegmentTag(*next, parts, tag) : next;
 }
 
-Result<Document> withCount(Document document, const Alike &group, std::uint32_t count) {
-    std::int32_t tag = group.tag;
-    const auto known = document.spacing.partSizes.find(tag);
-    PartSize size = known != document.spacing.partSizes.end() ? known->second : PartSize{};
-    const double asked = group.length / count;
-    size.size = std::max(asked - size.growth * group.gap, 0.5 * asked);
-    if (usedElsewhere(document, tag, group.segments)) {
-        tag = freeBoundaryTag(document);
-        Result<Document> next = withTag(document, group.segments, tag);
-        const auto name = document.boundaryNames.find(group.tag);
-        if (next && name != document.boundaryNames.end()) {
-            next = setBoundaryName(*next, tag, numberedName(document, name->second));
-        }
-        if (!next) {
-            return next;
-        }
-        document = *std::move(next);
+/// Gives segments a tag, named after the one that they had.
+Result<Document> withNamedTag(const Document &document, const Alike &group, std::int32_t tag) {
+    Result<Document> next = withTag(document, group.segments, tag);
+    const auto name = document.boundaryNames.find(group.tag);
+    if (next && name != document.boundaryNames.end()) {
+        next = setBoundaryName(*next, tag, numberedName(document, name->second));
     }
-    return setPartSize(document, tag, size);
+    return next;
+}
+
+/// Gives segments a number of elements, or no size of their own. They get another tag if their tag is used elsewhere.
+Result<Document> withCount(const Document &document, const Alike &group, std::optional<std::uint32_t> count) {
+    const auto known = document.spacing.partSizes.find(group.tag);
+    const bool sized = known != document.spacing.partSizes.end();
+    if (!count && !sized) {
+        return document;
+    }
+    std::optional<PartSize> size;
+    if (count) {
+        size = sized ? known->second : PartSize{};
+        const double asked = group.length / *count;
+        if (group.gap > 0.0) { // so steep a growth would make the sizes along the curve too uneven to be counted
+            constexpr double kUneven = 0.03;
+            size->growth = std::min(size->growth, kUneven * asked / group.gap);
+        }
+        size->size = asked - size->growth * group.gap;
+    }
+    if (!usedElsewhere(document, group.tag, group.segments)) {
+        return setPartSize(document, group.tag, size);
+    }
+    const std::int32_t tag = freeBoundaryTag(document);
+    const Result<Document> next = withNamedTag(document, group, tag);
+    return next && size ? setPartSize(*next, tag, size) : next;
 }
 
 } // namespace
@@ -172,7 +186,7 @@ Result<Document> setElementCount(const Document &document, const std::set<Segmen
     }
     Result<Document> next = document;
     for (const Alike &group : *groups) {
-        next = count ? withCount(*next, group, *count) : setPartSize(*next, group.tag, std::nullopt);
+        next = withCount(*next, group, count);
         if (!next) {
             return next;
         }

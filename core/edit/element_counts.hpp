@@ -23,8 +23,10 @@ std::optional<std::uint32_t> elementCount(const Document &document, SegmentRef s
 
 /// Gives each of the segments a size of its length / `count`, so that `count` elements result where nothing asks for
 /// smaller ones; nullopt removes the sizes. Sizes belong to tags, so segments get tags of their own, shared by segments
-/// of the same tag and length; a tag keeps its growth, and its name with a number. Faults: no-such-segment;
-/// not-possible for a segment without a countableLength(); bad-number for a count of 0 or above kMaxElementCount.
+/// of the same tag and length; a tag keeps its growth, or the part of it that a curve allows, and its name with a
+/// number. Shorter segments of the same call may ask for smaller elements near the ends of longer ones. Faults:
+/// no-such-segment; not-possible for a segment without a countableLength(); bad-number for a count of 0 or above
+/// kMaxElementCount.
 Result<Document> setElementCount(const Document &document, const std::set<SegmentRef> &segments,
                                  std::optional<std::uint32_t> count);
 

@@ -71,12 +71,37 @@ TEST_CASE("setElementCount: segments of one length share a tag, others get their
     CHECK(next.spacing.partSizes.at(2) == PartSize{0.5, 0.4});
     CHECK(next.spacing.partSizes.at(3) == PartSize{0.125, 0.4});
     CHECK(edges(next, segmentTag(*next.shapes[0], 1)) == 8);
+    CHECK(edges(next, segmentTag(*next.shapes[0], 0)) > 8); // finer beside the short side
     // A segment that has its own tag keeps it; without a count, only the size is removed.
     const Document again = *setElementCount(next, {{1, 1}}, 5);
     CHECK(segmentTag(*again.shapes[0], 1) == segmentTag(*next.shapes[0], 1));
     CHECK(elementCount(again, {1, 1}) == 5U);
     const Document none = *setElementCount(again, {{1, 1}}, std::nullopt);
     CHECK_FALSE(none.spacing.partSizes.contains(segmentTag(*none.shapes[0], 1)));
+}
+
+TEST_CASE("setElementCount: without a count, other segments of the tag keep their size") {
+    Document document = *addShapes({}, {square({0, 0}, 2)});
+    document.boundaryNames = {{1, "wall"}};
+    document.spacing.partSizes[1] = {0.25, 0.2};
+    REQUIRE(elementCount(document, {1, 0}) == 8U);
+    const Document next = *setElementCount(document, {{1, 0}}, std::nullopt);
+    CHECK_FALSE(elementCount(next, {1, 0}).has_value());
+    CHECK(elementCount(next, {1, 1}) == 8U);
+    CHECK(next.boundaryNames.at(segmentTag(*next.shapes[0], 0)) == "wall 2");
+    const Document same = *setElementCount(next, {{1, 0}}, std::nullopt); // has none
+    CHECK(same.spacing.partSizes == next.spacing.partSizes);
+    CHECK(segmentTag(*same.shapes[0], 0) == segmentTag(*next.shapes[0], 0));
+}
+
+TEST_CASE("setElementCount: a steep growth is lowered where a curve would not get its number") {
+    const Shape circle = makeShape(ShapeKind::Circle, {{0, 0}, {1, 0}});
+    Document document = *addShapes({}, {circle});
+    document.spacing.size = 1e3;
+    document.spacing.partSizes[1] = {50.0, 2.0};
+    const Document next = *setElementCount(document, {{1, 0}}, 2000);
+    CHECK(elementCount(next, {1, 0}) == 2000U);
+    CHECK(edges(next, 1) == 2000);
 }
 
 TEST_CASE("setElementCount: refuses what cannot be counted; a size that does not divide the length is no count") {

@@ -90,7 +90,10 @@ void elementCountRow(Shell &context, const std::set<SegmentRef> &segments) {
     const std::optional<double> before = commonCount(document, segments);
     std::optional<double> count = before;
     form::label(context, "Elements");
-    const bool changed = form::optionalField(context, "inspector/elements", count, "auto");
+    const bool differ = !before && std::any_of(segments.begin(), segments.end(), [&](SegmentRef segment) {
+        return elementCount(document, segment).has_value();
+    });
+    const bool changed = form::optionalField(context, "inspector/elements", count, differ ? "several" : "auto");
     ui::rowTooltip(context, explanation(segments));
     if (!changed) {
         if (before) {
