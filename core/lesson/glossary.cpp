@@ -99,7 +99,7 @@ const std::vector<GlossaryTerm> kTerms = {
     {"neighbours",
      "Neighbouring segments",
      {"neighbouring segment", "nearby segment"},
-     "The segments of the front that the background grid returns for a region. The fewer there are, the fewer have to "
+     "The segments of the front that the background grid delivers for a region. The fewer there are, the fewer have to "
      "be tested.",
      {"grid", "counters"},
      figures::neighbours},
@@ -108,7 +108,7 @@ const std::vector<GlossaryTerm> kTerms = {
      {"nb", "nc", "ns"},
      "Nn is the number of nodes, Ne that of elements. The others are averages over a run: Nb is the number of segments "
      "on the front; Nc is the number of segments that the grid delivers for each element; Ns is the number of "
-     "segments that each element is tested against exactly.",
+     "exact intersection tests for each element.",
      {"grid", "neighbours"},
      figures::neighbours},
     {"rejection",
@@ -129,9 +129,9 @@ const std::vector<GlossaryTerm> kTerms = {
     {"closing",
      "Closing",
      {"closing", "close the front", "last element"},
-     "The last stage: what remains unmeshed is filled with triangles between existing nodes. In the plane this is "
-     "always possible. If a deferred base fails again, its search is widened until an existing node passes; an element "
-     "made in this way counts as forced.",
+     "The last stage: only deferred bases are left, and they are tried again with a wider search. If one fails again, "
+     "its search is widened until an existing node passes, which is always possible in the plane; an element made in "
+     "this way counts as forced.",
      {"front", "deferral"},
      figures::closing},
     {"gradation",

@@ -206,8 +206,9 @@ class LessonReader {
     }
 
     LessonRange readRange(const JsonValue &value) {
+        const std::size_t before = check_.faults().size();
         const Vec2 ends = check_.point(value, "\"range\"");
-        if (!(ends.x < ends.y)) {
+        if (check_.faults().size() == before && !(ends.x < ends.y)) {
             check_.fault(value, "bad-range", "expected two increasing numbers for \"range\"",
                          "write the values of α at the ends of the colour scale, such as [0.5, 1]");
             return {};
