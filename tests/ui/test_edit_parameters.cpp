@@ -182,6 +182,27 @@ TEST_CASE("Parameters: a circle of radius d/2, with d a parameter, begins on its
     CHECK(driver.document().formulas.at("shape/1/radius") == "d/2");
 }
 
+TEST_CASE("Parameters: a path that undo brings back keeps the expressions of its nodes") {
+    Draughtsman driver;
+    Result<Document> named = setParameters(driver.document(), {{"r", "2"}});
+    REQUIRE(named.ok());
+    driver.context().document.apply(*std::move(named), "Add parameter");
+    driver.key('P');
+    driver.clickPlace({1, 1});
+    driver.key('X');
+    driver.type("x2*r");
+    driver.key(key::kTab);
+    driver.type("3");
+    driver.key(key::kEnter);
+    driver.key(key::kEscape);
+    driver.key('Z', kControl);
+    driver.clickPlace({1, 6});
+    driver.key(key::kEnter);
+    REQUIRE(driver.document().shapes.size() == 1);
+    CHECK(driver.document().shapes[0]->nodes[1] == Vec2{4, 3});
+    CHECK(driver.document().formulas.size() == 1);
+}
+
 TEST_CASE("Parameters: an end that meets its own path moves the node there with it") {
     Draughtsman driver;
     addParameter(driver, "w", "4");

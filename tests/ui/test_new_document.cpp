@@ -62,6 +62,19 @@ TEST_CASE("New: an unfinished path does not continue in the new drawing") {
     CHECK(driver.document().shapes.empty());
 }
 
+TEST_CASE("New: a path that could be finished is asked about") {
+    Draughtsman driver;
+    driver.key('P');
+    for (const Vec2 corner : {Vec2{1, 1}, Vec2{5, 1}, Vec2{5, 4}}) {
+        driver.clickPlace(corner);
+    }
+    driver.key('N', {Modifiers::kControl});
+    driver.settle();
+    REQUIRE(driver.has("dialog/unsaved/cancel"));
+    driver.click("dialog/unsaved/cancel");
+    CHECK(driver.document().shapes.size() == 1);
+}
+
 TEST_CASE("Undo: disabled in a fresh document, enabled for a change and for an unfinished path") {
     Draughtsman driver;
     const auto enabled = [&](const char *action) {

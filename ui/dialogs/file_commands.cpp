@@ -175,6 +175,9 @@ void rememberFile(Shell &context, const std::filesystem::path &file) {
 
 void afterUnsaved(Shell &context, std::function<void(Shell &)> then) {
     context.dialogs.dismissPreviews(context);
+    if (Tool &tool = context.tools.current(); !tool.undoLabel(context).empty()) {
+        tool.deactivate(context); // finishes what is being drawn, so that it is asked about, too
+    }
     if (!context.document.dirty()) {
         then(context);
         return;

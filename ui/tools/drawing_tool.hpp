@@ -72,13 +72,14 @@ class DrawingTool : public Tool {
     Vec2 place_;        ///< position under the pointer, without snapping
     Modifiers modifiers_;
 
-  private:
     /// A node whose coordinates were typed as expressions; an empty text: not typed.
     struct TypedNode {
         Vec2 at;
         std::string x, y;
     };
+    std::vector<TypedNode> typedNodes_; ///< of the unfinished shape
 
+  private:
     bool press(const CanvasEvent &event, Shell &context);
     void placeTyped(Shell &context);
     void keepFormulas(Document &document, std::uint32_t shape) const;
@@ -86,7 +87,6 @@ class DrawingTool : public Tool {
     void follow(const CanvasEvent &event, Shell &context);
 
     Pixel pressPixel_{};
-    std::vector<TypedNode> typedNodes_; ///< of the unfinished shape
 };
 
 } // namespace forefront

@@ -158,6 +158,7 @@ void PenTool::discard(Shell &context) {
     cancel();
     if (path.size() >= 2) {
         discarded_ = std::move(path);
+        discardedTyped_ = typedNodes_;
         discardedRevision_ = context.document.revision();
         context.log.announce("The path is discarded; Ctrl Z brings it back");
     }
@@ -166,8 +167,10 @@ void PenTool::discard(Shell &context) {
 bool PenTool::undo(Shell &context) {
     if (bringsBack(context)) {
         path_ = std::exchange(discarded_, {});
+        typedNodes_ = std::exchange(discardedTyped_, {});
         return true;
     }
+    undoneRevision_ = context.document.revision();
     return DrawingTool::undo(context);
 }
 
@@ -179,8 +182,14 @@ bool PenTool::bringsBack(const Shell &context) const {
     return path_.empty() && !discarded_.empty() && discardedRevision_ == context.document.revision();
 }
 
-bool PenTool::redo(Shell &) {
-    if (undone_.empty()) {
+std::string PenTool::redoLabel(const Shell &context) const {
+    // Once the path is gone and the document has changed, redo concerns the document.
+    const bool here = !path_.empty() || undoneRevision_ == context.document.revision();
+    return undone_.empty() || !here ? "" : "last point";
+}
+
+bool PenTool::redo(Shell &context) {
+    if (redoLabel(context).empty()) {
         return false;
     }
     path_.push_back(undone_.back());

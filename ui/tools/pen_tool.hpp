@@ -22,7 +22,7 @@ class PenTool final : public DrawingTool {
     bool undo(Shell &context) override;
     bool redo(Shell &context) override;
     std::string undoLabel(const Shell &context) const override;
-    std::string redoLabel(const Shell &) const override { return undone_.empty() ? "" : "last point"; }
+    std::string redoLabel(const Shell &context) const override;
 
   protected:
     void place(Vec2 at, Shell &context) override;
@@ -65,6 +65,8 @@ class PenTool final : public DrawingTool {
     std::vector<Node> undone_;    ///< nodes removed by undo, newest last
     std::vector<Node> discarded_; ///< path dropped by Esc, which undo brings back until the document changes
     std::uint64_t discardedRevision_ = 0;
+    std::vector<TypedNode> discardedTyped_; ///< of the dropped path
+    std::uint64_t undoneRevision_ = 0;      ///< of the document when a node was last undone
 };
 
 } // namespace forefront
