@@ -241,6 +241,9 @@ TEST_CASE("Select: clicks on outlines select shapes, unless a node lies right th
     shiftClick({7.0, 2.0}); // a node: beside shapes, its shape
     CHECK(selection.shapes.size() == 3);
     CHECK(selection.nodes.empty());
+    shiftClick({7.0, 2.0});
+    CHECK(selection.shapes.size() == 2);
+    CHECK(selection.nodes.empty());
 
     driver.clickPlace({5.0, 8.0}); // nothing
     driver.clickPlace({4.0, 2.0});

@@ -144,8 +144,8 @@ void SelectTool::select(const Hit &hit, bool adds, Selection &selection) const {
         // A point shape has one node.
         const Shape *shape = findShape(*start_, hit.shape);
         // Beside whole shapes, another shape is meant.
-        const bool beside =
-            adds && selection.nodes.empty() && !selection.shapes.empty() && !selection.touches(hit.shape);
+        const bool beside = adds && selection.nodes.empty() && !selection.shapes.empty() &&
+                            (selection.shapes.size() > 1 || !selection.touches(hit.shape));
         if (beside || (shape != nullptr && shape->kind == ShapeKind::Point)) {
             choose(selection.shapes, hit.shape, adds);
         } else {
@@ -277,7 +277,9 @@ void SelectTool::drag(const CanvasEvent &event, Shell &context) {
         return;
     }
     if (mode_ == Mode::Grabbed && glm::distance(event.pixel, pressPixel_) > static_cast<double>(context.px(3))) {
-        if (!isSelected(grabbed_, context.selection)) {
+        const bool asShape = grabbed_.kind == Hit::Kind::Node && context.selection.nodes.empty() &&
+                             context.selection.shapes.contains(grabbed_.shape);
+        if (!asShape && !isSelected(grabbed_, context.selection)) {
             return; // Shift removed it from the selection
         }
         mode_ = Mode::Moving;
