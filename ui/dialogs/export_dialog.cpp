@@ -134,6 +134,13 @@ constexpr Solver kSolvers[] = {
     {"paraview", "ParaView", "vtu", true}, {"triangle", "Triangle", "triangle", true},
 };
 
+/// Returns false for the format of a program that refuses tagged edges inside the domain.
+bool acceptsInnerEdges(std::string_view format) {
+    const auto known = std::find_if(std::begin(kSolvers), std::end(kSolvers),
+                                    [&](const Solver &solver) { return solver.format == format; });
+    return known == std::end(kSolvers) || known->innerEdges;
+}
+
 std::vector<FilePreset> solverPresets(const std::shared_ptr<bool> &keepsInnerEdges) {
     std::vector<FilePreset> presets;
     for (const Solver &solver : kSolvers) {
@@ -195,12 +202,17 @@ void exportMesh(Shell &context) {
     // Formats that solvers read come first (MSH 2.2), pictures last.
     std::stable_partition(request.filters.begin(), request.filters.end(),
                           [](const FileFilter &filter) { return filter.id != "svg"; });
+    const auto last = std::find_if(request.filters.begin(), request.filters.end(), [&](const FileFilter &filter) {
+        return filter.id == context.settings.exportFormat;
+    });
+    request.filter = last != request.filters.end() ? static_cast<std::size_t>(last - request.filters.begin()) : 0;
     const std::filesystem::path &document = context.document.path();
     request.folder = document.parent_path();
     request.name = (document.empty() ? context.document.title() : document.stem().string()) +
                    request.filters[request.filter].extensions.front();
-    const auto keepsInnerEdges = std::make_shared<bool>(true);
+    const auto keepsInnerEdges = std::make_shared<bool>(acceptsInnerEdges(request.filters[request.filter].id));
     request.chosen = [keepsInnerEdges](Shell &c, const std::filesystem::path &file, const FileFilter &filter) {
+        c.settings.exportFormat = filter.id;
         return write(c, file, filter, *keepsInnerEdges ? InnerEdges::Keep : InnerEdges::Drop);
     };
     request.presets = solverPresets(keepsInnerEdges);

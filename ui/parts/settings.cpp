@@ -128,6 +128,7 @@ Settings loadSettings(const std::filesystem::path &file, Diagnostics *faults) {
     settings.liveBudget = numberIn(json, "liveBudget", settings.liveBudget, kMinLiveBudget, kMaxLiveBudget);
     settings.panels = boolIn(json, "panels", settings.panels);
     settings.tab = textIn(json, "tab");
+    settings.exportFormat = textIn(json, "exportFormat");
     settings.newMethod = choiceIn(json, "newMethod", settings.newMethod);
     settings.newImprove = choiceIn(json, "newImprove", settings.newImprove);
     settings.snapping = {.toDrawing = boolIn(json, "snapToDrawing", true),
@@ -157,6 +158,7 @@ void saveSettings(const std::filesystem::path &file, const Settings &settings) {
               {"liveBudget", settings.liveBudget},
               {"panels", settings.panels},
               {"tab", settings.tab},
+              {"exportFormat", settings.exportFormat},
               {"newMethod", wordOf(settings.newMethod)},
               {"newImprove", wordOf(settings.newImprove)},
               {"snapToDrawing", settings.snapping.toDrawing},

@@ -51,6 +51,7 @@ struct Settings {
     Snapping snapping;
     Method newMethod = Method::Fast; ///< of new documents, like the next
     ImproveLevel newImprove = ImproveLevel::Default;
+    std::string exportFormat; ///< id of the format to which a mesh was exported last; empty: none
     /// Shortcuts that the user changed, by id of the action; an empty text means none.
     std::map<std::string, std::string> keys;
     std::map<std::string, LessonProgress> lessons; ///< by id of the lesson
