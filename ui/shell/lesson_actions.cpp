@@ -114,6 +114,7 @@ void addLessonActions(ActionRegistry &actions) {
                  .run =
                      [](Shell &c) {
                          c.lessons.visible = !c.lessons.visible;
+                         c.lessons.drawingLoaded = 0; // what is drawn from now on is the user's
                          c.animate();
                      },
                  .checked = [](const Shell &c) { return c.lessons.visible; }});
