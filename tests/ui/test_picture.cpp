@@ -236,7 +236,7 @@ TEST_CASE("Picture: another file takes the place, the scale and the lock of the 
     expected.file = (place.path / "finer.png").string();
     CHECK(pictureOf(driver) == expected);
     CHECK(driver.undoLabel() == "Replace background picture");
-    CHECK(lastMessage(driver) == "finer.png takes the place of the picture before and keeps its scale");
+    CHECK(lastMessage(driver) == "finer.png replaces the previous picture and keeps its scale");
 
     drop(driver, drawPicture(place.path / "square.png", 300, 300));
     CHECK(pictureOf(driver).size == Vec2{50.0, 50.0});

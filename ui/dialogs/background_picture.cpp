@@ -53,7 +53,7 @@ std::string noteFor(const Picture &picture, const std::optional<BackgroundPictur
     if (old->file == picture.file) {
         return name + " is below the drawing; its pixels were read again";
     }
-    return name + " takes the place of the picture before and keeps its scale" +
+    return name + " replaces the previous picture and keeps its scale" +
            (sameProportions(*old, picture.size) ? "" : "; its proportions differ, so check the calibration");
 }
 

@@ -111,8 +111,9 @@ void nodeSizeRow(Shell &context, std::set<NodeRef> nodes) {
         EditState::apply(context, changeNodeSizes(document, nodes, {.size = size.value, .growth = {}}), kLabel);
     } else if (sized && size.given) {
         EditState::apply(context, setNodeSize(document, nodes, std::nullopt), kLabel);
-    } else if (grown && growth.value && size.given) {
-        EditState::apply(context, changeNodeSizes(document, nodes, {.size = {}, .growth = growth.value}), kLabel);
+    } else if (grown && size.given) { // an empty field restores the usual growth
+        const double wanted = growth.value.value_or(PartSize{}.growth);
+        EditState::apply(context, changeNodeSizes(document, nodes, {.size = {}, .growth = wanted}), kLabel);
     }
 }
 

@@ -34,8 +34,8 @@ bool drawNumber(Workspace &context, ui::Flow &flow, const char *name, const char
     ui::muted(context, label);
     ImGui::SameLine();
     double entered = value;
-    const bool changed = ui::inputNumber(context, name, entered, 76.0F) &&
-                         ((zero && entered == 0.0) || ui::checkPositive(context, name, entered));
+    const bool changed =
+        ui::inputNumber(context, name, entered, 76.0F) && ui::checkPositive(context, name, entered, zero);
     ui::tooltip(context, tooltip);
     if (changed) {
         value = entered;

@@ -126,24 +126,33 @@ bool inputPoint(Workspace &context, const std::string &name, Vec2 &value, float 
     if (const std::size_t comma = separatingComma(both); comma != std::string::npos) {
         // A pair is numbers: only one formula can be stored with a change.
         const std::string field = name + (x ? "/x" : "/y");
-        const std::optional<double> left = typedNumber(context, field, both.substr(0, comma));
-        const std::optional<double> right = left ? typedNumber(context, field, both.substr(comma + 1)) : left;
-        const Vec2 before = value;
-        value = right ? Vec2{*left, *right} : value;
-        return value != before;
+        const std::optional<double> left = parseNumber(trimmed(std::string_view(both).substr(0, comma)));
+        const std::optional<double> right = parseNumber(trimmed(std::string_view(both).substr(comma + 1)));
+        if (!left || !right) {
+            refuse(context, field,
+                   error("bad-number", "expected two numbers, got '" + both + "'",
+                         "enter numbers such as 3, 4, or each expression in its own field"),
+                   "expected two numbers; enter each expression in its own field");
+            return false;
+        }
+        const bool changed = value != Vec2{*left, *right};
+        value = {*left, *right};
+        return changed;
     }
     const bool changedX = x && take(context, name + "/x", *x, value.x, addressX);
     const bool changedY = y && take(context, name + "/y", *y, value.y, addressY);
     return changedX || changedY;
 }
 
-bool checkPositive(Workspace &context, std::string_view name, double value) {
-    const bool positive = value > 0.0;
-    if (!positive) {
-        const std::string reason = "expected a positive number, got " + number(value, 6);
-        refuse(context, name, error("bad-number", reason, "enter a number greater than 0"), reason);
+bool checkPositive(Workspace &context, std::string_view name, double value, bool zero) {
+    const bool good = value > 0.0 || (zero && value == 0.0);
+    if (!good) {
+        const std::string reason =
+            std::string("expected ") + (zero ? "0 or " : "") + "a positive number, got " + number(value, 6);
+        refuse(context, name, error("bad-number", reason, zero ? "enter 0 or more" : "enter a number greater than 0"),
+               reason);
     }
-    return positive;
+    return good;
 }
 
 bool inputNumber(Workspace &context, std::string_view name, double &value, float width, const std::string &address) {

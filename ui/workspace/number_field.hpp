@@ -18,8 +18,9 @@ namespace ui {
 /// frame.
 bool inputNumber(Workspace &context, std::string_view name, double &value, float width = -1.0F,
                  const std::string &address = {});
-/// Returns true if a number entered in the field is positive; otherwise it is reported like a text without a value.
-bool checkPositive(Workspace &context, std::string_view name, double value);
+/// Returns true if a number entered in the field is positive, or 0 where `zero` allows that; otherwise it is reported
+/// like a text without a value.
+bool checkPositive(Workspace &context, std::string_view name, double value, bool zero = false);
 /// The same as inputNumber() for an optional number; without one, the field is empty and shows the hint.
 bool inputOptional(Workspace &context, std::string_view name, std::optional<double> &value, const char *hint,
                    float width = -1.0F, const std::string &address = {});
