@@ -85,6 +85,17 @@ TEST_CASE("Export: the suggested name is the name of the document, saved or not"
     driver.click("dialog/export/ok");
     driver.settle();
     CHECK(std::filesystem::exists(place.path / "bay.msh"));
+    driver.key('E', {Modifiers::kControl});
+    driver.settle();
+    driver.click("dialog/export/preset/su2");
+    driver.click("dialog/export/ok");
+    driver.settle();
+    REQUIRE(std::filesystem::remove(place.path / "bay.su2"));
+    driver.key('E', {Modifiers::kControl}); // offers the format of the last export
+    driver.settle();
+    driver.click("dialog/export/ok");
+    driver.settle();
+    CHECK(std::filesystem::exists(place.path / "bay.su2"));
 }
 
 TEST_CASE("Faults: a fault is marked on the canvas as soon as it is drawn, without meshing") {

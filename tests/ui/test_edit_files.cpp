@@ -8,10 +8,8 @@
 #include "ui/widgets/widgets.hpp"
 
 #include <doctest/doctest.h>
-#include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
@@ -218,29 +216,6 @@ TEST_CASE("Files: the file dialog and the shortcut sheet fit into a small window
         const PixelRect rect = driver.context().widgets.find(part)->rect;
         CHECK(rect.width >= 500.0);
         CHECK(rect.x + rect.width <= sheet.x + sheet.width - 20.0);
-    }
-}
-
-TEST_CASE("Export: the note on a format is shown whole, also in a narrow window") {
-    Draughtsman driver;
-    driver.rectangle({1, 1}, {3, 3});
-    for (const double scale : {1.0, 2.0}) {
-        CAPTURE(scale);
-        driver.platform().resize({1280, 800}, scale);
-        driver.key('E', {Modifiers::kControl});
-        driver.settle();
-        driver.click("dialog/export/preset/calculix");
-        driver.settle();
-        const PixelRect note = driver.context().widgets.find("dialog/export/note")->rect;
-        const PixelRect dialog = driver.context().widgets.find("dialog/export")->rect;
-        const PixelRect ok = driver.context().widgets.find("dialog/export/ok")->rect;
-        const ImFont *font = driver.context().fonts.small;
-        const double line = static_cast<double>(font->FontSize), text = 163.0 * 0.45 * line; // of 163 letters
-        CHECK(note.height >= std::ceil(text / note.width) * line);
-        CHECK(note.x + note.width <= dialog.x + dialog.width);
-        CHECK(ok.y >= note.y + note.height);
-        CHECK(ok.y + ok.height <= dialog.y + dialog.height);
-        driver.key(key::kEscape);
     }
 }
 

@@ -5,8 +5,10 @@
 #include "ui/platform/assets.hpp"
 
 #include <doctest/doctest.h>
+#include <imgui.h>
 
 #include <atomic>
+#include <cmath>
 #include <fstream>
 #include <set>
 #include <string>
@@ -148,6 +150,29 @@ TEST_CASE("Export: a button for each solver chooses its format and says what the
         driver.click("dialog/export/ok");
         driver.settle();
         CHECK(std::filesystem::exists(place.path / (std::string(preset) + extension)));
+    }
+}
+
+TEST_CASE("Export: the note on a format is shown whole, also in a narrow window") {
+    Draughtsman driver;
+    driver.rectangle({1, 1}, {3, 3});
+    for (const double scale : {1.0, 2.0}) {
+        CAPTURE(scale);
+        driver.platform().resize({1280, 800}, scale);
+        driver.key('E', {Modifiers::kControl});
+        driver.settle();
+        driver.click("dialog/export/preset/calculix");
+        driver.settle();
+        const PixelRect note = driver.context().widgets.find("dialog/export/note")->rect;
+        const PixelRect dialog = driver.context().widgets.find("dialog/export")->rect;
+        const PixelRect ok = driver.context().widgets.find("dialog/export/ok")->rect;
+        const ImFont *font = driver.context().fonts.small;
+        const double line = static_cast<double>(font->FontSize), text = 163.0 * 0.45 * line; // of 163 letters
+        CHECK(note.height >= std::ceil(text / note.width) * line);
+        CHECK(note.x + note.width <= dialog.x + dialog.width);
+        CHECK(ok.y >= note.y + note.height);
+        CHECK(ok.y + ok.height <= dialog.y + dialog.height);
+        driver.key(key::kEscape);
     }
 }
 
