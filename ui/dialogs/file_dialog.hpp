@@ -82,8 +82,9 @@ class FileDialog : public Dialog {
     void useFilter(std::size_t filter);
     /// Returns what is wrong with the choice, or that it will replace a file; empty if neither.
     std::string warning() const;
-    /// Returns the height of the rows below the list, in pixels.
+    /// Returns the number of lines of the longest note on a filter at a width in pixels.
     std::ptrdiff_t noteLines(const Shell &context, float width) const;
+    /// Returns the height of the rows below the list, in pixels.
     float bottomHeight(const Shell &context) const;
     /// Sets the chosen name and clears the faults of the previous one.
     void suggest(std::string name);

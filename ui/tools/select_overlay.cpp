@@ -164,8 +164,8 @@ void SelectTool::drawFilter(Shell &context) {
 std::string SelectTool::statusText(const Shell &context) const {
     switch (mode_) {
     case Mode::Moving:
-        return "Drag, or type distance, Tab, angle, or x, y. Shift: steps of 15\xc2\xb0, Ctrl: no snapping, Esc: "
-               "cancel";
+        return "Drag, or type distance, Tab, angle, or a place such as 4,3. Shift: steps of 15\xc2\xb0, Ctrl: no "
+               "snapping, Esc: cancel";
     case Mode::Transforming:
         return TransformHandles::statusText(grabbed_.transform);
     case Mode::Boxing:
