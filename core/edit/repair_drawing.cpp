@@ -152,9 +152,12 @@ class DrawingRepair {
         constexpr double kRounding = 1e-9; // relative to the size of the drawing
         const double reach = kRounding * given_.bounds().diagonal();
         for (std::size_t k = 0; k < document_.shapes.size(); ++k) {
-            const Shape &shape = *document_.shapes[k];
-            if (changed_[k] == 0 || shape.nodeSizes.empty()) {
+            if (changed_[k] == 0 || document_.shapes[k]->nodeSizes.empty()) {
                 continue;
+            }
+            Shape shape = *document_.shapes[k];
+            if (shape.kind == ShapeKind::Rectangle && shape.radius > 0.0) {
+                becomePath(shape); // a rounded corner is no node of the domain, the ends of its arc are
             }
             const std::vector<Vec2> handles = handlesOf(shape);
             for (const auto &[node, size] : shape.nodeSizes) {

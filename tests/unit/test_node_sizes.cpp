@@ -138,6 +138,14 @@ TEST_CASE("Node sizes: a repair moves them with their nodes, and reports those w
         const Domain domain = toDomain(repaired->document);
         CHECK(std::find(domain.nodes.begin(), domain.nodes.end(), places[0]) != domain.nodes.end());
     }
+    Shape rounded = made(ShapeKind::Rectangle, {{0, 0}, {4, 3}});
+    rounded.radius = 0.5;
+    const Document crossed = *addShape(*addShape({}, rounded), made(ShapeKind::Rectangle, {{-1, 1}, {1, 2}}));
+    const auto joined = repairDrawing(*setNodeSize(crossed, {{1, 2}}, kFine), 0.0);
+    REQUIRE(joined.ok());
+    CHECK(joined->lostSizes.empty());
+    CHECK(sizedPlaces(joined->document).size() == 2); // both ends of the arc
+
     Shape line = made(ShapeKind::Polyline, {{2, 1}, {2, -5}});
     line.use = ShapeUse::Constraint;
     document = *setNodeSize(*addShape(document, line), {{3, 1}}, kFine); // outside the domain
