@@ -3,6 +3,7 @@
 #include "core/arrangement/cluster.hpp"
 #include "core/arrangement/place_table.hpp"
 #include "core/arrangement/snapper.hpp"
+#include "core/base/key_order.hpp"
 #include "core/geometry/polygon.hpp"
 
 #include <algorithm>
@@ -145,8 +146,8 @@ SnappedLines unsnapped(std::span<const SnapLine> lines) {
         const std::uint32_t a = table.indexOf(line.a, result.nodes), b = table.indexOf(line.b, result.nodes);
         result.first.push_back(a);
         if (a != b) {
-            const std::uint64_t key = (std::uint64_t{std::min(a, b)} << 32) | std::max(a, b);
-            const auto [entry, added] = edgeOf.try_emplace(key, static_cast<std::uint32_t>(result.edges.size()));
+            const auto [entry, added] = edgeOf.try_emplace(pairKey(std::min(a, b), std::max(a, b)),
+                                                           static_cast<std::uint32_t>(result.edges.size()));
             if (added) {
                 result.edges.push_back({a, b});
             }

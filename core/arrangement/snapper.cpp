@@ -3,6 +3,7 @@
 #include "core/arrangement/cluster.hpp"
 #include "core/arrangement/place_table.hpp"
 #include "core/base/ids.hpp"
+#include "core/base/key_order.hpp"
 #include "core/geometry/edge_meetings.hpp"
 #include "core/geometry/predicates.hpp"
 
@@ -90,8 +91,7 @@ void Snapper::chooseAxis() {
 std::uint32_t Snapper::halfEdge(std::uint32_t from, std::uint32_t to) {
     const bool forth = from == to || comesBefore(places_[from], places_[to]);
     const std::uint32_t a = forth ? from : to, b = forth ? to : from;
-    const auto [entry, added] =
-        byEnds_.try_emplace((std::uint64_t{a} << 32) | b, static_cast<std::uint32_t>(edges_.size()));
+    const auto [entry, added] = byEnds_.try_emplace(pairKey(a, b), static_cast<std::uint32_t>(edges_.size()));
     if (added) {
         edges_.push_back({a, b});
     }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/ids.hpp"
+
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -16,8 +18,11 @@ inline std::uint64_t sortKey(double number) {
 }
 
 /// Returns a key that orders pairs by their first number, then by the second.
-inline std::uint64_t sortKey(std::uint32_t first, std::uint32_t second) {
+constexpr std::uint64_t pairKey(std::uint32_t first, std::uint32_t second) {
     return static_cast<std::uint64_t>(first) << 32U | second;
+}
+constexpr std::uint64_t pairKey(NodeId first, NodeId second) {
+    return pairKey(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(second));
 }
 
 /// Returns the two numbers of such a key.

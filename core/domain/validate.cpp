@@ -289,12 +289,12 @@ class Validator {
             if (segment.role == SegmentRole::Boundary && (validA || validB)) {
                 const std::uint32_t a = validA ? place(segment.a) : kNoIndex, b = validB ? place(segment.b) : kNoIndex;
                 if (a != b) {
-                    spans.push_back(sortKey(std::min(a, b), std::max(a, b)));
+                    spans.push_back(pairKey(std::min(a, b), std::max(a, b)));
                 }
             }
         }
         std::vector<std::uint32_t> degree(domain_.nodes.size(), 0);
-        std::uint64_t last = sortKey(kNoIndex, kNoIndex);
+        std::uint64_t last = pairKey(kNoIndex, kNoIndex);
         for (const std::uint32_t i : orderByKeys(spans)) {
             if (spans[i] == std::exchange(last, spans[i])) {
                 continue;

@@ -1,5 +1,7 @@
 #include "core/improve/join.hpp"
 
+#include "core/base/key_order.hpp"
+
 #include <algorithm>
 #include <atomic>
 #include <memory>
@@ -143,7 +145,7 @@ class TaggedEdges {
     explicit TaggedEdges(ImproveWorkspace &work) {
         keys_.reserve(work.mesh.edges.size());
         for (const TaggedEdge &edge : work.mesh.edges) {
-            keys_.push_back(key(edge.a, edge.b));
+            keys_.push_back(pairKey(std::min(edge.a, edge.b), std::max(edge.a, edge.b)));
             work.fixed[index(edge.a)] = work.fixed[index(edge.b)] = 1;
         }
         for (const TaggedNode &point : work.mesh.points) {
@@ -151,12 +153,11 @@ class TaggedEdges {
         }
         std::sort(keys_.begin(), keys_.end());
     }
-    bool contain(NodeId a, NodeId b) const { return std::binary_search(keys_.begin(), keys_.end(), key(a, b)); }
+    bool contain(NodeId a, NodeId b) const {
+        return std::binary_search(keys_.begin(), keys_.end(), pairKey(std::min(a, b), std::max(a, b)));
+    }
 
   private:
-    static std::uint64_t key(NodeId a, NodeId b) {
-        return (static_cast<std::uint64_t>(std::min(index(a), index(b))) << 32U) | std::max(index(a), index(b));
-    }
     std::vector<std::uint64_t> keys_;
 };
 

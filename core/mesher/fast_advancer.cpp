@@ -28,12 +28,11 @@ constexpr double kSimilar = 2.0;
 void offerAll(WalkOrder &order, const GenerationFront &front, const Box2 &box) {
     std::vector<SlotId> slots;
     std::vector<std::uint64_t> nodes;
-    const auto node = [&](SlotId id) { return static_cast<std::uint32_t>(front[id].node); };
     for (std::uint32_t i = 0; i < front.capacity(); ++i) {
         const SlotId id{i};
         if (front[id].alive && !front.isolated(id) && holds(box, front.start(id)) && holds(box, front.end(id))) {
             slots.push_back(id);
-            nodes.push_back(sortKey(node(id), node(front.next(id))));
+            nodes.push_back(pairKey(front[id].node, front[front.next(id)].node));
         }
     }
     for (const std::uint32_t i : orderByKeys(nodes)) {

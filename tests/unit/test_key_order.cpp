@@ -59,8 +59,9 @@ TEST_CASE("sortKey: orders numbers of both signs and all sizes as they are") {
     CHECK(sortKey(-0.0) == sortKey(0.0));
 }
 
-TEST_CASE("sortKey: orders pairs by the first number, then by the second, and keeps both") {
-    CHECK(sortKey(1, 0xffffffffU) < sortKey(2, 0));
-    CHECK(sortKey(2, 0) < sortKey(2, 1));
-    CHECK(pairOf(sortKey(0xffffffffU, 7)) == std::array<std::uint32_t, 2>{0xffffffffU, 7});
+TEST_CASE("pairKey: orders pairs by the first number, then by the second, and keeps both") {
+    CHECK(pairKey(1, 0xffffffffU) < pairKey(2, 0));
+    CHECK(pairKey(2, 0) < pairKey(2, 1));
+    CHECK(pairKey(NodeId{3}, NodeId{5}) == pairKey(3, 5));
+    CHECK(pairOf(pairKey(0xffffffffU, 7)) == std::array<std::uint32_t, 2>{0xffffffffU, 7});
 }

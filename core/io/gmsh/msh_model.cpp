@@ -1,5 +1,7 @@
 #include "core/io/gmsh/msh_model.hpp"
 
+#include "core/base/key_order.hpp"
+
 #include <algorithm>
 #include <numeric>
 
@@ -86,15 +88,12 @@ void MshModel::addElements() {
 
 /// The elements along tagged edges; few sides of elements have both ends on one, and only those are looked up.
 void MshModel::findBounds() {
-    using Side = std::pair<std::uint64_t, std::int32_t>; // both nodes as one number, tag
-    const auto key = [](NodeId a, NodeId b) {
-        return static_cast<std::uint64_t>(index(std::min(a, b))) << 32U | index(std::max(a, b));
-    };
+    using Side = std::pair<std::uint64_t, std::int32_t>; // key of both nodes, tag
     std::vector<Side> tagged;
     std::vector<std::uint8_t> onEdge(mesh_.nodes.size(), 0);
     tagged.reserve(mesh_.edges.size());
     for (const TaggedEdge &edge : mesh_.edges) {
-        tagged.emplace_back(key(edge.a, edge.b), edge.tag);
+        tagged.emplace_back(pairKey(std::min(edge.a, edge.b), std::max(edge.a, edge.b)), edge.tag);
         onEdge[index(edge.a)] = onEdge[index(edge.b)] = 1;
     }
     std::sort(tagged.begin(), tagged.end());
@@ -105,7 +104,7 @@ void MshModel::findBounds() {
             if (onEdge[index(a)] == 0 || onEdge[index(b)] == 0) {
                 continue;
             }
-            const std::uint64_t side = key(a, b);
+            const std::uint64_t side = pairKey(std::min(a, b), std::max(a, b));
             auto found = std::lower_bound(tagged.begin(), tagged.end(), Side{side, 0});
             for (; found != tagged.end() && found->first == side; ++found) {
                 entities_[entityOf(2, mesh_.region(e))].bounds.insert(groups_.number(1, found->second));
