@@ -1,5 +1,6 @@
 #include "ui/dialogs/file_commands.hpp"
 #include "ui/dialogs/file_dialog.hpp"
+#include "ui/dialogs/read_in_background.hpp"
 #include "ui/parts/shell.hpp"
 
 #include <algorithm>
@@ -84,19 +85,13 @@ void show(Shell &context, const std::shared_ptr<const Picture> &picture) {
 void addPicture(Shell &context, const std::filesystem::path &file) {
     std::error_code ignored;
     const std::filesystem::path path = std::filesystem::absolute(file, ignored).lexically_normal();
-    cancelTask(context);
-    context.task.start("reading " + path.filename().string(),
-                       [&context, path](const Progress &) -> BackgroundTask::Finish {
-                           auto read = std::make_shared<Result<std::shared_ptr<const Picture>>>(readPicture(path));
-                           return [&context, read] {
-                               if (*read) {
-                                   show(context, **read);
-                               } else {
-                                   context.log.add(read->faults());
-                               }
-                           };
-                       });
-    context.animate();
+    readInBackground(context, path, nullptr, [&context, path](const Progress &) -> Result<BackgroundTask::Finish> {
+        const Result<std::shared_ptr<const Picture>> read = readPicture(path);
+        if (!read) {
+            return read.faults();
+        }
+        return BackgroundTask::Finish([&context, picture = *read] { show(context, picture); });
+    });
 }
 
 void addPicture(Shell &context) {
