@@ -71,6 +71,8 @@ TEST_CASE("Open: a mesh is read on another thread to be edited as a drawing, and
     Driver started({.file = driver.folder() / "plate.msh"}); // as on the command line
     started.settle();
     CHECK(started.context().document.current()->shapes.size() == 1);
+    REQUIRE_FALSE(started.context().settings.recentFiles.empty());
+    CHECK(started.context().settings.recentFiles.front().ends_with("plate.msh"));
 }
 
 TEST_CASE("Open: unsaved changes are asked about once a mesh has been read") {

@@ -41,12 +41,6 @@ bool isProject(const FileFormat *format) {
     return format != nullptr && std::string_view(format->id) == "project";
 }
 
-void adopt(Shell &context, const Document &document, const ImportNotes &notes, const std::filesystem::path &file) {
-    showDocument(context, document, file);
-    context.log.add(notes.diagnostics());
-    rememberFile(context, file);
-}
-
 /// Opens a project after asking about unsaved changes. Returns the faults of a file that cannot be read.
 Diagnostics openProject(Shell &context, const std::filesystem::path &file) {
     const auto notes = std::make_shared<ImportNotes>();
@@ -63,7 +57,7 @@ Diagnostics openProject(Shell &context, const std::filesystem::path &file) {
             c.log.add(read->faults());
             return;
         }
-        adopt(c, **read, *notes, file);
+        showOpened(c, **read, *notes, file);
     });
     return {};
 }
@@ -83,7 +77,7 @@ void openForeign(Shell &context, const std::filesystem::path &file, const std::s
             const auto opened = std::make_shared<const Document>(*std::move(read));
             return BackgroundTask::Finish([&context, file, opened, notes, loads] {
                 if (!replacedWhileReading(context, file, loads)) {
-                    afterUnsaved(context, [file, opened, notes](Shell &c) { adopt(c, *opened, *notes, file); });
+                    afterUnsaved(context, [file, opened, notes](Shell &c) { showOpened(c, *opened, *notes, file); });
                 }
             });
         });
@@ -159,6 +153,12 @@ void showDocument(Shell &context, const Document &document, const std::filesyste
                              ui::count(count) + (count == 1 ? " shape" : " shapes") +
                              "; save it as a project to keep your changes");
     }
+}
+
+void showOpened(Shell &context, const Document &document, const ImportNotes &notes, const std::filesystem::path &file) {
+    showDocument(context, document, file);
+    context.log.add(notes.diagnostics());
+    rememberFile(context, file);
 }
 
 void rememberFile(Shell &context, const std::filesystem::path &file) {

@@ -8,6 +8,7 @@
 namespace forefront {
 
 class ActionRegistry;
+class ImportNotes;
 struct Shell;
 
 // The commands of the File menu. They report faults in the log.
@@ -43,6 +44,8 @@ void exportFilm(Shell &context);
 std::filesystem::path startFolder(const Shell &context);
 /// Makes a document read from `file` the open one, without asking. Only projects are saved back to their file.
 void showDocument(Shell &context, const Document &document, const std::filesystem::path &file);
+/// Does the same for a document that a user opened: logs the notes of its reader, and remembers the file.
+void showOpened(Shell &context, const Document &document, const ImportNotes &notes, const std::filesystem::path &file);
 /// Registers the actions of files and editing.
 void addEditActions(ActionRegistry &actions);
 /// Remembers which part of the plane is in view, for when the open file is opened again.

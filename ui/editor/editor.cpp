@@ -220,8 +220,7 @@ bool Editor::open(const std::filesystem::path &file) {
         parts_->context.log.add(document.faults());
         return false;
     }
-    showDocument(parts_->context, *document, file);
-    parts_->context.log.add(notes.diagnostics());
+    showOpened(parts_->context, *document, notes, file);
     return true;
 }
 
