@@ -57,6 +57,14 @@ void heading(WidgetContext &context, const std::string &text) {
     ui::mark(context, "inspector/what");
 }
 
+void changeTag(Shell &context, const BoundaryPart &part, std::int32_t tag) {
+    Result<Document> next = setShapeTag(*context.document.current(), part.shapes, tag);
+    if (next) {
+        next = setSegmentTag(*next, part.segments, tag);
+    }
+    EditState::apply(context, std::move(next), "Change tag");
+}
+
 /// Draws tag and name of a part of the boundary in one row; edits change only that part.
 void boundaryTagRow(Shell &context, std::int32_t tag, const BoundaryPart &part) {
     const Document &document = *context.document.current();
@@ -64,11 +72,7 @@ void boundaryTagRow(Shell &context, std::int32_t tag, const BoundaryPart &part) 
     const std::string name = boundaryName(document.boundaryNames, tag);
     std::int32_t wanted = tag;
     if (form::tag(context, "inspector/tag", "Tag, name", wanted, name, rename)) {
-        Result<Document> next = setShapeTag(document, part.shapes, wanted);
-        if (next) {
-            next = setSegmentTag(*next, part.segments, wanted);
-        }
-        EditState::apply(context, std::move(next), "Change tag");
+        changeTag(context, part, wanted);
     } else if (rename) {
         EditState::apply(context, nameBoundaryPart(document, part, *rename), "Name boundary");
     }
@@ -105,12 +109,7 @@ void manyTagsRow(Shell &context, const BoundaryPart &part) {
     std::optional<double> wanted;
     if (form::optionalField(context, "inspector/tag", wanted, "several") && wanted &&
         ui::checkPositive(context, "inspector/tag", std::floor(*wanted))) {
-        const auto tag = static_cast<std::int32_t>(std::min(*wanted, 1e9));
-        Result<Document> next = setShapeTag(document, part.shapes, tag);
-        if (next) {
-            next = setSegmentTag(*next, part.segments, tag);
-        }
-        EditState::apply(context, std::move(next), "Change tag");
+        changeTag(context, part, static_cast<std::int32_t>(std::min(*wanted, 1e9)));
     }
     ui::rowTooltip(context, "The tags differ. A number gives all of them this tag.");
 }
