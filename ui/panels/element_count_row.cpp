@@ -6,8 +6,7 @@
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/edit_state.hpp"
-
-#include <imgui.h>
+#include "ui/workspace/number_field.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -104,9 +103,8 @@ void elementCountRow(Shell &context, const std::set<SegmentRef> &segments) {
     constexpr double kMax = kMaxElementCount;
     if (count && !(*count >= 1.0 && *count <= kMax && *count == std::floor(*count))) {
         const std::string fault = "expected a whole number from 1 to " + ui::number(kMax, 7);
-        context.log.add(error("bad-number", fault + ", got " + ui::number(*count, 6)));
-        context.fieldFault = {"inspector/elements", fault, context.document.revision(), ImGui::GetFrameCount()};
-        context.animate();
+        ui::refuseEntry(context, "inspector/elements", error("bad-number", fault + ", got " + ui::number(*count, 6)),
+                        fault);
         return;
     }
     const auto whole = count ? std::optional(static_cast<std::uint32_t>(*count)) : std::nullopt;

@@ -12,13 +12,6 @@
 namespace forefront::ui {
 namespace {
 
-/// Reports a text that cannot be used beside its field and in the log.
-void refuse(Workspace &context, std::string_view name, const Diagnostics &faults, std::string reason) {
-    context.log.add(faults);
-    context.fieldFault = {std::string(name), std::move(reason), context.document.revision(), ImGui::GetFrameCount()};
-    context.animate();
-}
-
 /// Returns the number of a text that ends with a unit; empty if it does not.
 std::string withoutUnit(const std::string &typed) {
     for (const std::string_view unit : {"mm", "cm", "km", "m", "in", "ft", "px", "deg", "\xc2\xb0"}) {
@@ -43,10 +36,10 @@ std::optional<double> typedNumber(Workspace &context, std::string_view name, con
     const std::string bare = withoutUnit(typed);
     const std::string reason =
         bare.empty() ? value.faults().front().message : "numbers have no units; enter " + bare + " alone";
-    refuse(context, name,
-           error("bad-number", "expected a number, got '" + typed + "': " + reason,
-                 "enter a number such as 0.25, or an expression of parameters such as 2*r"),
-           reason);
+    refuseEntry(context, name,
+                error("bad-number", "expected a number, got '" + typed + "': " + reason,
+                      "enter a number such as 0.25, or an expression of parameters such as 2*r"),
+                reason);
     return std::nullopt;
 }
 
@@ -117,6 +110,12 @@ bool take(Workspace &context, std::string_view name, const std::string &typed, d
 
 } // namespace
 
+void refuseEntry(Workspace &context, std::string_view name, const Diagnostics &faults, std::string reason) {
+    context.log.add(faults);
+    context.fieldFault = {std::string(name), std::move(reason), context.document.revision(), ImGui::GetFrameCount()};
+    context.animate();
+}
+
 bool inputPoint(Workspace &context, const std::string &name, Vec2 &value, float width, const std::string &addressX,
                 const std::string &addressY) {
     std::optional<std::string> x = drawEntry(context, name + "/x", number(value.x, 6), "", width, addressX);
@@ -129,10 +128,10 @@ bool inputPoint(Workspace &context, const std::string &name, Vec2 &value, float 
         const std::optional<double> left = parseNumber(trimmed(std::string_view(both).substr(0, comma)));
         const std::optional<double> right = parseNumber(trimmed(std::string_view(both).substr(comma + 1)));
         if (!left || !right) {
-            refuse(context, field,
-                   error("bad-number", "expected two numbers, got '" + both + "'",
-                         "enter numbers such as 3, 4, or each expression in its own field"),
-                   "expected two numbers; enter each expression in its own field");
+            refuseEntry(context, field,
+                        error("bad-number", "expected two numbers, got '" + both + "'",
+                              "enter numbers such as 3, 4, or each expression in its own field"),
+                        "expected two numbers; enter each expression in its own field");
             return false;
         }
         const bool changed = value != Vec2{*left, *right};
@@ -149,8 +148,8 @@ bool checkPositive(Workspace &context, std::string_view name, double value, bool
     if (!good) {
         const std::string reason =
             std::string("expected ") + (zero ? "0 or " : "") + "a positive number, got " + number(value, 6);
-        refuse(context, name, error("bad-number", reason, zero ? "enter 0 or more" : "enter a number greater than 0"),
-               reason);
+        refuseEntry(context, name,
+                    error("bad-number", reason, zero ? "enter 0 or more" : "enter a number greater than 0"), reason);
     }
     return good;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/diagnostic.hpp"
 #include "core/base/vec2.hpp"
 
 #include <optional>
@@ -18,6 +19,8 @@ namespace ui {
 /// frame.
 bool inputNumber(Workspace &context, std::string_view name, double &value, float width = -1.0F,
                  const std::string &address = {});
+/// Reports an entry that cannot be used beside its field, as `reason`, and in the log.
+void refuseEntry(Workspace &context, std::string_view name, const Diagnostics &faults, std::string reason);
 /// Returns true if a number entered in the field is positive, or 0 where `zero` allows that; otherwise it is reported
 /// like a text without a value.
 bool checkPositive(Workspace &context, std::string_view name, double value, bool zero = false);
