@@ -168,9 +168,7 @@ TEST_CASE("Parameters: a new one is named and given a value without the mouse") 
 
 TEST_CASE("Parameters: a circle of radius d/2, with d a parameter, begins on its right wherever the pointer is") {
     Draughtsman driver;
-    Result<Document> named = setParameters(driver.document(), {{"d", "3"}});
-    REQUIRE(named.ok());
-    driver.context().document.apply(*std::move(named), "Add parameter");
+    addParameter(driver, "d", "3");
     driver.key('C');
     driver.clickPlace({4, 4});
     driver.moveToPlace({6, 7});
@@ -184,9 +182,7 @@ TEST_CASE("Parameters: a circle of radius d/2, with d a parameter, begins on its
 
 TEST_CASE("Parameters: a path that undo brings back keeps the expressions of its nodes") {
     Draughtsman driver;
-    Result<Document> named = setParameters(driver.document(), {{"r", "2"}});
-    REQUIRE(named.ok());
-    driver.context().document.apply(*std::move(named), "Add parameter");
+    addParameter(driver, "r", "2");
     driver.key('P');
     driver.clickPlace({1, 1});
     driver.key('X');
