@@ -187,6 +187,9 @@ class DrawingRepair {
     static bool giveToUnchanged(Document &next, Vec2 at, const PartSize &size, double reach) {
         bool given = false;
         for (std::shared_ptr<const Shape> &shape : next.shapes) {
+            if (!hasHandleNear(*shape, at, reach)) {
+                continue;
+            }
             Shape taker = *shape;
             if (giveSize(taker, at, size, reach)) {
                 shape = std::make_shared<const Shape>(std::move(taker));
@@ -194,6 +197,11 @@ class DrawingRepair {
             }
         }
         return given;
+    }
+
+    static bool hasHandleNear(const Shape &shape, Vec2 at, double reach) {
+        const std::vector<Vec2> handles = handlesOf(shape);
+        return std::any_of(handles.begin(), handles.end(), [&](Vec2 handle) { return distance(handle, at) <= reach; });
     }
 
     static Diagnostic lostSize(const Shape &shape, std::uint32_t node, const PartSize &size, Vec2 at) {
