@@ -31,7 +31,7 @@ double runUntil(Driver &driver, Condition condition) {
         if (driver.editor().needsFrame()) {
             const double begin = steadySeconds();
             driver.frames(1);
-            glFinish(); // as the window system waits; otherwise, a later frame would wait for several
+            glFinish(); // a window waits for each frame; without this, a later frame would wait for several
             longest = std::max(longest, steadySeconds() - begin);
         } else {
             std::this_thread::sleep_for(std::chrono::milliseconds(1));

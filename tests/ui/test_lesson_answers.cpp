@@ -127,7 +127,7 @@ TEST_CASE("Lessons: a drawing of one's own is not left without asking, one that 
     reader.settle();
     REQUIRE(reader.context().lessons.open);
     CHECK(reader.context().lessons.open->entry.id == "2-ten-steps");
-    reader.context().document.load(*reader.context().document.current(), {}); // as New and Open do
+    reader.context().document.load(*reader.context().document.current(), {}); // New and Open load a document, too
     clear();
     reader.key(key::kPageDown);
     reader.settle();

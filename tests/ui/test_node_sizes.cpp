@@ -74,7 +74,7 @@ TEST_CASE("Node sizes: fields of nodes that differ are empty, and an entered num
     driver.fill("inspector/nodesize", "0.5");
     driver.fill("inspector/nodegrowth", "0.4");
     choose({{id, 1}, {id, 2}});
-    driver.fill("inspector/nodegrowth", "0.2"); // as that of the first one
+    driver.fill("inspector/nodegrowth", "0.2"); // the growth of the first node; the second had 0.4
     CHECK(sizes() == std::map<std::uint32_t, PartSize>{{1, {0.1, 0.2}}, {2, {0.5, 0.2}}});
     choose({{id, 0}, {id, 1}, {id, 2}}); // the first one has no size
     driver.fill("inspector/nodegrowth", "0.3");

@@ -68,7 +68,7 @@ TEST_CASE("Open: a mesh is read on another thread to be edited as a drawing, and
     CHECK(driver.document().shapes.size() == 1);
     CHECK_FALSE(driver.showsFile());
     CHECK(driver.lastMessage().starts_with("plate.msh (Gmsh MSH 2.2) opened as a new drawing with 1 shape"));
-    Driver started({.file = driver.folder() / "plate.msh"}); // as on the command line
+    Driver started({.file = driver.folder() / "plate.msh"}); // a file given on the command line
     started.settle();
     CHECK(started.context().document.current()->shapes.size() == 1);
     REQUIRE_FALSE(started.context().settings.recentFiles.empty());

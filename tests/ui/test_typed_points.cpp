@@ -75,7 +75,7 @@ TEST_CASE("Typed points: x, y in one field of a position sets both") {
 TEST_CASE("Rubber band: follows keys, undo and zoom while the pointer rests") {
     Draughtsman driver;
     const auto drawn = [&] { return driver.picture(); };
-    const auto afterMove = [&](Vec2 place) { // as if the pointer had come just now
+    const auto afterMove = [&](Vec2 place) { // the picture after the pointer has moved there
         driver.moveTo(driver.pixel(place) + Pixel(40, 0));
         driver.moveTo(driver.pixel(place));
         driver.settle();

@@ -32,11 +32,11 @@ inline constexpr std::size_t kEntryFields = 9;
 
 /// Handles numbers typed while drawing. A digit opens the first field that the tool shows, Tab and Shift+Tab move
 /// between fields, X, Y, D and Q open a field by its letter (D the diameter where a radius is asked for), and Enter
-/// accepts. Typed numbers take effect immediately,
-/// so that the drawing shows them before Enter. After X, a comma or Tab leads to Y, whatever else the tool asks for, so
-/// that "x3,4" is a point everywhere. Two numbers ("3, 4" or "@1, 0") are a point. A number may be an
-/// expression of parameters, such as 2*r or, if it begins with X, Y, D or Q, =d/2. Where a tool shows a single factor
-/// or angle, only that number can be typed: pairs are invalid, and letters belong to its expression.
+/// accepts. Typed numbers take effect immediately, so that the drawing shows them before Enter. After X, a comma or Tab
+/// opens Y even if the tool shows neither, so that "x3,4" is always a point. Two numbers ("3, 4" or "@1, 0") are a
+/// point. A number may be an expression of parameters, such as 2*r or, if it begins with X, Y, D or Q, =d/2. Where a
+/// tool shows a single factor or angle, only that number can be typed: pairs are invalid, and letters belong to its
+/// expression.
 class NumericEntry {
   public:
     enum class Answer : std::uint8_t {
