@@ -90,7 +90,7 @@ Document inserted(const Document &document, const Document &other, double scale,
         items.markers[static_cast<std::uint32_t>(items.markers.size())] = index;
         next.regionMarkers.push_back({scale * marker.at, marker.tag, scale * scale * marker.maxArea});
     }
-    next.spacing.keepAutomatic = sources.empty() ? next.spacing.keepAutomatic : keepsAutomatic(document.spacing);
+    next.spacing.keepAutomatic = sources.empty() ? next.spacing.keepAutomatic : keepAutomaticWith(document.spacing);
     for (const SizeSource &source : sources) {
         const auto index = static_cast<std::uint32_t>(next.spacing.sources.size());
         fresh.sources.insert(index);

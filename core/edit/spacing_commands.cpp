@@ -94,13 +94,13 @@ Result<Document> addSource(const Document &document, SizeSource source) {
         return faults;
     }
     Document next = document;
-    next.spacing.keepAutomatic = keepsAutomatic(document.spacing);
+    next.spacing.keepAutomatic = keepAutomaticWith(document.spacing);
     next.spacing.sources.push_back(std::move(source));
     return next;
 }
 
-bool keepsAutomatic(const SpacingSpec &spacing) {
-    return spacing.keepAutomatic.value_or(spacing.sources.empty());
+std::optional<bool> keepAutomaticWith(const SpacingSpec &spacing) {
+    return !spacing.keepAutomatic && spacing.sources.empty() ? std::optional(true) : spacing.keepAutomatic;
 }
 
 Document setKeepAutomatic(const Document &document, bool keep) {

@@ -25,10 +25,11 @@ Result<Document> setSegmentsPerTurn(const Document &document, std::optional<doub
 /// Sets whether the lengths of boundary segments act as sources.
 Document setFromBoundary(const Document &document, bool fromBoundary);
 
-/// Adds a source. A first source leaves automatic spacing on: see keepsAutomatic().
+/// Adds a source. A first source keeps automatic spacing: see keepAutomaticWith().
 Result<Document> addSource(const Document &document, SizeSource source);
-/// Returns whether automatic spacing is to be kept when sources are added: it is not if the present sources replace it.
-bool keepsAutomatic(const SpacingSpec &spacing);
+/// Returns the value of SpacingSpec::keepAutomatic after sources are added: true for the first ones, unless the user
+/// has chosen. Projects of older files stay without a choice, so that their sources replace automatic spacing.
+std::optional<bool> keepAutomaticWith(const SpacingSpec &spacing);
 /// Sets whether sources only refine automatic spacing.
 Document setKeepAutomatic(const Document &document, bool keep);
 Result<Document> replaceSource(const Document &document, std::size_t index, SizeSource source);

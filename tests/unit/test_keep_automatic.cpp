@@ -98,8 +98,11 @@ TEST_CASE("addSource: nobody has chosen in an older project, whose sources go on
     older.spacing.sources = {fine({0, 0})};
     older = *parseProject(projectText(older), "test");
     CHECK_FALSE(older.spacing.usesAutomatic());
-    CHECK(addSource(older, fine({1, 0}))->spacing.keepAutomatic == false);
-    CHECK(addSource(*removeSource(older, 0), fine({1, 0}))->spacing.keepAutomatic == true);
+    const Document two = *addSource(older, fine({1, 0}));
+    CHECK_FALSE(two.spacing.keepAutomatic.has_value());
+    CHECK_FALSE(two.spacing.usesAutomatic());
+    const Document none = *removeSource(*removeSource(two, 1), 0);
+    CHECK(addSource(none, fine({1, 0}))->spacing.keepAutomatic == true);
 }
 
 TEST_CASE("insertCopied: pasted sources keep automatic spacing, unless the sources of the document replace it") {
