@@ -47,8 +47,15 @@ void tidy(Shape &shape) {
 
 using Change = std::function<Status(Shape &)>;
 
+/// Who moves the sizes of nodes to their new indices when the list of nodes changes.
+enum class SizeOwner : std::uint8_t {
+    Here,  ///< changeShapes(), by place, unless the change has altered them
+    Callee ///< the change itself
+};
+
 /// Applies `change` to a copy of each shape and replaces the originals, if all copies are valid.
-Result<Document> changeShapes(const Document &document, const std::set<std::uint32_t> &ids, const Change &change) {
+Result<Document> changeShapes(const Document &document, const std::set<std::uint32_t> &ids, const Change &change,
+                              SizeOwner owner = SizeOwner::Here) {
     Document next = document;
     std::size_t found = 0;
     for (auto &pointer : next.shapes) {
@@ -60,7 +67,8 @@ Result<Document> changeShapes(const Document &document, const std::set<std::uint
         if (Status status = change(shape); !status.empty()) {
             return status;
         }
-        if (shape.nodeSizes == pointer->nodeSizes && handleCount(shape) != handleCount(*pointer)) {
+        if (owner == SizeOwner::Here && shape.nodeSizes == pointer->nodeSizes &&
+            handleCount(shape) != handleCount(*pointer)) {
             keepNodeSizes(shape, *pointer);
         }
         if (Diagnostics faults = checkShape(shape); !faults.empty()) {
@@ -246,10 +254,11 @@ Result<Document> replaceShapes(const Document &document, std::vector<Shape> shap
         byId.emplace(shape.id, &shape);
         ids.insert(shape.id);
     }
-    return changeShapes(document, ids, [&](Shape &place) -> Status {
+    const auto replace = [&](Shape &place) -> Status {
         place = std::move(*byId.at(place.id));
         return {};
-    });
+    };
+    return changeShapes(document, ids, replace, SizeOwner::Callee);
 }
 
 Result<Document> replaceShape(const Document &document, Shape shape) {

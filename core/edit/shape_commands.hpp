@@ -20,7 +20,8 @@ Result<Document> addShapes(const Document &document, std::vector<Shape> shapes);
 Document removeShapes(const Document &document, const std::set<std::uint32_t> &ids);
 /// Replaces a shape by an edited one with the same id.
 Result<Document> replaceShape(const Document &document, Shape shape);
-/// Replaces shapes by edited ones with the same ids, in one pass over the document.
+/// Replaces shapes by edited ones with the same ids, in one pass over the document. Where the list of nodes has
+/// changed, replaceShape() moves the sizes of nodes that were not edited to the same places; replaceShapes() does not.
 Result<Document> replaceShapes(const Document &document, std::vector<Shape> shapes);
 /// Moves everything selected: whole shapes, single handles, both ends of segments, sources and markers.
 Result<Document> moveSelection(const Document &document, const Selection &selection, Vec2 by);

@@ -108,6 +108,12 @@ TEST_CASE("Node sizes: that of a corner that is cut goes to both ends of the cut
     const Document last = *setNodeSize(*addShape({}, made(ShapeKind::Polygon, {{0, 0}, {4, 0}, {4, 3}, {0, 3}})),
                                        {{1, 3}}, kFine); // the side that is used up closes the path
     CHECK(sizedPlaces(*chamferCorners(last, nodeOf(1, 3), 3.0)) == std::vector<Vec2>{{0, 0}, {3, 3}});
+    // The same nodes by number have sizes before and after, at other places.
+    const Document slim = *setNodeSize(*addShape({}, made(ShapeKind::Polygon, {{0, 0}, {4, 0}, {4, 1}, {0, 4}})),
+                                       {{1, 1}, {1, 2}}, kFine);
+    Selection two = nodeOf(1, 1);
+    two.nodes.insert({1, 3});
+    CHECK(sizedPlaces(*chamferCorners(slim, two, 1.0)) == std::vector<Vec2>{{3, 0}, {4, 1}});
     const Document all = *filletCorners(document, shapeOf(1), 1.5); // uses up two sides
     CHECK(sizedPlaces(all) == std::vector<Vec2>{{4, 1.5}, {2.5, 3}});
 }
