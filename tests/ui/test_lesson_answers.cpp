@@ -1,5 +1,6 @@
 #include "tests/ui/driver.hpp"
 #include "ui/lessons/lesson_player.hpp"
+#include "ui/workspace/judging.hpp"
 
 #include <doctest/doctest.h>
 
@@ -144,6 +145,18 @@ TEST_CASE("Lessons: pages that compare the shapes of two meshes use the same col
         reader.settle();
         CHECK_FALSE(reader.context().view.measureRange);
     }
+}
+
+TEST_CASE("Lessons: the measure and the colour range of before come back when a lesson is left") {
+    Reader reader;
+    chooseMeasure(reader.context(), Measure::MinAngle);
+    reader.context().view.measureRange = ColourRange{20.0, 50.0};
+    reader.open(6, 2);
+    REQUIRE(reader.context().view.measure == Measure::ShapeFactor);
+    reader.click("lesson/list");
+    reader.settle();
+    CHECK(reader.context().view.measure == Measure::MinAngle);
+    CHECK(reader.context().view.measureRange == ColourRange{20.0, 50.0});
 }
 
 } // namespace forefront::test

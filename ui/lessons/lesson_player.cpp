@@ -187,6 +187,7 @@ void openLesson(Shell &context, const LessonEntry &entry) {
         }
         open.tabBefore = c.settings.tab;
         open.panelsBefore = c.view.panels;
+        open.coloursBefore = c.view;
         const LessonProgress &progress = c.settings.lessons[entry.id];
         const std::size_t last = entry.lesson->pages.size() - 1;
         const bool finished = progress.page >= last && progress.answered.size() >= questionsOf(*entry.lesson);
@@ -228,7 +229,11 @@ void closeLesson(Shell &context) {
     context.settings.tab = open.tabBefore;
     context.view.panels = open.panelsBefore;
     context.view.following = false;
-    context.view.measureRange.reset();
+    if (open.coloursBefore != context.view) {
+        static_cast<ColourChoice &>(context.view) = open.coloursBefore;
+        context.view.isolatedBin.reset();
+        context.probe.rank.reset();
+    }
     context.animate();
 }
 

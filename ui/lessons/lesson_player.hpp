@@ -22,7 +22,7 @@ void listLessons(Shell &context);
 void openLesson(Shell &context, const LessonEntry &entry);
 /// Opens the lesson of a file, and adds it to the list.
 Diagnostics openLessonFile(Shell &context, const std::filesystem::path &file);
-/// Returns to the list of lessons. Layers, panels and tab are as before the lesson; the drawing stays.
+/// Returns to the list of lessons. Layers, panels, tab and colours are as before the lesson; the drawing stays.
 void closeLesson(Shell &context);
 /// Returns to the list of lessons after the last page. The lesson begins at its first page again.
 void finishLesson(Shell &context);

@@ -2,6 +2,7 @@
 
 #include "core/lesson/lesson.hpp"
 #include "core/session/snapshot.hpp"
+#include "ui/workspace/view.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -44,6 +45,7 @@ struct OpenLesson {
     std::map<std::string, bool> layersBefore;       ///< visible layers, restored at the end
     std::string tabBefore;
     bool panelsBefore = true;
+    ColourChoice coloursBefore;
 
     const LessonPage &now() const { return entry.lesson->pages[page]; }
 };

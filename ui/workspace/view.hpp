@@ -26,8 +26,18 @@ enum class TraceMode : std::uint8_t {
     Cell   ///< stops the run when the search visits the cell of the background grid
 };
 
+/// The values that the histogram shows and the layer "quality" colours by.
+struct ColourChoice {
+    Measure measure = Measure::ShapeFactor;
+    MeshPart fieldPart = MeshPart::Nodes;    ///< that has the values of `field`: nodes or elements
+    std::string field;                       ///< values of the file shown instead of the measure; empty: none
+    std::optional<ColourRange> measureRange; ///< of the colours of the measure; not set: it fits the mesh
+
+    friend bool operator==(const ColourChoice &, const ColourChoice &) = default;
+};
+
 /// The part of the plane in view, and what is highlighted in it.
-struct View {
+struct View : ColourChoice {
     Camera camera;
     PixelRect room;              ///< part of the canvas free of plates and legends; fitted drawings go there
     std::optional<Box2> fitted;  ///< kept fully visible when the canvas is resized, until the user pans or zooms
@@ -40,12 +50,8 @@ struct View {
     std::optional<CandidateChoice> candidate;
     std::array<bool, kMarkKinds> marks{true, false, true, true, true, true}; ///< shown on the timeline
     TraceMode traceMode = TraceMode::Birth;
-    bool runPlot = false;                    ///< show the curves of the run above the timeline
-    Measure measure = Measure::ShapeFactor;  ///< that the histogram shows and the layer "quality" colours by
-    MeshPart fieldPart = MeshPart::Nodes;    ///< that has the values of `field`: nodes or elements
-    std::string field;                       ///< values of the file shown instead of the measure; empty: none
-    std::optional<int> isolatedBin;          ///< bin of the histogram whose parts are shown alone
-    std::optional<ColourRange> measureRange; ///< of the colours of the measure; not set: it fits the mesh
+    bool runPlot = false;           ///< show the curves of the run above the timeline
+    std::optional<int> isolatedBin; ///< bin of the histogram whose parts are shown alone
 
     /// Fits a part of the plane into the view, and keeps it fitted when the canvas is resized. Like every other camera
     /// move below, it stops following the front.
