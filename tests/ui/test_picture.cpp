@@ -153,6 +153,36 @@ TEST_CASE("Picture: two clicks and a distance set its scale, about the first poi
     CHECK(driver.document().picture.has_value());
 }
 
+TEST_CASE("Picture: undo and redo of a scale keep it in place on the screen") {
+    const TemporaryFolder place;
+    Draughtsman driver;
+    beginCalibration(driver, place);
+    driver.clickPlace(kSecond);
+    driver.settle();
+    const auto corners = [&] {
+        const Box2 box = boundsOf(pictureOf(driver));
+        return std::pair(driver.pixel(box.min), driver.pixel(box.max));
+    };
+    const auto [low, high] = corners();
+    const auto stays = [&, low = low, high = high] {
+        const auto now = corners();
+        return glm::distance(now.first, low) < 1.0 && glm::distance(now.second, high) < 1.0;
+    };
+    driver.fill("options/picture/distance", "2000");
+    CHECK(pictureOf(driver).size.x == doctest::Approx(4000.0).epsilon(0.01));
+    CHECK(stays());
+    driver.key('Z', {Modifiers::kControl});
+    CHECK(pictureOf(driver).size.x == 400.0);
+    CHECK(stays());
+    driver.key('Y', {Modifiers::kControl});
+    CHECK(stays());
+    driver.click("panel/history");
+    driver.settle();
+    driver.click("history/1"); // the step that added it
+    CHECK(pictureOf(driver).size.x == 400.0);
+    CHECK(stays());
+}
+
 TEST_CASE("Picture: a calibration point cannot be dragged onto the other") {
     const TemporaryFolder place;
     Draughtsman driver;

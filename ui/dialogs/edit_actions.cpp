@@ -12,6 +12,7 @@
 #include "ui/dialogs/shape_actions.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/workspace/edit_state.hpp"
+#include "ui/workspace/picture_view.hpp"
 
 #include <algorithm>
 
@@ -141,6 +142,12 @@ std::string titleWith(const char *verb, const std::string &what) {
     return what.empty() ? verb : std::string(verb) + ' ' + what;
 }
 
+void travel(Shell &context, bool (DocumentStore::*step)()) {
+    const std::shared_ptr<const Document> before = context.document.current();
+    (context.document.*step)();
+    keepPictureInView(context, *before);
+}
+
 void addHistoryActions(ActionRegistry &actions) {
     actions.add({.id = "edit.undo",
                  .menu = "Edit",
@@ -149,7 +156,7 @@ void addHistoryActions(ActionRegistry &actions) {
                  .run =
                      [](Shell &c) {
                          if (!c.tools.current().undo(c)) {
-                             c.document.undo();
+                             travel(c, &DocumentStore::undo);
                          }
                      },
                  .enabled = [](const Shell &c) { return !undoLabel(c).empty(); },
@@ -162,7 +169,7 @@ void addHistoryActions(ActionRegistry &actions) {
                  .run =
                      [](Shell &c) {
                          if (!c.tools.current().redo(c)) {
-                             c.document.redo();
+                             travel(c, &DocumentStore::redo);
                          }
                      },
                  .enabled = [](const Shell &c) { return !redoLabel(c).empty(); },

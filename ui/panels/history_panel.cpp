@@ -1,6 +1,7 @@
 #include "ui/panels/panels.hpp"
 #include "ui/parts/shell.hpp"
 #include "ui/widgets/widgets.hpp"
+#include "ui/workspace/picture_view.hpp"
 
 #include <imgui.h>
 
@@ -58,7 +59,9 @@ class HistoryPanel final : public Panel {
     }
 
     static void travel(Shell &context, std::size_t entry) {
+        const std::shared_ptr<const Document> before = context.document.current();
         context.document.goTo(entry);
+        keepPictureInView(context, *before);
         context.animate();
     }
 

@@ -6,6 +6,7 @@
 #include "ui/widgets/flow.hpp"
 #include "ui/widgets/widgets.hpp"
 #include "ui/workspace/number_field.hpp"
+#include "ui/workspace/picture_view.hpp"
 
 #include <imgui.h>
 
@@ -47,9 +48,11 @@ Vec2 PictureTool::share(const BackgroundPicture &picture, Vec2 place) {
 
 void PictureTool::change(Shell &context, const BackgroundPicture &picture, const std::string &label,
                          const std::string &stroke) const {
-    Document next = *context.document.current();
+    const std::shared_ptr<const Document> before = context.document.current();
+    Document next = *before;
     next.picture = picture;
     context.document.apply(std::move(next), label, stroke);
+    keepPictureInView(context, *before);
 }
 
 bool PictureTool::handle(const CanvasEvent &event, Shell &context) {
@@ -162,15 +165,6 @@ void PictureTool::calibrate(Shell &context, double distance) const {
     const Vec2 fixed = place(picture, 0);
     const double factor = distance / forefront::distance(fixed, place(picture, 1));
     change(context, scaledAbout(picture, fixed, factor), "Calibrate background picture");
-    if (context.document.current()->shapes.empty()) {
-        // Nothing else is in view, so the picture stays as it is on the screen.
-        Camera &camera = context.view.camera;
-        camera.centre = fixed + factor * (camera.centre - fixed);
-        camera.zoom /= factor;
-        camera.minZoom /= factor;
-        camera.maxZoom /= factor;
-        context.view.fitted.reset();
-    }
 }
 
 void PictureTool::drawPlace(Shell &context, ui::Flow &flow) {

@@ -20,6 +20,15 @@ void View::zoomAt(Pixel pixel, double factor) {
     following = false;
 }
 
+void View::rescale(const Box2 &before, const Box2 &after) {
+    const double factor = after.size().x / before.size().x;
+    camera.centre = after.min + factor * (camera.centre - before.min);
+    camera.zoom /= factor;
+    camera.minZoom /= factor;
+    camera.maxZoom /= factor;
+    fitted.reset();
+}
+
 bool View::resize(const PixelRect &viewport, const PixelRect &roomInIt) {
     if (camera.viewport == viewport && room == roomInIt) {
         return false;

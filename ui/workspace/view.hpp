@@ -58,6 +58,9 @@ struct View : ColourChoice {
     void fit(const Box2 &box);
     void pan(Pixel pixels);
     void zoomAt(Pixel pixel, double factor);
+    /// Changes the scale of the plane so that what was in the box `before` now lies in `after`, at the same pixels.
+    /// Both have the same proportions.
+    void rescale(const Box2 &before, const Box2 &after);
     /// Adapts the view to a new size of the canvas or of its free room: a fitted box is fitted again, otherwise the
     /// centre stays where it is. Returns false if nothing changed.
     bool resize(const PixelRect &viewport, const PixelRect &roomInIt);
