@@ -4,13 +4,9 @@
 #include "core/io/source/source.hpp"
 #include "core/spacing/spec/spacing_spec.hpp"
 
-#include <cstddef>
 #include <string_view>
 
 namespace forefront {
-
-/// Maximum number of values in a grid that is used as spacing. The project file holds them as text.
-inline constexpr std::size_t kMaxGridValues = 250'000;
 
 /// Returns true if a file begins like an ESRI ASCII grid.
 bool looksLikeEsriGrid(std::string_view head);
