@@ -1,10 +1,12 @@
 #include "core/io/film/png_writer.hpp"
 
+#include "core/io/common/crc32.hpp"
+#include "core/io/common/deflate_classes.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <string_view>
 
 namespace forefront {
@@ -13,25 +15,11 @@ namespace {
 
 constexpr std::size_t kLongestMatch = 258, kShortestMatch = 4, kWindow = 32768;
 
-/// A length or distance class of deflate (RFC 1951, 3.2.5): its first value and the number of extra bits.
-struct Range {
-    unsigned first, extra;
-};
-constexpr Range kLengths[] = {{3, 0},   {4, 0},   {5, 0},   {6, 0},   {7, 0},  {8, 0},  {9, 0},  {10, 0},
-                              {11, 1},  {13, 1},  {15, 1},  {17, 1},  {19, 2}, {23, 2}, {27, 2}, {31, 2},
-                              {35, 3},  {43, 3},  {51, 3},  {59, 3},  {67, 4}, {83, 4}, {99, 4}, {115, 4},
-                              {131, 5}, {163, 5}, {195, 5}, {227, 5}, {258, 0}};
-constexpr Range kDistances[] = {{1, 0},     {2, 0},     {3, 0},     {4, 0},      {5, 1},      {7, 1},
-                                {9, 2},     {13, 2},    {17, 3},    {25, 3},     {33, 4},     {49, 4},
-                                {65, 5},    {97, 5},    {129, 6},   {193, 6},    {257, 7},    {385, 7},
-                                {513, 8},   {769, 8},   {1025, 9},  {1537, 9},   {2049, 10},  {3073, 10},
-                                {4097, 11}, {6145, 11}, {8193, 12}, {12289, 12}, {16385, 13}, {24577, 13}};
-
 template <std::size_t N>
-unsigned classOf(const Range (&ranges)[N], std::size_t value) {
-    const auto *const next = std::upper_bound(std::begin(ranges), std::end(ranges), value,
-                                              [](std::size_t v, const Range &range) { return v < range.first; });
-    return static_cast<unsigned>(next - std::begin(ranges)) - 1;
+unsigned classOf(const std::array<DeflateClass, N> &classes, std::size_t value) {
+    const auto next = std::upper_bound(classes.begin(), classes.end(), value,
+                                       [](std::size_t v, const DeflateClass &range) { return v < range.first; });
+    return static_cast<unsigned>(next - classes.begin()) - 1;
 }
 
 /// Compresses bytes as one deflate block with fixed codes. It looks for matches only one byte and one row back, where
@@ -96,11 +84,12 @@ class Deflater {
     }
     void literal(std::uint8_t value) { symbol(value); }
     void match(std::size_t length, std::size_t distance) {
-        const unsigned ofLength = classOf(kLengths, length), ofDistance = classOf(kDistances, distance);
+        const unsigned ofLength = classOf(kDeflateLengths, length), ofDistance = classOf(kDeflateDistances, distance);
         symbol(257 + ofLength);
-        put(static_cast<unsigned>(length) - kLengths[ofLength].first, kLengths[ofLength].extra);
+        put(static_cast<unsigned>(length) - kDeflateLengths[ofLength].first, kDeflateLengths[ofLength].extraBits);
         code(ofDistance, 5);
-        put(static_cast<unsigned>(distance) - kDistances[ofDistance].first, kDistances[ofDistance].extra);
+        put(static_cast<unsigned>(distance) - kDeflateDistances[ofDistance].first,
+            kDeflateDistances[ofDistance].extraBits);
     }
 
     std::string_view bytes_;
@@ -115,25 +104,6 @@ void appendNumber(std::string &bytes, std::uint32_t value) {
     for (int shift = 24; shift >= 0; shift -= 8) {
         bytes += static_cast<char>(value >> shift & 0xFFU);
     }
-}
-
-std::uint32_t crc32(std::string_view bytes) {
-    static const std::array<std::uint32_t, 256> table = [] {
-        std::array<std::uint32_t, 256> made{};
-        for (std::uint32_t k = 0; k < 256; ++k) {
-            std::uint32_t value = k;
-            for (int bit = 0; bit < 8; ++bit) {
-                value = (value & 1U) != 0 ? 0xEDB88320U ^ value >> 1 : value >> 1;
-            }
-            made[k] = value;
-        }
-        return made;
-    }();
-    std::uint32_t sum = 0xFFFFFFFFU;
-    for (const char byte : bytes) {
-        sum = table[(sum ^ static_cast<std::uint8_t>(byte)) & 0xFFU] ^ sum >> 8;
-    }
-    return ~sum;
 }
 
 std::uint32_t adler32(std::string_view bytes) {
