@@ -60,8 +60,8 @@ Result<MeshFields> readFields(const std::filesystem::path &path, const ImportOpt
 /// Reads a mesh and the nodal values with this name: point data of VTU and VTK legacy files, $NodeData of MSH.
 Result<MeshField> readField(const std::filesystem::path &path, std::string_view name, const ImportOptions &options = {},
                             ImportNotes *notes = nullptr);
-/// Reads a spacing: that of a project file, a background mesh with nodal values (MSH $NodeData), or a grid of sizes
-/// (ESRI ASCII grid).
+/// Reads a spacing: that of a project file, a background mesh with nodal values (MSH $NodeData), a grid of sizes (ESRI
+/// ASCII grid), or the grey values of a picture (PNG, with ImportOptions::picture).
 Result<SpacingSpec> readSpacing(const std::filesystem::path &path, const ImportOptions &options = {},
                                 ImportNotes *notes = nullptr);
 

@@ -6,6 +6,7 @@
 #include "core/io/medit/medit.hpp"
 #include "core/io/netgen/netgen.hpp"
 #include "core/io/obj/obj.hpp"
+#include "core/io/png/png.hpp"
 #include "core/io/project/project.hpp"
 #include "core/io/su2/su2.hpp"
 #include "core/io/svg/svg.hpp"
@@ -94,6 +95,9 @@ constexpr std::array kFormats = {
     Format{.about = {"esri", "ESRI ASCII grid", ".asc", false, false, false},
            .recognise = looksLikeEsriGrid,
            .readSpacing = readEsriGrid},
+    Format{.about = {"png", "PNG picture", ".png", false, false, false},
+           .recognise = looksLikePng,
+           .readSpacing = readPngSpacing},
 };
 
 std::string lowerExtension(const std::filesystem::path &path) {

@@ -1,6 +1,8 @@
 #include "core/io/gmsh/gmsh.hpp"
 #include "core/io/project/project.hpp"
+#include "core/io/text/base64.hpp"
 #include "tests/fuzz/fuzz_targets.hpp"
+#include "tests/support/png_sample.hpp"
 
 #include <map>
 #include <random>
@@ -144,10 +146,32 @@ std::string anyBytes(std::uint32_t seed) {
     return bytes;
 }
 
+/// Returns pictures of different kinds, interlaced and compressed with all three kinds of codes.
+std::vector<std::string> pictures() {
+    using testing::pngFile;
+    const auto decoded = [](const char *base64) { return fromBase64(base64).value_or(""); };
+    testing::PngSample indexed{.columns = 4, .rows = 2, .depth = 2, .colour = 3, .bytes = {0, 0x1B, 2, 0x1B}};
+    indexed.palette = "abcdefghijkl";
+    indexed.transparency = std::string("\xff\0", 2);
+    const testing::PngSample colours{
+        .columns = 3, .rows = 3, .colour = 2, .interlaced = true, .bytes = {0, 1, 2, 3, 0, 4, 5, 6, 1, 7, 8,
+                                                                            9, 1, 2, 3, 0, 4, 5, 6, 3, 7, 8,
+                                                                            9, 4, 1, 2, 3, 4, 5, 6, 7, 8, 9}};
+    return {
+        pngFile(indexed), pngFile(colours),
+        pngFile({.columns = 24, .rows = 20},
+                decoded("eNp1iVsKwEAIxHzd/8zdrB+ljh0wBuL2M3/5RZ8rWnwBERNc2XZDLDB+LDAkFITAJtxiX4dUEBKbOOFIKgiJTbjlvg6l"
+                        "IBQ2ccKRUhAKm3gAOAgDdw==")),
+        pngFile({.columns = 3, .rows = 2, .colour = 4}, decoded("eAFjYPgPhgz//wMJACnkBfs="))};
+}
+
 /// Returns inputs that the writers never produce, by the id of the format.
 std::vector<std::string> handMade(std::string_view id) {
     if (id == "project") {
         return {projectText(smallDocument()), projectText({})};
+    }
+    if (id == "png") {
+        return pictures();
     }
     if (id == "msh2") {
         return {text(writeMsh2) + kValues, text(writeMsh4) + kValues, text(writeMsh4Binary) + binaryValues()};

@@ -2,8 +2,10 @@
 
 #include "core/arrangement/repair.hpp"
 #include "core/domain/validate.hpp"
+#include "core/io/common/crc32.hpp"
 #include "core/io/format.hpp"
 #include "core/io/lesson/lesson_read.hpp"
+#include "core/io/png/png.hpp"
 #include "core/io/project/project.hpp"
 #include "core/io/triangle/triangle.hpp"
 #include "core/mesh/mesh_domain.hpp"
@@ -78,6 +80,7 @@ Result<Content> readWith(Result<Content> (*read)(const SourceText &), std::strin
     ImportNotes notes;
     SourceText source = sourceOf(bytes);
     source.notes = &notes;
+    source.options.picture = PictureSizes{.black = 0.5, .white = 2.0, .box = {{0, 0}, {4, 3}}};
     auto result = read(source);
     checkNotes(notes);
     if (!result) {
@@ -118,7 +121,33 @@ void runFormat(const Format &format, std::string_view bytes) {
 }
 
 bool sameReaders(const Format &a, const Format &b) {
-    return a.readDocument == b.readDocument && a.readDomain == b.readDomain && a.readMesh == b.readMesh;
+    return a.readDocument == b.readDocument && a.readDomain == b.readDomain && a.readMesh == b.readMesh &&
+           a.readSpacing == b.readSpacing;
+}
+
+/// Corrects the check sums of the chunks, so that changed bytes reach the decoder.
+std::string withCheckSums(std::string_view bytes) {
+    std::string file(bytes);
+    for (std::size_t at = 8; at + 12 <= file.size();) {
+        std::size_t length = 0;
+        for (std::size_t k = 0; k < 4; ++k) {
+            length = length << 8 | static_cast<unsigned char>(file[at + k]);
+        }
+        if (length > file.size() - at - 12) {
+            break;
+        }
+        const std::uint32_t sum = crc32(std::string_view(file).substr(at + 4, length + 4));
+        for (std::size_t k = 0; k < 4; ++k) {
+            file[at + 8 + length + k] = static_cast<char>(sum >> (24 - 8 * k) & 0xFFU);
+        }
+        at += length + 12;
+    }
+    return file;
+}
+
+void runPng(const Format &format, std::string_view bytes) {
+    runFormat(format, bytes);
+    runFormat(format, withCheckSums(bytes));
 }
 
 /// Nodes, elements and edges in one input, separated by lines "%%".
@@ -247,6 +276,8 @@ void Target::run(std::string_view bytes) const {
         runOther(bytes);
     } else if (format->readMesh == readTriangle) {
         runTriangle(bytes);
+    } else if (format->readSpacing == readPngSpacing) {
+        runPng(*format, bytes);
     } else {
         runFormat(*format, bytes);
     }

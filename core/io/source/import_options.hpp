@@ -3,6 +3,7 @@
 #include "core/arrangement/overlap_rule.hpp"
 #include "core/base/api.hpp"
 #include "core/base/progress.hpp"
+#include "core/io/source/picture_sizes.hpp"
 
 #include <cstddef>
 #include <map>
@@ -27,6 +28,8 @@ struct ImportOptions {
     std::string formatId = {};
     /// Expressions that replace those of a project's parameters, by name; unused for other formats.
     std::map<std::string, std::string> parameters = {};
+    /// The sizes that a picture means, where one is read as spacing; unused for other formats.
+    std::optional<PictureSizes> picture = {};
     /// The bytes of the file where they have been read already, such as those of standard input; null: read the file.
     std::shared_ptr<const std::string> content = {};
     /// Reports the progress of reading a mesh every few thousand lines or elements, and can cancel it with the fault

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/io/source/picture_sizes.hpp"
+#include "core/io/source/source.hpp"
+#include "core/spacing/spec/spacing_spec.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace forefront {
+
+/// What the first bytes of a PNG file say about its pixels.
+struct PngHeader {
+    static constexpr std::size_t kBytes = 33; ///< of the file, up to the end of the header
+
+    std::size_t columns = 0, rows = 0;
+    unsigned depth = 8;  ///< bits of a sample
+    unsigned colour = 0; ///< colour type: bits 1 palette, 2 colour, 4 alpha
+    bool interlaced = false;
+};
+
+/// The grey values of a picture, each the mean over a rectangle of pixels.
+struct GreyPicture {
+    PngHeader header;
+    std::size_t columns = 0, rows = 0;
+    std::vector<double> values; ///< row by row from the top; 0: black, 1: white, kNoGrey: transparent
+};
+inline constexpr double kNoGrey = -1.0;
+
+/// Returns true if a file begins like a PNG file.
+bool looksLikePng(std::string_view head);
+
+/// Reads the header of a PNG file. Faults: bad-picture, large-picture (more than 100 million pixels).
+Result<PngHeader> readPngHeader(const SourceText &source);
+
+/// Returns the numbers of columns and rows of values for a picture with so many pixels: those of the pixels, or both
+/// divided by the same whole number so that there are at most `most` values.
+struct GreyCounts {
+    std::size_t columns = 0, rows = 0;
+};
+GreyCounts greyCounts(std::size_t columns, std::size_t rows, std::size_t most);
+
+/// Reads the grey values of a PNG file of any kind: colours become their luminance (Rec. 709, of the stored values),
+/// and where more than half the pixels of a value are fully transparent, there is none. Faults: those of
+/// readPngHeader(), cancelled.
+Result<GreyPicture> readGreyPicture(const SourceText &source, std::size_t most);
+
+/// Returns the grey values of a picture as the spacing of a background mesh (see spacingOfGrid()). Notes if the picture
+/// has more pixels than values. Faults: bad-size, bad-box, no-values.
+Result<SpacingSpec> spacingOfPicture(const GreyPicture &picture, const PictureSizes &sizes, const SourceText &source);
+
+/// Reads a PNG file as spacing, with at most kMaxGridValues sizes, by ImportOptions::picture. Further faults: those of
+/// readGreyPicture(); missing-sizes (the options have none).
+Result<SpacingSpec> readPngSpacing(const SourceText &source);
+
+} // namespace forefront
