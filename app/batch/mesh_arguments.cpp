@@ -22,6 +22,8 @@ Examples:
         edges that grow with the distance to the origin; Gmsh MSH 4.1
   forefront mesh coast.svg -o coast.vtu --repair --stats coast.json
         splits crossing lines first; statistics as JSON
+  forefront mesh lake.geojson -o lake.msh --spacing-file depth.png --picture-sizes 5:200
+        edges of length 5 where the picture is black, 200 where it is white
   cat lake.geojson | forefront mesh - -o - --format vtu > lake.vtu
         from standard input to standard output
 
@@ -96,9 +98,11 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     addSpacingOptions(*spacing, arguments.size, arguments.expression);
     spacing
         ->add_option("--spacing-file", arguments.spacingFile,
-                     "use the spacing of a project, a background mesh (.msh) or a grid of sizes (.asc)")
+                     "use the spacing of a project, a background mesh (.msh), a grid of sizes (.asc) or a picture "
+                     "(.png)")
         ->type_name("FILE");
     spacing->require_option(0, 1);
+    addPictureOptions(app, arguments.pictureSizes, arguments.pictureBox);
     app.add_option("--gradation", arguments.gradation, "maximum change of edge length per unit of distance")
         ->check(positiveNumber())
         ->type_name("G");
@@ -124,6 +128,9 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
     }
     if (wrong.empty()) {
         wrong = checkInputs({arguments.input, arguments.spacingFile}, arguments.inputFormat);
+    }
+    if (wrong.empty() && (arguments.pictureSizes || arguments.pictureBox) && !arguments.spacingFile) {
+        wrong = "--picture-sizes and --picture-box belong to a picture; add --spacing-file FILE.png";
     }
     if (wrong.empty() && arguments.printsStatistics() && usesStandardOutput(arguments.outputs)) {
         wrong = "-o - and --stats - both write to standard output; give one of them a file";

@@ -2,6 +2,7 @@
 
 #include "core/arrangement/overlap_rule.hpp"
 #include "core/io/inner_edges.hpp"
+#include "core/io/source/picture_sizes.hpp"
 #include "core/mesher/options.hpp"
 
 #include <filesystem>
@@ -24,6 +25,8 @@ struct MeshArguments {
     std::optional<double> size;
     std::optional<std::string> expression;
     std::optional<std::filesystem::path> spacingFile;
+    std::optional<PictureSizes> pictureSizes; ///< of a picture as spacing file, without its box
+    std::optional<Box2> pictureBox;
     std::optional<double> gradation;
     std::optional<double> segmentsPerTurn;
     std::optional<GridKind> grid;

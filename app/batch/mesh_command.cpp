@@ -9,6 +9,7 @@
 #include "app/batch/report.hpp"
 #include "core/arrangement/repair.hpp"
 #include "core/edit/document.hpp"
+#include "core/edit/shape_geometry.hpp"
 #include "core/io/files.hpp"
 #include "core/mesher/pipeline.hpp"
 
@@ -20,8 +21,15 @@ namespace forefront {
 
 namespace {
 
+/// What to mesh, and where a picture of sizes lies.
+struct ReadJob {
+    MeshingJob job;
+    Box2 box;                                 ///< of the domain
+    std::optional<BackgroundPicture> picture; ///< of a project
+};
+
 /// Reads the domain of any file, and also spacing and options if the file is a project.
-Result<MeshingJob> readJob(const MeshArguments &arguments, const Input &input) {
+Result<ReadJob> readJob(const MeshArguments &arguments, const Input &input) {
     ImportNotes notes;
     if (input.isProject()) {
         const Result<Document> document = readDocument(input.path, input.options, &notes);
@@ -29,36 +37,75 @@ Result<MeshingJob> readJob(const MeshArguments &arguments, const Input &input) {
             return document.faults();
         }
         printNotes(notes, arguments.quiet);
-        return MeshingJob{toDomain(*document), document->spacing, document->options};
+        return ReadJob{
+            {toDomain(*document), document->spacing, document->options}, boundsOf(*document), document->picture};
     }
     Result<Domain> domain = readDomain(input.path, input.options, &notes);
     if (!domain) {
         return domain.faults();
     }
     printNotes(notes, arguments.quiet);
-    return MeshingJob{std::move(*domain), {}, {}};
+    Box2 box;
+    for (const Vec2 node : domain->nodes) {
+        box.add(node);
+    }
+    return ReadJob{{std::move(*domain), {}, {}}, box, {}};
 }
 
-/// Replaces the spacing of a project by that of the command line.
-Diagnostics applySpacing(const MeshArguments &arguments, SpacingSpec &spacing) {
+/// Returns what is wrong with the options of a picture as spacing file; empty if nothing is.
+std::string checkPicture(const MeshArguments &arguments, const Input &file) {
+    const FileFormat *const format = file.format();
+    const bool picture = format != nullptr && std::string_view(format->id) == "png";
+    if (picture && !arguments.pictureSizes) {
+        return "--spacing-file: a picture needs the sizes of black and white; add --picture-sizes BLACK:WHITE";
+    }
+    return picture || (!arguments.pictureSizes && !arguments.pictureBox)
+               ? std::string()
+               : "--picture-sizes, --picture-box: " + file.path.string() + " is not a picture; expected a PNG file";
+}
+
+/// Sets the parameters of the input. Returns what is wrong with options that depend on the formats of the files; empty
+/// if nothing is.
+std::string checkFiles(const MeshArguments &arguments, Input &input, const std::optional<Input> &spacingFile) {
+    std::string wrong = checkWeld(arguments.weldTolerance, input, arguments.repair);
+    wrong = wrong.empty() ? setParameters(input, arguments.parameters) : wrong;
+    return wrong.empty() && spacingFile ? checkPicture(arguments, *spacingFile) : wrong;
+}
+
+/// Returns the sizes of a picture with its place.
+std::optional<PictureSizes> placedPicture(const MeshArguments &arguments, const Input &file, const ReadJob &job) {
+    std::optional<PictureSizes> sizes = arguments.pictureSizes;
+    std::error_code none;
+    if (sizes && arguments.pictureBox) {
+        sizes->box = *arguments.pictureBox;
+    } else if (sizes && job.picture && std::filesystem::equivalent(file.path, job.picture->file, none)) {
+        sizes->box = boundsOf(*job.picture);
+    } else if (sizes) {
+        sizes->box = job.box;
+        sizes->around = true;
+    }
+    return sizes;
+}
+
+/// Replaces the spacing of a project by that of the command line, such as that of `file`.
+Diagnostics applySpacing(const MeshArguments &arguments, const std::optional<Input> &file, ReadJob &read) {
+    SpacingSpec &spacing = read.job.spacing;
     if (arguments.size || arguments.expression) {
         const auto names = std::move(spacing.names); // of the project's parameters
         spacing = {};
         spacing.names = names;
         spacing.size = arguments.size;
         spacing.expression = arguments.expression;
-    } else if (arguments.spacingFile) {
-        const Result<Input> file = openInput(*arguments.spacingFile);
-        if (!file) {
-            return file.faults();
-        }
+    } else if (file) {
         ImportNotes notes;
-        Result<SpacingSpec> read = readSpacing(file->path, file->options, &notes);
+        ImportOptions options = file->options;
+        options.picture = placedPicture(arguments, *file, read);
+        Result<SpacingSpec> fromFile = readSpacing(file->path, options, &notes);
         printNotes(notes, arguments.quiet);
-        if (!read) {
-            return read.faults();
+        if (!fromFile) {
+            return fromFile.faults();
         }
-        spacing = std::move(*read);
+        spacing = std::move(*fromFile);
     }
     if (arguments.gradation) {
         spacing.gradation = arguments.gradation;
@@ -133,19 +180,25 @@ int runMesh(const MeshArguments &arguments) {
         bar.clear();
         return refuse(input.faults(), interrupt);
     }
-    if (const std::string wrong = checkWeld(arguments.weldTolerance, *input, arguments.repair); !wrong.empty()) {
-        bar.clear();
-        return wrongUsage("forefront mesh", wrong);
+    std::optional<Input> spacingFile;
+    if (arguments.spacingFile) {
+        Result<Input> opened = openInput(*arguments.spacingFile);
+        if (!opened) {
+            bar.clear();
+            return refuse(opened.faults(), interrupt);
+        }
+        spacingFile = std::move(*opened);
     }
-    if (const std::string wrong = setParameters(*input, arguments.parameters); !wrong.empty()) {
+    if (const std::string wrong = checkFiles(arguments, *input, spacingFile); !wrong.empty()) {
         bar.clear();
         return wrongUsage("forefront mesh", wrong);
     }
     input->options.weldTolerance = arguments.weldTolerance;
     input->options.overlap = arguments.overlap;
     input->options.strict = arguments.strict;
-    Result<MeshingJob> job = readJob(arguments, *input);
-    Diagnostics faults = job ? applySpacing(arguments, job->spacing) : job.faults();
+    Result<ReadJob> read = readJob(arguments, *input);
+    Diagnostics faults = read ? applySpacing(arguments, spacingFile, *read) : read.faults();
+    MeshingJob *const job = read ? &read->job : nullptr;
     bar.clear();
     interrupt.deferToStop();
     std::optional<Repaired> repaired;

@@ -42,6 +42,21 @@ CLI::Validator check(std::string expected, Accepts accepts) {
             ""};
 }
 
+/// Parses `count` finite numbers with `separator` between them; empty if the text is anything else.
+std::vector<double> numbersIn(std::string_view text, char separator, std::size_t count) {
+    std::vector<double> numbers;
+    while (numbers.size() < count) {
+        const std::size_t end = numbers.size() + 1 < count ? text.find(separator) : text.size();
+        const auto value = end == std::string_view::npos ? std::nullopt : parse<double>(text.substr(0, end));
+        if (!value || !std::isfinite(*value)) {
+            return {};
+        }
+        numbers.push_back(*value);
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return numbers;
+}
+
 /// Lists the arguments that no option or input accepts, in order.
 std::string unexpectedArguments(const std::vector<std::string> &arguments) {
     std::string options, others;
@@ -141,6 +156,36 @@ void addSpacingOptions(CLI::App &group, std::optional<double> &size, std::option
                     "edge length as an expression in x and y, with min, max, sqrt, exp, sin, ... "
                     "and dist(a,b), the distance to (a, b)")
         ->type_name("EXPR");
+}
+
+void addPictureOptions(CLI::App &app, std::optional<PictureSizes> &sizes, std::optional<Box2> &box) {
+    app.add_option_function<std::string>(
+           "--picture-sizes",
+           [&sizes](const std::string &text) {
+               const std::vector<double> numbers = numbersIn(text, ':', 2);
+               if (numbers.empty() || !(std::min(numbers[0], numbers[1]) > 0.0)) {
+                   throw CLI::ValidationError("--picture-sizes",
+                                              "expected two positive numbers such as 0.1:2, got '" + text + '\'');
+               }
+               sizes = PictureSizes{.black = numbers[0], .white = numbers[1]};
+           },
+           "edge lengths where a picture given as --spacing-file is black and white; between them linear; transparent "
+           "pixels have none")
+        ->type_name("BLACK:WHITE");
+    app.add_option_function<std::string>(
+           "--picture-box",
+           [&box](const std::string &text) {
+               const std::vector<double> numbers = numbersIn(text, ',', 4);
+               if (numbers.empty() || !(numbers[0] < numbers[2] && numbers[1] < numbers[3])) {
+                   throw CLI::ValidationError("--picture-box", "expected the lower left and upper right corner such as "
+                                                               "0,0,20,10, got '" +
+                                                                   text + '\'');
+               }
+               box = Box2{{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};
+           },
+           "rectangle that the picture fills; default: its place if it is the background picture of the project, else "
+           "around the domain in its own proportions")
+        ->type_name("X0,Y0,X1,Y1");
 }
 
 void addInputFormatOption(CLI::App &app, const std::string &input, std::string &formatId) {

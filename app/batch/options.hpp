@@ -3,6 +3,7 @@
 #include "core/arrangement/overlap_rule.hpp"
 #include "core/base/enum_words.hpp"
 #include "core/io/inner_edges.hpp"
+#include "core/io/source/picture_sizes.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -34,6 +35,9 @@ CLI::Option *addWordOption(CLI::App &app, const std::string &name, Value &value,
 
 /// Adds the options --size and --spacing, which several commands share.
 void addSpacingOptions(CLI::App &group, std::optional<double> &size, std::optional<std::string> &expression);
+
+/// Adds the options --picture-sizes and --picture-box of a picture that is read as spacing.
+void addPictureOptions(CLI::App &app, std::optional<PictureSizes> &sizes, std::optional<Box2> &box);
 
 /// Adds the option --input-format; `input` is what the help text calls the input.
 void addInputFormatOption(CLI::App &app, const std::string &input, std::string &formatId);

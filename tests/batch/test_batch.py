@@ -14,11 +14,13 @@ import pathlib
 import pty
 import re
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
 import time
 import unittest
+import zlib
 
 PROGRAM = os.path.abspath(sys.argv.pop(1))
 STATS = ["nodes", "elements", "area", "alpha_mean", "alpha_geometric_mean", "alpha_min", "delta_mean", "min_angle_deg",
@@ -64,6 +66,14 @@ class Case(unittest.TestCase):
         done = subprocess.run([PROGRAM, *map(str, words)], cwd=self.path, capture_output=True, text=True, timeout=300)
         self.assertEqual(done.returncode, code, f"{words}\n{done.stdout}\n{done.stderr}")
         return done
+
+    def picture(self, name, grey):
+        """Writes a PNG file of 4 x 2 pixels with one grey value."""
+        def chunk(kind, content):
+            return struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(kind + content))
+        rows = 2 * (b"\0" + bytes([grey] * 4))
+        (self.path / name).write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", 4, 2, 8, 0, 0, 0, 0))
+                                       + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
 
     def stats(self, *words):
         self.call("mesh", *words, "--stats", "stats.json")
@@ -225,6 +235,38 @@ class Meshing(Case):
         self.write("bad.asc", header + "0.1 0.1\n0 0.1\n")
         fault = self.call("mesh", "plate.poly", "--spacing-file", "bad.asc", "--stats", "s.json", code=1).stderr
         self.assertIn("bad.asc:7:1: error: expected a size above 0, got 0 [bad-values]", fault)
+
+    def test_a_picture_is_a_spacing(self):
+        self.picture("grey.png", 51)
+        grey, options = ("--spacing-file", "grey.png"), ("--picture-sizes", "0.1:0.6")
+        place = ("--picture-box", "-9,-9,9,9")
+        self.assertEqual(self.stats("plate.poly", *grey, *options, *place)["hash"],
+                         self.stats("plate.poly", *grey, "--picture-sizes", "0.2:0.2", *place)["hash"])
+        self.assertEqual(self.stats("plate.poly", *grey, *options)["hash"],  # covers the 4 x 3 plate
+                         self.stats("plate.poly", *grey, *options, "--picture-box", "-1,0,5,3")["hash"])
+        self.assertNotEqual(self.stats("plate.poly", *grey, *options)["hash"],
+                            self.stats("plate.poly", *grey, *options, "--picture-box", "0,0,1,1")["hash"])
+        for words, part in (((), "add --picture-sizes BLACK:WHITE"),
+                            (("--picture-sizes", "0.1"), "expected two positive numbers such as 0.1:2, got '0.1'"),
+                            (("--picture-sizes", "0:1"), "got '0:1'"),
+                            (("--picture-sizes", "1:2:3"), "got '1:2:3'"),
+                            ((*options, "--picture-box", "0,0,0,1"), "such as 0,0,20,10, got '0,0,0,1'")):
+            self.assertIn(part, self.call("mesh", "plate.poly", "-o", "a.msh", *grey, *words, code=2).stderr)
+        self.assertIn("plate.poly is not a picture; expected a PNG file", self.call(
+            "mesh", "plate.poly", "-o", "a.msh", "--spacing-file", "plate.poly", *options, code=2).stderr)
+        self.assertIn("add --spacing-file FILE.png", self.call("mesh", "plate.poly", "-o", "a.msh", *options, code=2).stderr)
+        (self.path / "cut.png").write_bytes((self.path / "grey.png").read_bytes()[:50])
+        fault = self.call("mesh", "plate.poly", "--spacing-file", "cut.png", *options, "--stats", "s.json", code=1).stderr
+        self.assertIn("error: cannot decode the picture: the file ends early [bad-picture]", fault)
+
+    def test_a_background_picture_as_spacing_stays_in_its_place(self):
+        self.picture("grey.png", 0)
+        shape = '{"id": 1, "kind": "rectangle", "nodes": [[0, 0], [4, 2]], "tag": 1}'
+        self.write("plate.json", '{"format": "forefront", "version": 2, "shapes": [' + shape + '], "picture": '
+                   '{"file": "grey.png", "at": [0, 0], "size": [1, 2]}}')
+        words = ("--spacing-file", "grey.png", "--picture-sizes", "0.05:1")
+        self.assertEqual(self.stats("plate.json", *words)["hash"],
+                         self.stats("plate.json", *words, "--picture-box", "0,0,1,2")["hash"])
 
     def test_a_project_keeps_its_spacing_under_any_name(self):
         self.write("plate.json", PROJECT)
