@@ -1,12 +1,16 @@
 #include "tests/ui/edit_driver.hpp"
+#include "ui/dialogs/picture_spacing.hpp"
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <memory>
 #include <string>
+#include <utility>
 
 namespace forefront::test {
 
@@ -20,6 +24,19 @@ void write(const Driver::Picture &picture, const std::filesystem::path &file) {
         out.write(reinterpret_cast<const char *>(&picture.rgba[i]), 3);
     }
     REQUIRE(out.good());
+}
+
+/// Opens the dialog for a picture with dark rings.
+void importRings(Driver &driver) {
+    GreyPicture picture{{4000, 2600}, 500, 325};
+    for (int row = 0; row < 325; ++row) {
+        for (int column = 0; column < 500; ++column) {
+            const double radius = std::hypot(column - 250, row - 160);
+            picture.values.push_back(radius > 240.0 ? kNoGrey : 0.5 + 0.5 * std::sin(0.05 * radius));
+        }
+    }
+    Shell &context = driver.context();
+    context.dialogs.open(std::make_unique<PictureSpacingDialog>(context, "sizes.png", std::move(picture)));
 }
 
 struct Scene {
@@ -75,6 +92,7 @@ std::vector<Scene> scenes() {
             {"gallery", action("file.samples")},
             {"export", action("file.export")},
             {"film", action("file.exportFilm")},
+            {"picture-spacing", importRings},
             {"glossary", action("glossary.candidates")},
             {"open", action("file.open")},
             {"preferences", action("edit.preferences")},

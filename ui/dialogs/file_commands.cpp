@@ -4,6 +4,7 @@
 #include "core/io/files.hpp"
 #include "ui/dialogs/file_dialog.hpp"
 #include "ui/dialogs/import_dialog.hpp"
+#include "ui/dialogs/picture_spacing.hpp"
 #include "ui/dialogs/question_dialog.hpp"
 #include "ui/dialogs/read_in_background.hpp"
 #include "ui/parts/shell.hpp"
@@ -291,9 +292,15 @@ void importSpacing(Shell &context) {
     request.id = "importspacing";
     request.title = "Import spacing";
     request.action = "Import";
-    request.filters = {{"Projects, meshes and grids", {".forefront", ".json", ".msh", ".asc"}, "spacing"},
-                       {"All files", {}, "any"}};
+    request.filters = {
+        {"Projects, meshes, grids and pictures", {".forefront", ".json", ".msh", ".asc", ".png"}, "spacing"},
+        {"All files", {}, "any"}};
     request.folder = startFolder(context);
+    request.reads = [](Shell &c, const std::filesystem::path &file) {
+        const FileFormat *const format = fileFormatOf(file);
+        const bool picture = format != nullptr && std::string_view(format->id) == "png";
+        return picture ? importPictureSpacing(c, file) : nullptr;
+    };
     request.chosen = [](Shell &c, const std::filesystem::path &file, const FileFilter &) -> Diagnostics {
         ImportNotes notes;
         Result<SpacingSpec> spacing = readSpacing(file, {}, &notes);

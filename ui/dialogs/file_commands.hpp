@@ -26,7 +26,7 @@ void saveDocument(Shell &context, std::function<void(Shell &)> then = {});
 void saveDocumentAs(Shell &context, std::function<void(Shell &)> then = {});
 /// Adds the drawing of a file to the current one.
 void importDrawing(Shell &context);
-/// Imports the spacing of a project or of a mesh with nodal values.
+/// Imports the spacing of a project, of a mesh with nodal values, of a grid of sizes or of a picture.
 void importSpacing(Shell &context);
 /// Asks for a picture to put below the drawing.
 void addPicture(Shell &context);
