@@ -1,18 +1,17 @@
 #version 330 core
-// Fills the domain with one colour, or by the node spacing ρ on a logarithmic scale.
+// Fills the domain with one colour, or by the node spacing ρ on a logarithmic scale. It covers most pixels of the canvas,
+// so software rendering gains from texels without filter and a loop of known length.
 in vec2 pixel;
 
-uniform vec2 viewport;
 uniform sampler2D mask;   // one texel per pixel: coverage of the domain
 uniform sampler2D raster; // ln ρ
 uniform vec2 rasterCorner; // lower left corner of the raster in pixels
 uniform vec2 rasterSize;  // pixels
 uniform vec2 range;       // ln ρ at the ends of the map
-uniform sampler2D map;
+uniform sampler2D map;    // 256 colours
 uniform vec4 plain;
 uniform int tinted; // 1: coloured by ρ, 0: plain
-uniform float levels[8];    // ln ρ of the contour lines
-uniform int levelCount;
+uniform float levels[8];    // ln ρ of the contour lines; unused ones are far from every ρ
 uniform float contourWidth; // pixels
 
 out vec4 result;
@@ -20,7 +19,7 @@ out vec4 result;
 // Coverage by the nearest contour line: x of its bright core, y of its dark rim. `change` is that of ln ρ per pixel.
 vec2 contour(float value, float change) {
     float nearest = 1e9;
-    for (int i = 0; i < levelCount; ++i) {
+    for (int i = 0; i < 8; ++i) {
         nearest = min(nearest, abs(value - levels[i]));
     }
     float pixels = change > 1e-7 ? nearest / change : 1e9; // no line where ρ is constant
@@ -28,14 +27,14 @@ vec2 contour(float value, float change) {
 }
 
 void main() {
-    float inside = texture(mask, pixel / viewport).r;
+    float inside = texelFetch(mask, ivec2(pixel), 0).r;
     vec3 rgb = plain.rgb;
     if (tinted == 1) {
         float value = texture(raster, (pixel - rasterCorner) / rasterSize).r;
         vec2 line = contour(value, length(vec2(dFdx(value), dFdy(value))));
         float span = range.y - range.x;
         float t = clamp((value - range.x) / (abs(span) > 1e-6 ? span : 1e-6), 0.0, 1.0);
-        rgb = texture(map, vec2(t * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb;
+        rgb = texelFetch(map, ivec2(int(t * 255.0 + 0.5), 0), 0).rgb;
         rgb = mix(mix(rgb, vec3(0.04, 0.06, 0.09), 0.45 * line.y), vec3(1.0), 0.9 * line.x);
     }
     result = vec4(rgb, plain.a * inside);

@@ -8,6 +8,7 @@
 
 #include <glad/gl.h>
 
+#include <algorithm>
 #include <array>
 #include <span>
 
@@ -118,8 +119,10 @@ void GlKit::drawField(const Domain &domain, std::uint64_t revision, const Camera
         program.set("rasterSize", glm::vec2(size.x, size.y));
         program.set("range", glm::vec2(tint->minimum, tint->maximum));
         FOREFRONT_ASSERT(tint->levels.size() <= FieldTint::kMaxLevels);
-        program.set("levels", std::span(tint->levels));
-        program.set("levelCount", static_cast<int>(tint->levels.size()));
+        std::array<float, FieldTint::kMaxLevels> levels;
+        levels.fill(1e30F);
+        std::copy(tint->levels.begin(), tint->levels.end(), levels.begin());
+        program.set("levels", levels);
         program.set("contourWidth", static_cast<float>(tint->contourWidth));
         glActiveTexture(GL_TEXTURE0);
     }
