@@ -38,12 +38,21 @@ std::size_t countOf(const std::shared_ptr<const MeshView> &mesh) {
     return mesh ? mesh->mesh.elements.size() : 0;
 }
 
-/// Returns the version of the mesh and the values that colour it.
+/// Returns true if the values of the elements can be seen: as colours, or because those of a bin are shown alone.
+bool showsValues(const LayerFrame &frame) {
+    return frame.visible("quality") || frame.isolatedBin;
+}
+
+/// Returns the version of the mesh and of the values that colour it. Values that are not shown do not count: those of
+/// a live mesh arrive after it.
 std::uint64_t shapeOf(const LayerFrame &frame) {
     const std::shared_ptr<const MeshView> &mesh = meshShown(frame);
     Hash64 hash;
     hash.add(mesh ? mesh->version : 0);
     hash.add(frame.snapshot.run);
+    if (!showsValues(frame)) {
+        return hash.value();
+    }
     hash.add(static_cast<std::uint64_t>(frame.judgement.of.measure));
     hash.add(reinterpret_cast<std::uintptr_t>(frame.judgement.of.spacing.get()));
     hash.add(static_cast<std::uint64_t>(frame.judgement.values.size()));
@@ -54,9 +63,11 @@ std::uint64_t shapeOf(const LayerFrame &frame) {
 std::uint64_t versionOf(const LayerFrame &frame) {
     Hash64 hash;
     hash.add(shapeOf(frame));
-    hash.add(static_cast<std::uint64_t>(frame.isolatedBin ? *frame.isolatedBin + 1 : 0));
-    hash.add(frame.measureRange.from);
-    hash.add(frame.measureRange.to);
+    if (showsValues(frame)) {
+        hash.add(static_cast<std::uint64_t>(frame.isolatedBin ? *frame.isolatedBin + 1 : 0));
+        hash.add(frame.measureRange.from);
+        hash.add(frame.measureRange.to);
+    }
     return hash.value();
 }
 
@@ -89,8 +100,7 @@ void drawElements(const LayerFrame &frame, bool edges) {
     const bool quality = frame.visible("quality");
     const bool tinted = frame.visible("size");
     // Bars of the histogram isolate parts by their values, also when the faces are not coloured.
-    const bool valued =
-        !coloursByAlpha(frame) && (quality || frame.isolatedBin) && meshShown(frame) == frame.judgement.of.mesh;
+    const bool valued = !coloursByAlpha(frame) && showsValues(frame) && meshShown(frame) == frame.judgement.of.mesh;
     const MeshValues values = valuesOf(frame);
     batch.update(meshShown(frame), atRest(frame.snapshot), valued ? &values : nullptr);
     MeshStyle style;
