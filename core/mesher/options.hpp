@@ -9,9 +9,12 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string_view>
 
 namespace FOREFRONT_API forefront {
+
+class SharedSpacing;
 
 /// The method that advances the front.
 enum class Method : std::uint8_t {
@@ -44,6 +47,7 @@ struct MeshingJob {
     Domain domain;
     SpacingSpec spacing;
     MeshingOptions options;
+    std::shared_ptr<SharedSpacing> shared{}; ///< where others need the field of this job, too; null: nobody does
 };
 
 } // namespace forefront

@@ -9,6 +9,7 @@
 #include "core/domain/validate.hpp"
 #include "core/mesher/mesher.hpp"
 #include "core/spacing/scaled_field.hpp"
+#include "core/spacing/shared_spacing.hpp"
 #include "core/spacing/spacing_field.hpp"
 
 #include <algorithm>
@@ -25,6 +26,17 @@ namespace {
 /// advance looks at all of Γ.
 std::uint64_t batchFor(const Mesher &mesher) {
     return std::clamp<std::uint64_t>(10'000'000 / (mesher.state().front.segments() + 1), 16, 4096);
+}
+
+/// Builds the spacing of a job.
+Result<std::shared_ptr<const SpacingField>> spacingOf(const MeshingJob &job, const Progress &progress) {
+    const SpacingSpec &spec = job.spacing;
+    if (job.options.keepBoundary && spec.usesAutomatic() && spec.paint.tiles.empty() && !spec.background) {
+        SpacingSpec kept = spec;
+        kept.fromBoundary = true; // segments that stay as they are set the size of their neighbourhood
+        return SpacingField::build(kept, job.domain, progress);
+    }
+    return job.shared ? job.shared->get(spec, job.domain, progress) : SpacingField::build(spec, job.domain, progress);
 }
 
 /// Discretises the boundary with `spacing` and checks the number of elements.
@@ -63,11 +75,7 @@ Result<PreparedJob> prepare(const MeshingJob &job, const Progress &progress, dou
         return cancelled("meshing");
     }
     progress("building the node spacing", 0.0);
-    SpacingSpec spec = job.spacing;
-    if (job.options.keepBoundary && spec.usesAutomatic() && spec.paint.tiles.empty() && !spec.background) {
-        spec.fromBoundary = true; // segments that stay as they are set the size of their neighbourhood
-    }
-    Result<std::shared_ptr<const SpacingField>> spacing = SpacingField::build(spec, job.domain, progress);
+    Result<std::shared_ptr<const SpacingField>> spacing = spacingOf(job, progress);
     if (!spacing) {
         return spacing.faults();
     }

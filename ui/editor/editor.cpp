@@ -103,7 +103,7 @@ double Editor::Parts::untilTurn() const {
 /// Returns true if a new preview or raster may be drawn. During a gesture they wait for the mesh that is being made, so
 /// that the still parts are drawn once for all of them, but not so long that the tint would stutter.
 bool Editor::Parts::previewDue() const {
-    constexpr double kLongestWait = 0.08; // seconds
+    constexpr double kLongestWait = 0.2; // seconds
     return !gestureUnderWay() || context.run.hasNews() || steadySeconds() - previewTaken > kLongestWait;
 }
 
@@ -262,7 +262,6 @@ void Editor::Parts::takeResults(bool cancels) {
         context.run.refresh();
     }
     drewNews = before != context.run.snapshot() || newsSeconds > 0.0;
-    context.examiner.submit(context.document.current(), context.document.revision());
     if (recovery) {
         recovery->follow(context);
     }
@@ -316,6 +315,10 @@ void Editor::Parts::followDocument() {
     context.run.live = context.settings.live;
     context.run.liveBudget = context.settings.liveBudget;
     context.run.follow(gestureOver, hasErrors(context.preview->faults));
+    // During a gesture, previews keep step with meshes: both need the same field, and are drawn together.
+    if (!gestureUnderWay() || context.run.followedRevision() == context.run.meshRevision()) {
+        context.examiner.submit(context.document.current(), context.document.revision(), context.document.spacing());
+    }
 }
 
 /// `seconds`: since the last frame.

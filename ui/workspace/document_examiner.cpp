@@ -21,12 +21,14 @@ DocumentExaminer::~DocumentExaminer() {
     changed_.notify_all();
 }
 
-void DocumentExaminer::submit(std::shared_ptr<const Document> document, std::uint64_t revision) {
+void DocumentExaminer::submit(std::shared_ptr<const Document> document, std::uint64_t revision,
+                              std::shared_ptr<SharedSpacing> spacing) {
     const std::lock_guard lock(mutex_);
     if (revision == wantedRevision_) {
         return;
     }
     wanted_ = std::move(document);
+    wantedSpacing_ = std::move(spacing);
     wantedRevision_ = revision;
     changed_.notify_all();
 }
@@ -63,7 +65,7 @@ bool DocumentExaminer::busy() const {
 }
 
 std::shared_ptr<const DocumentPreview> DocumentExaminer::examine(const Document &document, std::uint64_t revision,
-                                                                 const std::stop_token &stop) const {
+                                                                 SharedSpacing &spacing, const std::stop_token &stop) {
     auto preview = std::make_shared<DocumentPreview>();
     preview->revision = revision;
     auto domain = std::make_shared<Domain>(toDomain(document));
@@ -74,7 +76,7 @@ std::shared_ptr<const DocumentPreview> DocumentExaminer::examine(const Document 
     preview->faults = validate(*domain);
     Progress progress;
     progress.stop = stop;
-    Result<std::shared_ptr<const SpacingField>> field = SpacingField::build(document.spacing, *domain, progress);
+    Result<std::shared_ptr<const SpacingField>> field = spacing.get(document.spacing, *domain, progress);
     if (!field) {
         preview->faults.insert(preview->faults.end(), field.faults().begin(), field.faults().end());
         return preview;
@@ -144,13 +146,14 @@ void DocumentExaminer::work(const std::stop_token &stop) {
             rasterRevision_ = revision;
         } else if (doneRevision_ != wantedRevision_) {
             const std::shared_ptr<const Document> document = wanted_;
+            const std::shared_ptr<SharedSpacing> spacing = wantedSpacing_;
             const std::uint64_t revision = wantedRevision_;
             examining_ = std::stop_source();
             const std::stop_token superseded = examining_.get_token();
             lock.unlock();
             std::shared_ptr<const DocumentPreview> preview;
             try {
-                preview = examine(*document, revision, superseded);
+                preview = examine(*document, revision, *spacing, superseded);
             } catch (const std::bad_alloc &) {
                 preview = withoutMemory(revision);
             }

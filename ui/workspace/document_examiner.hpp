@@ -2,7 +2,7 @@
 
 #include "core/base/diagnostic.hpp"
 #include "core/domain/domain.hpp"
-#include "core/spacing/spacing_field.hpp"
+#include "core/spacing/shared_spacing.hpp"
 
 #include <condition_variable>
 #include <cstdint>
@@ -46,8 +46,10 @@ class DocumentExaminer {
     DocumentExaminer &operator=(const DocumentExaminer &) = delete;
 
     /// Sets the document to examine; cheap if the revision has not changed. Work on an earlier revision is finished and
-    /// shown first, so that the preview keeps moving when edits come faster than it can be computed.
-    void submit(std::shared_ptr<const Document> document, std::uint64_t revision);
+    /// shown first, so that the preview keeps moving when edits come faster than it can be computed. `spacing`: where
+    /// others need the field of this document, too.
+    void submit(std::shared_ptr<const Document> document, std::uint64_t revision,
+                std::shared_ptr<SharedSpacing> spacing);
     /// Sets the raster of ρ to compute; cheap when unchanged. With 0 columns, no raster is computed.
     void submitRaster(const Box2 &box, int columns, int rows);
     /// Stops the current work, because another document is about to be opened.
@@ -65,13 +67,14 @@ class DocumentExaminer {
         std::uint64_t number = 0;
     };
     void work(const std::stop_token &stop);
-    std::shared_ptr<const DocumentPreview> examine(const Document &document, std::uint64_t revision,
-                                                   const std::stop_token &stop) const;
+    static std::shared_ptr<const DocumentPreview> examine(const Document &document, std::uint64_t revision,
+                                                          SharedSpacing &spacing, const std::stop_token &stop);
 
     std::function<void()> wake_;
     mutable std::mutex mutex_;
     std::condition_variable_any changed_;
     std::shared_ptr<const Document> wanted_;
+    std::shared_ptr<SharedSpacing> wantedSpacing_;
     std::uint64_t wantedRevision_ = 0;
     RasterRequest wantedRaster_;
     std::uint64_t doneRevision_ = 0, rasterNumber_ = 0, rasterRevision_ = 0;

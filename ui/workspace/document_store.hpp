@@ -2,6 +2,7 @@
 
 #include "core/edit/formulas.hpp"
 #include "core/edit/history.hpp"
+#include "core/spacing/shared_spacing.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -71,11 +72,17 @@ class DocumentStore {
         history_.markSaved();
     }
 
+    /// Returns where the spacing field of the current document is built, once for the preview and the mesh.
+    const std::shared_ptr<SharedSpacing> &spacing() const { return spacing_; }
+
     /// Calls `observer` with the new document whenever another one becomes current.
     void observe(std::function<void(const Document &)> observer) { observer_ = std::move(observer); }
 
   private:
     bool tell(bool changed) {
+        if (changed) {
+            spacing_ = std::make_shared<SharedSpacing>();
+        }
         if (changed && observer_) {
             observer_(*current());
         }
@@ -87,6 +94,7 @@ class DocumentStore {
     std::string title_;
     std::uint64_t loads_ = 1;
     std::function<void(const Document &)> observer_;
+    std::shared_ptr<SharedSpacing> spacing_ = std::make_shared<SharedSpacing>();
 };
 
 } // namespace forefront

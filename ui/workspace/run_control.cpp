@@ -203,7 +203,9 @@ void RunControl::start(StartMode mode, Extent extent) {
     opened_.reset();
     fields_.reset();
     cancelling_ = false;
-    session_.start(std::make_shared<const MeshingJob>(job()), mode,
+    MeshingJob whole = job();
+    whole.shared = document_.spacing();
+    session_.start(std::make_shared<const MeshingJob>(std::move(whole)), mode,
                    extent == Extent::Preview ? liveBudget : std::numeric_limits<double>::infinity());
     started_ = true;
     followed_ = meshRevision();

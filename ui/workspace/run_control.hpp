@@ -102,6 +102,8 @@ class RunControl {
     bool outOfDate() const;
     /// Returns the revision of the document whose mesh is shown.
     std::uint64_t shownRevision() const { return shown_.revision; }
+    /// Returns the revision of the document that live meshing last started a mesh of, or decided not to mesh.
+    std::uint64_t followedRevision() const { return followed_; }
     /// Returns the revision of the document, or an earlier one whose mesh is the same.
     std::uint64_t meshRevision() const;
     /// Returns the method of the run, or of the document if there is no run.
