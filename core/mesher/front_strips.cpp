@@ -13,8 +13,10 @@ namespace forefront {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kMinStrips = 8.0;     ///< with fewer, one thread is fast enough
-constexpr double kMaxStrips = 16.0;    ///< enough for any number of threads
+constexpr double kMinStrips = 8.0; ///< with fewer, one thread is fast enough
+/// Enough for any number of threads. One thread gains from them, too: what it works on stays in the caches. With 64
+/// instead of 16, a coast of 10 million elements takes three quarters of the time; with 128, the same.
+constexpr double kMaxStrips = 64.0;
 constexpr double kMultiple = 2.0;      ///< their number is a multiple, so that two threads both have work to the end
 constexpr double kCoarse = 1.0 / 16.0; ///< segments at least this fraction of a strip's width are coarse
 
