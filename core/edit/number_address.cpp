@@ -159,12 +159,13 @@ auto markerNumber(Marker &marker, const std::string &what) -> decltype(&marker.m
 
 std::optional<double> SpacingSpec::*spacingNumber(const std::string &what) {
     using Place = std::optional<double> SpacingSpec::*;
-    constexpr std::array<std::pair<std::string_view, Place>, 5> kNumbers{
+    constexpr std::array<std::pair<std::string_view, Place>, 6> kNumbers{
         {{"size", &SpacingSpec::size},
          {"minimum", &SpacingSpec::minimum},
          {"maximum", &SpacingSpec::maximum},
          {"gradation", &SpacingSpec::gradation},
-         {"segmentsPerTurn", &SpacingSpec::segmentsPerTurn}}};
+         {"segmentsPerTurn", &SpacingSpec::segmentsPerTurn},
+         {"elementsAcross", &SpacingSpec::elementsAcross}}};
     for (const auto &[name, place] : kNumbers) {
         if (what == name) {
             return place;
@@ -293,6 +294,7 @@ Result<Document> checkedOwner(const Document &document, const NumberAddress &add
     Diagnostics faults;
     checkSize(document.spacing.size, "spacing", faults);
     checkSegmentsPerTurn(document.spacing.segmentsPerTurn, faults);
+    checkElementsAcross(document.spacing.elementsAcross, faults);
     checkLimits(document.spacing, faults);
     return faults.empty() ? Result<Document>(document) : faults;
 }

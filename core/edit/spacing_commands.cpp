@@ -83,6 +83,17 @@ Result<Document> setSegmentsPerTurn(const Document &document, std::optional<doub
     return next;
 }
 
+Result<Document> setElementsAcross(const Document &document, std::optional<double> count) {
+    Diagnostics faults;
+    checkElementsAcross(count, faults);
+    if (!faults.empty()) {
+        return faults;
+    }
+    Document next = document;
+    next.spacing.elementsAcross = count;
+    return next;
+}
+
 Document setFromBoundary(const Document &document, bool fromBoundary) {
     Document next = document;
     next.spacing.fromBoundary = fromBoundary;

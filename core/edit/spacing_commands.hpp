@@ -22,6 +22,8 @@ Result<Document> setLimits(const Document &document, std::optional<double> minim
 Result<Document> setGradation(const Document &document, std::optional<double> gradation);
 /// Sets the edges per full turn of curved boundaries, see SpacingSpec::segmentsPerTurn; nullopt restores the default.
 Result<Document> setSegmentsPerTurn(const Document &document, std::optional<double> count);
+/// Sets the elements across narrow places, see SpacingSpec::elementsAcross; nullopt restores the default.
+Result<Document> setElementsAcross(const Document &document, std::optional<double> count);
 /// Sets whether the lengths of boundary segments act as sources.
 Document setFromBoundary(const Document &document, bool fromBoundary);
 

@@ -1,6 +1,8 @@
 #include "core/spacing/part_list.hpp"
 
+#include "core/spacing/parts/automatic/automatic.hpp"
 #include "core/spacing/parts/automatic/boundary_spacing.hpp"
+#include "core/spacing/parts/automatic/gap_sites.hpp"
 #include "core/spacing/parts/curvature/curvature_sites.hpp"
 #include "core/spacing/parts/node_sizes/node_size_sites.hpp"
 #include "core/spacing/parts/part_sizes/part_size_sites.hpp"
@@ -105,6 +107,17 @@ Diagnostics addBends(const PartInput &input, FieldParts &parts) {
     return {};
 }
 
+Diagnostics addGaps(const PartInput &input, FieldParts &parts) {
+    const SpacingSpec &spec = input.spec;
+    double longest = std::min(parts.cap, spec.maximum.value_or(parts.cap));
+    if (spec.usesAutomatic() && !spec.background) {
+        longest = std::min(longest, automaticMaximum(input.box));
+    }
+    addGapSites(input.domain, *spec.elementsAcross, std::min(longest, 0.5 * input.box.diagonal()), input.minimum,
+                input.gradation, input.progress, parts.few);
+    return {};
+}
+
 Diagnostics addRegions(const PartInput &input, FieldParts &parts) {
     for (const RegionMarker &marker : input.domain.regionMarkers) {
         parts.words.regions.push_back(regionName(input.domain.regionNames, marker.tag));
@@ -153,6 +166,11 @@ constexpr auto kKinds = std::to_array<SpacingPartKind>({
          checkSegmentsPerTurn(spec.segmentsPerTurn, faults);
      },
      [](const SpacingSpec &a, const SpacingSpec &b) { return a.segmentsPerTurn == b.segmentsPerTurn; }, addBends},
+    {"elementsAcross", [](const SpacingSpec &spec, const Domain &) { return spec.elementsAcross.value_or(0.0) > 0.0; },
+     [](const SpacingSpec &spec, const Domain &, Diagnostics &faults) {
+         checkElementsAcross(spec.elementsAcross, faults);
+     },
+     [](const SpacingSpec &a, const SpacingSpec &b) { return a.elementsAcross == b.elementsAcross; }, addGaps},
     {"",
      [](const SpacingSpec &, const Domain &domain) {
          return std::any_of(domain.regionMarkers.begin(), domain.regionMarkers.end(),

@@ -70,8 +70,9 @@ class FieldBuilder {
         }
     }
     void addAutomatic() {
-        AutomaticSpacing automatic = automaticSpacing(input_.domain, input_.box, input_.minimum, input_.gradation,
-                                                      spec_.segmentsPerTurn ? 0.0 : kSegmentsPerTurn, input_.progress);
+        AutomaticSpacing automatic =
+            automaticSpacing(input_.domain, input_.box, input_.minimum, input_.gradation,
+                             spec_.segmentsPerTurn ? 0.0 : kSegmentsPerTurn, !spec_.elementsAcross, input_.progress);
         auto &background = parts_.point<FilledBackground>();
         if (!background) {
             parts_.lowerCap(automatic.maximum, SpacingOrigin::Automatic);

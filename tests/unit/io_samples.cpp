@@ -68,6 +68,7 @@ Document fullDocument() {
     document.boundaryNames = {{1, "wall"}, {7, "inlet"}};
     document.regionNames = {{3, "water"}};
     document.spacing.segmentsPerTurn = 24.0;
+    document.spacing.elementsAcross = 3.5;
     document.spacing.size = 0.1;
     document.spacing.expression = "max(0.1, \"x\"*x)";
     document.spacing.sources = {{SourceShape::Point, {1, 2}, {}, 0.0, 0.05, 0.3, "head"},

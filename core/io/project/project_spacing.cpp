@@ -284,6 +284,7 @@ constexpr std::array kMembers = {
     numberMember<&SpacingSpec::maximum>("maximum"),
     numberMember<&SpacingSpec::gradation>("gradation"),
     numberMember<&SpacingSpec::segmentsPerTurn, true>("segmentsPerTurn"),
+    numberMember<&SpacingSpec::elementsAcross, true>("elementsAcross"),
     SpacingMember{"expression", [](const SpacingSpec &spec) { return spec.expression.has_value(); },
                   [](const SpacingSpec &spec, JsonText &out) { out << jsonString(*spec.expression); },
                   [](const JsonValue &value, JsonCheck &check, std::string_view, SpacingSpec &spec) {

@@ -94,6 +94,10 @@ struct SpacingSpec {
     /// Edges per full turn of curved boundaries, >= 0; 0: curvature is ignored. Absent: 40 where the spacing is
     /// automatic, 0 elsewhere.
     std::optional<double> segmentsPerTurn;
+    /// Elements across narrow places, >= 0; 0: narrow places are ignored. Absent: 2 where the spacing is automatic,
+    /// within a limit on their total number; 0 elsewhere. Corners are not narrow places, except tips of less than 20
+    /// degrees, which are followed down to a width of 1/8 of the spacing.
+    std::optional<double> elementsAcross;
     std::optional<double> minimum; ///< > 0
     std::optional<double> maximum; ///< > 0
     /// Maximum |∇ρ|, > 0; absent: 0.25 for painted, boundary, region and automatic parts (0.18 for the automatic part

@@ -51,6 +51,16 @@ void checkSegmentsPerTurn(const std::optional<double> &value, Diagnostics &fault
     }
 }
 
+void checkElementsAcross(const std::optional<double> &value, Diagnostics &faults) {
+    if (value && !isNotNegative(*value)) {
+        faults.push_back(
+            error("bad-size",
+                  "invalid number of elements across narrow places " + text(*value) + "; expected 0 or more",
+                  "enter a number such as 4, or 0 to ignore narrow places")
+                .front());
+    }
+}
+
 void checkSource(const SizeSource &source, std::uint32_t index, Diagnostics &faults) {
     const auto fault = [&](const std::string &what, const char *expected) {
         Diagnostic diagnostic;

@@ -37,6 +37,9 @@ void checkRegionAreas(std::span<const RegionMarker> markers, Diagnostics &faults
 /// Checks that the number of segments per turn is absent, or finite and >= 0. Fault: bad-size.
 void checkSegmentsPerTurn(const std::optional<double> &value, Diagnostics &faults);
 
+/// Checks that the number of elements across narrow places is absent, or finite and >= 0. Fault: bad-size.
+void checkElementsAcross(const std::optional<double> &value, Diagnostics &faults);
+
 /// Checks minimum, maximum and gradation. Faults: bad-size.
 void checkLimits(const SpacingSpec &spec, Diagnostics &faults);
 

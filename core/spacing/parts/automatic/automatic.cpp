@@ -12,7 +12,6 @@ namespace {
 constexpr double kAcross = 45.0;          ///< elements along the diagonal of the domain's box
 constexpr double kCurvedGradation = 0.18; ///< of curved domains; a steeper one leaves worse shapes beside bends
 constexpr double kAcrossGap = 2.0;        ///< elements across a narrow place
-constexpr double kFinestGap = 1e-4;       ///< fraction of the diagonal; narrower places are not resolved further
 constexpr double kGapElements = 3.0e4;    ///< approximate number of elements to spend on narrow places ...
 constexpr double kGapElementsEach = 8.0;  ///< ... plus this many per domain segment
 
@@ -59,10 +58,14 @@ std::vector<PlacedSegment> thingsOf(const Domain &domain) {
 
 } // namespace
 
+double automaticMaximum(const Box2 &box) {
+    return box.diagonal() / kAcross;
+}
+
 AutomaticSpacing automaticSpacing(const Domain &domain, const Box2 &box, double minimum, double gradation,
-                                  double segmentsPerTurn, const Progress &progress) {
+                                  double segmentsPerTurn, bool channels, const Progress &progress) {
     AutomaticSpacing automatic;
-    automatic.maximum = box.diagonal() / kAcross;
+    automatic.maximum = automaticMaximum(box);
     const auto add = [&](const SizeSite &site, SiteReason reason, std::uint32_t index) {
         automatic.sites.add(limited(site, minimum, gradation), {SpacingOrigin::Automatic, reason, index});
     };
@@ -84,7 +87,10 @@ AutomaticSpacing automaticSpacing(const Domain &domain, const Box2 &box, double 
     applyCurveLengths(domain, chains, placed);
     const SegmentIndex things(std::move(placed));
     const GapFinder finder(domain, things, automatic.maximum, kFinestGap * box.diagonal(), progress);
-    const std::vector<Gap> gaps = finder.find();
+    std::vector<Gap> gaps = finder.find();
+    if (!channels) {
+        std::erase_if(gaps, [](const Gap &gap) { return !gap.corner; });
+    }
     const double budget = kGapElements + kGapElementsEach * static_cast<double>(domain.segments.size());
     const double floor = affordableFloor(gaps, automatic.maximum, budget);
     for (const Gap &gap : gaps) {

@@ -12,9 +12,13 @@ struct AutomaticSpacing {
     SiteSet sites;
 };
 
+/// Returns the upper bound of automatic spacing in a domain with this box.
+double automaticMaximum(const Box2 &box);
+
 /// Chooses a graded spacing that leaves short segments and curves undivided, makes the domain about 45 elements across,
-/// and gives curves `segmentsPerTurn` edges per turn (0: as many as the other rules require).
+/// and gives curves `segmentsPerTurn` edges per turn (0: as many as the other rules require). With `channels`, it is
+/// also finer in narrow places, else only at sharp corners and lone points.
 AutomaticSpacing automaticSpacing(const Domain &domain, const Box2 &box, double minimum, double gradation,
-                                  double segmentsPerTurn, const Progress &progress = {});
+                                  double segmentsPerTurn, bool channels = true, const Progress &progress = {});
 
 } // namespace forefront

@@ -47,6 +47,25 @@ Pair closest(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
     return best;
 }
 
+/// The part of the plane that the part of a wall from `a` to `b` can face, at most 60 degrees off its normal.
+struct Cone {
+    Vec2 a, normal;
+    Box2 part;
+    bool left = false, right = false; ///< sides on which the domain lies
+
+    /// Returns false if nothing in the box can be faced.
+    bool reaches(const Box2 &box) const {
+        const Vec2 middle = box.centre() - a, half = 0.5 * box.size();
+        const double side = dot(middle, normal);
+        const double spread = half.x * std::fabs(normal.x) + half.y * std::fabs(normal.y);
+        const double furthest = std::max(left ? side + spread : 0.0, right ? spread - side : 0.0);
+        const Vec2 gap{std::max({box.min.x - part.max.x, part.min.x - box.max.x, 0.0}),
+                       std::max({box.min.y - part.max.y, part.min.y - box.max.y, 0.0})};
+        constexpr double kMargin = 0.99; // of rounding
+        return furthest > 0.0 && furthest >= kMargin * kFacing * length(gap);
+    }
+};
+
 BoxTree treeOf(const std::vector<PlacedSegment> &segments) {
     std::vector<Box2> boxes;
     boxes.reserve(segments.size());
@@ -61,11 +80,11 @@ BoxTree treeOf(const std::vector<PlacedSegment> &segments) {
 SegmentIndex::SegmentIndex(std::vector<PlacedSegment> placed) : segments(std::move(placed)), tree(treeOf(segments)) {}
 
 GapFinder::GapFinder(const Domain &domain, const SegmentIndex &index, double longest, double shortest,
-                     const Progress &progress)
+                     const Progress &progress, GapRules rules)
     : domain_(domain), index_(index), longest_(longest), shortest_(shortest), box_(spacingBox(domain)),
       rounding_(kRounding *
                 std::max({std::fabs(box_.min.x), std::fabs(box_.min.y), std::fabs(box_.max.x), std::fabs(box_.max.y)})),
-      progress_(progress) {}
+      progress_(progress), rules_(rules) {}
 
 bool GapFinder::isPoint(const PlacedSegment &segment) const {
     return segment.index >= domain_.segments.size();
@@ -103,6 +122,17 @@ GapFinder::Sides GapFinder::insideOf(std::uint32_t position) const {
 }
 
 GapFinder::Facing GapFinder::facing(std::uint32_t position, Vec2 a, Vec2 b, double reach, Sides sides) const {
+    // A reach as large as the domain would visit all of it, so the search begins nearby.
+    constexpr double kWider = 4.0;
+    for (double near = 2.0 * std::max(length(b - a), shortest_); rules_.everywhere && near < reach; near *= kWider) {
+        if (const Facing found = facingWithin(position, a, b, near, sides); found.width != kNothing) {
+            return found;
+        }
+    }
+    return facingWithin(position, a, b, reach, sides);
+}
+
+GapFinder::Facing GapFinder::facingWithin(std::uint32_t position, Vec2 a, Vec2 b, double reach, Sides sides) const {
     const PlacedSegment &own = index_.segments[position];
     const DomainSegment &ends = domain_.segments[own.index];
     const Vec2 normal = (1.0 / own.length()) * leftNormal(own.b - own.a);
@@ -144,11 +174,13 @@ GapFinder::Facing GapFinder::facing(std::uint32_t position, Vec2 a, Vec2 b, doub
             best.needle = best.corner && dot(along, back) > kNeedle * length(along) * length(back);
         }
     };
-    index_.tree.search([&](const Box2 &box) { return box.overlaps(around); },
-                       [&](std::uint32_t other) {
-                           visit(other);
-                           return true;
-                       });
+    const Cone cone{a, normal, part, sides.left, sides.right};
+    index_.tree.search(
+        [&](const Box2 &box) { return box.overlaps(around) && (!rules_.everywhere || cone.reaches(box)); },
+        [&](std::uint32_t other) {
+            visit(other);
+            return true;
+        });
     return best;
 }
 
@@ -160,14 +192,14 @@ void GapFinder::divide(std::uint32_t position, double from, double to, double re
     const PlacedSegment &own = index_.segments[position];
     const Vec2 a = lerp(own.a, own.b, from);
     const Vec2 b = lerp(own.a, own.b, to);
-    const Facing nearest = facing(position, a, b, 2.0 * reach, sides);
+    const Facing nearest = facing(position, a, b, rules_.across * reach, sides);
     // Near a sharp corner the width falls to zero with the distance to it, so it is followed only down to a floor.
     const double floor = nearest.tip || nearest.corner ? std::max(shortest_, kCornerFloor * reach) : shortest_;
     const bool wide = nearest.width == kNothing;
     if (length(b - a) > 2.0 * floor && (nearest.tip || !wide)) {
         const auto varies = [&] {
             // Widths beyond twice the narrowest are all the same here.
-            const double limit = std::min(2.0 * reach, 2.0 * nearest.width + rounding_);
+            const double limit = std::min(rules_.across * reach, 2.0 * nearest.width + rounding_);
             const auto widthAt = [&](Vec2 p) { return facing(position, p, p, limit, sides).width; };
             const double atA = widthAt(a), atB = widthAt(b);
             const double narrowest = std::min(nearest.width, std::min(atA, atB));
@@ -186,12 +218,18 @@ void GapFinder::divide(std::uint32_t position, double from, double to, double re
         }
     }
     const bool blunt = nearest.corner && !nearest.needle;
-    const bool hopeless = nearest.width < kNegligibleGap * reach &&
-                          (nearest.needle || (!blunt && length(b - a) > kLongGap * nearest.width));
+    const bool negligible = nearest.width < kNegligibleGap * reach;
+    const bool hopeless = rules_.everywhere
+                              ? blunt || nearest.width < (nearest.needle ? kCornerFloor * reach : shortest_)
+                              : negligible && (nearest.needle || (!blunt && length(b - a) > kLongGap * nearest.width));
     if (!wide && !hopeless) {
         gaps.push_back({a, b, own.wholeLength, std::max(nearest.width, blunt ? 2.0 * kCornerFloor * reach : 0.0),
                         own.index, nearest.corner});
     }
+}
+
+double GapFinder::reachOf(const PlacedSegment &segment) const {
+    return rules_.everywhere ? longest_ : std::min(longest_, segment.wholeLength);
 }
 
 std::vector<Gap> GapFinder::find() const {
@@ -201,9 +239,9 @@ std::vector<Gap> GapFinder::find() const {
         if (isPoint(segment)) {
             continue;
         }
-        const double reach = std::min(longest_, segment.wholeLength);
+        const double reach = reachOf(segment);
         // Most segments are far from everything, so the sides are computed only if something is near.
-        const Facing any = facing(i, segment.a, segment.b, 2.0 * reach, {true, true});
+        const Facing any = facing(i, segment.a, segment.b, rules_.across * reach, {true, true});
         if (any.width == kNothing && !any.tip) {
             continue;
         }

@@ -29,20 +29,32 @@ struct Gap {
     bool corner = false;       ///< the facing segment is a neighbour at a sharp corner
 };
 
+/// Fraction of the domain's diagonal; narrower places are not resolved further.
+inline constexpr double kFinestGap = 1e-4;
+
+/// What counts as narrow.
+struct GapRules {
+    double across = 2.0; ///< elements of the maximum spacing that fit into the widest gap
+    /// True: gaps are found beside short segments, too, and however narrow they are; corners are gaps only below 20
+    /// degrees. False: a gap beside a segment counts only if elements as long as the segment are too large for it.
+    bool everywhere = false;
+};
+
 /// Finds where the domain is narrow.
 ///
-/// For each part of a boundary or constraint, looks for the part of the domain that faces it within twice the longest
-/// useful element, at most 60 degrees off the normal. Divides parts until the width along each varies by less than a
-/// factor of 2, or they are no longer than `shortest`. Decides inside and outside by even-odd counting in floating
-/// point, which is good enough for sizes under either inside rule. Leaves out long gaps, and tips of corners below 20
-/// degrees, that are narrower than 1/32 of the longest useful element: finer elements would add to their number, not to
-/// their quality.
+/// For each part of a boundary or constraint, looks for the part of the domain that faces it within GapRules::across
+/// times the longest useful element, at most 60 degrees off the normal. Divides parts until the width along each varies
+/// by less than a factor of 2, or they are no longer than `shortest`. Decides inside and outside by even-odd counting
+/// in floating point, which is good enough for sizes under either inside rule. Leaves out long gaps, and tips of
+/// corners below 20 degrees, that are narrower than 1/32 of the longest useful element: finer elements would add to
+/// their number, not to their quality. With GapRules::everywhere, it leaves out only
+/// corners of 20 degrees or more, tips narrower than 1/8 of that element, and gaps narrower than `shortest`.
 class GapFinder {
   public:
     /// `longest` is the maximum spacing; parts shorter than `shortest` are not divided. `index` holds the segments,
     /// then the lone points, whose `index` continues that of the segments.
     GapFinder(const Domain &domain, const SegmentIndex &index, double longest, double shortest,
-              const Progress &progress);
+              const Progress &progress, GapRules rules = {});
 
     /// Returns all gaps; after cancelling, those found so far.
     std::vector<Gap> find() const;
@@ -62,8 +74,11 @@ class GapFinder {
     };
     bool isPoint(const PlacedSegment &segment) const;
     Sides insideOf(std::uint32_t position) const;
+    /// Returns the longest useful element at a segment.
+    double reachOf(const PlacedSegment &segment) const;
     /// Finds what faces the part of the segment from a to b at the smallest distance.
     Facing facing(std::uint32_t position, Vec2 a, Vec2 b, double reach, Sides sides) const;
+    Facing facingWithin(std::uint32_t position, Vec2 a, Vec2 b, double reach, Sides sides) const;
     void divide(std::uint32_t position, double from, double to, double reach, Sides sides,
                 std::vector<Gap> &gaps) const;
 
@@ -74,6 +89,7 @@ class GapFinder {
     Box2 box_;
     double rounding_; ///< bound on the error of distances
     const Progress &progress_;
+    GapRules rules_;
 };
 
 } // namespace forefront

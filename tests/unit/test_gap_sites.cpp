@@ -1,0 +1,155 @@
+#include "core/domain/add_loop.hpp"
+#include "core/edit/document.hpp"
+#include "core/edit/shape_commands.hpp"
+#include "core/mesh/elements_across.hpp"
+#include "core/mesh/mesh.hpp"
+#include "core/mesher/pipeline.hpp"
+#include "core/spacing/part_list.hpp"
+#include "core/spacing/spacing_field.hpp"
+#include "tests/unit/edit_support.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+using namespace forefront;
+
+namespace {
+
+Domain outlineOf(const std::vector<Vec2> &loop) {
+    Domain domain;
+    addLoop(domain, loop);
+    return domain;
+}
+
+Mesh meshOf(const Domain &domain, const SpacingSpec &spacing, const MeshingOptions &options = {}) {
+    const auto outcome = meshDomain({domain, spacing, options});
+    REQUIRE(outcome.ok());
+    return outcome->mesh;
+}
+
+/// Returns the smallest number of elements across any gap of the mesh.
+double fewestAcross(const Mesh &mesh) {
+    double fewest = std::numeric_limits<double>::infinity();
+    for (const double value : elementsAcross(mesh, edgesOf(mesh))) {
+        fewest = value < fewest ? value : fewest; // false for NaN
+    }
+    return fewest;
+}
+
+std::shared_ptr<const SpacingField> fieldOf(const Domain &domain, const SpacingSpec &spacing) {
+    auto field = SpacingField::build(spacing, domain);
+    REQUIRE(field.ok());
+    return *field;
+}
+
+/// Two basins of 40 x 30, joined by a channel of width 1 and length 20.
+const std::vector<Vec2> kBasins{{0, 0},    {40, 0},  {40, 15}, {60, 15}, {60, 0},  {100, 0},
+                                {100, 30}, {60, 30}, {60, 16}, {40, 16}, {40, 30}, {0, 30}};
+
+/// A wedge of that angle, in degrees, whose sides are 20 long.
+Domain wedge(double degrees) {
+    const double angle = degrees * 0.017453292519943295;
+    return outlineOf({{0, 0}, {20, 0}, {20 * std::cos(angle), 20 * std::sin(angle)}});
+}
+
+} // namespace
+
+TEST_CASE("Elements across gaps: a channel gets the number with a given size, an expression, sources and automatic") {
+    const Domain domain = outlineOf(kBasins);
+    SizeSource source;
+    source.size = 3.0;
+    std::vector<SpacingSpec> specs(4);
+    specs[0].size = 5.0;
+    specs[1].expression = "5 + 0.01*x";
+    specs[2].sources = {source};
+    for (SpacingSpec &spec : specs) {
+        for (const double count : {4.0, 7.0}) {
+            spec.elementsAcross = count;
+            const Mesh mesh = meshOf(domain, spec);
+            CAPTURE(count);
+            CHECK(fewestAcross(mesh) >= count);
+            CHECK(fewestAcross(mesh) <= 1.5 * count + 1.0);
+            CHECK(fieldOf(domain, spec)->at({50.0, 15.5}) == doctest::Approx(1.0 / count).epsilon(0.02));
+        }
+        spec.elementsAcross.reset();
+    }
+    CHECK(fewestAcross(meshOf(domain, specs[0])) < 2.0);
+    specs[0].elementsAcross = 4.0;
+    const auto field = fieldOf(domain, specs[0]);
+    CHECK(field->at({5.0, 4.0}) == doctest::Approx(5.0)); // the basins stay coarse
+    CHECK(field->sample({50.0, 15.2}).describe == "narrow channel at boundary segment 2");
+}
+
+TEST_CASE("Elements across gaps: walls of short segments, slanted and curved walls") {
+    std::vector<Vec2> wall; // a channel of width 1 that winds
+    constexpr int kPieces = 60;
+    for (int k = 0; k <= kPieces; ++k) {
+        wall.push_back({0.5 * k, 2.0 * std::sin(0.1 * k)});
+    }
+    for (int k = kPieces; k >= 0; --k) {
+        wall.push_back({0.5 * k, 2.0 * std::sin(0.1 * k) + 1.0});
+    }
+    SpacingSpec spec;
+    spec.size = 5.0;
+    spec.elementsAcross = 5.0;
+    CHECK(fewestAcross(meshOf(outlineOf(wall), spec)) >= 5.0);
+
+    const Document ring = edit_test::documentOf({edit_test::makeShape(ShapeKind::Circle, {{0, 0}, {5, 0}}),
+                                                 edit_test::makeShape(ShapeKind::Circle, {{0.2, 0}, {4.2, 0}})});
+    const Mesh mesh = meshOf(toDomain(ring), spec);
+    CHECK(fewestAcross(mesh) >= 5.0);
+    CHECK(mesh.elements.size() < 5000);
+}
+
+TEST_CASE("Elements across gaps: wide places and corners stay as they are") {
+    SpacingSpec spec, with;
+    spec.size = with.size = 1.0;
+    with.elementsAcross = 4.0;
+    const auto same = [&](const Domain &domain) {
+        CHECK(meshHash(meshOf(domain, spec)) == meshHash(meshOf(domain, with)));
+    };
+    same(outlineOf({{0, 0}, {10, 0}, {10, 8}, {0, 8}}));
+    same(wedge(60.0));
+    same(wedge(25.0));
+    // A needle is followed down to a width of 1/8 of the size.
+    const Domain needle = wedge(5.0);
+    const auto field = fieldOf(needle, with);
+    CHECK(field->at({18.0, 0.5}) < 0.45);
+    CHECK(field->minimum() >= 1.0 / 8.0 / 4.0);
+    CHECK(meshOf(needle, with).elements.size() < 2000);
+    with.size = spec.size = 5.0;
+    CHECK(meshOf(needle, with).elements.size() < 800);
+}
+
+TEST_CASE("Elements across gaps: 0 leaves narrow places to the other parts, the minimum spacing stays") {
+    const Domain domain = outlineOf(kBasins);
+    SpacingSpec none, off, least;
+    off.elementsAcross = 0.0;
+    CHECK(meshOf(domain, off).elements.size() < meshOf(domain, none).elements.size());
+    least.size = 5.0;
+    least.elementsAcross = 20.0;
+    least.minimum = 0.25;
+    CHECK(fieldOf(domain, least)->at({50.0, 15.5}) == doctest::Approx(0.25));
+    SpacingSpec bad;
+    bad.elementsAcross = -1.0;
+    CHECK(checkSpacing(bad, domain).front().message ==
+          "invalid number of elements across narrow places -1; expected 0 or more");
+}
+
+TEST_CASE("Elements across gaps: the mesh depends neither on the grid nor on the threads") {
+    const Domain domain = outlineOf(kBasins);
+    SpacingSpec spec;
+    spec.size = 2.0;
+    spec.elementsAcross = 4.0;
+    const auto hash = meshHash(meshOf(domain, spec));
+    for (const GridKind grid : {GridKind::None, GridKind::Uniform, GridKind::Hierarchical}) {
+        CHECK(meshHash(meshOf(domain, spec, {.grid = grid})) == hash);
+    }
+    for (const unsigned threads : {2U, 3U}) {
+        CHECK(meshHash(meshOf(domain, spec, {.threads = threads})) == hash);
+    }
+}
