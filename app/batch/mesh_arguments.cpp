@@ -111,6 +111,11 @@ std::variant<MeshArguments, int> parseMeshArguments(int argc, const char *const 
                    "spacing, else 0")
         ->check(nonNegativeNumber())
         ->type_name("N");
+    app.add_option("--elements-across", arguments.elementsAcross,
+                   "elements across narrow places; 0: narrow places do not matter; default: 2 with automatic spacing, "
+                   "else 0")
+        ->check(nonNegativeNumber())
+        ->type_name("N");
     addFrontOptions(app, arguments, grid);
     addImportOptions(app, arguments);
     app.add_option("--threads", arguments.threads, "number of threads, 1 to 256; the mesh does not depend on it")

@@ -29,6 +29,7 @@ struct MeshArguments {
     std::optional<Box2> pictureBox;
     std::optional<double> gradation;
     std::optional<double> segmentsPerTurn;
+    std::optional<double> elementsAcross;
     std::optional<GridKind> grid;
     int gridColumns = 0, gridRows = 0;
     bool keepBoundary = false;

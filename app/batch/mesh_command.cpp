@@ -113,6 +113,9 @@ Diagnostics applySpacing(const MeshArguments &arguments, const std::optional<Inp
     if (arguments.segmentsPerTurn) {
         spacing.segmentsPerTurn = arguments.segmentsPerTurn;
     }
+    if (arguments.elementsAcross) {
+        spacing.elementsAcross = arguments.elementsAcross;
+    }
     return {};
 }
 

@@ -126,6 +126,15 @@ class Meshing(Case):
         self.assertTrue(98 <= edges["100"] <= 110, edges)
         self.assertTrue(196 <= edges["200"] <= 220, edges)
 
+    def test_narrow_places_get_the_number_of_elements_across(self):
+        self.write("channel.poly", poly([[(0, 0), (20, 0), (20, 1), (0, 1)]], []))
+        for words, code in ((("--size", "5"), 1), (("--size", "5", "--elements-across", "4"), 0),
+                            (("--elements-across", "4"), 0)):
+            self.call("mesh", "channel.poly", "-o", "channel.msh", *words)
+            self.call("check", "channel.msh", "--min-across", "4", code=code)
+        self.assertIn("--elements-across: expected a number of at least 0, got '-1'", self.call(
+            "mesh", "channel.poly", "-o", "a.msh", "--elements-across", "-1", code=2).stderr)
+
     def test_every_grid_and_number_of_threads_gives_the_same_mesh(self):
         choices = ([], ["--grid", "none"], ["--grid", "uniform"], ["--grid", "uniform:7x5"],
                    ["--grid", "hierarchical"], ["--threads", "2"])

@@ -79,6 +79,25 @@ TEST_CASE("Spacing: the number of elements per turn is a field") {
     CHECK(driver.logHas("bad-size"));
 }
 
+TEST_CASE("Spacing: the number of elements across narrow places is a field") {
+    Draughtsman driver;
+    driver.rectangle({1, 4}, {9, 5});
+    driver.unfold("spacing");
+    driver.fill("spacing/size", "2");
+    REQUIRE(driver.context().preview->spacing != nullptr);
+    CHECK(driver.context().preview->spacing->at({5, 4.5}) == doctest::Approx(2.0));
+    driver.fill("spacing/across", "2*2");
+    CHECK(driver.undoLabel() == "Change elements across");
+    CHECK(driver.document().spacing.elementsAcross == 4.0);
+    CHECK(driver.context().preview->spacing->at({5, 4.5}) == doctest::Approx(0.25).epsilon(0.02));
+    driver.fill("spacing/across", "-1");
+    CHECK(driver.document().spacing.elementsAcross == 4.0);
+    CHECK(driver.logHas("bad-size"));
+    driver.key('Z', {Modifiers::kControl});
+    driver.settle();
+    CHECK_FALSE(driver.document().spacing.elementsAcross.has_value());
+}
+
 TEST_CASE("Inspector: several tags are not shown as one, and a number gives all of them one") {
     Draughtsman driver;
     driver.rectangle({1, 1}, {4, 4});

@@ -155,6 +155,14 @@ void SpacingPanel::drawLimits(Shell &context) {
     }
     ui::rowTooltip(context, "Elements along a full turn of a curved boundary; 0: bends do not matter. Empty: 40 with "
                             "automatic spacing, else 0. Curves always get as many as their shape needs.");
+    std::optional<double> across = document->spacing.elementsAcross;
+    form::label(context, "Across gaps");
+    if (form::optionalField(context, "spacing/across", across, "auto", -1.0F, "spacing/elementsAcross")) {
+        EditState::apply(context, setElementsAcross(*context.document.current(), across), "Change elements across");
+    }
+    ui::rowTooltip(context,
+                   "Elements across narrow places, such as channels; 0: narrow places do not matter. Empty: 2 "
+                   "with automatic spacing, else 0. Corners are no narrow places, except tips below 20 degrees.");
     form::label(context, "");
     bool fromBoundary = document->spacing.fromBoundary;
     if (ui::checkbox(context, "spacing/fromboundary", "Use boundary lengths", fromBoundary)) {
